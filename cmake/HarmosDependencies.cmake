@@ -1,0 +1,39 @@
+# Third-party libraries, each behind one interface target. Debian's Trilinos exports targets without include directories
+# and without MPI; the repair stands here and nowhere else.
+find_program(HARMOS_CCACHE ccache)
+if(HARMOS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${HARMOS_CCACHE})
+endif()
+
+find_package(MPI REQUIRED COMPONENTS CXX)
+find_package(Trilinos 13.2 REQUIRED COMPONENTS Tpetra Amesos2 Teuchos Belos Intrepid2 Shards Sacado)
+
+function(harmos_dependency name)
+  cmake_parse_arguments(arg "" "" "INCLUDE;LIBRARIES" ${ARGN})
+  add_library(harmos_${name} INTERFACE)
+  add_library(Harmos::${name} ALIAS harmos_${name})
+  set_target_properties(harmos_${name} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(harmos_${name} SYSTEM INTERFACE ${arg_INCLUDE})
+  target_link_libraries(harmos_${name} INTERFACE ${arg_LIBRARIES})
+  install(TARGETS harmos_${name} EXPORT HarmosTargets)
+endfunction()
+
+harmos_dependency(trilinos INCLUDE ${Trilinos_INCLUDE_DIRS} LIBRARIES ${Trilinos_LIBRARIES} MPI::MPI_CXX)
+
+find_path(EXPAT_INCLUDE expat.h REQUIRED)
+find_library(EXPAT_LIBRARY expat REQUIRED)
+harmos_dependency(expat INCLUDE ${EXPAT_INCLUDE} LIBRARIES ${EXPAT_LIBRARY})
+
+find_path(EXODUS_INCLUDE exodusII.h REQUIRED)
+find_library(EXODUS_LIBRARY exoIIv2c REQUIRED)
+harmos_dependency(exodus INCLUDE ${EXODUS_INCLUDE} LIBRARIES ${EXODUS_LIBRARY})
+
+find_path(METIS_INCLUDE metis.h REQUIRED)
+find_library(METIS_LIBRARY metis REQUIRED)
+harmos_dependency(metis INCLUDE ${METIS_INCLUDE} LIBRARIES ${METIS_LIBRARY})
+
+if(HARMOS_CHOLMOD)
+  find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+  find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+  harmos_dependency(cholmod INCLUDE ${CHOLMOD_INCLUDE} LIBRARIES ${CHOLMOD_LIBRARY})
+endif()

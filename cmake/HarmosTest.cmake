@@ -1,0 +1,27 @@
+# Tests: one executable per folder, one ctest entry per executable (start-up of MPI and Kokkos is paid once).
+#   harmos_test(<name> LABEL unit|verification|... SOURCES ... LIBRARIES ... [RANKS 1 2 4])
+set(HARMOS_TEST_ENVIRONMENT
+    "OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_hwloc_base_binding_policy=none;OMPI_MCA_mpi_yield_when_idle=1;OMPI_MCA_btl_vader_single_copy_mechanism=none")
+
+add_library(harmos_test_main STATIC ${PROJECT_SOURCE_DIR}/tests/unit/main.cpp)
+target_link_libraries(harmos_test_main PUBLIC GTest::gtest Harmos::trilinos)
+
+function(harmos_test name)
+  cmake_parse_arguments(arg "" "LABEL" "SOURCES;LIBRARIES;RANKS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} harmos_test_main harmos_warnings)
+  if(NOT arg_RANKS)
+    set(arg_RANKS 1)
+  endif()
+  foreach(ranks IN LISTS arg_RANKS)
+    if(ranks EQUAL 1)
+      add_test(NAME ${name} COMMAND ${name})
+      set(test ${name})
+    else()
+      set(test ${name}_ranks_${ranks})
+      add_test(NAME ${test} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${name}>)
+    endif()
+    set_tests_properties(${test} PROPERTIES LABELS "${arg_LABEL}" PROCESSORS ${ranks}
+                         ENVIRONMENT "${HARMOS_TEST_ENVIRONMENT}")
+  endforeach()
+endfunction()

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <harmos/mesh/Mesh.hpp>
+
+namespace harmos::mesh {
+
+/// Rows n, t1, t2 of an orthonormal frame; n points from side 1 to side 2 (out of side 1). In 2-D t2 = (0, 0, 1).
+using Frame = std::array<Point, 3>;
+
+/// Geometry of one interface between two parts, or between one part and the ground (outer boundary).
+///
+/// Node pairs are conforming: pair p joins the local node node1[p] of part1 and node2[p] of part2.
+struct InterfaceSurface {
+  std::string name;                    // of the interface it belongs to
+  int part1 = -1;                      // index into the list of parts
+  int part2 = -1;                      // -1: outer boundary, one side only
+  std::vector<int> node1, node2;       // local node numbers in the parts; node2 is empty for an outer boundary
+  std::vector<Frame> frame;            // per pair, area-weighted mean of the faces' normals
+  std::vector<double> area;            // per pair, int N dS [length^2; in 2-D length times thickness], > 0
+  std::vector<double> gap;             // per pair, (x2 - x1).n [length], 0 where the nodes coincide
+  std::vector<std::vector<int>> face;  // pair numbers of each face in the node order of side 1; empty for node sets
+};
+
+}  // namespace harmos::mesh
