@@ -1,0 +1,2 @@
+# Installs the libraries and what find_package(Harmos) needs.
+include(CMakePackageConfigHelpers)
