@@ -26,42 +26,70 @@ class Histories {
 /// Asking for a name that the ParameterSpec does not declare is a programming error and throws base::Error.
 class Parameters {
  public:
-  using Value = std::variant<double, int, bool, std::string, std::vector<double>>;
+  using Value = std::variant<double, int, bool, std::string, std::vector<double>, std::vector<std::string>>;
+  struct Entry {
+    std::string name;
+    Value value;
+    std::string location;  // "file:line", empty for a default
+  };
+  struct Sublist;
 
   Parameters() = default;
-  explicit Parameters(std::string name) : name_(std::move(name)) {}
+  /// `path` leads from the root to this list ("Interfaces / seal"), `location` is its "file:line"; both for messages.
+  explicit Parameters(std::string name, std::string path = "", std::string location = "")
+      : name_(std::move(name)), path_(path.empty() ? name_ : std::move(path)), location_(std::move(location)) {}
 
   /// The list's own name (the user's name for the children of a namedLists()).
   const std::string& name() const { return name_; }
   /// Value of the parameter "Type" of a list with alternatives.
   const std::string& type() const { return text("Type"); }
+  const std::string& location() const { return location_; }
+  /// Where the entry `name`, or without a name this list, stands: "file:line: List / Sublist / Name". An entry that was
+  /// not given is where its list is.
+  std::string where(const std::string& name = "") const;
 
-  bool has(const std::string& name) const;
+  bool has(const std::string& name) const { return find(name) != nullptr; }
   double number(const std::string& name) const;
   int integer(const std::string& name) const;
   bool flag(const std::string& name) const;
   const std::string& text(const std::string& name) const;
   const std::vector<double>& numbers(const std::string& name) const;
+  const std::vector<std::string>& texts(const std::string& name) const;
   /// A varying() number times its history, if one is named, at every load step.
   Schedule schedule(const std::string& name) const;
 
   const Parameters& list(const std::string& name) const;
-  bool hasList(const std::string& name) const;
+  bool hasList(const std::string& name) const { return findList(name) != nullptr; }
   /// The user-named children of the sublist `name`, in the order of the input; empty if the sublist is absent.
   const std::vector<Parameters>& lists(const std::string& name) const;
 
-  Parameters& set(const std::string& name, Value value);
+  Parameters& set(const std::string& name, Value value, std::string location = "");
   Parameters& setList(const std::string& name, Parameters list);
+  /// Adds a child to the user-named lists of `listName`.
   Parameters& addNamed(const std::string& listName, Parameters child);
   /// Gives this list and all below it the histories that schedule() looks up.
   void attach(std::shared_ptr<const Histories> histories);
 
+  const std::vector<Entry>& entries() const { return entries_; }
+  const std::vector<Sublist>& sublists() const { return sublists_; }
+
  private:
-  std::string name_;
-  std::map<std::string, Value> values_;
-  std::map<std::string, Parameters> lists_;
-  std::map<std::string, std::vector<Parameters>> named_;
+  const Entry* find(const std::string& name) const;
+  const Sublist* findList(const std::string& name) const;
+  template <class T>
+  const T& get(const std::string& name, const char* type) const;
+
+  std::string name_, path_, location_;
+  std::vector<Entry> entries_;
+  std::vector<Sublist> sublists_;
   std::shared_ptr<const Histories> histories_;
+};
+
+/// A sublist of fixed name: either one list, or any number of lists named by the user.
+struct Parameters::Sublist {
+  std::string name;
+  bool isNamed = false;
+  std::vector<Parameters> lists;  // exactly one when not isNamed
 };
 
 }  // namespace harmos::base

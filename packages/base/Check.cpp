@@ -1,0 +1,447 @@
+#include <harmos/base/Check.hpp>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/ErrorList.hpp>
+#include <harmos/base/Names.hpp>
+#include <harmos/base/Numerals.hpp>
+#include <harmos/base/Override.hpp>
+
+namespace harmos::base {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string quoted(const std::string& text) {
+  return "\"" + text + "\"";
+}
+
+/// The XML types in which a parameter may be given, the usual one first.
+Names acceptedTypes(ParameterType type) {
+  switch (type) {
+    case ParameterType::number:
+      return {"double", "int"};
+    case ParameterType::numbers:
+      return {"Array(double)", "Array(int)"};
+    default:
+      return {xmlType(type)};
+  }
+}
+
+std::string example(const ParameterEntry& entry) {
+  return "<Parameter name=" + quoted(entry.name) + " type=" + quoted(xmlType(entry.type)) + " value=\"...\"/>";
+}
+
+bool declares(const ParameterSpec& spec, const std::string& parameter) {
+  const auto isIn = [&](const ParameterSpec& holder) {
+    const auto& entries = holder.entries();
+    return std::any_of(entries.begin(), entries.end(), [&](const auto& entry) { return entry->name == parameter; });
+  };
+  return isIn(spec) || std::any_of(spec.forms().begin(), spec.forms().end(), isIn);
+}
+
+/// Where a list or parameter of this name is declared below `spec`; empty when nowhere.
+std::string findBelow(const ParameterSpec& spec, const std::string& name, bool isList) {
+  std::vector<ParameterSpec::Sublist> sublists = spec.sublists();
+  for (const ParameterSpec& form : spec.forms()) {
+    sublists.insert(sublists.end(), form.sublists().begin(), form.sublists().end());
+  }
+  for (const auto& sublist : sublists) {
+    if (isList && sublist.name == name) return name;
+    const std::string path = sublist.name + (sublist.kind == ParameterSpec::ListKind::named ? " / <name>" : "") + " / ";
+    if (!isList && declares(*sublist.spec, name)) return path + name;
+    const std::string below = findBelow(*sublist.spec, name, isList);
+    if (!below.empty()) return path + below;
+  }
+  return "";
+}
+
+class Checker {
+ public:
+  Checker(const InputNode& root, const ParameterSpec& spec, ErrorList& errors)
+      : root_(&root), spec_(spec), errors_(errors) {
+    if (const InputNode* values = root.child("Values")) {
+      for (const InputNode& value : values->children) {
+        const std::string* text = value.attribute("value");
+        values_.emplace(value.name(), text ? parseNumber(*text) : std::nullopt);
+      }
+    }
+    if (const InputNode* histories = root.child("Histories")) {
+      for (const InputNode& history : histories->children) histories_.push_back(history.name());
+    }
+  }
+
+  Parameters root() {
+    wellFormed(*root_, spec_.name());
+    return list(*root_, spec_, spec_.name(), spec_.name());
+  }
+
+ private:
+  Parameters list(const InputNode& node, const ParameterSpec& spec, const std::string& name, const std::string& path);
+  using Given = std::map<std::string, const InputNode*>;
+
+  /// Attributes and text that do not belong; whether the node has what it needs to be read further.
+  bool wellFormed(const InputNode& node, const std::string& path);
+  /// The list's children of a legal tag, each name once.
+  Given children(const InputNode& node, const std::string& path);
+  void unknown(const InputNode& child, const ParameterSpec& spec, const std::vector<ParameterEntry>& entries,
+               const std::vector<ParameterSpec::Sublist>& sublists, const std::string& path);
+  void sublist(const InputNode* node, const ParameterSpec::Sublist& sublist, const std::string& path,
+               Parameters& result);
+  void numbers(const InputNode& node, const std::string& path, Parameters& result);
+
+  std::optional<Parameters::Value> value(const InputNode& node, const ParameterEntry& entry, const std::string& path);
+  std::optional<double> number(const std::string& text, const ParameterEntry& entry, const std::string& where);
+  std::optional<int> integer(const std::string& text, const ParameterEntry& entry, const std::string& where);
+  std::optional<std::string> text(const std::string& text, const ParameterEntry& entry, const std::string& where);
+  bool inRange(double number, const std::string& text, const ParameterEntry& entry, const std::string& where);
+
+  std::string below(const std::string& path, const std::string& name) const {
+    return path == spec_.name() ? name : path + " / " + name;
+  }
+
+  const InputNode* root_;
+  const ParameterSpec& spec_;
+  ErrorList& errors_;
+  std::map<std::string, std::optional<double>> values_;  // nothing: given but not a number
+  Names histories_;
+};
+
+bool Checker::wellFormed(const InputNode& node, const std::string& path) {
+  const std::string where = node.location + ": " + path;
+  if (!node.strayText.empty()) {
+    errors_.add(node.strayLocation + ": " + path, "text " + quoted(node.strayText) + " stands between the tags.",
+                "Remove it, or make it a comment <!-- -->.");
+  }
+  // Teuchos writes these besides.
+  Names known = {"name", "id", "docString", "isDefault", "isUsed", "validatorId"};
+  if (node.isParameter()) known.insert(known.begin() + 1, {"type", "value"});
+  for (const auto& attribute : node.attributes) {
+    if (std::find(known.begin(), known.end(), attribute.first) != known.end()) continue;
+    errors_.add(where, "unknown attribute " + quoted(attribute.first) + " of <" + node.tag + ">.",
+                suggestName(attribute.first, known, "Allowed"));
+  }
+  bool complete = true;
+  for (const char* needed : {"name", "type", "value"}) {
+    if (std::find(known.begin(), known.end(), needed) == known.end()) continue;
+    const std::string* given = node.attribute(needed);
+    if (given && !(std::string(needed) == "name" && given->empty())) continue;
+    if (!given && &node == root_) continue;  // a Teuchos::ParameterList of a host need not be named
+    errors_.add(where, "<" + node.tag + "> has no " + needed + ".",
+                node.isParameter() ? "Write <Parameter name=\"...\" type=\"...\" value=\"...\"/>."
+                                   : "Write <ParameterList name=\"...\">.");
+    complete = false;
+  }
+  if (node.isParameter() && !node.children.empty()) {
+    errors_.add(where, "a <Parameter> holds nothing, but <" + node.children.front().tag + "> stands in it.",
+                "Close it with \"/>\", or make it a <ParameterList>.");
+  }
+  return complete;
+}
+
+Checker::Given Checker::children(const InputNode& node, const std::string& path) {
+  Given given;
+  for (const InputNode& child : node.children) {
+    if (!child.isList() && !child.isParameter()) {
+      errors_.add(child.location + ": " + path, "unknown element <" + child.tag + ">.",
+                  suggestName(child.tag, {InputNode::listTag, InputNode::parameterTag}, "Allowed"));
+      continue;
+    }
+    const std::string childPath = child.name().empty() ? path : below(path, child.name());
+    if (!wellFormed(child, childPath) && child.name().empty()) continue;
+    const auto [first, isNew] = given.emplace(child.name(), &child);
+    if (!isNew) {
+      errors_.add(child.location + ": " + childPath, "is given twice, first at " + first->second->location + ".",
+                  "Remove or rename one of them.");
+    }
+  }
+  return given;
+}
+
+void Checker::unknown(const InputNode& child, const ParameterSpec& spec, const std::vector<ParameterEntry>& entries,
+                      const std::vector<ParameterSpec::Sublist>& sublists, const std::string& path) {
+  Names known;
+  if (child.isParameter()) {
+    for (const ParameterEntry& entry : entries) known.push_back(entry.name);
+  } else {
+    for (const auto& sublist : sublists) known.push_back(sublist.name);
+  }
+  const std::string kind = child.isList() ? "list " : "parameter ";
+  std::string elsewhere = findBelow(spec, child.name(), child.isList());
+  if (!elsewhere.empty()) {
+    elsewhere = below(path, elsewhere);
+  } else if (child.isList()) {
+    elsewhere = findBelow(spec_, child.name(), true);
+  }
+  errors_.add(child.location + ": " + path, "unknown " + kind + quoted(child.name()) + ".",
+              elsewhere.empty() ? suggestName(child.name(), known, "Allowed here")
+                                : "It belongs in " + elsewhere +
+                                      ". Allowed here: " + (known.empty() ? "none" : joinNames(known)) + ".");
+}
+
+Parameters Checker::list(const InputNode& node, const ParameterSpec& spec, const std::string& name,
+                         const std::string& path) {
+  Parameters result(name, path, node.location);
+  const InputNode* type = node.child("Type");
+  const std::string* typeName = type ? type->attribute("value") : nullptr;
+  const ParameterSpec* form = typeName ? spec.findForm(*typeName) : nullptr;
+  const bool isFormKnown = form || spec.forms().empty();
+  const auto entries = spec.entriesWith(form);
+  const auto sublists = spec.sublistsWith(form);
+
+  const Given given = children(node, path);
+  std::map<std::string, Parameters::Value> values;
+  for (const InputNode& child : node.children) {
+    const auto found = given.find(child.name());
+    if (found == given.end() || found->second != &child) continue;
+    const auto entry =
+        std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.name == child.name(); });
+    const auto sub =
+        std::find_if(sublists.begin(), sublists.end(), [&](const auto& s) { return s.name == child.name(); });
+    const std::string where = child.location + ": " + below(path, child.name());
+    if (entry != entries.end()) {
+      if (child.isList()) {
+        errors_.add(where, "is a parameter, but a list is given.", "Write " + example(*entry) + ".");
+      } else if (auto read = value(child, *entry, path)) {
+        values.emplace(entry->name, std::move(*read));
+      }
+    } else if (sub != sublists.end()) {
+      if (child.isParameter()) {
+        errors_.add(where, "is a list, but a parameter is given.",
+                    "Write <ParameterList name=" + quoted(child.name()) + "> ... </ParameterList>.");
+      }
+    } else if (isFormKnown) {
+      unknown(child, spec, entries, sublists, path);
+    }
+  }
+
+  for (const ParameterEntry& entry : entries) {
+    const auto read = values.find(entry.name);
+    if (read != values.end()) {
+      result.set(entry.name, std::move(read->second), given.at(entry.name)->location);
+    } else if (given.count(entry.name) == 0 && entry.isRequired()) {
+      std::string expected = entry.name + (entry.unitName.empty() ? "" : " [" + entry.unitName + "]");
+      if (!entry.description.empty()) expected += ": " + entry.description;
+      if (!entry.choices.empty()) expected += " Allowed: " + joinNames(entry.choices) + ".";
+      errors_.add(node.location + ": " + path, "required parameter " + quoted(entry.name) + " is missing.",
+                  expected + "\n  Add " + example(entry) + ".");
+    } else if (given.count(entry.name) == 0 && entry.defaultText) {
+      InputNode standard;
+      standard.setAttribute("type", xmlType(entry.type));
+      standard.setAttribute("value", *entry.defaultText);
+      standard.location = node.location;
+      if (auto filled = value(standard, entry, path)) result.set(entry.name, std::move(*filled));
+    } else if (given.count(entry.name) == 0 && entry.varies && given.count(entry.name + " History") > 0) {
+      errors_.add(given.at(entry.name + " History")->location + ": " + path,
+                  quoted(entry.name + " History") + " is given without " + quoted(entry.name) + ".",
+                  "Add " + example(entry) + ", which the history multiplies.");
+    }
+  }
+  for (const auto& sub : sublists) {
+    const auto found = given.find(sub.name);
+    if (found == given.end() || found->second->isList()) {
+      sublist(found == given.end() ? nullptr : found->second, sub, path, result);
+    }
+  }
+  return result;
+}
+
+void Checker::sublist(const InputNode* node, const ParameterSpec::Sublist& sublist, const std::string& path,
+                      Parameters& result) {
+  const std::string childPath = below(path, sublist.name);
+  if (!node) {
+    if (sublist.required) {
+      errors_.add(result.where(), "required list " + quoted(sublist.name) + " is missing.",
+                  (sublist.spec->summary().empty() ? "" : sublist.spec->summary() + " ") +
+                      "Add <ParameterList name=" + quoted(sublist.name) + "> ... </ParameterList>.");
+    } else if (sublist.kind == ParameterSpec::ListKind::fixed && !sublist.optional) {
+      InputNode empty;
+      empty.tag = InputNode::listTag;
+      empty.location = result.location();
+      result.setList(sublist.name, list(empty, *sublist.spec, sublist.name, childPath));
+    }
+    return;
+  }
+  switch (sublist.kind) {
+    case ParameterSpec::ListKind::fixed:
+      result.setList(sublist.name, list(*node, *sublist.spec, sublist.name, childPath));
+      break;
+    case ParameterSpec::ListKind::numbers:
+      numbers(*node, childPath, result);
+      break;
+    case ParameterSpec::ListKind::named: {
+      const Given given = children(*node, childPath);
+      for (const InputNode& child : node->children) {
+        const auto found = given.find(child.name());
+        if (found == given.end() || found->second != &child) continue;
+        const std::string name = child.name();
+        if (child.isParameter()) {
+          errors_.add(child.location + ": " + below(childPath, name), "is a parameter, but a list is expected.",
+                      sublist.name + " holds lists: <ParameterList name=" + quoted(name) + "> ... </ParameterList>.");
+        } else {
+          result.addNamed(sublist.name, list(child, *sublist.spec, name, below(childPath, name)));
+        }
+      }
+      if (given.empty() && sublist.required) {
+        errors_.add(node->location + ": " + childPath, "the list is empty, but must hold at least one list.",
+                    "Add <ParameterList name=\"...\"> ... </ParameterList>, with a name of your choice.");
+      }
+    }
+  }
+}
+
+void Checker::numbers(const InputNode& node, const std::string& path, Parameters& result) {
+  Parameters values(node.name(), path, node.location);
+  const Given given = children(node, path);
+  for (const InputNode& child : node.children) {
+    const auto found = given.find(child.name());
+    if (found == given.end() || found->second != &child) continue;
+    const ParameterEntry entry(child.name(), ParameterType::number);
+    if (child.isList()) {
+      errors_.add(child.location + ": " + below(path, child.name()), "is a list, but a parameter is expected.",
+                  "Write " + example(entry) + ".");
+      continue;
+    }
+    const std::string* text = child.attribute("value");
+    if (text && text->find('$') != std::string::npos) {
+      errors_.add(child.location + ": " + below(path, child.name()), quoted(*text) + " refers to another value.",
+                  "Write a number here.");
+    } else if (auto read = value(child, entry, path)) {
+      values.set(child.name(), std::move(*read), child.location);
+    }
+  }
+  result.setList(node.name(), std::move(values));
+}
+
+std::optional<Parameters::Value> Checker::value(const InputNode& node, const ParameterEntry& entry,
+                                                const std::string& path) {
+  const std::string where = node.location + ": " + below(path, entry.name);
+  const std::string* type = node.attribute("type");
+  const std::string* given = node.attribute("value");
+  if (!type || !given) return std::nullopt;  // reported by wellFormed()
+  const Names accepted = acceptedTypes(entry.type);
+  if (std::find(accepted.begin(), accepted.end(), *type) == accepted.end()) {
+    errors_.add(where, "type " + quoted(*type) + " is given, but the type is " + quoted(accepted.front()) + ".",
+                "Write " + example(entry) + ".");
+    return std::nullopt;
+  }
+  const bool isArray = entry.type == ParameterType::numbers || entry.type == ParameterType::texts;
+  const auto items = isArray ? parseItems(*given) : std::optional<Names>(Names{*given});
+  if (!items) {
+    errors_.add(where, quoted(*given) + " is not a list of values.", "Write value=\"{a, b, c}\".");
+    return std::nullopt;
+  }
+  std::vector<double> numbers;
+  Names texts;
+  for (const std::string& item : *items) {
+    switch (entry.type) {
+      case ParameterType::number:
+      case ParameterType::numbers:
+        if ((*type == "int" || *type == "Array(int)") && parseNumber(item) && !parseInteger(item)) {
+          errors_.add(where, quoted(item) + " is not an integer, but the type is " + quoted(*type) + ".",
+                      "Write type=" + quoted(accepted.front()) + ".");
+          return std::nullopt;
+        }
+        if (const auto read = number(item, entry, where)) numbers.push_back(*read);
+        break;
+      case ParameterType::integer:
+        if (const auto read = integer(item, entry, where)) return *read;
+        break;
+      case ParameterType::flag:
+        if (item == "true" || item == "false") return item == "true";
+        errors_.add(where, quoted(item) + " is not allowed.", "Allowed: true, false.");
+        break;
+      case ParameterType::text:
+      case ParameterType::texts:
+        if (auto read = text(item, entry, where)) texts.push_back(std::move(*read));
+        break;
+    }
+  }
+  if (numbers.size() + texts.size() != items->size()) return std::nullopt;
+  if (entry.type == ParameterType::number) return numbers.front();
+  if (entry.type == ParameterType::text) return texts.front();
+  if (entry.type == ParameterType::numbers) return numbers;
+  return texts;
+}
+
+std::optional<double> Checker::number(const std::string& text, const ParameterEntry& entry, const std::string& where) {
+  if (!text.empty() && text.front() == '$') {
+    const auto found = values_.find(text.substr(1));
+    if (found == values_.end()) {
+      Names known;
+      for (const auto& value : values_) known.push_back(value.first);
+      errors_.add(where, quoted(text) + " names no entry of the list Values.",
+                  suggestName(text.substr(1), known, "Values has"));
+      return std::nullopt;
+    }
+    // A value that is not a number is reported where it stands.
+    if (found->second && !inRange(*found->second, text + " = " + toText(*found->second), entry, where))
+      return std::nullopt;
+    return found->second;
+  }
+  const auto number = parseNumber(text);
+  if (!number) {
+    errors_.add(where, quoted(text) + " is not a finite number.",
+                "Write a number such as 0.5 or 2e5" + (entry.unitName.empty() ? "" : " [" + entry.unitName + "]") +
+                    ", or \"$name\" for an entry of the list Values.");
+    return std::nullopt;
+  }
+  if (!inRange(*number, text, entry, where)) return std::nullopt;
+  return number;
+}
+
+std::optional<int> Checker::integer(const std::string& text, const ParameterEntry& entry, const std::string& where) {
+  const auto number = parseInteger(text);
+  if (!number) {
+    errors_.add(where, quoted(text) + " is not an integer.",
+                "Write a whole number between -2147483648 and 2147483647, without point or exponent.");
+    return std::nullopt;
+  }
+  if (!inRange(*number, text, entry, where)) return std::nullopt;
+  return number;
+}
+
+std::optional<std::string> Checker::text(const std::string& text, const ParameterEntry& entry,
+                                         const std::string& where) {
+  if (!entry.choices.empty() && std::find(entry.choices.begin(), entry.choices.end(), text) == entry.choices.end()) {
+    errors_.add(where, quoted(text) + " is not allowed.", suggestName(text, entry.choices, "Allowed"));
+    return std::nullopt;
+  }
+  if (entry.namesHistory && std::find(histories_.begin(), histories_.end(), text) == histories_.end()) {
+    errors_.add(where, quoted(text) + " names no history.", suggestName(text, histories_, "Histories has"));
+    return std::nullopt;
+  }
+  return text;
+}
+
+bool Checker::inRange(double number, const std::string& text, const ParameterEntry& entry, const std::string& where) {
+  const bool aboveMinimum = entry.excludesMinimum ? number > entry.minimum : number >= entry.minimum;
+  const bool belowMaximum = entry.excludesMaximum ? number < entry.maximum : number <= entry.maximum;
+  if (aboveMinimum && belowMaximum) return true;
+  errors_.add(where, text + " is out of range.", "Allowed: " + entry.range() + ".");
+  return false;
+}
+
+}  // namespace
+
+Parameters check(InputTree input, const ParameterSpec& spec, const std::vector<std::string>& overrides) {
+  ErrorList errors;
+  const InputNode& root = input.root;
+  const std::string* name = root.attribute("name");
+  if (!root.isList() || (name && *name != spec.name())) {
+    errors.add(root.location, "the root element is <" + root.tag + (name ? " name=" + quoted(*name) : "") + ">.",
+               "It must be <ParameterList name=" + quoted(spec.name()) + ">.");
+    if (!root.isList()) errors.throwIfAny();
+  }
+  for (const std::string& assignment : overrides) applyOverride(input, spec, assignment, errors);
+  Checker checker(root, spec, errors);
+  Parameters result = checker.root();
+  errors.throwIfAny();
+  return result;
+}
+
+}  // namespace harmos::base

@@ -1,0 +1,104 @@
+#include <harmos/base/Documentation.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
+
+namespace harmos::base {
+
+namespace {
+
+std::string necessity(const ParameterEntry& entry) {
+  if (entry.isRequired()) return "required";
+  if (!entry.defaultText) return "optional";
+  return entry.defaultText->empty() ? "default: empty" : "default: " + *entry.defaultText;
+}
+
+/// One line per parameter; the companion of a varying number is mentioned, not listed.
+std::string describe(const ParameterEntry& entry) {
+  std::string text = "- `" + entry.name + "` (" + xmlType(entry.type);
+  if (!entry.unitName.empty()) text += ", [" + entry.unitName + "]";
+  text += ", " + necessity(entry) + ")";
+  if (!entry.range().empty()) text += ", " + entry.range();
+  if (!entry.choices.empty()) text += ", one of: " + joinNames(entry.choices, entry.choices.size());
+  text += ". " + entry.description;
+  if (entry.varies) text += " May follow a history: `" + entry.name + " History`.";
+  return text + "\n";
+}
+
+/// What must be given, with a value to be replaced.
+std::string snippet(const ParameterSpec& spec, const ParameterSpec* form, const std::string& name) {
+  std::string text = "    <ParameterList name=\"" + name + "\">\n";
+  for (const ParameterEntry& entry : spec.entriesWith(form)) {
+    if (!entry.isRequired()) continue;
+    std::string value = entry.choices.empty() ? "..." : entry.choices.front();
+    if (form && entry.name == "Type") value = form->name();
+    text +=
+        "      <Parameter name=\"" + entry.name + "\" type=\"" + xmlType(entry.type) + "\" value=\"" + value + "\"/>\n";
+  }
+  for (const auto& sublist : spec.sublistsWith(form)) {
+    if (sublist.required) text += "      <ParameterList name=\"" + sublist.name + "\"> ... </ParameterList>\n";
+  }
+  return text + "    </ParameterList>\n";
+}
+
+class Writer {
+ public:
+  explicit Writer(std::string topic) : topic_(std::move(topic)) {}
+
+  /// `isChosen`: a list above is the topic. `form` is null for the list itself.
+  void list(const ParameterSpec& spec, const ParameterSpec* form, const std::string& path, const std::string& name,
+            bool isChosen) {
+    const ParameterSpec& shown = form ? *form : spec;
+    const bool isShown = isChosen || shown.name() == topic_;
+    topics_.push_back(shown.name());
+    if (isShown) {
+      text_ += "## " + path + (form ? ", Type = " + form->name() : "") + "\n\n";
+      if (!shown.summary().empty()) text_ += shown.summary() + "\n\n";
+      if (!shown.source().empty()) text_ += "Source: " + shown.source() + ".\n\n";
+      for (const auto& entry : shown.entries()) text_ += describe(*entry);
+      if (!form && !spec.forms().empty()) {
+        std::vector<std::string> types;
+        for (const ParameterSpec& f : spec.forms()) types.push_back(f.name());
+        text_ += "- `Type` (string, required), one of: " + joinNames(types, types.size()) + ".\n";
+      }
+      for (const auto& sublist : shown.sublists()) {
+        text_ += "- list `" + sublist.name + "` (" + (sublist.required ? "required" : "optional") + ").\n";
+      }
+      if (form || spec.forms().empty()) text_ += "\n" + snippet(spec, form, name);
+      text_ += "\n";
+    }
+    for (const auto& sublist : shown.sublists()) {
+      const std::string below = path + " / " + sublist.name;
+      if (sublist.kind == ParameterSpec::ListKind::named) {
+        list(*sublist.spec, nullptr, below + " / (your name)", "your name", isShown);
+      } else {
+        list(*sublist.spec, nullptr, below, sublist.name, isShown);
+      }
+    }
+    if (form) return;
+    for (const ParameterSpec& f : spec.forms()) list(spec, &f, path, name, isShown);
+  }
+
+  std::string text() const {
+    if (text_.empty()) {
+      throw Error(
+          "There is nothing called \"" + topic_ + "\" in the input.\n  " + suggestName(topic_, topics_, "Topics"),
+          ExitCode::input);
+    }
+    return text_;
+  }
+
+ private:
+  std::string topic_, text_;
+  std::vector<std::string> topics_;
+};
+
+}  // namespace
+
+std::string documentation(const ParameterSpec& spec, const std::string& topic) {
+  Writer writer(topic);
+  writer.list(spec, nullptr, spec.name(), spec.name(), topic.empty());
+  return writer.text();
+}
+
+}  // namespace harmos::base

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include <harmos/base/ParameterSpec.hpp>
+
+namespace harmos::base {
+
+/// Reference of all that `spec` declares, in Markdown: name, type, unit, default or required, range, doc and source of
+/// every parameter, and a snippet of XML for every list. `topic` restricts it to the lists and types of this name.
+/// Throws base::Error (input) when there is no such topic.
+std::string documentation(const ParameterSpec& spec, const std::string& topic = "");
+
+}  // namespace harmos::base

@@ -1,0 +1,102 @@
+#include <harmos/base/Override.hpp>
+
+#include <harmos/base/Names.hpp>
+
+namespace harmos::base {
+
+namespace {
+
+constexpr const char* location = "--set";
+
+InputNode& add(InputNode& parent, const char* tag, const std::string& name) {
+  InputNode& node = parent.children.emplace_back();
+  node.tag = tag;
+  node.location = location;
+  node.setAttribute("name", name);
+  return node;
+}
+
+void assign(InputNode& list, const std::string& name, ParameterType type, const std::string& value) {
+  InputNode* node = list.child(name);
+  if (!node) node = &add(list, InputNode::parameterTag, name);
+  node->setAttribute("type", xmlType(type));
+  node->setAttribute("value", value);
+  node->location = location;
+}
+
+std::vector<std::string> childNames(const InputNode& node) {
+  std::vector<std::string> names;
+  for (const InputNode& child : node.children) names.push_back(child.name());
+  return names;
+}
+
+const ParameterSpec* formOf(const InputNode& node, const ParameterSpec& spec) {
+  const InputNode* type = node.child("Type");
+  const std::string* value = type ? type->attribute("value") : nullptr;
+  return value ? spec.findForm(*value) : nullptr;
+}
+
+}  // namespace
+
+void applyOverride(InputTree& input, const ParameterSpec& spec, const std::string& assignment, ErrorList& errors) {
+  const std::string where = std::string(location) + " '" + assignment + "'";
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    errors.add(where, "has no value.", "Write --set 'List/Sublist/Name=value'.");
+    return;
+  }
+  std::vector<std::string> path;
+  for (std::size_t begin = 0; begin <= equals;) {
+    const std::size_t end = std::min(assignment.find('/', begin), equals);
+    path.push_back(assignment.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  const std::string value = assignment.substr(equals + 1);
+
+  InputNode* node = &input.root;
+  const ParameterSpec* at = &spec;
+  std::string listName = spec.name();
+  const auto noSuch = [&](const char* kind, const std::string& name, const std::vector<std::string>& known) {
+    errors.add(where, listName + " has no " + kind + " \"" + name + "\".", suggestName(name, known, "It has"));
+  };
+  std::size_t i = 0;
+  for (; i + 1 < path.size(); ++i) {
+    const auto sublists = at->sublistsWith(formOf(*node, *at));
+    const ParameterSpec::Sublist* next = nullptr;
+    std::vector<std::string> known;
+    for (const auto& sublist : sublists) {
+      known.push_back(sublist.name);
+      if (sublist.name == path[i]) next = &sublist;
+    }
+    if (!next) return noSuch("list", path[i], known);
+    InputNode* child = node->child(path[i]);
+    node = child ? child : &add(*node, InputNode::listTag, path[i]);
+    if (!node->isList()) return;  // check() says so
+    listName = path[i];
+    if (next->kind == ParameterSpec::ListKind::named) {
+      const std::string& name = path[++i];
+      child = node->child(name);
+      if (!child) return noSuch("list", name, childNames(*node));
+      if (!child->isList()) return;
+      node = child;
+      listName = name;
+      if (i + 1 == path.size()) {
+        errors.add(where, "\"" + name + "\" is a list.", "Name one of its entries: List/Sublist/Name=value.");
+        return;
+      }
+    } else if (next->kind == ParameterSpec::ListKind::numbers) {
+      const std::string& name = path[i + 1];
+      if (i + 2 != path.size() || !node->child(name)) return noSuch("entry", name, childNames(*node));
+      return assign(*node, name, ParameterType::number, value);
+    }
+    at = next->spec.get();
+  }
+  std::vector<std::string> known;
+  for (const ParameterEntry& entry : at->entriesWith(formOf(*node, *at))) {
+    if (entry.name == path.back()) return assign(*node, entry.name, entry.type, value);
+    known.push_back(entry.name);
+  }
+  noSuch("parameter", path.back(), known);
+}
+
+}  // namespace harmos::base
