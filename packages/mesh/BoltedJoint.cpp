@@ -1,0 +1,171 @@
+#include <harmos/mesh/BoltedJoint.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <harmos/mesh/StructuredMesh.hpp>
+#include <harmos/mesh/Vector.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double shankRadius = 5.0;
+constexpr double holeRadius = 6.0;
+constexpr double headRadius = 10.0;
+constexpr double coreHalfSide = 0.55 * shankRadius;
+constexpr double plateHalfWidth = 20.0;
+constexpr double plateThickness = 10.0;
+constexpr double headHeight = 6.0;
+constexpr double plateLength = 80.0;   // from the middle of the overlap to the fixed or loaded end
+constexpr double boltDistance = 20.0;  // from the middle of the overlap
+constexpr double roundOff = 1e-9;
+
+/// A closed line around the origin, one turn for t from 0 to 1, starting on the x axis.
+using Ring = std::function<Point(double t)>;
+
+Ring circle(double radius) {
+  return [radius](double t) { return Point{radius * std::cos(2.0 * pi * t), radius * std::sin(2.0 * pi * t), 0.0}; };
+}
+
+Ring square(double halfSide) {
+  return [halfSide](double t) {
+    const double side = std::floor(4.0 * t + 0.5);
+    const double along = 2.0 * halfSide * (4.0 * t - side);
+    switch (static_cast<int>(side) % 4) {
+      case 0:
+        return Point{halfSide, along, 0.0};
+      case 1:
+        return Point{-along, halfSide, 0.0};
+      case 2:
+        return Point{-halfSide, -along, 0.0};
+      default:
+        return Point{along, -halfSide, 0.0};
+    }
+  };
+}
+
+class Joint {
+ public:
+  explicit Joint(double refinement) : refinement_(refinement) {}
+
+  Mesh build() {
+    addPlate("cover_bottom", 0.0, -1.0);
+    addPlate("centre", plateThickness, 1.0);
+    addPlate("cover_top", 2.0 * plateThickness, -1.0);
+    for (const int bolt : {1, 2}) addBolt(bolt);
+    addInterfaces();
+    return mesh_.take();
+  }
+
+ private:
+  int count(int reference) const { return std::max(1, static_cast<int>(std::lround(reference * refinement_))); }
+
+  /// Rings of elements between two closed lines.
+  void addRings(double x, int rings, const Ring& inner, const Ring& outer, double z1, double z2, int layers) {
+    mesh_.addGrid({count(rings), 4 * count(6), layers}, [=](const Point& t) {
+      const Point place = (1.0 - t[0]) * inner(t[1]) + t[0] * outer(t[1]);
+      return place + Point{x, 0.0, (1.0 - t[2]) * z1 + t[2] * z2};
+    });
+  }
+
+  void addDisc(double x, double z1, double z2, int layers) {
+    mesh_.addGrid({count(6), count(6), layers},
+                  boxMap({x - coreHalfSide, -coreHalfSide, z1}, {x + coreHalfSide, coreHalfSide, z2}));
+    addRings(x, 1, square(coreHalfSide), circle(shankRadius), z1, z2, layers);
+  }
+
+  /// A disc that continues to the radius of heads and nuts, with nodes where the plates have theirs.
+  void addHead(double x, double z1, double z2) {
+    addDisc(x, z1, z2, count(2));
+    addRings(x, 1, circle(shankRadius), circle(holeRadius), z1, z2, count(2));
+    addRings(x, 3, circle(holeRadius), circle(headRadius), z1, z2, count(2));
+  }
+
+  /// A plate from the overlap to its end at x = end * plateLength.
+  void addPlate(const char* name, double z, double end) {
+    const double top = z + plateThickness;
+    const int layers = count(3);
+    mesh_.addBlock(name, ElementType::hex8);
+    for (const double x : {-boltDistance, boltDistance}) {
+      addRings(x, 3, circle(holeRadius), circle(headRadius), z, top, layers);
+      addRings(x, 4, circle(headRadius), square(plateHalfWidth), z, top, layers);
+    }
+    const double x1 = std::min(end * plateLength, end * 2.0 * boltDistance);
+    const double x2 = std::max(end * plateLength, end * 2.0 * boltDistance);
+    mesh_.addGrid({count(6), count(6), layers}, boxMap({x1, -plateHalfWidth, z}, {x2, plateHalfWidth, top}));
+  }
+
+  static double boltPosition(int bolt) { return bolt == 1 ? -boltDistance : boltDistance; }
+
+  void addBolt(int bolt) {
+    const std::string number = std::to_string(bolt);
+    const double x = boltPosition(bolt);
+    mesh_.addBlock("bolt_" + number, ElementType::hex8);
+    addDisc(x, 0.0, 3.0 * plateThickness, count(10));
+    addHead(x, -headHeight, 0.0);
+    mesh_.addBlock("head_" + number, ElementType::hex8);
+    addHead(x, 3.0 * plateThickness, 3.0 * plateThickness + headHeight);
+  }
+
+  void addInterface(const std::string& name, const std::string& lower, const std::string& upper, double z,
+                    const StructuredMesh::Region& region) {
+    const auto inside = [=](const Point& p) { return std::abs(p[2] - z) < roundOff && region(p); };
+    mesh_.addSideSet(name + "_1", lower, inside);
+    mesh_.addSideSet(name + "_2", upper, inside);
+  }
+
+  void addInterfaces() {
+    const double top = 3.0 * plateThickness;
+    const auto overlap = [](const Point& p) { return std::abs(p[0]) < 2.0 * boltDistance + roundOff; };
+    addInterface("plates_bottom", "cover_bottom", "centre", plateThickness, overlap);
+    addInterface("plates_top", "centre", "cover_top", 2.0 * plateThickness, overlap);
+    const auto between = [](int bolt, double inner, double outer) {
+      return [=](const Point& p) {
+        const double radius = std::hypot(p[0] - boltPosition(bolt), p[1]);
+        return radius > inner - roundOff && radius < outer + roundOff;
+      };
+    };
+    for (const int bolt : {1, 2}) {
+      const std::string number = std::to_string(bolt);
+      const auto annulus = between(bolt, holeRadius, headRadius);
+      addInterface("head_" + number + "_cover", "cover_top", "head_" + number, top, annulus);
+      addInterface("nut_" + number + "_cover", "bolt_" + number, "cover_bottom", 0.0, annulus);
+    }
+    for (const int bolt : {1, 2}) {
+      const std::string number = std::to_string(bolt);
+      addInterface("preload_" + number, "bolt_" + number, "head_" + number, top, between(bolt, 0.0, shankRadius));
+    }
+    const auto at = [](double x) { return [x](const Point& p) { return std::abs(p[0] - x) < roundOff; }; };
+    mesh_.addSideSet("fixed_bottom", "cover_bottom", at(-plateLength));
+    mesh_.addSideSet("fixed_top", "cover_top", at(-plateLength));
+    mesh_.addSideSet("loaded", "centre", at(plateLength));
+  }
+
+  double refinement_;
+  StructuredMesh mesh_{3};
+};
+
+}  // namespace
+
+base::ParameterSpec describeBoltedJoint() {
+  base::ParameterSpec spec("Bolted Joint");
+  spec.summary("Three plates, two preloaded bolts with their nuts, two heads; hexahedra, lengths in mm.")
+      .source("after the first example of Champaney, Blanze, Boucard (2004)");
+  spec.number("Refinement")
+      .defaultValue(1.0)
+      .above(0.0)
+      .atMost(20.0)
+      .doc("Multiplies the number of elements in every direction; 1 gives 5796 elements.");
+  return spec;
+}
+
+Mesh boltedJoint(double refinement) {
+  return Joint(refinement).build();
+}
+
+Mesh boltedJoint(const base::Parameters& parameters) {
+  return boltedJoint(parameters.number("Refinement"));
+}
+
+}  // namespace harmos::mesh

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <harmos/base/ParameterSpec.hpp>
+#include <harmos/base/Parameters.hpp>
+#include <harmos/mesh/Mesh.hpp>
+
+namespace harmos::mesh {
+
+/// A box of equal cells, see StructuredMesh::addGrid for how a cell is divided into elements.
+struct Box {
+  std::string name;
+  Point lower{};
+  Point upper{};
+  std::array<int, 3> cells{};
+  ElementType element = ElementType::hex8;
+};
+
+base::ParameterSpec describeBoxes();
+
+/// One block per box, with side sets <name>_xmin, _xmax, _ymin, _ymax and, in 3-D, _zmin, _zmax. Boxes share no nodes.
+/// For bodies of another shape, move Mesh::nodes afterwards.
+/// Throws base::Error(input) on boxes without extent or cells, of two dimensions, or of one name.
+Mesh boxes(const std::vector<Box>& list);
+Mesh boxes(const base::Parameters& parameters);
+
+}  // namespace harmos::mesh

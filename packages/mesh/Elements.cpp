@@ -1,0 +1,28 @@
+#include <harmos/mesh/Elements.hpp>
+
+namespace harmos::mesh {
+
+Elements::Elements(const Mesh& mesh) : mesh_(mesh) {
+  for (std::size_t block = 0; block < mesh.blocks.size(); ++block) {
+    first_.push_back(count());
+    block_.insert(block_.end(), static_cast<std::size_t>(mesh.blocks[block].elements()), static_cast<int>(block));
+  }
+}
+
+ElementType Elements::type(int element) const {
+  return mesh_.blocks[static_cast<std::size_t>(block(element))].type;
+}
+
+const int* Elements::nodes(int element) const {
+  const ElementBlock& owner = mesh_.blocks[static_cast<std::size_t>(block(element))];
+  return owner.connectivity.data() + indexInBlock(element) * nodesPerElement(owner.type);
+}
+
+std::vector<int> Elements::side(int element, int side) const {
+  const int* all = nodes(element);
+  std::vector<int> result;
+  for (const int local : sideNodes(type(element), side)) result.push_back(all[local]);
+  return result;
+}
+
+}  // namespace harmos::mesh

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <harmos/base/ParameterSpec.hpp>
+#include <harmos/base/Parameters.hpp>
+#include <harmos/mesh/Mesh.hpp>
+
+namespace harmos::mesh {
+
+base::ParameterSpec describeGluedAssembly();
+
+/// Three plane parts joined by two glue lines, in square quadrilaterals with conforming nodes; lengths in mm.
+///
+/// Blocks base, middle, top. Side sets clamped, glue_1_1 (base), glue_1_2 (middle), glue_2_1 (middle), glue_2_2 (top),
+/// loaded; node set point_a holds the node in the middle of the loaded edge, (38, 240). All edges and glue ends lie at
+/// whole millimetres: throws base::Error(input) unless a whole number of cells makes 1 mm.
+/// Source: after the second example of Champaney, Blanze, Boucard (2004), dimensions our own.
+Mesh gluedAssembly(double cellSize = 0.5);
+Mesh gluedAssembly(const base::Parameters& parameters);
+
+}  // namespace harmos::mesh

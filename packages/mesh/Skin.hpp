@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/mesh/Elements.hpp>
+
+namespace harmos::mesh {
+
+/// One side of one element (an edge in 2-D); nodes counter-clockwise seen from outside.
+struct Face {
+  int element = -1;
+  int side = -1;
+  std::vector<int> nodes;  // mesh node numbers
+};
+
+/// The sides of `elements` that no two of them share, by element and side. Sides are shared if they have the same
+/// nodes.
+std::vector<Face> skin(const Elements& mesh, const std::vector<int>& elements);
+
+}  // namespace harmos::mesh

@@ -1,0 +1,165 @@
+#include <harmos/mesh/StructuredMesh.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+#include <harmos/mesh/PointSearch.hpp>
+#include <harmos/mesh/Vector.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+/// Elements of a cell by its corners: 0..3 counter-clockwise below (or in the plane), 4..7 above, 8 the middle.
+const std::vector<std::vector<int>>& elementsOfCell(ElementType type) {
+  static const std::map<ElementType, std::vector<std::vector<int>>> all = {
+      {ElementType::quad4, {{0, 1, 2, 3}}},
+      {ElementType::tri3, {{0, 1, 2}, {0, 2, 3}}},
+      {ElementType::hex8, {{0, 1, 2, 3, 4, 5, 6, 7}}},
+      {ElementType::wedge6, {{0, 1, 2, 4, 5, 6}, {0, 2, 3, 4, 6, 7}}},
+      // Kuhn's six tetrahedra around the diagonal from corner 0 to corner 6.
+      {ElementType::tet4, {{0, 1, 2, 6}, {0, 3, 7, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}, {0, 2, 3, 6}, {0, 7, 4, 6}}},
+      {ElementType::pyramid5,
+       {{0, 4, 5, 1, 8}, {1, 5, 6, 2, 8}, {2, 6, 7, 3, 8}, {0, 3, 7, 4, 8}, {0, 1, 2, 3, 8}, {4, 7, 6, 5, 8}}},
+  };
+  return all.at(type);
+}
+
+}  // namespace
+
+StructuredMesh::StructuredMesh(int dimension) {
+  mesh_.dimension = dimension;
+}
+
+void StructuredMesh::addBlock(const std::string& name, ElementType type) {
+  mergeCoincidentNodes();
+  firstNode_ = mesh_.nodes.size();
+  mesh_.blocks.push_back({name, static_cast<std::int64_t>(mesh_.blocks.size()) + 1, type, {}});
+}
+
+void StructuredMesh::addGrid(const std::array<int, 3>& cells, const Map& map) {
+  ElementBlock& block = mesh_.blocks.back();
+  const bool flat = mesh_.dimension == 2;
+  const std::array<int, 3> n = {cells[0], cells[1], flat ? 0 : cells[2]};
+  const int offset = static_cast<int>(mesh_.nodes.size());
+  const auto place = [&](double i, double j, double k) { return map({i / n[0], j / n[1], flat ? 0.0 : k / n[2]}); };
+  for (int k = 0; k <= n[2]; ++k) {
+    for (int j = 0; j <= n[1]; ++j) {
+      for (int i = 0; i <= n[0]; ++i) mesh_.nodes.push_back(place(i, j, k));
+    }
+  }
+  const int row = n[0] + 1;
+  const int layer = row * (n[1] + 1);
+  for (int k = 0; k < std::max(n[2], 1); ++k) {
+    for (int j = 0; j < n[1]; ++j) {
+      for (int i = 0; i < n[0]; ++i) {
+        const int corner = offset + i + row * j + layer * k;
+        std::array<int, 9> nodes = {corner,
+                                    corner + 1,
+                                    corner + row + 1,
+                                    corner + row,
+                                    corner + layer,
+                                    corner + layer + 1,
+                                    corner + layer + row + 1,
+                                    corner + layer + row,
+                                    -1};
+        if (block.type == ElementType::pyramid5) {
+          nodes[8] = static_cast<int>(mesh_.nodes.size());
+          mesh_.nodes.push_back(place(i + 0.5, j + 0.5, k + 0.5));
+        }
+        for (const auto& element : elementsOfCell(block.type)) {
+          for (const int local : element) block.connectivity.push_back(nodes[static_cast<std::size_t>(local)]);
+        }
+      }
+    }
+  }
+}
+
+void StructuredMesh::addSideSet(const std::string& name, const std::string& block, const Region& region) {
+  sideSets_.push_back({name, block, region});
+}
+
+void StructuredMesh::addNodeSet(const std::string& name, const std::string& block, const Region& region) {
+  nodeSets_.push_back({name, block, region});
+}
+
+void StructuredMesh::mergeCoincidentNodes() {
+  if (mesh_.blocks.empty()) return;
+  const std::vector<Point> points(mesh_.nodes.begin() + static_cast<std::ptrdiff_t>(firstNode_), mesh_.nodes.end());
+  Point low = points.empty() ? Point{} : points.front();
+  Point high = low;
+  for (const Point& point : points) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      low[d] = std::min(low[d], point[d]);
+      high[d] = std::max(high[d], point[d]);
+    }
+  }
+  const double tolerance = 1e-9 * distance(low, high);
+  const PointSearch search(points);
+  std::vector<int> number(points.size());
+  mesh_.nodes.resize(firstNode_);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto lowest = static_cast<std::size_t>(search.within(points[i], tolerance).front());
+    if (lowest < i) {
+      number[i] = number[lowest];
+    } else {
+      number[i] = static_cast<int>(mesh_.nodes.size());
+      mesh_.nodes.push_back(points[i]);
+    }
+  }
+  for (int& node : mesh_.blocks.back().connectivity) node = number[static_cast<std::size_t>(node) - firstNode_];
+}
+
+Mesh StructuredMesh::take() {
+  mergeCoincidentNodes();
+  const Elements elements(mesh_);
+  const auto find = [&](const std::string& name) {
+    const auto found = std::find_if(mesh_.blocks.begin(), mesh_.blocks.end(),
+                                    [&](const ElementBlock& block) { return block.name == name; });
+    return static_cast<int>(found - mesh_.blocks.begin());
+  };
+  const auto inside = [&](const Region& region) {
+    return [&](int node) { return region(mesh_.nodes[static_cast<std::size_t>(node)]); };
+  };
+  std::map<std::string, std::vector<Face>> skins;
+  for (const SetRequest& request : sideSets_) {
+    if (skins.count(request.block) == 0) {
+      const int block = find(request.block);
+      std::vector<int> list(static_cast<std::size_t>(mesh_.blocks[static_cast<std::size_t>(block)].elements()));
+      std::iota(list.begin(), list.end(), elements.first(block));
+      skins[request.block] = skin(elements, list);
+    }
+    SideSet set{request.name, static_cast<std::int64_t>(mesh_.sideSets.size()) + 1, {}, {}};
+    for (const Face& face : skins[request.block]) {
+      if (!std::all_of(face.nodes.begin(), face.nodes.end(), inside(request.region))) continue;
+      set.element.push_back(face.element);
+      set.side.push_back(face.side);
+    }
+    mesh_.sideSets.push_back(std::move(set));
+  }
+  for (const SetRequest& request : nodeSets_) {
+    NodeSet set{request.name, static_cast<std::int64_t>(mesh_.nodeSets.size()) + 1, {}};
+    const ElementBlock& block = mesh_.blocks[static_cast<std::size_t>(find(request.block))];
+    std::copy_if(block.connectivity.begin(), block.connectivity.end(), std::back_inserter(set.node),
+                 inside(request.region));
+    std::sort(set.node.begin(), set.node.end());
+    set.node.erase(std::unique(set.node.begin(), set.node.end()), set.node.end());
+    mesh_.nodeSets.push_back(std::move(set));
+  }
+  firstNode_ = 0;
+  sideSets_.clear();
+  nodeSets_.clear();
+  Mesh result;
+  std::swap(result, mesh_);
+  mesh_.dimension = result.dimension;
+  return result;
+}
+
+StructuredMesh::Map boxMap(const Point& lower, const Point& upper) {
+  return [lower, upper](const Point& t) {
+    Point place{};
+    for (std::size_t d = 0; d < 3; ++d) place[d] = (1.0 - t[d]) * lower[d] + t[d] * upper[d];
+    return place;
+  };
+}
+
+}  // namespace harmos::mesh

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <harmos/mesh/Skin.hpp>
+
+namespace harmos::mesh {
+
+/// Builds a mesh from structured grids that are mapped into place.
+///
+/// Nodes of the grids of one block are merged where they coincide (within 1e-9 of the block's size), so that a block
+/// may be pieced together from several grids, and a grid may close upon itself; nodes of different blocks stay apart.
+class StructuredMesh {
+ public:
+  /// Carries the unit square or cube into place; must keep the orientation (positive Jacobian).
+  using Map = std::function<Point(const Point&)>;
+  using Region = std::function<bool(const Point&)>;
+
+  explicit StructuredMesh(int dimension);
+
+  /// Starts a block; the grids that follow belong to it.
+  void addBlock(const std::string& name, ElementType type);
+  /// Cells per direction; each cell is one hexahedron or quadrilateral, or two wedges, two triangles, six tetrahedra
+  /// (all cells cut the same way, so that the faces of neighbours agree), or six pyramids around a node in its middle.
+  void addGrid(const std::array<int, 3>& cells, const Map& map);
+  /// The faces on the skin of a finished or current block whose nodes all lie in the region.
+  void addSideSet(const std::string& name, const std::string& block, const Region& region);
+  /// The nodes of a block that lie in the region.
+  void addNodeSet(const std::string& name, const std::string& block, const Region& region);
+
+  /// Hands over the mesh; the builder is empty afterwards.
+  Mesh take();
+
+ private:
+  struct SetRequest {
+    std::string name, block;
+    Region region;
+  };
+
+  void mergeCoincidentNodes();
+
+  Mesh mesh_;
+  std::size_t firstNode_ = 0;  // of the current block
+  std::vector<SetRequest> sideSets_, nodeSets_;
+};
+
+/// The map of the unit cube onto the box between two corners; exact at both.
+StructuredMesh::Map boxMap(const Point& lower, const Point& upper);
+
+}  // namespace harmos::mesh

@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include <harmos/mesh/PointSearch.hpp>
+#include <harmos/mesh/Vector.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+std::vector<Point> randomPoints(int count) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> coordinate(0, 9);  // few values, so that many points and distances coincide
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) {
+    points.push_back({0.1 * coordinate(random), 0.1 * coordinate(random), 0.1 * coordinate(random)});
+  }
+  return points;
+}
+
+TEST(PointSearch, AgreesWithExhaustiveSearch) {
+  const auto points = randomPoints(500);
+  const PointSearch search(points);
+  for (const Point& from : randomPoints(600)) {
+    int best = 0;
+    std::vector<int> near;
+    for (int i = 0; i < 500; ++i) {
+      const double away = distance(from, points[static_cast<std::size_t>(i)]);
+      if (away < distance(from, points[static_cast<std::size_t>(best)])) best = i;
+      if (away <= 0.25) near.push_back(i);
+    }
+    EXPECT_EQ(search.nearest(from).index, best);
+    EXPECT_EQ(search.within(from, 0.25), near);
+  }
+}
+
+TEST(PointSearch, FindsNothingAmongNoPoints) {
+  const PointSearch search({});
+  EXPECT_EQ(search.nearest({0.0, 0.0, 0.0}).index, -1);
+  EXPECT_TRUE(search.within({0.0, 0.0, 0.0}, 1.0).empty());
+}
+
+}  // namespace
+}  // namespace harmos::mesh
