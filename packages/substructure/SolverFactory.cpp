@@ -1,0 +1,80 @@
+#include <harmos/substructure/SolverFactory.hpp>
+
+#include <algorithm>
+#include <cctype>
+
+#include <Amesos2.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
+#ifdef HARMOS_CHOLMOD
+#include <harmos/substructure/Cholmod.hpp>
+#endif
+#include <harmos/substructure/TachoDirect.hpp>
+
+namespace harmos::substructure {
+namespace {
+
+#ifdef HARMOS_CHOLMOD
+constexpr const char* defaultSolver = "cholmod";
+#else
+constexpr const char* defaultSolver = "tacho";
+#endif
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+}  // namespace
+
+SolverOptions::SolverOptions() : name(defaultSolver) {}
+
+void SolverOptions::describe(base::ParameterSpec& spec) {
+  spec.summary("Direct solver that factors every substructure once.");
+  spec.text("Name")
+      .defaultValue(defaultSolver)
+      .doc(
+          "cholmod (supernodal, fastest), tacho, or any solver of the installed Amesos2 such as klu2, in upper or "
+          "lower "
+          "case.");
+}
+
+std::vector<std::string> availableSolvers() {
+  std::vector<std::string> names;
+#ifdef HARMOS_CHOLMOD
+  names.emplace_back("cholmod");
+#endif
+  names.emplace_back("tacho");
+  for (const char* name : {"klu2", "basker", "shylubasker", "mumps", "superlu", "superlu_dist", "superlumt", "umfpack",
+                           "lapack", "pardisomkl", "strumpack"}) {
+    if (Amesos2::query(name)) names.emplace_back(name);
+  }
+  return names;
+}
+
+Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teuchos::RCP<const base::CrsMatrix>& matrix) {
+  const Teuchos::RCP<base::MultiVector> none;
+  const std::string name = lowerCase(options.name);
+  Teuchos::RCP<DirectSolver> solver;
+#ifdef HARMOS_CHOLMOD
+  if (name == "cholmod") {
+    solver = Teuchos::rcp(new Cholmod<base::CrsMatrix, base::MultiVector>(matrix, none, none));
+  }
+#endif
+  if (name == "tacho") {
+    solver = Teuchos::rcp(new TachoDirect<base::CrsMatrix, base::MultiVector>(matrix, none, none));
+  }
+  if (solver.is_null()) {
+    if (!Amesos2::query(name)) {
+      throw base::Error("There is no direct solver \"" + options.name + "\" in this build.\n  " +
+                            base::suggestName(name, availableSolvers(), "Available"),
+                        base::ExitCode::input);
+    }
+    solver = Amesos2::create<base::CrsMatrix, base::MultiVector>(name, matrix, none, none);
+  }
+  if (!options.parameters.is_null()) solver->setParameters(options.parameters);
+  return solver;
+}
+
+}  // namespace harmos::substructure

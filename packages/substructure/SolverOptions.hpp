@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include <harmos/base/ParameterSpec.hpp>
+#include <harmos/base/Parameters.hpp>
+
+namespace harmos::substructure {
+
+/// Which direct solver factors the substructures: a name of availableSolvers(), in upper or lower case.
+struct SolverOptions {
+  SolverOptions();
+  explicit SolverOptions(std::string solverName) : name(std::move(solverName)) {}
+  explicit SolverOptions(const base::Parameters& given) : name(given.text("Name")) {}
+  static void describe(base::ParameterSpec& spec);
+
+  std::string name;                                   ///< default: cholmod, or tacho where CHOLMOD is not built in
+  Teuchos::RCP<Teuchos::ParameterList> parameters{};  ///< handed to Amesos2 as they are; null: its defaults
+};
+
+/// Names that SolverOptions may have in this build: Harmos' own solvers, then those of the installed Amesos2.
+std::vector<std::string> availableSolvers();
+
+}  // namespace harmos::substructure

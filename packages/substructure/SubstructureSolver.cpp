@@ -1,0 +1,229 @@
+#include <harmos/substructure/SubstructureSolver.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <utility>
+
+#include <Amesos2_Solver.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/substructure/CrsMatrix.hpp>
+
+namespace harmos::substructure {
+namespace {
+
+std::size_t positionOf(const CrsView& matrix, int row, int column) {
+  const int* begin = matrix.columns + matrix.rowPointers[row];
+  const int* end = matrix.columns + matrix.rowPointers[row + 1];
+  const int* found = std::lower_bound(begin, end, column);
+  return found != end && *found == column ? static_cast<std::size_t>(found - matrix.columns)
+                                          : matrix.rowPointers[matrix.rows];
+}
+
+/// Copy of the matrix with explicit zeros where the boundary term has entries that the matrix does not store.
+Teuchos::RCP<base::CrsMatrix> withEntries(const CrsView& matrix, const std::map<std::pair<int, int>, double>& missing) {
+  std::vector<std::size_t> pointers{0};
+  std::vector<int> columns;
+  std::vector<double> values;
+  auto next = missing.begin();
+  for (int row = 0; row < matrix.rows; ++row) {
+    std::size_t k = matrix.rowPointers[row];
+    const std::size_t end = matrix.rowPointers[row + 1];
+    while (k < end || (next != missing.end() && next->first.first == row)) {
+      const bool added =
+          next != missing.end() && next->first.first == row && (k == end || next->first.second < matrix.columns[k]);
+      columns.push_back(added ? next->first.second : matrix.columns[k]);
+      values.push_back(added ? 0.0 : matrix.values[k]);
+      if (added) {
+        ++next;
+      } else {
+        ++k;
+      }
+    }
+    pointers.push_back(columns.size());
+  }
+  return makeCrsMatrix(pointers, columns, values);
+}
+
+/// K + k h, sharing the structure of K where possible.
+Teuchos::RCP<base::CrsMatrix> sumOf(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary,
+                                    const std::string& part) {
+  const CrsView view = viewOf(stiffness, part);
+  const auto rows = static_cast<std::size_t>(view.rows);
+  if (!boundary.diagonal.empty() && boundary.diagonal.size() != rows) {
+    throw base::Error("The boundary term of part \"" + part + "\" has " + std::to_string(boundary.diagonal.size()) +
+                      " diagonal entries; its stiffness matrix has " + std::to_string(rows) + " rows.");
+  }
+  std::map<std::pair<int, int>, double> missing;
+  std::vector<std::pair<std::size_t, double>> added;
+  const auto add = [&](int row, int column, double value) {
+    if (row < 0 || column < 0 || row >= view.rows || column >= view.rows) {
+      throw base::Error("The boundary term of part \"" + part + "\" has an entry at row " + std::to_string(row) +
+                        ", column " + std::to_string(column) + "; its stiffness matrix has " + std::to_string(rows) +
+                        " rows.");
+    }
+    const std::size_t position = positionOf(view, row, column);
+    if (position == view.rowPointers[view.rows]) {
+      missing[{row, column}] += value;
+    } else {
+      added.emplace_back(position, value);
+    }
+  };
+  for (std::size_t row = 0; row < boundary.diagonal.size(); ++row) {
+    if (boundary.diagonal[row] != 0.0) add(static_cast<int>(row), static_cast<int>(row), boundary.diagonal[row]);
+  }
+  for (const BoundaryTerm::NodeEntry& entry : boundary.entries) {
+    for (int component = 0; component < boundary.dimension; ++component) {
+      add(entry.row * boundary.dimension + component, entry.column * boundary.dimension + component, entry.value);
+    }
+  }
+  if (!missing.empty()) {
+    BoundaryTerm all = boundary;
+    return sumOf(*withEntries(view, missing), all, part);
+  }
+  using Values = base::CrsMatrix::local_matrix_device_type::values_type;
+  Values values(Kokkos::ViewAllocateWithoutInitializing("values"), view.rowPointers[view.rows]);
+  std::copy(view.values, view.values + values.extent(0), values.data());
+  for (const auto& [position, value] : added) values(position) += value;
+  auto sum = Teuchos::rcp(new base::CrsMatrix(stiffness.getCrsGraph(), values));
+  sum->fillComplete(stiffness.getDomainMap(), stiffness.getRangeMap());
+  return sum;
+}
+
+/// The matrix as a block of vectors, not copied. Amesos2 wants the right-hand side const but has no const view.
+base::MultiVector vectorsOf(const base::Matrix& matrix, const Teuchos::RCP<const base::MultiVector::map_type>& map) {
+  using Vectors = base::MultiVector::dual_view_type;
+  const Vectors::t_dev view(matrix.values(), static_cast<std::size_t>(matrix.numRows()),
+                            static_cast<std::size_t>(matrix.numCols()));
+  return {map, Vectors(view, view)};
+}
+
+std::string nodeOf(int dof, int dimension) {
+  return "node " + std::to_string(dof / dimension + 1) + " of the part, component " + "xyz"[dof % dimension];
+}
+
+}  // namespace
+
+SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
+                                       const BoundaryTerm& boundary, const SolverOptions& options, std::string partName)
+    : part_(std::move(partName)), dimension_(boundary.dimension), stiffness_(stiffness) {
+  const Teuchos::RCP<base::CrsMatrix> sum = sumOf(*stiffness, boundary, part_);
+  const CrsView view = viewOf(*sum, part_);
+  dofs_ = view.rows;
+  checkDiagonal(view);
+  solver_ = makeSolver(options, sum);
+  factor(sum);
+  checkSolution(*sum);
+  // Frees the values of the sum where the solver is known to need its factors only.
+  if (solver_->name() == "Cholmod" || solver_->name() == "Tacho") solver_->setA(stiffness_, Amesos2::NUMFACT);
+}
+
+SubstructureSolver::~SubstructureSolver() = default;
+SubstructureSolver::SubstructureSolver(SubstructureSolver&&) noexcept = default;
+SubstructureSolver& SubstructureSolver::operator=(SubstructureSolver&&) noexcept = default;
+
+void SubstructureSolver::checkDiagonal(const CrsView& matrix) const {
+  for (int row = 0; row < matrix.rows; ++row) {
+    const std::size_t position = positionOf(matrix, row, row);
+    const double value = position == matrix.rowPointers[matrix.rows] ? 0.0 : matrix.values[position];
+    if (value > 0.0 && std::isfinite(value)) continue;
+    throw base::Error("The operator of part \"" + part_ + "\" cannot be factored: its diagonal entry at " +
+                      nodeOf(row, dimension_) + " is " + std::to_string(value) +
+                      ", but must be positive. Check that every node belongs to an element and that the material "
+                      "constants are positive.");
+  }
+}
+
+void SubstructureSolver::factor(const Teuchos::RCP<base::CrsMatrix>& sum) {
+  try {
+    solver_->numericFactorization();
+    return;
+  } catch (const std::bad_alloc&) {
+    throw base::Error("Part \"" + part_ + "\" with " + std::to_string(dofs_) +
+                      " unknowns is too large to be factored in the memory at hand. Cut it into pieces (\"Pieces\").");
+  } catch (const std::runtime_error& error) {
+    const std::string reason = error.what();
+    if (reason.find("too large") != std::string::npos || reason.find("out of memory") != std::string::npos) {
+      throw base::Error("Part \"" + part_ + "\" with " + std::to_string(dofs_) +
+                        " unknowns is too large to be factored (" + reason + "). Cut it into pieces (\"Pieces\").");
+    }
+  }
+  // A singular matrix differs from an indefinite one in that a small shift makes it factorable.
+  const CrsView view = viewOf(*sum, part_);
+  const auto local = sum->getLocalMatrixHost();
+  for (int row = 0; row < dofs_; ++row) local.values(positionOf(view, row, row)) *= 1.0 + 1e-8;
+  try {
+    solver_->numericFactorization();
+  } catch (const std::exception&) {
+    throwIndefinite();
+  }
+  throwSingular();
+}
+
+/// For every null vector v of A the residual r = b - A x of any x has v.r = v.b. A pseudo-random b has a component of
+/// about |b|/sqrt(dofs) along v, so that no solver can hide a singular matrix; a regular one leaves rounding errors
+/// only.
+void SubstructureSolver::checkSolution(const base::CrsMatrix& sum) const {
+  const CrsView view = viewOf(sum, part_);
+  base::Matrix b(dofs_, 1), x(dofs_, 1);
+  std::mt19937 random;  // its sequence is fixed by the standard, that of the distributions is not
+  for (int row = 0; row < dofs_; ++row) b(row, 0) = random() / 2147483648.0 - 1.0;
+  solve(b, x);
+  double residual = 0.0, norm = 0.0, energy = 0.0;
+  for (int row = 0; row < dofs_; ++row) {
+    double value = b(row, 0);
+    for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
+      value -= view.values[k] * x(view.columns[k], 0);
+    }
+    residual += value * value;
+    norm += b(row, 0) * b(row, 0);
+    energy += b(row, 0) * x(row, 0);
+  }
+  const double limit = 1e-3 / std::sqrt(static_cast<double>(dofs_));
+  if (!(std::sqrt(residual / norm) <= limit)) throwSingular();
+  if (!(energy > 0.0)) throwIndefinite();
+}
+
+void SubstructureSolver::throwSingular() const {
+  throw base::Error("The operator of part \"" + part_ +
+                    "\" is singular: the part can move or turn without deforming. Hold it by at least one interface or "
+                    "boundary with nodes that do not lie on one line, and check that none of its elements hang "
+                    "together by a node or an edge only.");
+}
+
+void SubstructureSolver::throwIndefinite() const {
+  throw base::Error("The operator of part \"" + part_ +
+                    "\" is indefinite: some deformation has negative energy. Check the material constants, the "
+                    "orientation of the elements, and that no stiffness of its interfaces is negative.");
+}
+
+void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x) const {
+  if (b.numRows() != dofs_ || (b.numCols() > 1 && b.stride() != dofs_)) {
+    throw base::Error("Part \"" + part_ + "\" has " + std::to_string(dofs_) + " unknowns; a right-hand side of " +
+                      std::to_string(b.numRows()) + " rows with stride " + std::to_string(b.stride()) + " was given.");
+  }
+  if (x.numRows() != b.numRows() || x.numCols() != b.numCols()) x.shapeUninitialized(b.numRows(), b.numCols());
+  if (x.numCols() > 1 && x.stride() != dofs_) {
+    throw base::Error("The solution for part \"" + part_ + "\" must be stored without gaps between its columns.");
+  }
+  if (b.numCols() == 0) return;
+  const auto map = stiffness_->getRowMap();
+  const base::MultiVector right = vectorsOf(b, map);
+  base::MultiVector left = vectorsOf(x, map);
+  solver_->solve(&left, &right);
+}
+
+std::size_t SubstructureSolver::factorNonzeros() const {
+  return solver_->getStatus().getNnzLU();
+}
+
+FactorSize SubstructureSolver::predict(const base::CrsMatrix& stiffness) {
+  const CrsView view = viewOf(stiffness, "stiffness");
+  return NestedDissection(view.rows, view.rowPointers, view.columns).factorSize();
+}
+
+}  // namespace harmos::substructure

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/base/Tpetra.hpp>
+#include <harmos/substructure/BoundaryTerm.hpp>
+#include <harmos/substructure/CrsMatrix.hpp>
+#include <harmos/substructure/NestedDissection.hpp>
+#include <harmos/substructure/SolverFactory.hpp>
+#include <harmos/substructure/SolverOptions.hpp>
+
+namespace harmos::substructure {
+
+/// The factored operator A = K + k h of one substructure, for any number of right-hand sides at once.
+///
+/// Not collective: the matrix lives on one process. Not for several threads at once: solves share workspaces.
+class SubstructureSolver {
+ public:
+  /// Builds and factors the sum and checks it with one solve. Nothing of the arguments is kept but a reference to K.
+  ///
+  /// stiffness: K [force/length], symmetric, both triangles stored. boundary: k h. partName: for messages.
+  /// Throws base::Error naming the part when the sum is singular (a part that nothing holds) or indefinite; then says
+  /// which node has an unusable diagonal entry, if one has. Limit: an LU solver such as klu2 factors indefinite
+  /// matrices without complaint; only the diagonal and the energy of one solve are checked then.
+  SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness, const BoundaryTerm& boundary,
+                     const SolverOptions& options, std::string partName);
+  ~SubstructureSolver();
+  SubstructureSolver(SubstructureSolver&&) noexcept;
+  SubstructureSolver& operator=(SubstructureSolver&&) noexcept;
+
+  /// x = A^-1 b, column by column; b and x are dofs x any number, different objects. x is reshaped when it does not
+  /// have the shape of b. Throws base::Error when b has other rows than the matrix or either has gaps between columns.
+  void solve(const base::Matrix& b, base::Matrix& x) const;
+
+  int dofs() const { return dofs_; }
+  /// Entries of the factors, zeros stored for speed included; 0 when the solver does not say.
+  std::size_t factorNonzeros() const;
+  /// Memory of the factors [bytes], estimated from factorNonzeros().
+  std::size_t memory() const { return factorNonzeros() * sizeof(double); }
+
+  /// Predicts the factor of a matrix from its structure, in a small part of the time of factoring it.
+  static FactorSize predict(const base::CrsMatrix& stiffness);
+
+ private:
+  void checkDiagonal(const CrsView& matrix) const;
+  void factor(const Teuchos::RCP<base::CrsMatrix>& sum);
+  void checkSolution(const base::CrsMatrix& sum) const;
+  [[noreturn]] void throwSingular() const;
+  [[noreturn]] void throwIndefinite() const;
+
+  std::string part_;
+  int dimension_;
+  int dofs_;
+  Teuchos::RCP<const base::CrsMatrix> stiffness_;
+  Teuchos::RCP<DirectSolver> solver_;
+};
+
+}  // namespace harmos::substructure

@@ -1,0 +1,40 @@
+#include <harmos/substructure/CrsMatrix.hpp>
+
+#include <gtest/gtest.h>
+
+#include <harmos/base/Error.hpp>
+
+#include "Lattice.hpp"
+
+namespace harmos::substructure {
+namespace {
+
+TEST(CrsMatrix, keepsTheArrays) {
+  const std::vector<std::size_t> pointers{0, 2, 3};
+  const std::vector<int> columns{0, 1, 1};
+  const std::vector<double> values{4.0, -1.0, 3.0};
+  const auto matrix = makeCrsMatrix(pointers, columns, values);
+  const CrsView view = viewOf(*matrix, "part");
+  EXPECT_EQ(view.rows, 2);
+  EXPECT_EQ(std::vector<std::size_t>(view.rowPointers, view.rowPointers + 3), pointers);
+  EXPECT_EQ(std::vector<int>(view.columns, view.columns + 3), columns);
+  EXPECT_EQ(std::vector<double>(view.values, view.values + 3), values);
+}
+
+TEST(CrsMatrix, refusesArraysThatDoNotFit) {
+  EXPECT_THROW(makeCrsMatrix({0, 1}, {0, 0}, {1.0, 1.0}), base::Error);
+  EXPECT_THROW(makeCrsMatrix({0, 1}, {1}, {1.0}), base::Error);
+  EXPECT_THROW(makeCrsMatrix({0, 2, 3}, {1, 0, 1}, {1.0, 1.0, 1.0}), base::Error);
+}
+
+TEST(CrsMatrix, nodalDiagonalIsTheMeanOverComponents) {
+  EXPECT_EQ(nodalStiffnessDiagonal(*makeCrsMatrix({0, 1, 2, 3, 4}, {0, 1, 2, 3}, {1.0, 3.0, 10.0, 20.0}), 2),
+            (std::vector<double>{2.0, 15.0}));
+  const Lattice lattice{3};
+  const std::vector<double> diagonal = nodalStiffnessDiagonal(*lattice.matrix(), 3);
+  EXPECT_DOUBLE_EQ(diagonal[0], 3 * 2.0);   // corner: three springs
+  EXPECT_DOUBLE_EQ(diagonal[13], 6 * 2.0);  // centre: six
+}
+
+}  // namespace
+}  // namespace harmos::substructure
