@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/output/ResultMesh.hpp>
+
+namespace harmos::output {
+
+/// Which node and element of mesh B is which of mesh A, found by position, so that numbering does not matter.
+///
+/// Blocks are matched by name, elements inside a block by their centres and the positions of all their nodes, nodes
+/// through their elements: nodes that coincide at an interface belong to different elements and stay apart.
+struct EntityMatch {
+  std::vector<int> node;              // of B, for each node of A; -1 for nodes of no element
+  std::vector<int> element;           // of B, for each element of A
+  std::vector<std::string> mismatch;  // what of A has no partner, one sentence each; empty: the meshes are equal
+};
+
+/// `tolerance` [length] is how far apart the same node may lie in A and B.
+EntityMatch matchEntities(const ResultMesh& a, const ResultMesh& b, double tolerance);
+
+}  // namespace harmos::output

@@ -1,0 +1,20 @@
+#include <harmos/output/ResultMesh.hpp>
+
+namespace harmos::output {
+
+int ResultMesh::elements() const {
+  int sum = 0;
+  for (const auto& block : blocks) sum += block.elements();
+  return sum;
+}
+
+ResultStep zeroStep(const ResultMesh& mesh, const ResultVariables& variables, double time) {
+  ResultStep step;
+  step.time = time;
+  step.nodal.assign(variables.nodal.size(), std::vector<double>(mesh.nodes.size(), 0.0));
+  step.element.assign(variables.element.size(), std::vector<double>(static_cast<std::size_t>(mesh.elements()), 0.0));
+  step.global.assign(variables.global.size(), 0.0);
+  return step;
+}
+
+}  // namespace harmos::output
