@@ -4,6 +4,7 @@
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <memory>

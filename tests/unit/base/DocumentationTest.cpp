@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <harmos/base/Documentation.hpp>
+
+#include "Sample.hpp"
+
+namespace harmos::base {
+namespace {
+
+TEST(Documentation, OfOneType) {
+  EXPECT_EQ(documentation(sampleSpec(), "Friction"), R"(## Sample / Joints / (your name) / Law, Type = Friction
+
+Sliding.
+
+Source: Coulomb (1785).
+
+- `Coefficient` (double, [-], required), at least 0 [-]. Ratio of tractions. May follow a history: `Coefficient History`.
+
+    <ParameterList name="Law">
+      <Parameter name="Type" type="string" value="Friction"/>
+      <Parameter name="Coefficient" type="double" value="..."/>
+    </ParameterList>
+
+)");
+}
+
+TEST(Documentation, HoldsEveryList) {
+  const std::string text = documentation(sampleSpec());
+  for (const char* part : {"## Sample / Solver\n", "## Sample / Solver / Scaling\n", "Type = Glue",
+                           "`Accuracy` (double, default: 0.001), above 0 and below 1. Relative error asked for.",
+                           "one of: Plain, Relaxed"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+}
+
+TEST(Documentation, UnknownTopic) {
+  EXPECT_EQ(
+      messageOf([] { documentation(sampleSpec(), "Frction"); }),
+      "There is nothing called \"Frction\" in the input.\n"
+      "  Did you mean \"Friction\"? Topics: Sample, Values, Histories, Solver, Scaling, Joints, Law, Friction, Glue.");
+}
+
+}  // namespace
+}  // namespace harmos::base

@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include "Sample.hpp"
+
+namespace harmos::base {
+namespace {
+
+TEST(InputTree, KnowsFileAndLine) {
+  const InputTree tree = InputTree::fromText(sampleText(), "dir/s.xml");
+  EXPECT_EQ(tree.root.location, "dir/s.xml:1");
+  EXPECT_EQ(tree.root.child("Joints")->child("seal")->location, "dir/s.xml:9");
+}
+
+TEST(InputTree, MalformedXmlHasItsLine) {
+  EXPECT_EQ(
+      messageOf([] { InputTree::fromText("<ParameterList name=\"Sample\">\n<Parameter>\n</ParameterList>", "s.xml"); }),
+      "s.xml:3: not well-formed XML: mismatched tag, inside <Parameter> of s.xml:2.\n1 error; nothing was run.");
+  EXPECT_EQ(messageOf([] { InputTree::fromText("<a b=c/>", "s.xml"); }),
+            "s.xml:1: not well-formed XML: not well-formed (invalid token).\n1 error; nothing was run.");
+  EXPECT_EQ(messageOf([] { InputTree::fromText("", "s.xml"); }),
+            "s.xml:1: not well-formed XML: no element found.\n1 error; nothing was run.");
+}
+
+TEST(InputTree, DeepNestingIsRefused) {
+  std::string xml = "";
+  for (int i = 0; i < 100000; ++i) xml += "<a>";
+  EXPECT_EQ(messageOf([&] { InputTree::fromText(xml, "s.xml"); }),
+            "s.xml:1: lists are nested more than 100 deep.\n1 error; nothing was run.");
+}
+
+TEST(InputTree, MissingFile) {
+  EXPECT_EQ(messageOf([] { InputTree::fromFile("no_such.xml"); }),
+            "no_such.xml: cannot be read (No such file or directory).");
+  EXPECT_EQ(messageOf([] { InputTree::fromFile("/"); }), "/: cannot be read (empty or not a file).");
+}
+
+}  // namespace
+}  // namespace harmos::base
