@@ -1,0 +1,288 @@
+#include <harmos/latin/BodyOperators.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <harmos/latin/InterfaceMass.hpp>
+
+namespace harmos::latin {
+namespace {
+
+using Vector3 = std::array<double, 3>;
+
+/// y = Q x, or Q^T x.
+Vector3 rotate(const mesh::Frame& q, const Vector3& x, bool transposed) {
+  Vector3 y{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) y[i] += (transposed ? q[j][i] : q[i][j]) * x[j];
+  }
+  return y;
+}
+
+/// to += Q from (or Q^T from) for the components of one node.
+void addRotated(const mesh::Frame& q, bool transposed, int dimension, const double* from, double* to) {
+  Vector3 x{};
+  std::copy(from, from + dimension, x.begin());
+  const Vector3 y = rotate(q, x, transposed);
+  for (int c = 0; c < dimension; ++c) to[c] += y[static_cast<std::size_t>(c)];
+}
+
+/// What the interfaces add to a body's operator, in the numbering of its representative (toMaster empty: its own).
+/// Every entry is a multiple of the identity over the components, so a rotation of the axes does not change it.
+substructure::BoundaryTerm boundaryTerm(const interface::Assembly& assembly,
+                                        const interface::SearchDirection& searchDirection, int body,
+                                        const std::vector<int>& toMaster) {
+  const int dimension = assembly.dimension;
+  substructure::BoundaryTerm term;
+  term.dimension = dimension;
+  term.diagonal.assign(
+      assembly.bodies[static_cast<std::size_t>(body)].nodes.size() * static_cast<std::size_t>(dimension), 0.0);
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const interface::Interface& interface = assembly.interfaces[i];
+    if (interface.law->prescribesTraction()) continue;
+    const std::vector<double>& k = searchDirection.of(static_cast<int>(i));
+    for (int side = 0; side < interface.sides(); ++side) {
+      if (interface.body(side) != body) continue;
+      std::vector<int> nodes = interface.nodes(side);
+      if (!toMaster.empty()) {
+        for (int& node : nodes) node = toMaster[static_cast<std::size_t>(node)];
+      }
+      if (interface.mass.empty()) {
+        for (std::size_t p = 0; p < nodes.size(); ++p) {
+          for (int c = 0; c < dimension; ++c) {
+            term.diagonal[static_cast<std::size_t>(nodes[p] * dimension + c)] += k[p] * interface.area[p];
+          }
+        }
+      }
+      for (const interface::MassEntry& entry : interface.mass) {
+        const auto row = static_cast<std::size_t>(entry.row);
+        term.entries.push_back({nodes[row], nodes[static_cast<std::size_t>(entry.column)], k[row] * entry.value});
+      }
+    }
+  }
+  return term;
+}
+
+/// Equal up to round-off, so that one factor serves both bodies.
+bool equal(const substructure::BoundaryTerm& a, const substructure::BoundaryTerm& b) {
+  constexpr double tolerance = 1e-10;
+  if (a.entries.size() != b.entries.size()) return false;
+  for (std::size_t i = 0; i < a.entries.size(); ++i) {
+    if (a.entries[i].row != b.entries[i].row || a.entries[i].column != b.entries[i].column ||
+        std::abs(a.entries[i].value - b.entries[i].value) > tolerance * std::abs(a.entries[i].value)) {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < a.diagonal.size(); ++i) {
+    if (std::abs(a.diagonal[i] - b.diagonal[i]) > tolerance * a.diagonal[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+BodyOperators::BodyOperators(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+                             const TraceLayout& layout, const substructure::SolverOptions& options)
+    : dimension_(assembly.dimension),
+      allSteps_(assembly.steps()),
+      places_(assembly.bodies.size()),
+      loads_(assembly.bodies.size()) {
+  std::vector<substructure::BoundaryTerm> terms;  // of each group, in the representative's numbering
+  std::vector<int> masters;
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+    const substructure::Substructure& body = assembly.bodies[b];
+    if (!layout.owns(static_cast<int>(b))) continue;
+    Place& place = places_[b];
+    int master = static_cast<int>(b);
+    if (body.congruence) {
+      master = body.congruence->representative;
+      place.rotates = true;
+      place.rotation = body.congruence->rotation;
+      place.toMaster.resize(body.nodes.size());
+      for (std::size_t a = 0; a < body.nodes.size(); ++a) {
+        place.toMaster[static_cast<std::size_t>(body.congruence->node[a])] = static_cast<int>(a);
+      }
+    }
+    substructure::BoundaryTerm term = boundaryTerm(assembly, searchDirection, static_cast<int>(b), place.toMaster);
+    for (std::size_t g = 0; g < groups_.size() && place.group < 0; ++g) {
+      if (masters[g] == master && equal(terms[g], term)) place.group = static_cast<int>(g);
+    }
+    if (place.group < 0) {
+      place.group = static_cast<int>(groups_.size());
+      groups_.emplace_back();
+      groups_.back().solver = std::make_unique<substructure::SubstructureSolver>(
+          assembly.bodies[static_cast<std::size_t>(master)].stiffness, term, options, body.name);
+      terms.push_back(std::move(term));
+      masters.push_back(master);
+    }
+    Group& group = groups_[static_cast<std::size_t>(place.group)];
+    place.member = static_cast<int>(group.bodies.size());
+    group.bodies.push_back(static_cast<int>(b));
+  }
+  for (const TraceLayout::Block& block : layout.blocks()) {
+    const Place& place = places_[static_cast<std::size_t>(block.body)];
+    BlockMap map{&place, block.begin, {}};
+    for (int node : assembly.interfaces[static_cast<std::size_t>(block.interface)].nodes(block.side)) {
+      map.dof.push_back(masterDof(place, node));
+    }
+    blocks_.push_back(std::move(map));
+  }
+  gatherLoads(assembly);
+}
+
+void BodyOperators::gatherLoads(const interface::Assembly& assembly) {
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+    if (places_[b].group < 0) continue;
+    const substructure::Substructure& body = assembly.bodies[b];
+    loads_[b].shape(static_cast<int>(body.nodes.size()) * dimension_, allSteps_);
+    if (body.loads.numRows() > 0) loads_[b] += body.loads;
+  }
+  for (const interface::Interface& interface : assembly.interfaces) {
+    if (!interface.law->prescribesTraction() || places_[static_cast<std::size_t>(interface.body1)].group < 0) continue;
+    base::Matrix& loads = loads_[static_cast<std::size_t>(interface.body1)];
+    const auto pairs = static_cast<std::size_t>(interface.pairs());
+    const std::vector<laws::LocalLine> lines(pairs);
+    std::vector<laws::LocalState> states(pairs);
+    std::vector<double> traction(pairs * static_cast<std::size_t>(dimension_));
+    std::vector<double> force(traction.size());
+    for (int t = 0; t < allSteps_; ++t) {
+      interface.law->solve(t, {interface.pairs(), lines.data(), interface.gap.data(), nullptr, nullptr, states.data()});
+      for (std::size_t p = 0; p < pairs; ++p) {
+        Vector3 f = states[p].traction;
+        if (interface.law->frame() == laws::Frame::interface) f = rotate(interface.frame[p], f, true);
+        std::copy_n(f.begin(), dimension_, traction.begin() + static_cast<std::ptrdiff_t>(p) * dimension_);
+      }
+      applyMass(interface, dimension_, traction.data(), force.data());
+      for (std::size_t p = 0; p < pairs; ++p) {
+        for (int c = 0; c < dimension_; ++c) {
+          loads(interface.node1[p] * dimension_ + c, t) +=
+              force[p * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(c)];
+        }
+      }
+    }
+  }
+  for (Group& group : groups_) {
+    const int dofs = loads_[static_cast<std::size_t>(group.bodies[0])].numRows();
+    const int columns = static_cast<int>(group.bodies.size()) * allSteps_;
+    group.loads.shape(dofs, columns);
+    group.right.shape(dofs, columns);
+    group.solution.shape(dofs, columns);
+    for (int body : group.bodies) {
+      const Place& place = places_[static_cast<std::size_t>(body)];
+      for (int t = 0; t < allSteps_; ++t) {
+        for (int node = 0; node < dofs / dimension_; ++node) {
+          const double* from = loads_[static_cast<std::size_t>(body)][t] + node * dimension_;
+          double* to = group.loads[place.member * allSteps_ + t] + masterDof(place, node);
+          if (place.rotates) {
+            addRotated(place.rotation, true, dimension_, from, to);
+          } else {
+            for (int c = 0; c < dimension_; ++c) to[c] += from[c];
+          }
+        }
+      }
+    }
+  }
+}
+
+void BodyOperators::solve(const base::Matrix& forces, int first, int steps) {
+  for (Group& group : groups_) {
+    const int dofs = group.loads.numRows();
+    for (std::size_t m = 0; m < group.bodies.size(); ++m) {
+      for (int t = 0; t < steps; ++t) {
+        const double* loads = group.loads[static_cast<int>(m) * allSteps_ + first + t];
+        std::copy(loads, loads + dofs, group.right[static_cast<int>(m) * steps + t]);
+      }
+    }
+  }
+  for (const BlockMap& block : blocks_) {
+    Group& group = groups_[static_cast<std::size_t>(block.place->group)];
+    for (int t = 0; t < steps; ++t) {
+      const double* from = forces[first + t] + block.begin;
+      double* to = group.right[block.place->member * steps + t];
+      if (block.place->rotates) {
+        for (std::size_t p = 0; p < block.dof.size(); ++p, from += dimension_) {
+          addRotated(block.place->rotation, true, dimension_, from, to + block.dof[p]);
+        }
+      } else {
+        for (std::size_t p = 0; p < block.dof.size(); ++p, from += dimension_) {
+          for (int c = 0; c < dimension_; ++c) to[block.dof[p] + c] += from[c];
+        }
+      }
+    }
+  }
+  for (Group& group : groups_) {
+    const int members = static_cast<int>(group.bodies.size());
+    if (steps == allSteps_) {
+      group.solver->solve(group.right, group.solution);
+      continue;
+    }
+    const base::Matrix right(Teuchos::View, group.right.values(), group.right.stride(), group.right.numRows(),
+                             members * steps);
+    base::Matrix some(group.right.numRows(), members * steps);
+    group.solver->solve(right, some);
+    for (int m = 0; m < members; ++m) {
+      for (int t = 0; t < steps; ++t) {
+        std::copy_n(some[m * steps + t], some.numRows(), group.solution[m * allSteps_ + first + t]);
+      }
+    }
+  }
+}
+
+void BodyOperators::trace(base::Matrix& trace, int first, int steps) const {
+  for (const BlockMap& block : blocks_) {
+    const Group& group = groups_[static_cast<std::size_t>(block.place->group)];
+    for (int t = first; t < first + steps; ++t) {
+      const double* from = group.solution[block.place->member * allSteps_ + t];
+      double* to = trace[t] + block.begin;
+      for (std::size_t p = 0; p < block.dof.size(); ++p, to += dimension_) {
+        if (block.place->rotates) {
+          std::fill(to, to + dimension_, 0.0);
+          addRotated(block.place->rotation, false, dimension_, from + block.dof[p], to);
+        } else {
+          std::copy_n(from + block.dof[p], dimension_, to);
+        }
+      }
+    }
+  }
+}
+
+base::Matrix BodyOperators::solveBody(int body, const base::Matrix& forces) const {
+  const Place& place = places_[static_cast<std::size_t>(body)];
+  const Group& group = groups_[static_cast<std::size_t>(place.group)];
+  base::Matrix solution(forces.numRows(), forces.numCols());
+  if (!place.rotates) {
+    group.solver->solve(forces, solution);
+    return solution;
+  }
+  const int nodes = forces.numRows() / dimension_;
+  base::Matrix right(forces.numRows(), forces.numCols());
+  base::Matrix master(forces.numRows(), forces.numCols());
+  for (int j = 0; j < forces.numCols(); ++j) {
+    for (int node = 0; node < nodes; ++node) {
+      addRotated(place.rotation, true, dimension_, forces[j] + node * dimension_, right[j] + masterDof(place, node));
+    }
+  }
+  group.solver->solve(right, master);
+  for (int j = 0; j < forces.numCols(); ++j) {
+    for (int node = 0; node < nodes; ++node) {
+      addRotated(place.rotation, false, dimension_, master[j] + masterDof(place, node),
+                 solution[j] + node * dimension_);
+    }
+  }
+  return solution;
+}
+
+mesh::Point BodyOperators::displacement(int body, int node, int step) const {
+  const Place& place = places_[static_cast<std::size_t>(body)];
+  const Group& group = groups_[static_cast<std::size_t>(place.group)];
+  mesh::Point u{};
+  const double* from = group.solution[place.member * allSteps_ + step] + masterDof(place, node);
+  if (place.rotates) {
+    addRotated(place.rotation, false, dimension_, from, u.data());
+  } else {
+    std::copy_n(from, dimension_, u.begin());
+  }
+  return u;
+}
+
+}  // namespace harmos::latin

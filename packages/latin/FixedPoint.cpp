@@ -1,0 +1,42 @@
+#include <harmos/latin/FixedPoint.hpp>
+
+namespace harmos::latin {
+
+FixedPoint::FixedPoint(const interface::Assembly& assembly, const StageOptions& options,
+                       Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers)
+    : assembly_(assembly),
+      formulation_(options.formulation),
+      timers_(timers),
+      searchDirection_(assembly, options.searchDirectionScale, *comm),
+      layout_(assembly, searchDirection_, comm),
+      metric_(layout_),
+      linear_(assembly, searchDirection_, layout_, options.formulation, options.macroProblem, options.solver, timers),
+      local_(assembly, searchDirection_, layout_, options.formulation),
+      beta_(layout_.rows(), assembly.steps()),
+      hattedTraction_(layout_.rows(), assembly.steps()) {}
+
+void FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image) {
+  linear_.solve(alpha, beta_);
+  hasHattedTrace_ = false;
+  const auto running = timers_.start("local");
+  local_.solve(beta_, hattedTraction_);
+  for (int t = 0; t < alpha.numCols(); ++t) {
+    for (int row = 0; row < alpha.numRows(); ++row) image[t][row] = 2.0 * hattedTraction_[t][row] - beta_[t][row];
+  }
+}
+
+const base::Matrix& FixedPoint::hattedTrace() const {
+  if (hasHattedTrace_) return hattedTrace_;
+  const std::vector<double>& k = layout_.stiffness();
+  hattedTrace_.shapeUninitialized(beta_.numRows(), beta_.numCols());
+  for (int t = 0; t < beta_.numCols(); ++t) {
+    for (std::size_t row = 0; row < k.size(); ++row) {
+      hattedTrace_[t][row] = (hattedTraction_[t][row] - beta_[t][row]) / k[row];
+      if (formulation_ == Formulation::velocity && t > 0) hattedTrace_[t][row] += hattedTrace_[t - 1][row];
+    }
+  }
+  hasHattedTrace_ = true;
+  return hattedTrace_;
+}
+
+}  // namespace harmos::latin

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <harmos/latin/LinearStage.hpp>
+#include <harmos/latin/LocalStage.hpp>
+#include <harmos/latin/StateMetric.hpp>
+
+namespace harmos::latin {
+
+/// How the two stages are built; see LatinOptions for what the user may set.
+struct StageOptions {
+  Formulation formulation = Formulation::displacement;
+  double searchDirectionScale = 1.0;
+  bool macroProblem = true;
+  substructure::SolverOptions solver;
+};
+
+/// The LATIN iteration as a map: alpha -> T(alpha), one linear stage (with macro problem) and one local stage.
+class FixedPoint {
+ public:
+  /// Collective. Factors all operators. `assembly` and `timers` must outlive this object.
+  FixedPoint(const interface::Assembly& assembly, const StageOptions& options,
+             Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+
+  /// Collective. image = T(alpha) [stress]; the fields of the iteration are kept.
+  void apply(const base::Matrix& alpha, base::Matrix& image);
+
+  // Fields of the last apply(); rows as in TraceLayout, one column per load step.
+  /// w [length] of the linear stage.
+  const base::Matrix& trace() const { return linear_.trace(); }
+  /// f [stress] of the linear stage, in equilibrium with the bodies.
+  const base::Matrix& traction() const { return linear_.traction(); }
+  /// w^ [length] of the local stage.
+  const base::Matrix& hattedTrace() const;
+  /// f^ [stress] of the local stage, which obeys the interface laws.
+  const base::Matrix& hattedTraction() const { return hattedTraction_; }
+  /// u [length] of a node of an owned body, linear stage.
+  mesh::Point displacement(int body, int node, int step) const { return linear_.displacement(body, node, step); }
+
+  const interface::Assembly& assembly() const { return assembly_; }
+  const TraceLayout& layout() const { return layout_; }
+  const StateMetric& metric() const { return metric_; }
+  const LinearStage& linearStage() const { return linear_; }
+  const LocalStage& localStage() const { return local_; }
+  Formulation formulation() const { return formulation_; }
+
+ private:
+  const interface::Assembly& assembly_;
+  Formulation formulation_;
+  base::Timers& timers_;
+  interface::SearchDirection searchDirection_;
+  TraceLayout layout_;
+  StateMetric metric_;
+  LinearStage linear_;
+  LocalStage local_;
+  base::Matrix beta_;
+  base::Matrix hattedTraction_;
+  mutable base::Matrix hattedTrace_;  // computed when asked for
+  mutable bool hasHattedTrace_ = false;
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+
+namespace harmos::latin {
+
+/// Coefficients c of least squares from the normal equations G c = b of the leading `size` columns.
+///
+/// Columns are scaled to length one and eliminated in the order of their independence (Cholesky with diagonal
+/// pivoting); columns that depend on the others to within round-off get the coefficient 0.
+std::vector<double> solveNormalEquations(const base::Matrix& gram, int size, const double* right);
+
+}  // namespace harmos::latin

@@ -1,0 +1,72 @@
+#include <harmos/latin/LinearStage.hpp>
+
+#include <harmos/latin/InterfaceMass.hpp>
+
+namespace harmos::latin {
+
+LinearStage::LinearStage(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+                         const TraceLayout& layout, Formulation formulation, bool withMacroProblem,
+                         const substructure::SolverOptions& options, base::Timers& timers)
+    : assembly_(assembly),
+      layout_(layout),
+      formulation_(formulation),
+      timers_(timers),
+      operators_(assembly, searchDirection, layout, options),
+      corrected_(layout.rows(), assembly.steps()),
+      forces_(layout.rows(), assembly.steps()),
+      trace_(layout.rows(), assembly.steps()),
+      traction_(layout.rows(), assembly.steps()) {
+  if (withMacroProblem) {
+    macro_ = std::make_unique<MacroProblem>(assembly, searchDirection, layout, operators_, options);
+  }
+}
+
+void LinearStage::applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int steps) const {
+  for (const TraceLayout::Block& block : layout_.blocks()) {
+    const interface::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(block.interface)];
+    for (int t = first; t < first + steps; ++t) {
+      latin::applyMass(interface, layout_.dimension(), traction[t] + block.begin, forces[t] + block.begin);
+    }
+  }
+}
+
+void LinearStage::solveSteps(base::Matrix& alpha, int first, int steps) {
+  applyMass(alpha, forces_, first, steps);
+  if (macro_) {
+    const auto running = timers_.start("macro");
+    macro_->correct(alpha, forces_, first, steps);
+  }
+  {
+    const auto running = timers_.start("block solve");
+    operators_.solve(forces_, first, steps);
+  }
+  operators_.trace(trace_, first, steps);
+}
+
+void LinearStage::solve(const base::Matrix& alpha, base::Matrix& beta) {
+  const auto running = timers_.start("linear");
+  ++solves_;
+  const std::vector<double>& k = layout_.stiffness();
+  corrected_.assign(alpha);
+  const int steps = alpha.numCols();
+  if (formulation_ == Formulation::displacement) {
+    solveSteps(corrected_, 0, steps);
+  } else {
+    for (int t = 0; t < steps; ++t) {
+      if (t > 0) {
+        for (std::size_t row = 0; row < k.size(); ++row) corrected_[t][row] += k[row] * trace_[t - 1][row];
+      }
+      solveSteps(corrected_, t, 1);
+    }
+  }
+  for (int t = 0; t < steps; ++t) {
+    const bool incremental = formulation_ == Formulation::velocity && t > 0;
+    for (std::size_t row = 0; row < k.size(); ++row) {
+      const double kw = k[row] * trace_[t][row];
+      traction_[t][row] = corrected_[t][row] - kw;
+      beta[t][row] = traction_[t][row] - kw + (incremental ? k[row] * trace_[t - 1][row] : 0.0);
+    }
+  }
+}
+
+}  // namespace harmos::latin

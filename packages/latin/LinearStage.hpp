@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/base/Timers.hpp>
+#include <harmos/latin/BodyOperators.hpp>
+#include <harmos/latin/LocalStage.hpp>
+#include <harmos/latin/MacroProblem.hpp>
+
+namespace harmos::latin {
+
+/// Linear stage: equilibrium of every body with the descent search direction E- (13), f - f^ = -k (w - w^).
+///
+/// Displacement form, eq. (24): (K + k h) u = h alpha + l with alpha = f^ + k w^; all load steps in one block solve.
+/// Velocity form, eqs. (19)-(23) with k = k_v / dt, so that one factor serves every step size: the state is
+/// alpha = f^ + k dw^ with dw the displacement increment of the step, and (K + k h) u_t = h (alpha_t + k w_{t-1}) +
+/// l_t, step after step.
+class LinearStage {
+ public:
+  LinearStage(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+              const TraceLayout& layout, Formulation formulation, bool withMacroProblem,
+              const substructure::SolverOptions& options, base::Timers& timers);
+
+  /// Collective. From alpha [stress] to beta = f - k w [stress] (velocity form: f - k dw); keeps w.
+  void solve(const base::Matrix& alpha, base::Matrix& beta);
+
+  /// Trace w [length] and traction f [stress] of the last solve.
+  const base::Matrix& trace() const { return trace_; }
+  const base::Matrix& traction() const { return traction_; }
+
+  /// Displacement u [length] of a node of an owned body in the last solve.
+  mesh::Point displacement(int body, int node, int step) const { return operators_.displacement(body, node, step); }
+
+  int solves() const { return solves_; }
+  const BodyOperators& operators() const { return operators_; }
+  int macroUnknowns() const { return macro_ ? macro_->unknowns() : 0; }
+
+ private:
+  void applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int steps) const;
+  void solveSteps(base::Matrix& alpha, int first, int steps);
+
+  const interface::Assembly& assembly_;
+  const TraceLayout& layout_;
+  Formulation formulation_;
+  base::Timers& timers_;
+  BodyOperators operators_;
+  std::unique_ptr<MacroProblem> macro_;
+  base::Matrix corrected_;
+  base::Matrix forces_;
+  base::Matrix trace_;
+  base::Matrix traction_;
+  int solves_ = 0;
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,138 @@
+#include <harmos/latin/LocalStage.hpp>
+
+#include <cmath>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/base/Error.hpp>
+
+namespace harmos::latin {
+namespace {
+
+using laws::Vector3;
+
+Vector3 toFrame(const mesh::Frame& frame, const Vector3& v) {
+  return {frame[0][0] * v[0] + frame[0][1] * v[1] + frame[0][2] * v[2],
+          frame[1][0] * v[0] + frame[1][1] * v[1] + frame[1][2] * v[2],
+          frame[2][0] * v[0] + frame[2][1] * v[1] + frame[2][2] * v[2]};
+}
+
+Vector3 toGlobal(const mesh::Frame& frame, const Vector3& v) {
+  return {frame[0][0] * v[0] + frame[1][0] * v[1] + frame[2][0] * v[2],
+          frame[0][1] * v[0] + frame[1][1] * v[1] + frame[2][1] * v[2],
+          frame[0][2] * v[0] + frame[1][2] * v[1] + frame[2][2] * v[2]};
+}
+
+}  // namespace
+
+LocalStage::LocalStage(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+                       const TraceLayout& layout, Formulation formulation)
+    : assembly_(assembly), searchDirection_(searchDirection), layout_(layout), formulation_(formulation) {
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const interface::Interface& interface = assembly.interfaces[i];
+    Joint joint;
+    joint.begin1 = layout.begin(static_cast<int>(i), 0);
+    joint.begin2 = layout.begin(static_cast<int>(i), 1);
+    joint.active = joint.begin1 >= 0 || joint.begin2 >= 0;
+    if (joint.active) {
+      const auto pairs = static_cast<std::size_t>(interface.pairs());
+      const auto steps = static_cast<std::size_t>(assembly.steps());
+      joint.line.resize(pairs);
+      joint.state.resize(pairs * steps);
+      for (auto& history : joint.history)
+        history.resize(pairs * static_cast<std::size_t>(interface.law->historySize()));
+      if (formulation == Formulation::velocity) joint.jump.resize(3 * pairs);
+      if (interface.sides() == 2 && (joint.begin1 < 0 || joint.begin2 < 0)) {
+        joint.neighbour = assembly.ownerOf(joint.begin1 < 0 ? interface.body1 : interface.body2);
+        joint.remote.resize(pairs * steps * static_cast<std::size_t>(layout.dimension()));
+      }
+    }
+    joints_.push_back(std::move(joint));
+  }
+}
+
+void LocalStage::exchange(const base::Matrix& beta) {
+  // Every rank visits the interfaces in the same order, so the messages between two ranks match without tags.
+  std::vector<std::vector<double>> sent;
+  Teuchos::Array<Teuchos::RCP<Teuchos::CommRequest<int>>> requests;
+  for (Joint& joint : joints_) {
+    if (joint.neighbour < 0) continue;
+    const int begin = joint.begin1 >= 0 ? joint.begin1 : joint.begin2;
+    const int steps = beta.numCols();
+    const int rows = static_cast<int>(joint.remote.size()) / steps;
+    std::vector<double> buffer(joint.remote.size());
+    for (int t = 0; t < steps; ++t) std::copy_n(beta[t] + begin, rows, buffer.begin() + t * rows);
+    sent.push_back(std::move(buffer));
+    requests.push_back(Teuchos::ireceive<int, double>(
+        layout_.comm(), Teuchos::arcpFromArrayView(Teuchos::arrayViewFromVector(joint.remote)), joint.neighbour));
+    requests.push_back(Teuchos::isend<int, double>(
+        layout_.comm(), Teuchos::arcpFromArrayView(Teuchos::arrayViewFromVector(sent.back())), joint.neighbour));
+  }
+  Teuchos::waitAll(layout_.comm(), requests());
+}
+
+void LocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
+  if (layout_.comm().getSize() > 1) exchange(beta);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    if (joints_[i].active) solveJoint(static_cast<int>(i), joints_[i], beta, traction);
+  }
+}
+
+void LocalStage::solveJoint(int interfaceIndex, Joint& joint, const base::Matrix& beta, base::Matrix& traction) {
+  const interface::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const std::vector<double>& k = searchDirection_.of(interfaceIndex);
+  const int dimension = layout_.dimension();
+  const int pairs = interface.pairs();
+  const bool local = interface.law->frame() == laws::Frame::interface;
+  const bool incremental = formulation_ == Formulation::velocity;
+  std::fill(joint.history[0].begin(), joint.history[0].end(), 0.0);
+  std::fill(joint.jump.begin(), joint.jump.end(), 0.0);
+
+  for (int t = 0; t < beta.numCols(); ++t) {
+    const double* remote = joint.remote.data() + static_cast<std::size_t>(t) * pairs * dimension;
+    const double* beta1 = joint.begin1 >= 0 ? beta[t] + joint.begin1 : remote;
+    const double* beta2 = interface.sides() == 1 ? nullptr : joint.begin2 >= 0 ? beta[t] + joint.begin2 : remote;
+    const double sides = interface.sides();
+    for (int p = 0; p < pairs; ++p) {
+      const double compliance = 1.0 / k[static_cast<std::size_t>(p)];
+      Vector3 free{};
+      for (int c = 0; c < dimension; ++c) {
+        const double b2 = beta2 != nullptr ? beta2[p * dimension + c] : 0.0;
+        free[static_cast<std::size_t>(c)] = compliance * (beta1[p * dimension + c] - b2);
+      }
+      laws::LocalLine& line = joint.line[static_cast<std::size_t>(p)];
+      line.compliance = sides * compliance;
+      line.freeJump = local ? toFrame(interface.frame[static_cast<std::size_t>(p)], free) : free;
+      if (incremental) {
+        for (std::size_t c = 0; c < 3; ++c) line.freeJump[c] += joint.jump[3 * static_cast<std::size_t>(p) + c];
+      }
+    }
+
+    laws::LocalState* state = joint.state.data() + static_cast<std::size_t>(t) * static_cast<std::size_t>(pairs);
+    interface.law->solve(
+        t, {pairs, joint.line.data(), interface.gap.data(), joint.history[0].data(), joint.history[1].data(), state});
+    joint.history[0].swap(joint.history[1]);
+
+    double check = 0.0;
+    for (int p = 0; p < pairs; ++p) {
+      const Vector3& f = state[p].traction;
+      check += f[0] + f[1] + f[2];
+      const Vector3 global = local ? toGlobal(interface.frame[static_cast<std::size_t>(p)], f) : f;
+      for (int c = 0; c < dimension; ++c) {
+        if (joint.begin1 >= 0) traction[t][joint.begin1 + p * dimension + c] = global[static_cast<std::size_t>(c)];
+        if (joint.begin2 >= 0) traction[t][joint.begin2 + p * dimension + c] = -global[static_cast<std::size_t>(c)];
+      }
+      if (incremental) {
+        const Vector3 jump = joint.line[static_cast<std::size_t>(p)].jump(f);
+        std::copy(jump.begin(), jump.end(), joint.jump.begin() + 3 * p);
+      }
+    }
+    if (!std::isfinite(check)) {
+      throw base::Error("interface \"" + interface.name + "\", load step " + std::to_string(t + 1) + ": law \"" +
+                            interface.law->name() + "\" met or returned a value that is not finite (NaN or infinity)",
+                        base::ExitCode::notConverged);
+    }
+  }
+}
+
+}  // namespace harmos::latin

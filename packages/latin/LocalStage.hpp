@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/latin/TraceLayout.hpp>
+
+namespace harmos::latin {
+
+/// Kinematic unknown of the interfaces.
+enum class Formulation {
+  displacement,  ///< eq. (24): all load steps at once
+  velocity       ///< eqs. (19)-(23): implicit Euler, step after step
+};
+
+/// Local stage: at every interface node, intersects the law's graph with the ascent search direction E+ (12).
+///
+/// With beta = f - k w from the linear stage, E+ reads f^ - k w^ = beta, so the line of a node pair is
+///   delta_free = beta1/k - beta2/k,  H = 2/k   (outer boundary: delta_free = beta1/k, H = 1/k),
+/// and the new state is alpha = f^ + k w^ = 2 f^ - beta. In the velocity form w stands for the displacement increment
+/// of the load step (k = k_v / dt), and the line starts from the jump at the end of the previous step.
+class LocalStage {
+ public:
+  LocalStage(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+             const TraceLayout& layout, Formulation formulation);
+
+  /// Collective. Overwrites `traction` with f^ [stress] of every row, given `beta` [stress].
+  /// Throws base::Error naming interface and step when a law returns a value that is not finite.
+  void solve(const base::Matrix& beta, base::Matrix& traction);
+
+  /// Status of the pairs of one interface at one step, as last solved on this rank; empty if no side is owned here.
+  const std::vector<laws::LocalState>& states(int interfaceIndex) const {
+    return joints_[static_cast<std::size_t>(interfaceIndex)].state;
+  }
+
+ private:
+  struct Joint {
+    bool active = false;  // a side is owned here
+    int begin1 = -1;
+    int begin2 = -1;             // row blocks; -1: not owned here, or no such side
+    int neighbour = -1;          // rank that owns the other side; -1: none or this one
+    std::vector<double> remote;  // beta of the side owned elsewhere, pairs x dimension x steps
+    std::vector<laws::LocalLine> line;
+    std::vector<laws::LocalState> state;  // pairs x steps
+    std::vector<double> history[2];
+    std::vector<double> jump;  // velocity form: hatted jump of the previous step, law's frame
+  };
+
+  void exchange(const base::Matrix& beta);
+  void solveJoint(int interfaceIndex, Joint& joint, const base::Matrix& beta, base::Matrix& traction);
+
+  const interface::Assembly& assembly_;
+  const interface::SearchDirection& searchDirection_;
+  const TraceLayout& layout_;
+  Formulation formulation_;
+  std::vector<Joint> joints_;
+};
+
+}  // namespace harmos::latin

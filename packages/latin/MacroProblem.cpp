@@ -1,0 +1,317 @@
+#include <harmos/latin/MacroProblem.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <Teuchos_BLAS.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_LAPACK.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/latin/InterfaceMass.hpp>
+#include <harmos/substructure/CrsMatrix.hpp>
+
+namespace harmos::latin {
+namespace {
+
+using base::Matrix;
+
+/// Eigenvalues in ascending order; the columns of `matrix` become the eigenvectors.
+std::vector<double> symmetricEigenvalues(Matrix& matrix) {
+  const int n = matrix.numRows();
+  std::vector<double> values(static_cast<std::size_t>(n));
+  std::vector<double> work(static_cast<std::size_t>(std::max(1, 34 * n)));
+  int info = 0;
+  Teuchos::LAPACK<int, double>().SYEV('V', 'U', n, matrix.values(), matrix.stride(), values.data(), work.data(),
+                                      static_cast<int>(work.size()), &info);
+  if (info != 0) throw base::Error("LAPACK dsyev failed with info = " + std::to_string(info));
+  return values;
+}
+
+/// y = k h x for one side, k taken at the row.
+Matrix weighted(const interface::Interface& interface, int dimension, const std::vector<double>& k, const Matrix& x) {
+  Matrix y(x.numRows(), x.numCols());
+  for (int j = 0; j < x.numCols(); ++j) {
+    applyMass(interface, dimension, x[j], y[j]);
+    for (int row = 0; row < y.numRows(); ++row) y(row, j) *= k[static_cast<std::size_t>(row / dimension)];
+  }
+  return y;
+}
+
+/// Rigid motions of an interface about its centre, rotations scaled by its size, so that all columns are lengths alike.
+Matrix rigidMotions(const interface::Interface& interface, const std::vector<mesh::Point>& nodes, int dimension) {
+  const int pairs = interface.pairs();
+  mesh::Point centre{};
+  double total = 0.0;
+  for (int p = 0; p < pairs; ++p) {
+    const auto i = static_cast<std::size_t>(p);
+    for (std::size_t c = 0; c < 3; ++c)
+      centre[c] += interface.area[i] * nodes[static_cast<std::size_t>(interface.node1[i])][c];
+    total += interface.area[i];
+  }
+  for (double& c : centre) c /= total;
+  double size = 0.0;
+  for (int node : interface.node1) {
+    for (std::size_t c = 0; c < 3; ++c)
+      size = std::max(size, std::abs(nodes[static_cast<std::size_t>(node)][c] - centre[c]));
+  }
+  if (size == 0.0) size = 1.0;
+
+  Matrix motions(pairs * dimension, dimension == 3 ? 6 : 3);
+  for (int p = 0; p < pairs; ++p) {
+    const mesh::Point& x = nodes[static_cast<std::size_t>(interface.node1[static_cast<std::size_t>(p)])];
+    const double r[3] = {(x[0] - centre[0]) / size, (x[1] - centre[1]) / size, (x[2] - centre[2]) / size};
+    const int row = p * dimension;
+    for (int c = 0; c < dimension; ++c) motions(row + c, c) = 1.0;
+    if (dimension == 2) {
+      motions(row, 2) = -r[1];
+      motions(row + 1, 2) = r[0];
+    } else {
+      motions(row + 1, 3) = -r[2], motions(row + 2, 3) = r[1];
+      motions(row, 4) = r[2], motions(row + 2, 4) = -r[0];
+      motions(row, 5) = -r[1], motions(row + 1, 5) = r[0];
+    }
+  }
+  return motions;
+}
+
+/// Columns spanning the motions that the interface can feel, orthonormal in the product x^T k h y.
+Matrix orthonormal(const interface::Interface& interface, int dimension, const std::vector<double>& k,
+                   const Matrix& motions) {
+  Matrix gram(motions.numCols(), motions.numCols());
+  gram.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, motions, weighted(interface, dimension, k, motions), 0.0);
+  const std::vector<double> values = symmetricEigenvalues(gram);
+  // A point, or nodes on a line, cannot feel some rotations: their eigenvalues are round-off.
+  const double threshold = 1e-10 * values.back();
+  const auto kept =
+      static_cast<int>(std::count_if(values.begin(), values.end(), [&](double v) { return v > threshold; }));
+  Matrix basis(gram.numRows(), kept);
+  for (int j = 0; j < kept; ++j) {
+    const int from = gram.numCols() - kept + j;
+    const double scale = 1.0 / std::sqrt(values[static_cast<std::size_t>(from)]);
+    for (int i = 0; i < basis.numRows(); ++i) basis(i, j) = scale * gram(i, from);
+  }
+  Matrix modes(motions.numRows(), kept);
+  modes.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, motions, basis, 0.0);
+  return modes;
+}
+
+}  // namespace
+
+MacroProblem::MacroProblem(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+                           const TraceLayout& layout, const BodyOperators& operators,
+                           const substructure::SolverOptions& options)
+    : layout_(layout) {
+  buildModes(assembly, searchDirection);
+  const int dimension = layout.dimension();
+
+  std::vector<int> localBody(assembly.bodies.size(), -1);
+  for (const TraceLayout::Block& at : layout.blocks()) {
+    auto& local = localBody[static_cast<std::size_t>(at.body)];
+    if (local < 0) {
+      local = static_cast<int>(bodies_.size());
+      bodies_.push_back({at.body, {}, {}});
+    }
+    const auto i = static_cast<std::size_t>(at.interface);
+    Block block{at.begin, local, firstMode_[i], &modes_[i], {}, {}, {}};
+    for (int m = 0; m < modes_[i].numCols(); ++m)
+      bodies_[static_cast<std::size_t>(local)].unknowns.push_back(block.modes + m);
+    block.force = weighted(assembly.interfaces[i], dimension, searchDirection.of(at.interface), modes_[i]);
+    block.traction = modes_[i];
+    for (int m = 0; m < block.traction.numCols(); ++m) {
+      for (int row = 0; row < block.traction.numRows(); ++row) {
+        block.traction(row, m) *= searchDirection.of(at.interface)[static_cast<std::size_t>(row / dimension)];
+      }
+    }
+    blocks_.push_back(std::move(block));
+  }
+
+  std::vector<Matrix> contributions;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    Body& body = bodies_[b];
+    std::vector<std::size_t> mine;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      if (blocks_[i].body == static_cast<int>(b)) mine.push_back(i);
+    }
+    const int count = static_cast<int>(body.unknowns.size());
+    const Matrix& loads = operators.loads(body.body);
+    Matrix right(loads.numRows(), count);
+    int column = 0;
+    for (std::size_t i : mine) {
+      const TraceLayout::Block& at = layout.blocks()[i];
+      const auto& nodes = assembly.interfaces[static_cast<std::size_t>(at.interface)].nodes(at.side);
+      for (int m = 0; m < blocks_[i].force.numCols(); ++m, ++column) {
+        for (int row = 0; row < blocks_[i].force.numRows(); ++row) {
+          right(nodes[static_cast<std::size_t>(row / dimension)] * dimension + row % dimension, column) +=
+              blocks_[i].force(row, m);
+        }
+      }
+    }
+    const Matrix response = count > 0 ? operators.solveBody(body.body, right) : right;
+    body.loads.shape(count, assembly.steps());
+    if (count > 0) body.loads.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, response, loads, 0.0);
+
+    Matrix contribution(count, count);
+    column = 0;
+    for (std::size_t i : mine) {
+      const TraceLayout::Block& at = layout.blocks()[i];
+      const auto& nodes = assembly.interfaces[static_cast<std::size_t>(at.interface)].nodes(at.side);
+      Block& block = blocks_[i];
+      block.reaction.shape(block.force.numRows(), count);
+      for (int j = 0; j < count; ++j) {
+        for (int row = 0; row < block.reaction.numRows(); ++row) {
+          block.reaction(row, j) =
+              -response(nodes[static_cast<std::size_t>(row / dimension)] * dimension + row % dimension, j);
+        }
+      }
+      const int modes = block.force.numCols();
+      for (int m = 0; m < modes; ++m) {
+        for (int row = 0; row < block.reaction.numRows(); ++row)
+          block.reaction(row, column + m) += (*block.shape)(row, m);
+      }
+      if (modes > 0) {
+        Matrix rows(modes, count);
+        rows.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, block.force, block.reaction, 0.0);
+        for (int m = 0; m < modes; ++m) {
+          for (int j = 0; j < count; ++j) contribution(column + m, j) = rows(m, j);
+        }
+      }
+      column += modes;
+    }
+    contributions.push_back(std::move(contribution));
+  }
+  factor(assembly, options, contributions);
+}
+
+void MacroProblem::buildModes(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection) {
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const interface::Interface& interface = assembly.interfaces[i];
+    firstMode_.push_back(unknowns_);
+    if (interface.sides() == 1) {
+      modes_.emplace_back(interface.pairs() * layout_.dimension(), 0);
+      continue;
+    }
+    const Matrix motions =
+        rigidMotions(interface, assembly.bodies[static_cast<std::size_t>(interface.body1)].nodes, layout_.dimension());
+    modes_.push_back(orthonormal(interface, layout_.dimension(), searchDirection.of(static_cast<int>(i)), motions));
+    unknowns_ += modes_.back().numCols();
+  }
+}
+
+void MacroProblem::factor(const interface::Assembly& assembly, const substructure::SolverOptions& options,
+                          const std::vector<Matrix>& contributions) {
+  if (unknowns_ == 0) return;
+  // Two interfaces are coupled when they meet at a body; every rank knows that pattern.
+  std::vector<std::set<int>> coupled(static_cast<std::size_t>(unknowns_));
+  std::vector<std::vector<int>> ofBody(assembly.bodies.size());
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    for (int side = 0; side < assembly.interfaces[i].sides(); ++side) {
+      auto& list = ofBody[static_cast<std::size_t>(assembly.interfaces[i].body(side))];
+      for (int m = 0; m < modes_[i].numCols(); ++m) list.push_back(firstMode_[i] + m);
+    }
+  }
+  for (const auto& list : ofBody) {
+    for (int row : list) coupled[static_cast<std::size_t>(row)].insert(list.begin(), list.end());
+  }
+  std::vector<std::size_t> rowPointers{0};
+  std::vector<int> columns;
+  for (const auto& row : coupled) {
+    columns.insert(columns.end(), row.begin(), row.end());
+    rowPointers.push_back(columns.size());
+  }
+  std::vector<double> local(columns.size(), 0.0);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto& unknowns = bodies_[b].unknowns;
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      const auto begin =
+          columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[static_cast<std::size_t>(unknowns[i])]);
+      const auto end =
+          columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[static_cast<std::size_t>(unknowns[i]) + 1]);
+      for (std::size_t j = 0; j < unknowns.size(); ++j) {
+        const auto at = static_cast<std::size_t>(std::lower_bound(begin, end, unknowns[j]) - columns.begin());
+        // The mean of both triangles removes the round-off asymmetry of X.
+        local[at] += 0.5 * (contributions[b](static_cast<int>(i), static_cast<int>(j)) +
+                            contributions[b](static_cast<int>(j), static_cast<int>(i)));
+      }
+    }
+  }
+  std::vector<double> values(local.size());
+  Teuchos::reduceAll(layout_.comm(), Teuchos::REDUCE_SUM, static_cast<int>(local.size()), local.data(), values.data());
+  try {
+    const auto matrix = substructure::makeCrsMatrix(rowPointers, columns, values);
+    solver_ = std::make_unique<substructure::SubstructureSolver>(matrix, substructure::BoundaryTerm{}, options,
+                                                                 "macro problem");
+  } catch (const base::Error&) {
+    Matrix dense(unknowns_, unknowns_);
+    for (int row = 0; row < unknowns_; ++row) {
+      for (std::size_t at = rowPointers[static_cast<std::size_t>(row)];
+           at < rowPointers[static_cast<std::size_t>(row) + 1]; ++at) {
+        dense(row, columns[at]) = values[at];
+      }
+    }
+    reportFloating(assembly, dense);
+  }
+}
+
+void MacroProblem::reportFloating(const interface::Assembly& assembly, const Matrix& matrix) const {
+  Matrix vectors(matrix);
+  const std::vector<double> values = symmetricEigenvalues(vectors);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    for (int m = 0; m < modes_[i].numCols(); ++m) {
+      if (std::abs(vectors(firstMode_[i] + m, 0)) < 1e-3) continue;
+      for (int side = 0; side < 2; ++side) {
+        names.insert(assembly.bodies[static_cast<std::size_t>(assembly.interfaces[i].body(side))].name);
+      }
+    }
+  }
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "\"" : ", \"") + name + "\"";
+  throw base::Error(
+      "nothing holds part(s) " + list +
+          ": they can move as rigid bodies without deforming any part (smallest eigenvalue of the macro "
+          "problem " +
+          std::to_string(values.front()) + " of " + std::to_string(values.back()) +
+          "); add a boundary with prescribed displacement, symmetry or foundation, or join them to a held part",
+      base::ExitCode::noEquilibrium);
+}
+
+void MacroProblem::correct(Matrix& alpha, Matrix& forces, int first, int steps) const {
+  if (unknowns_ == 0) return;
+  const Teuchos::BLAS<int, double> blas;
+  Matrix local(unknowns_, steps);
+  for (const Block& block : blocks_) {
+    const Body& body = bodies_[static_cast<std::size_t>(block.body)];
+    const int count = static_cast<int>(body.unknowns.size());
+    if (count == 0) continue;
+    Matrix part(count, steps);
+    blas.GEMM(Teuchos::TRANS, Teuchos::NO_TRANS, count, steps, block.reaction.numRows(), 1.0, block.reaction.values(),
+              block.reaction.stride(), forces[first] + block.begin, forces.stride(), 0.0, part.values(), part.stride());
+    for (int t = 0; t < steps; ++t) {
+      for (int j = 0; j < count; ++j) local(body.unknowns[static_cast<std::size_t>(j)], t) -= part(j, t);
+    }
+  }
+  for (const Body& body : bodies_) {
+    for (int t = 0; t < steps; ++t) {
+      for (std::size_t j = 0; j < body.unknowns.size(); ++j)
+        local(body.unknowns[j], t) += body.loads(static_cast<int>(j), first + t);
+    }
+  }
+  Matrix right(unknowns_, steps);
+  Teuchos::reduceAll(layout_.comm(), Teuchos::REDUCE_SUM, unknowns_ * steps, local.values(), right.values());
+  Matrix c(unknowns_, steps);
+  solver_->solve(right, c);
+  for (const Block& block : blocks_) {
+    const int modes = block.force.numCols();
+    if (modes == 0) continue;
+    const int rows = block.force.numRows();
+    blas.GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, rows, steps, modes, 1.0, block.force.values(), block.force.stride(),
+              c.values() + block.modes, c.stride(), 1.0, forces[first] + block.begin, forces.stride());
+    blas.GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, rows, steps, modes, 1.0, block.traction.values(),
+              block.traction.stride(), c.values() + block.modes, c.stride(), 1.0, alpha[first] + block.begin,
+              alpha.stride());
+  }
+}
+
+}  // namespace harmos::latin

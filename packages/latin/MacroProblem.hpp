@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/latin/BodyOperators.hpp>
+#include <harmos/latin/TraceLayout.hpp>
+
+namespace harmos::latin {
+
+/// Coarse problem of the linear stage: force and moment resultants of every two-sided interface are in balance.
+///
+/// The descent direction becomes f = alpha + k P c - k w, with P the rigid motions of the interface (3 in 2-D, 6 in
+/// 3-D, fewer when its nodes do not see them) and c the same on both sides, such that P^T h (f1 + f2) = 0. Eliminating
+/// the bodies, with X = S^-1 B^T h k P, gives one small constant sparse system
+///   G c = -sum over bodies [(P - X)^T h alpha - X^T l],   G = sum over bodies [P^T h k P - (h k P)^T X],
+/// symmetric, and positive definite when the boundaries hold the assembly as a whole.
+/// Source: Ladeveze, Nouy (2003), doi:10.1016/S0045-7825(03)00341-4; with the resultants as the only coarse unknowns.
+class MacroProblem {
+ public:
+  /// Collective. Throws base::Error (no equilibrium) naming the bodies that nothing holds.
+  MacroProblem(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+               const TraceLayout& layout, const BodyOperators& operators, const substructure::SolverOptions& options);
+
+  /// Collective. Adds k P c to `alpha` [stress] and h k P c to `forces` = h alpha [force], columns
+  /// first .. first + steps - 1.
+  void correct(base::Matrix& alpha, base::Matrix& forces, int first, int steps) const;
+
+  int unknowns() const { return unknowns_; }
+
+ private:
+  struct Block {
+    int begin;                  // first row of the interface side
+    int body;                   // index into bodies_
+    int modes;                  // first unknown of the interface
+    const base::Matrix* shape;  // P of the interface, or null for a boundary
+    base::Matrix traction;      // k P
+    base::Matrix force;         // h k P
+    base::Matrix reaction;      // (P - X) restricted to the block, rows x unknowns of the body
+  };
+  struct Body {
+    int body;
+    std::vector<int> unknowns;  // global numbers of the coarse unknowns of its interfaces
+    base::Matrix loads;         // X^T l, unknowns x steps
+  };
+
+  void buildModes(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection);
+  void factor(const interface::Assembly& assembly, const substructure::SolverOptions& options,
+              const std::vector<base::Matrix>& contributions);
+  [[noreturn]] void reportFloating(const interface::Assembly& assembly, const base::Matrix& matrix) const;
+
+  const TraceLayout& layout_;
+  int unknowns_ = 0;
+  std::vector<base::Matrix> modes_;  // per interface: P, pairs*dimension x modes, orthonormal in h k
+  std::vector<int> firstMode_;       // per interface
+  std::vector<Block> blocks_;
+  std::vector<Body> bodies_;
+  std::unique_ptr<substructure::SubstructureSolver> solver_;
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,89 @@
+#include <harmos/latin/PairFields.hpp>
+
+namespace harmos::latin {
+namespace {
+
+constexpr int width = 7;  // traction, jump, status
+
+laws::Vector3 toFrame(const mesh::Frame& frame, const double* global) {
+  laws::Vector3 local{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) local[i] += frame[i][j] * global[j];
+  }
+  return local;
+}
+
+/// Tractions are data here: asks the law, and takes the displacement from the body.
+void fillPrescribed(const FixedPoint& state, const interface::Interface& interface, std::vector<double>& values) {
+  const auto pairs = static_cast<std::size_t>(interface.pairs());
+  const std::vector<laws::LocalLine> lines(pairs);
+  std::vector<laws::LocalState> states(pairs);
+  for (int t = 0; t < state.assembly().steps(); ++t) {
+    interface.law->solve(t, {interface.pairs(), lines.data(), interface.gap.data(), nullptr, nullptr, states.data()});
+    for (std::size_t p = 0; p < pairs; ++p) {
+      double* value = values.data() + (static_cast<std::size_t>(t) * pairs + p) * width;
+      laws::Vector3 f = states[p].traction;
+      if (interface.law->frame() == laws::Frame::global) f = toFrame(interface.frame[p], f.data());
+      const mesh::Point u = state.displacement(interface.body1, interface.node1[p], t);
+      const laws::Vector3 w = toFrame(interface.frame[p], u.data());
+      for (std::size_t c = 0; c < 3; ++c) {
+        value[c] = f[c];
+        value[3 + c] = -w[c];
+      }
+      value[6] = static_cast<double>(states[p].status);
+    }
+  }
+}
+
+void fillSide(const FixedPoint& state, int interfaceIndex, int side, std::vector<double>& values) {
+  const interface::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const int begin = state.layout().begin(interfaceIndex, side);
+  if (begin < 0) return;
+  const int dimension = state.layout().dimension();
+  const auto pairs = static_cast<std::size_t>(interface.pairs());
+  const auto& states = state.localStage().states(interfaceIndex);
+  for (int t = 0; t < state.assembly().steps(); ++t) {
+    for (std::size_t p = 0; p < pairs; ++p) {
+      double* value = values.data() + (static_cast<std::size_t>(t) * pairs + p) * width;
+      mesh::Point w{};
+      mesh::Point f{};
+      const int row = begin + static_cast<int>(p) * dimension;
+      for (int c = 0; c < dimension; ++c) {
+        w[static_cast<std::size_t>(c)] = state.hattedTrace()[t][row + c];
+        f[static_cast<std::size_t>(c)] = state.hattedTraction()[t][row + c];
+      }
+      const laws::Vector3 localTrace = toFrame(interface.frame[p], w.data());
+      for (std::size_t c = 0; c < 3; ++c) value[3 + c] += side == 0 ? -localTrace[c] : localTrace[c];
+      if (side != 0) continue;
+      const laws::Vector3 localTraction = toFrame(interface.frame[p], f.data());
+      std::copy(localTraction.begin(), localTraction.end(), value);
+      value[6] = static_cast<double>(states[static_cast<std::size_t>(t) * pairs + p].status);
+    }
+  }
+}
+
+}  // namespace
+
+PairFields pairFields(const FixedPoint& state, int interfaceIndex) {
+  const interface::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
+  PairFields fields;
+  fields.pairs = interface.pairs();
+  fields.steps = state.assembly().steps();
+  const auto count = static_cast<std::size_t>(fields.pairs * fields.steps);
+  std::vector<double> values(count * width, 0.0);
+  if (interface.law->prescribesTraction()) {
+    if (state.layout().owns(interface.body1)) fillPrescribed(state, interface, values);
+  } else {
+    for (int side = 0; side < interface.sides(); ++side) fillSide(state, interfaceIndex, side, values);
+  }
+  state.metric().sum(values);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* value = values.data() + i * width;
+    fields.traction.push_back({value[0], value[1], value[2]});
+    fields.jump.push_back({value[3], value[4], value[5]});
+    fields.status.push_back(static_cast<laws::Status>(static_cast<int>(value[6])));
+  }
+  return fields;
+}
+
+}  // namespace harmos::latin

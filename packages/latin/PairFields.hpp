@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/latin/FixedPoint.hpp>
+
+namespace harmos::latin {
+
+/// Local-stage fields of one interface in its nodes' frames (n, t1, t2), complete on every rank.
+struct PairFields {
+  int pairs = 0;
+  int steps = 0;
+  std::vector<laws::Vector3> traction;  ///< t = f1^ [stress], steps x pairs
+  std::vector<laws::Vector3> jump;      ///< delta = w2 - w1 [length], steps x pairs; ground: -w1
+  std::vector<laws::Status> status;     ///< steps x pairs
+
+  std::size_t at(int step, int pair) const { return static_cast<std::size_t>(step * pairs + pair); }
+};
+
+/// Collective. Reads the last FixedPoint::apply(). Boundaries with prescribed traction have the traction and no jump.
+PairFields pairFields(const FixedPoint& state, int interfaceIndex);
+
+}  // namespace harmos::latin

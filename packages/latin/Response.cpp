@@ -1,0 +1,137 @@
+#include <harmos/latin/Response.hpp>
+
+#include <algorithm>
+
+#include <harmos/latin/PairFields.hpp>
+
+namespace harmos::latin {
+namespace {
+
+double dot(const mesh::Point& a, const mesh::Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+mesh::Point cross(const mesh::Point& a, const mesh::Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// f [stress] that acts on side 1 at pair p: of the linear stage, or the prescribed one.
+mesh::Point tractionOf(const FixedPoint& state, int interfaceIndex, int begin, int p, int t) {
+  mesh::Point f{};
+  const int dimension = state.layout().dimension();
+  if (begin >= 0) {
+    std::copy_n(state.traction()[t] + begin + p * dimension, dimension, f.begin());
+    return f;
+  }
+  const interface::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const laws::LocalLine line;
+  laws::LocalState local;
+  interface.law->solve(t, {1, &line, interface.gap.data() + p, nullptr, nullptr, &local});
+  if (interface.law->frame() == laws::Frame::global) return local.traction;
+  const mesh::Frame& frame = interface.frame[static_cast<std::size_t>(p)];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) f[j] += frame[i][j] * local.traction[i];
+  }
+  return f;
+}
+
+}  // namespace
+
+std::vector<double> DisplacementResponse::evaluate(const FixedPoint& state) const {
+  std::vector<double> values(static_cast<std::size_t>(state.assembly().steps()), 0.0);
+  for (const Node& node : nodes_) {
+    if (!state.layout().owns(node.body)) continue;
+    for (int t = 0; t < state.assembly().steps(); ++t) {
+      values[static_cast<std::size_t>(t)] += node.weight * dot(state.displacement(node.body, node.node, t), direction_);
+    }
+  }
+  state.metric().sum(values);
+  return values;
+}
+
+std::vector<double> ResultantResponse::evaluate(const FixedPoint& state) const {
+  std::vector<double> values(static_cast<std::size_t>(state.assembly().steps()), 0.0);
+  for (int i : interfaces_) {
+    const interface::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(i)];
+    if (!state.layout().owns(interface.body1)) continue;
+    const int begin = state.layout().begin(i, 0);
+    const auto& nodes = state.assembly().bodies[static_cast<std::size_t>(interface.body1)].nodes;
+    for (int p = 0; p < interface.pairs(); ++p) {
+      const auto pair = static_cast<std::size_t>(p);
+      const mesh::Point& direction = direction_.empty() ? interface.frame[pair][0] : direction_[0];
+      mesh::Point arm = direction;
+      if (!centre_.empty()) {
+        const mesh::Point& x = nodes[static_cast<std::size_t>(interface.node1[pair])];
+        arm = cross(direction, {x[0] - centre_[0][0], x[1] - centre_[0][1], x[2] - centre_[0][2]});
+      }
+      for (int t = 0; t < state.assembly().steps(); ++t) {
+        values[static_cast<std::size_t>(t)] += interface.area[pair] * dot(tractionOf(state, i, begin, p, t), arm);
+      }
+    }
+  }
+  state.metric().sum(values);
+  return values;
+}
+
+std::vector<double> DissipationResponse::evaluate(const FixedPoint& state) const {
+  std::vector<double> values(static_cast<std::size_t>(state.assembly().steps()), 0.0);
+  for (int i : interfaces_) {
+    const interface::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(i)];
+    if (!interface.law->dissipates()) continue;
+    const PairFields fields = pairFields(state, i);
+    double total = 0.0;
+    for (int t = 0; t < fields.steps; ++t) {
+      for (int p = 0; p < fields.pairs; ++p) {
+        const laws::Vector3& f = fields.traction[fields.at(t, p)];
+        const laws::Vector3& now = fields.jump[fields.at(t, p)];
+        const laws::Vector3 old = t > 0 ? fields.jump[fields.at(t - 1, p)] : laws::Vector3{};
+        total += interface.area[static_cast<std::size_t>(p)] * (f[1] * (now[1] - old[1]) + f[2] * (now[2] - old[2]));
+      }
+      values[static_cast<std::size_t>(t)] += total;
+    }
+  }
+  return values;
+}
+
+MaximumResponse::MaximumResponse(std::string name, std::vector<int> interfaces, Field field)
+    : Response(std::move(name),
+               field == Field::opening || field == Field::slip ? Quantity::displacement : Quantity::stress),
+      interfaces_(std::move(interfaces)),
+      field_(field) {}
+
+std::vector<double> MaximumResponse::evaluate(const FixedPoint& state) const {
+  std::vector<double> values(static_cast<std::size_t>(state.assembly().steps()), 0.0);
+  for (int i : interfaces_) {
+    const PairFields fields = pairFields(state, i);
+    const auto& gap = state.assembly().interfaces[static_cast<std::size_t>(i)].gap;
+    for (int t = 0; t < fields.steps; ++t) {
+      double& largest = values[static_cast<std::size_t>(t)];
+      for (int p = 0; p < fields.pairs; ++p) {
+        const laws::Vector3& f = fields.traction[fields.at(t, p)];
+        const laws::Vector3& jump = fields.jump[fields.at(t, p)];
+        double value = 0.0;
+        switch (field_) {
+          case Field::contactPressure:
+            value = -f[0];
+            break;
+          case Field::normalTraction:
+            value = std::abs(f[0]);
+            break;
+          case Field::tangentialTraction:
+            value = laws::tangentialNorm(f);
+            break;
+          case Field::opening:
+            value = jump[0] + gap[static_cast<std::size_t>(p)];
+            break;
+          case Field::slip:
+            value = laws::tangentialNorm(jump);
+            break;
+        }
+        largest = std::max(largest, value);
+      }
+    }
+  }
+  return values;
+}
+
+}  // namespace harmos::latin

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/latin/FixedPoint.hpp>
+
+namespace harmos::latin {
+
+/// What a response is measured in; decides below which size its relative error stops to matter.
+enum class Quantity { displacement, force, moment, stress, energy };
+
+/// A number per load step that the user asks for, read from the fields of an iteration. Its error is estimated and
+/// certified by name.
+class Response {
+ public:
+  Response(std::string name, Quantity quantity) : name_(std::move(name)), quantity_(quantity) {}
+  virtual ~Response() = default;
+  const std::string& name() const { return name_; }
+  Quantity quantity() const { return quantity_; }
+  /// Collective: the same values on every rank. Reads the state of the last FixedPoint::apply().
+  virtual std::vector<double> evaluate(const FixedPoint& state) const = 0;
+
+ private:
+  std::string name_;
+  Quantity quantity_;
+};
+
+/// Weighted sum of nodal displacements along a direction: sum of weight (u . direction) [length].
+///
+/// With area weights that add up to 1 it is the mean over a surface, with one node the value at a point.
+class DisplacementResponse : public Response {
+ public:
+  struct Node {
+    int body;
+    int node;
+    double weight;
+  };
+  DisplacementResponse(std::string name, std::vector<Node> nodes, mesh::Point direction)
+      : Response(std::move(name), Quantity::displacement), nodes_(std::move(nodes)), direction_(direction) {}
+  std::vector<double> evaluate(const FixedPoint& state) const override;
+
+ private:
+  std::vector<Node> nodes_;
+  mesh::Point direction_;
+};
+
+/// Resultant of the tractions that an interface exerts on its side 1: sum of h f . direction [force], or with a centre
+/// sum of h ((x - centre) x f) . direction [force length]. Without a direction, the component along the normal n: with
+/// f1.n > 0 in tension this is the force of a bolt.
+class ResultantResponse : public Response {
+ public:
+  /// `interfaces`: the pieces of one interface.
+  ResultantResponse(std::string name, std::vector<int> interfaces, std::vector<mesh::Point> direction,
+                    std::vector<mesh::Point> centre = {})
+      : Response(std::move(name), centre.empty() ? Quantity::force : Quantity::moment),
+        interfaces_(std::move(interfaces)),
+        direction_(std::move(direction)),
+        centre_(std::move(centre)) {}
+  std::vector<double> evaluate(const FixedPoint& state) const override;
+
+ private:
+  std::vector<int> interfaces_;
+  std::vector<mesh::Point> direction_;  // none or one
+  std::vector<mesh::Point> centre_;     // none or one
+};
+
+/// Energy [force length] lost in interfaces up to each load step: sum over steps and nodes of h t_t . (d_t - d_t,old).
+class DissipationResponse : public Response {
+ public:
+  DissipationResponse(std::string name, std::vector<int> interfaces)
+      : Response(std::move(name), Quantity::energy), interfaces_(std::move(interfaces)) {}
+  std::vector<double> evaluate(const FixedPoint& state) const override;
+
+ private:
+  std::vector<int> interfaces_;
+};
+
+/// Largest value over the nodes of an interface, of the local stage's fields (which obey the laws).
+class MaximumResponse : public Response {
+ public:
+  enum class Field { contactPressure, normalTraction, tangentialTraction, opening, slip };
+  MaximumResponse(std::string name, std::vector<int> interfaces, Field field);
+  std::vector<double> evaluate(const FixedPoint& state) const override;
+
+ private:
+  std::vector<int> interfaces_;
+  Field field_;
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/latin/TraceLayout.hpp>
+
+namespace harmos::latin {
+
+/// Inner product of states per load step: (a, b)_t = sum of (area/k) a b, an energy, so that units and k drop out.
+class StateMetric {
+ public:
+  explicit StateMetric(const TraceLayout& layout);
+  /// sqrt(area/k) of every row.
+  const std::vector<double>& scale() const { return scale_; }
+  /// Squared norm of every column. Collective.
+  std::vector<double> squaredNorms(const base::Matrix& a) const;
+  /// Sum over rows and columns of (area/k) a b. Collective.
+  double dot(const base::Matrix& a, const base::Matrix& b) const;
+  double norm(const base::Matrix& a) const;
+  void sum(std::vector<double>& values) const;
+
+ private:
+  const TraceLayout& layout_;
+  std::vector<double> scale_;
+};
+
+}  // namespace harmos::latin

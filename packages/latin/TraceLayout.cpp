@@ -1,0 +1,29 @@
+#include <harmos/latin/TraceLayout.hpp>
+
+namespace harmos::latin {
+
+TraceLayout::TraceLayout(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+                         Teuchos::RCP<const Teuchos::Comm<int>> comm)
+    : dimension_(assembly.dimension), comm_(std::move(comm)) {
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+    owned_.push_back(assembly.ownerOf(static_cast<int>(b)) == comm_->getRank());
+  }
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const interface::Interface& joint = assembly.interfaces[i];
+    const std::vector<double>& k = searchDirection.of(static_cast<int>(i));
+    begin_.push_back({-1, -1});
+    if (joint.law->prescribesTraction()) continue;
+    for (int side = 0; side < joint.sides(); ++side) {
+      if (!owns(joint.body(side))) continue;
+      begin_.back()[static_cast<std::size_t>(side)] = rows_;
+      blocks_.push_back({static_cast<int>(i), side, joint.body(side), rows_, joint.pairs()});
+      rows_ += joint.pairs() * dimension_;
+      for (std::size_t p = 0; p < k.size(); ++p) {
+        area_.insert(area_.end(), static_cast<std::size_t>(dimension_), joint.area[p]);
+        stiffness_.insert(stiffness_.end(), static_cast<std::size_t>(dimension_), k[p]);
+      }
+    }
+  }
+}
+
+}  // namespace harmos::latin

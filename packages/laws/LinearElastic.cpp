@@ -1,0 +1,47 @@
+#include <harmos/laws/BuiltIn.hpp>
+#include <harmos/laws/SpringTraction.hpp>
+
+namespace harmos::laws {
+namespace {
+
+/// Linear elastic joint (glue): t_n = k_n delta_n, t_t = k_t delta_t.
+/// A layer of thickness e, modulus E and ratio nu has k_n = E/e, k_t = E / (2 (1 + nu) e).
+/// Source: Champaney, Blanze, Boucard (2004), section 4.2.
+struct LinearElastic {
+  static constexpr const char* name = "Linear Elastic";
+  static constexpr int historySize = 0;
+  static constexpr Sides sides = Sides::two;
+
+  static void describe(base::ParameterSpec& p) {
+    p.summary("Linear elastic joint (glue): traction = stiffness times jump.")
+        .source("Champaney, Blanze, Boucard (2004), section 4.2");
+    p.number("Normal Stiffness")
+        .unit("stress/length")
+        .required()
+        .atLeast(0.0)
+        .varying()
+        .doc("k_n; a glue layer of modulus E and thickness e has E/e.");
+    p.number("Tangential Stiffness")
+        .unit("stress/length")
+        .required()
+        .atLeast(0.0)
+        .varying()
+        .doc("k_t; a glue layer has E / (2 (1 + nu) e).");
+  }
+
+  explicit LinearElastic(const base::Parameters& p)
+      : normal(p.schedule("Normal Stiffness")), tangential(p.schedule("Tangential Stiffness")) {}
+
+  LocalState solve(const LocalLine& line, const NodeContext& at, const double*, double*) const {
+    return springTraction(line, normal[at.step], tangential[at.step]);
+  }
+
+  base::Schedule normal;
+  base::Schedule tangential;
+};
+
+}  // namespace
+
+HARMOS_INTERFACE_LAW(LinearElastic)
+
+}  // namespace harmos::laws

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <harmos/laws/Vector3.hpp>
+
+namespace harmos::laws {
+
+/// What the ascent search direction leaves to a law at one interface node: jump = freeJump - compliance * traction.
+///
+/// Eliminating both sides with E+ (f^ - f = k (w^ - w)) and interface equilibrium (f1^ + f2^ = 0) gives
+///   delta^ = delta_free - H t,   delta_free = (w2 - w1) + f1/k1 - f2/k2,   H = 1/k1 + 1/k2,
+/// with t = f1^ = -f2^. On an outer boundary side 2 is the ground at rest: delta_free = -w1 + f1/k1, H = 1/k1.
+struct LocalLine {
+  Vector3 freeJump{};       ///< delta_free [length], components in the law's frame
+  double compliance = 0.0;  ///< H [length/stress], > 0
+
+  /// The jump delta^ [length] that belongs to a traction t [stress] on this line.
+  Vector3 jump(const Vector3& traction) const {
+    return {freeJump[0] - compliance * traction[0], freeJump[1] - compliance * traction[1],
+            freeJump[2] - compliance * traction[2]};
+  }
+};
+
+/// Where and when a law is asked.
+struct NodeContext {
+  int step = 0;      ///< load step, counted from 0
+  double gap = 0.0;  ///< geometric opening of the undeformed surfaces at the node [length], (x2 - x1).n
+};
+
+/// Written to Exodus as the variable `contact_status`.
+enum class Status { open = 0, stick = 1, slip = 2, bonded = 3, broken = 4 };
+
+/// A point of the law's graph: traction t = f1^ = -f2^ [stress] on side 1 (t_n < 0 is compression), and its status.
+struct LocalState {
+  Vector3 traction{};
+  Status status = Status::bonded;
+};
+
+}  // namespace harmos::laws

@@ -1,0 +1,29 @@
+#include <harmos/laws/BuiltIn.hpp>
+
+namespace harmos::laws {
+namespace {
+
+/// Perfect joint: delta = 0, so t = delta_free / H. Source: Champaney, Blanze, Boucard (2004), eq. (7).
+struct Perfect {
+  static constexpr const char* name = "Perfect";
+  static constexpr int historySize = 0;
+  static constexpr Sides sides = Sides::two;
+
+  static void describe(base::ParameterSpec& p) {
+    p.summary("Perfect joint: both sides move together, delta = 0.")
+        .source("Champaney, Blanze, Boucard (2004), eq. (7)");
+  }
+
+  explicit Perfect(const base::Parameters&) {}
+
+  LocalState solve(const LocalLine& line, const NodeContext&, const double*, double*) const {
+    const double s = 1.0 / line.compliance;
+    return {{s * line.freeJump[0], s * line.freeJump[1], s * line.freeJump[2]}, Status::bonded};
+  }
+};
+
+}  // namespace
+
+HARMOS_INTERFACE_LAW(Perfect)
+
+}  // namespace harmos::laws

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include <harmos/laws/InterfaceLaw.hpp>
+
+namespace harmos::laws {
+
+/// Turns a small struct into an InterfaceLaw; the loop over the nodes is compiled around its inlined solve().
+///
+/// The struct L gives
+///   static constexpr const char* name;                    as written in XML
+///   static constexpr int historySize;                     numbers kept per node between load steps
+///   static constexpr Sides sides;                         two bodies, one body and the ground, or any
+///   static void describe(base::ParameterSpec&);           its parameters (only for laws built from XML)
+///   explicit L(const base::Parameters&);                  copies constants (only for laws built from XML)
+///   LocalState solve(const LocalLine&, const NodeContext&, const double* old, double* now) const;
+/// and may give
+///   static constexpr Frame frame = Frame::global;         default Frame::interface
+///   static constexpr bool prescribesTraction = true;      default false
+///   static constexpr bool dissipates = true;              default false
+template <class L>
+class PointwiseLaw final : public InterfaceLaw {
+ public:
+  template <class... Arguments>
+  explicit PointwiseLaw(Arguments&&... arguments) : law_(std::forward<Arguments>(arguments)...) {}
+
+  const char* name() const override { return L::name; }
+  int historySize() const override { return L::historySize; }
+  Sides sides() const override { return L::sides; }
+  Frame frame() const override { return frameOf<L>(0); }
+  bool prescribesTraction() const override { return prescribesTractionOf<L>(0); }
+  bool dissipates() const override { return dissipatesOf<L>(0); }
+
+  void solve(int step, const NodeArrays& nodes) const override {
+    for (int i = 0; i < nodes.count; ++i) {
+      const NodeContext at{step, nodes.gap[i]};
+      nodes.state[i] =
+          law_.solve(nodes.line[i], at, nodes.oldHistory + i * L::historySize, nodes.newHistory + i * L::historySize);
+    }
+  }
+
+ private:
+  // An absent trait falls to the overload that takes long.
+  template <class T>
+  static constexpr auto frameOf(int) -> decltype(T::frame) {
+    return T::frame;
+  }
+  template <class T>
+  static constexpr Frame frameOf(long) {
+    return Frame::interface;
+  }
+  template <class T>
+  static constexpr auto prescribesTractionOf(int) -> decltype(T::prescribesTraction) {
+    return T::prescribesTraction;
+  }
+  template <class T>
+  static constexpr bool prescribesTractionOf(long) {
+    return false;
+  }
+  template <class T>
+  static constexpr auto dissipatesOf(int) -> decltype(T::dissipates) {
+    return T::dissipates;
+  }
+  template <class T>
+  static constexpr bool dissipatesOf(long) {
+    return false;
+  }
+
+  L law_;
+};
+
+}  // namespace harmos::laws

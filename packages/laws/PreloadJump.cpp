@@ -1,0 +1,35 @@
+#include <harmos/laws/BuiltIn.hpp>
+
+namespace harmos::laws {
+namespace {
+
+/// Bolt preload as a prescribed axial relative displacement g(t) of two faces, glued otherwise:
+/// delta_n = -g (g > 0 draws the faces into each other: tension), delta_t = 0.
+/// Source: Champaney, Blanze, Boucard (2004), section 3.2.
+struct PreloadJump {
+  static constexpr const char* name = "Preload Jump";
+  static constexpr int historySize = 0;
+  static constexpr Sides sides = Sides::two;
+
+  static void describe(base::ParameterSpec& p) {
+    p.summary("Bolt preload: prescribed axial overlap of the two faces, joined perfectly otherwise.")
+        .source("Champaney, Blanze, Boucard (2004), section 3.2");
+    p.number("Jump").unit("length").required().varying().doc(
+        "Prescribed relative displacement of the faces along the normal; positive tightens the bolt.");
+  }
+
+  explicit PreloadJump(const base::Parameters& p) : jump(p.schedule("Jump")) {}
+
+  LocalState solve(const LocalLine& line, const NodeContext& at, const double*, double*) const {
+    const double s = 1.0 / line.compliance;
+    return {{s * (line.freeJump[0] + jump[at.step]), s * line.freeJump[1], s * line.freeJump[2]}, Status::bonded};
+  }
+
+  base::Schedule jump;
+};
+
+}  // namespace
+
+HARMOS_INTERFACE_LAW(PreloadJump)
+
+}  // namespace harmos::laws

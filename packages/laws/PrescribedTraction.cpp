@@ -1,0 +1,36 @@
+#include <array>
+
+#include <harmos/laws/BuiltIn.hpp>
+
+namespace harmos::laws {
+namespace {
+
+/// Prescribed traction of an outer boundary in global components: f = (X, Y, Z) [stress].
+struct PrescribedTraction {
+  static constexpr const char* name = "Prescribed Traction";
+  static constexpr int historySize = 0;
+  static constexpr Sides sides = Sides::one;
+  static constexpr Frame frame = Frame::global;
+  static constexpr bool prescribesTraction = true;
+
+  static void describe(base::ParameterSpec& p) {
+    p.summary("Prescribed traction (force per area) in global components.");
+    for (const char* component : {"X", "Y", "Z"}) {
+      p.number(component).unit("stress").defaultValue(0.0).varying().doc("Traction along this axis.");
+    }
+  }
+
+  explicit PrescribedTraction(const base::Parameters& p) : value{p.schedule("X"), p.schedule("Y"), p.schedule("Z")} {}
+
+  LocalState solve(const LocalLine&, const NodeContext& at, const double*, double*) const {
+    return {{value[0][at.step], value[1][at.step], value[2][at.step]}, Status::bonded};
+  }
+
+  std::array<base::Schedule, 3> value;
+};
+
+}  // namespace
+
+HARMOS_INTERFACE_LAW(PrescribedTraction)
+
+}  // namespace harmos::laws

@@ -1,0 +1,27 @@
+#include <harmos/laws/BuiltIn.hpp>
+
+namespace harmos::laws {
+namespace {
+
+/// Symmetry plane of an outer boundary: w_n = 0, f_t = 0.
+struct Symmetry {
+  static constexpr const char* name = "Symmetry";
+  static constexpr int historySize = 0;
+  static constexpr Sides sides = Sides::one;
+
+  static void describe(base::ParameterSpec& p) {
+    p.summary("Symmetry plane (rollers): no normal displacement, no tangential traction.");
+  }
+
+  explicit Symmetry(const base::Parameters&) {}
+
+  LocalState solve(const LocalLine& line, const NodeContext&, const double*, double*) const {
+    return {{line.freeJump[0] / line.compliance, 0.0, 0.0}, Status::bonded};
+  }
+};
+
+}  // namespace
+
+HARMOS_INTERFACE_LAW(Symmetry)
+
+}  // namespace harmos::laws
