@@ -11,6 +11,13 @@ namespace harmos::mesh {
 /// Rows n, t1, t2 of an orthonormal frame; n points from side 1 to side 2 (out of side 1). In 2-D t2 = (0, 0, 1).
 using Frame = std::array<Point, 3>;
 
+/// One entry of the consistent interface mass, int N_row N_column dS [length^2; in 2-D length times thickness].
+struct MassEntry {
+  int row = 0;  // pair numbers
+  int column = 0;
+  double value = 0.0;
+};
+
 /// Geometry of one interface between two parts, or between one part and the ground (outer boundary).
 ///
 /// Node pairs are conforming: pair p joins the local node node1[p] of part1 and node2[p] of part2.
@@ -23,6 +30,7 @@ struct InterfaceSurface {
   std::vector<double> area;            // per pair, int N dS [length^2; in 2-D length times thickness], > 0
   std::vector<double> gap;             // per pair, (x2 - x1).n [length], 0 where the nodes coincide
   std::vector<std::vector<int>> face;  // pair numbers of each face in the node order of side 1; empty for node sets
+  std::vector<MassEntry> mass;         // both triangles, by row and column; its row sums are area; empty for node sets
 };
 
 }  // namespace harmos::mesh

@@ -1,0 +1,113 @@
+#include <harmos/mesh/FaceMatching.hpp>
+
+#include <algorithm>
+#include <limits>
+
+#include <harmos/mesh/FaceIntegrals.hpp>
+#include <harmos/mesh/PointSearch.hpp>
+#include <harmos/mesh/Vector.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+Point project(const Point& point, const std::optional<Point>& projection) {
+  return projection ? point - dot(point, *projection) * *projection : point;
+}
+
+struct PlacedFace {
+  std::vector<Point> corners;  // projected
+  Point centre{};
+  Point normal{};  // not projected, any length
+};
+
+std::vector<PlacedFace> place(const std::vector<Point>& nodes, const std::vector<Face>& faces,
+                              const std::optional<Point>& projection) {
+  std::vector<PlacedFace> result;
+  for (const Face& face : faces) {
+    PlacedFace placed;
+    std::vector<Point> corners;
+    for (const int node : face.nodes) {
+      corners.push_back(nodes[static_cast<std::size_t>(node)]);
+      placed.corners.push_back(project(corners.back(), projection));
+      placed.centre = placed.centre + (1.0 / static_cast<double>(face.nodes.size())) * placed.corners.back();
+    }
+    for (const Point& part : integrateFace(corners, 1.0).normal) placed.normal = placed.normal + part;
+    if (projection) placed.normal = dot(placed.normal, *projection) * *projection;
+    result.push_back(std::move(placed));
+  }
+  return result;
+}
+
+/// The nodes of `face2` in the order of the corners of `a` on which they lie; empty if they do not coincide.
+std::vector<int> partners(const PlacedFace& a, const PlacedFace& b, const Face& face2, double tolerance) {
+  std::vector<int> result;
+  if (a.corners.size() != b.corners.size()) return result;
+  for (const Point& corner : a.corners) {
+    for (std::size_t j = 0; j < b.corners.size(); ++j) {
+      if (distance(corner, b.corners[j]) <= tolerance) result.push_back(face2.nodes[j]);
+    }
+  }
+  if (result.size() != a.corners.size()) result.clear();
+  return result;
+}
+
+}  // namespace
+
+std::vector<FacePair> matchFaces(const std::vector<Point>& nodes, const std::vector<Face>& side1,
+                                 const std::vector<Face>& side2, const std::optional<Point>& projection) {
+  const auto placed1 = place(nodes, side1, projection);
+  const auto placed2 = place(nodes, side2, projection);
+  std::vector<Point> centres;
+  for (const PlacedFace& face : placed2) centres.push_back(face.centre);
+  const PointSearch search(std::move(centres));
+  std::vector<bool> taken(side2.size(), false);
+  std::vector<FacePair> pairs;
+  for (std::size_t i = 0; i < side1.size(); ++i) {
+    const double tolerance = conformingTolerance * shortestEdge(placed1[i].corners);
+    for (const int candidate : search.within(placed1[i].centre, tolerance)) {
+      const auto j = static_cast<std::size_t>(candidate);
+      if (taken[j] || !(dot(placed1[i].normal, placed2[j].normal) < 0.0)) continue;
+      auto nodes2 = partners(placed1[i], placed2[j], side2[j], tolerance);
+      if (nodes2.empty()) continue;
+      taken[j] = true;
+      pairs.push_back({static_cast<int>(i), candidate, std::move(nodes2)});
+      break;
+    }
+  }
+  return pairs;
+}
+
+Separation separation(const std::vector<Point>& nodes, const std::vector<int>& from, const std::vector<int>& to,
+                      const std::optional<Point>& projection) {
+  std::vector<Point> points;
+  for (const int node : to) points.push_back(project(nodes[static_cast<std::size_t>(node)], projection));
+  const PointSearch search(std::move(points));
+  Separation result{-1, -1.0, std::numeric_limits<double>::infinity()};
+  for (const int node : from) {
+    const double away = search.nearest(project(nodes[static_cast<std::size_t>(node)], projection)).distance;
+    if (away > result.largest) {
+      result.largest = away;
+      result.node = node;
+    }
+    result.smallest = std::min(result.smallest, away);
+  }
+  return result;
+}
+
+std::vector<int> nodesOf(const std::vector<Face>& faces) {
+  std::vector<int> nodes;
+  for (const Face& face : faces) nodes.insert(nodes.end(), face.nodes.begin(), face.nodes.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+double shortestEdge(const std::vector<Point>& corners) {
+  double length = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    length = std::min(length, distance(corners[i], corners[(i + 1) % corners.size()]));
+  }
+  return length;
+}
+
+}  // namespace harmos::mesh

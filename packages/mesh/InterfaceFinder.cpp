@@ -1,0 +1,456 @@
+#include <harmos/mesh/InterfaceFinder.hpp>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
+#include <harmos/mesh/NodalWeights.hpp>
+#include <harmos/mesh/PointSearch.hpp>
+#include <harmos/mesh/SurfaceBuilder.hpp>
+#include <harmos/mesh/Vector.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+  throw base::Error(where + ": " + what, base::ExitCode::input);
+}
+
+std::string interfaceNamed(const std::string& name) {
+  return "Interface \"" + name + "\"";
+}
+std::string boundaryNamed(const std::string& name) {
+  return "Boundary \"" + name + "\"";
+}
+
+std::string text(const Point& p) {
+  std::ostringstream out;
+  out << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
+  return out.str();
+}
+
+template <typename Set>
+const Set& findSet(const std::string& where, const std::vector<Set>& sets, const std::string& name, const char* kind) {
+  std::vector<std::string> known;
+  for (const Set& set : sets) {
+    if (set.name == name) return set;
+    known.push_back(set.name);
+  }
+  refuse(where, std::string("the mesh has no ") + kind + " \"" + name + "\". " +
+                    base::suggestName(name, known, std::string(kind) + "s"));
+}
+
+/// The surfaces of an interface, one builder per pair of pieces.
+class Builders {
+ public:
+  Builders(const Mesh& mesh, const std::vector<Part>& parts, const std::optional<Point>& projection = std::nullopt)
+      : mesh_(mesh), parts_(parts), projection_(projection) {}
+
+  SurfaceBuilder& at(int piece1, int piece2) {
+    return all_.try_emplace({piece1, piece2}, mesh_, parts_, piece1, piece2, projection_).first->second;
+  }
+  std::vector<InterfaceSurface> build(const std::string& name) const {
+    std::vector<InterfaceSurface> surfaces;
+    for (const auto& [pieces, builder] : all_) surfaces.push_back(builder.build(name));
+    return surfaces;
+  }
+
+ private:
+  const Mesh& mesh_;
+  const std::vector<Part>& parts_;
+  std::optional<Point> projection_;
+  std::map<std::pair<int, int>, SurfaceBuilder> all_;
+};
+
+/// Length of the shortest edge of the faces around each of their nodes.
+std::map<int, double> localSizes(const Mesh& mesh, const std::vector<Face>& faces) {
+  std::map<int, double> sizes;
+  for (const Face& face : faces) {
+    const double size = shortestEdge(pointsOf(mesh, face.nodes));
+    for (const int node : face.nodes) {
+      const auto [entry, isNew] = sizes.emplace(node, size);
+      entry->second = std::min(entry->second, size);
+    }
+  }
+  return sizes;
+}
+
+/// Pairs the nodes of two sides that coincide; each node of `side2` at most once.
+std::vector<std::pair<int, int>> matchNodes(const Mesh& mesh, const std::vector<Face>& side1,
+                                            const std::vector<Face>& side2) {
+  const std::vector<int> nodes2 = nodesOf(side2);
+  const PointSearch search(pointsOf(mesh, nodes2));
+  std::set<int> taken;
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto& [node1, size] : localSizes(mesh, side1)) {
+    const auto nearest = search.nearest(mesh.nodes[static_cast<std::size_t>(node1)]);
+    if (nearest.index < 0 || nearest.distance > conformingTolerance * size) continue;
+    const int node2 = nodes2[static_cast<std::size_t>(nearest.index)];
+    if (taken.insert(node2).second) pairs.emplace_back(node1, node2);
+  }
+  return pairs;
+}
+
+}  // namespace
+
+InterfaceFinder::InterfaceFinder(const Mesh& mesh, const std::vector<Part>& parts, double thickness)
+    : mesh_(mesh), parts_(parts), thickness_(mesh.dimension == 2 ? thickness : 1.0), elements_(mesh) {
+  piece_.assign(static_cast<std::size_t>(elements_.count()), -1);
+  for (std::size_t piece = 0; piece < parts.size(); ++piece) {
+    for (const int element : parts[piece].elements) {
+      int& owner = piece_[static_cast<std::size_t>(element)];
+      if (owner >= 0) {
+        refuse("Parts \"" + bodyOf(owner) + "\" and \"" + bodyOf(static_cast<int>(piece)) + "\"",
+               "both have elements of block \"" + mesh.blocks[static_cast<std::size_t>(elements_.block(element))].name +
+                   "\"; give every block to one part only.");
+      }
+      owner = static_cast<int>(piece);
+    }
+  }
+}
+
+const std::string& InterfaceFinder::bodyOf(int piece) const {
+  const Part& part = parts_[static_cast<std::size_t>(piece)];
+  return part.body.empty() ? part.name : part.body;
+}
+
+std::vector<int> InterfaceFinder::piecesOf(const std::string& where, const std::string& body) const {
+  std::vector<int> pieces;
+  std::vector<std::string> known;
+  for (int piece = 0; piece < static_cast<int>(parts_.size()); ++piece) {
+    if (bodyOf(piece) == body) pieces.push_back(piece);
+    if (known.empty() || known.back() != bodyOf(piece)) known.push_back(bodyOf(piece));
+  }
+  if (pieces.empty()) refuse(where, "there is no part \"" + body + "\". " + base::suggestName(body, known, "Parts"));
+  return pieces;
+}
+
+std::vector<int> InterfaceFinder::elementsOf(const std::vector<int>& pieces) const {
+  std::vector<int> elements;
+  for (const int piece : pieces) {
+    const auto& more = parts_[static_cast<std::size_t>(piece)].elements;
+    elements.insert(elements.end(), more.begin(), more.end());
+  }
+  std::sort(elements.begin(), elements.end());
+  return elements;
+}
+
+std::vector<Face> InterfaceFinder::facesOf(const std::string& where, const std::string& sideSet) const {
+  const SideSet& set = findSet(where, mesh_.sideSets, sideSet, "side set");
+  if (set.element.empty()) refuse(where, "side set \"" + sideSet + "\" is empty.");
+  std::set<std::pair<int, int>> sides;  // a file may list a face twice
+  for (std::size_t i = 0; i < set.element.size(); ++i) sides.emplace(set.element[i], set.side[i]);
+  std::vector<Face> faces;
+  for (const auto& [element, side] : sides) {
+    if (piece_[static_cast<std::size_t>(element)] < 0) {
+      refuse(where, "side set \"" + sideSet + "\" has faces of block \"" +
+                        mesh_.blocks[static_cast<std::size_t>(elements_.block(element))].name +
+                        "\", which belongs to no part. Add a part with this block, or choose another side set.");
+    }
+    faces.push_back({element, side, elements_.side(element, side)});
+  }
+  return faces;
+}
+
+FaceIntegrals InterfaceFinder::integrate(const Face& face, const std::optional<Point>& projection) const {
+  return integrateFace(pointsOf(mesh_, face.nodes), thickness_, projection);
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, const std::vector<Face>& side1,
+                                                    const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
+                                                    const std::optional<Point>& projection) const {
+  Builders builders(mesh_, parts_, projection);
+  for (const FacePair& pair : pairs) {
+    const Face& face1 = side1[static_cast<std::size_t>(pair.face1)];
+    const Face& face2 = side2[static_cast<std::size_t>(pair.face2)];
+    const int piece1 = piece_[static_cast<std::size_t>(face1.element)];
+    const int piece2 = piece_[static_cast<std::size_t>(face2.element)];
+    if (bodyOf(piece1) == bodyOf(piece2)) {
+      refuse(interfaceNamed(name), "both sides belong to part \"" + bodyOf(piece1) +
+                                       "\"; an interface joins two parts. Divide the part into two blocks there.");
+    }
+    builders.at(piece1, piece2).addFace(face1.nodes, pair.nodes2, integrate(face1, projection));
+  }
+  return builders.build(name);
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string& name, const std::string& sideSet1,
+                                                               const std::string& sideSet2,
+                                                               const std::optional<Point>& direction) const {
+  const std::string where = interfaceNamed(name);
+  const auto side1 = facesOf(where, sideSet1);
+  const auto side2 = facesOf(where, sideSet2);
+  std::optional<Point> projection;
+  if (direction) {
+    if (!(norm(*direction) > 0.0)) refuse(where, "Projection Direction has no length.");
+    projection = (1.0 / norm(*direction)) * *direction;
+    double outward = 0.0;
+    double folded = 0.0;
+    for (const Face& face : side1) {
+      for (const Point& normal : integrate(face).normal) {
+        const double along = dot(normal, *projection);
+        (along > 0.0 ? outward : folded) += along;
+      }
+    }
+    if (outward + folded < 0.0) projection = -1.0 * *projection;
+    if (std::min(outward, -folded) > 1e-6 * std::max(outward, -folded)) {
+      refuse(where, "side set \"" + sideSet1 +
+                        "\" faces both ways along Projection Direction; restrict it to the faces that can touch.");
+    }
+  }
+  const auto pairs = matchFaces(mesh_.nodes, side1, side2, projection);
+  if (pairs.size() == side1.size() && pairs.size() == side2.size()) {
+    return join(name, side1, side2, pairs, projection);
+  }
+  if (!projection) {
+    const auto surfaces = joinDifferentFaces(name, side1, side2);
+    if (!surfaces.empty()) return surfaces;
+  }
+  const auto nodes1 = nodesOf(side1);
+  const auto nodes2 = nodesOf(side2);
+  const Separation apart = separation(mesh_.nodes, nodes1, nodes2, projection);
+  std::ostringstream message;
+  message << "side sets \"" << sideSet1 << "\" (" << side1.size() << " faces, " << nodes1.size() << " nodes) and \""
+          << sideSet2 << "\" (" << side2.size() << " faces, " << nodes2.size()
+          << " nodes) do not conform: " << side1.size() - pairs.size() << " faces of the first and "
+          << side2.size() - pairs.size()
+          << " of the second have no partner with coinciding nodes and opposite normal on the other side. Seen "
+          << (projection ? "along Projection Direction" : "in space") << ", a node of the first is between "
+          << apart.smallest << " and " << apart.largest
+          << " away from the nearest node of the second, farthest the one at "
+          << text(mesh_.nodes[static_cast<std::size_t>(apart.node)]) << "; the shortest edge there is "
+          << localSizes(mesh_, side1).at(apart.node) << " long. Mesh both sides with the same nodes and let both side "
+          << "sets cover the same surface"
+          << (projection ? "." : "; for sides that are open initially, give Projection Direction.");
+  refuse(where, message.str());
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::joinDifferentFaces(const std::string& name,
+                                                                  const std::vector<Face>& side1,
+                                                                  const std::vector<Face>& side2) const {
+  const auto onePiece = [&](const std::vector<Face>& side) {
+    return std::all_of(side.begin(), side.end(), [&](const Face& face) {
+      return piece_[static_cast<std::size_t>(face.element)] == piece_[static_cast<std::size_t>(side[0].element)];
+    });
+  };
+  const int piece1 = piece_[static_cast<std::size_t>(side1[0].element)];
+  const int piece2 = piece_[static_cast<std::size_t>(side2[0].element)];
+  if (!onePiece(side1) || !onePiece(side2) || bodyOf(piece1) == bodyOf(piece2)) return {};
+  const auto pairs = matchNodes(mesh_, side1, side2);
+  if (pairs.size() != nodesOf(side1).size() || pairs.size() != nodesOf(side2).size()) return {};
+  const std::map<int, int> partner(pairs.begin(), pairs.end());
+  std::map<int, int> inverse;
+  for (const auto& [node1, node2] : pairs) inverse[node2] = node1;
+  SurfaceBuilder builder(mesh_, parts_, piece1, piece2);
+  Point normal1{}, normal2{};
+  for (const Face& face : side1) {
+    FaceIntegrals half = integrate(face);
+    half.mass.clear();
+    std::vector<int> nodes2;
+    for (std::size_t i = 0; i < face.nodes.size(); ++i) {
+      nodes2.push_back(partner.at(face.nodes[i]));
+      half.area[i] *= 0.5;
+      normal1 = normal1 + half.normal[i];
+    }
+    builder.addFace(face.nodes, nodes2, half);
+  }
+  for (const Face& face : side2) {
+    const FaceIntegrals whole = integrate(face);
+    for (std::size_t i = 0; i < face.nodes.size(); ++i) {
+      builder.addNode(inverse.at(face.nodes[i]), face.nodes[i], 0.5 * whole.area[i], -1.0 * whole.normal[i]);
+      normal2 = normal2 + whole.normal[i];
+    }
+  }
+  if (!(dot(normal1, normal2) < 0.0)) return {};
+  return {builder.build(name)};
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::joinNodes(const std::string& name, const std::vector<int>& pieces1,
+                                                         const std::vector<int>& pieces2,
+                                                         const std::vector<std::pair<int, int>>& pairs) const {
+  std::vector<int> nodes1, nodes2;
+  for (const auto& [node1, node2] : pairs) {
+    nodes1.push_back(node1);
+    nodes2.push_back(node2);
+  }
+  std::sort(nodes1.begin(), nodes1.end());
+  std::sort(nodes2.begin(), nodes2.end());
+  const NodalWeights weights1(mesh_, elements_, piece_, elementsOf(pieces1), nodes1, thickness_);
+  const NodalWeights weights2(mesh_, elements_, piece_, elementsOf(pieces2), nodes2, thickness_);
+  Builders builders(mesh_, parts_);
+  for (const auto& [node1, node2] : pairs) {
+    // Where a body is cut, its pieces are tied to each other: one of them is enough.
+    const auto holder = [&](const std::vector<int>& pieces, int node) {
+      return *std::find_if(pieces.begin(), pieces.end(),
+                           [&](int piece) { return localNode(parts_[static_cast<std::size_t>(piece)], node) >= 0; });
+    };
+    const auto weight1 = weights1.total(node1);
+    const auto weight2 = weights2.total(node2);
+    builders.at(holder(pieces1, node1), holder(pieces2, node2))
+        .addNode(node1, node2, 0.5 * (weight1.area + weight2.area), weight1.normal - weight2.normal);
+  }
+  return builders.build(name);
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::betweenBodies(const std::string& name, const std::string& body1,
+                                                             const std::string& body2) const {
+  const std::string where = interfaceNamed(name);
+  const auto pieces1 = piecesOf(where, body1);
+  const auto pieces2 = piecesOf(where, body2);
+  if (body1 == body2) refuse(where, "Part 1 and Part 2 are both \"" + body1 + "\"; an interface joins two parts.");
+  const auto skin1 = skin(elements_, elementsOf(pieces1));
+  const auto skin2 = skin(elements_, elementsOf(pieces2));
+  const auto faces = matchFaces(mesh_.nodes, skin1, skin2);
+  auto surfaces = join(name, skin1, skin2, faces, std::nullopt);
+
+  std::set<int> inFaces;
+  for (const FacePair& pair : faces) {
+    const auto& nodes = skin1[static_cast<std::size_t>(pair.face1)].nodes;
+    inFaces.insert(nodes.begin(), nodes.end());
+  }
+  std::set<std::pair<int, int>> single;
+  const auto nodesIn = [&](const std::vector<int>& pieces) {
+    std::set<int> nodes;
+    for (const int piece : pieces) {
+      const auto& more = parts_[static_cast<std::size_t>(piece)].nodes;
+      nodes.insert(more.begin(), more.end());
+    }
+    return nodes;
+  };
+  const std::set<int> nodes2 = nodesIn(pieces2);
+  for (const int node : nodesIn(pieces1)) {
+    if (nodes2.count(node) > 0 && inFaces.count(node) == 0) single.emplace(node, node);
+  }
+  if (faces.empty()) {
+    for (const auto& pair : matchNodes(mesh_, skin1, skin2)) single.insert(pair);
+  }
+  const auto more = joinNodes(name, pieces1, pieces2, {single.begin(), single.end()});
+  surfaces.insert(surfaces.end(), more.begin(), more.end());
+  if (surfaces.empty()) {
+    std::ostringstream message;
+    message
+        << "parts \"" << body1 << "\" and \"" << body2
+        << "\" have no coincident faces and no shared or coincident nodes; their nearest nodes are "
+        << separation(mesh_.nodes, nodesOf(skin1), nodesOf(skin2)).smallest
+        << " apart. Mesh both with the same nodes where they touch; for sides that are open initially, name two side "
+           "sets and give Projection Direction.";
+    refuse(where, message.str());
+  }
+  return surfaces;
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::cuts() const {
+  std::map<std::string, std::vector<int>> bodies;
+  for (int piece = 0; piece < static_cast<int>(parts_.size()); ++piece) bodies[bodyOf(piece)].push_back(piece);
+  std::vector<InterfaceSurface> surfaces;
+  for (const auto& [body, pieces] : bodies) {
+    if (pieces.size() < 2) continue;
+    const auto more = cut(body + " cut", pieces);
+    surfaces.insert(surfaces.end(), more.begin(), more.end());
+  }
+  return surfaces;
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::cut(const std::string& name, const std::vector<int>& pieces) const {
+  Builders builders(mesh_, parts_);
+  std::map<std::vector<int>, Face> open;           // by sorted nodes: faces whose other side has not come yet
+  std::map<int, std::vector<std::set<int>>> tied;  // per node: groups of pieces that faces join there
+  for (const int piece : pieces) {
+    for (const int node : parts_[static_cast<std::size_t>(piece)].nodes) tied[node].push_back({piece});
+  }
+  for (const int piece : pieces) {
+    for (Face& face : skin(elements_, parts_[static_cast<std::size_t>(piece)].elements)) {
+      std::vector<int> key = face.nodes;
+      std::sort(key.begin(), key.end());
+      const auto other = open.find(key);
+      if (other == open.end()) {
+        open.emplace(std::move(key), std::move(face));
+        continue;
+      }
+      const Face& first = other->second;
+      const int firstPiece = piece_[static_cast<std::size_t>(first.element)];
+      builders.at(firstPiece, piece).addFace(first.nodes, first.nodes, integrate(first));
+      for (const int node : first.nodes) {
+        auto& groups = tied[node];
+        const auto holds = [](int wanted) { return [wanted](const std::set<int>& g) { return g.count(wanted) > 0; }; };
+        const auto a = std::find_if(groups.begin(), groups.end(), holds(firstPiece));
+        const auto b = std::find_if(groups.begin(), groups.end(), holds(piece));
+        if (a == b) continue;
+        a->insert(b->begin(), b->end());
+        groups.erase(b);
+      }
+      open.erase(other);
+    }
+  }
+  auto surfaces = builders.build(name);
+  // Pieces that touch in an edge or a point only, with no chain of faces around the node, are tied there.
+  std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> single;
+  for (const auto& [node, groups] : tied) {
+    for (std::size_t i = 1; i < groups.size(); ++i) {
+      const auto ends = std::minmax(*groups[0].begin(), *groups[i].begin());
+      single[{ends.first, ends.second}].emplace_back(node, node);
+    }
+  }
+  for (const auto& [ends, nodes] : single) {
+    const auto more = joinNodes(name, {ends.first}, {ends.second}, nodes);
+    surfaces.insert(surfaces.end(), more.begin(), more.end());
+  }
+  return surfaces;
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::onFaces(const std::string& name, const std::vector<Face>& faces) const {
+  Builders builders(mesh_, parts_);
+  for (const Face& face : faces) {
+    builders.at(piece_[static_cast<std::size_t>(face.element)], -1).addFace(face.nodes, {}, integrate(face));
+  }
+  return builders.build(name);
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::onSideSet(const std::string& name, const std::string& sideSet) const {
+  return onFaces(name, facesOf(boundaryNamed(name), sideSet));
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name, const std::string& nodeSet,
+                                                         const std::string& body) const {
+  const std::string where = boundaryNamed(name);
+  const NodeSet& set = findSet(where, mesh_.nodeSets, nodeSet, "node set");
+  if (set.node.empty()) refuse(where, "node set \"" + nodeSet + "\" is empty.");
+  std::vector<int> pieces(parts_.size());
+  std::iota(pieces.begin(), pieces.end(), 0);
+  if (!body.empty()) pieces = piecesOf(where, body);
+  std::set<int> nodes;
+  for (const int node : set.node) {
+    if (std::any_of(pieces.begin(), pieces.end(),
+                    [&](int piece) { return localNode(parts_[static_cast<std::size_t>(piece)], node) >= 0; })) {
+      nodes.insert(node);
+    } else if (body.empty()) {
+      refuse(where, "node set \"" + nodeSet + "\" has a node at " + text(mesh_.nodes[static_cast<std::size_t>(node)]) +
+                        " that belongs to no part. Add a part with its block, or choose another node set.");
+    }
+  }
+  if (nodes.empty()) refuse(where, "node set \"" + nodeSet + "\" has no node of part \"" + body + "\".");
+
+  const auto elements = elementsOf(pieces);
+  std::vector<Face> faces;
+  for (Face& face : skin(elements_, elements)) {
+    if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](int node) { return nodes.count(node) > 0; })) {
+      faces.push_back(std::move(face));
+    }
+  }
+  if (nodesOf(faces).size() == nodes.size()) return onFaces(name, faces);
+
+  const NodalWeights weights(mesh_, elements_, piece_, elements, {nodes.begin(), nodes.end()}, thickness_);
+  Builders builders(mesh_, parts_);
+  for (const int node : nodes) {
+    for (const auto& [piece, weight] : weights.at(node)) {
+      builders.at(piece, -1).addNode(node, -1, weight.area, weight.normal);
+    }
+  }
+  return builders.build(name);
+}
+
+}  // namespace harmos::mesh

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <harmos/mesh/FaceIntegrals.hpp>
+#include <harmos/mesh/FaceMatching.hpp>
+#include <harmos/mesh/InterfaceSurface.hpp>
+#include <harmos/mesh/Part.hpp>
+
+namespace harmos::mesh {
+
+/// Finds the surfaces of interfaces and outer boundaries between the parts of a mesh.
+///
+/// A part that was cut into pieces is addressed by the name of its body. Every function returns one surface per pair of
+/// pieces that meet (per piece on an outer boundary); a node on a cut is in the surfaces of both pieces, each with the
+/// area of its own faces, so that the areas add up to those of the uncut interface. Names in errors are the user's.
+/// All throw base::Error(input) for unknown names, sets and interfaces without faces or nodes, and faces that belong to
+/// no part. Keeps references to the mesh and the parts.
+class InterfaceFinder {
+ public:
+  /// `thickness` [length] multiplies lengths in 2-D. Throws base::Error(input) if two parts share an element.
+  InterfaceFinder(const Mesh& mesh, const std::vector<Part>& parts, double thickness = 1.0);
+
+  /// The interface between two side sets whose faces coincide node by node (within conformingTolerance).
+  ///
+  /// `projection` [any length] is for surfaces that are open (or overlap) initially: faces must coincide when seen
+  /// along it, the normal is along it, the gap is measured along it, and areas are the areas seen along it. Without it,
+  /// sides that are meshed with the same nodes but with different faces (triangles against quadrilaterals, other
+  /// diagonals) are accepted between uncut parts: areas are then the mean of both sides, and there is no consistent
+  /// mass. Throws base::Error(input) if the sides do not conform or belong to one body.
+  std::vector<InterfaceSurface> betweenSideSets(const std::string& name, const std::string& sideSet1,
+                                                const std::string& sideSet2,
+                                                const std::optional<Point>& projection = std::nullopt) const;
+
+  /// The interface between two bodies: their coincident faces and, besides, mesh nodes that they share outside of these
+  /// faces; if there are no such faces, the nodes that coincide. Areas of nodes without faces: mean over the two bodies
+  /// of their nodal skin areas, of volume^(2/3) for nodes inside a body. Throws base::Error(input) if they do not
+  /// touch.
+  std::vector<InterfaceSurface> betweenBodies(const std::string& name, const std::string& body1,
+                                              const std::string& body2) const;
+
+  /// Perfect interfaces between the pieces of every body that was cut, named "<body> cut".
+  std::vector<InterfaceSurface> cuts() const;
+
+  /// Outer boundary on a side set.
+  std::vector<InterfaceSurface> onSideSet(const std::string& name, const std::string& sideSet) const;
+
+  /// Outer boundary on a node set: its faces if every node belongs to a face of the skin that lies in the set, else the
+  /// nodes alone, with their share of the skin's area, inner nodes with volume^(2/3). `body` (empty: all) restricts the
+  /// set to the nodes of a body and takes that body's skin; otherwise faces between bodies that share nodes do not
+  /// count.
+  std::vector<InterfaceSurface> onNodeSet(const std::string& name, const std::string& nodeSet,
+                                          const std::string& body = "") const;
+
+ private:
+  const std::string& bodyOf(int piece) const;
+  std::vector<int> piecesOf(const std::string& interface, const std::string& body) const;
+  std::vector<int> elementsOf(const std::vector<int>& pieces) const;
+  std::vector<Face> facesOf(const std::string& interface, const std::string& sideSet) const;
+  FaceIntegrals integrate(const Face& face, const std::optional<Point>& projection = std::nullopt) const;
+  std::vector<InterfaceSurface> join(const std::string& name, const std::vector<Face>& side1,
+                                     const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
+                                     const std::optional<Point>& projection) const;
+  std::vector<InterfaceSurface> joinNodes(const std::string& name, const std::vector<int>& pieces1,
+                                          const std::vector<int>& pieces2,
+                                          const std::vector<std::pair<int, int>>& nodes) const;
+  std::vector<InterfaceSurface> joinDifferentFaces(const std::string& name, const std::vector<Face>& side1,
+                                                   const std::vector<Face>& side2) const;
+  std::vector<InterfaceSurface> onFaces(const std::string& name, const std::vector<Face>& faces) const;
+  std::vector<InterfaceSurface> cut(const std::string& name, const std::vector<int>& pieces) const;
+
+  const Mesh& mesh_;
+  const std::vector<Part>& parts_;
+  double thickness_;
+  Elements elements_;
+  std::vector<int> piece_;  // of each element; -1: in no part
+};
+
+}  // namespace harmos::mesh

@@ -1,0 +1,79 @@
+#include <harmos/mesh/NodalWeights.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <harmos/mesh/Vector.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+/// Volume of an element by the divergence theorem, 3 V = int x.n dS; in 2-D 2 V = int x.n dS.
+double volume(const Mesh& mesh, const Elements& elements, int element, double thickness) {
+  double flux = 0.0;
+  for (int side = 0; side < sidesPerElement(elements.type(element)); ++side) {
+    const auto corners = pointsOf(mesh, elements.side(element, side));
+    const FaceIntegrals face = integrateFace(corners, thickness);
+    for (std::size_t i = 0; i < corners.size(); ++i) flux += dot(corners[i], face.normal[i]);
+  }
+  return flux / mesh.dimension;
+}
+
+}  // namespace
+
+NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const std::vector<int>& piece,
+                           const std::vector<int>& elementList, const std::vector<int>& wanted, double thickness) {
+  const auto isWanted = [&](int node) { return std::binary_search(wanted.begin(), wanted.end(), node); };
+  const auto pieceOf = [&](int element) { return piece[static_cast<std::size_t>(element)]; };
+  for (const Face& face : skin(elements, elementList)) {
+    if (std::none_of(face.nodes.begin(), face.nodes.end(), isWanted)) continue;
+    const FaceIntegrals integrals = integrateFace(pointsOf(mesh, face.nodes), thickness);
+    for (std::size_t i = 0; i < face.nodes.size(); ++i) {
+      if (!isWanted(face.nodes[i])) continue;
+      Weight& weight = weights_[face.nodes[i]][pieceOf(face.element)];
+      weight.area += integrals.area[i];
+      weight.normal = weight.normal + integrals.normal[i];
+    }
+  }
+  std::map<int, std::map<int, double>> volumes;
+  for (const int element : elementList) {
+    const int count = nodesPerElement(elements.type(element));
+    const int* nodes = elements.nodes(element);
+    const auto isInner = [&](int node) { return isWanted(node) && weights_.count(node) == 0; };
+    if (std::none_of(nodes, nodes + count, isInner)) continue;
+    const double share = volume(mesh, elements, element, thickness) / count;
+    for (int i = 0; i < count; ++i) {
+      if (isInner(nodes[i])) volumes[nodes[i]][pieceOf(element)] += share;
+    }
+  }
+  for (const auto& [node, byPiece] : volumes) {
+    double total = 0.0;
+    for (const auto& [owner, part] : byPiece) total += part;
+    const double area =
+        mesh.dimension == 3 ? std::pow(std::abs(total), 2.0 / 3.0) : std::sqrt(std::abs(total) * thickness);
+    for (const auto& [owner, part] : byPiece) weights_[node][owner].area = area * part / total;
+  }
+}
+
+const std::map<int, NodalWeights::Weight>& NodalWeights::at(int node) const {
+  static const std::map<int, Weight> none;
+  const auto found = weights_.find(node);
+  return found == weights_.end() ? none : found->second;
+}
+
+NodalWeights::Weight NodalWeights::total(int node) const {
+  Weight sum;
+  for (const auto& [piece, weight] : at(node)) {
+    sum.area += weight.area;
+    sum.normal = sum.normal + weight.normal;
+  }
+  return sum;
+}
+
+std::vector<Point> pointsOf(const Mesh& mesh, const std::vector<int>& nodes) {
+  std::vector<Point> points;
+  for (const int node : nodes) points.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+  return points;
+}
+
+}  // namespace harmos::mesh

@@ -1,0 +1,51 @@
+#include <harmos/mesh/Part.hpp>
+
+#include <algorithm>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
+#include <harmos/mesh/Elements.hpp>
+
+namespace harmos::mesh {
+
+Part makePart(const Mesh& mesh, const std::string& name, const std::vector<std::string>& blocks) {
+  const auto refuse = [&](const std::string& what) {
+    throw base::Error("Part \"" + name + "\": " + what, base::ExitCode::input);
+  };
+  const Elements all(mesh);
+  std::vector<int> elements;
+  for (const std::string& wanted : blocks) {
+    const auto found = std::find_if(mesh.blocks.begin(), mesh.blocks.end(),
+                                    [&](const ElementBlock& block) { return block.name == wanted; });
+    if (found == mesh.blocks.end()) {
+      std::vector<std::string> known;
+      for (const ElementBlock& block : mesh.blocks) known.push_back(block.name);
+      refuse("the mesh has no block \"" + wanted + "\". " + base::suggestName(wanted, known, "Blocks"));
+    }
+    const int block = static_cast<int>(found - mesh.blocks.begin());
+    for (int i = 0; i < found->elements(); ++i) elements.push_back(all.first(block) + i);
+  }
+  std::sort(elements.begin(), elements.end());
+  if (std::adjacent_find(elements.begin(), elements.end()) != elements.end()) refuse("names a block twice.");
+  if (elements.empty()) refuse("has no elements; name a block that has some.");
+  return makePart(mesh, name, name, std::move(elements));
+}
+
+Part makePart(const Mesh& mesh, const std::string& name, const std::string& body, std::vector<int> elements) {
+  const Elements all(mesh);
+  Part part{name, std::move(elements), {}, body};
+  for (const int element : part.elements) {
+    const int* nodes = all.nodes(element);
+    part.nodes.insert(part.nodes.end(), nodes, nodes + nodesPerElement(all.type(element)));
+  }
+  std::sort(part.nodes.begin(), part.nodes.end());
+  part.nodes.erase(std::unique(part.nodes.begin(), part.nodes.end()), part.nodes.end());
+  return part;
+}
+
+int localNode(const Part& part, int node) {
+  const auto found = std::lower_bound(part.nodes.begin(), part.nodes.end(), node);
+  return found == part.nodes.end() || *found != node ? -1 : static_cast<int>(found - part.nodes.begin());
+}
+
+}  // namespace harmos::mesh

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <harmos/mesh/FaceIntegrals.hpp>
+#include <harmos/mesh/InterfaceSurface.hpp>
+#include <harmos/mesh/Part.hpp>
+
+namespace harmos::mesh {
+
+/// Collects the faces or the single nodes that one pair of parts (or one part and the ground) share at an interface.
+class SurfaceBuilder {
+ public:
+  /// part2 = -1 for an outer boundary. With a unit vector `projection`, from side 1 to side 2, normals are along it and
+  /// gaps are measured along it; otherwise gaps are 0.
+  SurfaceBuilder(const Mesh& mesh, const std::vector<Part>& parts, int part1, int part2,
+                 const std::optional<Point>& projection = std::nullopt);
+
+  /// nodes2 in the order of nodes1, empty for an outer boundary; mesh node numbers. The mass may be left out.
+  void addFace(const std::vector<int>& nodes1, const std::vector<int>& nodes2, const FaceIntegrals& integrals);
+  /// A node pair that belongs to no face. `normal` may have any length, also zero if there is no direction.
+  void addNode(int node1, int node2, double area, const Point& normal);
+
+  /// Pairs ascend by the local nodes of side 1. Throws base::Error(input) if a pair has no area.
+  InterfaceSurface build(const std::string& name) const;
+
+ private:
+  using Pair = std::pair<int, int>;  // mesh nodes; second -1 for an outer boundary
+  struct PairData {
+    double area = 0.0;
+    Point normal{};
+  };
+
+  const Mesh& mesh_;
+  const std::vector<Part>& parts_;
+  int part1_, part2_;
+  std::optional<Point> projection_;
+  std::map<Pair, PairData> pairs_;
+  std::vector<std::vector<Pair>> faces_;
+  std::map<std::pair<Pair, Pair>, double> mass_;
+};
+
+/// The frame of an interface node from its normal (any length; zero: the x axis). t1 is the direction, in the tangent
+/// plane, of the axis that is least normal to the interface, the first of x, y, z among equals; in 2-D t1 = t2 x n.
+Frame frameFromNormal(const Point& normal, int dimension);
+
+}  // namespace harmos::mesh

@@ -1,0 +1,324 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/mesh/BoltedJoint.hpp>
+#include <harmos/mesh/Boxes.hpp>
+#include <harmos/mesh/GluedAssembly.hpp>
+#include <harmos/mesh/InterfaceFinder.hpp>
+#include <harmos/mesh/Vector.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+constexpr double roundOff = 1e-12;
+
+std::vector<Part> onePartPerBlock(const Mesh& mesh) {
+  std::vector<Part> parts;
+  for (const ElementBlock& block : mesh.blocks) parts.push_back(makePart(mesh, block.name, {block.name}));
+  return parts;
+}
+
+/// The first part cut in two by a plane, as METIS would do it.
+std::vector<Part> cutFirstPart(const Mesh& mesh, const std::vector<Part>& parts, std::size_t axis, double at) {
+  const Elements elements(mesh);
+  std::vector<int> below, above;
+  for (const int element : parts[0].elements) {
+    double centre = 0.0;
+    const int count = nodesPerElement(elements.type(element));
+    for (int i = 0; i < count; ++i) {
+      centre += mesh.nodes[static_cast<std::size_t>(elements.nodes(element)[i])][axis] / count;
+    }
+    (centre < at ? below : above).push_back(element);
+  }
+  std::vector<Part> result = {makePart(mesh, parts[0].name + ".1", parts[0].name, below),
+                              makePart(mesh, parts[0].name + ".2", parts[0].name, above)};
+  result.insert(result.end(), parts.begin() + 1, parts.end());
+  return result;
+}
+
+double totalArea(const std::vector<InterfaceSurface>& surfaces) {
+  double total = 0.0;
+  for (const auto& surface : surfaces) total = std::accumulate(surface.area.begin(), surface.area.end(), total);
+  return total;
+}
+
+void expectConsistent(const InterfaceSurface& surface, const Mesh& mesh, const std::vector<Part>& parts) {
+  std::vector<double> rowSum(surface.area.size(), 0.0);
+  for (const MassEntry& entry : surface.mass) rowSum[static_cast<std::size_t>(entry.row)] += entry.value;
+  for (std::size_t p = 0; p < surface.area.size(); ++p) {
+    if (!surface.mass.empty()) {
+      EXPECT_NEAR(rowSum[p], surface.area[p], roundOff * surface.area[p]);
+    }
+    const Frame& frame = surface.frame[p];
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(dot(frame[i], frame[j]), i == j ? 1.0 : 0.0, roundOff);
+    }
+    EXPECT_NEAR(dot(cross(frame[0], frame[1]), frame[2]), 1.0, roundOff);
+    if (surface.part2 < 0) continue;
+    const auto place = [&](int part, int node) {
+      return mesh
+          .nodes[static_cast<std::size_t>(parts[static_cast<std::size_t>(part)].nodes[static_cast<std::size_t>(node)])];
+    };
+    const Point apart = place(surface.part2, surface.node2[p]) - place(surface.part1, surface.node1[p]);
+    EXPECT_NEAR(distance(apart, surface.gap[p] * frame[0]), 0.0, 1e-9);
+  }
+}
+
+TEST(InterfaceFinder, FindsTheInterfacesOfTheBoltedJoint) {
+  const Mesh mesh = boltedJoint();
+  const auto parts = onePartPerBlock(mesh);
+  const InterfaceFinder finder(mesh, parts);
+  const auto polygon = [](double radius) { return 12.0 * radius * radius * std::sin(std::acos(-1.0) / 12.0); };
+  struct Expected {
+    const char* name;
+    std::size_t pairs;
+    double area;
+  };
+  for (const Expected& e :
+       {Expected{"plates_bottom", 377, 3200.0 - 2.0 * polygon(6.0)},
+        Expected{"plates_top", 377, 3200.0 - 2.0 * polygon(6.0)},
+        Expected{"head_1_cover", 96, polygon(10.0) - polygon(6.0)},
+        Expected{"nut_2_cover", 96, polygon(10.0) - polygon(6.0)}, Expected{"preload_1", 73, polygon(5.0)}}) {
+    const std::string name = e.name;
+    const auto surfaces = finder.betweenSideSets(name, name + "_1", name + "_2");
+    ASSERT_EQ(surfaces.size(), 1u) << name;
+    const InterfaceSurface& surface = surfaces[0];
+    EXPECT_EQ(surface.node1.size(), e.pairs) << name;
+    EXPECT_EQ(surface.node2.size(), e.pairs) << name;
+    EXPECT_NEAR(totalArea(surfaces), e.area, roundOff * e.area) << name;
+    for (const Frame& frame : surface.frame) EXPECT_NEAR(frame[0][2], 1.0, roundOff) << name;
+    expectConsistent(surface, mesh, parts);
+  }
+  const auto loaded = finder.onSideSet("loaded", "loaded");
+  EXPECT_NEAR(totalArea(loaded), 400.0, 400.0 * roundOff);
+  EXPECT_NEAR(loaded[0].frame[0][0][0], 1.0, roundOff);
+  EXPECT_TRUE(loaded[0].node2.empty());
+}
+
+TEST(InterfaceFinder, SwappedSidesHaveTheSameAreasAndOppositeNormals) {
+  const Mesh mesh = boltedJoint(0.5);
+  const auto parts = onePartPerBlock(mesh);
+  const InterfaceFinder finder(mesh, parts);
+  const auto a = finder.betweenSideSets("seal", "plates_top_1", "plates_top_2")[0];
+  const auto b = finder.betweenSideSets("seal", "plates_top_2", "plates_top_1")[0];
+  std::map<int, std::pair<double, Point>> byNode;
+  for (std::size_t p = 0; p < a.area.size(); ++p) byNode[a.node1[p]] = {a.area[p], a.frame[p][0]};
+  ASSERT_EQ(a.part1, b.part2);
+  for (std::size_t p = 0; p < b.area.size(); ++p) {
+    EXPECT_NEAR(byNode.at(b.node2[p]).first, b.area[p], roundOff * b.area[p]);
+    EXPECT_NEAR(dot(byNode.at(b.node2[p]).second, b.frame[p][0]), -1.0, roundOff);
+  }
+}
+
+TEST(InterfaceFinder, FindsTheSameSurfaceFromBodiesAsFromSideSets) {
+  const Mesh mesh = boltedJoint(0.5);
+  const auto parts = onePartPerBlock(mesh);
+  const InterfaceFinder finder(mesh, parts);
+  const auto a = finder.betweenBodies("seal", "centre", "cover_top");
+  const auto b = finder.betweenSideSets("seal", "plates_top_1", "plates_top_2");
+  ASSERT_EQ(a.size(), 1u);
+  EXPECT_EQ(a[0].node1, b[0].node1);
+  EXPECT_EQ(a[0].node2, b[0].node2);
+  EXPECT_EQ(a[0].area, b[0].area);
+  // Shank and head meet in a disc, cover and head in an annulus: two interfaces of the same head.
+  EXPECT_EQ(totalArea(finder.betweenBodies("preload", "bolt_1", "head_1")),
+            totalArea(finder.betweenSideSets("preload", "preload_1_1", "preload_1_2")));
+}
+
+TEST(InterfaceFinder, MultipliesByThicknessInThePlane) {
+  const Mesh mesh = gluedAssembly(1.0);
+  const auto parts = onePartPerBlock(mesh);
+  const auto surface = InterfaceFinder(mesh, parts, 3.0).betweenSideSets("glue", "glue_1_1", "glue_1_2").at(0);
+  EXPECT_EQ(surface.node1.size(), 51u);
+  EXPECT_NEAR(std::accumulate(surface.area.begin(), surface.area.end(), 0.0), 150.0, 150.0 * roundOff);
+  EXPECT_NEAR(surface.frame[0][0][0], 1.0, roundOff);
+  EXPECT_NEAR(surface.frame[0][1][1], 1.0, roundOff);
+  expectConsistent(surface, mesh, parts);
+}
+
+class PieceAreas : public ::testing::TestWithParam<ElementType> {};
+
+TEST_P(PieceAreas, AddUpToTheUncutInterface) {
+  Mesh mesh = boxes({{"lower", {}, {4.0, 3.0, 2.0}, {4, 3, 2}, GetParam()},
+                     {"upper", {0.0, 0.0, 2.0}, {4.0, 3.0, 3.0}, {4, 3, 1}, GetParam()}});
+  for (Point& point : mesh.nodes) point[2] += 0.1 * point[0] * point[1];  // warped quadrilaterals
+  const auto whole = onePartPerBlock(mesh);
+  const auto pieces = cutFirstPart(mesh, whole, 0, 2.0);
+  const InterfaceFinder uncut(mesh, whole);
+  const InterfaceFinder finder(mesh, pieces);
+  const auto one = uncut.betweenSideSets("seal", "lower_zmax", "upper_zmin");
+  const auto two = finder.betweenSideSets("seal", "lower_zmax", "upper_zmin");
+  ASSERT_EQ(one.size(), 1u);
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_NEAR(totalArea(one), totalArea(two), roundOff * totalArea(one));
+  EXPECT_EQ(two[0].node1.size() + two[1].node1.size(), one[0].node1.size() + 4);
+  for (const auto& surface : two) expectConsistent(surface, mesh, pieces);
+
+  const auto bottom = finder.onSideSet("fixed", "lower_zmin");
+  EXPECT_EQ(bottom.size(), 2u);
+  EXPECT_NEAR(totalArea(bottom), totalArea(uncut.onSideSet("fixed", "lower_zmin")), 1e-11);
+
+  const auto cuts = finder.cuts();
+  ASSERT_EQ(cuts.size(), 1u);
+  EXPECT_EQ(cuts[0].name, "lower cut");
+  EXPECT_EQ(cuts[0].node1.size(), 4u * 3u);
+  EXPECT_TRUE(uncut.cuts().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PieceAreas, ::testing::Values(ElementType::hex8, ElementType::tet4, ElementType::wedge6));
+
+TEST(InterfaceFinder, TiesPiecesThatTouchInAnEdgeOnly) {
+  // Of 2 x 2 x 1 cubes, one piece holds two diagonal cubes, the others one each: at the middle edge no chain of faces
+  // is missing. Without the two single cubes, the diagonal ones touch in the edge alone.
+  const Mesh mesh = boxes({{"block", {}, {2.0, 2.0, 1.0}, {2, 2, 1}}});
+  const std::vector<Part> all = {makePart(mesh, "a", "block", {0}), makePart(mesh, "b", "block", {1, 2}),
+                                 makePart(mesh, "c", "block", {3})};
+  for (const auto& surface : InterfaceFinder(mesh, all).cuts()) EXPECT_FALSE(surface.face.empty());
+  const std::vector<Part> diagonal = {all[0], all[2]};
+  const auto surfaces = InterfaceFinder(mesh, diagonal).cuts();
+  ASSERT_EQ(surfaces.size(), 1u);
+  EXPECT_EQ(surfaces[0].node1.size(), 2u);
+  EXPECT_TRUE(surfaces[0].face.empty());
+  for (const double area : surfaces[0].area) EXPECT_NEAR(area, 0.75, roundOff);  // three quarters at a cube's corner
+}
+
+TEST(InterfaceFinder, JoinsSameNodesWithDifferentFaces) {
+  const Mesh mesh = boxes({{"lower", {}, {2.0, 1.0, 1.0}, {4, 3, 2}, ElementType::hex8},
+                           {"upper", {0.0, 0.0, 1.0}, {2.0, 1.0, 2.0}, {4, 3, 1}, ElementType::tet4}});
+  const auto parts = onePartPerBlock(mesh);
+  const InterfaceFinder finder(mesh, parts);
+  const auto a = finder.betweenSideSets("seal", "lower_zmax", "upper_zmin").at(0);
+  const auto b = finder.betweenSideSets("seal", "upper_zmin", "lower_zmax").at(0);
+  EXPECT_EQ(a.node1.size(), 20u);
+  EXPECT_NEAR(totalArea({a}), 2.0, roundOff);
+  EXPECT_TRUE(a.mass.empty());
+  EXPECT_EQ(a.face.size(), 12u);
+  for (std::size_t p = 0; p < a.area.size(); ++p) {
+    const auto same = std::find(b.node2.begin(), b.node2.end(), a.node1[p]) - b.node2.begin();
+    EXPECT_NEAR(a.area[p], b.area[static_cast<std::size_t>(same)], roundOff);
+    EXPECT_NEAR(a.frame[p][0][2], 1.0, roundOff);
+  }
+}
+
+TEST(InterfaceFinder, ProjectsSurfacesThatAreOpen) {
+  Mesh mesh = boxes({{"ground", {-1.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, {8, 2, 0}, ElementType::quad4},
+                     {"roller", {-1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {8, 2, 0}, ElementType::quad4}});
+  const auto parts = onePartPerBlock(mesh);
+  for (const int node : parts[1].nodes) {
+    Point& p = mesh.nodes[static_cast<std::size_t>(node)];
+    p[1] += 0.1 + 0.2 * p[0] * p[0];
+  }
+  const InterfaceFinder finder(mesh, parts);
+  EXPECT_THROW(finder.betweenSideSets("roll", "ground_ymax", "roller_ymin"), base::Error);
+  for (const double sign : {1.0, -1.0}) {
+    const auto surface =
+        finder.betweenSideSets("roll", "ground_ymax", "roller_ymin", Point{0.0, 2.0 * sign, 0.0}).at(0);
+    ASSERT_EQ(surface.node1.size(), 9u);
+    EXPECT_NEAR(totalArea({surface}), 2.0, roundOff);
+    for (std::size_t p = 0; p < 9; ++p) {
+      const Point& place =
+          mesh.nodes[static_cast<std::size_t>(parts[0].nodes[static_cast<std::size_t>(surface.node1[p])])];
+      EXPECT_NEAR(surface.gap[p], 0.1 + 0.2 * place[0] * place[0], roundOff);
+      EXPECT_NEAR(surface.frame[p][0][1], 1.0, roundOff);
+    }
+    expectConsistent(surface, mesh, parts);
+  }
+  const auto swapped = finder.betweenSideSets("roll", "roller_ymin", "ground_ymax", Point{0.0, 1.0, 0.0}).at(0);
+  EXPECT_NEAR(totalArea({swapped}), 2.0, roundOff);
+  EXPECT_NEAR(swapped.frame[0][0][1], -1.0, roundOff);
+  EXPECT_NEAR(*std::min_element(swapped.gap.begin(), swapped.gap.end()), 0.1, roundOff);
+}
+
+TEST(InterfaceFinder, TakesNodeSetsByFacesOrByNodes) {
+  Mesh mesh = boxes({{"block", {}, {2.0, 2.0, 2.0}, {2, 2, 2}}});
+  const auto parts = onePartPerBlock(mesh);
+  const auto where = [&](const auto& region) {
+    std::vector<int> nodes;
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+      if (region(mesh.nodes[n])) nodes.push_back(static_cast<int>(n));
+    }
+    return nodes;
+  };
+  mesh.nodeSets = {{"face", 1, where([](const Point& p) { return p[0] == 0.0; })},
+                   {"edge", 2, where([](const Point& p) { return p[0] == 0.0 && p[1] == 0.0; })},
+                   {"inside", 3, where([](const Point& p) {
+                      return p == Point{1.0, 1.0, 1.0};
+                    })}};
+  const InterfaceFinder finder(mesh, parts);
+  const auto face = finder.onNodeSet("fixed", "face");
+  EXPECT_EQ(face[0].face.size(), 4u);
+  EXPECT_NEAR(totalArea(face), 4.0, roundOff);
+  EXPECT_NEAR(face[0].frame[0][0][0], -1.0, roundOff);
+  const auto edge = finder.onNodeSet("fixed", "edge");
+  EXPECT_TRUE(edge[0].face.empty());
+  EXPECT_NEAR(totalArea(edge), 0.75 + 1.0 + 0.75, roundOff);  // three, four and three quarters of a face
+  EXPECT_NEAR(totalArea(finder.onNodeSet("held", "inside")), 1.0, roundOff);  // one cube of volume around the node
+  const auto pieces = cutFirstPart(mesh, parts, 2, 1.0);
+  const InterfaceFinder cut(mesh, pieces);
+  for (const char* set : {"face", "edge", "inside"}) {
+    EXPECT_EQ(cut.onNodeSet("held", set).size(), 2u) << set;
+    EXPECT_NEAR(totalArea(cut.onNodeSet("held", set)), totalArea(finder.onNodeSet("held", set)), roundOff) << set;
+  }
+}
+
+TEST(InterfaceFinder, SharedNodesCountOnceOnTheOuterBoundary) {
+  // Two blocks of one grid share the nodes between them, as meshes from other programs do.
+  Mesh mesh = boxes({{"block", {}, {2.0, 1.0, 1.0}, {2, 1, 1}}});
+  const std::vector<int> connectivity = mesh.blocks[0].connectivity;
+  mesh.blocks[0].connectivity.resize(8);
+  mesh.blocks.push_back({"right", 2, ElementType::hex8, {connectivity.begin() + 8, connectivity.end()}});
+  mesh.nodeSets = {{"all", 1, std::vector<int>(12)}};
+  std::iota(mesh.nodeSets[0].node.begin(), mesh.nodeSets[0].node.end(), 0);
+  const auto parts = onePartPerBlock(mesh);
+  const InterfaceFinder finder(mesh, parts);
+  EXPECT_NEAR(totalArea(finder.onNodeSet("held", "all")), 10.0, roundOff);
+  EXPECT_NEAR(totalArea(finder.onNodeSet("held", "all", "right")), 6.0, roundOff);
+  const auto joint = finder.betweenBodies("joint", "block", "right");
+  ASSERT_EQ(joint.size(), 1u);
+  EXPECT_EQ(joint[0].node1.size(), 4u);
+  EXPECT_NEAR(totalArea(joint), 1.0, roundOff);
+}
+
+std::string messageOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(InterfaceFinder, SaysWhatIsWrong) {
+  const Mesh mesh = boxes({{"a", {}, {1.0, 1.0, 1.0}, {2, 2, 2}},
+                           {"b", {1.0, 0.0, 0.0}, {2.0, 1.0, 1.0}, {2, 3, 2}},
+                           {"c", {5.0, 0.0, 0.0}, {6.0, 1.0, 1.0}, {1, 1, 1}}});
+  const auto parts = onePartPerBlock(mesh);
+  const InterfaceFinder finder(mesh, parts);
+  const auto expect = [](const std::string& message, const std::vector<std::string>& fragments) {
+    for (const auto& fragment : fragments) EXPECT_NE(message.find(fragment), std::string::npos) << message;
+  };
+  expect(messageOf([&] { finder.betweenSideSets("seal", "a_xmax", "b_xmin"); }),
+         {"Interface \"seal\"", "\"a_xmax\" (4 faces, 9 nodes)", "\"b_xmin\" (6 faces, 12 nodes)", "do not conform",
+          "Projection Direction"});
+  expect(messageOf([&] { finder.betweenSideSets("seal", "a_xmax", "a_xmax"); }), {"do not conform"});
+  expect(messageOf([&] { finder.betweenSideSets("seal", "a_xmx", "b_xmin"); }),
+         {"no side set \"a_xmx\"", "\"a_xmax\""});
+  expect(messageOf([&] { finder.betweenBodies("seal", "a", "c"); }), {"no coincident faces", "4 apart"});
+  expect(messageOf([&] { finder.betweenBodies("seal", "a", "a"); }), {"Part 1 and Part 2 are both \"a\""});
+  expect(messageOf([&] { finder.betweenBodies("seal", "a", "d"); }), {"no part \"d\""});
+  expect(messageOf([&] { finder.onSideSet("fix", "nothing"); }), {"Boundary \"fix\"", "no side set \"nothing\""});
+  const std::vector<Part> onlyA = {parts[0]};
+  expect(messageOf([&] { InterfaceFinder(mesh, onlyA).onSideSet("fix", "b_xmin"); }),
+         {"block \"b\"", "belongs to no part"});
+  expect(messageOf([&] { InterfaceFinder(mesh, {parts[0], parts[0]}); }), {"both have elements of block \"a\""});
+}
+
+}  // namespace
+}  // namespace harmos::mesh
