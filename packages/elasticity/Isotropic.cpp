@@ -1,0 +1,51 @@
+#include <harmos/elasticity/Isotropic.hpp>
+
+#include <cmath>
+#include <string>
+
+#include <harmos/base/Error.hpp>
+
+namespace harmos::elasticity {
+
+void Isotropic::describe(base::ParameterSpec& spec) {
+  spec.summary("Isotropic linear elasticity: stress = lambda tr(eps) I + 2 mu eps.");
+  spec.number("Young's Modulus")
+      .unit("stress")
+      .required()
+      .above(0.0)
+      .doc("E, tension over strain in uniaxial tension.");
+  spec.number("Poisson's Ratio")
+      .unit("-")
+      .required()
+      .above(-1.0)
+      .below(0.5)
+      .doc("nu, contraction over extension in uniaxial tension. Above about 0.45 use the part's formulation B-Bar.");
+}
+
+Isotropic::Isotropic(double youngsModulus, double poissonsRatio)
+    : youngsModulus_(youngsModulus), poissonsRatio_(poissonsRatio) {
+  if (!(youngsModulus > 0.0 && std::isfinite(youngsModulus) && poissonsRatio > -1.0 && poissonsRatio < 0.5)) {
+    throw base::Error(
+        "An isotropic material needs a Young's modulus above 0 and a Poisson's ratio between -1 and 0.5; "
+        "given are " +
+            std::to_string(youngsModulus) + " and " + std::to_string(poissonsRatio) + ".",
+        base::ExitCode::input);
+  }
+}
+
+Isotropic::Isotropic(const base::Parameters& parameters)
+    : Isotropic(parameters.number("Young's Modulus"), parameters.number("Poisson's Ratio")) {}
+
+ElasticityMatrix Isotropic::elasticity() const {
+  const double mu = youngsModulus_ / (2.0 * (1.0 + poissonsRatio_));
+  const double lambda = 2.0 * mu * poissonsRatio_ / (1.0 - 2.0 * poissonsRatio_);
+  ElasticityMatrix c{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) c[i][j] = lambda;
+    c[i][i] += 2.0 * mu;
+    c[i + 3][i + 3] = mu;
+  }
+  return c;
+}
+
+}  // namespace harmos::elasticity

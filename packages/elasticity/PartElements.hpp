@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/elasticity/Kinematics.hpp>
+#include <harmos/mesh/Mesh.hpp>
+#include <harmos/mesh/Part.hpp>
+
+namespace harmos::elasticity {
+
+/// The elements of a part that lie in one block, with the part's node numbers. Refers to the mesh.
+struct ElementGroup {
+  const mesh::ElementBlock* block = nullptr;
+  int firstElement = 0;      ///< position of the first one in Part::elements
+  std::vector<int> inBlock;  ///< position in the block
+  std::vector<int> nodes;    ///< local nodes of the part: elements x nodesPerElement
+  int elements() const { return static_cast<int>(inBlock.size()); }
+};
+
+/// Groups in the order of the blocks, so that their elements follow one another as in Part::elements.
+/// Throws base::Error when an element or a node is not of the mesh or the part, or an element has another dimension
+/// than the kinematics.
+std::vector<ElementGroup> groupsOf(const mesh::Mesh& mesh, const mesh::Part& part, Kinematics kinematics);
+
+/// For messages: part "p", element 3 of block "b" (element 12 of the mesh); counted from 1 as in Exodus.
+std::string nameOf(const mesh::Mesh& mesh, const mesh::Part& part, const ElementGroup& group, int element);
+
+}  // namespace harmos::elasticity

@@ -1,0 +1,237 @@
+#include <harmos/elasticity/Stiffness.hpp>
+
+#include <algorithm>
+#include <string>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/elasticity/ElementLoop.hpp>
+#include <harmos/substructure/CrsMatrix.hpp>
+
+namespace harmos::elasticity {
+namespace {
+
+/// For every node its neighbours and itself, ascending, in compressed rows.
+struct NodeGraph {
+  std::vector<std::size_t> pointers;
+  std::vector<int> neighbours;
+
+  NodeGraph(const std::vector<ElementGroup>& groups, std::size_t nodes) : pointers(nodes + 1, 0) {
+    struct Touch {
+      const ElementGroup* group;
+      int element;
+    };
+    std::vector<std::size_t> start(nodes + 1, 0);
+    for (const ElementGroup& group : groups) {
+      for (const int node : group.nodes) ++start[static_cast<std::size_t>(node) + 1];
+    }
+    for (std::size_t node = 0; node < nodes; ++node) start[node + 1] += start[node];
+    std::vector<Touch> touches(start[nodes]);
+    std::vector<std::size_t> next(start.begin(), start.end() - 1);
+    for (const ElementGroup& group : groups) {
+      const int perElement = mesh::nodesPerElement(group.block->type);
+      for (std::size_t k = 0; k < group.nodes.size(); ++k) {
+        touches[next[static_cast<std::size_t>(group.nodes[k])]++] = {&group, static_cast<int>(k) / perElement};
+      }
+    }
+    std::vector<int> lastSeenBy(nodes, -1);
+    for (std::size_t node = 0; node < nodes; ++node) {
+      const std::size_t begin = neighbours.size();
+      for (std::size_t k = start[node]; k < start[node + 1]; ++k) {
+        const ElementGroup& group = *touches[k].group;
+        const int perElement = mesh::nodesPerElement(group.block->type);
+        for (int a = 0; a < perElement; ++a) {
+          const int neighbour = group.nodes[static_cast<std::size_t>(touches[k].element * perElement + a)];
+          int& seenBy = lastSeenBy[static_cast<std::size_t>(neighbour)];
+          if (seenBy == static_cast<int>(node)) continue;
+          seenBy = static_cast<int>(node);
+          neighbours.push_back(neighbour);
+        }
+      }
+      std::sort(neighbours.begin() + static_cast<std::ptrdiff_t>(begin), neighbours.end());
+      pointers[node + 1] = neighbours.size();
+    }
+  }
+
+  int degree(int node) const {
+    return static_cast<int>(pointers[static_cast<std::size_t>(node) + 1] - pointers[static_cast<std::size_t>(node)]);
+  }
+  int positionOf(int neighbour, int node) const {
+    const int* begin = neighbours.data() + pointers[static_cast<std::size_t>(node)];
+    return static_cast<int>(std::lower_bound(begin, begin + degree(node), neighbour) - begin);
+  }
+};
+
+/// Turns the integrals of an element into its stiffness: both are linear in each other, so C enters once per element.
+///
+/// K_ab[i][j] = sum_kl C_ikjl int g_ak g_bl dV. With B-bar the strain gains I/3 (mean - local) volume change, and with
+/// D_ab = int g_a g_b^t dV - G_a G_b^t/V, G_a = int g_a dV, P = C:I the block gains
+/// -(P D_ab + D_ab P)/3 + (I:C:I) D_ab/9.
+template <int D>
+class ElementStiffness {
+ public:
+  ElementStiffness(const ElasticityMatrix& c, Formulation formulation, double thickness)
+      : bBar_(formulation == Formulation::bBar) {
+    constexpr std::size_t voigt[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+    for (int i = 0; i < D; ++i) {
+      for (int j = 0; j < D; ++j) {
+        for (int k = 0; k < D; ++k) {
+          for (int l = 0; l < D; ++l) c_[i][j][k][l] = thickness * c[voigt[i][k]][voigt[j][l]];
+        }
+        const auto& row = c[voigt[i][j]];
+        pressure_[i][j] = thickness * (row[0] + row[1] + row[2]);
+      }
+    }
+    for (std::size_t m = 0; m < 3; ++m) bulk_ += thickness * (c[m][0] + c[m][1] + c[m][2]);
+  }
+
+  /// Upper triangle of the node blocks, a <= b; diagonal blocks are whole and symmetric.
+  void compute(const ElementIntegrals& integrals, int nodes, double* stiffness) const {
+    const int dofs = D * nodes;
+    for (int a = 0; a < nodes; ++a) {
+      for (int b = a; b < nodes; ++b) {
+        double m[D][D], block[D][D];
+        for (int k = 0; k < D; ++k) {
+          for (int l = 0; l < D; ++l)
+            m[k][l] = integrals.product[static_cast<std::size_t>((D * a + k) * dofs + D * b + l)];
+        }
+        for (int i = 0; i < D; ++i) {
+          for (int j = 0; j < D; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < D; ++k) {
+              for (int l = 0; l < D; ++l) sum += c_[i][j][k][l] * m[k][l];
+            }
+            block[i][j] = sum;
+          }
+        }
+        if (bBar_) addMeanDilatation(integrals, a, b, m, block);
+        for (int i = 0; i < D; ++i) {
+          for (int j = 0; j < D; ++j) {
+            stiffness[(D * a + i) * dofs + D * b + j] = a == b && j < i ? block[j][i] : block[i][j];
+          }
+        }
+      }
+    }
+  }
+
+ private:
+  void addMeanDilatation(const ElementIntegrals& integrals, int a, int b, double (&m)[D][D],
+                         double (&block)[D][D]) const {
+    const double* ga = integrals.gradient.data() + D * a;
+    const double* gb = integrals.gradient.data() + D * b;
+    for (int k = 0; k < D; ++k) {
+      for (int l = 0; l < D; ++l) m[k][l] -= ga[k] * gb[l] / integrals.volume;
+    }
+    for (int i = 0; i < D; ++i) {
+      for (int j = 0; j < D; ++j) {
+        double sum = 0.0;
+        for (int k = 0; k < D; ++k) sum += pressure_[i][k] * m[k][j] + m[i][k] * pressure_[k][j];
+        block[i][j] += bulk_ / 9.0 * m[i][j] - sum / 3.0;
+      }
+    }
+  }
+
+  double c_[D][D][D][D];
+  double pressure_[D][D];
+  double bulk_ = 0.0;
+  bool bBar_;
+};
+
+void checkFormulation(const mesh::Mesh& mesh, const mesh::Part& part, const std::vector<ElementGroup>& groups,
+                      Formulation formulation, Kinematics kinematics) {
+  if (formulation != Formulation::bBar) return;
+  if (kinematics == Kinematics::planeStress) {
+    throw base::Error("Part \"" + part.name +
+                          "\" asks for the formulation B-Bar in plane stress, where nothing locks as "
+                          "Poisson's ratio approaches 0.5. Use Full Integration.",
+                      base::ExitCode::input);
+  }
+  for (const ElementGroup& group : groups) {
+    const mesh::ElementType type = group.block->type;
+    if (type != mesh::ElementType::tri3 && type != mesh::ElementType::tet4) continue;
+    throw base::Error(
+        "The formulation B-Bar is asked for " + nameOf(mesh, part, group, 0) + ", a " + mesh::exodusName(type) +
+            ", whose volume change is constant already: it would lock all the same. Use HEX8 or QUAD4 elements, "
+            "or Full Integration with Poisson's ratio below about 0.45.",
+        base::ExitCode::input);
+  }
+}
+
+template <int D>
+Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Part& part,
+                                       const std::vector<ElementGroup>& groups, const ElementStiffness<D>& element) {
+  const std::size_t nodes = part.nodes.size();
+  const NodeGraph graph(groups, nodes);
+  std::vector<std::size_t> pointers(1, 0);
+  std::vector<int> columns;
+  pointers.reserve(D * nodes + 1);
+  columns.reserve(D * D * graph.neighbours.size());
+  for (std::size_t node = 0; node < nodes; ++node) {
+    for (int i = 0; i < D; ++i) {
+      for (std::size_t k = graph.pointers[node]; k < graph.pointers[node + 1]; ++k) {
+        for (int j = 0; j < D; ++j) columns.push_back(D * graph.neighbours[k] + j);
+      }
+      pointers.push_back(columns.size());
+    }
+  }
+  std::vector<double> values(columns.size(), 0.0);
+  forEachElement(
+      mesh, part, groups, true, [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
+        const int perElement = mesh::nodesPerElement(group.block->type), dofs = D * perElement;
+        const int* local = group.nodes.data() + static_cast<std::size_t>(number * perElement);
+        double stiffness[ElementIntegrals::maximumDofs * ElementIntegrals::maximumDofs];
+        element.compute(integrals, perElement, stiffness);
+        for (int a = 0; a < perElement; ++a) {
+          const int stride = D * graph.degree(local[a]);
+          double* rows = values.data() + pointers[static_cast<std::size_t>(D * local[a])];
+          for (int b = 0; b < perElement; ++b) {
+            double* block = rows + D * graph.positionOf(local[b], local[a]);
+            for (int i = 0; i < D; ++i) {
+              for (int j = 0; j < D; ++j) {
+                block[i * stride + j] +=
+                    a <= b ? stiffness[(D * a + i) * dofs + D * b + j] : stiffness[(D * b + j) * dofs + D * a + i];
+              }
+            }
+          }
+        }
+      });
+  return substructure::makeCrsMatrix(pointers, columns, values);
+}
+
+}  // namespace
+
+Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const mesh::Part& part,
+                                                const Material& material, Formulation formulation,
+                                                Kinematics kinematics, double thickness) {
+  const std::vector<ElementGroup> groups = groupsOf(mesh, part, kinematics);
+  checkFormulation(mesh, part, groups, formulation, kinematics);
+  const ElasticityMatrix c = reduced(material.elasticity(), kinematics);
+  return kinematics == Kinematics::threeDimensional
+             ? assemble(mesh, part, groups, ElementStiffness<3>(c, formulation, 1.0))
+             : assemble(mesh, part, groups, ElementStiffness<2>(c, formulation, thickness));
+}
+
+std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Part& part, const mesh::Point& force,
+                              Kinematics kinematics, double thickness) {
+  const auto dimension = static_cast<std::size_t>(dimensionOf(kinematics));
+  if (dimension == 2 && force[2] != 0.0) {
+    throw base::Error("The body force of part \"" + part.name + "\" has a z component of " + std::to_string(force[2]) +
+                          "; in 2-D it must be 0.",
+                      base::ExitCode::input);
+  }
+  const double depth = dimension == 2 ? thickness : 1.0;
+  std::vector<double> forces(dimension * part.nodes.size(), 0.0);
+  const std::vector<ElementGroup> groups = groupsOf(mesh, part, kinematics);
+  forEachElement(
+      mesh, part, groups, false, [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
+        const auto perElement = static_cast<std::size_t>(mesh::nodesPerElement(group.block->type));
+        const int* local = group.nodes.data() + static_cast<std::size_t>(number) * perElement;
+        for (std::size_t a = 0; a < perElement; ++a) {
+          for (std::size_t i = 0; i < dimension; ++i) {
+            forces[dimension * static_cast<std::size_t>(local[a]) + i] += depth * force[i] * integrals.value[a];
+          }
+        }
+      });
+  return forces;
+}
+
+}  // namespace harmos::elasticity

@@ -1,0 +1,49 @@
+#include <harmos/elasticity/Stress.hpp>
+
+#include <cmath>
+
+#include <harmos/elasticity/ElementLoop.hpp>
+
+namespace harmos::elasticity {
+
+base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Part& part, const Material& material,
+                           Kinematics kinematics, const base::Matrix& displacements) {
+  const int dimension = dimensionOf(kinematics), dofs = dimension * static_cast<int>(part.nodes.size());
+  if (displacements.numRows() != dofs) {
+    throw base::Error("Part \"" + part.name + "\" has " + std::to_string(dofs) +
+                      " degrees of freedom; displacements of " + std::to_string(displacements.numRows()) +
+                      " were given.");
+  }
+  const ElasticityMatrix c = reduced(material.elasticity(), kinematics);
+  base::Matrix stress(6 * static_cast<int>(part.elements.size()), displacements.numCols());
+  forEachElement(mesh, part, groupsOf(mesh, part, kinematics), false,
+                 [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
+                   const int perElement = mesh::nodesPerElement(group.block->type);
+                   const int* local = group.nodes.data() + static_cast<std::size_t>(number * perElement);
+                   for (int column = 0; column < displacements.numCols(); ++column) {
+                     double h[3][3] = {};  // mean displacement gradient
+                     for (int a = 0; a < perElement; ++a) {
+                       for (int i = 0; i < dimension; ++i) {
+                         const double u = displacements(dimension * local[a] + i, column) / integrals.volume;
+                         for (int k = 0; k < dimension; ++k)
+                           h[i][k] += u * integrals.gradient[static_cast<std::size_t>(dimension * a + k)];
+                       }
+                     }
+                     const double strain[6] = {h[0][0],           h[1][1],           h[2][2],
+                                               h[0][1] + h[1][0], h[1][2] + h[2][1], h[2][0] + h[0][2]};
+                     double* result = stress[column] + 6 * (group.firstElement + number);
+                     for (std::size_t m = 0; m < 6; ++m) {
+                       result[m] = 0.0;
+                       for (std::size_t n = 0; n < 6; ++n) result[m] += c[m][n] * strain[n];
+                     }
+                   }
+                 });
+  return stress;
+}
+
+double vonMises(const double* s) {
+  const double xy = s[0] - s[1], yz = s[1] - s[2], zx = s[2] - s[0];
+  return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+}  // namespace harmos::elasticity
