@@ -6,7 +6,10 @@ if(HARMOS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 find_package(MPI REQUIRED COMPONENTS CXX)
-find_package(Trilinos 13.2 REQUIRED COMPONENTS Tpetra Amesos2 Teuchos Belos Intrepid2 Shards Sacado)
+# An installed Harmos looks for the same, see HarmosConfig.cmake.in.
+set(HARMOS_TRILINOS_VERSION 13.2)
+set(HARMOS_TRILINOS_COMPONENTS Tpetra Amesos2 Teuchos Belos Intrepid2 Shards Sacado)
+find_package(Trilinos ${HARMOS_TRILINOS_VERSION} REQUIRED COMPONENTS ${HARMOS_TRILINOS_COMPONENTS})
 
 function(harmos_dependency name)
   cmake_parse_arguments(arg "" "" "INCLUDE;LIBRARIES" ${ARGN})
