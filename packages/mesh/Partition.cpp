@@ -1,0 +1,159 @@
+#include <harmos/mesh/Partition.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <metis.h>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/mesh/Elements.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+/// Elements that share a face, in compressed rows.
+struct FaceGraph {
+  std::vector<idx_t> first, neighbour;
+  int size() const { return static_cast<int>(first.size()) - 1; }
+};
+
+[[noreturn]] void refuse(const Part& part, int pieces, const std::string& what) {
+  throw base::Error("Part \"" + part.name + "\": Pieces = " + std::to_string(pieces) + ", but " + what,
+                    base::ExitCode::input);
+}
+
+FaceGraph faceGraph(const Elements& mesh, const std::vector<int>& elements, std::size_t nodeCount) {
+  std::vector<idx_t> begin = {0}, nodes;
+  std::size_t fewest = 4;  // nodes of a face
+  for (const int element : elements) {
+    const ElementType type = mesh.type(element);
+    const int* own = mesh.nodes(element);
+    nodes.insert(nodes.end(), own, own + nodesPerElement(type));
+    begin.push_back(static_cast<idx_t>(nodes.size()));
+    for (int side = 0; side < sidesPerElement(type); ++side) fewest = std::min(fewest, sideNodes(type, side).size());
+  }
+  auto elementCount = static_cast<idx_t>(elements.size());
+  auto highest = static_cast<idx_t>(nodeCount);
+  auto common = static_cast<idx_t>(fewest);
+  idx_t numbering = 0;
+  idx_t* rows = nullptr;
+  idx_t* columns = nullptr;
+  if (METIS_MeshToDual(&elementCount, &highest, begin.data(), nodes.data(), &common, &numbering, &rows, &columns) !=
+      METIS_OK) {
+    throw base::Error("METIS cannot build the graph of elements; there may not be enough memory.");
+  }
+  const std::unique_ptr<idx_t, int (*)(void*)> rowOwner(rows, [](void* p) { return METIS_Free(p); });
+  const std::unique_ptr<idx_t, int (*)(void*)> columnOwner(columns, [](void* p) { return METIS_Free(p); });
+  return {{rows, rows + elementCount + 1}, {columns, columns + rows[elementCount]}};
+}
+
+/// Numbers the connected groups of vertices of equal colour, by their lowest vertex.
+std::vector<int> connectedGroups(const FaceGraph& graph, const std::vector<idx_t>& colour, int& count) {
+  std::vector<int> group(static_cast<std::size_t>(graph.size()), -1);
+  count = 0;
+  std::vector<int> queue;
+  for (int start = 0; start < graph.size(); ++start) {
+    if (group[static_cast<std::size_t>(start)] >= 0) continue;
+    queue.assign(1, start);
+    group[static_cast<std::size_t>(start)] = count;
+    while (!queue.empty()) {
+      const auto at = static_cast<std::size_t>(queue.back());
+      queue.pop_back();
+      for (idx_t k = graph.first[at]; k < graph.first[at + 1]; ++k) {
+        const auto next = static_cast<std::size_t>(graph.neighbour[static_cast<std::size_t>(k)]);
+        if (group[next] >= 0 || colour[next] != colour[at]) continue;
+        group[next] = count;
+        queue.push_back(static_cast<int>(next));
+      }
+    }
+    ++count;
+  }
+  return group;
+}
+
+/// Cuts a connected graph; the colour of every vertex.
+std::vector<idx_t> colourConnected(FaceGraph graph, int pieces) {
+  std::vector<idx_t> colour(static_cast<std::size_t>(graph.size()), 0);
+  if (pieces == 1) return colour;
+  idx_t options[METIS_NOPTIONS];
+  METIS_SetDefaultOptions(options);
+  options[METIS_OPTION_CONTIG] = 1;
+  options[METIS_OPTION_SEED] = 1;  // the same pieces in every run
+  idx_t vertices = graph.size();
+  idx_t weights = 1;
+  idx_t parts = pieces;
+  idx_t cutFaces = 0;
+  if (METIS_PartGraphKway(&vertices, &weights, graph.first.data(), graph.neighbour.data(), nullptr, nullptr, nullptr,
+                          &parts, nullptr, nullptr, options, &cutFaces, colour.data()) != METIS_OK) {
+    throw base::Error("METIS cannot cut the graph of elements; there may not be enough memory.");
+  }
+  return colour;
+}
+
+/// How many pieces each body gets: one, and the others where the pieces are largest.
+std::vector<int> shares(const std::vector<int>& sizes, int pieces) {
+  std::vector<int> result(sizes.size(), 1);
+  const auto pieceSize = [&](std::size_t body) { return static_cast<double>(sizes[body]) / result[body]; };
+  for (int given = static_cast<int>(sizes.size()); given < pieces; ++given) {
+    std::size_t largest = 0;
+    for (std::size_t body = 1; body < sizes.size(); ++body) {
+      if (pieceSize(body) > pieceSize(largest)) largest = body;
+    }
+    ++result[largest];
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Part> cutPart(const Mesh& mesh, const Part& part, int pieces) {
+  if (pieces == 1) return {part};
+  const std::string elementCount = std::to_string(part.elements.size()) + " elements";
+  if (pieces < 1 || static_cast<std::size_t>(pieces) > part.elements.size()) {
+    refuse(part, pieces, "the part has " + elementCount + "; give a number from 1 to that.");
+  }
+  const Elements elements(mesh);
+  const FaceGraph whole = faceGraph(elements, part.elements, mesh.nodes.size());
+  int bodies = 0;
+  const auto bodyOf = connectedGroups(whole, std::vector<idx_t>(part.elements.size(), 0), bodies);
+  if (pieces < bodies) {
+    refuse(part, pieces,
+           "its elements form " + std::to_string(bodies) +
+               " bodies that no face connects; give 1 or at least that many pieces, or make a part of "
+               "each body.");
+  }
+  std::vector<std::vector<int>> lists(static_cast<std::size_t>(bodies));
+  for (std::size_t i = 0; i < part.elements.size(); ++i) {
+    lists[static_cast<std::size_t>(bodyOf[i])].push_back(part.elements[i]);
+  }
+  std::vector<int> sizes;
+  for (const auto& list : lists) sizes.push_back(static_cast<int>(list.size()));
+  const auto share = shares(sizes, pieces);
+
+  std::vector<std::vector<int>> pieceElements;
+  for (std::size_t body = 0; body < lists.size(); ++body) {
+    const FaceGraph graph = bodies == 1 ? whole : faceGraph(elements, lists[body], mesh.nodes.size());
+    int groups = 0;
+    const auto group = connectedGroups(graph, colourConnected(graph, share[body]), groups);
+    if (groups != share[body]) {
+      refuse(part, pieces,
+             "METIS cannot cut its " + elementCount + " into that many connected pieces; give another " +
+                 "number of pieces.");
+    }
+    const std::size_t before = pieceElements.size();
+    pieceElements.resize(before + static_cast<std::size_t>(groups));
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      pieceElements[before + static_cast<std::size_t>(group[i])].push_back(lists[body][i]);
+    }
+  }
+  std::sort(pieceElements.begin(), pieceElements.end());
+  std::vector<Part> result;
+  for (auto& list : pieceElements) {
+    result.push_back(makePart(mesh, part.name + "." + std::to_string(result.size() + 1),
+                              part.body.empty() ? part.name : part.body, std::move(list)));
+  }
+  return result;
+}
+
+}  // namespace harmos::mesh

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/mesh/Part.hpp>
+
+namespace harmos::mesh {
+
+/// Cuts a part into `pieces` parts of about the same number of elements with few faces between them, by METIS.
+///
+/// The pieces are named "<name>.1", "<name>.2", ... in the order of their first elements, are each connected through
+/// element faces, and are the same in every run. A part of several unconnected bodies is cut body by body. One piece
+/// gives the part itself. Throws base::Error(input) if there are more pieces than elements, fewer pieces than bodies,
+/// or if METIS finds no such pieces.
+std::vector<Part> cutPart(const Mesh& mesh, const Part& part, int pieces);
+
+}  // namespace harmos::mesh
