@@ -10,10 +10,24 @@ void ErrorList::add(const std::string& where, const std::string& what, const std
   ++count_;
 }
 
+bool ErrorList::collect(const std::string& where, const std::function<void()>& action) {
+  try {
+    action();
+    return true;
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::input) throw;
+    add(where, error.what());
+    return false;
+  }
+}
+
+std::string ErrorList::message() const {
+  if (count_ == 0) return "";
+  return text_ + std::to_string(count_) + (count_ == 1 ? " error" : " errors") + "; nothing was run.";
+}
+
 void ErrorList::throwIfAny() const {
-  if (count_ == 0) return;
-  throw Error(text_ + std::to_string(count_) + (count_ == 1 ? " error" : " errors") + "; nothing was run.",
-              ExitCode::input);
+  if (count_ > 0) throw Error(message(), ExitCode::input);
 }
 
 }  // namespace harmos::base

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace harmos::base {
@@ -9,8 +10,12 @@ class ErrorList {
  public:
   /// `where` as from Parameters::where(); `what` and `repair` are complete sentences, the second may be empty.
   void add(const std::string& where, const std::string& what, const std::string& repair = "");
+  /// Runs `action`; a base::Error (input) that it throws becomes an error at `where`. Returns whether there was none.
+  bool collect(const std::string& where, const std::function<void()>& action);
   int count() const { return count_; }
-  /// Throws base::Error(ExitCode::input) with all errors, ended by "N errors; nothing was run.", if there are any.
+  /// All errors, ended by "N errors; nothing was run."; empty when there are none.
+  std::string message() const;
+  /// Throws base::Error(ExitCode::input) with message(), if there are any.
   void throwIfAny() const;
 
  private:

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+
+#include <harmos/base/ErrorList.hpp>
+#include <harmos/elasticity/Kinematics.hpp>
+#include <harmos/elasticity/Material.hpp>
+#include <harmos/mesh/Mesh.hpp>
+#include <harmos/mesh/Part.hpp>
+#include <harmos/setup/Scene.hpp>
+#include <harmos/substructure/Substructure.hpp>
+
+namespace harmos::setup {
+
+/// How elements turn displacements into stress, the same for the whole scene.
+struct Model {
+  elasticity::Kinematics kinematics = elasticity::Kinematics::threeDimensional;
+  double thickness = 1.0;  // [length], 2-D only
+};
+
+/// Throws base::Error (input) when the kinematics asked for do not fit the mesh.
+Model makeModel(const base::Parameters& model, const mesh::Mesh& mesh);
+
+/// The elastic bodies of the assembly: the parts of the scene, or the pieces they were cut into. The lists are
+/// parallel.
+struct Bodies {
+  std::vector<mesh::Part> parts;
+  std::vector<const base::Parameters*> inputs;  // of the scene's parts; the scene must outlive them
+  std::vector<std::shared_ptr<const elasticity::Material>> materials;
+};
+
+/// Reports blocks that do not exist, belong to two parts or to none to `errors`.
+Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, base::ErrorList& errors);
+
+/// Which rank owns which body: the largest first, each to the rank that has least to do.
+std::vector<int> distribute(const Bodies& bodies, int ranks);
+
+/// Stiffness (for owned bodies) and loads of the bodies. Reports elements that cannot be used to `errors`, on the ranks
+/// that own them.
+std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh::Mesh& mesh, const Model& model,
+                                                 const Bodies& bodies, const std::vector<int>& owner, int rank,
+                                                 base::ErrorList& errors);
+
+}  // namespace harmos::setup

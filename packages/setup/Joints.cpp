@@ -1,0 +1,80 @@
+#include <harmos/setup/Joints.hpp>
+
+#include <algorithm>
+#include <optional>
+
+namespace harmos::setup {
+
+namespace {
+
+using base::Parameters;
+
+std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mesh::InterfaceFinder& finder) {
+  const std::string& name = list.name();
+  if (list.has("Side Set")) return finder.onSideSet(name, list.text("Side Set"));
+  if (list.has("Node Set")) {
+    return finder.onNodeSet(name, list.text("Node Set"), list.has("Part") ? list.text("Part") : "");
+  }
+  if (list.has("Part 1")) return finder.betweenBodies(name, list.text("Part 1"), list.text("Part 2"));
+  std::optional<mesh::Point> projection;
+  if (list.has("Projection Direction")) {
+    const auto& given = list.numbers("Projection Direction");
+    std::copy(given.begin(), given.end(), projection.emplace(mesh::Point{}).begin());
+  }
+  return finder.betweenSideSets(name, list.text("Side 1"), list.text("Side 2"), projection);
+}
+
+}  // namespace
+
+std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const std::vector<mesh::Part>& parts,
+                                                 const mesh::InterfaceFinder& finder, base::ErrorList& errors) {
+  std::vector<mesh::InterfaceSurface> surfaces;
+  const auto append = [&](std::vector<mesh::InterfaceSurface> found) {
+    std::move(found.begin(), found.end(), std::back_inserter(surfaces));
+  };
+  const int before = errors.count();
+  for (const char* kind : {"Interfaces", "Boundaries"}) {
+    for (const Parameters& list : scene.input.lists(kind)) {
+      errors.collect(list.where(), [&] { append(surfacesOf(list, finder)); });
+    }
+  }
+  if (errors.count() > before) return surfaces;  // else parts would be reported that a faulty interface should touch
+  for (const Parameters& part : scene.input.lists("Parts")) {
+    const bool isTouched = std::any_of(surfaces.begin(), surfaces.end(), [&](const mesh::InterfaceSurface& surface) {
+      const auto is = [&](int piece) {
+        return piece >= 0 && parts[static_cast<std::size_t>(piece)].body == part.name();
+      };
+      return is(surface.part1) || is(surface.part2);
+    });
+    if (!isTouched) {
+      errors.add(part.where(), "no interface and no boundary touches this part, so that nothing holds it.",
+                 "Add an interface to another part, or a boundary.");
+    }
+  }
+  append(finder.cuts());
+  return surfaces;
+}
+
+std::vector<interface::Interface> makeInterfaces(const Scene& scene,
+                                                 const std::vector<mesh::InterfaceSurface>& surfaces,
+                                                 bool isConsistent) {
+  std::vector<interface::Interface> interfaces;
+  for (const mesh::InterfaceSurface& surface : surfaces) {
+    interface::Interface& interface = interfaces.emplace_back();
+    const auto law = scene.laws.find(surface.name);
+    interface.law = law == scene.laws.end() ? scene.cutLaw : law->second;
+    interface.name = surface.name;
+    interface.body1 = surface.part1;
+    interface.body2 = surface.part2;
+    interface.node1 = surface.node1;
+    interface.node2 = surface.node2;
+    interface.frame = surface.frame;
+    interface.area = surface.area;
+    interface.gap = surface.gap;
+    if (!isConsistent) continue;
+    for (const mesh::MassEntry& entry : surface.mass) interface.mass.push_back({entry.row, entry.column, entry.value});
+  }
+  return interfaces;
+}
+
+}  // namespace harmos::setup

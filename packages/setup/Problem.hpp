@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+
+#include <harmos/base/Timers.hpp>
+#include <harmos/interface/Assembly.hpp>
+#include <harmos/latin/Response.hpp>
+#include <harmos/mesh/InterfaceSurface.hpp>
+#include <harmos/setup/Bodies.hpp>
+#include <harmos/setup/Scene.hpp>
+
+namespace harmos::setup {
+
+/// A scene made of numbers: mesh, bodies and interfaces, ready to be solved.
+struct Problem {
+  mesh::Mesh mesh;
+  Model model;
+  Bodies bodies;
+  std::vector<mesh::InterfaceSurface> surfaces;  // one per interface of the assembly
+  interface::Assembly assembly;
+  std::vector<std::shared_ptr<const latin::Response>> responses;
+};
+
+/// Reads the mesh and builds everything. Collective over comm; throws on all ranks or on none.
+///
+/// The scene must outlive the problem. Time is charged to the phases "read" and "assemble". Throws one base::Error
+/// (input) that lists all errors found in the names of blocks and sets, in the fit of interfaces, and in elements.
+Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Timers& timers);
+
+}  // namespace harmos::setup

@@ -1,0 +1,188 @@
+#include <harmos/setup/Scene.hpp>
+
+#include <algorithm>
+
+#include <harmos/base/Check.hpp>
+#include <harmos/base/Error.hpp>
+#include <harmos/base/ErrorList.hpp>
+#include <harmos/base/Names.hpp>
+#include <harmos/setup/History.hpp>
+#include <harmos/setup/SceneSpec.hpp>
+
+namespace harmos::setup {
+
+namespace {
+
+using base::Parameters;
+using Names = std::vector<std::string>;
+
+Names namesOf(const std::vector<Parameters>& lists) {
+  Names names;
+  for (const Parameters& list : lists) names.push_back(list.name());
+  return names;
+}
+
+std::vector<double> stepTimes(const std::vector<Parameters>& steps) {
+  std::vector<double> times;
+  double begin = 0.0;
+  for (const Parameters& step : steps) {
+    const int increments = step.integer("Increments");
+    const double duration = step.number("Duration");
+    for (int i = 1; i <= increments; ++i) times.push_back(begin + duration * i / increments);
+    begin += duration;
+  }
+  return times;
+}
+
+class SceneChecker {
+ public:
+  SceneChecker(const laws::LawRegistry& laws, Scene& scene, base::ErrorList& errors)
+      : laws_(laws), scene_(scene), input_(scene.input), errors_(errors) {}
+
+  void check() {
+    attachHistories();
+    for (const Parameters& part : input_.lists("Parts")) {
+      knownName(part, "Material", namesOf(input_.lists("Materials")), "Materials");
+      if (part.integer("Pieces") > 1 && !scene_.cutLaw) {
+        scene_.cutLaw = laws_.create(Parameters("cut").set("Type", std::string("Perfect")));
+      }
+    }
+    for (const Parameters& interface : input_.lists("Interfaces")) checkInterface(interface);
+    for (const Parameters& boundary : input_.lists("Boundaries")) checkBoundary(boundary);
+    for (const Parameters& response : input_.lists("Responses")) checkResponse(response);
+  }
+
+ private:
+  void attachHistories() {
+    auto histories = std::make_shared<base::Histories>();
+    for (const Parameters& history : input_.lists("Histories")) {
+      histories->add(history.name(), historyFactors(history, scene_.times, errors_));
+    }
+    scene_.input.attach(histories);
+  }
+
+  /// The text `entry`, if given, is one of `known`, the names of the scene's list `list`.
+  bool knownName(const Parameters& parameters, const std::string& entry, const Names& known, const std::string& list) {
+    if (!parameters.has(entry)) return true;
+    return knownName(parameters.where(entry), parameters.text(entry), known, list);
+  }
+
+  bool knownName(const std::string& where, const std::string& name, const Names& known, const std::string& list) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return true;
+    errors_.add(where, "\"" + name + "\" is not in the list " + list + ".",
+                base::suggestName(name, known, list + " has"));
+    return false;
+  }
+
+  void checkInterface(const Parameters& interface) {
+    const bool hasSides = interface.has("Side 1") && interface.has("Side 2");
+    const bool hasParts = interface.has("Part 1") && interface.has("Part 2");
+    const bool hasAnySide = interface.has("Side 1") || interface.has("Side 2");
+    const bool hasAnyPart = interface.has("Part 1") || interface.has("Part 2");
+    if ((hasAnySide && hasAnyPart) || !(hasSides || hasParts)) {
+      errors_.add(interface.where(), "it is not clear what is joined.",
+                  "Give either \"Side 1\" and \"Side 2\" (names of side sets), or \"Part 1\" and \"Part 2\".");
+    }
+    for (const char* entry : {"Part 1", "Part 2"}) knownName(interface, entry, namesOf(input_.lists("Parts")), "Parts");
+    for (const std::string kind : {"Side", "Part"}) {
+      const std::string first = kind + " 1", second = kind + " 2";
+      if (interface.has(first) && interface.has(second) && interface.text(first) == interface.text(second)) {
+        errors_.add(interface.where(second), "both sides are \"" + interface.text(second) + "\".",
+                    "An interface joins two different parts; a condition on one part belongs in Boundaries.");
+      }
+    }
+    if (interface.has("Projection Direction")) {
+      const auto& direction = interface.numbers("Projection Direction");
+      checkDirection(interface, "Projection Direction", direction);
+      if (hasParts) {
+        errors_.add(interface.where("Projection Direction"), "a projection needs side sets.",
+                    "Give \"Side 1\" and \"Side 2\" instead of parts, or remove the direction.");
+      }
+    }
+    makeLaw(interface, 2);
+  }
+
+  void checkBoundary(const Parameters& boundary) {
+    if (boundary.has("Side Set") == boundary.has("Node Set")) {
+      errors_.add(boundary.where(), "it is not clear where the boundary is.",
+                  "Give either \"Side Set\" or \"Node Set\".");
+    }
+    if (boundary.has("Part") && boundary.has("Side Set")) {
+      errors_.add(boundary.where("Part"), "a side set belongs to its part already.", "Remove \"Part\".");
+    }
+    knownName(boundary, "Part", namesOf(input_.lists("Parts")), "Parts");
+    const auto& interfaces = input_.lists("Interfaces");
+    const auto same = std::find_if(interfaces.begin(), interfaces.end(),
+                                   [&](const Parameters& other) { return other.name() == boundary.name(); });
+    if (same != interfaces.end()) {
+      errors_.add(boundary.where(), "an interface has the same name, at " + same->location() + ".",
+                  "Rename one of them: results are addressed by these names.");
+    }
+    makeLaw(boundary, 1);
+  }
+
+  void makeLaw(const Parameters& interface, int sides) {
+    const Parameters& parameters = interface.list("Law");
+    std::shared_ptr<const laws::InterfaceLaw> law;
+    errors_.collect(parameters.where(), [&] { law = laws_.create(parameters); });
+    if (!law) return;
+    if (sides == 1 && law->sides() == laws::Sides::two) {
+      errors_.add(parameters.where("Type"), "\"" + parameters.type() + "\" joins two parts, but a boundary has one.",
+                  "Choose another law, or describe an interface in the list Interfaces.");
+    } else if (sides == 2 && law->sides() == laws::Sides::one) {
+      errors_.add(parameters.where("Type"),
+                  "\"" + parameters.type() + "\" acts on one part, but an interface joins two.",
+                  "Choose another law, or describe a boundary in the list Boundaries.");
+    }
+    scene_.laws[interface.name()] = law;
+  }
+
+  void checkDirection(const Parameters& parameters, const std::string& entry, const std::vector<double>& direction) {
+    const bool isZero = std::all_of(direction.begin(), direction.end(), [](double d) { return d == 0.0; });
+    if (direction.size() < 2 || direction.size() > 3 || isZero) {
+      errors_.add(parameters.where(entry), "is not a direction.",
+                  "Give 2 numbers in the plane or 3 in space, not all 0; the length does not matter.");
+    }
+  }
+
+  void checkResponse(const Parameters& response) {
+    Names joints = namesOf(input_.lists("Interfaces"));
+    const Names boundaries = namesOf(input_.lists("Boundaries"));
+    joints.insert(joints.end(), boundaries.begin(), boundaries.end());
+    knownName(response, "Interface", joints, "Interfaces or Boundaries");
+    knownName(response, "Part", namesOf(input_.lists("Parts")), "Parts");
+    if (response.has("Interfaces")) {
+      for (const std::string& name : response.texts("Interfaces")) {
+        knownName(response.where("Interfaces"), name, joints, "Interfaces or Boundaries");
+      }
+    }
+    for (const char* entry : {"Direction", "Axis"}) {
+      if (response.has(entry)) checkDirection(response, entry, response.numbers(entry));
+    }
+  }
+
+  const laws::LawRegistry& laws_;
+  Scene& scene_;
+  const Parameters& input_;
+  base::ErrorList& errors_;
+};
+
+}  // namespace
+
+Scene makeScene(base::InputTree input, const std::string& path, const std::vector<std::string>& overrides,
+                const laws::LawRegistry& laws) {
+  Scene scene;
+  scene.path = path;
+  scene.input = base::check(std::move(input), sceneSpec(laws), overrides);
+  scene.times = stepTimes(scene.input.lists("Steps"));
+  base::ErrorList errors;
+  SceneChecker(laws, scene, errors).check();
+  errors.throwIfAny();
+  return scene;
+}
+
+Scene readScene(const std::string& path, const std::vector<std::string>& overrides, const laws::LawRegistry& laws) {
+  return makeScene(base::InputTree::fromFile(path), path, overrides, laws);
+}
+
+}  // namespace harmos::setup
