@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <harmos/elasticity/Isotropic.hpp>
+#include <harmos/elasticity/Stiffness.hpp>
+#include <harmos/elasticity/Stress.hpp>
+
+#include "Patches.hpp"
+
+namespace harmos::elasticity {
+namespace {
+
+constexpr double gradient[3][3] = {{1e-3, 4e-4, -7e-4}, {-2e-4, 6e-4, 3e-4}, {5e-4, -9e-4, -8e-4}};
+
+class EveryElement : public testing::TestWithParam<Case> {};
+
+/// A linear displacement of a distorted mesh leaves interior nodes without force and gives every element the same
+/// stress.
+void passPatchTest(const Case& given, const Material& material) {
+  const Patch patch = Patch(given, 3).distort(0.04);
+  const base::Matrix u = linearField(patch.mesh, gradient, 0.2);
+  const auto stiffness = assembleStiffness(patch.mesh, patch.part, material, given.formulation, given.kinematics, 0.7);
+  const base::Matrix force = product(*stiffness, u);
+  int interiorNodes = 0;
+  const double scale = largest(force);
+  for (int node = 0; node < static_cast<int>(patch.mesh.nodes.size()); ++node) {
+    if (!patch.interior[static_cast<std::size_t>(node)]) continue;
+    ++interiorNodes;
+    for (int i = 0; i < given.dimension(); ++i)
+      EXPECT_LT(std::abs(force(given.dimension() * node + i, 0)), 1e-10 * scale);
+  }
+  EXPECT_GT(interiorNodes, 0);
+
+  const ElasticityMatrix c = reduced(material.elasticity(), given.kinematics);
+  double strain[6] = {gradient[0][0], gradient[1][1], 0.0, gradient[0][1] + gradient[1][0], 0.0, 0.0};
+  if (given.dimension() == 3) {
+    strain[2] = gradient[2][2];
+    strain[4] = gradient[1][2] + gradient[2][1];
+    strain[5] = gradient[2][0] + gradient[0][2];
+  }
+  const base::Matrix stress = elementStress(patch.mesh, patch.part, material, given.kinematics, u);
+  for (int e = 0; e < static_cast<int>(patch.part.elements.size()); ++e) {
+    for (int m = 0; m < 6; ++m) {
+      double expected = 0.0;
+      for (std::size_t n = 0; n < 6; ++n) expected += c[static_cast<std::size_t>(m)][n] * strain[n];
+      EXPECT_NEAR(stress(6 * e + m, 0), expected, 1e-10 * largest(stress));
+    }
+  }
+}
+
+TEST_P(EveryElement, passesThePatchTest) {
+  passPatchTest(GetParam(), Isotropic(70.0, 0.3));
+}
+
+TEST_P(EveryElement, passesThePatchTestWithSkewOrthotropy) {
+  passPatchTest(GetParam(), skewOrthotropic(GetParam().dimension()));
+}
+
+TEST_P(EveryElement, hasNoForceInRigidMotion) {
+  const Case given = GetParam();
+  const Patch patch = Patch(given, 2).distort(0.05);
+  const auto stiffness = assembleStiffness(patch.mesh, patch.part, skewOrthotropic(given.dimension()),
+                                           given.formulation, given.kinematics);
+  const double turn3[3][3] = {{0.0, -0.3, 0.2}, {0.3, 0.0, -0.5}, {-0.2, 0.5, 0.0}};
+  const base::Matrix force = product(*stiffness, linearField(patch.mesh, turn3, 1.0));
+  const base::Matrix strained =
+      product(*stiffness, linearField(patch.mesh, {{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}));
+  EXPECT_LT(largest(force), 1e-12 * largest(strained));
+}
+
+TEST_P(EveryElement, bodyForceIsForceTimesVolume) {
+  const Case given = GetParam();
+  const int dimension = given.dimension();
+  const Patch patch = Patch(given, 2).distort(0.05);
+  const mesh::Point density{3.0, -2.0, dimension == 3 ? 5.0 : 0.0};
+  const std::vector<double> forces = bodyForce(patch.mesh, patch.part, density, given.kinematics, 0.5);
+  // Volume from the divergence theorem: with unit pressure stress the forces do the work of the volume change.
+  const auto stiffness = assembleStiffness(patch.mesh, patch.part, Isotropic(1.0, 0.0), Formulation::fullIntegration,
+                                           given.kinematics, 0.5);
+  const base::Matrix u = linearField(patch.mesh, {{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}});
+  const base::Matrix f = product(*stiffness, u);
+  double volume = 0.0;
+  for (int i = 0; i < u.numRows(); ++i) volume += u(i, 0) * f(i, 0);
+  for (int i = 0; i < dimension; ++i) {
+    double sum = 0.0;
+    for (std::size_t k = static_cast<std::size_t>(i); k < forces.size(); k += static_cast<std::size_t>(dimension))
+      sum += forces[k];
+    EXPECT_NEAR(sum, density[static_cast<std::size_t>(i)] * volume, 1e-12);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Elements, EveryElement, testing::ValuesIn(everyCase()),
+                         [](const auto& given) { return given.param.name(); });
+
+}  // namespace
+}  // namespace harmos::elasticity

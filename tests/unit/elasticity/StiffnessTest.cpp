@@ -1,0 +1,156 @@
+#include <harmos/elasticity/Stiffness.hpp>
+
+#include <gtest/gtest.h>
+
+#include <Teuchos_LAPACK.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/elasticity/Isotropic.hpp>
+
+#include "Patches.hpp"
+
+namespace harmos::elasticity {
+namespace {
+
+class EveryElementStiffness : public testing::TestWithParam<Case> {};
+
+TEST_P(EveryElementStiffness, isSymmetricToTheLastBit) {
+  const Case given = GetParam();
+  const Patch patch = Patch(given, 2).distort(0.05);
+  const auto stiffness = assembleStiffness(patch.mesh, patch.part, skewOrthotropic(given.dimension()),
+                                           given.formulation, given.kinematics);
+  const substructure::CrsView view = substructure::viewOf(*stiffness, "patch");
+  base::Matrix dense(view.rows, view.rows);
+  for (int row = 0; row < view.rows; ++row) {
+    for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k)
+      dense(row, view.columns[k]) = view.values[k];
+  }
+  for (int row = 0; row < view.rows; ++row) {
+    for (int column = 0; column < row; ++column) ASSERT_EQ(dense(row, column), dense(column, row));
+  }
+}
+
+TEST_P(EveryElementStiffness, onlyRigidMotionsHaveNoEnergy) {
+  const Case given = GetParam();
+  const Patch patch = Patch(given, 1).distort(0.05);
+  const auto stiffness =
+      assembleStiffness(patch.mesh, patch.part, Isotropic(1.0, 0.3), given.formulation, given.kinematics);
+  const substructure::CrsView view = substructure::viewOf(*stiffness, "patch");
+  base::Matrix dense(view.rows, view.rows);
+  for (int row = 0; row < view.rows; ++row) {
+    for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k)
+      dense(row, view.columns[k]) = view.values[k];
+  }
+  std::vector<double> eigenvalues(static_cast<std::size_t>(view.rows)), work(static_cast<std::size_t>(8 * view.rows));
+  int info = 0;
+  Teuchos::LAPACK<int, double>().SYEV('N', 'U', view.rows, dense.values(), dense.stride(), eigenvalues.data(),
+                                      work.data(), static_cast<int>(work.size()), &info);
+  ASSERT_EQ(info, 0);
+  const std::size_t rigid = given.dimension() == 3 ? 6 : 3;
+  for (std::size_t i = 0; i < eigenvalues.size(); ++i) {
+    if (i < rigid) {
+      EXPECT_NEAR(eigenvalues[i], 0.0, 1e-13);
+    } else {
+      EXPECT_GT(eigenvalues[i], 1e-3);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Elements, EveryElementStiffness, testing::ValuesIn(everyCase()),
+                         [](const auto& given) { return given.param.name(); });
+
+constexpr Case hexahedra{mesh::ElementType::hex8, Kinematics::threeDimensional, Formulation::fullIntegration};
+constexpr Case quadrilaterals{mesh::ElementType::quad4, Kinematics::planeStrain, Formulation::fullIntegration};
+
+TEST(Stiffness, growsWithTheThickness) {
+  const Patch patch(quadrilaterals, 2);
+  const auto thin =
+      assembleStiffness(patch.mesh, patch.part, Isotropic(1.0, 0.3), Formulation::bBar, Kinematics::planeStrain, 1.0);
+  const auto thick =
+      assembleStiffness(patch.mesh, patch.part, Isotropic(1.0, 0.3), Formulation::bBar, Kinematics::planeStrain, 4.0);
+  EXPECT_DOUBLE_EQ(4.0 * substructure::viewOf(*thin, "").values[0], substructure::viewOf(*thick, "").values[0]);
+}
+
+TEST(Stiffness, bBarChangesNothingForConstantVolumeChange) {
+  // One parallelepiped, bending apart, has constant gradients only for linear displacements: compare energies there.
+  const Patch patch = Patch(hexahedra, 2).distort(0.05);
+  const Isotropic material(1.0, 0.4);
+  const auto full =
+      assembleStiffness(patch.mesh, patch.part, material, Formulation::fullIntegration, Kinematics::threeDimensional);
+  const auto bBar =
+      assembleStiffness(patch.mesh, patch.part, material, Formulation::bBar, Kinematics::threeDimensional);
+  const base::Matrix u = linearField(patch.mesh, {{1.0, 0.2, 0.0}, {0.0, 0.5, 0.0}, {0.3, 0.0, -0.4}});
+  base::Matrix difference = product(*full, u);
+  difference -= product(*bBar, u);
+  EXPECT_LT(largest(difference), 1e-13);
+  EXPECT_NE(substructure::viewOf(*full, "").values[0], substructure::viewOf(*bBar, "").values[0]);
+}
+
+TEST(Stiffness, takesPartsOfSeveralBlocks) {
+  mesh::Box left, right;
+  left.name = "left";
+  right.name = "right";
+  left.upper = {1.0, 1.0, 1.0};
+  right.lower = {2.0, 0.0, 0.0};
+  right.upper = {3.0, 1.0, 1.0};
+  left.cells = right.cells = {2, 2, 2};
+  right.element = mesh::ElementType::tet4;
+  const mesh::Mesh mesh = mesh::boxes({left, right});
+  const mesh::Part both = mesh::makePart(mesh, "both", {"left", "right"}),
+                   second = mesh::makePart(mesh, "second", {"right"});
+  const auto stiffness = [&](const mesh::Part& part) {
+    return assembleStiffness(mesh, part, Isotropic(1.0, 0.3), Formulation::fullIntegration,
+                             Kinematics::threeDimensional);
+  };
+  const auto whole = stiffness(both), part = stiffness(second);
+  const substructure::CrsView wholeView = substructure::viewOf(*whole, ""), partView = substructure::viewOf(*part, "");
+  const std::size_t offset = wholeView.rowPointers[wholeView.rows] - partView.rowPointers[partView.rows];
+  for (std::size_t k = 0; k < partView.rowPointers[partView.rows]; ++k) {
+    ASSERT_EQ(wholeView.values[offset + k], partView.values[k]);
+  }
+}
+
+std::string messageOf(const Patch& patch, Formulation formulation, Kinematics kinematics) {
+  try {
+    assembleStiffness(patch.mesh, patch.part, Isotropic(1.0, 0.3), formulation, kinematics);
+  } catch (const base::Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Stiffness, namesElementsThatAreInsideOutOrFlat) {
+  Patch patch(hexahedra, 2);
+  std::vector<int>& nodes = patch.mesh.blocks[0].connectivity;
+  std::swap(nodes[8 * 5], nodes[8 * 5 + 4]);
+  std::string message = messageOf(patch, Formulation::fullIntegration, Kinematics::threeDimensional);
+  EXPECT_NE(message.find("part \"patch\", element 6 of block \"box\""), std::string::npos) << message;
+
+  Patch flat(quadrilaterals, 2);
+  for (mesh::Point& x : flat.mesh.nodes) x[1] = 0.0;
+  message = messageOf(flat, Formulation::fullIntegration, Kinematics::planeStress);
+  EXPECT_NE(message.find("element 1 of block \"box\""), std::string::npos) << message;
+}
+
+TEST(Stiffness, refusesBBarWhereItDoesNotHelp) {
+  const Patch tetrahedra({mesh::ElementType::tet4, Kinematics::threeDimensional, Formulation::bBar}, 1);
+  EXPECT_NE(messageOf(tetrahedra, Formulation::bBar, Kinematics::threeDimensional).find("TET4"), std::string::npos);
+  EXPECT_NE(messageOf(Patch(quadrilaterals, 1), Formulation::bBar, Kinematics::planeStress).find("plane stress"),
+            std::string::npos);
+}
+
+TEST(Stiffness, refusesKinematicsOfOtherDimension) {
+  EXPECT_NE(messageOf(Patch(hexahedra, 1), Formulation::fullIntegration, Kinematics::planeStrain).find("Plane Strain"),
+            std::string::npos);
+  EXPECT_NE(
+      messageOf(Patch(quadrilaterals, 1), Formulation::fullIntegration, Kinematics::threeDimensional).find("QUAD4"),
+      std::string::npos);
+}
+
+TEST(BodyForce, hasNoThirdComponentInThePlane) {
+  const Patch patch(quadrilaterals, 1);
+  EXPECT_THROW(bodyForce(patch.mesh, patch.part, {0.0, 0.0, 1.0}, Kinematics::planeStrain), base::Error);
+}
+
+}  // namespace
+}  // namespace harmos::elasticity
