@@ -13,6 +13,7 @@
 #include <exodusII.h>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/mesh/CompleteSize.hpp>
 #include <harmos/mesh/Elements.hpp>
 
 namespace harmos::mesh {
@@ -95,6 +96,8 @@ class Reader {
     if (begins.substr(0, 3) != "CDF" && begins != "\x89HDF\r\n\x1a\n") {
       refuse("it is no Exodus file (it is neither in netCDF nor in HDF5 format).");
     }
+    const std::uint64_t size = fs::file_size(path_, error);
+    if (size < completeSize(file)) refuse("it is truncated: its end is missing.");
   }
 
   /// Number, counted from 0, of a node, element or side counted from 1 in the file.
