@@ -21,17 +21,20 @@ constexpr double plateLength = 80.0;   // from the middle of the overlap to the 
 constexpr double boltDistance = 20.0;  // from the middle of the overlap
 constexpr double roundOff = 1e-9;
 
-/// A closed line around the origin, one turn for t from 0 to 1, starting on the x axis.
+/// A closed line around the origin, one turn for t from 0 to 1, starting at the corner x = -y > 0.
 using Ring = std::function<Point(double t)>;
 
 Ring circle(double radius) {
-  return [radius](double t) { return Point{radius * std::cos(2.0 * pi * t), radius * std::sin(2.0 * pi * t), 0.0}; };
+  return [radius](double t) {
+    const double angle = 2.0 * pi * (t - 0.125);
+    return Point{radius * std::cos(angle), radius * std::sin(angle), 0.0};
+  };
 }
 
 Ring square(double halfSide) {
   return [halfSide](double t) {
-    const double side = std::floor(4.0 * t + 0.5);
-    const double along = 2.0 * halfSide * (4.0 * t - side);
+    const double side = std::floor(4.0 * t);
+    const double along = halfSide * (2.0 * (4.0 * t - side) - 1.0);
     switch (static_cast<int>(side) % 4) {
       case 0:
         return Point{halfSide, along, 0.0};

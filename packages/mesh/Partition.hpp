@@ -10,8 +10,7 @@ namespace harmos::mesh {
 ///
 /// The pieces are named "<name>.1", "<name>.2", ... in the order of their first elements, are each connected through
 /// element faces, and are the same in every run. A part of several unconnected bodies is cut body by body. One piece
-/// gives the part itself. Throws base::Error(input) if there are more pieces than elements, fewer pieces than bodies,
-/// or if METIS finds no such pieces.
+/// gives the part itself. Throws base::Error(input) if there are more pieces than elements or fewer than bodies.
 std::vector<Part> cutPart(const Mesh& mesh, const Part& part, int pieces);
 
 }  // namespace harmos::mesh

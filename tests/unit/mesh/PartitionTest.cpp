@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/mesh/BoltedJoint.hpp>
+#include <harmos/mesh/Boxes.hpp>
+#include <harmos/mesh/FaceMatching.hpp>
+#include <harmos/mesh/Partition.hpp>
+#include <harmos/mesh/Skin.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+bool isConnected(const Mesh& mesh, const Part& part) {
+  const Elements elements(mesh);
+  std::vector<int> reached = {part.elements.front()};
+  std::vector<int> left(part.elements.begin() + 1, part.elements.end());
+  const auto sides = [&](int element) {
+    std::vector<std::vector<int>> keys;
+    for (int side = 0; side < sidesPerElement(elements.type(element)); ++side) {
+      keys.push_back(elements.side(element, side));
+      std::sort(keys.back().begin(), keys.back().end());
+    }
+    return keys;
+  };
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const auto own = sides(reached[i]);
+    const auto touches = [&](int other) {
+      const auto theirs = sides(other);
+      return std::any_of(own.begin(), own.end(),
+                         [&](const auto& key) { return std::find(theirs.begin(), theirs.end(), key) != theirs.end(); });
+    };
+    const auto rest = std::stable_partition(left.begin(), left.end(), [&](int other) { return !touches(other); });
+    reached.insert(reached.end(), rest, left.end());
+    left.erase(rest, left.end());
+  }
+  return left.empty();
+}
+
+void expectPartition(const Mesh& mesh, const Part& part, const std::vector<Part>& pieces, std::size_t count) {
+  ASSERT_EQ(pieces.size(), count);
+  std::vector<int> all;
+  for (std::size_t p = 0; p < count; ++p) {
+    EXPECT_EQ(pieces[p].name, part.name + "." + std::to_string(p + 1));
+    EXPECT_EQ(pieces[p].body, part.name);
+    ASSERT_FALSE(pieces[p].elements.empty());
+    EXPECT_TRUE(isConnected(mesh, pieces[p])) << count << " pieces, piece " << p + 1;
+    all.insert(all.end(), pieces[p].elements.begin(), pieces[p].elements.end());
+  }
+  std::sort(all.begin(), all.end());
+  EXPECT_EQ(all, part.elements);
+}
+
+TEST(Partition, CutsAPlateIntoEvenConnectedPieces) {
+  const Mesh mesh = boltedJoint(0.5);
+  const Part plate = makePart(mesh, "plate", {"centre"});
+  for (const int count : {2, 3, 8}) {
+    const auto pieces = cutPart(mesh, plate, count);
+    expectPartition(mesh, plate, pieces, static_cast<std::size_t>(count));
+    for (const Part& piece : pieces) {
+      EXPECT_GT(piece.elements.size() * static_cast<std::size_t>(count), plate.elements.size() * 3 / 4);
+    }
+    const auto again = cutPart(mesh, plate, count);
+    for (std::size_t p = 0; p < pieces.size(); ++p) EXPECT_EQ(pieces[p].elements, again[p].elements);
+  }
+  EXPECT_EQ(cutPart(mesh, plate, 1)[0].name, "plate");
+}
+
+TEST(Partition, CutsEveryElementTypeDownToSingleElements) {
+  for (const ElementType type : {ElementType::hex8, ElementType::tet4, ElementType::wedge6, ElementType::pyramid5,
+                                 ElementType::quad4, ElementType::tri3}) {
+    const Mesh mesh = boxes({{"box", {}, {3.0, 2.0, 1.0}, {3, 2, 1}, type}});
+    const Part part = makePart(mesh, "box", {"box"});
+    const int elements = mesh.blocks[0].elements();
+    for (int count = 2; count <= elements; ++count) {
+      expectPartition(mesh, part, cutPart(mesh, part, count), static_cast<std::size_t>(count));
+    }
+  }
+}
+
+TEST(Partition, CutsUnconnectedBodiesOneByOne) {
+  const Mesh mesh = boxes({{"a", {}, {4.0, 1.0, 1.0}, {8, 1, 1}}, {"b", {5.0, 0.0, 0.0}, {6.0, 1.0, 1.0}, {2, 1, 1}}});
+  const Part both = makePart(mesh, "both", {"b", "a"});
+  expectPartition(mesh, both, cutPart(mesh, both, 2), 2);
+  const auto pieces = cutPart(mesh, both, 5);
+  expectPartition(mesh, both, pieces, 5);
+  EXPECT_EQ(pieces[4].elements, (std::vector<int>{8, 9}));
+  const Mesh three = boxes({{"a", {}, {1.0, 1.0, 1.0}, {1, 1, 1}},
+                            {"b", {5.0, 0.0, 0.0}, {6.0, 1.0, 1.0}, {1, 1, 1}},
+                            {"c", {8.0, 0.0, 0.0}, {9.0, 1.0, 1.0}, {1, 1, 1}}});
+  EXPECT_THROW(cutPart(three, makePart(three, "all", {"a", "b", "c"}), 2), base::Error);
+  EXPECT_THROW(cutPart(three, makePart(three, "all", {"a", "b", "c"}), 4), base::Error);
+  EXPECT_THROW(cutPart(three, makePart(three, "all", {"a", "b", "c"}), 0), base::Error);
+}
+
+TEST(Part, NamesUnknownAndRepeatedBlocks) {
+  const Mesh mesh = boxes({{"plate", {}, {1.0, 1.0, 1.0}, {1, 1, 1}}});
+  try {
+    makePart(mesh, "cover", {"plat"});
+    FAIL();
+  } catch (const base::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("Did you mean \"plate\"?"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(makePart(mesh, "cover", {"plate", "plate"}), base::Error);
+  const Part part = makePart(mesh, "cover", {"plate"});
+  EXPECT_EQ(localNode(part, 7), 7);
+  EXPECT_EQ(localNode(part, 8), -1);
+}
+
+}  // namespace
+}  // namespace harmos::mesh
