@@ -8,6 +8,18 @@ int ResultMesh::elements() const {
   return sum;
 }
 
+ResultMesh resultMesh(const mesh::Mesh& mesh) {
+  ResultMesh result;
+  result.dimension = mesh.dimension;
+  result.nodes = mesh.nodes;
+  for (const auto& block : mesh.blocks)
+    result.blocks.push_back(
+        {block.name, mesh::exodusName(block.type), mesh::nodesPerElement(block.type), block.connectivity});
+  result.sideSets = mesh.sideSets;
+  result.nodeSets = mesh.nodeSets;
+  return result;
+}
+
 ResultStep zeroStep(const ResultMesh& mesh, const ResultVariables& variables, double time) {
   ResultStep step;
   step.time = time;

@@ -27,6 +27,9 @@ struct ResultMesh {
   int elements() const;
 };
 
+/// A mesh as it is, without doubled nodes.
+ResultMesh resultMesh(const mesh::Mesh& mesh);
+
 /// Names of the variables of a result file.
 struct ResultVariables {
   std::vector<std::string> nodal;

@@ -1,0 +1,162 @@
+#!/usr/bin/python3
+"""Draws the deformed parts, transparent, with the contact pressure on their interfaces to a PNG file.
+
+render.py RESULT.e PICTURE.png [--scale 50] [--step -1] [--width 1600] [--interfaces a,b]
+
+RESULT_interfaces.e is looked for beside RESULT.e. Without a display, run it as: xvfb-run -a drivers/render.py ...
+"""
+import argparse
+
+import vtk
+
+PALETTE = [(0.62, 0.68, 0.75), (0.75, 0.69, 0.60), (0.62, 0.72, 0.62), (0.74, 0.62, 0.62), (0.66, 0.62, 0.74)]
+
+
+def read(path, step):
+    reader = vtk.vtkExodusIIReader()
+    reader.SetFileName(path)
+    reader.UpdateInformation()
+    reader.SetAllArrayStatus(reader.NODAL, 1)
+    for i in range(reader.GetNumberOfElementBlockArrays()):
+        reader.SetElementBlockArrayStatus(reader.GetElementBlockArrayName(i), 1)
+    reader.SetApplyDisplacements(0)
+    reader.SetTimeStep(step % reader.GetNumberOfTimeSteps())
+    reader.Update()
+    blocks = reader.GetOutput().GetBlock(0)
+    result = {}
+    for i in range(blocks.GetNumberOfBlocks()):
+        if blocks.GetBlock(i):
+            result[blocks.GetMetaData(i).Get(vtk.vtkCompositeDataSet.NAME())] = blocks.GetBlock(i)
+    return result
+
+
+def deformed(grid, scale):
+    grid.GetPointData().SetActiveVectors("disp_")
+    warp = vtk.vtkWarpVector()
+    warp.SetInputData(grid)
+    warp.SetScaleFactor(scale)
+    surface = vtk.vtkGeometryFilter()
+    surface.SetInputConnection(warp.GetOutputPort())
+    surface.Update()
+    return surface.GetOutput()
+
+
+def actor(mapper):
+    result = vtk.vtkActor()
+    result.SetMapper(mapper)
+    return result
+
+
+def add_part(renderer, surface, colour):
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    mapper.ScalarVisibilityOff()
+    body = actor(mapper)
+    body.GetProperty().SetColor(colour)
+    body.GetProperty().SetOpacity(0.22)
+    renderer.AddActor(body)
+    edges = vtk.vtkFeatureEdges()
+    edges.SetInputData(surface)
+    edges.ManifoldEdgesOff()
+    edges.NonManifoldEdgesOff()
+    edges.SetFeatureAngle(40)
+    edges.ColoringOff()
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(edges.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    outline = actor(mapper)
+    outline.GetProperty().SetColor(0.25, 0.28, 0.32)
+    outline.GetProperty().SetLineWidth(2)
+    renderer.AddActor(outline)
+
+
+def colours(largest):
+    table = vtk.vtkColorTransferFunction()
+    for fraction, rgb in ((0, (0.93, 0.95, 0.97)), (0.15, (0.99, 0.87, 0.55)), (0.45, (0.96, 0.52, 0.24)),
+                          (0.75, (0.80, 0.16, 0.22)), (1, (0.35, 0.02, 0.20))):
+        table.AddRGBPoint(fraction * largest, *rgb)
+    return table
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("result")
+    parser.add_argument("picture")
+    parser.add_argument("--scale", type=float, default=50.0)
+    parser.add_argument("--step", type=int, default=-1)
+    parser.add_argument("--width", type=int, default=1600)
+    parser.add_argument("--interfaces", default="")
+    arguments = parser.parse_args()
+
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for i, grid in enumerate(read(arguments.result, arguments.step).values()):
+        add_part(renderer, deformed(grid, arguments.scale), PALETTE[i % len(PALETTE)])
+
+    surfaces = read(arguments.result.removesuffix(".e") + "_interfaces.e", arguments.step)
+    wanted = arguments.interfaces.split(",") if arguments.interfaces else list(surfaces)
+    contacts = {}
+    for name in wanted:
+        status = surfaces[name].GetPointData().GetArray("contact_status")
+        if arguments.interfaces or status.GetRange()[1] <= 2:  # 0 open, 1 stick, 2 slip: a contact
+            contacts[name] = surfaces[name]
+    largest = max((grid.GetPointData().GetArray("contact_pressure").GetRange()[1] for grid in contacts.values()), default=0)
+    table = colours(largest or 1.0)
+    for grid in contacts.values():
+        surface = deformed(grid, arguments.scale)
+        surface.GetPointData().SetActiveScalars("contact_pressure")
+        mapper = vtk.vtkPolyDataMapper()
+        mapper.SetInputData(surface)
+        mapper.SetLookupTable(table)
+        mapper.SetScalarRange(0, largest or 1.0)
+        mapper.SetInterpolateScalarsBeforeMapping(1)
+        shown = actor(mapper)
+        shown.GetProperty().SetAmbient(0.5)
+        shown.GetProperty().SetDiffuse(0.5)
+        renderer.AddActor(shown)
+
+    bar = vtk.vtkScalarBarActor()
+    bar.SetLookupTable(table)
+    bar.SetTitle("contact pressure")
+    bar.SetNumberOfLabels(5)
+    bar.SetUnconstrainedFontSize(True)
+    for text, size in ((bar.GetTitleTextProperty(), 26), (bar.GetLabelTextProperty(), 22)):
+        text.SetColor(0.1, 0.1, 0.1)
+        text.SetFontSize(size * arguments.width // 1600)
+        text.SetItalic(False)
+        text.SetShadow(False)
+        text.SetBold(False)
+    bar.SetLabelFormat("%.3g")
+    bar.SetPosition(0.9, 0.15)
+    bar.SetWidth(0.06)
+    bar.SetHeight(0.7)
+    renderer.AddActor(bar)
+
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition(-0.75, -1, 0.75)
+    camera.SetViewUp(0, 0, 1)
+    camera.ParallelProjectionOn()
+    renderer.SetUseDepthPeeling(1)
+    renderer.SetMaximumNumberOfPeels(30)
+    renderer.SetOcclusionRatio(0.0)
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetAlphaBitPlanes(1)
+    window.SetMultiSamples(0)
+    window.SetSize(arguments.width, arguments.width * 9 // 16)
+    window.AddRenderer(renderer)
+    renderer.ResetCamera()
+    camera.Zoom(1.25)
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(arguments.picture)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
+if __name__ == "__main__":
+    main()

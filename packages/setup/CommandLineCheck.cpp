@@ -1,0 +1,83 @@
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+
+#include <harmos/setup/CommandLineVerbs.hpp>
+#include <harmos/setup/CostEstimate.hpp>
+
+namespace harmos::setup {
+
+namespace {
+
+void printBytes(std::ostream& out, const char* what, double bytes) {
+  out << "  " << std::left << std::setw(34) << what << std::right << std::setw(10) << std::fixed
+      << std::setprecision(bytes < 1e8 ? 1 : 0) << bytes / 1e6 << " MB\n";
+}
+
+void printProblem(std::ostream& out, const Problem& problem) {
+  const interface::Assembly& assembly = problem.assembly;
+  out << assembly.bodies.size() << " substructures:\n";
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b)
+    out << "  " << std::left << std::setw(34) << assembly.bodies[b].name << std::right << std::setw(10)
+        << assembly.bodies[b].nodes.size() << " nodes " << std::setw(10) << problem.bodies.parts[b].elements.size()
+        << " elements, rank " << assembly.ownerOf(static_cast<int>(b)) << "\n";
+  out << assembly.interfaces.size() << " interfaces and boundaries:\n";
+  for (const auto& joint : assembly.interfaces) {
+    // Users must see clearances and overclosures before the solution, not guess them from it.
+    double least = 0.0, largest = 0.0;
+    for (double gap : joint.gap) {
+      least = std::min(least, gap);
+      largest = std::max(largest, gap);
+    }
+    out << "  " << std::left << std::setw(34) << joint.name << std::right << std::setw(10) << joint.pairs()
+        << (joint.sides() == 2 ? " node pairs, " : " nodes, ") << joint.law->name();
+    if (joint.sides() == 2 && (least != 0.0 || largest != 0.0))
+      out << ", initial opening " << std::defaultfloat << std::setprecision(3) << least << " to " << largest;
+    out << "\n";
+  }
+  out << assembly.steps() << " time steps, " << problem.responses.size() << " responses\n";
+}
+
+void printCost(std::ostream& out, const CostEstimate& cost) {
+  out << cost.unknowns << " displacement and " << cost.interfaceUnknowns << " interface unknowns\n"
+      << "Memory, roughly:\n";
+  printBytes(out, "stiffness matrices", cost.matrixBytes);
+  printBytes(out, "factors", cost.factorBytes);
+  printBytes(out, "fields of the iteration", cost.fieldBytes);
+  out << "CPU time, roughly:\n"
+      << std::fixed << std::setprecision(2) << "  " << std::left << std::setw(34) << "factorisation" << std::right
+      << std::setw(10) << cost.factorSeconds << " s\n"
+      << "  " << std::left << std::setw(34) << "one linear stage" << std::right << std::setw(10) << cost.stageSeconds
+      << " s; a certified solution takes 50 to 100\n"
+      << std::defaultfloat;
+}
+
+int checkScene(const CommandLineArguments& arguments, const CommandEnvironment& environment) {
+  arguments.requireOperands({"SCENE.xml"});
+  const Scene scene = readScene(arguments.operands()[0], arguments.values("--set"), laws::builtInLaws());
+  base::Timers timers;
+  const Problem problem = makeProblem(scene, *environment.communicator, timers);
+  const CostEstimate cost = estimateCost(problem, *environment.communicator);
+  if (!environment.isRoot()) return 0;
+  if (!arguments.has("--quiet")) {
+    printProblem(environment.out, problem);
+    printCost(environment.out, cost);
+  }
+  environment.out << scene.path << " is valid.\n";
+  return 0;
+}
+
+}  // namespace
+
+Command checkCommand() {
+  return {
+      "check",
+      "SCENE.xml",
+      "Validate a scene and its mesh, say what it will allocate and roughly cost; nothing is solved.",
+      {{"--set", "'LIST/NAME=VALUE'", "replace an entry of the scene; may be repeated", true},
+       {"--quiet", "", "only say whether it is valid"}},
+      {"harmos check xml/bolted_joint.xml", "harmos check xml/bolted_joint.xml --set 'Parts/bottom_cover/Pieces=4'"},
+      checkScene};
+}
+
+}  // namespace harmos::setup

@@ -1,0 +1,234 @@
+#include <harmos/setup/FieldOutput.hpp>
+
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/base/EffectiveInput.hpp>
+#include <harmos/elasticity/Stress.hpp>
+#include <harmos/latin/PairFields.hpp>
+#include <harmos/output/ExodusWriter.hpp>
+#include <harmos/output/ResultLayout.hpp>
+
+namespace harmos::setup {
+
+namespace {
+
+using output::ResultStep;
+using output::ResultVariables;
+
+constexpr std::size_t stressComponents = 6;
+const char* const stressNames[] = {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_zx"};
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+void addVector(std::vector<std::string>& names, const std::string& name, int dimension) {
+  for (const char* axis : {"_x", "_y", "_z"})
+    if (static_cast<int>(axis[1] - 'x') < dimension) names.push_back(name + axis);
+}
+
+/// Stress components that can differ from 0.
+std::vector<std::size_t> stressesOf(int dimension) {
+  return dimension == 2 ? std::vector<std::size_t>{0, 1, 2, 3} : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> result;
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
+/// What both files have in common.
+struct Common {
+  std::string title;
+  std::vector<std::string> information;
+  std::vector<double> times;
+  const std::vector<GlobalVariable>& globals;
+  const Teuchos::Comm<int>& comm;
+
+  bool isRoot() const { return comm.getRank() == 0; }
+
+  std::unique_ptr<output::ExodusWriter> open(const std::string& path, const output::ResultMesh& mesh,
+                                             ResultVariables variables) const {
+    if (!isRoot()) return nullptr;
+    for (const auto& global : globals) variables.global.push_back(global.name);
+    auto writer = std::make_unique<output::ExodusWriter>(path, title, mesh, variables, information);
+    writer->write(output::zeroStep(mesh, variables));
+    return writer;
+  }
+
+  void fillGlobals(ResultStep& step, int number) const {
+    step.global.clear();
+    for (const auto& global : globals) step.global.push_back(global.values[at(number)]);
+  }
+
+  /// Adds up on rank 0 what each rank has filled in.
+  void gather(std::vector<double>& values) const {
+    std::vector<double> sum(values.size(), 0.0);
+    Teuchos::reduce(values.data(), sum.data(), static_cast<int>(values.size()), Teuchos::REDUCE_SUM, 0, comm);
+    values.swap(sum);
+  }
+};
+
+void writeParts(const Problem& problem, const latin::FixedPoint& state, const std::string& path, const Common& common) {
+  const auto layout = output::layOutParts(problem.mesh, problem.bodies.parts, problem.surfaces);
+  const int dimension = problem.mesh.dimension, steps = problem.assembly.steps();
+  const auto components = stressesOf(dimension);
+  ResultVariables variables;
+  addVector(variables.nodal, "disp", dimension);
+  for (std::size_t c : components) variables.element.push_back(stressNames[c]);
+  variables.element.push_back("von_mises");
+
+  // Stresses of all steps at once: the integrals over an element are formed only once.
+  std::vector<base::Matrix> stress(problem.bodies.parts.size());
+  for (std::size_t body = 0; body < stress.size(); ++body) {
+    if (!state.layout().owns(static_cast<int>(body))) continue;
+    const auto& part = problem.bodies.parts[body];
+    base::Matrix displacement(static_cast<int>(part.nodes.size()) * dimension, steps);
+    for (int t = 0; t < steps; ++t)
+      for (int node = 0; node < static_cast<int>(part.nodes.size()); ++node) {
+        const auto u = state.displacement(static_cast<int>(body), node, t);
+        for (int c = 0; c < dimension; ++c) displacement(node * dimension + c, t) = u[at(c)];
+      }
+    stress[body] = elasticity::elementStress(problem.mesh, part, *problem.bodies.materials[body],
+                                             problem.model.kinematics, displacement);
+  }
+
+  const auto writer = common.open(path, layout.mesh, variables);
+  for (int t = 0; t < steps; ++t) {
+    ResultStep step = output::zeroStep(layout.mesh, variables, common.times[at(t)]);
+    for (std::size_t body = 0; body < stress.size(); ++body) {
+      if (!state.layout().owns(static_cast<int>(body))) continue;
+      const auto& part = problem.bodies.parts[body];
+      for (int node = 0; node < static_cast<int>(part.nodes.size()); ++node) {
+        const auto u = state.displacement(static_cast<int>(body), node, t);
+        for (int c = 0; c < dimension; ++c) step.nodal[at(c)][at(layout.firstNode[body] + node)] = u[at(c)];
+      }
+      for (std::size_t e = 0; e < part.elements.size(); ++e) {
+        const double* values = stress[body][t] + e * stressComponents;
+        const auto element = at(layout.element[body][e]);
+        for (std::size_t c = 0; c < components.size(); ++c) step.element[c][element] = values[components[c]];
+        step.element.back()[element] = elasticity::vonMises(values);
+      }
+    }
+    for (auto& values : step.nodal) common.gather(values);
+    for (auto& values : step.element) common.gather(values);
+    common.fillGlobals(step, t);
+    if (writer) writer->write(step);
+  }
+  if (writer) writer->commit();
+}
+
+/// Fields of one interface at one load step, ready for the file.
+class InterfaceStep {
+ public:
+  InterfaceStep(int dimension, ResultStep& step) : dimension_(at(dimension)), step_(step) {}
+
+  static ResultVariables variables(int dimension) {
+    ResultVariables result;
+    addVector(result.nodal, "disp", dimension);
+    result.nodal.push_back("contact_pressure");
+    addVector(result.nodal, "traction", dimension);
+    for (const char* name : {"contact_status", "opening"}) result.nodal.push_back(name);
+    addVector(result.nodal, "slip", dimension);
+    for (const char* name : {"slip_magnitude", "dissipation"}) result.nodal.push_back(name);
+    return result;
+  }
+
+  void fill(const interface::Interface& interface, const latin::PairFields& fields, int t, int firstPair,
+            const std::vector<double>& dissipation) {
+    for (int p = 0; p < fields.pairs; ++p) {
+      const auto& frame = interface.frame[at(p)];
+      const auto& traction = fields.traction[fields.at(t, p)];
+      const auto& jump = fields.jump[fields.at(t, p)];
+      const auto status = fields.status[fields.at(t, p)];
+      const bool isContact =
+          status == laws::Status::open || status == laws::Status::stick || status == laws::Status::slip;
+      const bool hasJump = isContact || interface.sides() == 2;
+      variable_ = dimension_;  // after the displacement
+      node_ = at(firstPair + p);
+      put(-traction[0]);
+      for (std::size_t d = 0; d < dimension_; ++d)
+        put(frame[0][d] * traction[0] + frame[1][d] * traction[1] + frame[2][d] * traction[2]);
+      put(static_cast<double>(status));
+      put(hasJump ? jump[0] + interface.gap[at(p)] : 0.0);
+      for (std::size_t d = 0; d < dimension_; ++d) put(hasJump ? frame[1][d] * jump[1] + frame[2][d] * jump[2] : 0.0);
+      put(hasJump ? std::hypot(jump[1], jump[2]) : 0.0);
+      put(dissipation[at(p)]);
+    }
+  }
+
+ private:
+  void put(double value) { step_.nodal[variable_++][node_] = value; }
+
+  std::size_t dimension_;
+  ResultStep& step_;
+  std::size_t variable_ = 0, node_ = 0;
+};
+
+/// Adds the work lost per area in the step to what was lost before.
+void addDissipation(const interface::Interface& interface, const latin::PairFields& fields, int t,
+                    std::vector<double>& dissipation) {
+  if (!interface.law->dissipates()) return;
+  for (int p = 0; p < fields.pairs; ++p)
+    for (const std::size_t tangent : {1u, 2u}) {
+      const double before = t > 0 ? fields.jump[fields.at(t - 1, p)][tangent] : 0.0;
+      dissipation[at(p)] +=
+          fields.traction[fields.at(t, p)][tangent] * (fields.jump[fields.at(t, p)][tangent] - before);
+    }
+}
+
+void writeInterfaces(const Problem& problem, const latin::FixedPoint& state, const std::string& path,
+                     const Common& common) {
+  const auto layout = output::layOutInterfaces(problem.mesh, problem.bodies.parts, problem.surfaces);
+  const int dimension = problem.mesh.dimension;
+  const auto& interfaces = problem.assembly.interfaces;
+  std::vector<latin::PairFields> fields;
+  std::vector<std::vector<double>> dissipation;
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    fields.push_back(latin::pairFields(state, static_cast<int>(i)));
+    dissipation.emplace_back(at(interfaces[i].pairs()), 0.0);
+  }
+  const auto variables = InterfaceStep::variables(dimension);
+  const auto writer = common.open(path, layout.mesh, variables);
+  for (int t = 0; t < problem.assembly.steps(); ++t) {
+    ResultStep step = output::zeroStep(layout.mesh, variables, common.times[at(t)]);
+    InterfaceStep filler(dimension, step);
+    for (std::size_t i = 0; i < interfaces.size(); ++i) {
+      addDissipation(interfaces[i], fields[i], t, dissipation[i]);
+      filler.fill(interfaces[i], fields[i], t, layout.firstPair[i], dissipation[i]);
+    }
+    for (int c = 0; c < dimension; ++c) {
+      auto& values = step.nodal[at(c)];
+      for (std::size_t i = 0; i < interfaces.size(); ++i) {
+        if (!state.layout().owns(interfaces[i].body1)) continue;
+        for (int p = 0; p < interfaces[i].pairs(); ++p)
+          values[at(layout.firstPair[i] + p)] =
+              state.displacement(interfaces[i].body1, interfaces[i].node1[at(p)], t)[at(c)];
+      }
+      common.gather(values);
+    }
+    common.fillGlobals(step, t);
+    if (writer) writer->write(step);
+  }
+  if (writer) writer->commit();
+}
+
+}  // namespace
+
+void writeFields(const Scene& scene, const Problem& problem, const latin::FixedPoint& state,
+                 const std::vector<GlobalVariable>& globals, const output::ResultFiles& files,
+                 const Teuchos::Comm<int>& comm) {
+  std::string title = scene.input.text("Title");
+  if (title.empty()) title = scene.path;
+  const Common common{title, lines(base::effectiveInput(scene.input)), scene.times, globals, comm};
+  writeParts(problem, state, files.parts, common);
+  writeInterfaces(problem, state, files.interfaces, common);
+}
+
+}  // namespace harmos::setup

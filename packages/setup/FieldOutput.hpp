@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/latin/FixedPoint.hpp>
+#include <harmos/output/ResultFiles.hpp>
+#include <harmos/setup/Problem.hpp>
+#include <harmos/setup/Scene.hpp>
+
+namespace harmos::setup {
+
+/// A number per load step for the Exodus files.
+struct GlobalVariable {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// Writes the files of parts and of interfaces, unloaded state included; collective, rank 0 writes.
+///
+/// Parts: disp_x.. [length], stress_xx.. and von_mises [stress], element means. Interfaces: disp_x.. of side 1,
+/// contact_pressure = -t.n,
+/// traction_x.. on side 1 [stress], contact_status, opening = jump.n plus initial gap [length], slip_x.. and
+/// slip_magnitude (tangential jump, side 2 minus side 1 [length]), dissipation since the start [energy/area]. Jumps are
+/// 0 where they have no meaning: on boundaries that no contact law governs. `state` must hold the fields of the last
+/// apply(); files appear only when complete.
+void writeFields(const Scene& scene, const Problem& problem, const latin::FixedPoint& state,
+                 const std::vector<GlobalVariable>& globals, const output::ResultFiles& files,
+                 const Teuchos::Comm<int>& comm);
+
+}  // namespace harmos::setup
