@@ -25,4 +25,10 @@ std::vector<int> Elements::side(int element, int side) const {
   return result;
 }
 
+std::vector<Point> pointsOf(const Mesh& mesh, const std::vector<int>& nodes) {
+  std::vector<Point> points;
+  for (const int node : nodes) points.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+  return points;
+}
+
 }  // namespace harmos::mesh

@@ -28,4 +28,7 @@ class Elements {
   std::vector<int> block_, first_;
 };
 
+/// Coordinates of some mesh nodes.
+std::vector<Point> pointsOf(const Mesh& mesh, const std::vector<int>& nodes);
+
 }  // namespace harmos::mesh

@@ -70,10 +70,4 @@ NodalWeights::Weight NodalWeights::total(int node) const {
   return sum;
 }
 
-std::vector<Point> pointsOf(const Mesh& mesh, const std::vector<int>& nodes) {
-  std::vector<Point> points;
-  for (const int node : nodes) points.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
-  return points;
-}
-
 }  // namespace harmos::mesh

@@ -34,7 +34,4 @@ class NodalWeights {
   std::map<int, std::map<int, Weight>> weights_;
 };
 
-/// Mesh coordinates of some nodes.
-std::vector<Point> pointsOf(const Mesh& mesh, const std::vector<int>& nodes);
-
 }  // namespace harmos::mesh

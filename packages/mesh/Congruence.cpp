@@ -1,0 +1,206 @@
+#include <harmos/mesh/Congruence.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <harmos/mesh/Elements.hpp>
+#include <harmos/mesh/PointSearch.hpp>
+#include <harmos/mesh/Vector.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+constexpr double relativeTolerance = 1e-9;
+
+/// Nodes of a part relative to their centroid.
+struct Cloud {
+  Cloud(const Mesh& mesh, const Part& part) : points(pointsOf(mesh, part.nodes)) {
+    Point centroid{};
+    for (const Point& p : points) centroid = centroid + (1.0 / static_cast<double>(points.size())) * p;
+    for (Point& p : points) {
+      p = p - centroid;
+      radius.push_back(norm(p));
+      size = std::max(size, radius.back());
+    }
+  }
+
+  std::vector<Point> points;
+  std::vector<double> radius;
+  double size = 0.0;  // largest radius
+};
+
+Point turned(const Frame& q, const Point& p) {
+  return {dot(q[0], p), dot(q[1], p), dot(q[2], p)};
+}
+
+/// Columns e1, e2, e3 of the frame that has a on its first axis and b in the plane of its first two.
+Frame frameOf(const Point& a, const Point& b, double orientation) {
+  const Point e1 = (1.0 / norm(a)) * a;
+  const Point across = b - dot(b, e1) * e1;
+  const Point e2 = (1.0 / norm(across)) * across;
+  return {e1, e2, orientation * cross(e1, e2)};
+}
+
+/// The orthogonal matrix that carries the axes of `from` onto those of `to`.
+Frame turn(const Frame& from, const Frame& to) {
+  Frame q{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) q[i][j] += to[k][i] * from[k][j];
+      // Multiples of right angles without rounding.
+      if (std::abs(q[i][j] - std::round(q[i][j])) < relativeTolerance) q[i][j] = std::round(q[i][j]);
+    }
+  }
+  return q;
+}
+
+/// Of the nodes that `isUsable`, one whose `key` the fewest others share.
+template <typename Key, typename Usable>
+std::size_t rarest(const std::vector<Point>& points, double tolerance, const Key& key, const Usable& isUsable) {
+  std::vector<std::pair<double, std::size_t>> sorted;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (isUsable(points[i])) sorted.emplace_back(key(points[i]), i);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::size_t best = sorted.front().second;
+  std::size_t fewest = sorted.size() + 1;
+  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+    while (end < sorted.size() && sorted[end].first <= sorted[begin].first + tolerance) ++end;
+    if (end - begin < fewest) {
+      fewest = end - begin;
+      best = sorted[begin].second;
+    }
+  }
+  return best;
+}
+
+class CongruenceSearch {
+ public:
+  CongruenceSearch(const Mesh& mesh, const Part& first, const Part& second)
+      : mesh_(mesh),
+        elements_(mesh),
+        first_(first),
+        second_(second),
+        a_(mesh, first),
+        b_(mesh, second),
+        tolerance_(relativeTolerance * a_.size),
+        search_(b_.points) {}
+
+  std::optional<Congruence> find() {
+    auto radiiA = a_.radius;
+    auto radiiB = b_.radius;
+    std::sort(radiiA.begin(), radiiA.end());
+    std::sort(radiiB.begin(), radiiB.end());
+    for (std::size_t i = 0; i < radiiA.size(); ++i) {
+      if (std::abs(radiiA[i] - radiiB[i]) > tolerance_) return std::nullopt;
+    }
+    if (carries({Point{1.0, 0.0, 0.0}, Point{0.0, 1.0, 0.0}, Point{0.0, 0.0, 1.0}})) return result_;
+    return mesh_.dimension == 2 ? findInPlane() : findInSpace();
+  }
+
+ private:
+  std::optional<Congruence> findInPlane() {
+    const Point a = anchor();
+    const Point up = {0.0, 0.0, 1.0};
+    for (const Point& b : b_.points) {
+      if (std::abs(norm(b) - norm(a)) > tolerance_) continue;
+      for (const double orientation : {1.0, -1.0}) {
+        const Frame from = {(1.0 / norm(a)) * a, (1.0 / norm(a)) * cross(up, a), up};
+        const Frame to = {(1.0 / norm(b)) * b, (orientation / norm(b)) * cross(up, b), up};
+        if (carries(turn(from, to))) return result_;
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Congruence> findInSpace() {
+    const Point a1 = anchor();
+    // A second node well away from the line through the centroid and the first.
+    const auto sine = [&](const Point& p) { return norm(cross(p, a1)) / (norm(a1) * a_.size); };
+    double largest = 0.0;
+    for (const Point& p : a_.points) largest = std::max(largest, sine(p));
+    const Point a2 = a_.points[rarest(
+        a_.points, tolerance_, [&](const Point& p) { return norm(p) + distance(p, a1); },
+        [&](const Point& p) { return sine(p) >= 0.5 * largest; })];
+    for (const Point& b1 : b_.points) {
+      if (std::abs(norm(b1) - norm(a1)) > tolerance_) continue;
+      for (const Point& b2 : b_.points) {
+        if (std::abs(norm(b2) - norm(a2)) > tolerance_) continue;
+        if (std::abs(distance(b1, b2) - distance(a1, a2)) > tolerance_) continue;
+        for (const double orientation : {1.0, -1.0}) {
+          if (carries(turn(frameOf(a1, a2, 1.0), frameOf(b1, b2, orientation)))) return result_;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// A node far from the centroid; a near one would make Q inaccurate.
+  Point anchor() const {
+    return a_.points[rarest(
+        a_.points, tolerance_, [](const Point& p) { return norm(p); },
+        [&](const Point& p) { return norm(p) >= 0.5 * a_.size; })];
+  }
+
+  bool carries(const Frame& q) {
+    std::vector<int> image(a_.points.size());
+    std::vector<bool> isTaken(a_.points.size(), false);
+    for (std::size_t i = 0; i < a_.points.size(); ++i) {
+      const auto near = search_.within(turned(q, a_.points[i]), tolerance_);
+      if (near.size() != 1 || isTaken[static_cast<std::size_t>(near[0])]) return false;
+      isTaken[static_cast<std::size_t>(near[0])] = true;
+      image[i] = near[0];
+    }
+    if (!carriesElements(image)) return false;
+    result_ = {std::move(image), q};
+    return true;
+  }
+
+  /// Sorted sides of sorted local nodes: equal if and only if the elements are.
+  using Key = std::pair<ElementType, std::vector<std::vector<int>>>;
+
+  Key keyOf(const Part& part, int element, const std::vector<int>* image) const {
+    Key key{elements_.type(element), {}};
+    for (int side = 0; side < sidesPerElement(key.first); ++side) {
+      key.second.push_back(elements_.side(element, side));
+      for (int& node : key.second.back()) {
+        node = localNode(part, node);
+        if (image != nullptr) node = (*image)[static_cast<std::size_t>(node)];
+      }
+      std::sort(key.second.back().begin(), key.second.back().end());
+    }
+    std::sort(key.second.begin(), key.second.end());
+    return key;
+  }
+
+  bool carriesElements(const std::vector<int>& image) {
+    if (keys_.empty()) {
+      for (const int element : second_.elements) keys_.push_back(keyOf(second_, element, nullptr));
+      std::sort(keys_.begin(), keys_.end());
+    }
+    return std::all_of(first_.elements.begin(), first_.elements.end(), [&](int element) {
+      return std::binary_search(keys_.begin(), keys_.end(), keyOf(first_, element, &image));
+    });
+  }
+
+  const Mesh& mesh_;
+  Elements elements_;
+  const Part& first_;
+  const Part& second_;
+  Cloud a_, b_;
+  double tolerance_;
+  PointSearch search_;
+  std::vector<Key> keys_;  // of the second part
+  Congruence result_;
+};
+
+}  // namespace
+
+std::optional<Congruence> findCongruence(const Mesh& mesh, const Part& first, const Part& second) {
+  if (first.nodes.size() != second.nodes.size() || first.elements.size() != second.elements.size()) {
+    return std::nullopt;
+  }
+  return CongruenceSearch(mesh, first, second).find();
+}
+
+}  // namespace harmos::mesh
