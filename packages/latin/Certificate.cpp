@@ -1,0 +1,90 @@
+#include <harmos/latin/Certificate.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace harmos::latin {
+namespace {
+
+constexpr int maximumVectors = 20;
+constexpr double krylovTarget = 0.1;
+constexpr double krylovLimit = 0.3;
+constexpr double contractionLimit = 0.5;
+constexpr int smoothingIterations = 4;
+constexpr int maximumCorrections = 5;
+
+double largest(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+double fieldGap(const FixedPoint& state) {
+  const std::vector<double>& area = state.layout().area();
+  std::vector<double> sums(4, 0.0);
+  for (int t = 0; t < state.assembly().steps(); ++t) {
+    const double* f = state.traction()[t];
+    const double* hattedF = state.hattedTraction()[t];
+    const double* w = state.trace()[t];
+    const double* hattedW = state.hattedTrace()[t];
+    for (std::size_t row = 0; row < area.size(); ++row) {
+      sums[0] += area[row] * (f[row] - hattedF[row]) * (f[row] - hattedF[row]);
+      sums[1] += area[row] * hattedF[row] * hattedF[row];
+      sums[2] += area[row] * (w[row] - hattedW[row]) * (w[row] - hattedW[row]);
+      sums[3] += area[row] * w[row] * w[row];
+    }
+  }
+  state.metric().sum(sums);
+  const double force = sums[0] == 0.0 ? 0.0 : std::sqrt(sums[0] / sums[1]);
+  const double displacement = sums[2] == 0.0 ? 0.0 : std::sqrt(sums[2] / sums[3]);
+  return std::max(force, displacement);
+}
+
+Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::Matrix& image, int stageLimit) {
+  Result result;
+  result.state = alpha;
+  base::Matrix state(alpha);
+  base::Matrix next(image);
+  NewtonCorrection newton(fixedPoint_, maximumVectors);
+  auto before = std::make_unique<Snapshot>(fixedPoint_, responses_);
+  double previous = 0.0;
+  for (int correction = 0; correction < maximumCorrections; ++correction) {
+    const double gap = fieldGap(fixedPoint_);
+    if (fixedPoint_.linearStage().solves() + maximumVectors + smoothingIterations + 2 > stageLimit) return result;
+    const NewtonCorrection::Result step = newton.solve(state, next, krylovTarget);
+    result.smallestSingularValue = step.smallestSingularValue;
+    if (step.reduction > krylovLimit) return result;
+    base::Matrix corrected(state);
+    corrected += step.step;
+    fixedPoint_.apply(corrected, next);
+    auto after = std::make_unique<Snapshot>(fixedPoint_, responses_);
+    std::vector<double> errors = after->distance(*before);
+    const double error = largest(errors);
+    if (correction > 0) {
+      result.contraction = error == 0.0 ? 0.0 : error / previous;
+      if (result.contraction > 1.0) return result;
+      for (double& e : errors) e /= 1.0 - std::min(result.contraction, 0.9);
+      result.conclusive = true;
+      result.estimates = errors;
+      result.state = state;
+      if (largest(errors) <= accuracy_ && result.contraction <= contractionLimit && gap <= 10.0 * accuracy_) {
+        result.claimed = true;
+        return result;
+      }
+    }
+    previous = error;
+    state.assign(corrected);
+    for (int i = 0; i < smoothingIterations; ++i) {
+      for (int t = 0; t < state.numCols(); ++t) {
+        for (int row = 0; row < state.numRows(); ++row) state[t][row] = 0.5 * (state[t][row] + next[t][row]);
+      }
+      fixedPoint_.apply(state, next);
+    }
+    result.state = state;
+    result.conclusive = false;
+    before = std::make_unique<Snapshot>(fixedPoint_, responses_);
+  }
+  return result;
+}
+
+}  // namespace harmos::latin

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <harmos/latin/NewtonCorrection.hpp>
+#include <harmos/latin/Snapshot.hpp>
+
+namespace harmos::latin {
+
+/// Estimates the true error of a state by two successive Newton corrections and claims accuracy only when they agree.
+///
+/// From alpha, a first correction d1 moves to a1 = alpha + d1, smoothed by relaxed iterations (a fresh correction
+/// leaves a rough residual). A second one, with the tangent rebuilt, estimates the error of a1: e2 = |q(a1) - q(a1 +
+/// d2)| for every promised quantity q. With kappa = max e2 / max e1 the estimate is E = e2 / (1 - kappa). It is claimed
+/// when E <= accuracy, kappa <= 1/2, both Krylov solves reduced their residual to 0.3, and the gap between the two
+/// fields of the iteration is below ten times the accuracy. If E is too large the state moves on to a1 + d2 and the
+/// next correction is compared with this one.
+///
+/// The gap is max(|f - f^| / |f^|, |w - w^| / |w|): with f - f^ = -k (w - w^) one of them is large for any k far from
+/// the stiffness of the bodies, so an absurd k cannot hide behind small changes.
+class Certificate {
+ public:
+  struct Result {
+    bool claimed = false;
+    bool conclusive = false;        ///< both corrections could be computed; `estimates` holds E
+    std::vector<double> estimates;  ///< as Snapshot::distance: responses, force field, displacement field
+    base::Matrix state;             ///< the state that the estimates belong to, or the best one to go on from
+    double smallestSingularValue = 1.0;
+    double contraction = 1.0;  ///< kappa
+  };
+
+  Certificate(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses, double accuracy)
+      : fixedPoint_(fixedPoint), responses_(responses), accuracy_(accuracy) {}
+
+  /// Collective. `image` = T(alpha), and the fields of fixedPoint are those of alpha. Leaves at most at `stageLimit`
+  /// linear stages in all.
+  Result attempt(const base::Matrix& alpha, const base::Matrix& image, int stageLimit);
+
+ private:
+  FixedPoint& fixedPoint_;
+  const std::vector<std::shared_ptr<const Response>>& responses_;
+  double accuracy_;
+};
+
+/// The gap of the last FixedPoint::apply(), see Certificate. Collective.
+double fieldGap(const FixedPoint& state);
+
+}  // namespace harmos::latin

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/latin/FixedPoint.hpp>
+
+namespace harmos::latin {
+
+/// Resultant of f^ - f on one body at one load step: what the interface laws fail to carry.
+struct Imbalance {
+  int body = -1;
+  int step = 0;
+  mesh::Point force{};    ///< [force], f - f^: the part of the loads that finds no reaction
+  mesh::Point moment{};   ///< [force length], about the body's centre
+  double relative = 0.0;  ///< |force|, or |moment| / size of the body, over the largest sum of forces on the body
+};
+
+/// The body and load step with the largest relative imbalance in the last FixedPoint::apply(). Collective.
+///
+/// f is in equilibrium with the body, f^ obeys the laws. Where an equilibrium exists both agree in the end; where none
+/// does, the imbalance stays while everything else settles.
+Imbalance largestImbalance(const FixedPoint& state);
+
+/// One line for the user: part, step, resultant in N and N mm (the scene's units).
+std::string describe(const Imbalance& imbalance, const interface::Assembly& assembly);
+
+}  // namespace harmos::latin

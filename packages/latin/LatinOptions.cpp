@@ -1,0 +1,59 @@
+#include <harmos/latin/LatinOptions.hpp>
+
+namespace harmos::latin {
+
+void LatinOptions::describe(base::ParameterSpec& spec) {
+  spec.summary("The LATIN solver. Only the accuracy should need a thought.");
+  spec.number("Accuracy")
+      .unit("-")
+      .defaultValue(1e-3)
+      .atLeast(1e-10)
+      .atMost(3e-2)
+      .doc(
+          "Largest relative error of every response and of the fields of interface forces and displacements. The run "
+          "stops "
+          "when its error estimate is below; otherwise it says that it is not.");
+  spec.text("Formulation")
+      .defaultValue("Displacement")
+      .oneOf({"Displacement", "Velocity"})
+      .doc(
+          "Kinematic unknown of the interfaces: displacements, all time steps at once, or velocities, step after "
+          "step.");
+  spec.text("Algorithm")
+      .defaultValue("Default")
+      .oneOf({"Default", "Plain", "Relaxed"})
+      .doc("Default: Anderson acceleration per time step. Plain and Relaxed: the iterations of the literature.");
+  spec.number("Relaxation").unit("-").defaultValue(0.8).above(0.0).atMost(1.0).doc("Of the algorithm Relaxed.");
+  spec.integer("Maximum Iterations")
+      .defaultValue(1000)
+      .atLeast(1)
+      .doc("Linear stages after which the run stops without a certificate.");
+  spec.flag("Macro Problem")
+      .optional()
+      .doc("Balance the resultants of every interface in the linear stage. Absent: only with the algorithm Default.");
+  base::ParameterSpec& search = spec.list("Search Direction");
+  search.summary("The parameter k of the search directions, found automatically at every node.");
+  search.number("Scale").unit("-").defaultValue(1.0).above(0.0).doc("Multiplies the automatic value.");
+  base::ParameterSpec& acceleration = spec.list("Acceleration");
+  acceleration.summary("Anderson acceleration.");
+  acceleration.integer("Memory").defaultValue(30).atLeast(1).doc("Iterations remembered; 10 when memory is short.");
+  base::ParameterSpec& solver = spec.list("Linear Solver");
+  solver.summary("Direct solver that factors the substructures.");
+  substructure::SolverOptions::describe(solver);
+}
+
+LatinOptions::LatinOptions(const base::Parameters& parameters)
+    : accuracy(parameters.number("Accuracy")),
+      maximumIterations(parameters.integer("Maximum Iterations")),
+      relaxation(parameters.number("Relaxation")),
+      memory(parameters.list("Acceleration").integer("Memory")) {
+  const std::string& name = parameters.text("Algorithm");
+  algorithm = name == "Plain" ? Algorithm::plain : name == "Relaxed" ? Algorithm::relaxed : Algorithm::accelerated;
+  stages.formulation = parameters.text("Formulation") == "Velocity" ? Formulation::velocity : Formulation::displacement;
+  stages.searchDirectionScale = parameters.list("Search Direction").number("Scale");
+  stages.macroProblem =
+      parameters.has("Macro Problem") ? parameters.flag("Macro Problem") : algorithm == Algorithm::accelerated;
+  stages.solver = substructure::SolverOptions(parameters.list("Linear Solver"));
+}
+
+}  // namespace harmos::latin

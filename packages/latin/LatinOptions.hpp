@@ -1,0 +1,30 @@
+#pragma once
+
+#include <harmos/base/ParameterSpec.hpp>
+#include <harmos/base/Parameters.hpp>
+#include <harmos/latin/FixedPoint.hpp>
+
+namespace harmos::latin {
+
+/// How the fixed point alpha = T(alpha) is iterated.
+enum class Algorithm {
+  accelerated,  ///< per-step Anderson acceleration
+  plain,        ///< alpha <- T(alpha), as in the source
+  relaxed       ///< alpha <- alpha + relaxation (T(alpha) - alpha)
+};
+
+/// What the user may set; everything but the accuracy has a default that should not need changing.
+struct LatinOptions {
+  double accuracy = 1e-3;        ///< largest relative error of every response and of the interface fields
+  int maximumIterations = 1000;  ///< linear stages, those of the error estimate included
+  Algorithm algorithm = Algorithm::accelerated;
+  double relaxation = 0.8;
+  int memory = 30;  ///< differences that the acceleration keeps per load step
+  StageOptions stages;
+
+  LatinOptions() = default;
+  explicit LatinOptions(const base::Parameters& parameters);
+  static void describe(base::ParameterSpec& spec);
+};
+
+}  // namespace harmos::latin

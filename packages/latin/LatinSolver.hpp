@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <harmos/latin/Certificate.hpp>
+#include <harmos/latin/LatinOptions.hpp>
+#include <harmos/latin/LatinResult.hpp>
+#include <harmos/latin/Response.hpp>
+
+namespace harmos::latin {
+
+/// What an observer is told after every iteration.
+struct IterationReport {
+  int iteration = 0;
+  int linearStages = 0;
+  double indicator = 0.0;  ///< |s - s^| / |s|
+  double change = 0.0;  ///< largest relative change of the promised quantities over the last iterations; 0: not known
+};
+
+/// Solves an assembly by LATIN to a certified accuracy.
+///
+/// Iterates alpha <- T(alpha) with the chosen acceleration until the promised quantities have settled, then asks the
+/// Certificate; if that does not claim, iterates on. All calls are collective over the communicator.
+class LatinSolver {
+ public:
+  /// Factors all operators. `assembly` and `timers` must outlive the solver. Throws base::Error naming the part when an
+  /// operator is singular or nothing holds the assembly.
+  LatinSolver(const interface::Assembly& assembly, const LatinOptions& options,
+              Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+
+  void addResponse(std::shared_ptr<const Response> response) { responses_.push_back(std::move(response)); }
+  /// Called on every rank after every iteration.
+  void addObserver(std::function<void(const IterationReport&)> observer) { observers_.push_back(std::move(observer)); }
+  /// Asked on every rank after every iteration; the run stops when it is true on any rank.
+  void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
+
+  /// Runs from alpha = 0, or from `start` (rows as in the layout).
+  LatinResult solve(const base::Matrix* start = nullptr);
+  /// Fields of the delivered state.
+  const FixedPoint& state() const { return fixedPoint_; }
+  /// The delivered state alpha [stress]: a start for another run, or a checkpoint.
+  const base::Matrix& alpha() const { return alpha_; }
+
+ private:
+  bool settled(int iteration, double tolerance, double& change);
+  bool mustStop() const;
+  void deliver(LatinResult& result, const std::vector<double>& estimates);
+
+  const interface::Assembly& assembly_;
+  LatinOptions options_;
+  base::Timers& timers_;
+  FixedPoint fixedPoint_;
+  std::vector<std::shared_ptr<const Response>> responses_;
+  std::vector<std::function<void(const IterationReport&)>> observers_;
+  std::function<bool()> interrupted_;
+  base::Matrix alpha_;
+  base::Matrix image_;
+  std::vector<std::unique_ptr<Snapshot>> snapshots_;  // of the last iterations that were looked at
+};
+
+}  // namespace harmos::latin
