@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct ElementGroup {
   std::vector<int> inBlock;  ///< position in the block
   std::vector<int> nodes;    ///< local nodes of the part: elements x nodesPerElement
   int elements() const { return static_cast<int>(inBlock.size()); }
+  int nodesPerElement() const { return mesh::nodesPerElement(block->type); }
+  const int* nodesOf(int element) const { return nodes.data() + std::ptrdiff_t{element} * nodesPerElement(); }
 };
 
 /// Groups in the order of the blocks, so that their elements follow one another as in Part::elements.

@@ -28,7 +28,7 @@ struct NodeGraph {
     std::vector<Touch> touches(start[nodes]);
     std::vector<std::size_t> next(start.begin(), start.end() - 1);
     for (const ElementGroup& group : groups) {
-      const int perElement = mesh::nodesPerElement(group.block->type);
+      const int perElement = group.nodesPerElement();
       for (std::size_t k = 0; k < group.nodes.size(); ++k) {
         touches[next[static_cast<std::size_t>(group.nodes[k])]++] = {&group, static_cast<int>(k) / perElement};
       }
@@ -38,9 +38,10 @@ struct NodeGraph {
       const std::size_t begin = neighbours.size();
       for (std::size_t k = start[node]; k < start[node + 1]; ++k) {
         const ElementGroup& group = *touches[k].group;
-        const int perElement = mesh::nodesPerElement(group.block->type);
+        const int* nodesOfElement = group.nodesOf(touches[k].element);
+        const int perElement = group.nodesPerElement();
         for (int a = 0; a < perElement; ++a) {
-          const int neighbour = group.nodes[static_cast<std::size_t>(touches[k].element * perElement + a)];
+          const int neighbour = nodesOfElement[a];
           int& seenBy = lastSeenBy[static_cast<std::size_t>(neighbour)];
           if (seenBy == static_cast<int>(node)) continue;
           seenBy = static_cast<int>(node);
@@ -91,8 +92,7 @@ class ElementStiffness {
       for (int b = a; b < nodes; ++b) {
         double m[D][D], block[D][D];
         for (int k = 0; k < D; ++k) {
-          for (int l = 0; l < D; ++l)
-            m[k][l] = integrals.product[static_cast<std::size_t>((D * a + k) * dofs + D * b + l)];
+          for (int l = 0; l < D; ++l) m[k][l] = integrals.product.data()[(D * a + k) * dofs + D * b + l];
         }
         for (int i = 0; i < D; ++i) {
           for (int j = 0; j < D; ++j) {
@@ -176,13 +176,13 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Part&
   std::vector<double> values(columns.size(), 0.0);
   forEachElement(
       mesh, part, groups, true, [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
-        const int perElement = mesh::nodesPerElement(group.block->type), dofs = D * perElement;
-        const int* local = group.nodes.data() + static_cast<std::size_t>(number * perElement);
+        const int perElement = group.nodesPerElement(), dofs = D * perElement;
+        const int* local = group.nodesOf(number);
         double stiffness[ElementIntegrals::maximumDofs * ElementIntegrals::maximumDofs];
         element.compute(integrals, perElement, stiffness);
         for (int a = 0; a < perElement; ++a) {
           const int stride = D * graph.degree(local[a]);
-          double* rows = values.data() + pointers[static_cast<std::size_t>(D * local[a])];
+          double* rows = values.data() + pointers[D * static_cast<std::size_t>(local[a])];
           for (int b = 0; b < perElement; ++b) {
             double* block = rows + D * graph.positionOf(local[b], local[a]);
             for (int i = 0; i < D; ++i) {
@@ -223,8 +223,8 @@ std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Part& part, co
   const std::vector<ElementGroup> groups = groupsOf(mesh, part, kinematics);
   forEachElement(
       mesh, part, groups, false, [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
-        const auto perElement = static_cast<std::size_t>(mesh::nodesPerElement(group.block->type));
-        const int* local = group.nodes.data() + static_cast<std::size_t>(number) * perElement;
+        const auto perElement = static_cast<std::size_t>(group.nodesPerElement());
+        const int* local = group.nodesOf(number);
         for (std::size_t a = 0; a < perElement; ++a) {
           for (std::size_t i = 0; i < dimension; ++i) {
             forces[dimension * static_cast<std::size_t>(local[a]) + i] += depth * force[i] * integrals.value[a];

@@ -18,15 +18,15 @@ base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Part& part, const
   base::Matrix stress(6 * static_cast<int>(part.elements.size()), displacements.numCols());
   forEachElement(mesh, part, groupsOf(mesh, part, kinematics), false,
                  [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
-                   const int perElement = mesh::nodesPerElement(group.block->type);
-                   const int* local = group.nodes.data() + static_cast<std::size_t>(number * perElement);
+                   const int perElement = group.nodesPerElement();
+                   const int* local = group.nodesOf(number);
                    for (int column = 0; column < displacements.numCols(); ++column) {
                      double h[3][3] = {};  // mean displacement gradient
                      for (int a = 0; a < perElement; ++a) {
                        for (int i = 0; i < dimension; ++i) {
                          const double u = displacements(dimension * local[a] + i, column) / integrals.volume;
                          for (int k = 0; k < dimension; ++k)
-                           h[i][k] += u * integrals.gradient[static_cast<std::size_t>(dimension * a + k)];
+                           h[i][k] += u * integrals.gradient.data()[dimension * a + k];
                        }
                      }
                      const double strain[6] = {h[0][0],           h[1][1],           h[2][2],

@@ -1,21 +1,19 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
 #include <harmos/base/Tpetra.hpp>
+#include <harmos/mesh/Congruence.hpp>
 #include <harmos/mesh/Mesh.hpp>
 
 namespace harmos::substructure {
 
-/// A rigid motion (or mirror) that carries the representative body onto this one: x -> Q x + c, node by node.
-struct Congruence {
-  int representative = -1;                          // index of the substructure whose operator is shared
-  std::vector<int> node;                            // node[a]: this body's local node that is the image of a
-  std::array<std::array<double, 3>, 3> rotation{};  // Q, orthogonal, determinant +1 or -1
+/// The rigid motion or mirror image that carries the representative body onto this one.
+struct Congruence : mesh::Congruence {
+  int representative = -1;  // index of the substructure whose operator is shared
 };
 
 /// One elastic body: a stiffness matrix and where its nodes are. It does not know where the matrix comes from.

@@ -81,10 +81,7 @@ Teuchos::RCP<base::CrsMatrix> sumOf(const base::CrsMatrix& stiffness, const Boun
       add(entry.row * boundary.dimension + component, entry.column * boundary.dimension + component, entry.value);
     }
   }
-  if (!missing.empty()) {
-    BoundaryTerm all = boundary;
-    return sumOf(*withEntries(view, missing), all, part);
-  }
+  if (!missing.empty()) return sumOf(*withEntries(view, missing), boundary, part);
   using Values = base::CrsMatrix::local_matrix_device_type::values_type;
   Values values(Kokkos::ViewAllocateWithoutInitializing("values"), view.rowPointers[view.rows]);
   std::copy(view.values, view.values + values.extent(0), values.data());

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+
 #include <harmos/base/Error.hpp>
 
 #include "Lattice.hpp"
@@ -34,6 +37,26 @@ TEST(CrsMatrix, nodalDiagonalIsTheMeanOverComponents) {
   const std::vector<double> diagonal = nodalStiffnessDiagonal(*lattice.matrix(), 3);
   EXPECT_DOUBLE_EQ(diagonal[0], 3 * 2.0);   // corner: three springs
   EXPECT_DOUBLE_EQ(diagonal[13], 6 * 2.0);  // centre: six
+}
+
+// A host's own assembly: entries in any order, summed up by Tpetra.
+TEST(CrsMatrix, acceptsMatricesThatTpetraAssembled) {
+  using Map = base::CrsMatrix::map_type;
+  const Teuchos::RCP<const Teuchos::Comm<int>> self = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF));
+  const auto map = Teuchos::rcp(new Map(4, 0, self));
+  base::CrsMatrix matrix(map, 4);
+  for (const long long row : {2, 0, 3, 1}) {
+    for (const long long column : {3, 1, 0, 2, 1}) {
+      const double value = row == column ? 5.0 : 1.0;
+      matrix.insertGlobalValues(row, 1, &value, &column);
+    }
+  }
+  EXPECT_THROW(viewOf(matrix, "part"), base::Error);
+  matrix.fillComplete();
+  const CrsView view = viewOf(matrix, "part");
+  EXPECT_EQ(std::vector<int>(view.columns, view.columns + 4), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(view.values[0], 5.0);
+  EXPECT_EQ(view.values[1], 2.0);  // inserted twice
 }
 
 }  // namespace
