@@ -1,0 +1,60 @@
+#include <iomanip>
+#include <ostream>
+
+#include <harmos/setup/CommandLineVerbs.hpp>
+#include <harmos/setup/Progress.hpp>
+#include <harmos/setup/SceneRun.hpp>
+
+namespace harmos::setup {
+
+namespace {
+
+void printSummary(std::ostream& out, const SceneRunResult& result) {
+  const auto& record = result.record;
+  out << record.status << ": " << record.reason << "\n";
+  out << std::setprecision(3) << "error estimate " << record.errorEstimate << " (asked for " << record.accuracy << "), "
+      << record.iterations << " iterations, " << record.linearStages << " linear stages, " << record.wallSeconds
+      << " s\n";
+  for (const auto& response : result.solution.responses)
+    out << "  " << std::left << std::setw(24) << response.name << std::right << std::setprecision(7) << std::setw(15)
+        << response.values.back() << "  error estimate " << std::setprecision(2) << response.errorEstimate << "\n";
+  out << result.files.parts << "\n" << result.files.interfaces << "\n" << result.files.history << "\n";
+}
+
+int run(const CommandLineArguments& arguments, const CommandEnvironment& environment) {
+  arguments.requireOperands({"SCENE.xml"});
+  const bool isQuiet = arguments.has("--quiet");
+  auto detail = arguments.has("--verbose") ? Progress::Detail::everyIteration : Progress::Detail::sparse;
+  if (isQuiet || !environment.isRoot()) detail = Progress::Detail::none;
+
+  SceneRunRequest request;
+  request.scene = arguments.operands()[0];
+  request.overrides = arguments.values("--set");
+  request.directory = arguments.value("--output", "results");
+  request.interrupted = environment.interrupted;
+  Progress progress(environment.err, detail, environment.terminal);
+  request.observer = [&progress](const latin::IterationReport& report) { progress.report(report); };
+  const SceneRunResult result = runScene(request, laws::builtInLaws(), environment.communicator);
+  progress.finish();
+  if (environment.isRoot() && !isQuiet) printSummary(environment.out, result);
+  if (environment.isRoot() && isQuiet && result.record.exitCode != 0)
+    environment.err << result.record.status << ": " << result.record.reason << "\n";
+  return result.record.exitCode;
+}
+
+}  // namespace
+
+Command runCommand() {
+  return {"run",
+          "SCENE.xml",
+          "Solve a scene and write its results.",
+          {{"--output", "DIR", "folder of the results (default: results)"},
+           {"--set", "'LIST/NAME=VALUE'", "replace an entry of the scene; may be repeated", true},
+           {"--verbose", "", "one line per iteration"},
+           {"--quiet", "", "print only errors"}},
+          {"harmos run xml/bolted_joint.xml",
+           "harmos run xml/bolted_joint.xml --set 'Solver/Accuracy=1e-5' --set 'Values/friction=0.2' --output fine"},
+          run};
+}
+
+}  // namespace harmos::setup

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# Checks what the program promises on its command line: exit codes, messages, and which files it leaves.
+#
+#   command_line.sh HARMOS SCENE.xml WORK_DIR     SCENE is one that is solved in a second or so
+set -uo pipefail
+
+harmos=$1 scene=$2 work=$3
+name=$(basename "$scene" .xml)
+rm -rf "$work"
+mkdir -p "$work"
+failures=0
+
+# expect CODE PATTERN COMMAND...: the command ends with this code and prints the pattern.
+expect() {
+  local code=$1 pattern=$2 output status
+  shift 2
+  output=$("$@" 2>&1)
+  status=$?
+  if [ $status -ne "$code" ] || ! grep -q -- "$pattern" <<<"$output"; then
+    echo "FAILED: $*"
+    echo "  exit code $status, expected $code; expected text: $pattern; printed:"
+    sed 's/^/  | /' <<<"$output"
+    failures=$((failures + 1))
+  fi
+}
+
+expect 0 '^harmos [0-9]*\.[0-9]*\.[0-9]*$' "$harmos" --version
+expect 0 'Exit codes' "$harmos" --help
+expect 2 'Usage' "$harmos"
+for verb in run check doc mesh compare; do
+  expect 0 "harmos $verb" "$harmos" $verb --help
+done
+expect 2 'unknown command "rum". Did you mean "run"' "$harmos" rum
+expect 2 'unknown option "--ouput". Did you mean "--output"' "$harmos" run "$scene" --ouput x
+expect 2 'SCENE.xml' "$harmos" run
+expect 2 'no_such_scene.xml' "$harmos" run no_such_scene.xml
+expect 0 'Accuracy' "$harmos" doc Solver
+expect 2 'Solvre' "$harmos" doc Solvre
+expect 0 'is valid' "$harmos" check "$scene"
+expect 0 'nodes' "$harmos" mesh "$scene" --output "$work/mesh.e"
+expect 0 'are the same' "$harmos" compare "$work/mesh.e" "$work/mesh.e"
+expect 2 'not an Exodus file' "$harmos" compare "$work/mesh.e" "$scene"
+
+# Bad input leaves nothing, and does not touch what is there.
+mkdir "$work/bad"
+expect 2 'Acuracy' "$harmos" run "$scene" --output "$work/bad" --set Solver/Acuracy=1
+expect 0 '^$' ls "$work/bad"
+
+# A run replaces all of its files; a second one gives the same.
+mkdir "$work/first"
+for file in .e _interfaces.e _history.csv _effective.xml _result.json; do echo stale >"$work/first/$name$file"; done
+expect 0 'certified' "$harmos" run "$scene" --output "$work/first"
+grep -l -r '^stale$' "$work/first" && failures=$((failures + 1))
+expect 0 '"status": "certified"' cat "$work/first/${name}_result.json"
+expect 0 '^step,time,' head -n 1 "$work/first/${name}_history.csv"
+expect 0 '' "$harmos" run "$scene" --output "$work/second" --quiet
+expect 0 'are the same' "$harmos" compare "$work/first/$name.e" "$work/second/$name.e"
+
+# The effective input is a scene that gives the same results again.
+expect 0 '' "$harmos" run "$work/first/${name}_effective.xml" --output "$work/again" --quiet
+expect 0 'are the same' "$harmos" compare "$work/first/$name.e" "$work/again/${name}_effective.e"
+
+# Ended at the iteration limit: says so, and the files of the last state are there.
+expect 3 'iteration' "$harmos" run "$scene" --output "$work/limit" --set 'Solver/Maximum Iterations=2'
+expect 0 '"status": "not converged"' cat "$work/limit/${name}_result.json"
+expect 0 '' test -s "$work/limit/$name.e"
+
+[ $failures -eq 0 ] && echo "all as promised"
+exit $((failures > 0))
