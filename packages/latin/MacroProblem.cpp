@@ -158,7 +158,8 @@ MacroProblem::MacroProblem(const interface::Assembly& assembly, const interface:
       const TraceLayout::Block& at = layout.blocks()[i];
       const auto& nodes = assembly.interfaces[static_cast<std::size_t>(at.interface)].nodes(at.side);
       Block& block = blocks_[i];
-      block.reaction.shape(block.force.numRows(), count);
+      // Not the rows of `force`: a Teuchos matrix without columns, as that of a boundary, loses its rows when copied.
+      block.reaction.shape(at.pairs * dimension, count);
       for (int j = 0; j < count; ++j) {
         for (int row = 0; row < block.reaction.numRows(); ++row) {
           block.reaction(row, j) =
