@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include <harmos/mesh/FaceIntegrals.hpp>
 #include <harmos/mesh/PointSearch.hpp>
@@ -108,6 +109,33 @@ double shortestEdge(const std::vector<Point>& corners) {
     length = std::min(length, distance(corners[i], corners[(i + 1) % corners.size()]));
   }
   return length;
+}
+
+std::map<int, double> localSizes(const Mesh& mesh, const std::vector<Face>& faces) {
+  std::map<int, double> sizes;
+  for (const Face& face : faces) {
+    const double size = shortestEdge(pointsOf(mesh, face.nodes));
+    for (const int node : face.nodes) {
+      const auto [entry, isNew] = sizes.emplace(node, size);
+      entry->second = std::min(entry->second, size);
+    }
+  }
+  return sizes;
+}
+
+std::vector<std::pair<int, int>> matchNodes(const Mesh& mesh, const std::vector<Face>& side1,
+                                            const std::vector<Face>& side2) {
+  const std::vector<int> nodes2 = nodesOf(side2);
+  const PointSearch search(pointsOf(mesh, nodes2));
+  std::set<int> taken;
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto& [node1, size] : localSizes(mesh, side1)) {
+    const auto nearest = search.nearest(mesh.nodes[static_cast<std::size_t>(node1)]);
+    if (nearest.index < 0 || nearest.distance > conformingTolerance * size) continue;
+    const int node2 = nodes2[static_cast<std::size_t>(nearest.index)];
+    if (taken.insert(node2).second) pairs.emplace_back(node1, node2);
+  }
+  return pairs;
 }
 
 }  // namespace harmos::mesh

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include <harmos/mesh/Skin.hpp>
@@ -36,6 +37,13 @@ Separation separation(const std::vector<Point>& nodes, const std::vector<int>& f
 
 /// The mesh node numbers of faces, ascending, each once.
 std::vector<int> nodesOf(const std::vector<Face>& faces);
+
+/// Pairs the nodes of two sides that coincide, by ascending node of the first; each node of `side2` at most once.
+std::vector<std::pair<int, int>> matchNodes(const Mesh& mesh, const std::vector<Face>& side1,
+                                            const std::vector<Face>& side2);
+
+/// Length of the shortest edge of the faces around each of their nodes.
+std::map<int, double> localSizes(const Mesh& mesh, const std::vector<Face>& faces);
 
 /// Length of the shortest edge.
 double shortestEdge(const std::vector<Point>& corners);

@@ -9,7 +9,6 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
 #include <harmos/mesh/NodalWeights.hpp>
-#include <harmos/mesh/PointSearch.hpp>
 #include <harmos/mesh/SurfaceBuilder.hpp>
 #include <harmos/mesh/Vector.hpp>
 
@@ -44,100 +43,14 @@ const Set& findSet(const std::string& where, const std::vector<Set>& sets, const
                     base::suggestName(name, known, std::string(kind) + "s"));
 }
 
-/// The surfaces of an interface, one builder per pair of pieces.
-class Builders {
- public:
-  Builders(const Mesh& mesh, const std::vector<Part>& parts, const std::optional<Point>& projection = std::nullopt)
-      : mesh_(mesh), parts_(parts), projection_(projection) {}
-
-  SurfaceBuilder& at(int piece1, int piece2) {
-    return all_.try_emplace({piece1, piece2}, mesh_, parts_, piece1, piece2, projection_).first->second;
-  }
-  std::vector<InterfaceSurface> build(const std::string& name) const {
-    std::vector<InterfaceSurface> surfaces;
-    for (const auto& [pieces, builder] : all_) surfaces.push_back(builder.build(name));
-    return surfaces;
-  }
-
- private:
-  const Mesh& mesh_;
-  const std::vector<Part>& parts_;
-  std::optional<Point> projection_;
-  std::map<std::pair<int, int>, SurfaceBuilder> all_;
-};
-
-/// Length of the shortest edge of the faces around each of their nodes.
-std::map<int, double> localSizes(const Mesh& mesh, const std::vector<Face>& faces) {
-  std::map<int, double> sizes;
-  for (const Face& face : faces) {
-    const double size = shortestEdge(pointsOf(mesh, face.nodes));
-    for (const int node : face.nodes) {
-      const auto [entry, isNew] = sizes.emplace(node, size);
-      entry->second = std::min(entry->second, size);
-    }
-  }
-  return sizes;
-}
-
-/// Pairs the nodes of two sides that coincide; each node of `side2` at most once.
-std::vector<std::pair<int, int>> matchNodes(const Mesh& mesh, const std::vector<Face>& side1,
-                                            const std::vector<Face>& side2) {
-  const std::vector<int> nodes2 = nodesOf(side2);
-  const PointSearch search(pointsOf(mesh, nodes2));
-  std::set<int> taken;
-  std::vector<std::pair<int, int>> pairs;
-  for (const auto& [node1, size] : localSizes(mesh, side1)) {
-    const auto nearest = search.nearest(mesh.nodes[static_cast<std::size_t>(node1)]);
-    if (nearest.index < 0 || nearest.distance > conformingTolerance * size) continue;
-    const int node2 = nodes2[static_cast<std::size_t>(nearest.index)];
-    if (taken.insert(node2).second) pairs.emplace_back(node1, node2);
-  }
-  return pairs;
-}
-
 }  // namespace
 
 InterfaceFinder::InterfaceFinder(const Mesh& mesh, const std::vector<Part>& parts, double thickness)
-    : mesh_(mesh), parts_(parts), thickness_(mesh.dimension == 2 ? thickness : 1.0), elements_(mesh) {
-  piece_.assign(static_cast<std::size_t>(elements_.count()), -1);
-  for (std::size_t piece = 0; piece < parts.size(); ++piece) {
-    for (const int element : parts[piece].elements) {
-      int& owner = piece_[static_cast<std::size_t>(element)];
-      if (owner >= 0) {
-        refuse("Parts \"" + bodyOf(owner) + "\" and \"" + bodyOf(static_cast<int>(piece)) + "\"",
-               "both have elements of block \"" + mesh.blocks[static_cast<std::size_t>(elements_.block(element))].name +
-                   "\"; give every block to one part only.");
-      }
-      owner = static_cast<int>(piece);
-    }
-  }
-}
-
-const std::string& InterfaceFinder::bodyOf(int piece) const {
-  const Part& part = parts_[static_cast<std::size_t>(piece)];
-  return part.body.empty() ? part.name : part.body;
-}
-
-std::vector<int> InterfaceFinder::piecesOf(const std::string& where, const std::string& body) const {
-  std::vector<int> pieces;
-  std::vector<std::string> known;
-  for (int piece = 0; piece < static_cast<int>(parts_.size()); ++piece) {
-    if (bodyOf(piece) == body) pieces.push_back(piece);
-    if (known.empty() || known.back() != bodyOf(piece)) known.push_back(bodyOf(piece));
-  }
-  if (pieces.empty()) refuse(where, "there is no part \"" + body + "\". " + base::suggestName(body, known, "Parts"));
-  return pieces;
-}
-
-std::vector<int> InterfaceFinder::elementsOf(const std::vector<int>& pieces) const {
-  std::vector<int> elements;
-  for (const int piece : pieces) {
-    const auto& more = parts_[static_cast<std::size_t>(piece)].elements;
-    elements.insert(elements.end(), more.begin(), more.end());
-  }
-  std::sort(elements.begin(), elements.end());
-  return elements;
-}
+    : mesh_(mesh),
+      parts_(parts),
+      thickness_(mesh.dimension == 2 ? thickness : 1.0),
+      elements_(mesh),
+      pieces_(mesh, elements_, parts) {}
 
 std::vector<Face> InterfaceFinder::facesOf(const std::string& where, const std::string& sideSet) const {
   const SideSet& set = findSet(where, mesh_.sideSets, sideSet, "side set");
@@ -146,7 +59,7 @@ std::vector<Face> InterfaceFinder::facesOf(const std::string& where, const std::
   for (std::size_t i = 0; i < set.element.size(); ++i) sides.emplace(set.element[i], set.side[i]);
   std::vector<Face> faces;
   for (const auto& [element, side] : sides) {
-    if (piece_[static_cast<std::size_t>(element)] < 0) {
+    if (pieces_.of(element) < 0) {
       refuse(where, "side set \"" + sideSet + "\" has faces of block \"" +
                         mesh_.blocks[static_cast<std::size_t>(elements_.block(element))].name +
                         "\", which belongs to no part. Add a part with this block, or choose another side set.");
@@ -163,14 +76,14 @@ FaceIntegrals InterfaceFinder::integrate(const Face& face, const std::optional<P
 std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, const std::vector<Face>& side1,
                                                     const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
                                                     const std::optional<Point>& projection) const {
-  Builders builders(mesh_, parts_, projection);
+  SurfaceBuilders builders(mesh_, parts_, projection);
   for (const FacePair& pair : pairs) {
     const Face& face1 = side1[static_cast<std::size_t>(pair.face1)];
     const Face& face2 = side2[static_cast<std::size_t>(pair.face2)];
-    const int piece1 = piece_[static_cast<std::size_t>(face1.element)];
-    const int piece2 = piece_[static_cast<std::size_t>(face2.element)];
-    if (bodyOf(piece1) == bodyOf(piece2)) {
-      refuse(interfaceNamed(name), "both sides belong to part \"" + bodyOf(piece1) +
+    const int piece1 = pieces_.of(face1.element);
+    const int piece2 = pieces_.of(face2.element);
+    if (pieces_.body(piece1) == pieces_.body(piece2)) {
+      refuse(interfaceNamed(name), "both sides belong to part \"" + pieces_.body(piece1) +
                                        "\"; an interface joins two parts. Divide the part into two blocks there.");
     }
     builders.at(piece1, piece2).addFace(face1.nodes, pair.nodes2, integrate(face1, projection));
@@ -233,13 +146,12 @@ std::vector<InterfaceSurface> InterfaceFinder::joinDifferentFaces(const std::str
                                                                   const std::vector<Face>& side1,
                                                                   const std::vector<Face>& side2) const {
   const auto onePiece = [&](const std::vector<Face>& side) {
-    return std::all_of(side.begin(), side.end(), [&](const Face& face) {
-      return piece_[static_cast<std::size_t>(face.element)] == piece_[static_cast<std::size_t>(side[0].element)];
-    });
+    return std::all_of(side.begin(), side.end(),
+                       [&](const Face& face) { return pieces_.of(face.element) == pieces_.of(side[0].element); });
   };
-  const int piece1 = piece_[static_cast<std::size_t>(side1[0].element)];
-  const int piece2 = piece_[static_cast<std::size_t>(side2[0].element)];
-  if (!onePiece(side1) || !onePiece(side2) || bodyOf(piece1) == bodyOf(piece2)) return {};
+  const int piece1 = pieces_.of(side1[0].element);
+  const int piece2 = pieces_.of(side2[0].element);
+  if (!onePiece(side1) || !onePiece(side2) || pieces_.body(piece1) == pieces_.body(piece2)) return {};
   const auto pairs = matchNodes(mesh_, side1, side2);
   if (pairs.size() != nodesOf(side1).size() || pairs.size() != nodesOf(side2).size()) return {};
   const std::map<int, int> partner(pairs.begin(), pairs.end());
@@ -279,14 +191,13 @@ std::vector<InterfaceSurface> InterfaceFinder::joinNodes(const std::string& name
   }
   std::sort(nodes1.begin(), nodes1.end());
   std::sort(nodes2.begin(), nodes2.end());
-  const NodalWeights weights1(mesh_, elements_, piece_, elementsOf(pieces1), nodes1, thickness_);
-  const NodalWeights weights2(mesh_, elements_, piece_, elementsOf(pieces2), nodes2, thickness_);
-  Builders builders(mesh_, parts_);
+  const NodalWeights weights1(mesh_, elements_, pieces_, pieces1, nodes1, thickness_);
+  const NodalWeights weights2(mesh_, elements_, pieces_, pieces2, nodes2, thickness_);
+  SurfaceBuilders builders(mesh_, parts_);
   for (const auto& [node1, node2] : pairs) {
     // Where a body is cut, its pieces are tied to each other: one of them is enough.
     const auto holder = [&](const std::vector<int>& pieces, int node) {
-      return *std::find_if(pieces.begin(), pieces.end(),
-                           [&](int piece) { return localNode(parts_[static_cast<std::size_t>(piece)], node) >= 0; });
+      return *std::find_if(pieces.begin(), pieces.end(), [&](int piece) { return pieces_.has(piece, node); });
     };
     const auto weight1 = weights1.total(node1);
     const auto weight2 = weights2.total(node2);
@@ -299,11 +210,11 @@ std::vector<InterfaceSurface> InterfaceFinder::joinNodes(const std::string& name
 std::vector<InterfaceSurface> InterfaceFinder::betweenBodies(const std::string& name, const std::string& body1,
                                                              const std::string& body2) const {
   const std::string where = interfaceNamed(name);
-  const auto pieces1 = piecesOf(where, body1);
-  const auto pieces2 = piecesOf(where, body2);
+  const auto pieces1 = pieces_.named(where, body1);
+  const auto pieces2 = pieces_.named(where, body2);
   if (body1 == body2) refuse(where, "Part 1 and Part 2 are both \"" + body1 + "\"; an interface joins two parts.");
-  const auto skin1 = skin(elements_, elementsOf(pieces1));
-  const auto skin2 = skin(elements_, elementsOf(pieces2));
+  const auto skin1 = skin(elements_, pieces_.elements(pieces1));
+  const auto skin2 = skin(elements_, pieces_.elements(pieces2));
   const auto faces = matchFaces(mesh_.nodes, skin1, skin2);
   auto surfaces = join(name, skin1, skin2, faces, std::nullopt);
 
@@ -345,7 +256,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenBodies(const std::string& 
 
 std::vector<InterfaceSurface> InterfaceFinder::cuts() const {
   std::map<std::string, std::vector<int>> bodies;
-  for (int piece = 0; piece < static_cast<int>(parts_.size()); ++piece) bodies[bodyOf(piece)].push_back(piece);
+  for (int piece = 0; piece < pieces_.count(); ++piece) bodies[pieces_.body(piece)].push_back(piece);
   std::vector<InterfaceSurface> surfaces;
   for (const auto& [body, pieces] : bodies) {
     if (pieces.size() < 2) continue;
@@ -356,7 +267,7 @@ std::vector<InterfaceSurface> InterfaceFinder::cuts() const {
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::cut(const std::string& name, const std::vector<int>& pieces) const {
-  Builders builders(mesh_, parts_);
+  SurfaceBuilders builders(mesh_, parts_);
   std::map<std::vector<int>, Face> open;           // by sorted nodes: faces whose other side has not come yet
   std::map<int, std::vector<std::set<int>>> tied;  // per node: groups of pieces that faces join there
   for (const int piece : pieces) {
@@ -372,7 +283,7 @@ std::vector<InterfaceSurface> InterfaceFinder::cut(const std::string& name, cons
         continue;
       }
       const Face& first = other->second;
-      const int firstPiece = piece_[static_cast<std::size_t>(first.element)];
+      const int firstPiece = pieces_.of(first.element);
       builders.at(firstPiece, piece).addFace(first.nodes, first.nodes, integrate(first));
       for (const int node : first.nodes) {
         auto& groups = tied[node];
@@ -403,9 +314,9 @@ std::vector<InterfaceSurface> InterfaceFinder::cut(const std::string& name, cons
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::onFaces(const std::string& name, const std::vector<Face>& faces) const {
-  Builders builders(mesh_, parts_);
+  SurfaceBuilders builders(mesh_, parts_);
   for (const Face& face : faces) {
-    builders.at(piece_[static_cast<std::size_t>(face.element)], -1).addFace(face.nodes, {}, integrate(face));
+    builders.at(pieces_.of(face.element), -1).addFace(face.nodes, {}, integrate(face));
   }
   return builders.build(name);
 }
@@ -419,13 +330,12 @@ std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name
   const std::string where = boundaryNamed(name);
   const NodeSet& set = findSet(where, mesh_.nodeSets, nodeSet, "node set");
   if (set.node.empty()) refuse(where, "node set \"" + nodeSet + "\" is empty.");
-  std::vector<int> pieces(parts_.size());
+  std::vector<int> pieces(static_cast<std::size_t>(pieces_.count()));
   std::iota(pieces.begin(), pieces.end(), 0);
-  if (!body.empty()) pieces = piecesOf(where, body);
+  if (!body.empty()) pieces = pieces_.named(where, body);
   std::set<int> nodes;
   for (const int node : set.node) {
-    if (std::any_of(pieces.begin(), pieces.end(),
-                    [&](int piece) { return localNode(parts_[static_cast<std::size_t>(piece)], node) >= 0; })) {
+    if (std::any_of(pieces.begin(), pieces.end(), [&](int piece) { return pieces_.has(piece, node); })) {
       nodes.insert(node);
     } else if (body.empty()) {
       refuse(where, "node set \"" + nodeSet + "\" has a node at " + text(mesh_.nodes[static_cast<std::size_t>(node)]) +
@@ -434,17 +344,16 @@ std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name
   }
   if (nodes.empty()) refuse(where, "node set \"" + nodeSet + "\" has no node of part \"" + body + "\".");
 
-  const auto elements = elementsOf(pieces);
   std::vector<Face> faces;
-  for (Face& face : skin(elements_, elements)) {
+  for (Face& face : skin(elements_, pieces_.elements(pieces))) {
     if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](int node) { return nodes.count(node) > 0; })) {
       faces.push_back(std::move(face));
     }
   }
   if (nodesOf(faces).size() == nodes.size()) return onFaces(name, faces);
 
-  const NodalWeights weights(mesh_, elements_, piece_, elements, {nodes.begin(), nodes.end()}, thickness_);
-  Builders builders(mesh_, parts_);
+  const NodalWeights weights(mesh_, elements_, pieces_, pieces, {nodes.begin(), nodes.end()}, thickness_);
+  SurfaceBuilders builders(mesh_, parts_);
   for (const int node : nodes) {
     for (const auto& [piece, weight] : weights.at(node)) {
       builders.at(piece, -1).addNode(node, -1, weight.area, weight.normal);

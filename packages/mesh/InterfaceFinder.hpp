@@ -9,6 +9,7 @@
 #include <harmos/mesh/FaceMatching.hpp>
 #include <harmos/mesh/InterfaceSurface.hpp>
 #include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/PieceMap.hpp>
 
 namespace harmos::mesh {
 
@@ -56,9 +57,6 @@ class InterfaceFinder {
                                           const std::string& body = "") const;
 
  private:
-  const std::string& bodyOf(int piece) const;
-  std::vector<int> piecesOf(const std::string& interface, const std::string& body) const;
-  std::vector<int> elementsOf(const std::vector<int>& pieces) const;
   std::vector<Face> facesOf(const std::string& interface, const std::string& sideSet) const;
   FaceIntegrals integrate(const Face& face, const std::optional<Point>& projection = std::nullopt) const;
   std::vector<InterfaceSurface> join(const std::string& name, const std::vector<Face>& side1,
@@ -76,7 +74,7 @@ class InterfaceFinder {
   const std::vector<Part>& parts_;
   double thickness_;
   Elements elements_;
-  std::vector<int> piece_;  // of each element; -1: in no part
+  PieceMap pieces_;
 };
 
 }  // namespace harmos::mesh

@@ -21,16 +21,16 @@ double volume(const Mesh& mesh, const Elements& elements, int element, double th
 
 }  // namespace
 
-NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const std::vector<int>& piece,
-                           const std::vector<int>& elementList, const std::vector<int>& wanted, double thickness) {
+NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const PieceMap& map,
+                           const std::vector<int>& pieces, const std::vector<int>& wanted, double thickness) {
+  const auto elementList = map.elements(pieces);
   const auto isWanted = [&](int node) { return std::binary_search(wanted.begin(), wanted.end(), node); };
-  const auto pieceOf = [&](int element) { return piece[static_cast<std::size_t>(element)]; };
   for (const Face& face : skin(elements, elementList)) {
     if (std::none_of(face.nodes.begin(), face.nodes.end(), isWanted)) continue;
     const FaceIntegrals integrals = integrateFace(pointsOf(mesh, face.nodes), thickness);
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
       if (!isWanted(face.nodes[i])) continue;
-      Weight& weight = weights_[face.nodes[i]][pieceOf(face.element)];
+      Weight& weight = weights_[face.nodes[i]][map.of(face.element)];
       weight.area += integrals.area[i];
       weight.normal = weight.normal + integrals.normal[i];
     }
@@ -43,7 +43,7 @@ NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const std
     if (std::none_of(nodes, nodes + count, isInner)) continue;
     const double share = volume(mesh, elements, element, thickness) / count;
     for (int i = 0; i < count; ++i) {
-      if (isInner(nodes[i])) volumes[nodes[i]][pieceOf(element)] += share;
+      if (isInner(nodes[i])) volumes[nodes[i]][map.of(element)] += share;
     }
   }
   for (const auto& [node, byPiece] : volumes) {

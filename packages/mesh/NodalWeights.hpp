@@ -5,15 +5,16 @@
 
 #include <harmos/mesh/Elements.hpp>
 #include <harmos/mesh/FaceIntegrals.hpp>
+#include <harmos/mesh/PieceMap.hpp>
 #include <harmos/mesh/Skin.hpp>
 
 namespace harmos::mesh {
 
 /// Gives single nodes an area, for interfaces without faces.
 ///
-/// A node of the skin of the given elements has its share of the skin's area, int N dS, and the normal int N n dS; an
-/// inner node the area V^(2/3) (in 2-D V^(1/2) times thickness), V being its share of the volume, and no normal. Both
-/// are split over the pieces that own the faces or elements around the node.
+/// A node of the skin of the given pieces together has its share of the skin's area, int N dS, and the normal int N n
+/// dS; an inner node the area V^(2/3) (in 2-D V^(1/2) times thickness), V being its share of the volume, and no normal.
+/// Both are split over the pieces that own the faces or elements around the node.
 class NodalWeights {
  public:
   struct Weight {
@@ -21,11 +22,11 @@ class NodalWeights {
     Point normal{};
   };
 
-  /// `piece` holds the piece of every element of the mesh; `wanted` are mesh nodes, ascending.
-  NodalWeights(const Mesh& mesh, const Elements& elements, const std::vector<int>& piece,
-               const std::vector<int>& elementList, const std::vector<int>& wanted, double thickness);
+  /// For the elements of `pieces`; `wanted` are mesh nodes, ascending.
+  NodalWeights(const Mesh& mesh, const Elements& elements, const PieceMap& map, const std::vector<int>& pieces,
+               const std::vector<int>& wanted, double thickness);
 
-  /// Weights by piece; empty if no element of the list has the node.
+  /// Weights by piece; empty if none of the pieces has the node.
   const std::map<int, Weight>& at(int node) const;
   /// The sum over the pieces.
   Weight total(int node) const;

@@ -69,6 +69,16 @@ InterfaceSurface SurfaceBuilder::build(const std::string& name) const {
   return surface;
 }
 
+SurfaceBuilder& SurfaceBuilders::at(int piece1, int piece2) {
+  return all_.try_emplace({piece1, piece2}, mesh_, parts_, piece1, piece2, projection_).first->second;
+}
+
+std::vector<InterfaceSurface> SurfaceBuilders::build(const std::string& name) const {
+  std::vector<InterfaceSurface> surfaces;
+  for (const auto& [pieces, builder] : all_) surfaces.push_back(builder.build(name));
+  return surfaces;
+}
+
 Frame frameFromNormal(const Point& normal, int dimension) {
   const double length = norm(normal);
   const Point n = length > 0.0 ? (1.0 / length) * normal : Point{1.0, 0.0, 0.0};

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,26 @@ class SurfaceBuilder {
   std::map<Pair, PairData> pairs_;
   std::vector<std::vector<Pair>> faces_;
   std::map<std::pair<Pair, Pair>, double> mass_;
+};
+
+/// The surfaces of one interface: a builder per pair of pieces that meet. Keeps references to the mesh and the parts.
+class SurfaceBuilders {
+ public:
+  /// `projection` as for SurfaceBuilder.
+  SurfaceBuilders(const Mesh& mesh, const std::vector<Part>& parts,
+                  const std::optional<Point>& projection = std::nullopt)
+      : mesh_(mesh), parts_(parts), projection_(projection) {}
+
+  /// The builder of a pair, made when first asked for; piece2 = -1 for an outer boundary.
+  SurfaceBuilder& at(int piece1, int piece2);
+  /// By ascending pieces.
+  std::vector<InterfaceSurface> build(const std::string& name) const;
+
+ private:
+  const Mesh& mesh_;
+  const std::vector<Part>& parts_;
+  std::optional<Point> projection_;
+  std::map<std::pair<int, int>, SurfaceBuilder> all_;
 };
 
 /// The frame of an interface node from its normal (any length; zero: the x axis). t1 is the direction, in the tangent

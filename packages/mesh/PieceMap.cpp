@@ -1,0 +1,55 @@
+#include <harmos/mesh/PieceMap.hpp>
+
+#include <algorithm>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
+
+namespace harmos::mesh {
+
+PieceMap::PieceMap(const Mesh& mesh, const Elements& elements, const std::vector<Part>& parts)
+    : parts_(parts), piece_(static_cast<std::size_t>(elements.count()), -1) {
+  for (int piece = 0; piece < count(); ++piece) {
+    for (const int element : parts[static_cast<std::size_t>(piece)].elements) {
+      int& owner = piece_[static_cast<std::size_t>(element)];
+      if (owner >= 0) {
+        throw base::Error("Parts \"" + body(owner) + "\" and \"" + body(piece) + "\": both have elements of block \"" +
+                              mesh.blocks[static_cast<std::size_t>(elements.block(element))].name +
+                              "\"; give every block to one part only.",
+                          base::ExitCode::input);
+      }
+      owner = piece;
+    }
+  }
+}
+
+const std::string& PieceMap::body(int piece) const {
+  const Part& part = parts_[static_cast<std::size_t>(piece)];
+  return part.body.empty() ? part.name : part.body;
+}
+
+std::vector<int> PieceMap::named(const std::string& where, const std::string& name) const {
+  std::vector<int> pieces;
+  std::vector<std::string> known;
+  for (int piece = 0; piece < count(); ++piece) {
+    if (body(piece) == name) pieces.push_back(piece);
+    if (known.empty() || known.back() != body(piece)) known.push_back(body(piece));
+  }
+  if (pieces.empty()) {
+    throw base::Error(where + ": there is no part \"" + name + "\". " + base::suggestName(name, known, "Parts"),
+                      base::ExitCode::input);
+  }
+  return pieces;
+}
+
+std::vector<int> PieceMap::elements(const std::vector<int>& pieces) const {
+  std::vector<int> elements;
+  for (const int piece : pieces) {
+    const auto& more = parts_[static_cast<std::size_t>(piece)].elements;
+    elements.insert(elements.end(), more.begin(), more.end());
+  }
+  std::sort(elements.begin(), elements.end());
+  return elements;
+}
+
+}  // namespace harmos::mesh

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/mesh/Elements.hpp>
+#include <harmos/mesh/Part.hpp>
+
+namespace harmos::mesh {
+
+/// Which part, or which piece of a part that was cut, the elements of a mesh belong to. Keeps a reference to the parts.
+class PieceMap {
+ public:
+  /// Throws base::Error(input) if two parts share an element.
+  PieceMap(const Mesh& mesh, const Elements& elements, const std::vector<Part>& parts);
+
+  int count() const { return static_cast<int>(parts_.size()); }
+  /// Piece of an element; -1 if it is in no part.
+  int of(int element) const { return piece_[static_cast<std::size_t>(element)]; }
+  /// Name of the part before it was cut.
+  const std::string& body(int piece) const;
+  /// The pieces of a body, ascending. Throws base::Error(input), starting with `where`, if there is no such body.
+  std::vector<int> named(const std::string& where, const std::string& name) const;
+  /// Elements of some pieces, ascending.
+  std::vector<int> elements(const std::vector<int>& pieces) const;
+  /// Whether a piece has a mesh node.
+  bool has(int piece, int node) const { return localNode(parts_[static_cast<std::size_t>(piece)], node) >= 0; }
+
+ private:
+  const std::vector<Part>& parts_;
+  std::vector<int> piece_;
+};
+
+}  // namespace harmos::mesh
