@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/ErrorList.hpp>
@@ -88,8 +89,9 @@ class Checker {
   bool wellFormed(const InputNode& node, const std::string& path);
   /// The list's children of a legal tag, each name once.
   Given children(const InputNode& node, const std::string& path);
-  void unknown(const InputNode& child, const ParameterSpec& spec, const std::vector<ParameterEntry>& entries,
-               const std::vector<ParameterSpec::Sublist>& sublists, const std::string& path);
+  /// Returns the name that was probably meant; empty when unclear.
+  std::string unknown(const InputNode& child, const ParameterSpec& spec, const std::vector<ParameterEntry>& entries,
+                      const std::vector<ParameterSpec::Sublist>& sublists, const std::string& path);
   void sublist(const InputNode* node, const ParameterSpec::Sublist& sublist, const std::string& path,
                Parameters& result);
   void numbers(const InputNode& node, const std::string& path, Parameters& result);
@@ -162,8 +164,9 @@ Checker::Given Checker::children(const InputNode& node, const std::string& path)
   return given;
 }
 
-void Checker::unknown(const InputNode& child, const ParameterSpec& spec, const std::vector<ParameterEntry>& entries,
-                      const std::vector<ParameterSpec::Sublist>& sublists, const std::string& path) {
+std::string Checker::unknown(const InputNode& child, const ParameterSpec& spec,
+                             const std::vector<ParameterEntry>& entries,
+                             const std::vector<ParameterSpec::Sublist>& sublists, const std::string& path) {
   Names known;
   if (child.isParameter()) {
     for (const ParameterEntry& entry : entries) known.push_back(entry.name);
@@ -176,11 +179,13 @@ void Checker::unknown(const InputNode& child, const ParameterSpec& spec, const s
     elsewhere = below(path, elsewhere);
   } else if (child.isList()) {
     elsewhere = findBelow(spec_, child.name(), true);
+    if (!elsewhere.empty()) elsewhere = spec_.name() + " / " + elsewhere;
   }
   errors_.add(child.location + ": " + path, "unknown " + kind + quoted(child.name()) + ".",
               elsewhere.empty() ? suggestName(child.name(), known, "Allowed here")
-                                : "It belongs in " + elsewhere +
+                                : "It belongs at " + elsewhere +
                                       ". Allowed here: " + (known.empty() ? "none" : joinNames(known)) + ".");
+  return elsewhere.empty() ? nearestName(child.name(), known) : "";
 }
 
 Parameters Checker::list(const InputNode& node, const ParameterSpec& spec, const std::string& name,
@@ -195,6 +200,7 @@ Parameters Checker::list(const InputNode& node, const ParameterSpec& spec, const
 
   const Given given = children(node, path);
   std::map<std::string, Parameters::Value> values;
+  std::set<std::string> misspelt;  // need not be reported again as missing
   for (const InputNode& child : node.children) {
     const auto found = given.find(child.name());
     if (found == given.end() || found->second != &child) continue;
@@ -215,7 +221,7 @@ Parameters Checker::list(const InputNode& node, const ParameterSpec& spec, const
                     "Write <ParameterList name=" + quoted(child.name()) + "> ... </ParameterList>.");
       }
     } else if (isFormKnown) {
-      unknown(child, spec, entries, sublists, path);
+      misspelt.insert(unknown(child, spec, entries, sublists, path));
     }
   }
 
@@ -224,6 +230,7 @@ Parameters Checker::list(const InputNode& node, const ParameterSpec& spec, const
     if (read != values.end()) {
       result.set(entry.name, std::move(read->second), given.at(entry.name)->location);
     } else if (given.count(entry.name) == 0 && entry.isRequired()) {
+      if (misspelt.count(entry.name) > 0) continue;
       std::string expected = entry.name + (entry.unitName.empty() ? "" : " [" + entry.unitName + "]");
       if (!entry.description.empty()) expected += ": " + entry.description;
       if (!entry.choices.empty()) expected += " Allowed: " + joinNames(entry.choices) + ".";
@@ -243,7 +250,7 @@ Parameters Checker::list(const InputNode& node, const ParameterSpec& spec, const
   }
   for (const auto& sub : sublists) {
     const auto found = given.find(sub.name);
-    if (found == given.end() || found->second->isList()) {
+    if (found == given.end() ? misspelt.count(sub.name) == 0 : found->second->isList()) {
       sublist(found == given.end() ? nullptr : found->second, sub, path, result);
     }
   }

@@ -16,7 +16,13 @@ bool ErrorList::collect(const std::string& where, const std::function<void()>& a
     return true;
   } catch (const Error& error) {
     if (error.code() != ExitCode::input) throw;
-    add(where, error.what());
+    const std::string message = error.what();
+    if (message.rfind(where.substr(0, where.find(':') + 1), 0) == 0) {
+      text_ += message + "\n";
+      ++count_;
+    } else {
+      add(where, message);
+    }
     return false;
   }
 }

@@ -10,7 +10,8 @@ class ErrorList {
  public:
   /// `where` as from Parameters::where(); `what` and `repair` are complete sentences, the second may be empty.
   void add(const std::string& where, const std::string& what, const std::string& repair = "");
-  /// Runs `action`; a base::Error (input) that it throws becomes an error at `where`. Returns whether there was none.
+  /// Runs `action`; a base::Error (input) that it throws becomes an error at `where`
+  /// (or at a place of its own, when it begins with one). Returns whether there was none.
   bool collect(const std::string& where, const std::function<void()>& action);
   int count() const { return count_; }
   /// All errors, ended by "N errors; nothing was run."; empty when there are none.

@@ -40,6 +40,12 @@ std::string nearestName(const std::string& given, const std::vector<std::string>
       nearest = name;
     }
   }
+  if (!nearest.empty() || given.size() < 3) return nearest;
+  for (const std::string& name : known) {
+    if (lowerCase(name).find(lowerCase(given)) == std::string::npos) continue;
+    if (!nearest.empty()) return "";
+    nearest = name;
+  }
   return nearest;
 }
 

@@ -9,7 +9,8 @@ namespace harmos::base {
 /// The name among `known` that `given` was probably meant to be; empty when none is near.
 ///
 /// Nearness is the number of letters inserted, deleted, replaced or swapped with their neighbour, upper and lower case
-/// being equal; up to one plus a quarter of the length of `given` is near.
+/// being equal; up to one plus a quarter of the length of `given` is near. Failing that, the only name that contains
+/// `given`.
 std::string nearestName(const std::string& given, const std::vector<std::string>& known);
 
 /// "a, b, c"; of very many names the first `most` and how many are left.

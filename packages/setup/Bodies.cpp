@@ -7,8 +7,8 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
-#include <harmos/elasticity/Materials.hpp>
 #include <harmos/elasticity/Stiffness.hpp>
+#include <harmos/mesh/Congruence.hpp>
 #include <harmos/mesh/Partition.hpp>
 
 namespace harmos::setup {
@@ -55,6 +55,19 @@ void checkBlocks(const Scene& scene, const mesh::Mesh& mesh, base::ErrorList& er
              "Add them to Parts, or to \"Unused Blocks\" of this list.");
 }
 
+bool isIsotropic(const elasticity::ElasticityMatrix& c) {
+  const double tolerance = 1e-12 * c[0][0];
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j) {
+      double expected = 0.0;
+      if (i < 3 && j < 3) expected = i == j ? c[0][0] : c[0][1];
+      if (i >= 3 && i == j) expected = 0.5 * (c[0][0] - c[0][1]);
+      if (std::abs(c[i][j] - expected) > tolerance) return false;
+    }
+  }
+  return true;
+}
+
 base::Matrix bodyForces(const Parameters& force, const mesh::Mesh& mesh, const mesh::Part& part, const Model& model,
                         int steps) {
   base::Matrix loads;
@@ -96,22 +109,39 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, base::ErrorList& e
   checkBlocks(scene, mesh, errors);
   Bodies bodies;
   if (errors.count() > 0) return bodies;
-  const elasticity::MaterialRegistry materials = elasticity::builtInMaterials();
   for (const Parameters& input : scene.input.lists("Parts")) {
-    std::shared_ptr<const elasticity::Material> material;
-    for (const Parameters& list : scene.input.lists("Materials")) {
-      if (list.name() == input.text("Material")) material = materials.create(list);
-    }
     errors.collect(input.where(), [&] {
       const mesh::Part part = mesh::makePart(mesh, input.name(), blocksOf(input));
       for (mesh::Part& piece : mesh::cutPart(mesh, part, input.integer("Pieces"))) {
         bodies.parts.push_back(std::move(piece));
         bodies.inputs.push_back(&input);
-        bodies.materials.push_back(material);
+        bodies.materials.push_back(scene.materials.at(input.text("Material")));
       }
     });
   }
   return bodies;
+}
+
+std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(const Bodies& bodies,
+                                                                             const mesh::Mesh& mesh) {
+  constexpr mesh::Frame identity{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::vector<std::shared_ptr<const substructure::Congruence>> congruences(bodies.parts.size());
+  for (std::size_t b = 0; b < congruences.size(); ++b) {
+    for (std::size_t a = 0; a < b && !congruences[b]; ++a) {
+      if (congruences[a] || bodies.materials[a] != bodies.materials[b] ||
+          bodies.inputs[a]->text("Formulation") != bodies.inputs[b]->text("Formulation")) {
+        continue;
+      }
+      auto found = mesh::findCongruence(mesh, bodies.parts[a], bodies.parts[b]);
+      if (!found || !(found->rotation == identity || isIsotropic(bodies.materials[a]->elasticity()))) continue;
+      auto congruence = std::make_shared<substructure::Congruence>();
+      congruence->representative = static_cast<int>(a);
+      congruence->node = std::move(found->node);
+      congruence->rotation = found->rotation;
+      congruences[b] = std::move(congruence);
+    }
+  }
+  return congruences;
 }
 
 std::vector<int> distribute(const Bodies& bodies, int ranks) {
@@ -136,18 +166,26 @@ std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh:
                                                  const Bodies& bodies, const std::vector<int>& owner, int rank,
                                                  base::ErrorList& errors) {
   std::vector<substructure::Substructure> assembled(bodies.parts.size());
+  const auto congruences = findCongruences(bodies, mesh);
+  std::vector<bool> needsStiffness(assembled.size(), false);
+  for (std::size_t b = 0; b < assembled.size(); ++b) {
+    if (owner[b] != rank) continue;
+    needsStiffness[congruences[b] ? static_cast<std::size_t>(congruences[b]->representative) : b] = true;
+  }
   for (std::size_t b = 0; b < assembled.size(); ++b) {
     const mesh::Part& part = bodies.parts[b];
     const Parameters& input = *bodies.inputs[b];
     assembled[b].name = part.name;
     assembled[b].dimension = mesh.dimension;
+    assembled[b].congruence = congruences[b];
     for (const int node : part.nodes) assembled[b].nodes.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
-    if (owner[b] != rank) continue;
     errors.collect(input.where(), [&] {
-      assembled[b].stiffness = elasticity::assembleStiffness(mesh, part, *bodies.materials[b],
-                                                             elasticity::formulationNamed(input.text("Formulation")),
-                                                             model.kinematics, model.thickness);
-      if (input.hasList("Body Force")) {
+      if (needsStiffness[b]) {
+        assembled[b].stiffness = elasticity::assembleStiffness(mesh, part, *bodies.materials[b],
+                                                               elasticity::formulationNamed(input.text("Formulation")),
+                                                               model.kinematics, model.thickness);
+      }
+      if (owner[b] == rank && input.hasList("Body Force")) {
         assembled[b].loads =
             bodyForces(input.list("Body Force"), mesh, part, model, static_cast<int>(scene.times.size()));
       }

@@ -35,11 +35,15 @@ struct Bodies {
 /// Reports blocks that do not exist, belong to two parts or to none to `errors`.
 Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, base::ErrorList& errors);
 
+/// For every body the earlier one that it equals up to a rigid motion or mirror image, elasticity and all; null: none.
+std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(const Bodies& bodies,
+                                                                             const mesh::Mesh& mesh);
+
 /// Which rank owns which body: the largest first, each to the rank that has least to do.
 std::vector<int> distribute(const Bodies& bodies, int ranks);
 
-/// Stiffness (for owned bodies) and loads of the bodies. Reports elements that cannot be used to `errors`, on the ranks
-/// that own them.
+/// Stiffness and loads of the bodies that this rank owns; of congruent bodies the stiffness of what they equal. Reports
+/// elements that cannot be used to `errors`, on the ranks that own them.
 std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh::Mesh& mesh, const Model& model,
                                                  const Bodies& bodies, const std::vector<int>& owner, int rank,
                                                  base::ErrorList& errors);

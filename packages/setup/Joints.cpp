@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+
+#include <harmos/base/Error.hpp>
 
 namespace harmos::setup {
 
@@ -9,13 +12,35 @@ namespace {
 
 using base::Parameters;
 
-std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mesh::InterfaceFinder& finder) {
+/// Names of the parts on which a side set lies; none if there is no such set.
+std::set<std::string> partsOf(const std::string& sideSet, const mesh::Mesh& mesh,
+                              const std::vector<mesh::Part>& parts) {
+  std::set<std::string> names;
+  for (const mesh::SideSet& set : mesh.sideSets) {
+    if (set.name != sideSet) continue;
+    for (const int element : set.element) {
+      for (const mesh::Part& part : parts) {
+        if (std::binary_search(part.elements.begin(), part.elements.end(), element)) names.insert(part.body);
+      }
+    }
+  }
+  return names;
+}
+
+std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mesh::Mesh& mesh,
+                                               const std::vector<mesh::Part>& parts,
+                                               const mesh::InterfaceFinder& finder) {
   const std::string& name = list.name();
   if (list.has("Side Set")) return finder.onSideSet(name, list.text("Side Set"));
   if (list.has("Node Set")) {
     return finder.onNodeSet(name, list.text("Node Set"), list.has("Part") ? list.text("Part") : "");
   }
   if (list.has("Part 1")) return finder.betweenBodies(name, list.text("Part 1"), list.text("Part 2"));
+  const auto parts1 = partsOf(list.text("Side 1"), mesh, parts);
+  if (parts1.size() == 1 && parts1 == partsOf(list.text("Side 2"), mesh, parts)) {
+    throw base::Error("both sides belong to the part \"" + *parts1.begin() + "\".\n  An interface joins two parts.",
+                      base::ExitCode::input);
+  }
   std::optional<mesh::Point> projection;
   if (list.has("Projection Direction")) {
     const auto& given = list.numbers("Projection Direction");
@@ -26,7 +51,8 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mes
 
 }  // namespace
 
-std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const std::vector<mesh::Part>& parts,
+std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh::Mesh& mesh,
+                                                 const std::vector<mesh::Part>& parts,
                                                  const mesh::InterfaceFinder& finder, base::ErrorList& errors) {
   std::vector<mesh::InterfaceSurface> surfaces;
   const auto append = [&](std::vector<mesh::InterfaceSurface> found) {
@@ -35,7 +61,7 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const std::
   const int before = errors.count();
   for (const char* kind : {"Interfaces", "Boundaries"}) {
     for (const Parameters& list : scene.input.lists(kind)) {
-      errors.collect(list.where(), [&] { append(surfacesOf(list, finder)); });
+      errors.collect(list.where(), [&] { append(surfacesOf(list, mesh, parts, finder)); });
     }
   }
   if (errors.count() > before) return surfaces;  // else parts would be reported that a faulty interface should touch

@@ -11,7 +11,8 @@ namespace harmos::setup {
 
 /// Finds the surfaces of all interfaces and boundaries of a scene and, between the pieces of a part that was cut, of
 /// perfect interfaces. Reports sets that do not exist, sides that do not fit together and parts that nothing touches.
-std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const std::vector<mesh::Part>& parts,
+std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh::Mesh& mesh,
+                                                 const std::vector<mesh::Part>& parts,
                                                  const mesh::InterfaceFinder& finder, base::ErrorList& errors);
 
 /// One interface of the assembly per surface, with the law of that name. `isConsistent`: with the consistent interface

@@ -44,7 +44,7 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   throwTogether(errors, comm);
 
   const mesh::InterfaceFinder finder(problem.mesh, problem.bodies.parts, problem.model.thickness);
-  problem.surfaces = findSurfaces(scene, problem.bodies.parts, finder, errors);
+  problem.surfaces = findSurfaces(scene, problem.mesh, problem.bodies.parts, finder, errors);
   interface::Assembly& assembly = problem.assembly;
   assembly.dimension = problem.mesh.dimension;
   assembly.times = scene.times;

@@ -6,6 +6,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/base/ErrorList.hpp>
 #include <harmos/base/Names.hpp>
+#include <harmos/elasticity/Materials.hpp>
 #include <harmos/setup/History.hpp>
 #include <harmos/setup/SceneSpec.hpp>
 
@@ -41,6 +42,10 @@ class SceneChecker {
 
   void check() {
     attachHistories();
+    const elasticity::MaterialRegistry materials = elasticity::builtInMaterials();
+    for (const Parameters& list : input_.lists("Materials")) {
+      errors_.collect(list.where(), [&] { scene_.materials[list.name()] = materials.create(list); });
+    }
     for (const Parameters& part : input_.lists("Parts")) {
       knownName(part, "Material", namesOf(input_.lists("Materials")), "Materials");
       if (part.integer("Pieces") > 1 && !scene_.cutLaw) {

@@ -7,18 +7,19 @@
 
 #include <harmos/base/InputTree.hpp>
 #include <harmos/base/Parameters.hpp>
+#include <harmos/elasticity/Material.hpp>
 #include <harmos/laws/LawRegistry.hpp>
 
 namespace harmos::setup {
 
 /// A checked scene: all that can be known before a mesh is read.
 struct Scene {
-  std::string path;                                                       // of the scene's file
-  base::Parameters input;                                                 // all defaults filled in, histories attached
-  std::vector<double> times;                                              // end of each load step
+  std::string path;           // of the scene's file
+  base::Parameters input;     // all defaults filled in, histories attached
+  std::vector<double> times;  // end of each load step
+  std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;
   std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;  // by name of interface or boundary
-  std::shared_ptr<const laws::InterfaceLaw>
-      cutLaw;  // of the interfaces between pieces of one part; null without pieces
+  std::shared_ptr<const laws::InterfaceLaw> cutLaw;  // between the pieces of one part; null when no part is cut
 };
 
 /// Checks an input against sceneSpec(), and every name that it refers to except those of the mesh.

@@ -63,7 +63,7 @@ TEST(Check, UnknownParameterNamesTheNearest) {
             "1 error; nothing was run.");
   EXPECT_EQ(solverError(parameter("Factor", "double", "0.1")),
             "s.xml:5: Solver: unknown parameter \"Factor\".\n"
-            "  It belongs in Solver / Scaling / Factor. Allowed here: Accuracy, Iterations, Verbose, Method.\n"
+            "  It belongs at Solver / Scaling / Factor. Allowed here: Accuracy, Iterations, Verbose, Method.\n"
             "1 error; nothing was run.");
 }
 
@@ -74,7 +74,14 @@ TEST(Check, UnknownListNamesTheNearest) {
             "1 error; nothing was run.");
   EXPECT_EQ(solverError("<ParameterList name=\"Joints\"/>"),
             "s.xml:5: Solver: unknown list \"Joints\".\n"
-            "  It belongs in Joints. Allowed here: Scaling.\n"
+            "  It belongs at Sample / Joints. Allowed here: Scaling.\n"
+            "1 error; nothing was run.");
+}
+
+TEST(Check, MisspeltIsNotMissingToo) {
+  EXPECT_EQ(messageOf([] { check(sampleTree("<ParameterList name=\"Jonts\"/>"), sampleSpec()); }),
+            "s.xml:2: Sample: unknown list \"Jonts\".\n"
+            "  Did you mean \"Joints\"? Allowed here: Values, Histories, Solver, Joints.\n"
             "1 error; nothing was run.");
 }
 

@@ -13,6 +13,8 @@ TEST(Names, NearestGrowsWithTheLength) {
   EXPECT_EQ(nearestName("ACCURACY", {"Accuracy"}), "Accuracy");
   EXPECT_EQ(nearestName("Accuracy", {"Formulation"}), "");
   EXPECT_EQ(nearestName("x", {}), "");
+  EXPECT_EQ(nearestName("coulomb", {"Coulomb Friction", "Perfect"}), "Coulomb Friction");
+  EXPECT_EQ(nearestName("upper", {"upper_zmin", "upper_zmax"}), "");
 }
 
 TEST(Names, LongListsAreCut) {

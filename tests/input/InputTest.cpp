@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <Tpetra_Core.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/setup/Problem.hpp>
+#include <harmos/setup/Scene.hpp>
+
+namespace harmos::setup {
+namespace {
+
+std::vector<std::string> cases() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(".")) {
+    if (entry.path().extension() == ".xml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string messageOf(const std::string& scenePath) {
+  try {
+    const Scene scene = readScene(scenePath, {}, laws::builtInLaws());
+    base::Timers timers;
+    makeProblem(scene, *Tpetra::getDefaultComm(), timers);
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+    return std::string(error.what()) + "\n";
+  }
+  return "no error\n";
+}
+
+class Input : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Input, IsRefusedWithItsMessage) {
+  std::ifstream file(GetParam() + ".txt");
+  std::stringstream expected;
+  expected << file.rdbuf();
+  EXPECT_EQ(messageOf(GetParam() + ".xml"), expected.str());
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Input, ::testing::ValuesIn(cases()), [](const auto& info) { return info.param; });
+
+}  // namespace
+}  // namespace harmos::setup
