@@ -27,7 +27,11 @@ void useOneThread() {
 
 int main(int argc, char** argv) {
   useOneThread();
-  Tpetra::ScopeGuard scope(&argc, &argv);
+  // Kokkos and MPI get no arguments: Kokkos would answer --help itself.
+  char* program[] = {argv[0], nullptr};
+  char** programOnly = program;
+  int one = 1;
+  Tpetra::ScopeGuard scope(&one, &programOnly);
   const auto communicator = Tpetra::getDefaultComm();
   // After MPI's start, which sets handlers of its own.
   catchInterrupts();
