@@ -24,6 +24,13 @@ TraceLayout::TraceLayout(const interface::Assembly& assembly, const interface::S
       }
     }
   }
+  // A rank without bodies gets one row of no weight: Teuchos forgets the columns of a matrix without rows, and the ranks
+  // would no longer agree on the sizes of their sums.
+  if (rows_ == 0) {
+    rows_ = 1;
+    area_ = {0.0};
+    stiffness_ = {1.0};
+  }
 }
 
 }  // namespace harmos::latin
