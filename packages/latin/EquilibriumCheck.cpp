@@ -4,6 +4,10 @@
 #include <cmath>
 #include <sstream>
 
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/latin/LeastSquares.hpp>
+
 namespace harmos::latin {
 namespace {
 
@@ -30,57 +34,122 @@ std::pair<mesh::Point, double> extent(const std::vector<mesh::Point>& nodes) {
   return {centre, size};
 }
 
+Imbalance worstOfAllRanks(const Imbalance& mine, const Teuchos::Comm<int>& comm) {
+  if (comm.getSize() == 1) return mine;
+  double largest = 0.0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine.relative, Teuchos::outArg(largest));
+  const int candidate = mine.relative == largest ? comm.getRank() : comm.getSize();
+  int root = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, candidate, Teuchos::outArg(root));
+  std::array<double, 10> values{double(mine.body), double(mine.step), mine.force[0],  mine.force[1], mine.force[2],
+                                mine.moment[0],    mine.moment[1],    mine.moment[2], mine.relative, mine.rigidShare};
+  Teuchos::broadcast(comm, root, static_cast<int>(values.size()), values.data());
+  return {static_cast<int>(values[0]),
+          static_cast<int>(values[1]),
+          {values[2], values[3], values[4]},
+          {values[5], values[6], values[7]},
+          values[8],
+          values[9]};
+}
+
+constexpr int motions = 6;
+
+/// Work of the force d [force] at the arm r [length] in the unit translations and rotations.
+std::array<double, motions> work(const mesh::Point& r, const mesh::Point& d) {
+  return {d[0], d[1], d[2], r[1] * d[2] - r[2] * d[1], r[2] * d[0] - r[0] * d[2], r[0] * d[1] - r[1] * d[0]};
+}
+
+/// Sums over the interface rows of one body; the products of motions belong to the body, the rest to a load step.
+struct BodySums {
+  std::array<double, motions * motions> products{};  // P^T k h P
+};
+struct StepSums {
+  std::array<double, motions> resultant{};  // P^T h (f - f^)
+  double forces = 0.0;                      // sum of h |f^|
+  double energy = 0.0;                      // sum of h (f - f^)^2 / k
+};
+
+/// r^T G^-1 r over the motions that the interfaces feel.
+double projection(const BodySums& sums, const std::array<double, motions>& resultant) {
+  base::Matrix gram(motions, motions);
+  std::array<double, motions> scale{};
+  std::array<double, motions> right{};
+  for (int i = 0; i < motions; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    for (int j = 0; j < motions; ++j) gram(i, j) = sums.products[n * motions + static_cast<std::size_t>(j)];
+    right[n] = resultant[n];
+  }
+  const std::vector<double> c = solveNormalEquations(gram, motions, right.data());
+  double result = 0.0;
+  for (std::size_t i = 0; i < motions; ++i) result += c[i] * right[i];
+  return result;
+}
+
 }  // namespace
 
 Imbalance largestImbalance(const FixedPoint& state) {
-  constexpr std::size_t width = 7;  // force, moment, sum of |f^|
   const interface::Assembly& assembly = state.assembly();
   const auto steps = static_cast<std::size_t>(assembly.steps());
-  const int dimension = state.layout().dimension();
+  const auto dimension = static_cast<std::size_t>(state.layout().dimension());
   std::vector<std::pair<mesh::Point, double>> extents;
   for (const auto& body : assembly.bodies) extents.push_back(extent(body.nodes));
 
-  std::vector<double> sums(assembly.bodies.size() * steps * width, 0.0);
+  std::vector<BodySums> bodies(assembly.bodies.size());
+  std::vector<StepSums> sums(assembly.bodies.size() * steps);
   for (const TraceLayout::Block& block : state.layout().blocks()) {
     const interface::Interface& interface = assembly.interfaces[static_cast<std::size_t>(block.interface)];
     const auto body = static_cast<std::size_t>(block.body);
-    for (std::size_t t = 0; t < steps; ++t) {
-      double* sum = sums.data() + (body * steps + t) * width;
-      const double* f = state.traction()[static_cast<int>(t)] + block.begin;
-      const double* hatted = state.hattedTraction()[static_cast<int>(t)] + block.begin;
-      for (int p = 0; p < block.pairs; ++p) {
-        const auto pair = static_cast<std::size_t>(p);
-        const mesh::Point& x = assembly.bodies[body].nodes[static_cast<std::size_t>(interface.nodes(block.side)[pair])];
+    for (std::size_t pair = 0; pair < static_cast<std::size_t>(block.pairs); ++pair) {
+      const auto row = static_cast<std::size_t>(block.begin) + pair * dimension;
+      const double k = state.layout().stiffness()[row];
+      const double area = interface.area[pair];
+      mesh::Point r = assembly.bodies[body].nodes[static_cast<std::size_t>(interface.nodes(block.side)[pair])];
+      for (std::size_t c = 0; c < 3; ++c) r[c] -= extents[body].first[c];
+      for (std::size_t c = 0; c < dimension; ++c) {
+        mesh::Point unit{};
+        unit[c] = 1.0;
+        const auto moved = work(r, unit);
+        for (std::size_t i = 0; i < motions; ++i) {
+          for (std::size_t j = 0; j < motions; ++j)
+            bodies[body].products[i * motions + j] += k * area * moved[i] * moved[j];
+        }
+      }
+      for (std::size_t t = 0; t < steps; ++t) {
+        StepSums& sum = sums[body * steps + t];
         mesh::Point d{};
-        for (int c = 0; c < dimension; ++c) {
-          d[static_cast<std::size_t>(c)] = interface.area[pair] * (f[p * dimension + c] - hatted[p * dimension + c]);
-          sum[6] += interface.area[pair] * std::abs(hatted[p * dimension + c]);
+        for (std::size_t c = 0; c < dimension; ++c) {
+          const double hatted = state.hattedTraction()[static_cast<int>(t)][row + c];
+          d[c] = area * (state.traction()[static_cast<int>(t)][row + c] - hatted);
+          sum.forces += area * std::abs(hatted);
+          sum.energy += d[c] * d[c] / (area * k);
         }
-        const mesh::Point r{x[0] - extents[body].first[0], x[1] - extents[body].first[1],
-                            x[2] - extents[body].first[2]};
-        for (std::size_t c = 0; c < 3; ++c) {
-          sum[c] += d[c];
-          sum[3 + c] += r[(c + 1) % 3] * d[(c + 2) % 3] - r[(c + 2) % 3] * d[(c + 1) % 3];
-        }
+        const auto worked = work(r, d);
+        for (std::size_t i = 0; i < motions; ++i) sum.resultant[i] += worked[i];
       }
     }
   }
-  state.metric().sum(sums);
-
+  // A body belongs to one rank, so its sums are complete there; the worst of all ranks is what counts.
   Imbalance worst;
   for (std::size_t body = 0; body < assembly.bodies.size(); ++body) {
     double scale = 0.0;
-    for (std::size_t t = 0; t < steps; ++t) scale = std::max(scale, sums[(body * steps + t) * width + 6]);
+    for (std::size_t t = 0; t < steps; ++t) scale = std::max(scale, sums[body * steps + t].forces);
     if (scale == 0.0) continue;
     for (std::size_t t = 0; t < steps; ++t) {
-      const double* sum = sums.data() + (body * steps + t) * width;
-      const mesh::Point force{sum[0], sum[1], sum[2]};
-      const mesh::Point moment{sum[3], sum[4], sum[5]};
+      const StepSums& sum = sums[body * steps + t];
+      const auto& r = sum.resultant;
+      const mesh::Point force{r[0], r[1], r[2]};
+      const mesh::Point moment{r[3], r[4], r[5]};
       const double relative = std::max(length(force), length(moment) / extents[body].second) / scale;
-      if (relative > worst.relative) worst = {static_cast<int>(body), static_cast<int>(t), force, moment, relative};
+      if (relative <= worst.relative) continue;
+      worst = {static_cast<int>(body),
+               static_cast<int>(t),
+               force,
+               moment,
+               relative,
+               projection(bodies[body], r) / sum.energy};
     }
   }
-  return worst;
+  return worstOfAllRanks(worst, state.layout().comm());
 }
 
 std::string describe(const Imbalance& imbalance, const interface::Assembly& assembly) {

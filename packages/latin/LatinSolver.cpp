@@ -18,7 +18,28 @@ namespace {
 constexpr int lookEvery = 2;
 constexpr std::size_t lookBack = 2;
 // A correction gains about a factor of ten, so a certificate is worth its price from here on.
-constexpr double triggerFactor = 10.0;
+constexpr double triggerFactor = 15.0;
+
+// A drift shows as three imbalances in a row, each this many iterations apart, that agree to within 5 % ...
+constexpr int imbalanceEvery = 10;
+constexpr std::size_t imbalanceCount = 3;
+constexpr double imbalanceSpread = 0.05;
+// ... and that are almost nothing but rigid motion; slow convergence has shares below 0.7 (see docs).
+constexpr double driftShare = 0.85;
+
+/// True when a body is carried away by a constant force that no interface balances.
+bool drifts(const std::vector<Imbalance>& history, double accuracy) {
+  if (history.size() < imbalanceCount) return false;
+  const Imbalance& last = history.back();
+  for (std::size_t i = history.size() - imbalanceCount; i < history.size(); ++i) {
+    const Imbalance& one = history[i];
+    if (one.body != last.body || one.step != last.step || one.rigidShare < driftShare || one.relative < accuracy ||
+        std::abs(one.relative - last.relative) > imbalanceSpread * last.relative) {
+      return false;
+    }
+  }
+  return true;
+}
 
 /// The customary indicator |s - s^| / |s| with s = (f, w) in the norm that k makes.
 double customaryIndicator(const FixedPoint& state) {
@@ -75,7 +96,7 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   double trigger = triggerFactor * options_.accuracy;
   int nextAttempt = 0;  // linear stages before which a failed certificate is not tried again
   std::vector<double> estimates;
-  std::vector<double> imbalances;  // at every tenth iteration
+  std::vector<Imbalance> imbalances;
 
   const auto stages = [&] { return fixedPoint_.linearStage().solves(); };
   while (stages() < options_.maximumIterations) {
@@ -92,6 +113,14 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
       result.reason = "interrupted";
       break;
     }
+    if (result.iterations % imbalanceEvery == 0) {
+      imbalances.push_back(largestImbalance(fixedPoint_));
+      if (drifts(imbalances, options_.accuracy)) {
+        result.outcome = Outcome::noEquilibrium;
+        result.reason = "the interface laws cannot carry the loads; " + describe(imbalances.back(), assembly_);
+        break;
+      }
+    }
     if (quiet && stages() >= nextAttempt) {
       const int begin = stages();
       const auto running = timers_.start("certificate");
@@ -105,7 +134,8 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
         break;
       }
       // What was spent on an estimate that failed is spent on iterations before the next one.
-      nextAttempt = 2 * stages() - begin;
+      nextAttempt = stages() + std::min(stages() - begin, 15);
+      trigger *= 0.3;
       if (acceleration) acceleration->restart();
       snapshots_.clear();
       continue;
