@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 
@@ -229,6 +230,7 @@ Parameters Checker::list(const InputNode& node, const ParameterSpec& spec, const
     const auto read = values.find(entry.name);
     if (read != values.end()) {
       result.set(entry.name, std::move(read->second), given.at(entry.name)->location);
+      if (entry.varies) result.restrict(entry.name, std::make_shared<const ParameterEntry>(entry));
     } else if (given.count(entry.name) == 0 && entry.isRequired()) {
       if (misspelt.count(entry.name) > 0) continue;
       std::string expected = entry.name + (entry.unitName.empty() ? "" : " [" + entry.unitName + "]");
@@ -242,6 +244,7 @@ Parameters Checker::list(const InputNode& node, const ParameterSpec& spec, const
       standard.setAttribute("value", *entry.defaultText);
       standard.location = node.location;
       if (auto filled = value(standard, entry, path)) result.set(entry.name, std::move(*filled));
+      if (entry.varies) result.restrict(entry.name, std::make_shared<const ParameterEntry>(entry));
     } else if (given.count(entry.name) == 0 && entry.varies && given.count(entry.name + " History") > 0) {
       errors_.add(given.at(entry.name + " History")->location + ": " + path,
                   quoted(entry.name + " History") + " is given without " + quoted(entry.name) + ".",
@@ -426,9 +429,7 @@ std::optional<std::string> Checker::text(const std::string& text, const Paramete
 }
 
 bool Checker::inRange(double number, const std::string& text, const ParameterEntry& entry, const std::string& where) {
-  const bool aboveMinimum = entry.excludesMinimum ? number > entry.minimum : number >= entry.minimum;
-  const bool belowMaximum = entry.excludesMaximum ? number < entry.maximum : number <= entry.maximum;
-  if (aboveMinimum && belowMaximum) return true;
+  if (entry.allows(number)) return true;
   errors_.add(where, text + " is out of range.", "Allowed: " + entry.range() + ".");
   return false;
 }

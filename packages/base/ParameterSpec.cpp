@@ -43,6 +43,11 @@ ParameterEntry& ParameterEntry::defaultValue(const char* v) {
   return *this;
 }
 
+bool ParameterEntry::allows(double number) const {
+  return (excludesMinimum ? number > minimum : number >= minimum) &&
+         (excludesMaximum ? number < maximum : number <= maximum);
+}
+
 std::string ParameterEntry::range() const {
   std::string text;
   if (minimum != -std::numeric_limits<double>::infinity()) {

@@ -68,6 +68,8 @@ class ParameterEntry {
   }
   /// Neither optional nor with a default.
   bool isRequired() const { return !isOptional && !defaultText; }
+  /// Whether the number lies in the allowed range.
+  bool allows(double number) const;
   /// The allowed range in words and with the unit, for example "above 0 and at most 1 [length]"; empty: any value.
   std::string range() const;
 

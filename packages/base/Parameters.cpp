@@ -1,6 +1,7 @@
 #include <harmos/base/Parameters.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
 
 namespace harmos::base {
 
@@ -57,7 +58,15 @@ Schedule Parameters::schedule(const std::string& name) const {
   const std::vector<double>* history = histories_ ? histories_->find(text(companion)) : nullptr;
   if (!history) throw Error(where(companion) + ": there is no history \"" + text(companion) + "\".", ExitCode::input);
   std::vector<double> perStep = *history;
-  for (double& factor : perStep) factor *= value;
+  const auto& declaration = find(name)->declaration;
+  for (std::size_t step = 0; step < perStep.size(); ++step) {
+    perStep[step] *= value;
+    if (declaration && !declaration->allows(perStep[step])) {
+      throw Error(where(companion) + ": the history makes " + name + " = " + toText(perStep[step]) + " at time step " +
+                      std::to_string(step + 1) + ".\n  Allowed: " + declaration->range() + ".",
+                  ExitCode::input);
+    }
+  }
   return Schedule(std::move(perStep));
 }
 
@@ -90,6 +99,12 @@ Parameters& Parameters::set(const std::string& name, Value value, std::string lo
   }
   entries_.push_back({name, std::move(value), std::move(location)});
   return *this;
+}
+
+void Parameters::restrict(const std::string& name, std::shared_ptr<const ParameterEntry> declaration) {
+  for (Entry& entry : entries_) {
+    if (entry.name == name) entry.declaration = std::move(declaration);
+  }
 }
 
 Parameters& Parameters::setList(const std::string& name, Parameters list) {

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include <harmos/base/ParameterSpec.hpp>
 #include <harmos/base/Schedule.hpp>
 
 namespace harmos::base {
@@ -30,7 +31,8 @@ class Parameters {
   struct Entry {
     std::string name;
     Value value;
-    std::string location;  // "file:line", empty for a default
+    std::string location;                                         // "file:line", empty for a default
+    std::shared_ptr<const ParameterEntry> declaration = nullptr;  // of a varying number
   };
   struct Sublist;
 
@@ -55,7 +57,8 @@ class Parameters {
   const std::string& text(const std::string& name) const;
   const std::vector<double>& numbers(const std::string& name) const;
   const std::vector<std::string>& texts(const std::string& name) const;
-  /// A varying() number times its history, if one is named, at every load step.
+  /// A varying() number times its history, if one is named, at every load step. Throws base::Error (input) when that
+  /// leaves the declared range.
   Schedule schedule(const std::string& name) const;
 
   const Parameters& list(const std::string& name) const;
@@ -64,6 +67,8 @@ class Parameters {
   const std::vector<Parameters>& lists(const std::string& name) const;
 
   Parameters& set(const std::string& name, Value value, std::string location = "");
+  /// Makes schedule() hold the number to its declaration.
+  void restrict(const std::string& name, std::shared_ptr<const ParameterEntry> declaration);
   Parameters& setList(const std::string& name, Parameters list);
   /// Adds a child to the user-named lists of `listName`.
   Parameters& addNamed(const std::string& listName, Parameters child);
