@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 """Draws the deformed parts, transparent, with the contact pressure on their interfaces to a PNG file.
 
-render.py RESULT.e PICTURE.png [--scale 50] [--step -1] [--width 1600] [--interfaces a,b]
+render.py RESULT.e PICTURE.png [--scale 100] [--step -1] [--width 1600] [--interfaces a,b]
 
 RESULT_interfaces.e is looked for beside RESULT.e. Without a display, run it as: xvfb-run -a drivers/render.py ...
 """
 import argparse
 
+import numpy
 import vtk
+from vtk.util.numpy_support import vtk_to_numpy
 
 PALETTE = [(0.62, 0.68, 0.75), (0.75, 0.69, 0.60), (0.62, 0.72, 0.62), (0.74, 0.62, 0.62), (0.66, 0.62, 0.74)]
 
@@ -53,7 +55,7 @@ def add_part(renderer, surface, colour):
     mapper.ScalarVisibilityOff()
     body = actor(mapper)
     body.GetProperty().SetColor(colour)
-    body.GetProperty().SetOpacity(0.22)
+    body.GetProperty().SetOpacity(0.10)
     renderer.AddActor(body)
     edges = vtk.vtkFeatureEdges()
     edges.SetInputData(surface)
@@ -82,7 +84,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("result")
     parser.add_argument("picture")
-    parser.add_argument("--scale", type=float, default=50.0)
+    parser.add_argument("--scale", type=float, default=100.0)
     parser.add_argument("--step", type=int, default=-1)
     parser.add_argument("--width", type=int, default=1600)
     parser.add_argument("--interfaces", default="")
@@ -100,7 +102,9 @@ def main():
         status = surfaces[name].GetPointData().GetArray("contact_status")
         if arguments.interfaces or status.GetRange()[1] <= 2:  # 0 open, 1 stick, 2 slip: a contact
             contacts[name] = surfaces[name]
-    largest = max((grid.GetPointData().GetArray("contact_pressure").GetRange()[1] for grid in contacts.values()), default=0)
+    pressures = [vtk_to_numpy(grid.GetPointData().GetArray("contact_pressure")) for grid in contacts.values()]
+    # Peaks at the edges of a contact would leave one colour for all the rest.
+    largest = numpy.percentile(numpy.concatenate(pressures), 90) if pressures else 0.0
     table = colours(largest or 1.0)
     for grid in contacts.values():
         surface = deformed(grid, arguments.scale)
@@ -110,14 +114,17 @@ def main():
         mapper.SetLookupTable(table)
         mapper.SetScalarRange(0, largest or 1.0)
         mapper.SetInterpolateScalarsBeforeMapping(1)
+        # Faces of two parts lie in the same place: the pressure wins.
+        mapper.SetResolveCoincidentTopologyToPolygonOffset()
+        mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(-4, -4)
         shown = actor(mapper)
-        shown.GetProperty().SetAmbient(0.5)
-        shown.GetProperty().SetDiffuse(0.5)
+        shown.GetProperty().SetAmbient(0.8)
+        shown.GetProperty().SetDiffuse(0.2)
         renderer.AddActor(shown)
 
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(table)
-    bar.SetTitle("contact pressure")
+    bar.SetTitle("contact\npressure")
     bar.SetNumberOfLabels(5)
     bar.SetUnconstrainedFontSize(True)
     for text, size in ((bar.GetTitleTextProperty(), 26), (bar.GetLabelTextProperty(), 22)):
@@ -127,14 +134,14 @@ def main():
         text.SetShadow(False)
         text.SetBold(False)
     bar.SetLabelFormat("%.3g")
-    bar.SetPosition(0.9, 0.15)
+    bar.SetPosition(0.87, 0.15)
     bar.SetWidth(0.06)
     bar.SetHeight(0.7)
     renderer.AddActor(bar)
 
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition(-0.75, -1, 0.75)
+    camera.SetPosition(-0.55, -1, 0.85)
     camera.SetViewUp(0, 0, 1)
     camera.ParallelProjectionOn()
     renderer.SetUseDepthPeeling(1)
@@ -147,7 +154,8 @@ def main():
     window.SetSize(arguments.width, arguments.width * 9 // 16)
     window.AddRenderer(renderer)
     renderer.ResetCamera()
-    camera.Zoom(1.25)
+    camera.Zoom(1.4)
+    camera.SetWindowCenter(0.10, 0.0)
     window.Render()
     image = vtk.vtkWindowToImageFilter()
     image.SetInput(window)
