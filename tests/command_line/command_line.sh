@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Checks what the program promises on its command line: exit codes, messages, and which files it leaves.
 #
-#   command_line.sh HARMOS SCENE.xml WORK_DIR     SCENE is one that is solved in a second or so
+#   command_line.sh HARMOS SCENE.xml LARGE_SCENE.xml WORK_DIR
+#
+# SCENE is solved in a fraction of a second; LARGE_SCENE takes long enough to be interrupted.
 set -uo pipefail
 
-harmos=$1 scene=$2 work=$3
+harmos=$1 scene=$2 large_scene=$3 work=$4
 name=$(basename "$scene" .xml)
 rm -rf "$work"
 mkdir -p "$work"
@@ -64,6 +66,22 @@ expect 0 'are the same' "$harmos" compare "$work/first/$name.e" "$work/again/${n
 expect 3 'iteration' "$harmos" run "$scene" --output "$work/limit" --set 'Solver/Maximum Iterations=2'
 expect 0 '"status": "not converged"' cat "$work/limit/${name}_result.json"
 expect 0 '' test -s "$work/limit/$name.e"
+
+# Interrupted after some iterations: says so, and the files of the last state are readable.
+name=$(basename "$large_scene" .xml)
+"$harmos" run "$large_scene" --output "$work/interrupted" --quiet --set Solver/Accuracy=1e-10 \
+  --set Solver/Algorithm=Plain --set 'Solver/Maximum Iterations=1000000' &
+for _ in $(seq 100); do
+  [ -f "$work/interrupted/${name}_result.json" ] && break
+  sleep 0.1
+done
+expect 0 '"status": "running"' cat "$work/interrupted/${name}_result.json"
+sleep 1
+kill -INT $!
+wait $!
+expect 0 '^130$' echo $?
+expect 0 '"status": "interrupted"' cat "$work/interrupted/${name}_result.json"
+expect 0 'are the same' "$harmos" compare "$work/interrupted/$name.e" "$work/interrupted/$name.e"
 
 [ $failures -eq 0 ] && echo "all as promised"
 exit $((failures > 0))
