@@ -44,7 +44,7 @@ TEST_P(Input, IsRefusedWithItsMessage) {
   EXPECT_EQ(messageOf(GetParam() + ".xml"), expected.str());
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Input, ::testing::ValuesIn(cases()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Cases, Input, ::testing::ValuesIn(cases()), [](const auto& test) { return test.param; });
 
 }  // namespace
 }  // namespace harmos::setup
