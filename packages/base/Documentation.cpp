@@ -25,20 +25,27 @@ std::string describe(const ParameterEntry& entry) {
   return text + "\n";
 }
 
-/// What must be given, with a value to be replaced.
+std::string parameterXml(const std::string& name, ParameterType type, const std::string& value) {
+  return "      <Parameter name=\"" + name + "\" type=\"" + xmlType(type) + "\" value=\"" + value + "\"/>\n";
+}
+
+std::string listXml(const std::string& name, const std::string& inside) {
+  return "\n    <ParameterList name=\"" + name + "\">\n" + inside + "    </ParameterList>\n";
+}
+
+/// What must be given, with values to be replaced; empty when nothing must.
 std::string snippet(const ParameterSpec& spec, const ParameterSpec* form, const std::string& name) {
-  std::string text = "    <ParameterList name=\"" + name + "\">\n";
+  std::string text;
   for (const ParameterEntry& entry : spec.entriesWith(form)) {
     if (!entry.isRequired()) continue;
     std::string value = entry.choices.empty() ? "..." : entry.choices.front();
     if (form && entry.name == "Type") value = form->name();
-    text +=
-        "      <Parameter name=\"" + entry.name + "\" type=\"" + xmlType(entry.type) + "\" value=\"" + value + "\"/>\n";
+    text += parameterXml(entry.name, entry.type, value);
   }
   for (const auto& sublist : spec.sublistsWith(form)) {
     if (sublist.required) text += "      <ParameterList name=\"" + sublist.name + "\"> ... </ParameterList>\n";
   }
-  return text + "    </ParameterList>\n";
+  return text.empty() ? "" : listXml(name, text);
 }
 
 class Writer {
@@ -53,23 +60,27 @@ class Writer {
     topics_.push_back(shown.name());
     if (isShown) {
       text_ += "## " + path + (form ? ", Type = " + form->name() : "") + "\n\n";
-      if (!shown.summary().empty()) text_ += shown.summary() + "\n\n";
-      if (!shown.source().empty()) text_ += "Source: " + shown.source() + ".\n\n";
-      for (const auto& entry : shown.entries()) text_ += describe(*entry);
+      std::string facts;
+      if (!shown.summary().empty()) text_ += shown.summary() + "\n";
+      if (!shown.source().empty()) text_ += "\nSource: " + shown.source() + ".\n";
+      for (const auto& entry : shown.entries()) facts += describe(*entry);
       if (!form && !spec.forms().empty()) {
         std::vector<std::string> types;
         for (const ParameterSpec& f : spec.forms()) types.push_back(f.name());
-        text_ += "- `Type` (string, required), one of: " + joinNames(types, types.size()) + ".\n";
+        facts += "- `Type` (string, required), one of: " + joinNames(types, types.size()) + ".\n";
       }
       for (const auto& sublist : shown.sublists()) {
-        text_ += "- list `" + sublist.name + "` (" + (sublist.required ? "required" : "optional") + ").\n";
+        facts += "- list `" + sublist.name + "` (" + (sublist.required ? "required" : "optional") + ").\n";
       }
-      if (form || spec.forms().empty()) text_ += "\n" + snippet(spec, form, name);
+      if (!facts.empty()) text_ += (shown.summary().empty() ? "" : "\n") + facts;
+      if (form || spec.forms().empty()) text_ += snippet(spec, form, name);
       text_ += "\n";
     }
     for (const auto& sublist : shown.sublists()) {
       const std::string below = path + " / " + sublist.name;
-      if (sublist.kind == ParameterSpec::ListKind::named) {
+      if (sublist.kind == ParameterSpec::ListKind::numbers) {
+        numbers(*sublist.spec, below, isShown);
+      } else if (sublist.kind == ParameterSpec::ListKind::named) {
         list(*sublist.spec, nullptr, below + " / (your name)", "your name", isShown);
       } else {
         list(*sublist.spec, nullptr, below, sublist.name, isShown);
@@ -89,6 +100,13 @@ class Writer {
   }
 
  private:
+  void numbers(const ParameterSpec& spec, const std::string& path, bool isChosen) {
+    topics_.push_back(spec.name());
+    if (!isChosen && spec.name() != topic_) return;
+    text_ += "## " + path + "\n\n" + spec.summary() + "\n" +
+             listXml(spec.name(), parameterXml("your name", ParameterType::number, "...")) + "\n";
+  }
+
   std::string topic_, text_;
   std::vector<std::string> topics_;
 };
