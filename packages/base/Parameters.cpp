@@ -103,7 +103,9 @@ Parameters& Parameters::set(const std::string& name, Value value, std::string lo
 
 void Parameters::restrict(const std::string& name, std::shared_ptr<const ParameterEntry> declaration) {
   for (Entry& entry : entries_) {
-    if (entry.name == name) entry.declaration = std::move(declaration);
+    if (entry.name != name) continue;
+    entry.declaration = std::move(declaration);
+    return;
   }
 }
 
