@@ -53,17 +53,18 @@ class BlockMatch {
     std::vector<bool> taken(centresB.size(), false);
     for (int e = 0; e < blockA.elements(); ++e) {
       const auto& centre = centresA[static_cast<std::size_t>(e)];
+      const int numberInA = firstA + e;
       const auto candidates = search.within(centre, tolerance_);
       const auto found = std::find_if(candidates.begin(), candidates.end(), [&](int candidate) {
         return !taken[static_cast<std::size_t>(candidate)] && tryElement(blockA, e, blockB, candidate);
       });
       if (found == candidates.end()) {
         match_.mismatch.push_back("block " + blockA.name + ": no element of the second file fits element " +
-                                  std::to_string(firstA + e + 1) + " of the first with its centre at " + text(centre));
+                                  std::to_string(numberInA + 1) + " of the first with its centre at " + text(centre));
         return;  // one sentence per block is enough: the others are seldom different
       }
       taken[static_cast<std::size_t>(*found)] = true;
-      match_.element[static_cast<std::size_t>(firstA + e)] = firstB + *found;
+      match_.element[static_cast<std::size_t>(numberInA)] = firstB + *found;
     }
   }
 

@@ -25,7 +25,7 @@ std::vector<std::string> variableNames(const ExodusHandle& file, ex_entity_type 
       static_cast<std::size_t>(count),
       std::string(static_cast<std::size_t>(ex_inquire_int(file.id(), EX_INQ_MAX_READ_NAME_LENGTH)) + 1, '\0'));
   file.check(ex_get_variable_names(file.id(), kind, count, pointers(names).data()), "read the names of variables");
-  for (auto& name : names) name = name.c_str();
+  for (auto& name : names) name.erase(name.find('\0'));
   return names;
 }
 
@@ -127,7 +127,7 @@ std::vector<std::string> ExodusReader::information() const {
   std::vector<std::string> lines;
   bool continues = false;
   for (const auto& record : records) {
-    std::string text = record.c_str();
+    std::string text = record.substr(0, record.find('\0'));
     const bool more = text.size() == MAX_LINE_LENGTH && text.back() == '\\';
     if (more) text.pop_back();
     if (continues)

@@ -123,7 +123,7 @@ int exitCodeOf(latin::Outcome outcome) {
 }
 
 SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry& laws,
-                        Teuchos::RCP<const Teuchos::Comm<int>> comm) {
+                        const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   base::Timers timers;
   const Scene scene = readScene(request.scene, request.overrides, laws);
   SceneRunResult result{{}, {}, output::ResultFiles(request.directory, request.scene)};

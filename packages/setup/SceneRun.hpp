@@ -35,7 +35,7 @@ struct SceneRunResult {
 /// Then the files of an earlier run are removed and the record says "running". The outcome, also an interruption or a
 /// failure, ends up in the record; a failure is thrown as well. Files are complete or absent.
 SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry& laws,
-                        Teuchos::RCP<const Teuchos::Comm<int>> comm);
+                        const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
 
 /// Exit code of a program for the outcome of a solution; 130 for an interruption, as shells have it for Ctrl-C.
 int exitCodeOf(latin::Outcome outcome);
