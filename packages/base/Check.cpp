@@ -3,40 +3,19 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/ErrorList.hpp>
 #include <harmos/base/Names.hpp>
-#include <harmos/base/Numerals.hpp>
 #include <harmos/base/Override.hpp>
+#include <harmos/base/ValueReader.hpp>
 
 namespace harmos::base {
 
 namespace {
 
 using Names = std::vector<std::string>;
-
-std::string quoted(const std::string& text) {
-  return "\"" + text + "\"";
-}
-
-/// The XML types in which a parameter may be given, the usual one first.
-Names acceptedTypes(ParameterType type) {
-  switch (type) {
-    case ParameterType::number:
-      return {"double", "int"};
-    case ParameterType::numbers:
-      return {"Array(double)", "Array(int)"};
-    default:
-      return {xmlType(type)};
-  }
-}
-
-std::string example(const ParameterEntry& entry) {
-  return "<Parameter name=" + quoted(entry.name) + " type=" + quoted(xmlType(entry.type)) + " value=\"...\"/>";
-}
 
 bool declares(const ParameterSpec& spec, const std::string& parameter) {
   const auto isIn = [&](const ParameterSpec& holder) {
@@ -62,20 +41,11 @@ std::string findBelow(const ParameterSpec& spec, const std::string& name, bool i
   return "";
 }
 
+/// Walks the tree and the declaration side by side; errors are collected in the order of the file.
 class Checker {
  public:
   Checker(const InputNode& root, const ParameterSpec& spec, ErrorList& errors)
-      : root_(&root), spec_(spec), errors_(errors) {
-    if (const InputNode* values = root.child("Values")) {
-      for (const InputNode& value : values->children) {
-        const std::string* text = value.attribute("value");
-        values_.emplace(value.name(), text ? parseNumber(*text) : std::nullopt);
-      }
-    }
-    if (const InputNode* histories = root.child("Histories")) {
-      for (const InputNode& history : histories->children) histories_.push_back(history.name());
-    }
-  }
+      : root_(&root), spec_(spec), errors_(errors), values_(root, errors) {}
 
   Parameters root() {
     wellFormed(*root_, spec_.name());
@@ -97,12 +67,6 @@ class Checker {
                Parameters& result);
   void numbers(const InputNode& node, const std::string& path, Parameters& result);
 
-  std::optional<Parameters::Value> value(const InputNode& node, const ParameterEntry& entry, const std::string& path);
-  std::optional<double> number(const std::string& text, const ParameterEntry& entry, const std::string& where);
-  std::optional<int> integer(const std::string& text, const ParameterEntry& entry, const std::string& where);
-  std::optional<std::string> text(const std::string& text, const ParameterEntry& entry, const std::string& where);
-  bool inRange(double number, const std::string& text, const ParameterEntry& entry, const std::string& where);
-
   std::string below(const std::string& path, const std::string& name) const {
     return path == spec_.name() ? name : path + " / " + name;
   }
@@ -110,8 +74,7 @@ class Checker {
   const InputNode* root_;
   const ParameterSpec& spec_;
   ErrorList& errors_;
-  std::map<std::string, std::optional<double>> values_;  // nothing: given but not a number
-  Names histories_;
+  ValueReader values_;
 };
 
 bool Checker::wellFormed(const InputNode& node, const std::string& path) {
@@ -212,8 +175,8 @@ Parameters Checker::list(const InputNode& node, const ParameterSpec& spec, const
     const std::string where = child.location + ": " + below(path, child.name());
     if (entry != entries.end()) {
       if (child.isList()) {
-        errors_.add(where, "is a parameter, but a list is given.", "Write " + example(*entry) + ".");
-      } else if (auto read = value(child, *entry, path)) {
+        errors_.add(where, "is a parameter, but a list is given.", "Write " + parameterExample(*entry) + ".");
+      } else if (auto read = values_.read(child, *entry, below(path, entry->name))) {
         values.emplace(entry->name, std::move(*read));
       }
     } else if (sub != sublists.end()) {
@@ -237,18 +200,19 @@ Parameters Checker::list(const InputNode& node, const ParameterSpec& spec, const
       if (!entry.description.empty()) expected += ": " + entry.description;
       if (!entry.choices.empty()) expected += " Allowed: " + joinNames(entry.choices) + ".";
       errors_.add(node.location + ": " + path, "required parameter " + quoted(entry.name) + " is missing.",
-                  expected + "\n  Add " + example(entry) + ".");
+                  expected + "\n  Add " + parameterExample(entry) + ".");
     } else if (given.count(entry.name) == 0 && entry.defaultText) {
       InputNode standard;
       standard.setAttribute("type", xmlType(entry.type));
       standard.setAttribute("value", *entry.defaultText);
       standard.location = node.location;
-      if (auto filled = value(standard, entry, path)) result.set(entry.name, std::move(*filled));
+      if (auto filled = values_.read(standard, entry, below(path, entry.name)))
+        result.set(entry.name, std::move(*filled));
       if (entry.varies) result.restrict(entry.name, std::make_shared<const ParameterEntry>(entry));
     } else if (given.count(entry.name) == 0 && entry.varies && given.count(entry.name + " History") > 0) {
       errors_.add(given.at(entry.name + " History")->location + ": " + path,
                   quoted(entry.name + " History") + " is given without " + quoted(entry.name) + ".",
-                  "Add " + example(entry) + ", which the history multiplies.");
+                  "Add " + parameterExample(entry) + ", which the history multiplies.");
     }
   }
   for (const auto& sub : sublists) {
@@ -313,125 +277,18 @@ void Checker::numbers(const InputNode& node, const std::string& path, Parameters
     const ParameterEntry entry(child.name(), ParameterType::number);
     if (child.isList()) {
       errors_.add(child.location + ": " + below(path, child.name()), "is a list, but a parameter is expected.",
-                  "Write " + example(entry) + ".");
+                  "Write " + parameterExample(entry) + ".");
       continue;
     }
     const std::string* text = child.attribute("value");
     if (text && text->find('$') != std::string::npos) {
       errors_.add(child.location + ": " + below(path, child.name()), quoted(*text) + " refers to another value.",
                   "Write a number here.");
-    } else if (auto read = value(child, entry, path)) {
+    } else if (auto read = values_.read(child, entry, below(path, entry.name))) {
       values.set(child.name(), std::move(*read), child.location);
     }
   }
   result.setList(node.name(), std::move(values));
-}
-
-std::optional<Parameters::Value> Checker::value(const InputNode& node, const ParameterEntry& entry,
-                                                const std::string& path) {
-  const std::string where = node.location + ": " + below(path, entry.name);
-  const std::string* type = node.attribute("type");
-  const std::string* given = node.attribute("value");
-  if (!type || !given) return std::nullopt;  // reported by wellFormed()
-  const Names accepted = acceptedTypes(entry.type);
-  if (std::find(accepted.begin(), accepted.end(), *type) == accepted.end()) {
-    errors_.add(where, "type " + quoted(*type) + " is given, but the type is " + quoted(accepted.front()) + ".",
-                "Write " + example(entry) + ".");
-    return std::nullopt;
-  }
-  const bool isArray = entry.type == ParameterType::numbers || entry.type == ParameterType::texts;
-  const auto items = isArray ? parseItems(*given) : std::optional<Names>(Names{*given});
-  if (!items) {
-    errors_.add(where, quoted(*given) + " is not a list of values.", "Write value=\"{a, b, c}\".");
-    return std::nullopt;
-  }
-  std::vector<double> numbers;
-  Names texts;
-  for (const std::string& item : *items) {
-    switch (entry.type) {
-      case ParameterType::number:
-      case ParameterType::numbers:
-        if ((*type == "int" || *type == "Array(int)") && parseNumber(item) && !parseInteger(item)) {
-          errors_.add(where, quoted(item) + " is not an integer, but the type is " + quoted(*type) + ".",
-                      "Write type=" + quoted(accepted.front()) + ".");
-          return std::nullopt;
-        }
-        if (const auto read = number(item, entry, where)) numbers.push_back(*read);
-        break;
-      case ParameterType::integer:
-        if (const auto read = integer(item, entry, where)) return *read;
-        break;
-      case ParameterType::flag:
-        if (item == "true" || item == "false") return item == "true";
-        errors_.add(where, quoted(item) + " is not allowed.", "Allowed: true, false.");
-        break;
-      case ParameterType::text:
-      case ParameterType::texts:
-        if (auto read = text(item, entry, where)) texts.push_back(std::move(*read));
-        break;
-    }
-  }
-  if (numbers.size() + texts.size() != items->size()) return std::nullopt;
-  if (entry.type == ParameterType::number) return numbers.front();
-  if (entry.type == ParameterType::text) return texts.front();
-  if (entry.type == ParameterType::numbers) return numbers;
-  return texts;
-}
-
-std::optional<double> Checker::number(const std::string& text, const ParameterEntry& entry, const std::string& where) {
-  if (!text.empty() && text.front() == '$') {
-    const auto found = values_.find(text.substr(1));
-    if (found == values_.end()) {
-      Names known;
-      for (const auto& value : values_) known.push_back(value.first);
-      errors_.add(where, quoted(text) + " names no entry of the list Values.",
-                  suggestName(text.substr(1), known, "Values has"));
-      return std::nullopt;
-    }
-    // A value that is not a number is reported where it stands.
-    if (found->second && !inRange(*found->second, text + " = " + toText(*found->second), entry, where))
-      return std::nullopt;
-    return found->second;
-  }
-  const auto number = parseNumber(text);
-  if (!number) {
-    errors_.add(where, quoted(text) + " is not a finite number.",
-                "Write a number such as 0.5 or 2e5" + (entry.unitName.empty() ? "" : " [" + entry.unitName + "]") +
-                    ", or \"$name\" for an entry of the list Values.");
-    return std::nullopt;
-  }
-  if (!inRange(*number, text, entry, where)) return std::nullopt;
-  return number;
-}
-
-std::optional<int> Checker::integer(const std::string& text, const ParameterEntry& entry, const std::string& where) {
-  const auto number = parseInteger(text);
-  if (!number) {
-    errors_.add(where, quoted(text) + " is not an integer.",
-                "Write a whole number between -2147483648 and 2147483647, without point or exponent.");
-    return std::nullopt;
-  }
-  if (!inRange(*number, text, entry, where)) return std::nullopt;
-  return number;
-}
-
-std::optional<std::string> Checker::text(const std::string& text, const ParameterEntry& entry,
-                                         const std::string& where) {
-  if (!entry.choices.empty() && std::find(entry.choices.begin(), entry.choices.end(), text) == entry.choices.end()) {
-    errors_.add(where, quoted(text) + " is not allowed.", suggestName(text, entry.choices, "Allowed"));
-    return std::nullopt;
-  }
-  if (entry.namesHistory && std::find(histories_.begin(), histories_.end(), text) == histories_.end()) {
-    errors_.add(where, quoted(text) + " names no history.", suggestName(text, histories_, "Histories has"));
-    return std::nullopt;
-  }
-  return text;
-}
-
-bool Checker::inRange(double number, const std::string& text, const ParameterEntry& entry, const std::string& where) {
-  if (entry.allows(number)) return true;
-  errors_.add(where, text + " is out of range.", "Allowed: " + entry.range() + ".");
-  return false;
 }
 
 }  // namespace

@@ -13,6 +13,11 @@ namespace harmos::base {
 /// `given`.
 std::string nearestName(const std::string& given, const std::vector<std::string>& known);
 
+/// For names in messages.
+inline std::string quoted(const std::string& text) {
+  return "\"" + text + "\"";
+}
+
 /// "a, b, c"; of very many names the first `most` and how many are left.
 std::string joinNames(const std::vector<std::string>& names, std::size_t most = 12);
 
