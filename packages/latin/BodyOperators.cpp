@@ -165,8 +165,6 @@ void BodyOperators::gatherLoads(const interface::Assembly& assembly) {
     const int dofs = loads_[static_cast<std::size_t>(group.bodies[0])].numRows();
     const int columns = static_cast<int>(group.bodies.size()) * allSteps_;
     group.loads.shape(dofs, columns);
-    group.right.shape(dofs, columns);
-    group.solution.shape(dofs, columns);
     for (int body : group.bodies) {
       const Place& place = places_[static_cast<std::size_t>(body)];
       for (int t = 0; t < allSteps_; ++t) {
@@ -184,21 +182,32 @@ void BodyOperators::gatherLoads(const interface::Assembly& assembly) {
   }
 }
 
-void BodyOperators::solve(const base::Matrix& forces, int first, int steps) {
+void BodyOperators::select(const std::vector<int>& steps) {
+  steps_ = steps;
+  for (Group& group : groups_) {
+    const int columns = static_cast<int>(group.bodies.size() * steps_.size());
+    group.right.shape(group.loads.numRows(), columns);
+    group.solution.shape(group.loads.numRows(), columns);
+  }
+}
+
+void BodyOperators::solve(const base::Matrix& forces, int first, int count) {
+  const int columns = static_cast<int>(steps_.size());
   for (Group& group : groups_) {
     const int dofs = group.loads.numRows();
     for (std::size_t m = 0; m < group.bodies.size(); ++m) {
-      for (int t = 0; t < steps; ++t) {
-        const double* loads = group.loads[static_cast<int>(m) * allSteps_ + first + t];
-        std::copy(loads, loads + dofs, group.right[static_cast<int>(m) * steps + t]);
+      for (int t = 0; t < count; ++t) {
+        const double* loads =
+            group.loads[static_cast<int>(m) * allSteps_ + steps_[static_cast<std::size_t>(first + t)]];
+        std::copy(loads, loads + dofs, group.right[static_cast<int>(m) * count + t]);
       }
     }
   }
   for (const BlockMap& block : blocks_) {
     Group& group = groups_[static_cast<std::size_t>(block.place->group)];
-    for (int t = 0; t < steps; ++t) {
+    for (int t = 0; t < count; ++t) {
       const double* from = forces[first + t] + block.begin;
-      double* to = group.right[block.place->member * steps + t];
+      double* to = group.right[block.place->member * count + t];
       if (block.place->rotates) {
         for (std::size_t p = 0; p < block.dof.size(); ++p, from += dimension_) {
           addRotated(block.place->rotation, true, dimension_, from, to + block.dof[p]);
@@ -212,27 +221,28 @@ void BodyOperators::solve(const base::Matrix& forces, int first, int steps) {
   }
   for (Group& group : groups_) {
     const int members = static_cast<int>(group.bodies.size());
-    if (steps == allSteps_) {
+    if (count == columns) {
       group.solver->solve(group.right, group.solution);
       continue;
     }
     const base::Matrix right(Teuchos::View, group.right.values(), group.right.stride(), group.right.numRows(),
-                             members * steps);
-    base::Matrix some(group.right.numRows(), members * steps);
+                             members * count);
+    base::Matrix some(group.right.numRows(), members * count);
     group.solver->solve(right, some);
     for (int m = 0; m < members; ++m) {
-      for (int t = 0; t < steps; ++t) {
-        std::copy_n(some[m * steps + t], some.numRows(), group.solution[m * allSteps_ + first + t]);
+      for (int t = 0; t < count; ++t) {
+        std::copy_n(some[m * count + t], some.numRows(), group.solution[m * columns + first + t]);
       }
     }
   }
 }
 
-void BodyOperators::trace(base::Matrix& trace, int first, int steps) const {
+void BodyOperators::trace(base::Matrix& trace, int first, int count) const {
+  const int columns = static_cast<int>(steps_.size());
   for (const BlockMap& block : blocks_) {
     const Group& group = groups_[static_cast<std::size_t>(block.place->group)];
-    for (int t = first; t < first + steps; ++t) {
-      const double* from = group.solution[block.place->member * allSteps_ + t];
+    for (int t = first; t < first + count; ++t) {
+      const double* from = group.solution[block.place->member * columns + t];
       double* to = trace[t] + block.begin;
       for (std::size_t p = 0; p < block.dof.size(); ++p, to += dimension_) {
         if (block.place->rotates) {
@@ -272,11 +282,11 @@ base::Matrix BodyOperators::solveBody(int body, const base::Matrix& forces) cons
   return solution;
 }
 
-mesh::Point BodyOperators::displacement(int body, int node, int step) const {
+mesh::Point BodyOperators::displacement(int body, int node, int column) const {
   const Place& place = places_[static_cast<std::size_t>(body)];
   const Group& group = groups_[static_cast<std::size_t>(place.group)];
   mesh::Point u{};
-  const double* from = group.solution[place.member * allSteps_ + step] + masterDof(place, node);
+  const double* from = group.solution[place.member * static_cast<int>(steps_.size()) + column] + masterDof(place, node);
   if (place.rotates) {
     addRotated(place.rotation, false, dimension_, from, u.data());
   } else {

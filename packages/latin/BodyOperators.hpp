@@ -19,16 +19,18 @@ class BodyOperators {
   BodyOperators(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
                 const TraceLayout& layout, const substructure::SolverOptions& options);
 
-  /// Solves S u = B^T r + l for all owned bodies and the load steps first .. first + steps - 1, where r are the nodal
+  /// Sets which load step each column of a field is; to be called before the first solve().
+  void select(const std::vector<int>& steps);
+  /// Solves S u = B^T r + l for all owned bodies and the columns first .. first + count - 1, where r are the nodal
   /// forces [force] on the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement().
-  void solve(const base::Matrix& forces, int first, int steps);
+  void solve(const base::Matrix& forces, int first, int count);
   /// Solves S u = r for one owned body and arbitrary columns, in the body's own numbering.
   base::Matrix solveBody(int body, const base::Matrix& forces) const;
 
-  /// Trace w of the last solve: fills the columns first .. first + steps - 1 of `trace`.
-  void trace(base::Matrix& trace, int first, int steps) const;
+  /// Trace w of the last solve: fills the columns first .. first + count - 1 of `trace`.
+  void trace(base::Matrix& trace, int first, int count) const;
   /// Displacement u [length] of a node of an owned body as last solved.
-  mesh::Point displacement(int body, int node, int step) const;
+  mesh::Point displacement(int body, int node, int column) const;
   /// Loads on a body's own nodes: body forces and prescribed tractions, dofs x steps.
   const base::Matrix& loads(int body) const { return loads_[static_cast<std::size_t>(body)]; }
 
@@ -63,6 +65,7 @@ class BodyOperators {
 
   int dimension_;
   int allSteps_;
+  std::vector<int> steps_;  // load step of every column
   std::vector<Place> places_;
   std::vector<Group> groups_;
   std::vector<BlockMap> blocks_;

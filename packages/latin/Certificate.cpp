@@ -49,7 +49,7 @@ Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::
   double previous = 0.0;
   for (int correction = 0; correction < maximumCorrections; ++correction) {
     const double gap = fieldGap(fixedPoint_);
-    if (fixedPoint_.linearStage().solves() + maximumVectors + smoothingIterations + 2 > stageLimit) return result;
+    if (fixedPoint_.linearStage().stages() + maximumVectors + smoothingIterations + 2 > stageLimit) return result;
     const NewtonCorrection::Result step = newton.solve(state, next, krylovTarget);
     result.smallestSingularValue = step.smallestSingularValue;
     if (step.reduction > krylovLimit) return result;

@@ -1,5 +1,7 @@
 #include <harmos/latin/FixedPoint.hpp>
 
+#include <numeric>
+
 namespace harmos::latin {
 
 FixedPoint::FixedPoint(const interface::Assembly& assembly, const StageOptions& options,
@@ -11,9 +13,23 @@ FixedPoint::FixedPoint(const interface::Assembly& assembly, const StageOptions& 
       layout_(assembly, searchDirection_, comm),
       metric_(layout_),
       linear_(assembly, searchDirection_, layout_, options.formulation, options.macroProblem, options.solver, timers),
-      local_(assembly, searchDirection_, layout_, options.formulation),
-      beta_(layout_.rows(), assembly.steps()),
-      hattedTraction_(layout_.rows(), assembly.steps()) {}
+      local_(assembly, searchDirection_, layout_, options.formulation) {
+  selectAll();
+}
+
+void FixedPoint::select(const std::vector<int>& steps) {
+  linear_.select(steps);
+  local_.select(steps);
+  beta_.shape(layout_.rows(), static_cast<int>(steps.size()));
+  hattedTraction_.shape(layout_.rows(), static_cast<int>(steps.size()));
+  hasHattedTrace_ = false;
+}
+
+void FixedPoint::selectAll() {
+  std::vector<int> all(static_cast<std::size_t>(assembly_.steps()));
+  std::iota(all.begin(), all.end(), 0);
+  select(all);
+}
 
 void FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image) {
   linear_.solve(alpha, beta_);

@@ -21,6 +21,11 @@ class FixedPoint {
   FixedPoint(const interface::Assembly& assembly, const StageOptions& options,
              Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
 
+  /// Restricts the iteration to some load steps, in ascending order: the columns of a state are then these steps. All
+  /// load steps after construction. Responses and pairFields() need all.
+  void select(const std::vector<int>& steps);
+  void selectAll();
+
   /// Collective. image = T(alpha) [stress]; the fields of the iteration are kept.
   void apply(const base::Matrix& alpha, base::Matrix& image);
 
@@ -34,7 +39,7 @@ class FixedPoint {
   /// f^ [stress] of the local stage, which obeys the interface laws.
   const base::Matrix& hattedTraction() const { return hattedTraction_; }
   /// u [length] of a node of an owned body, linear stage.
-  mesh::Point displacement(int body, int node, int step) const { return linear_.displacement(body, node, step); }
+  mesh::Point displacement(int body, int node, int column) const { return linear_.displacement(body, node, column); }
 
   const interface::Assembly& assembly() const { return assembly_; }
   const TraceLayout& layout() const { return layout_; }

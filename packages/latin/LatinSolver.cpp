@@ -20,12 +20,19 @@ constexpr std::size_t lookBack = 2;
 // A correction gains about a factor of ten, so a certificate is worth its price from here on.
 constexpr double triggerFactor = 15.0;
 
-// A drift shows as three imbalances in a row, each this many iterations apart, that agree to within 5 % ...
+// After a good start little changes at first; the gap tells that this is not yet the end.
+constexpr double gapFactor = 0.02;
+// A drift shows as four imbalances in a row, each this many iterations apart, that agree to within 5 % ...
 constexpr int imbalanceEvery = 10;
-constexpr std::size_t imbalanceCount = 3;
+constexpr std::size_t imbalanceCount = 4;
 constexpr double imbalanceSpread = 0.05;
 // ... and that are almost nothing but rigid motion; slow convergence has shares below 0.7 (see docs).
 constexpr double driftShare = 0.85;
+
+// A coarse start takes every third load step and stops where interpolation between them becomes the larger error.
+constexpr int coarseSpacing = 3;
+constexpr int coarseIterations = 20;
+constexpr double coarseResidual = 2e-3;
 
 /// True when a body is carried away by a constant force that no interface balances.
 bool drifts(const std::vector<Imbalance>& history, double accuracy) {
@@ -80,14 +87,51 @@ bool LatinSolver::settled(int iteration, double tolerance, double& change) {
   const std::vector<double> changes = snapshots_.back()->distance(*snapshots_[snapshots_.size() - 1 - lookBack]);
   change = *std::max_element(changes.begin(), changes.end());
   snapshots_.erase(snapshots_.begin());
-  return change <= tolerance;
+  return change <= tolerance && fieldGap(fixedPoint_) <= gapFactor * tolerance;
+}
+
+void LatinSolver::startFromCoarseSteps() {
+  const int count = (assembly_.steps() + coarseSpacing - 1) / coarseSpacing;
+  if (count < 3) return;
+  const auto running = timers_.start("acceleration");
+  std::vector<int> coarse;
+  for (int i = 0; i < count; ++i) {
+    coarse.push_back(static_cast<int>(std::lround(i * (assembly_.steps() - 1.0) / (count - 1))));
+  }
+  fixedPoint_.select(coarse);
+  base::Matrix alpha(alpha_.numRows(), count);
+  base::Matrix image(alpha_.numRows(), count);
+  base::Matrix residual(alpha_.numRows(), count);
+  AndersonAcceleration acceleration(fixedPoint_.metric(), options_.memory);
+  for (int i = 0; i < coarseIterations; ++i) {
+    fixedPoint_.apply(alpha, image);
+    residual.assign(image);
+    residual -= alpha;
+    const bool close = fixedPoint_.metric().norm(residual) <= coarseResidual * fixedPoint_.metric().norm(image);
+    acceleration.advance(alpha, image);
+    if (close) break;
+  }
+  fixedPoint_.selectAll();
+  int left = 0;
+  for (int t = 0; t < assembly_.steps(); ++t) {
+    while (left + 2 < count && coarse[static_cast<std::size_t>(left) + 1] <= t) ++left;
+    const double from = coarse[static_cast<std::size_t>(left)];
+    const double share = (t - from) / (coarse[static_cast<std::size_t>(left) + 1] - from);
+    for (int row = 0; row < alpha.numRows(); ++row) {
+      alpha_[t][row] = (1.0 - share) * alpha[left][row] + share * alpha[left + 1][row];
+    }
+  }
 }
 
 LatinResult LatinSolver::solve(const base::Matrix* start) {
   const int rows = fixedPoint_.layout().rows();
   alpha_.shape(rows, assembly_.steps());
   image_.shape(rows, assembly_.steps());
-  if (start != nullptr) alpha_.assign(*start);
+  if (start != nullptr) {
+    alpha_.assign(*start);
+  } else if (options_.algorithm == Algorithm::accelerated) {
+    startFromCoarseSteps();
+  }
   snapshots_.clear();
 
   LatinResult result;
@@ -98,7 +142,7 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   std::vector<double> estimates;
   std::vector<Imbalance> imbalances;
 
-  const auto stages = [&] { return fixedPoint_.linearStage().solves(); };
+  const auto stages = [&] { return fixedPoint_.linearStage().stages(); };
   while (stages() < options_.maximumIterations) {
     fixedPoint_.apply(alpha_, image_);
     ++result.iterations;
@@ -156,7 +200,7 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
 
 void LatinSolver::deliver(LatinResult& result, const std::vector<double>& estimates) {
   fixedPoint_.apply(alpha_, image_);
-  result.linearStages = fixedPoint_.linearStage().solves();
+  result.linearStages = fixedPoint_.linearStage().stages();
   result.indicator = customaryIndicator(fixedPoint_);
   const Snapshot last(fixedPoint_, responses_);
   const double unknown = std::numeric_limits<double>::quiet_NaN();

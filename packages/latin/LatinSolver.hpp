@@ -44,6 +44,8 @@ class LatinSolver {
   const base::Matrix& alpha() const { return alpha_; }
 
  private:
+  /// Solves a few of the load steps roughly and interpolates the start of all from them.
+  void startFromCoarseSteps();
   bool settled(int iteration, double tolerance, double& change);
   bool mustStop() const;
   void deliver(LatinResult& result, const std::vector<double>& estimates);

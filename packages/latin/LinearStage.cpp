@@ -11,41 +11,45 @@ LinearStage::LinearStage(const interface::Assembly& assembly, const interface::S
       layout_(layout),
       formulation_(formulation),
       timers_(timers),
-      operators_(assembly, searchDirection, layout, options),
-      corrected_(layout.rows(), assembly.steps()),
-      forces_(layout.rows(), assembly.steps()),
-      trace_(layout.rows(), assembly.steps()),
-      traction_(layout.rows(), assembly.steps()) {
+      operators_(assembly, searchDirection, layout, options) {
   if (withMacroProblem) {
     macro_ = std::make_unique<MacroProblem>(assembly, searchDirection, layout, operators_, options);
   }
 }
 
-void LinearStage::applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int steps) const {
+void LinearStage::select(const std::vector<int>& steps) {
+  steps_ = steps;
+  operators_.select(steps);
+  for (base::Matrix* field : {&corrected_, &forces_, &trace_, &traction_}) {
+    field->shape(layout_.rows(), static_cast<int>(steps.size()));
+  }
+}
+
+void LinearStage::applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const {
   for (const TraceLayout::Block& block : layout_.blocks()) {
     const interface::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(block.interface)];
-    for (int t = first; t < first + steps; ++t) {
+    for (int t = first; t < first + count; ++t) {
       latin::applyMass(interface, layout_.dimension(), traction[t] + block.begin, forces[t] + block.begin);
     }
   }
 }
 
-void LinearStage::solveSteps(base::Matrix& alpha, int first, int steps) {
-  applyMass(alpha, forces_, first, steps);
+void LinearStage::solveSteps(base::Matrix& alpha, int first, int count) {
+  applyMass(alpha, forces_, first, count);
   if (macro_) {
     const auto running = timers_.start("macro");
-    macro_->correct(alpha, forces_, first, steps);
+    macro_->correct(alpha, forces_, first, {steps_.begin() + first, steps_.begin() + first + count});
   }
   {
     const auto running = timers_.start("block solve");
-    operators_.solve(forces_, first, steps);
+    operators_.solve(forces_, first, count);
   }
-  operators_.trace(trace_, first, steps);
+  operators_.trace(trace_, first, count);
 }
 
 void LinearStage::solve(const base::Matrix& alpha, base::Matrix& beta) {
   const auto running = timers_.start("linear");
-  ++solves_;
+  columnsSolved_ += alpha.numCols();
   const std::vector<double>& k = layout_.stiffness();
   corrected_.assign(alpha);
   const int steps = alpha.numCols();

@@ -22,6 +22,9 @@ class LinearStage {
               const TraceLayout& layout, Formulation formulation, bool withMacroProblem,
               const substructure::SolverOptions& options, base::Timers& timers);
 
+  /// Sets which load step each column of a field is; to be called before the first solve.
+  void select(const std::vector<int>& steps);
+
   /// Collective. From alpha [stress] to beta = f - k w [stress] (velocity form: f - k dw); keeps w.
   void solve(const base::Matrix& alpha, base::Matrix& beta);
 
@@ -30,19 +33,21 @@ class LinearStage {
   const base::Matrix& traction() const { return traction_; }
 
   /// Displacement u [length] of a node of an owned body in the last solve.
-  mesh::Point displacement(int body, int node, int step) const { return operators_.displacement(body, node, step); }
+  mesh::Point displacement(int body, int node, int column) const { return operators_.displacement(body, node, column); }
 
-  int solves() const { return solves_; }
+  /// Work so far: columns solved over the number of load steps, so that a solve of all load steps counts as one.
+  int stages() const { return static_cast<int>((columnsSolved_ + assembly_.steps() - 1) / assembly_.steps()); }
   const BodyOperators& operators() const { return operators_; }
   int macroUnknowns() const { return macro_ ? macro_->unknowns() : 0; }
 
  private:
-  void applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int steps) const;
-  void solveSteps(base::Matrix& alpha, int first, int steps);
+  void applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const;
+  void solveSteps(base::Matrix& alpha, int first, int count);
 
   const interface::Assembly& assembly_;
   const TraceLayout& layout_;
   Formulation formulation_;
+  std::vector<int> steps_;  // load step of every column
   base::Timers& timers_;
   BodyOperators operators_;
   std::unique_ptr<MacroProblem> macro_;
@@ -50,7 +55,7 @@ class LinearStage {
   base::Matrix forces_;
   base::Matrix trace_;
   base::Matrix traction_;
-  int solves_ = 0;
+  long columnsSolved_ = 0;
 };
 
 }  // namespace harmos::latin

@@ -36,18 +36,26 @@ LocalStage::LocalStage(const interface::Assembly& assembly, const interface::Sea
     joint.active = joint.begin1 >= 0 || joint.begin2 >= 0;
     if (joint.active) {
       const auto pairs = static_cast<std::size_t>(interface.pairs());
-      const auto steps = static_cast<std::size_t>(assembly.steps());
       joint.line.resize(pairs);
-      joint.state.resize(pairs * steps);
       for (auto& history : joint.history)
         history.resize(pairs * static_cast<std::size_t>(interface.law->historySize()));
       if (formulation == Formulation::velocity) joint.jump.resize(3 * pairs);
       if (interface.sides() == 2 && (joint.begin1 < 0 || joint.begin2 < 0)) {
         joint.neighbour = assembly.ownerOf(joint.begin1 < 0 ? interface.body1 : interface.body2);
-        joint.remote.resize(pairs * steps * static_cast<std::size_t>(layout.dimension()));
       }
     }
     joints_.push_back(std::move(joint));
+  }
+}
+
+void LocalStage::select(const std::vector<int>& steps) {
+  steps_ = steps;
+  for (Joint& joint : joints_) {
+    if (!joint.active) continue;
+    joint.state.assign(joint.line.size() * steps.size(), {});
+    if (joint.neighbour >= 0) {
+      joint.remote.resize(joint.line.size() * steps.size() * static_cast<std::size_t>(layout_.dimension()));
+    }
   }
 }
 
@@ -128,7 +136,8 @@ void LocalStage::solveJoint(int interfaceIndex, Joint& joint, const base::Matrix
       }
     }
     if (!std::isfinite(check)) {
-      throw base::Error("interface \"" + interface.name + "\", load step " + std::to_string(t + 1) + ": law \"" +
+      throw base::Error("interface \"" + interface.name + "\", load step " +
+                            std::to_string(steps_[static_cast<std::size_t>(t)] + 1) + ": law \"" +
                             interface.law->name() + "\" met or returned a value that is not finite (NaN or infinity)",
                         base::ExitCode::notConverged);
     }

@@ -24,6 +24,9 @@ class LocalStage {
   LocalStage(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
              const TraceLayout& layout, Formulation formulation);
 
+  /// Sets which load step each column of a field is, in ascending order; to be called before the first solve().
+  void select(const std::vector<int>& steps);
+
   /// Collective. Overwrites `traction` with f^ [stress] of every row, given `beta` [stress].
   /// Throws base::Error naming interface and step when a law returns a value that is not finite.
   void solve(const base::Matrix& beta, base::Matrix& traction);
@@ -39,9 +42,9 @@ class LocalStage {
     int begin1 = -1;
     int begin2 = -1;             // row blocks; -1: not owned here, or no such side
     int neighbour = -1;          // rank that owns the other side; -1: none or this one
-    std::vector<double> remote;  // beta of the side owned elsewhere, pairs x dimension x steps
+    std::vector<double> remote;  // beta of the side owned elsewhere, pairs x dimension x columns
     std::vector<laws::LocalLine> line;
-    std::vector<laws::LocalState> state;  // pairs x steps
+    std::vector<laws::LocalState> state;  // pairs x columns
     std::vector<double> history[2];
     std::vector<double> jump;  // velocity form: hatted jump of the previous step, law's frame
   };
@@ -53,6 +56,7 @@ class LocalStage {
   const interface::SearchDirection& searchDirection_;
   const TraceLayout& layout_;
   Formulation formulation_;
+  std::vector<int> steps_;  // load step of every column
   std::vector<Joint> joints_;
 };
 

@@ -278,38 +278,40 @@ void MacroProblem::reportFloating(const interface::Assembly& assembly, const Mat
       base::ExitCode::noEquilibrium);
 }
 
-void MacroProblem::correct(Matrix& alpha, Matrix& forces, int first, int steps) const {
+void MacroProblem::correct(Matrix& alpha, Matrix& forces, int first, const std::vector<int>& steps) const {
   if (unknowns_ == 0) return;
   const Teuchos::BLAS<int, double> blas;
-  Matrix local(unknowns_, steps);
+  const int count = static_cast<int>(steps.size());
+  Matrix local(unknowns_, count);
   for (const Block& block : blocks_) {
     const Body& body = bodies_[static_cast<std::size_t>(block.body)];
-    const int count = static_cast<int>(body.unknowns.size());
-    if (count == 0) continue;
-    Matrix part(count, steps);
-    blas.GEMM(Teuchos::TRANS, Teuchos::NO_TRANS, count, steps, block.reaction.numRows(), 1.0, block.reaction.values(),
-              block.reaction.stride(), forces[first] + block.begin, forces.stride(), 0.0, part.values(), part.stride());
-    for (int t = 0; t < steps; ++t) {
-      for (int j = 0; j < count; ++j) local(body.unknowns[static_cast<std::size_t>(j)], t) -= part(j, t);
+    const int unknowns = static_cast<int>(body.unknowns.size());
+    if (unknowns == 0) continue;
+    Matrix part(unknowns, count);
+    blas.GEMM(Teuchos::TRANS, Teuchos::NO_TRANS, unknowns, count, block.reaction.numRows(), 1.0,
+              block.reaction.values(), block.reaction.stride(), forces[first] + block.begin, forces.stride(), 0.0,
+              part.values(), part.stride());
+    for (int t = 0; t < count; ++t) {
+      for (int j = 0; j < unknowns; ++j) local(body.unknowns[static_cast<std::size_t>(j)], t) -= part(j, t);
     }
   }
   for (const Body& body : bodies_) {
-    for (int t = 0; t < steps; ++t) {
+    for (int t = 0; t < count; ++t) {
       for (std::size_t j = 0; j < body.unknowns.size(); ++j)
-        local(body.unknowns[j], t) += body.loads(static_cast<int>(j), first + t);
+        local(body.unknowns[j], t) += body.loads(static_cast<int>(j), steps[static_cast<std::size_t>(t)]);
     }
   }
-  Matrix right(unknowns_, steps);
-  Teuchos::reduceAll(layout_.comm(), Teuchos::REDUCE_SUM, unknowns_ * steps, local.values(), right.values());
-  Matrix c(unknowns_, steps);
+  Matrix right(unknowns_, count);
+  Teuchos::reduceAll(layout_.comm(), Teuchos::REDUCE_SUM, unknowns_ * count, local.values(), right.values());
+  Matrix c(unknowns_, count);
   solver_->solve(right, c);
   for (const Block& block : blocks_) {
     const int modes = block.force.numCols();
     if (modes == 0) continue;
     const int rows = block.force.numRows();
-    blas.GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, rows, steps, modes, 1.0, block.force.values(), block.force.stride(),
+    blas.GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, rows, count, modes, 1.0, block.force.values(), block.force.stride(),
               c.values() + block.modes, c.stride(), 1.0, forces[first] + block.begin, forces.stride());
-    blas.GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, rows, steps, modes, 1.0, block.traction.values(),
+    blas.GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, rows, count, modes, 1.0, block.traction.values(),
               block.traction.stride(), c.values() + block.modes, c.stride(), 1.0, alpha[first] + block.begin,
               alpha.stride());
   }

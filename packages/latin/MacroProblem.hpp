@@ -24,8 +24,8 @@ class MacroProblem {
                const TraceLayout& layout, const BodyOperators& operators, const substructure::SolverOptions& options);
 
   /// Collective. Adds k P c to `alpha` [stress] and h k P c to `forces` = h alpha [force], columns
-  /// first .. first + steps - 1.
-  void correct(base::Matrix& alpha, base::Matrix& forces, int first, int steps) const;
+  /// first .. first + steps.size() - 1, which are the load steps `steps`.
+  void correct(base::Matrix& alpha, base::Matrix& forces, int first, const std::vector<int>& steps) const;
 
   int unknowns() const { return unknowns_; }
 

@@ -24,8 +24,8 @@ TraceLayout::TraceLayout(const interface::Assembly& assembly, const interface::S
       }
     }
   }
-  // A rank without bodies gets one row of no weight: Teuchos forgets the columns of a matrix without rows, and the ranks
-  // would no longer agree on the sizes of their sums.
+  // A rank without bodies gets one row of no weight: Teuchos forgets the columns of a matrix without rows, and the
+  // ranks would no longer agree on the sizes of their sums.
   if (rows_ == 0) {
     rows_ = 1;
     area_ = {0.0};
