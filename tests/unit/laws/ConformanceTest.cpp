@@ -1,0 +1,438 @@
+// What every interface law must do, whatever it describes. A law that is added to the list of built-ins is tested here
+// without an edit: its parameters come from its own declaration.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "LawSamples.hpp"
+
+namespace harmos::laws {
+namespace {
+
+constexpr int samples = 40;
+constexpr double roundOff = 1e-13;  // a few hundred units in the last place: laws are short formulas
+
+class Conformance : public testing::TestWithParam<std::string> {
+ protected:
+  Conformance() : registry_(builtInLaws()) {
+    for (const auto& form : registry_.forms()) {
+      if (form.name() == GetParam()) spec_ = &form;
+    }
+  }
+
+  std::unique_ptr<InterfaceLaw> draw() {
+    parameters_ = randomParameters(*spec_, random_);
+    return registry_.create(parameters_);
+  }
+
+  /// Largest number among the parameters: the slope of a law's graph is of this order at most.
+  double largestParameter() const {
+    double largest = 1.0;
+    for (const auto& entry : spec_->entries()) {
+      if (entry->type == base::ParameterType::number)
+        largest = std::max(largest, std::abs(parameters_.number(entry->name)));
+    }
+    return largest;
+  }
+
+  /// The traction's round-off on a line: what the law adds and multiplies may be larger than what is left.
+  double tolerance(const LocalLine& line, const LocalState& state, double gap = 0.0) const {
+    const double lengths = norm(line.freeJump) + std::abs(gap) + largestParameter();
+    return roundOff * (norm(state.traction) + lengths / line.compliance) * largestParameter();
+  }
+
+  LawRegistry registry_;
+  const base::ParameterSpec* spec_ = nullptr;
+  Random random_{20240405};
+  base::Parameters parameters_;
+};
+
+TEST_P(Conformance, DeclaresItself) {
+  EXPECT_FALSE(spec_->summary().empty());
+  for (const auto& entry : spec_->entries()) {
+    EXPECT_FALSE(entry->description.empty()) << entry->name;
+    if (entry->type == base::ParameterType::number) {
+      EXPECT_FALSE(entry->unitName.empty()) << entry->name;
+    }
+  }
+  const auto law = draw();
+  EXPECT_EQ(law->name(), GetParam());
+  EXPECT_GE(law->historySize(), 0);
+  if (law->prescribesTraction()) {
+    EXPECT_EQ(law->sides(), Sides::one);
+  }
+}
+
+// The graph t = R(delta) belongs to the law and the line to the solver: any other line through the point that was found
+// must lead to the same point.
+TEST_P(Conformance, FindsPointsOfOneGraph) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    const double gap = uniform(random_, -1.0, 1.0);
+    Node node(*law, gap);
+    for (int step = 0; step < 6; ++step) {
+      const LocalLine line = randomLine(random_);
+      const LocalState state = node.solve(line);
+      const Vector3 jump = line.jump(state.traction);
+      for (double ratio : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
+        LocalLine other;
+        other.compliance = ratio * line.compliance;
+        other.freeJump = jump + other.compliance * state.traction;
+        const LocalState again = node.solve(other);
+        // The jump carries the round-off of the first line.
+        const double error = tolerance(other, state, gap) + tolerance(line, state, gap) / std::min(ratio, 1.0);
+        EXPECT_LE(norm(again.traction - state.traction), error);
+      }
+      node.solve(line);
+      node.accept();
+    }
+  }
+}
+
+// The graph of a law without memory is monotone, so that its resolvent is firmly non-expansive: LATIN converges.
+TEST_P(Conformance, IsMonotoneWithoutMemory) {
+  for (double exponent : {-12.0, -6.0, 0.0, 6.0, 12.0}) {
+    for (int i = 0; i < samples; ++i) {
+      const auto law = draw();
+      if (law->historySize() > 0) return;
+      Node node(*law);
+      LocalLine a = randomLine(random_);
+      a.compliance *= std::pow(10.0, exponent);
+      LocalLine b = randomLine(random_);
+      b.compliance = a.compliance;
+      const LocalState atA = node.solve(a), atB = node.solve(b);
+      const Vector3 difference = atA.traction - atB.traction;
+      const Vector3 distance = a.freeJump - b.freeJump;
+      EXPECT_LE(a.compliance * dot(difference, difference),
+                dot(difference, distance) +
+                    roundOff * a.compliance * (dot(atA.traction, atA.traction) + dot(atB.traction, atB.traction)) +
+                    roundOff * norm(distance) * (norm(atA.traction) + norm(atB.traction)));
+    }
+  }
+}
+
+// Through opening, closing, sticking, sliding: many small moves make small changes only.
+TEST_P(Conformance, IsContinuous) {
+  constexpr int moves = 500;
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    Node node(*law);
+    node.solve(randomLine(random_));
+    node.accept();
+    const LocalLine from = randomLine(random_);
+    const Vector3 move = (1.0 / moves) * (randomVector(random_) - from.freeJump);
+    const double slope = 4.0 * largestParameter() / from.compliance;
+    LocalLine line = from;
+    LocalState before = node.solve(line);
+    for (int m = 0; m < moves; ++m) {
+      line.freeJump = line.freeJump + move;
+      const LocalState state = node.solve(line);
+      EXPECT_LE(norm(state.traction - before.traction), slope * norm(move) + tolerance(line, state));
+      before = state;
+    }
+  }
+}
+
+// The frame's t1, t2 are arbitrary. A turn by 180 degrees is the exchange of the two sides.
+TEST_P(Conformance, TurnsWithTheTangents) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    if (law->frame() != Frame::interface) return;
+    const double angle = i == 0 ? std::acos(-1.0) : uniform(random_, 0.0, 6.3);
+    const auto turned = [angle](const Vector3& v) {
+      const double c = std::cos(angle), s = std::sin(angle);
+      return Vector3{v[0], c * v[1] - s * v[2], s * v[1] + c * v[2]};
+    };
+    Node node(*law), other(*law);
+    double error = 0.0;
+    for (int step = 0; step < 6; ++step) {
+      const LocalLine line = randomLine(random_);
+      const LocalState state = node.solve(line);
+      const LocalState found = other.solve({turned(line.freeJump), line.compliance});
+      // Histories carry the round-off of all steps so far.
+      error += tolerance(line, state);
+      EXPECT_LE(norm(found.traction - turned(state.traction)), error * (1.0 + 1.0 / line.compliance));
+      node.accept();
+      other.accept();
+    }
+  }
+}
+
+// In 2-D the third component is not there; it must not come into being.
+TEST_P(Conformance, StaysInThePlane) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    if (law->frame() != Frame::interface) return;
+    Node node(*law);
+    for (int step = 0; step < 6; ++step) {
+      LocalLine line = randomLine(random_);
+      line.freeJump[2] = 0.0;
+      EXPECT_EQ(node.solve(line).traction[2], 0.0);
+      node.accept();
+    }
+  }
+}
+
+// Work along a closed path of jumps from the unloaded start is lost or zero, never gained.
+TEST_P(Conformance, Dissipates) {
+  constexpr double stiff = 1e-6;  // compliance of lines on which the jump is as good as given
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    if (!law->dissipates()) return;
+    Node node(*law);
+    std::vector<Vector3> path;
+    for (int point = 0; point < 8; ++point) path.push_back(randomVector(random_));
+    path.push_back({});
+    double work = 0.0, error = 0.0;
+    Vector3 old{};
+    for (int cycle = 0; cycle < 3; ++cycle) {
+      for (const Vector3& target : path) {
+        const LocalLine line{target, stiff};
+        const Vector3 traction = node.solve(line).traction;
+        const Vector3 jump = line.jump(traction);
+        const double done = traction[1] * (jump[1] - old[1]) + traction[2] * (jump[2] - old[2]);
+        work += done;
+        error += roundOff * norm(traction) * (norm(target) + norm(jump) + norm(old));
+        old = jump;
+        node.accept();
+      }
+      EXPECT_GE(work, -error);
+    }
+  }
+}
+
+// Without rate effects a load step in which nothing happens changes nothing.
+TEST_P(Conformance, StaysWhenTheLoadStays) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    Node node(*law);
+    for (int step = 0; step < 4; ++step) {
+      const LocalLine line = randomLine(random_);
+      const LocalState state = node.solve(line);
+      node.accept();
+      const LocalState again = node.solve(line);
+      node.accept();
+      EXPECT_LE(norm(again.traction - state.traction), tolerance(line, state));
+    }
+  }
+}
+
+TEST_P(Conformance, WritesItsHistoryAndReadsTheOldOne) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    Node node(*law);
+    for (int step = 0; step < 6; ++step) {
+      const LocalLine line = randomLine(random_);
+      const std::vector<double> before = node.oldHistory();
+      const LocalState state = node.solve(line);
+      const std::vector<double> history = node.newHistory();
+      for (double value : history) EXPECT_TRUE(std::isfinite(value));
+      EXPECT_EQ(node.oldHistory(), before);
+      // An iteration that met another line in between leaves no trace.
+      node.solve(randomLine(random_));
+      EXPECT_EQ(node.solve(line).traction, state.traction);
+      EXPECT_EQ(node.newHistory(), history);
+      node.accept();
+    }
+  }
+}
+
+TEST_P(Conformance, SolvesManyNodesAsOne) {
+  constexpr std::size_t count = 7;
+  const auto law = draw();
+  const auto size = static_cast<std::size_t>(law->historySize());
+  std::vector<LocalLine> lines;
+  std::vector<double> gaps, oldHistory, newHistory(count * size);
+  std::vector<LocalState> states(count), single;
+  std::vector<double> singleHistory;
+  for (std::size_t n = 0; n < count; ++n) {
+    gaps.push_back(uniform(random_, -0.1, 0.1));
+    Node node(*law, gaps.back());
+    node.solve(randomLine(random_));
+    node.accept();
+    oldHistory.insert(oldHistory.end(), node.oldHistory().begin(), node.oldHistory().end());
+    lines.push_back(randomLine(random_));
+    single.push_back(node.solve(lines.back()));
+    singleHistory.insert(singleHistory.end(), node.newHistory().begin(), node.newHistory().end());
+  }
+  law->solve(0,
+             {static_cast<int>(count), lines.data(), gaps.data(), oldHistory.data(), newHistory.data(), states.data()});
+  for (std::size_t n = 0; n < count; ++n) {
+    EXPECT_EQ(states[n].traction, single[n].traction);
+    EXPECT_EQ(states[n].status, single[n].status);
+  }
+  EXPECT_EQ(newHistory, singleHistory);
+  law->solve(0, {0, nullptr, nullptr, nullptr, nullptr, nullptr});
+}
+
+TEST_P(Conformance, OpenCarriesNothing) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    Node node(*law, uniform(random_, -1.0, 1.0));
+    for (int step = 0; step < 6; ++step) {
+      const LocalState state = node.solve(randomLine(random_));
+      if (state.status == Status::open) {
+        EXPECT_EQ(state.traction, Vector3{});
+      }
+      node.accept();
+    }
+  }
+}
+
+// A number that varies over the load steps has at each step the effect of a constant.
+TEST_P(Conformance, FollowsSchedules) {
+  const std::vector<double> multipliers{1.0, 0.25, 0.0, 0.75};
+  for (const auto& entry : spec_->entries()) {
+    if (!entry->varies) continue;
+    for (int i = 0; i < samples; ++i) {
+      draw();
+      const double value = parameters_.number(entry->name);
+      base::Histories histories;
+      histories.add("ramp", multipliers);
+      base::Parameters varying = parameters_;
+      varying.set(entry->name + " History", std::string("ramp"));
+      varying.attach(std::make_shared<base::Histories>(histories));
+      const auto law = registry_.create(varying);
+      for (std::size_t step = 0; step < multipliers.size(); ++step) {
+        if (!entry->allows(multipliers[step] * value)) continue;
+        base::Parameters constant = parameters_;
+        constant.set(entry->name, multipliers[step] * value);
+        const auto expected = registry_.create(constant);
+        const LocalLine line = randomLine(random_);
+        EXPECT_EQ(Node(*law).solve(line, static_cast<int>(step)).traction, Node(*expected).solve(line).traction)
+            << entry->name << " at step " << step;
+      }
+    }
+  }
+}
+
+/// Factor of a unit such as "stress/length" or "energy/length^2" when lengths are multiplied by 2^l and stresses by
+/// 2^s; powers of two change no digit.
+double unitFactor(const std::string& unit, int l, int s) {
+  int exponent = 0, sign = 1;
+  for (std::size_t begin = 0; begin < unit.size();) {
+    const std::size_t end = std::min(unit.find_first_of("*/ ", begin), unit.size());
+    std::string base = unit.substr(begin, end - begin);
+    int power = 1;
+    if (const std::size_t hat = base.find('^'); hat != std::string::npos) {
+      power = std::stoi(base.substr(hat + 1));
+      base.erase(hat);
+    }
+    if (base == "length") {
+      exponent += sign * power * l;
+    } else if (base == "stress") {
+      exponent += sign * power * s;
+    } else if (base == "force") {
+      exponent += sign * power * (s + 2 * l);
+    } else if (base == "energy") {
+      exponent += sign * power * (s + 3 * l);
+    } else if (base != "-" && base != "1") {
+      ADD_FAILURE() << "unit \"" << unit << "\": \"" << base << "\" is none of length, stress, force, energy, -";
+    }
+    if (end < unit.size()) sign = unit[end] == '/' ? -1 : 1;
+    begin = end + 1;
+  }
+  return std::ldexp(1.0, exponent);
+}
+
+// Millimetres or metres, the digits are the same: no law hides a tolerance with a unit. The scales make H, stiffnesses
+// and lengths differ by up to 1e-12 .. 1e12.
+TEST_P(Conformance, KnowsNoUnits) {
+  for (const auto& [l, s] : {std::pair{10, 20}, std::pair{-10, -20}, std::pair{40, 0}, std::pair{0, -40}}) {
+    for (int i = 0; i < samples; ++i) {
+      const auto law = draw();
+      const auto scale = [l = l, s = s](const base::ParameterEntry& entry) { return unitFactor(entry.unitName, l, s); };
+      const auto other = registry_.create(scaled(*spec_, parameters_, scale));
+      const double length = std::ldexp(1.0, l), stress = std::ldexp(1.0, s);
+      const double gap = uniform(random_, -1.0, 1.0);
+      Node node(*law, gap), otherNode(*other, length * gap);
+      for (int step = 0; step < 6; ++step) {
+        const LocalLine line = randomLine(random_);
+        const LocalState state = node.solve(line);
+        const LocalState found = otherNode.solve({length * line.freeJump, line.compliance * length / stress});
+        EXPECT_LE(norm((1.0 / stress) * found.traction - state.traction), roundOff * norm(state.traction));
+        EXPECT_EQ(found.status, state.status);
+        node.accept();
+        otherNode.accept();
+      }
+    }
+  }
+}
+
+// Lines and parameters 1e-12 .. 1e12 apart: no overflow, no division by zero, and the point stays where it was when the
+// line is met again.
+TEST_P(Conformance, SurvivesExtremeRatios) {
+  for (double hardness : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
+    for (double compliance : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
+      for (int i = 0; i < 10; ++i) {
+        parameters_ = randomParameters(*spec_, random_);
+        const auto law = registry_.create(scaled(*spec_, parameters_, [&](const base::ParameterEntry& entry) {
+          return entry.allows(hardness * parameters_.number(entry.name)) ? hardness : 1.0;
+        }));
+        Node node(*law);
+        for (int step = 0; step < 3; ++step) {
+          LocalLine line = randomLine(random_);
+          line.compliance *= compliance;
+          const LocalState state = node.solve(line);
+          for (double t : state.traction) EXPECT_TRUE(std::isfinite(t));
+          for (double value : node.newHistory()) EXPECT_TRUE(std::isfinite(value));
+          LocalLine again = line;
+          again.freeJump = line.jump(state.traction) + line.compliance * state.traction;
+          EXPECT_LE(line.compliance * norm(node.solve(again).traction - state.traction),
+                    1e-12 * largestParameter() *
+                        (norm(line.freeJump) + line.compliance * norm(state.traction) + hardness * largestParameter()));
+          node.solve(line);
+          node.accept();
+        }
+      }
+    }
+  }
+}
+
+// The ends of the declared ranges, nodes at rest, gaps that just close: where 0/0 hides.
+TEST_P(Conformance, SurvivesZeros) {
+  parameters_ = randomParameters(*spec_, random_);
+  const auto law = registry_.create(
+      scaled(*spec_, parameters_, [](const base::ParameterEntry& entry) { return entry.allows(0.0) ? 0.0 : 1.0; }));
+  for (double gap : {0.0, -1.0, 1.0}) {
+    for (const Vector3& jump : {Vector3{}, Vector3{1.0, 0.0, 0.0}, Vector3{-1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}}) {
+      Node node(*law, gap);
+      for (int step = 0; step < 2; ++step) {
+        for (double t : node.solve({jump, 1.0}).traction) EXPECT_TRUE(std::isfinite(t));
+        for (double value : node.newHistory()) EXPECT_TRUE(std::isfinite(value));
+        node.accept();
+      }
+    }
+  }
+}
+
+// A value that is not a number must not be swallowed; the local stage turns it into an error.
+TEST_P(Conformance, PassesOnWhatIsNotANumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    if (law->prescribesTraction()) return;
+    const LocalState state = Node(*law).solve({{nan, nan, nan}, 1.0});
+    EXPECT_FALSE(std::isfinite(state.traction[0] + state.traction[1] + state.traction[2]));
+    const LocalState normal = Node(*law).solve({{nan, 0.1, 0.2}, 1.0});
+    EXPECT_FALSE(std::isfinite(normal.traction[0] + normal.traction[1] + normal.traction[2]));
+  }
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> result;
+  const LawRegistry laws = builtInLaws();
+  for (const auto& form : laws.forms()) result.push_back(form.name());
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, Conformance, testing::ValuesIn(names()), [](const auto& test) {
+  std::string name;
+  std::copy_if(test.param.begin(), test.param.end(), std::back_inserter(name), [](char c) { return std::isalnum(c); });
+  return name;
+});
+
+}  // namespace
+}  // namespace harmos::laws

@@ -1,0 +1,103 @@
+#include "LawSamples.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace harmos::laws {
+namespace {
+
+/// A number of the order of one in the range of a declared parameter.
+double draw(const base::ParameterEntry& entry, Random& random) {
+  const bool hasMinimum = std::isfinite(entry.minimum), hasMaximum = std::isfinite(entry.maximum);
+  if (hasMinimum && hasMaximum) return uniform(random, entry.minimum, entry.maximum);
+  if (hasMinimum) return entry.minimum + magnitude(random);
+  if (hasMaximum) return entry.maximum - magnitude(random);
+  return std::uniform_int_distribution<int>(0, 1)(random) == 0 ? magnitude(random) : -magnitude(random);
+}
+
+}  // namespace
+
+double uniform(Random& random, double lower, double upper) {
+  return std::uniform_real_distribution<double>(lower, upper)(random);
+}
+
+double magnitude(Random& random) {
+  return std::pow(10.0, uniform(random, -1.5, 1.5));
+}
+
+Vector3 randomVector(Random& random) {
+  const double size = magnitude(random);
+  Vector3 v;
+  for (double& c : v) c = size * uniform(random, -1.0, 1.0);
+  return v;
+}
+
+LocalLine randomLine(Random& random) {
+  return {randomVector(random), magnitude(random)};
+}
+
+base::Parameters randomParameters(const base::ParameterSpec& spec, Random& random) {
+  base::Parameters parameters("law");
+  parameters.set("Type", spec.name());
+  for (const auto& entry : spec.entries()) {
+    switch (entry->type) {
+      case base::ParameterType::number:
+        parameters.set(entry->name, draw(*entry, random));
+        break;
+      case base::ParameterType::integer:
+        parameters.set(entry->name, static_cast<int>(std::ceil(draw(*entry, random))));
+        break;
+      case base::ParameterType::flag:
+        parameters.set(entry->name, std::uniform_int_distribution<int>(0, 1)(random) == 0);
+        break;
+      case base::ParameterType::text:
+        parameters.set(entry->name, entry->choices.at(random() % entry->choices.size()));
+        break;
+      case base::ParameterType::numbers:
+        parameters.set(entry->name, std::vector<double>{draw(*entry, random)});
+        break;
+      case base::ParameterType::texts:
+        parameters.set(entry->name, entry->choices);
+        break;
+    }
+  }
+  return parameters;
+}
+
+base::Parameters scaled(const base::ParameterSpec& spec, const base::Parameters& parameters,
+                        const std::function<double(const base::ParameterEntry&)>& factor) {
+  base::Parameters result = parameters;
+  for (const auto& entry : spec.entries()) {
+    if (entry->type == base::ParameterType::number)
+      result.set(entry->name, factor(*entry) * parameters.number(entry->name));
+  }
+  return result;
+}
+
+base::Parameters parametersOf(const std::string& law, const std::vector<std::pair<std::string, double>>& values) {
+  base::Parameters parameters("law");
+  parameters.set("Type", law);
+  for (const auto& [name, value] : values) parameters.set(name, value);
+  return parameters;
+}
+
+std::unique_ptr<InterfaceLaw> makeLaw(const std::string& law,
+                                      const std::vector<std::pair<std::string, double>>& values) {
+  return builtInLaws().create(parametersOf(law, values));
+}
+
+Node::Node(const InterfaceLaw& law, double gap)
+    : law_(law),
+      gap_(gap),
+      old_(static_cast<std::size_t>(law.historySize()), 0.0),
+      new_(static_cast<std::size_t>(law.historySize()), std::numeric_limits<double>::quiet_NaN()) {}
+
+LocalState Node::solve(const LocalLine& line, int step) {
+  // What the law does not write would be left from the step before last.
+  std::fill(new_.begin(), new_.end(), std::numeric_limits<double>::quiet_NaN());
+  LocalState state;
+  law_.solve(step, {1, &line, &gap_, old_.data(), new_.data(), &state});
+  return state;
+}
+
+}  // namespace harmos::laws

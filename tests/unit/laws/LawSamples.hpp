@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <harmos/laws/LawRegistry.hpp>
+
+namespace harmos::laws {
+
+/// Every run of a test draws the same numbers.
+using Random = std::mt19937;
+
+double uniform(Random& random, double lower, double upper);
+/// Positive and of the order of one: 10^-1.5 .. 10^1.5.
+double magnitude(Random& random);
+Vector3 randomVector(Random& random);
+LocalLine randomLine(Random& random);
+
+/// What a law declares, as parameters for it: random within the declared ranges, of the order of one. Parameters that
+/// need not be given are given.
+base::Parameters randomParameters(const base::ParameterSpec& spec, Random& random);
+/// The same values with every number multiplied by factor(its declaration).
+base::Parameters scaled(const base::ParameterSpec& spec, const base::Parameters& parameters,
+                        const std::function<double(const base::ParameterEntry&)>& factor);
+
+/// Parameters of a law from pairs of name and value.
+base::Parameters parametersOf(const std::string& law, const std::vector<std::pair<std::string, double>>& values);
+std::unique_ptr<InterfaceLaw> makeLaw(const std::string& law,
+                                      const std::vector<std::pair<std::string, double>>& values = {});
+
+/// One node of an interface, led from load step to load step.
+class Node {
+ public:
+  explicit Node(const InterfaceLaw& law, double gap = 0.0);
+  /// Meets a line; the load step goes on, so that other lines may follow.
+  LocalState solve(const LocalLine& line, int step = 0);
+  /// Ends the load step at the line that was met last.
+  void accept() { old_ = new_; }
+  const std::vector<double>& oldHistory() const { return old_; }
+  const std::vector<double>& newHistory() const { return new_; }
+
+ private:
+  const InterfaceLaw& law_;
+  double gap_;
+  std::vector<double> old_, new_;
+};
+
+inline Vector3 operator+(const Vector3& a, const Vector3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+inline Vector3 operator-(const Vector3& a, const Vector3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Vector3 operator*(double s, const Vector3& a) {
+  return {s * a[0], s * a[1], s * a[2]};
+}
+inline double dot(const Vector3& a, const Vector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline double norm(const Vector3& a) {
+  return std::sqrt(dot(a, a));
+}
+
+}  // namespace harmos::laws
