@@ -1,3 +1,4 @@
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 
@@ -9,15 +10,26 @@ namespace harmos::setup {
 
 namespace {
 
+void printEstimate(std::ostream& out, double estimate) {
+  if (std::isfinite(estimate)) {
+    out << "error estimate " << estimate;
+  } else {
+    out << "error not estimated";
+  }
+}
+
 void printSummary(std::ostream& out, const SceneRunResult& result) {
   const auto& record = result.record;
-  out << record.status << ": " << record.reason << "\n";
-  out << std::setprecision(3) << "error estimate " << record.errorEstimate << " (asked for " << record.accuracy << "), "
-      << record.iterations << " iterations, " << record.linearStages << " linear stages, " << record.wallSeconds
-      << " s\n";
-  for (const auto& response : result.solution.responses)
+  out << record.status << ": " << record.reason << "\n" << std::setprecision(3);
+  printEstimate(out, record.errorEstimate);
+  out << " (asked for " << record.accuracy << "), " << record.iterations << " iterations, " << record.linearStages
+      << " linear stages, " << record.wallSeconds << " s\n";
+  for (const auto& response : result.solution.responses) {
     out << "  " << std::left << std::setw(24) << response.name << std::right << std::setprecision(7) << std::setw(15)
-        << response.values.back() << "  error estimate " << std::setprecision(2) << response.errorEstimate << "\n";
+        << response.values.back() << std::setprecision(2) << "  ";
+    printEstimate(out, response.errorEstimate);
+    out << "\n";
+  }
   out << result.files.parts << "\n" << result.files.interfaces << "\n" << result.files.history << "\n";
 }
 
