@@ -76,7 +76,7 @@ Command checkCommand() {
       "Validate a scene and its mesh, say what it will allocate and roughly cost; nothing is solved.",
       {{"--set", "'LIST/NAME=VALUE'", "replace an entry of the scene; may be repeated", true},
        {"--quiet", "", "only say whether it is valid"}},
-      {"harmos check xml/bolted_joint.xml", "harmos check xml/bolted_joint.xml --set 'Parts/bottom_cover/Pieces=4'"},
+      {"harmos check xml/bolted_joint.xml", "harmos check xml/bolted_joint.xml --set 'Parts/cover_bottom/Pieces=4'"},
       checkScene};
 }
 

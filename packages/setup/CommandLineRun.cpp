@@ -65,7 +65,7 @@ Command runCommand() {
            {"--verbose", "", "one line per iteration"},
            {"--quiet", "", "print only errors"}},
           {"harmos run xml/bolted_joint.xml",
-           "harmos run xml/bolted_joint.xml --set 'Solver/Accuracy=1e-5' --set 'Values/friction=0.2' --output fine"},
+           "harmos run xml/bolted_joint.xml --set 'Solver/Accuracy=1e-5' --set 'Values/mu=0.2' --output fine"},
           run};
 }
 
