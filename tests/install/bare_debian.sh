@@ -50,5 +50,5 @@ bare() {
     chroot "$root" /bin/bash -c 'cd /root/harmos && exec "$@"' bash "$@" </dev/null
 }
 bare drivers/harmos run xml/bolted_joint.xml
-bare test -s bolted_joint.e
+bare test -s results/bolted_joint.e
 bare drivers/harmos test
