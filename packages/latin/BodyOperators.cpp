@@ -82,11 +82,13 @@ bool equal(const substructure::BoundaryTerm& a, const substructure::BoundaryTerm
 }  // namespace
 
 BodyOperators::BodyOperators(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
-                             const TraceLayout& layout, const substructure::SolverOptions& options)
+                             const TraceLayout& layout, const substructure::SolverOptions& options,
+                             base::Timers& timers)
     : dimension_(assembly.dimension),
       allSteps_(assembly.steps()),
       places_(assembly.bodies.size()),
       loads_(assembly.bodies.size()) {
+  const auto running = timers.start("factor");
   std::vector<substructure::BoundaryTerm> terms;  // of each group, in the representative's numbering
   std::vector<int> masters;
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {

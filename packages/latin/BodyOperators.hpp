@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
+#include <harmos/base/Timers.hpp>
 #include <harmos/latin/TraceLayout.hpp>
 #include <harmos/substructure/SubstructureSolver.hpp>
 
@@ -15,9 +16,10 @@ namespace harmos::latin {
 /// vectors are carried into its representative's numbering and axes and back.
 class BodyOperators {
  public:
-  /// Factors the operators. Throws base::Error naming the body when one is singular or indefinite.
+  /// Factors the operators, which is charged to the phase "factor". Throws base::Error naming the body when one is
+  /// singular or indefinite.
   BodyOperators(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
-                const TraceLayout& layout, const substructure::SolverOptions& options);
+                const TraceLayout& layout, const substructure::SolverOptions& options, base::Timers& timers);
 
   /// Sets which load step each column of a field is; to be called before the first solve().
   void select(const std::vector<int>& steps);

@@ -11,8 +11,9 @@ LinearStage::LinearStage(const interface::Assembly& assembly, const interface::S
       layout_(layout),
       formulation_(formulation),
       timers_(timers),
-      operators_(assembly, searchDirection, layout, options) {
+      operators_(assembly, searchDirection, layout, options, timers) {
   if (withMacroProblem) {
+    const auto running = timers_.start("factor");
     macro_ = std::make_unique<MacroProblem>(assembly, searchDirection, layout, operators_, options);
   }
 }
