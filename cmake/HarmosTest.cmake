@@ -2,6 +2,10 @@
 #   harmos_test(<name> LABEL unit|verification|... SOURCES ... LIBRARIES ... [RANKS 1 2 4])
 set(HARMOS_TEST_ENVIRONMENT
     "OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_hwloc_base_binding_policy=none;OMPI_MCA_mpi_yield_when_idle=1;OMPI_MCA_btl_vader_single_copy_mechanism=none")
+if(HARMOS_SANITIZE)
+  # Open MPI keeps some memory until the process ends.
+  list(APPEND HARMOS_TEST_ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0" "UBSAN_OPTIONS=print_stacktrace=1")
+endif()
 
 add_library(harmos_test_main STATIC ${PROJECT_SOURCE_DIR}/tests/unit/main.cpp)
 target_link_libraries(harmos_test_main PUBLIC GTest::gtest Harmos::trilinos)
