@@ -39,7 +39,7 @@ TEST(UnilateralContact, InterferencePushes) {
 }
 
 TEST(CoulombFriction, SticksUntilTheCone) {
-  const auto law = makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.5}, {"Gap", 0.0}});
+  const auto law = makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.5}});
   Node node(*law);
   const LocalLine sticking{{-4.0, 0.6, -0.8}, 2.0};  // pressure 2, limit 1
   const LocalState stick = node.solve(sticking);
@@ -60,7 +60,7 @@ TEST(CoulombFriction, SticksUntilTheCone) {
 
 // Only the slip of the load step counts: after sliding out, the way back starts by sticking where the node is.
 TEST(CoulombFriction, RemembersWhereItStopped) {
-  const auto law = makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.5}, {"Gap", 0.0}});
+  const auto law = makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.5}});
   Node node(*law);
   const LocalLine out{{-4.0, 5.0, 0.0}, 2.0};
   const LocalState sliding = node.solve(out);
@@ -75,7 +75,7 @@ TEST(CoulombFriction, RemembersWhereItStopped) {
 
 // An open node forgets nothing of its motion: it sticks where it lands.
 TEST(CoulombFriction, SticksWhereItLands) {
-  const auto law = makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.5}, {"Gap", 0.0}});
+  const auto law = makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.5}});
   Node node(*law);
   node.solve({{1.0, 7.0, 3.0}, 2.0});
   node.accept();
@@ -86,12 +86,7 @@ TEST(CoulombFriction, SticksWhereItLands) {
 
 // Friction that falls from step to step: the same slip costs less, and what stuck before slides.
 TEST(CoulombFriction, FollowsACoefficientThatFalls) {
-  base::Histories histories;
-  histories.add("fall", {1.0, 0.1});
-  base::Parameters parameters = parametersOf("Coulomb Friction", {{"Friction Coefficient", 0.5}, {"Gap", 0.0}});
-  parameters.set("Friction Coefficient History", std::string("fall"));
-  parameters.attach(std::make_shared<base::Histories>(histories));
-  const auto law = builtInLaws().create(parameters);
+  const auto law = makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.5}}, {{"Friction Coefficient", {1.0, 0.1}}});
   Node node(*law);
   const LocalLine line{{-4.0, 1.0, 0.0}, 2.0};
   EXPECT_EQ(node.solve(line, 0).status, Status::stick);
@@ -120,7 +115,7 @@ TEST(CoulombFriction, WithoutFrictionIsUnilateralContact) {
 }
 
 TEST(CoulombFriction, WithUnlimitedFrictionSticks) {
-  const auto law = makeLaw("Coulomb Friction", {{"Friction Coefficient", 1e12}, {"Gap", 0.0}});
+  const auto law = makeLaw("Coulomb Friction", {{"Friction Coefficient", 1e12}});
   const auto perfect = makeLaw("Perfect");
   const LocalLine line{{-1e-3, 5.0, -3.0}, 0.7};
   const LocalState state = Node(*law).solve(line);
@@ -130,7 +125,7 @@ TEST(CoulombFriction, WithUnlimitedFrictionSticks) {
 
 // A sliding node loses mu p times its way, whatever the path's pieces.
 TEST(CoulombFriction, LosesTheWorkOfSliding) {
-  const auto law = makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}, {"Gap", 0.0}});
+  const auto law = makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}});
   Node node(*law);
   double work = 0.0, old = 0.0;
   for (double target : {1.0, 3.0, 2.0, -1.0}) {

@@ -74,18 +74,6 @@ base::Parameters scaled(const base::ParameterSpec& spec, const base::Parameters&
   return result;
 }
 
-base::Parameters parametersOf(const std::string& law, const std::vector<std::pair<std::string, double>>& values) {
-  base::Parameters parameters("law");
-  parameters.set("Type", law);
-  for (const auto& [name, value] : values) parameters.set(name, value);
-  return parameters;
-}
-
-std::unique_ptr<InterfaceLaw> makeLaw(const std::string& law,
-                                      const std::vector<std::pair<std::string, double>>& values) {
-  return builtInLaws().create(parametersOf(law, values));
-}
-
 Node::Node(const InterfaceLaw& law, double gap)
     : law_(law),
       gap_(gap),

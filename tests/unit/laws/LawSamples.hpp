@@ -8,6 +8,8 @@
 
 #include <harmos/laws/LawRegistry.hpp>
 
+#include "MakeLaw.hpp"
+
 namespace harmos::laws {
 
 /// Every run of a test draws the same numbers.
@@ -25,11 +27,6 @@ base::Parameters randomParameters(const base::ParameterSpec& spec, Random& rando
 /// The same values with every number multiplied by factor(its declaration).
 base::Parameters scaled(const base::ParameterSpec& spec, const base::Parameters& parameters,
                         const std::function<double(const base::ParameterEntry&)>& factor);
-
-/// Parameters of a law from pairs of name and value.
-base::Parameters parametersOf(const std::string& law, const std::vector<std::pair<std::string, double>>& values);
-std::unique_ptr<InterfaceLaw> makeLaw(const std::string& law,
-                                      const std::vector<std::pair<std::string, double>>& values = {});
 
 /// One node of an interface, led from load step to load step.
 class Node {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <harmos/laws/LawRegistry.hpp>
+
+namespace harmos::laws {
+
+/// A built-in law with the given numbers, multiplied at every load step by the given histories, and else its defaults.
+inline std::unique_ptr<InterfaceLaw> makeLaw(const std::string& law, const std::map<std::string, double>& values = {},
+                                             const std::map<std::string, std::vector<double>>& histories = {}) {
+  const LawRegistry laws = builtInLaws();
+  base::Parameters parameters("law");
+  parameters.set("Type", law);
+  for (const base::ParameterSpec& form : laws.forms()) {
+    if (form.name() != law) continue;
+    for (const auto& entry : form.entries()) {
+      if (entry->defaultText) parameters.set(entry->name, std::stod(*entry->defaultText));
+    }
+  }
+  for (const auto& [name, value] : values) parameters.set(name, value);
+  auto known = std::make_shared<base::Histories>();
+  for (const auto& [name, perStep] : histories) {
+    known->add(name, perStep);
+    parameters.set(name + " History", name);
+  }
+  parameters.attach(known);
+  return laws.create(parameters);
+}
+
+}  // namespace harmos::laws
