@@ -117,8 +117,9 @@ void LocalStage::solveJoint(int interfaceIndex, Joint& joint, const base::Matrix
     }
 
     laws::LocalState* state = joint.state.data() + static_cast<std::size_t>(t) * static_cast<std::size_t>(pairs);
-    interface.law->solve(
-        t, {pairs, joint.line.data(), interface.gap.data(), joint.history[0].data(), joint.history[1].data(), state});
+    const int step = steps_[static_cast<std::size_t>(t)];
+    interface.law->solve(step, {pairs, joint.line.data(), interface.gap.data(), joint.history[0].data(),
+                                joint.history[1].data(), state});
     joint.history[0].swap(joint.history[1]);
 
     double check = 0.0;
@@ -136,8 +137,7 @@ void LocalStage::solveJoint(int interfaceIndex, Joint& joint, const base::Matrix
       }
     }
     if (!std::isfinite(check)) {
-      throw base::Error("interface \"" + interface.name + "\", load step " +
-                            std::to_string(steps_[static_cast<std::size_t>(t)] + 1) + ": law \"" +
+      throw base::Error("interface \"" + interface.name + "\", load step " + std::to_string(step + 1) + ": law \"" +
                             interface.law->name() + "\" met or returned a value that is not finite (NaN or infinity)",
                         base::ExitCode::notConverged);
     }

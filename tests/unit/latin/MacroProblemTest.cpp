@@ -1,0 +1,113 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/latin/FixedPoint.hpp>
+
+#include "BoxAssembly.hpp"
+#include "Chains.hpp"
+
+namespace harmos::latin {
+namespace {
+
+/// Keeps the pairs of the joint for which `keep` is true.
+template <class Keep>
+void restrictJoint(interface::Assembly& assembly, int index, const Keep& keep) {
+  interface::Interface& joint = assembly.interfaces[static_cast<std::size_t>(index)];
+  interface::Interface kept = joint;
+  kept.node1.clear(), kept.node2.clear(), kept.frame.clear(), kept.area.clear(), kept.gap.clear();
+  for (std::size_t p = 0; p < joint.node1.size(); ++p) {
+    if (!keep(assembly.bodies[static_cast<std::size_t>(joint.body1)].nodes[static_cast<std::size_t>(joint.node1[p])]))
+      continue;
+    kept.node1.push_back(joint.node1[p]);
+    kept.node2.push_back(joint.node2[p]);
+    kept.frame.push_back(joint.frame[p]);
+    kept.area.push_back(joint.area[p]);
+    kept.gap.push_back(joint.gap[p]);
+  }
+  joint = kept;
+}
+
+/// Unknowns of the macro problem of two cubes that meet at some nodes only; checks the balance of forces there.
+template <class Keep>
+int unknowns(const Keep& keep) {
+  BoxAssembly cubes = twoCubes(laws::makeLaw("Perfect"), laws::makeLaw("Symmetry"));
+  interface::Assembly& assembly = cubes.assembly();
+  restrictJoint(assembly, 1, keep);
+  base::Timers timers;
+  FixedPoint fixedPoint(assembly, {}, self(), timers);
+  const TraceLayout& layout = fixedPoint.layout();
+  base::Matrix alpha(layout.rows(), 1), image(layout.rows(), 1);
+  randomize(alpha);
+  fixedPoint.apply(alpha, image);
+  mesh::Point sum{};
+  for (int side = 0; side < 2; ++side) {
+    for (int row = 0; row < 3 * assembly.interfaces[1].pairs(); ++row) {
+      sum[static_cast<std::size_t>(row % 3)] += assembly.interfaces[1].area[static_cast<std::size_t>(row / 3)] *
+                                                fixedPoint.traction()[0][layout.begin(1, side) + row];
+    }
+  }
+  for (double component : sum) EXPECT_NEAR(component, 0.0, 1e-11);
+  return fixedPoint.linearStage().macroUnknowns();
+}
+
+TEST(MacroProblem, LeavesOutMotionsThatAnInterfaceCannotFeel) {
+  EXPECT_EQ(unknowns([](const mesh::Point&) { return true; }), 6);
+  EXPECT_EQ(unknowns([](const mesh::Point& x) { return x[0] == 0.0; }), 5);  // a line
+  EXPECT_EQ(unknowns([](const mesh::Point& x) { return x[0] == 0.0 && x[1] == 0.0; }), 3);
+  EXPECT_EQ(unknowns([](const mesh::Point& x) { return x[0] == x[1]; }), 5);  // a diagonal
+}
+
+TEST(MacroProblem, HasThreeUnknownsInThePlane) {
+  for (bool onePoint : {false, true}) {
+    BoxAssembly boxes({{"lower", {0, 0}, {1, 1}, {2, 2}, mesh::ElementType::quad4},
+                       {"upper", {0, 1}, {1, 2}, {2, 2}, mesh::ElementType::quad4}});
+    boxes.hold("bottom", "lower_ymin", clamp());
+    boxes.join("joint", "lower_ymax", "upper_ymin", laws::makeLaw("Perfect"));
+    boxes.hold("top", "upper_ymax", laws::makeLaw("Symmetry"));
+    if (onePoint) restrictJoint(boxes.assembly(), 1, [](const mesh::Point& x) { return x[0] == 0.0; });
+    base::Timers timers;
+    const FixedPoint fixedPoint(boxes.assembly(), {}, self(), timers);
+    EXPECT_EQ(fixedPoint.linearStage().macroUnknowns(), onePoint ? 2 : 3);
+  }
+}
+
+TEST(MacroProblem, NamesWhatFloats) {
+  BoxAssembly cubes({{"held", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}},
+                     {"first", {0, 0, 2}, {1, 1, 3}, {1, 1, 1}},
+                     {"second", {0, 0, 3}, {1, 1, 4}, {1, 1, 1}}});
+  cubes.hold("bottom", "held_zmin", clamp());
+  cubes.join("joint", "first_zmax", "second_zmin", laws::makeLaw("Perfect"));
+  cubes.hold("pull", "second_zmax", laws::makeLaw("Prescribed Traction", {{"Z", 1.0}}));
+  base::Timers timers;
+  try {
+    const FixedPoint fixedPoint(cubes.assembly(), {}, self(), timers);
+    FAIL();
+  } catch (const base::Error& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(error.code(), base::ExitCode::noEquilibrium);
+    EXPECT_NE(message.find("\"first\""), std::string::npos) << message;
+    EXPECT_NE(message.find("\"second\""), std::string::npos) << message;
+    EXPECT_EQ(message.find("\"held\""), std::string::npos) << message;
+  }
+}
+
+// A body between two interfaces that touches nothing else, and a scene whose interfaces all are boundaries.
+TEST(MacroProblem, TakesBodiesWithoutBoundariesAndWithoutInterfaces) {
+  BoxAssembly cubes({{"a", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}},
+                     {"b", {0, 0, 1}, {1, 1, 2}, {1, 1, 1}},
+                     {"c", {0, 0, 2}, {1, 1, 3}, {1, 1, 1}}});
+  cubes.hold("bottom", "a_zmin", clamp());
+  cubes.join("ab", "a_zmax", "b_zmin", laws::makeLaw("Perfect"));
+  cubes.join("bc", "b_zmax", "c_zmin", laws::makeLaw("Perfect"));
+  base::Timers timers;
+  EXPECT_EQ(FixedPoint(cubes.assembly(), {}, self(), timers).linearStage().macroUnknowns(), 12);
+
+  BoxAssembly alone({{"a", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}}});
+  alone.hold("bottom", "a_zmin", clamp());
+  EXPECT_EQ(FixedPoint(alone.assembly(), {}, self(), timers).linearStage().macroUnknowns(), 0);
+}
+
+}  // namespace
+}  // namespace harmos::latin
