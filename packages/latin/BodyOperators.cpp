@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <harmos/latin/InterfaceMass.hpp>
 
@@ -60,6 +61,10 @@ substructure::BoundaryTerm boundaryTerm(const interface::Assembly& assembly,
       }
     }
   }
+  // Congruent bodies list their interfaces' nodes in other orders.
+  std::sort(term.entries.begin(), term.entries.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.row, a.column, a.value) < std::tie(b.row, b.column, b.value);
+  });
   return term;
 }
 
@@ -295,6 +300,17 @@ mesh::Point BodyOperators::displacement(int body, int node, int column) const {
     std::copy_n(from, dimension_, u.begin());
   }
   return u;
+}
+
+double BodyOperators::largestDisplacement() const {
+  double largest = 0.0;
+  for (const Group& group : groups_) {
+    for (int j = 0; j < group.solution.numCols(); ++j) {
+      const double* u = group.solution[j];
+      for (int dof = 0; dof < group.solution.numRows(); ++dof) largest = std::max(largest, std::abs(u[dof]));
+    }
+  }
+  return largest;
 }
 
 }  // namespace harmos::latin

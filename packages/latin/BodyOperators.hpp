@@ -33,6 +33,8 @@ class BodyOperators {
   void trace(base::Matrix& trace, int first, int count) const;
   /// Displacement u [length] of a node of an owned body as last solved.
   mesh::Point displacement(int body, int node, int column) const;
+  /// Largest component of the displacement of all owned bodies as last solved, in their representatives' axes.
+  double largestDisplacement() const;
   /// Loads on a body's own nodes: body forces and prescribed tractions, dofs x steps.
   const base::Matrix& loads(int body) const { return loads_[static_cast<std::size_t>(body)]; }
 

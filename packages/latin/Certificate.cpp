@@ -34,8 +34,10 @@ double fieldGap(const FixedPoint& state) {
     }
   }
   state.metric().sum(sums);
-  const double force = sums[0] == 0.0 ? 0.0 : std::sqrt(sums[0] / sums[1]);
-  const double displacement = sums[2] == 0.0 ? 0.0 : std::sqrt(sums[2] / sums[3]);
+  const NaturalSizes sizes(state);
+  const double force = sums[0] == 0.0 ? 0.0 : std::sqrt(sums[0] / std::max(sums[1], sizes.squaredForceFloor()));
+  const double displacement =
+      sums[2] == 0.0 ? 0.0 : std::sqrt(sums[2] / std::max(sums[3], sizes.squaredDisplacementFloor()));
   return std::max(force, displacement);
 }
 

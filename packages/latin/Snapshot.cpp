@@ -3,41 +3,68 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Teuchos_CommHelpers.hpp>
-
 namespace harmos::latin {
 namespace {
 
-/// Relative sizes below which a response counts as zero of its kind.
-constexpr double smallShare = 1e-3;
-
-/// Largest displacement component and, over the load steps, largest sum of the force components' absolute values.
-std::pair<double, double> naturalSizes(const FixedPoint& state) {
-  double displacement = 0.0;
-  std::vector<double> forces(static_cast<std::size_t>(state.assembly().steps()), 0.0);
-  const std::vector<double>& area = state.layout().area();
-  for (int t = 0; t < state.assembly().steps(); ++t) {
-    for (std::size_t row = 0; row < area.size(); ++row) {
-      displacement = std::max(displacement, std::abs(state.trace()[t][row]));
-      forces[static_cast<std::size_t>(t)] += area[row] * std::abs(state.hattedTraction()[t][row]);
+/// Sum of h f^ over the interfaces at every node, scaled so that a single interface gives sqrt(h) f^.
+base::Matrix nodalForces(const FixedPoint& state) {
+  const TraceLayout& layout = state.layout();
+  const int dimension = layout.dimension();
+  const base::Matrix& traction = state.hattedTraction();
+  std::vector<double> area(static_cast<std::size_t>(layout.nodes()), 0.0);
+  for (std::size_t i = 0; i < layout.nodeOf().size(); ++i) {
+    area[static_cast<std::size_t>(layout.nodeOf()[i])] += layout.area()[i * static_cast<std::size_t>(dimension)];
+  }
+  base::Matrix forces(layout.nodes() * dimension, traction.numCols());
+  for (int t = 0; t < traction.numCols(); ++t) {
+    for (std::size_t i = 0; i < layout.nodeOf().size(); ++i) {
+      const int node = layout.nodeOf()[i];
+      const double scale = 1.0 / std::sqrt(area[static_cast<std::size_t>(node)]);
+      for (int c = 0; c < dimension; ++c) {
+        const int row = static_cast<int>(i) * dimension + c;
+        forces[t][node * dimension + c] += scale * layout.area()[static_cast<std::size_t>(row)] * traction[t][row];
+      }
     }
   }
-  state.metric().sum(forces);
-  double all = 0.0;
-  Teuchos::reduceAll(state.layout().comm(), Teuchos::REDUCE_MAX, displacement, Teuchos::outArg(all));
-  return {all, *std::max_element(forces.begin(), forces.end())};
+  return forces;
+}
+
+base::Matrix scaledTrace(const FixedPoint& state) {
+  base::Matrix trace(state.trace());
+  for (int t = 0; t < trace.numCols(); ++t) {
+    for (int row = 0; row < trace.numRows(); ++row) {
+      trace[t][row] *= std::sqrt(state.layout().area()[static_cast<std::size_t>(row)]);
+    }
+  }
+  return trace;
+}
+
+/// Largest over the columns of |a - b|, relative to the largest |a|, whose square counts as at least `floor`.
+double fieldDistance(const base::Matrix& a, const base::Matrix& b, double floor, const StateMetric& metric) {
+  const auto steps = static_cast<std::size_t>(a.numCols());
+  std::vector<double> sums(2 * steps, 0.0);  // squares of a, then of the difference
+  for (std::size_t t = 0; t < steps; ++t) {
+    const double* x = a[static_cast<int>(t)];
+    const double* y = b[static_cast<int>(t)];
+    for (int row = 0; row < a.numRows(); ++row) {
+      sums[t] += x[row] * x[row];
+      sums[steps + t] += (x[row] - y[row]) * (x[row] - y[row]);
+    }
+  }
+  metric.sum(sums);
+  const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(steps);
+  const double size = std::max(floor, *std::max_element(sums.begin(), middle));
+  const double difference = *std::max_element(middle, sums.end());
+  return difference == 0.0 ? 0.0 : std::sqrt(difference / size);
 }
 
 }  // namespace
 
 Snapshot::Snapshot(const FixedPoint& state, const std::vector<std::shared_ptr<const Response>>& responses)
-    : state_(&state), force_(state.hattedTraction()), displacement_(state.trace()) {
-  const auto [displacement, force] = naturalSizes(state);
+    : state_(&state), sizes_(state), force_(nodalForces(state)), displacement_(scaledTrace(state)) {
   for (const auto& response : responses) {
     responses_.push_back(response->evaluate(state));
-    const bool kinematic = response->quantity() == Quantity::displacement;
-    const bool dynamic = response->quantity() == Quantity::force;
-    floors_.push_back(smallShare * (kinematic ? displacement : dynamic ? force : 0.0));
+    floors_.push_back(sizes_.floor(response->quantity()));
   }
 }
 
@@ -52,27 +79,10 @@ std::vector<double> Snapshot::distance(const Snapshot& other) const {
     }
     result.push_back(difference == 0.0 ? 0.0 : difference / size);
   }
-  result.push_back(fieldDistance(force_, other.force_));
-  result.push_back(fieldDistance(displacement_, other.displacement_));
+  result.push_back(fieldDistance(force_, other.force_, sizes_.squaredForceFloor(), state_->metric()));
+  result.push_back(
+      fieldDistance(displacement_, other.displacement_, sizes_.squaredDisplacementFloor(), state_->metric()));
   return result;
-}
-
-double Snapshot::fieldDistance(const base::Matrix& a, const base::Matrix& b) const {
-  const std::vector<double>& area = state_->layout().area();
-  const auto steps = static_cast<std::size_t>(a.numCols());
-  std::vector<double> sums(2 * steps, 0.0);  // squares of a, then of the difference
-  for (std::size_t t = 0; t < steps; ++t) {
-    const double* x = a[static_cast<int>(t)];
-    const double* y = b[static_cast<int>(t)];
-    for (std::size_t row = 0; row < area.size(); ++row) {
-      sums[t] += area[row] * x[row] * x[row];
-      sums[steps + t] += area[row] * (x[row] - y[row]) * (x[row] - y[row]);
-    }
-  }
-  state_->metric().sum(sums);
-  const double size = *std::max_element(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(steps));
-  const double difference = *std::max_element(sums.begin() + static_cast<std::ptrdiff_t>(steps), sums.end());
-  return difference == 0.0 ? 0.0 : std::sqrt(difference / size);
 }
 
 }  // namespace harmos::latin

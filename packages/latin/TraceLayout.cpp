@@ -1,5 +1,8 @@
 #include <harmos/latin/TraceLayout.hpp>
 
+#include <map>
+#include <utility>
+
 namespace harmos::latin {
 
 TraceLayout::TraceLayout(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
@@ -8,6 +11,7 @@ TraceLayout::TraceLayout(const interface::Assembly& assembly, const interface::S
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     owned_.push_back(assembly.ownerOf(static_cast<int>(b)) == comm_->getRank());
   }
+  std::map<std::pair<int, int>, int> number;  // of (body, node)
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     const interface::Interface& joint = assembly.interfaces[i];
     const std::vector<double>& k = searchDirection.of(static_cast<int>(i));
@@ -21,6 +25,9 @@ TraceLayout::TraceLayout(const interface::Assembly& assembly, const interface::S
       for (std::size_t p = 0; p < k.size(); ++p) {
         area_.insert(area_.end(), static_cast<std::size_t>(dimension_), joint.area[p]);
         stiffness_.insert(stiffness_.end(), static_cast<std::size_t>(dimension_), k[p]);
+        const auto [at, isNew] = number.emplace(std::pair(joint.body(side), joint.nodes(side)[p]), nodes_);
+        nodes_ += isNew ? 1 : 0;
+        nodeOf_.push_back(at->second);
       }
     }
   }

@@ -40,6 +40,10 @@ class TraceLayout {
   const std::vector<double>& area() const { return area_; }
   /// Search direction k [stress/length] of every row.
   const std::vector<double>& stiffness() const { return stiffness_; }
+  /// Number of different nodes of owned bodies that have rows; a node may belong to several interfaces.
+  int nodes() const { return nodes_; }
+  /// Which of these nodes each group of `dimension` rows belongs to.
+  const std::vector<int>& nodeOf() const { return nodeOf_; }
   const Teuchos::Comm<int>& comm() const { return *comm_; }
   Teuchos::RCP<const Teuchos::Comm<int>> commPointer() const { return comm_; }
   bool owns(int body) const { return owned_[static_cast<std::size_t>(body)]; }
@@ -51,6 +55,8 @@ class TraceLayout {
   std::vector<std::vector<int>> begin_;
   std::vector<double> area_;
   std::vector<double> stiffness_;
+  int nodes_ = 0;
+  std::vector<int> nodeOf_;
   std::vector<bool> owned_;
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
 };

@@ -1,0 +1,85 @@
+#include <harmos/latin/NaturalSizes.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Teuchos_CommHelpers.hpp>
+
+namespace harmos::latin {
+namespace {
+
+constexpr double smallShare = 1e-3;
+// Forces are differences of large numbers when bodies move without being held: f = alpha - k w. Below this share of k w
+// too few digits are left.
+constexpr double cancellation = 1e-7;
+
+}  // namespace
+
+NaturalSizes::NaturalSizes(const FixedPoint& state) {
+  const TraceLayout& layout = state.layout();
+  const std::vector<double>& area = layout.area();
+  const std::vector<double>& k = layout.stiffness();
+  const auto steps = static_cast<std::size_t>(state.assembly().steps());
+  std::vector<double> forces(steps, 0.0), springs(steps, 0.0), squaredSprings(steps, 0.0);
+  std::vector<double> total(1, 0.0);
+  double stress = 0.0, springStress = 0.0;
+  for (std::size_t t = 0; t < steps; ++t) {
+    const double* f = state.hattedTraction()[static_cast<int>(t)];
+    const double* w = state.trace()[static_cast<int>(t)];
+    for (std::size_t row = 0; row < area.size(); ++row) {
+      const double spring = k[row] * std::abs(w[row]);
+      forces[t] += area[row] * std::abs(f[row]);
+      springs[t] += area[row] * spring;
+      squaredSprings[t] += area[row] * spring * spring;
+      stress = std::max(stress, std::abs(f[row]));
+      springStress = std::max(springStress, spring);
+    }
+  }
+  for (const double a : area) total[0] += a;
+  for (auto* sums : {&forces, &springs, &squaredSprings, &total}) state.metric().sum(*sums);
+
+  mesh::Point lower, upper;
+  lower.fill(std::numeric_limits<double>::infinity());
+  upper.fill(-std::numeric_limits<double>::infinity());
+  for (const auto& body : state.assembly().bodies) {
+    for (const mesh::Point& x : body.nodes) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        lower[c] = std::min(lower[c], x[c]);
+        upper[c] = std::max(upper[c], x[c]);
+      }
+    }
+  }
+  length_ = std::hypot(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]);
+
+  const std::array<double, 3> mine = {state.linearStage().operators().largestDisplacement(), stress, springStress};
+  std::array<double, 3> all{};
+  Teuchos::reduceAll(layout.comm(), Teuchos::REDUCE_MAX, 3, mine.data(), all.data());
+  const auto largest = [](const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+  };
+  displacement_ = all[0];
+  force_ = std::max(smallShare * largest(forces), cancellation * largest(springs));
+  stress_ = std::max(smallShare * all[1], cancellation * all[2]);
+  squaredForce_ = cancellation * cancellation * largest(squaredSprings);
+  squaredDisplacement_ = smallShare * smallShare * displacement_ * displacement_ * total[0];
+}
+
+double NaturalSizes::floor(Quantity quantity) const {
+  switch (quantity) {
+    case Quantity::displacement:
+      return smallShare * displacement_;
+    case Quantity::force:
+      return force_;
+    case Quantity::moment:
+      return force_ * length_;
+    case Quantity::stress:
+      return stress_;
+    case Quantity::energy:
+      return smallShare * force_ * displacement_;
+  }
+  return 0.0;
+}
+
+}  // namespace harmos::latin

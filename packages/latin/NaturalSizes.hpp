@@ -1,0 +1,31 @@
+#pragma once
+
+#include <harmos/latin/Response.hpp>
+
+namespace harmos::latin {
+
+/// What the quantities of a state are measured by, so that something that is zero but for round-off, or next to nothing
+/// beside the rest of its kind, needs no relative accuracy of its own.
+class NaturalSizes {
+ public:
+  /// Collective. Reads the last FixedPoint::apply().
+  explicit NaturalSizes(const FixedPoint& state);
+
+  /// The size below which a response of this kind counts as zero: 1e-3 of the largest displacement, sum of interface
+  /// forces, or interface traction; of an energy 1e-6 of force times displacement, because rigid motions count there.
+  double floor(Quantity quantity) const;
+  /// The same for the field of interface forces: least sum over an interface side's rows of h f^2.
+  double squaredForceFloor() const { return squaredForce_; }
+  /// Of interface displacements: least sum of h w^2.
+  double squaredDisplacementFloor() const { return squaredDisplacement_; }
+
+ private:
+  double displacement_ = 0.0;
+  double force_ = 0.0;
+  double stress_ = 0.0;
+  double length_ = 0.0;
+  double squaredForce_ = 0.0;
+  double squaredDisplacement_ = 0.0;
+};
+
+}  // namespace harmos::latin
