@@ -2,19 +2,26 @@
 
 // Private to this package; heavy.
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <cholmod.h>
 
 #include <harmos/substructure/SolverAdapter.hpp>
+#include <harmos/substructure/TraceFactor.hpp>
 
 namespace harmos::substructure {
 
 /// CHOLMOD's supernodal Cholesky factorisation as an Amesos2 solver, for symmetric positive definite matrices on one
 /// process. A numeric factorisation after the first reuses the symbolic one; block solves reuse their workspaces and
 /// read and write the vectors in place. Throws std::runtime_error when the matrix is not positive definite.
+///
+/// Systems that are loaded and read at some rows only (the trace) need nothing but the part of the factor that belongs
+/// to these rows when they are eliminated last: A = L L^T gives A^-1 = (L_bb L_bb^T)^-1 on the trace. They are ordered
+/// last when that takes fewer operations than a solve with the sparse factor.
 ///
 /// Source: Chen, Davis, Hager, Rajamanickam, ACM Trans. Math. Softw. 35(3) (2008), doi:10.1145/1391989.1391995.
 template <class Matrix, class Vector>
@@ -26,10 +33,19 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
  public:
   static constexpr const char* name = "Cholmod";
 
-  Cholmod(Teuchos::RCP<const Matrix> a, Teuchos::RCP<Vector> x, Teuchos::RCP<const Vector> b) : Core(a, x, b) {
+  /// `trace`: rows, ascending; empty: all.
+  Cholmod(Teuchos::RCP<const Matrix> a, Teuchos::RCP<Vector> x, Teuchos::RCP<const Vector> b,
+          std::vector<int> trace = {})
+      : Core(a, x, b), trace_(std::move(trace)) {
     cholmod_start(&common_);
     common_.print = 0;
     common_.supernodal = CHOLMOD_SUPERNODAL;
+    // Wider supernodes than by default: a third less time to factor for a quarter more memory.
+    common_.nrelax[0] = 16;
+    common_.nrelax[1] = 48;
+    common_.nrelax[2] = 128;
+    common_.zrelax[1] = 0.3;
+    common_.zrelax[2] = 0.1;
     common_.nmethods = 1;
     common_.method[0].ordering = CHOLMOD_GIVEN;
   }
@@ -42,12 +58,54 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
   Cholmod(const Cholmod&) = delete;
   Cholmod& operator=(const Cholmod&) = delete;
 
+  /// Once factored: L_bb of the trace, or null when the trace was not ordered last.
+  std::unique_ptr<TraceFactor> traceFactor() const {
+    if (!traceIsLast_) return nullptr;
+    const auto* permutation = static_cast<const int*>(factor_->Perm);
+    const auto* firstColumn = static_cast<const int*>(factor_->super);
+    const auto* firstIndex = static_cast<const int*>(factor_->pi);
+    const auto* firstValue = static_cast<const int*>(factor_->px);
+    const auto* rows = static_cast<const int*>(factor_->s);
+    const auto* values = static_cast<const double*>(factor_->x);
+    // CHOLMOD postorders the elimination tree: trace and other rows may alternate, but nothing else lies above a row of
+    // the trace in that tree.
+    std::vector<int> inTrace(factor_->n, -1), number(factor_->n, -1);
+    for (std::size_t i = 0; i < trace_.size(); ++i) inTrace[static_cast<std::size_t>(trace_[i])] = static_cast<int>(i);
+    auto result = std::make_unique<TraceFactor>();
+    for (std::size_t k = 0; k < factor_->n; ++k) {
+      const int at = inTrace[static_cast<std::size_t>(permutation[k])];
+      if (at < 0) continue;
+      number[k] = static_cast<int>(result->order.size());
+      result->order.push_back(at);
+    }
+    const auto count = static_cast<int>(trace_.size());
+    result->lower.shape(count, count);
+    for (std::size_t super = 0; super < factor_->nsuper; ++super) {
+      const int height = firstIndex[super + 1] - firstIndex[super];
+      for (int j = firstColumn[super]; j < firstColumn[super + 1]; ++j) {
+        const int column = number[static_cast<std::size_t>(j)];
+        if (column < 0) continue;
+        const int within = j - firstColumn[super];
+        for (int i = within; i < height; ++i) {
+          result->lower(number[static_cast<std::size_t>(rows[firstIndex[super] + i])], column) =
+              values[firstValue[super] + within * height + i];
+        }
+      }
+    }
+    return result;
+  }
+
  private:
   int preOrdering_impl() { return 0; }
 
   int symbolicFactorization_impl() {
     const Rows rows(*this->matrixA_);
     NestedDissection dissection(rows.rows(), rows.pointers.data(), rows.columns.data());
+    const double traceSize = static_cast<double>(trace_.size());
+    traceIsLast_ = !trace_.empty() && traceSize * traceSize < 2.0 * dissection.factorSize().nonzeros;
+    if (traceIsLast_) {
+      dissection = NestedDissection(rows.rows(), rows.pointers.data(), rows.columns.data(), trace_);
+    }
     std::vector<int> order = dissection.ordering().old;
     cholmod_free_factor(&factor_, &common_);
     std::vector<int> pointers;
@@ -125,6 +183,8 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
     }
   }
 
+  std::vector<int> trace_;
+  bool traceIsLast_ = false;
   mutable cholmod_common common_{};
   mutable cholmod_factor* factor_ = nullptr;
   mutable cholmod_dense* work_ = nullptr;       // kept between solves

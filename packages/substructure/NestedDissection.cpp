@@ -32,7 +32,8 @@ bool haveBlocksOf(int size, int rows, const std::size_t* rowPointers, const int*
 
 }  // namespace
 
-NestedDissection::NestedDissection(int rows, const std::size_t* rowPointers, const int* columns) {
+NestedDissection::NestedDissection(int rows, const std::size_t* rowPointers, const int* columns,
+                                   const std::vector<int>& last) {
   if (haveBlocksOf(3, rows, rowPointers, columns)) {
     blockSize_ = 3;
   } else if (haveBlocksOf(2, rows, rowPointers, columns)) {
@@ -51,30 +52,66 @@ NestedDissection::NestedDissection(int rows, const std::size_t* rowPointers, con
     pointers_.push_back(static_cast<int>(neighbours_.size()));
   }
 
-  blocks_.old.resize(static_cast<std::size_t>(count));
+  std::vector<bool> isLast(static_cast<std::size_t>(count), false);
+  for (const int row : last) isLast[static_cast<std::size_t>(row / blockSize_)] = true;
+  std::vector<int> first;
+  for (int block = 0; block < count; ++block) {
+    if (!isLast[static_cast<std::size_t>(block)]) first.push_back(block);
+  }
+  order(first);
+  for (int block = 0; block < count; ++block) {
+    if (isLast[static_cast<std::size_t>(block)]) blocks_.old.push_back(block);
+  }
   blocks_.position.resize(static_cast<std::size_t>(count));
-  if (neighbours_.empty()) {  // METIS refuses graphs without edges
-    for (int block = 0; block < count; ++block) {
-      blocks_.old[static_cast<std::size_t>(block)] = blocks_.position[static_cast<std::size_t>(block)] = block;
-    }
-  } else {
-    static_assert(sizeof(idx_t) == sizeof(int), "METIS must be built with 32-bit indices");
-    idx_t options[METIS_NOPTIONS];
-    METIS_SetDefaultOptions(options);
-    options[METIS_OPTION_SEED] = 0;
-    idx_t vertices = count;
-    const int status = METIS_NodeND(&vertices, pointers_.data(), neighbours_.data(), nullptr, options,
-                                    blocks_.old.data(), blocks_.position.data());
-    if (status != METIS_OK) throw base::Error("METIS could not order a matrix of " + std::to_string(rows) + " rows.");
+  for (int position = 0; position < count; ++position) {
+    blocks_.position[static_cast<std::size_t>(blocks_.old[static_cast<std::size_t>(position)])] = position;
   }
 
-  ordering_.old.resize(static_cast<std::size_t>(rows));
+  const auto append = [&](int block, bool trailing) {
+    for (int row = block * blockSize_; row < (block + 1) * blockSize_; ++row) {
+      if (std::binary_search(last.begin(), last.end(), row) == trailing) ordering_.old.push_back(row);
+    }
+  };
+  ordering_.old.reserve(static_cast<std::size_t>(rows));
+  for (const int block : blocks_.old) append(block, false);
+  for (const int block : blocks_.old) append(block, true);
   ordering_.position.resize(static_cast<std::size_t>(rows));
   for (int position = 0; position < rows; ++position) {
-    const int old = blocks_.old[static_cast<std::size_t>(position / blockSize_)] * blockSize_ + position % blockSize_;
-    ordering_.old[static_cast<std::size_t>(position)] = old;
-    ordering_.position[static_cast<std::size_t>(old)] = position;
+    ordering_.position[static_cast<std::size_t>(ordering_.old[static_cast<std::size_t>(position)])] = position;
   }
+}
+
+/// Appends the blocks, in the order that METIS gives the graph between them.
+void NestedDissection::order(const std::vector<int>& blocks) {
+  static_assert(sizeof(idx_t) == sizeof(int), "METIS must be built with 32-bit indices");
+  std::vector<int> number(pointers_.size() - 1, -1);
+  for (std::size_t i = 0; i < blocks.size(); ++i) number[static_cast<std::size_t>(blocks[i])] = static_cast<int>(i);
+  std::vector<int> pointers{0};
+  std::vector<int> neighbours;
+  neighbours.reserve(neighbours_.size());
+  for (const int block : blocks) {
+    const auto at = static_cast<std::size_t>(block);
+    for (int k = pointers_[at]; k < pointers_[at + 1]; ++k) {
+      const int other = number[static_cast<std::size_t>(neighbours_[static_cast<std::size_t>(k)])];
+      if (other >= 0) neighbours.push_back(other);
+    }
+    pointers.push_back(static_cast<int>(neighbours.size()));
+  }
+  if (neighbours.empty()) {  // METIS refuses graphs without edges
+    blocks_.old = blocks;
+    return;
+  }
+  idx_t options[METIS_NOPTIONS];
+  METIS_SetDefaultOptions(options);
+  options[METIS_OPTION_SEED] = 0;
+  auto vertices = static_cast<idx_t>(blocks.size());
+  std::vector<int> old(blocks.size()), position(blocks.size());
+  const int status =
+      METIS_NodeND(&vertices, pointers.data(), neighbours.data(), nullptr, options, old.data(), position.data());
+  if (status != METIS_OK) {
+    throw base::Error("METIS could not order a matrix of " + std::to_string(vertices * blockSize_) + " rows.");
+  }
+  for (const int at : old) blocks_.old.push_back(blocks[static_cast<std::size_t>(at)]);
 }
 
 /// Column counts of L by walking the row subtrees of the elimination tree: Liu, SIAM J. Matrix Anal. Appl. 11 (1990).

@@ -23,12 +23,16 @@ struct FactorSize {
 /// Consecutive rows of equal structure (the components of a node) are ordered as one, which costs a third of the time.
 class NestedDissection {
  public:
-  /// Compressed rows with both triangles. Throws base::Error when METIS fails.
-  NestedDissection(int rows, const std::size_t* rowPointers, const int* columns);
+  /// Compressed rows with both triangles. `last`: rows, ascending, to be ordered after all others. Throws base::Error
+  /// when METIS fails.
+  NestedDissection(int rows, const std::size_t* rowPointers, const int* columns, const std::vector<int>& last = {});
   const Ordering& ordering() const { return ordering_; }
+  /// Exact unless some but not all rows of a node were to be last.
   FactorSize factorSize() const;
 
  private:
+  void order(const std::vector<int>& blocks);
+
   int blockSize_ = 1;
   std::vector<int> pointers_, neighbours_;  // graph of the blocks without the diagonal
   Ordering blocks_, ordering_;

@@ -53,13 +53,14 @@ std::vector<std::string> availableSolvers() {
   return names;
 }
 
-Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teuchos::RCP<const base::CrsMatrix>& matrix) {
+Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teuchos::RCP<const base::CrsMatrix>& matrix,
+                                      [[maybe_unused]] const std::vector<int>& trace) {
   const Teuchos::RCP<base::MultiVector> none;
   const std::string name = lowerCase(options.name);
   Teuchos::RCP<DirectSolver> solver;
 #ifdef HARMOS_CHOLMOD
   if (name == "cholmod") {
-    solver = Teuchos::rcp(new Cholmod<base::CrsMatrix, base::MultiVector>(matrix, none, none));
+    solver = Teuchos::rcp(new Cholmod<base::CrsMatrix, base::MultiVector>(matrix, none, none, trace));
   }
 #endif
   if (name == "tacho") {
@@ -75,6 +76,14 @@ Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teucho
   }
   if (!options.parameters.is_null()) solver->setParameters(options.parameters);
   return solver;
+}
+
+std::unique_ptr<TraceFactor> traceFactor([[maybe_unused]] const DirectSolver& solver) {
+#ifdef HARMOS_CHOLMOD
+  const auto* cholmod = dynamic_cast<const Cholmod<base::CrsMatrix, base::MultiVector>*>(&solver);
+  if (cholmod != nullptr) return cholmod->traceFactor();
+#endif
+  return nullptr;
 }
 
 }  // namespace harmos::substructure

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include <harmos/base/Tpetra.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
+#include <harmos/substructure/TraceFactor.hpp>
 
 namespace Amesos2 {
 template <class Matrix, class Vector>
@@ -13,7 +17,12 @@ namespace harmos::substructure {
 using DirectSolver = Amesos2::Solver<base::CrsMatrix, base::MultiVector>;
 
 /// The solver that the options name, nothing factored yet. Throws base::Error, listing availableSolvers(), when there
-/// is none of this name.
-Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teuchos::RCP<const base::CrsMatrix>& matrix);
+/// is none of this name. `trace`: the rows, ascending, that solves with traceFactor() will be about; empty: none.
+Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teuchos::RCP<const base::CrsMatrix>& matrix,
+                                      const std::vector<int>& trace);
+
+/// What a factored solver made with a trace offers for it: null when its sparse factor is cheaper, or when it is not
+/// CHOLMOD.
+std::unique_ptr<TraceFactor> traceFactor(const DirectSolver& solver);
 
 }  // namespace harmos::substructure

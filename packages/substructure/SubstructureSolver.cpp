@@ -106,15 +106,17 @@ std::string nodeOf(int dof, int dimension) {
 }  // namespace
 
 SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
-                                       const BoundaryTerm& boundary, const SolverOptions& options, std::string partName)
+                                       const BoundaryTerm& boundary, const SolverOptions& options, std::string partName,
+                                       const std::vector<int>& trace)
     : part_(std::move(partName)), dimension_(boundary.dimension), stiffness_(stiffness) {
   const Teuchos::RCP<base::CrsMatrix> sum = sumOf(*stiffness, boundary, part_);
   const CrsView view = viewOf(*sum, part_);
   dofs_ = view.rows;
   checkDiagonal(view);
-  solver_ = makeSolver(options, sum);
+  solver_ = makeSolver(options, sum, trace);
   factor(sum);
   checkSolution(*sum);
+  trace_ = traceFactor(*solver_);
   // Frees the values of the sum where the solver is known to need its factors only.
   if (solver_->name() == "Cholmod" || solver_->name() == "Tacho") solver_->setA(stiffness_, Amesos2::NUMFACT);
 }

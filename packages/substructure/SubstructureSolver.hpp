@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <harmos/base/Matrix.hpp>
 #include <harmos/base/Tpetra.hpp>
@@ -20,12 +22,13 @@ class SubstructureSolver {
  public:
   /// Builds and factors the sum and checks it with one solve. Nothing of the arguments is kept but a reference to K.
   ///
-  /// stiffness: K [force/length], symmetric, both triangles stored. boundary: k h. partName: for messages.
+  /// stiffness: K [force/length], symmetric, both triangles stored. boundary: k h. partName: for messages. trace: dofs,
+  /// ascending, that right-hand sides of solveTrace() load; empty: none.
   /// Throws base::Error naming the part when the sum is singular (a part that nothing holds) or indefinite; then says
   /// which node has an unusable diagonal entry, if one has. Limit: an LU solver such as klu2 factors indefinite
   /// matrices without complaint; only the diagonal and the energy of one solve are checked then.
   SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness, const BoundaryTerm& boundary,
-                     const SolverOptions& options, std::string partName);
+                     const SolverOptions& options, std::string partName, const std::vector<int>& trace = {});
   ~SubstructureSolver();
   SubstructureSolver(SubstructureSolver&&) noexcept;
   SubstructureSolver& operator=(SubstructureSolver&&) noexcept;
@@ -33,6 +36,12 @@ class SubstructureSolver {
   /// x = A^-1 b, column by column; b and x are dofs x any number, different objects. x is reshaped when it does not
   /// have the shape of b. Throws base::Error when b has other rows than the matrix or either has gaps between columns.
   void solve(const base::Matrix& b, base::Matrix& x) const;
+
+  /// True when solveTrace() exists because it is cheaper than solve().
+  bool solvesTrace() const { return trace_ != nullptr; }
+  /// x = B A^-1 B^T b with B the restriction to the trace: rows as in `trace`, any number of columns, different
+  /// objects. x is reshaped when it does not have the shape of b.
+  void solveTrace(const base::Matrix& b, base::Matrix& x) const { trace_->solve(b, x); }
 
   int dofs() const { return dofs_; }
   /// Entries of the factors, zeros stored for speed included; 0 when the solver does not say.
@@ -55,6 +64,7 @@ class SubstructureSolver {
   int dofs_;
   Teuchos::RCP<const base::CrsMatrix> stiffness_;
   Teuchos::RCP<DirectSolver> solver_;
+  std::unique_ptr<TraceFactor> trace_;
 };
 
 }  // namespace harmos::substructure

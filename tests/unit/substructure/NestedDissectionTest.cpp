@@ -43,6 +43,20 @@ TEST(NestedDissection, isAPermutationThatKeepsNodesTogether) {
   }
 }
 
+TEST(NestedDissection, ordersRowsLast) {
+  const Lattice lattice{6};
+  const auto matrix = lattice.matrix();
+  const CrsView view = viewOf(*matrix, "part");
+  const NestedDissection mixed(view.rows, view.rowPointers, view.columns, {4, 300});  // one component of two nodes
+  const std::vector<int>& old = mixed.ordering().old;
+  EXPECT_EQ(std::vector<int>(old.end() - 2, old.end()), (std::vector<int>{4, 300}));
+  for (int row = 0; row < view.rows; ++row) {
+    EXPECT_EQ(old[static_cast<std::size_t>(mixed.ordering().position[static_cast<std::size_t>(row)])], row);
+  }
+  const NestedDissection whole(view.rows, view.rowPointers, view.columns, {3, 4, 5, 300, 301, 302});
+  EXPECT_EQ(whole.factorSize().nonzeros, entriesByElimination(view, whole.ordering()));
+}
+
 TEST(NestedDissection, predictsTheFactorExactly) {
   for (const int dimension : {1, 2, 3}) {
     const Lattice lattice{4, dimension};

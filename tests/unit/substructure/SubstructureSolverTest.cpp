@@ -1,6 +1,7 @@
 #include <harmos/substructure/SubstructureSolver.hpp>
 
 #include <cmath>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -150,6 +151,39 @@ TEST(SubstructureSolver, findsIndefiniteOperators) {
     const std::string message = messageOf(lattice.matrix(), boundary, name);
     EXPECT_NE(message.find("\"left flange\" is indefinite"), std::string::npos) << message;
   }
+}
+
+TEST(SubstructureSolver, solvesTheTraceLikeTheWhole) {
+  const Lattice lattice{8};
+  const BoundaryTerm boundary = onOneFace(lattice, 0.3);
+  // Rows of nodes in two corners and of one component inside, so that trace and other rows alternate.
+  std::vector<int> trace{1, 2, 3, 7, 8, 300};
+  for (int dof = lattice.dofs() - 60; dof < lattice.dofs(); ++dof) trace.push_back(dof);
+  const SubstructureSolver solver(lattice.matrix(), boundary, {}, "part", trace);
+  if (availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD gives its factor";
+  ASSERT_TRUE(solver.solvesTrace());
+  const base::Matrix b = loads(static_cast<int>(trace.size()), 3);
+  base::Matrix x, whole, wholeLoads(lattice.dofs(), 3);
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < b.numRows(); ++i) wholeLoads(trace[static_cast<std::size_t>(i)], j) = b(i, j);
+  }
+  solver.solve(wholeLoads, whole);
+  solver.solveTrace(b, x);
+  const double size = whole.normInf();
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < b.numRows(); ++i) {
+      EXPECT_NEAR(x(i, j), whole(trace[static_cast<std::size_t>(i)], j), 1e-12 * size);  // rounding times condition 1e3
+    }
+  }
+  EXPECT_LT(residual(*lattice.matrix(), boundary, wholeLoads, whole), 1e-12);
+}
+
+TEST(SubstructureSolver, keepsToTheSparseFactorWhereItIsCheaper) {
+  const Lattice lattice{6};
+  std::vector<int> all(static_cast<std::size_t>(lattice.dofs()));
+  std::iota(all.begin(), all.end(), 0);
+  const SubstructureSolver solver(lattice.matrix(), onOneFace(lattice, 1.0), {}, "part", all);
+  EXPECT_FALSE(solver.solvesTrace());
 }
 
 TEST(SubstructureSolver, namesTheSolversThatThereAre) {
