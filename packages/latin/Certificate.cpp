@@ -7,7 +7,7 @@ namespace harmos::latin {
 namespace {
 
 constexpr int maximumVectors = 40;
-constexpr double krylovTarget = 0.2;
+constexpr double krylovTarget = 0.1;
 constexpr double krylovLimit = 0.3;
 constexpr int smoothingIterations = 4;
 constexpr int maximumCorrections = 5;
