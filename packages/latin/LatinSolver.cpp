@@ -10,6 +10,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/EquilibriumCheck.hpp>
+#include <harmos/mesh/Vector.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -22,8 +23,9 @@ constexpr double triggerFactor = 15.0;
 
 // After a good start little changes at first; the gap tells that this is not yet the end.
 constexpr double gapFactor = 0.02;
-// A drift shows as four imbalances in a row, each this many iterations apart, that agree to within 5 % ...
-constexpr int imbalanceEvery = 10;
+// A drift shows as four imbalances in a row, each this many iterations apart (odd, so that an iteration that jumps to
+// and fro is no drift), that agree to within 5 % ...
+constexpr int imbalanceEvery = 9;
 constexpr std::size_t imbalanceCount = 4;
 constexpr double imbalanceSpread = 0.05;
 // ... and that are almost nothing but rigid motion; slow convergence has shares below 0.7 (see docs).
@@ -34,6 +36,15 @@ constexpr int coarseSpacing = 3;
 constexpr int coarseIterations = 20;
 constexpr double coarseResidual = 2e-3;
 
+// A state this many times larger than the first one was extrapolated beyond all measure: the digits of the forces are
+// lost in k w, and everything finite would look small beside it.
+constexpr double divergedSize = 1e8;
+
+/// True when two vectors agree to within imbalanceSpread.
+bool agree(const mesh::Point& a, const mesh::Point& b) {
+  return mesh::distance(a, b) <= imbalanceSpread * mesh::norm(b);
+}
+
 /// True when a body is carried away by a constant force that no interface balances.
 bool drifts(const std::vector<Imbalance>& history, double accuracy) {
   if (history.size() < imbalanceCount) return false;
@@ -41,7 +52,8 @@ bool drifts(const std::vector<Imbalance>& history, double accuracy) {
   for (std::size_t i = history.size() - imbalanceCount; i < history.size(); ++i) {
     const Imbalance& one = history[i];
     if (one.body != last.body || one.step != last.step || one.rigidShare < driftShare || one.relative < accuracy ||
-        std::abs(one.relative - last.relative) > imbalanceSpread * last.relative) {
+        std::abs(one.relative - last.relative) > imbalanceSpread * last.relative ||
+        !(agree(one.force, last.force) || agree(one.moment, last.moment))) {
       return false;
     }
   }
@@ -90,6 +102,12 @@ bool LatinSolver::settled(int iteration, double tolerance, double& change) {
   return change <= tolerance && fieldGap(fixedPoint_) <= gapFactor * tolerance;
 }
 
+bool LatinSolver::hasDiverged(const base::Matrix& state) {
+  const double size = fixedPoint_.metric().norm(state);
+  if (startSize_ == 0.0) startSize_ = size;
+  return !(size <= divergedSize * startSize_);
+}
+
 void LatinSolver::startFromCoarseSteps() {
   const int count = (assembly_.steps() + coarseSpacing - 1) / coarseSpacing;
   if (count < 3) return;
@@ -105,6 +123,7 @@ void LatinSolver::startFromCoarseSteps() {
   AndersonAcceleration acceleration(fixedPoint_.metric(), options_.memory);
   for (int i = 0; i < coarseIterations; ++i) {
     fixedPoint_.apply(alpha, image);
+    if (hasDiverged(image)) break;
     residual.assign(image);
     residual -= alpha;
     const bool close = fixedPoint_.metric().norm(residual) <= coarseResidual * fixedPoint_.metric().norm(image);
@@ -112,6 +131,7 @@ void LatinSolver::startFromCoarseSteps() {
     if (close) break;
   }
   fixedPoint_.selectAll();
+  if (hasDiverged(alpha)) return;
   int left = 0;
   for (int t = 0; t < assembly_.steps(); ++t) {
     while (left + 2 < count && coarse[static_cast<std::size_t>(left) + 1] <= t) ++left;
@@ -125,8 +145,10 @@ void LatinSolver::startFromCoarseSteps() {
 
 LatinResult LatinSolver::solve(const base::Matrix* start) {
   const int rows = fixedPoint_.layout().rows();
+  const int stagesBefore = fixedPoint_.linearStage().stages();
   alpha_.shape(rows, assembly_.steps());
   image_.shape(rows, assembly_.steps());
+  startSize_ = 0.0;
   if (start != nullptr) {
     alpha_.assign(*start);
   } else if (options_.algorithm == Algorithm::accelerated) {
@@ -142,10 +164,17 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   std::vector<double> estimates;
   std::vector<Imbalance> imbalances;
 
-  const auto stages = [&] { return fixedPoint_.linearStage().stages(); };
+  const auto stages = [&] { return fixedPoint_.linearStage().stages() - stagesBefore; };
   while (stages() < options_.maximumIterations) {
     fixedPoint_.apply(alpha_, image_);
     ++result.iterations;
+    if (hasDiverged(image_)) {
+      // Kinks of the laws can mislead the acceleration that far: without it, from the start.
+      acceleration.reset();
+      alpha_.putScalar(0.0);
+      snapshots_.clear();
+      continue;
+    }
     double change = 0.0;
     const bool quiet = settled(result.iterations, trigger, change);
     if (!observers_.empty()) {
@@ -169,7 +198,7 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
       const int begin = stages();
       const auto running = timers_.start("certificate");
       Certificate certificate(fixedPoint_, responses_, options_.accuracy);
-      Certificate::Result attempt = certificate.attempt(alpha_, image_, options_.maximumIterations);
+      Certificate::Result attempt = certificate.attempt(alpha_, image_, stagesBefore + options_.maximumIterations);
       if (attempt.conclusive) estimates = attempt.estimates;
       alpha_.assign(attempt.state);
       if (attempt.claimed) {
@@ -188,19 +217,19 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
     if (acceleration) {
       acceleration->advance(alpha_, image_);
     } else {
-      const double relaxation = options_.algorithm == Algorithm::relaxed ? options_.relaxation : 1.0;
+      const double relaxation = options_.algorithm == Algorithm::plain ? 1.0 : options_.relaxation;
       for (int t = 0; t < alpha_.numCols(); ++t) {
         for (int row = 0; row < rows; ++row) alpha_[t][row] += relaxation * (image_[t][row] - alpha_[t][row]);
       }
     }
   }
   deliver(result, estimates);
+  result.linearStages = stages();
   return result;
 }
 
 void LatinSolver::deliver(LatinResult& result, const std::vector<double>& estimates) {
   fixedPoint_.apply(alpha_, image_);
-  result.linearStages = fixedPoint_.linearStage().stages();
   result.indicator = customaryIndicator(fixedPoint_);
   const Snapshot last(fixedPoint_, responses_);
   const double unknown = std::numeric_limits<double>::quiet_NaN();

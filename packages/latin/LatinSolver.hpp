@@ -48,6 +48,8 @@ class LatinSolver {
   void startFromCoarseSteps();
   bool settled(int iteration, double tolerance, double& change);
   bool mustStop() const;
+  /// Collective. The first image that it sees is the measure of all others.
+  bool hasDiverged(const base::Matrix& image);
   void deliver(LatinResult& result, const std::vector<double>& estimates);
 
   const interface::Assembly& assembly_;
@@ -59,6 +61,7 @@ class LatinSolver {
   std::function<bool()> interrupted_;
   base::Matrix alpha_;
   base::Matrix image_;
+  double startSize_ = 0.0;
   std::vector<std::unique_ptr<Snapshot>> snapshots_;  // of the last iterations that were looked at
 };
 
