@@ -7,6 +7,12 @@
 #include <harmos/latin/LeastSquares.hpp>
 
 namespace harmos::latin {
+namespace {
+
+/// Differences of the residual below this share of the state are round-off of the linear solves.
+constexpr double noise = 1e-12;
+
+}  // namespace
 
 AndersonAcceleration::AndersonAcceleration(const StateMetric& metric, int memory) : metric_(metric), memory_(memory) {}
 
@@ -68,14 +74,25 @@ void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& imag
   alpha.assign(image);
   if (stored_ > 0) {
     const auto stored = static_cast<std::size_t>(stored_);
-    std::vector<double> right(steps_.size() * stored);
+    const std::size_t width = stored + 1;  // products with the differences, then the square of T(alpha)
+    std::vector<double> right(steps_.size() * width);
     for (std::size_t t = 0; t < steps_.size(); ++t) {
+      const int i = static_cast<int>(t);
       blas.GEMV(Teuchos::TRANS, rows, stored_, 1.0, steps_[t].residuals.values(), steps_[t].residuals.stride(),
-                residual[static_cast<int>(t)], 1, 0.0, right.data() + t * stored, 1);
+                residual[i], 1, 0.0, right.data() + t * width, 1);
+      double& square = right[t * width + stored];
+      for (int row = 0; row < rows; ++row) {
+        const double value = metric_.scale()[static_cast<std::size_t>(row)] * image[i][row];
+        square += value * value;
+      }
     }
     metric_.sum(right);
     for (std::size_t t = 0; t < steps_.size(); ++t) {
-      const std::vector<double> gamma = solveNormalEquations(steps_[t].gram, stored_, right.data() + t * stored);
+      const double* products = right.data() + t * width;
+      // Where the residual no longer changes, as without equilibrium, differences are noise and would throw the state
+      // anywhere.
+      const std::vector<double> gamma =
+          solveNormalEquations(steps_[t].gram, stored_, products, noise * noise * products[stored]);
       blas.GEMV(Teuchos::NO_TRANS, rows, stored_, -1.0, steps_[t].images.values(), steps_[t].images.stride(),
                 gamma.data(), 1, 1.0, alpha[static_cast<int>(t)], 1);
     }

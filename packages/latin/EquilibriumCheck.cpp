@@ -72,7 +72,6 @@ struct StepSums {
 /// r^T G^-1 r over the motions that the interfaces feel.
 double projection(const BodySums& sums, const std::array<double, motions>& resultant) {
   base::Matrix gram(motions, motions);
-  std::array<double, motions> scale{};
   std::array<double, motions> right{};
   for (int i = 0; i < motions; ++i) {
     const auto n = static_cast<std::size_t>(i);

@@ -5,13 +5,13 @@
 
 namespace harmos::latin {
 
-std::vector<double> solveNormalEquations(const base::Matrix& gram, int size, const double* right) {
+std::vector<double> solveNormalEquations(const base::Matrix& gram, int size, const double* right, double floor) {
   // Squares of relative distances below this are round-off of the products.
   constexpr double independence = 1e-13;
   const auto n = static_cast<std::size_t>(size);
   std::vector<double> scale(n);
   for (int i = 0; i < size; ++i)
-    scale[static_cast<std::size_t>(i)] = gram(i, i) > 0.0 ? 1.0 / std::sqrt(gram(i, i)) : 0.0;
+    scale[static_cast<std::size_t>(i)] = gram(i, i) > floor ? 1.0 / std::sqrt(gram(i, i)) : 0.0;
 
   std::vector<int> order(n);
   std::iota(order.begin(), order.end(), 0);

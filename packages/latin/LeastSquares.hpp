@@ -9,7 +9,8 @@ namespace harmos::latin {
 /// Coefficients c of least squares from the normal equations G c = b of the leading `size` columns.
 ///
 /// Columns are scaled to length one and eliminated in the order of their independence (Cholesky with diagonal
-/// pivoting); columns that depend on the others to within round-off get the coefficient 0.
-std::vector<double> solveNormalEquations(const base::Matrix& gram, int size, const double* right);
+/// pivoting); columns that depend on the others to within round-off get the coefficient 0, and so do columns whose
+/// squared length is not above `floor`.
+std::vector<double> solveNormalEquations(const base::Matrix& gram, int size, const double* right, double floor = 0.0);
 
 }  // namespace harmos::latin

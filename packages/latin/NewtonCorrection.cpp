@@ -1,5 +1,6 @@
 #include <harmos/latin/NewtonCorrection.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -9,6 +10,9 @@ namespace harmos::latin {
 namespace {
 
 using base::Matrix;
+
+// A residual below this share of the state is that of a fixed point.
+constexpr double roundOff = 1e-14;
 
 void add(Matrix& to, double factor, const Matrix& x) {
   for (int t = 0; t < to.numCols(); ++t) {
@@ -51,12 +55,13 @@ NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matr
   Matrix residual(image);
   add(residual, -1.0, alpha);
   const double beta = metric.norm(residual);
-  if (beta == 0.0) {
+  const double size = std::max(metric.norm(alpha), metric.norm(image));
+  if (beta <= roundOff * size) {
     result.reduction = 0.0;
     return result;
   }
   // Small enough for the tangent, large enough for the round-off of T.
-  const double difference = 1e-6 * metric.norm(alpha);
+  const double difference = 1e-6 * size;
 
   std::vector<Matrix> basis;
   Matrix hessenberg(maximum_ + 1, maximum_);

@@ -106,6 +106,24 @@ TEST_F(Anderson, StaysAtTheFixedPoint) {
   }
 }
 
+// T(alpha) = alpha + b goes on for ever: the residual does not change, its differences are round-off, and the iterates
+// must not be thrown further than the plain iteration would.
+TEST_F(Anderson, DoesNotFollowNoise) {
+  base::Matrix step(layout_.rows(), 3), alpha(layout_.rows(), 3);
+  randomize(step);
+  randomize(alpha, 2);
+  AndersonAcceleration acceleration(metric_, 10);
+  constexpr int iterations = 100;
+  for (int n = 0; n < iterations; ++n) {
+    base::Matrix image(alpha);
+    for (int t = 0; t < 3; ++t) {
+      for (int row = 0; row < image.numRows(); ++row) image(row, t) += 0.1 * step(row, t);
+    }
+    acceleration.advance(alpha, image);
+  }
+  EXPECT_LE(alpha.normInf(), 2.0 * iterations * 0.1 * step.normInf());
+}
+
 base::Matrix gramOf(const base::Matrix& columns) {
   base::Matrix gram(columns.numCols(), columns.numCols());
   gram.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, columns, columns, 0.0);
@@ -168,6 +186,14 @@ TEST(LeastSquares, DoesNotCareForTheLengthOfColumns) {
   }
   const auto found = solveNormalEquations(gramOf(columns), 3, productsWith(columns, b).data());
   for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(found[j] * lengths[j], 1.0, 1e-10);
+}
+
+TEST(LeastSquares, LeavesOutColumnsBelowTheFloor) {
+  base::Matrix gram(2, 2);
+  gram(0, 0) = 4.0;
+  gram(1, 1) = 1e-20;
+  const double right[] = {2.0, 1.0};
+  EXPECT_EQ(solveNormalEquations(gram, 2, right, 1e-20), (std::vector<double>{0.5, 0.0}));
 }
 
 TEST(LeastSquares, TakesTheLeadingColumnsOnly) {

@@ -1,0 +1,70 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <harmos/latin/EquilibriumCheck.hpp>
+
+#include "BoxAssembly.hpp"
+#include "Chains.hpp"
+
+namespace harmos::latin {
+namespace {
+
+Imbalance imbalanceOf(const std::shared_ptr<const laws::InterfaceLaw>& joint,
+                      const std::shared_ptr<const laws::InterfaceLaw>& top, int iterations) {
+  BoxAssembly cubes = twoCubes(joint, top, 2);
+  base::Timers timers;
+  FixedPoint fixedPoint(cubes.assembly(), {}, self(), timers);
+  base::Matrix alpha(fixedPoint.layout().rows(), 2), image(fixedPoint.layout().rows(), 2);
+  for (int n = 0; n < iterations; ++n) {
+    fixedPoint.apply(alpha, image);
+    for (int t = 0; t < 2; ++t) {
+      for (int row = 0; row < alpha.numRows(); ++row) alpha(row, t) = 0.5 * (alpha(row, t) + image(row, t));
+    }
+  }
+  return largestImbalance(fixedPoint);
+}
+
+std::shared_ptr<const laws::InterfaceLaw> push(double x, double z) {
+  return laws::makeLaw("Prescribed Traction", {{"X", x}, {"Z", z}}, {{"X", {0.5, 1.0}}});
+}
+
+// A frictionless joint carries nothing of a push along it: that push is the imbalance of the upper cube, at all times.
+TEST(EquilibriumCheck, FindsTheLoadThatNothingCarries) {
+  for (int iterations : {1, 5, 200}) {
+    const Imbalance imbalance = imbalanceOf(laws::makeLaw("Unilateral Contact"), push(0.25, -2.0), iterations);
+    EXPECT_EQ(imbalance.body, 1);
+    EXPECT_EQ(imbalance.step, 1);
+    EXPECT_NEAR(std::abs(imbalance.force[0]), 0.25, 1e-9);
+    EXPECT_GT(imbalance.relative, 0.05);
+  }
+  const Imbalance settled = imbalanceOf(laws::makeLaw("Unilateral Contact"), push(0.25, -2.0), 200);
+  EXPECT_NEAR(settled.force[1], 0.0, 1e-6);
+  EXPECT_NEAR(settled.force[2], 0.0, 1e-3);
+  EXPECT_GT(settled.rigidShare, 0.9);
+}
+
+TEST(EquilibriumCheck, FindsNothingWhereThereIsEquilibrium) {
+  EXPECT_LT(imbalanceOf(laws::makeLaw("Perfect"), push(0.25, -2.0), 500).relative, 1e-6);
+}
+
+TEST(EquilibriumCheck, FindsNothingWithoutLoads) {
+  const Imbalance imbalance = imbalanceOf(laws::makeLaw("Perfect"), push(0.0, 0.0), 3);
+  EXPECT_EQ(imbalance.body, -1);
+  EXPECT_EQ(imbalance.relative, 0.0);
+}
+
+TEST(EquilibriumCheck, NamesPartStepForceAndMoment) {
+  BoxAssembly cubes = twoCubes(laws::makeLaw("Perfect"), laws::makeLaw("Symmetry"));
+  Imbalance imbalance;
+  imbalance.body = 1;
+  imbalance.step = 2;
+  imbalance.force = {1.5, 0.0, -2.25};
+  imbalance.moment = {0.0, 10.0, 0.0};
+  const std::string text = describe(imbalance, cubes.assembly());
+  for (const char* part : {"\"upper\"", "load step 3", "(1.5, 0, -2.25)", "(0, 10, 0)"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace harmos::latin
