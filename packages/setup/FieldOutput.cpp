@@ -124,7 +124,7 @@ void writeParts(const Problem& problem, const latin::FixedPoint& state, const st
   if (writer) writer->commit();
 }
 
-/// Fields of one interface at one load step, ready for the file.
+/// Fields of one pair of an interface at one load step, ready for the file.
 class InterfaceStep {
  public:
   InterfaceStep(int dimension, ResultStep& step) : dimension_(at(dimension)), step_(step) {}
@@ -140,27 +140,25 @@ class InterfaceStep {
     return result;
   }
 
-  void fill(const interface::Interface& interface, const latin::PairFields& fields, int t, int firstPair,
-            const std::vector<double>& dissipation) {
-    for (int p = 0; p < fields.pairs; ++p) {
-      const auto& frame = interface.frame[at(p)];
-      const auto& traction = fields.traction[fields.at(t, p)];
-      const auto& jump = fields.jump[fields.at(t, p)];
-      const auto status = fields.status[fields.at(t, p)];
-      const bool isContact =
-          status == laws::Status::open || status == laws::Status::stick || status == laws::Status::slip;
-      const bool hasJump = isContact || interface.sides() == 2;
-      variable_ = dimension_;  // after the displacement
-      node_ = at(firstPair + p);
-      put(-traction[0]);
-      for (std::size_t d = 0; d < dimension_; ++d)
-        put(frame[0][d] * traction[0] + frame[1][d] * traction[1] + frame[2][d] * traction[2]);
-      put(static_cast<double>(status));
-      put(hasJump ? jump[0] + interface.gap[at(p)] : 0.0);
-      for (std::size_t d = 0; d < dimension_; ++d) put(hasJump ? frame[1][d] * jump[1] + frame[2][d] * jump[2] : 0.0);
-      put(hasJump ? std::hypot(jump[1], jump[2]) : 0.0);
-      put(dissipation[at(p)]);
-    }
+  void fill(const interface::Interface& interface, const latin::PairFields& fields, int t, int p, int node,
+            double dissipation) {
+    const auto& frame = interface.frame[at(p)];
+    const auto& traction = fields.traction[fields.at(t, p)];
+    const auto& jump = fields.jump[fields.at(t, p)];
+    const auto status = fields.status[fields.at(t, p)];
+    const bool isContact =
+        status == laws::Status::open || status == laws::Status::stick || status == laws::Status::slip;
+    const bool hasJump = isContact || interface.sides() == 2;
+    variable_ = dimension_;  // after the displacement
+    node_ = at(node);
+    put(-traction[0]);
+    for (std::size_t d = 0; d < dimension_; ++d)
+      put(frame[0][d] * traction[0] + frame[1][d] * traction[1] + frame[2][d] * traction[2]);
+    put(static_cast<double>(status));
+    put(hasJump ? jump[0] + interface.gap[at(p)] : 0.0);
+    for (std::size_t d = 0; d < dimension_; ++d) put(hasJump ? frame[1][d] * jump[1] + frame[2][d] * jump[2] : 0.0);
+    put(hasJump ? std::hypot(jump[1], jump[2]) : 0.0);
+    put(dissipation);
   }
 
  private:
@@ -199,17 +197,23 @@ void writeInterfaces(const Problem& problem, const latin::FixedPoint& state, con
   for (int t = 0; t < problem.assembly.steps(); ++t) {
     ResultStep step = output::zeroStep(layout.mesh, variables, common.times[at(t)]);
     InterfaceStep filler(dimension, step);
-    for (std::size_t i = 0; i < interfaces.size(); ++i) {
-      addDissipation(interfaces[i], fields[i], t, dissipation[i]);
-      filler.fill(interfaces[i], fields[i], t, layout.firstPair[i], dissipation[i]);
+    for (std::size_t i = 0; i < interfaces.size(); ++i) addDissipation(interfaces[i], fields[i], t, dissipation[i]);
+    for (std::size_t s = 0; s < problem.surfaces.size(); ++s) {
+      for (std::size_t p = 0; p < problem.places[s].size(); ++p) {
+        const PairPlace& place = problem.places[s][p];
+        if (place.interface < 0) continue;
+        const auto i = at(place.interface);
+        filler.fill(interfaces[i], fields[i], t, place.pair, layout.firstPair[s] + static_cast<int>(p),
+                    dissipation[i][at(place.pair)]);
+      }
     }
     for (int c = 0; c < dimension; ++c) {
       auto& values = step.nodal[at(c)];
-      for (std::size_t i = 0; i < interfaces.size(); ++i) {
-        if (!state.layout().owns(interfaces[i].body1)) continue;
-        for (int p = 0; p < interfaces[i].pairs(); ++p)
-          values[at(layout.firstPair[i] + p)] =
-              state.displacement(interfaces[i].body1, interfaces[i].node1[at(p)], t)[at(c)];
+      for (std::size_t s = 0; s < problem.surfaces.size(); ++s) {
+        const mesh::InterfaceSurface& surface = problem.surfaces[s];
+        if (!state.layout().owns(surface.part1)) continue;
+        for (std::size_t p = 0; p < surface.node1.size(); ++p)
+          values[at(layout.firstPair[s]) + p] = state.displacement(surface.part1, surface.node1[p], t)[at(c)];
       }
       common.gather(values);
     }

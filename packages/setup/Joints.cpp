@@ -49,6 +49,17 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mes
   return finder.betweenSideSets(name, list.text("Side 1"), list.text("Side 2"), projection);
 }
 
+std::vector<std::vector<mesh::PairCarrier>> everyPairItself(const std::vector<mesh::InterfaceSurface>& surfaces) {
+  std::vector<std::vector<mesh::PairCarrier>> carriers;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    auto& pairs = carriers.emplace_back();
+    for (std::size_t p = 0; p < surfaces[s].node1.size(); ++p) {
+      pairs.push_back({static_cast<int>(s), static_cast<int>(p)});
+    }
+  }
+  return carriers;
+}
+
 }  // namespace
 
 std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh::Mesh& mesh,
@@ -81,26 +92,45 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
   return surfaces;
 }
 
-std::vector<interface::Interface> makeInterfaces(const Scene& scene,
-                                                 const std::vector<mesh::InterfaceSurface>& surfaces,
-                                                 bool isConsistent) {
-  std::vector<interface::Interface> interfaces;
-  for (const mesh::InterfaceSurface& surface : surfaces) {
-    interface::Interface& interface = interfaces.emplace_back();
+Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Part>& parts,
+                      std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent) {
+  const auto carriers = isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(parts, surfaces);
+  Joints joints;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const mesh::InterfaceSurface& surface = surfaces[s];
+    joints.places.emplace_back(surface.node1.size());
+    interface::Interface interface;
     const auto law = scene.laws.find(surface.name);
     interface.law = law == scene.laws.end() ? scene.cutLaw : law->second;
     interface.name = surface.name;
     interface.body1 = surface.part1;
     interface.body2 = surface.part2;
-    interface.node1 = surface.node1;
-    interface.node2 = surface.node2;
-    interface.frame = surface.frame;
-    interface.area = surface.area;
-    interface.gap = surface.gap;
-    if (!isConsistent) continue;
-    for (const mesh::MassEntry& entry : surface.mass) interface.mass.push_back({entry.row, entry.column, entry.value});
+    for (std::size_t p = 0; p < surface.node1.size(); ++p) {
+      if (carriers[s][p].surface != static_cast<int>(s)) continue;
+      joints.places[s][p] = {static_cast<int>(joints.interfaces.size()), interface.pairs()};
+      interface.node1.push_back(surface.node1[p]);
+      if (surface.part2 >= 0) interface.node2.push_back(surface.node2[p]);
+      interface.frame.push_back(surface.frame[p]);
+      interface.area.push_back(surface.area[p]);
+      interface.gap.push_back(surface.gap[p]);
+    }
+    if (interface.node1.empty()) continue;
+    if (isConsistent) {
+      for (const mesh::MassEntry& entry : surface.mass) {
+        interface.mass.push_back({entry.row, entry.column, entry.value});
+      }
+    }
+    joints.interfaces.push_back(std::move(interface));
   }
-  return interfaces;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    for (std::size_t p = 0; p < carriers[s].size(); ++p) {
+      const mesh::PairCarrier& carrier = carriers[s][p];
+      if (carrier.surface < 0) continue;
+      joints.places[s][p] =
+          joints.places[static_cast<std::size_t>(carrier.surface)][static_cast<std::size_t>(carrier.pair)];
+    }
+  }
+  return joints;
 }
 
 }  // namespace harmos::setup

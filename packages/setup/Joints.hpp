@@ -5,6 +5,7 @@
 #include <harmos/base/ErrorList.hpp>
 #include <harmos/interface/Interface.hpp>
 #include <harmos/mesh/InterfaceFinder.hpp>
+#include <harmos/mesh/RedundantPairs.hpp>
 #include <harmos/setup/Scene.hpp>
 
 namespace harmos::setup {
@@ -15,10 +16,22 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
                                                  const std::vector<mesh::Part>& parts,
                                                  const mesh::InterfaceFinder& finder, base::ErrorList& errors);
 
-/// One interface of the assembly per surface, with the law of that name. `isConsistent`: with the consistent interface
-/// mass where the surface has faces.
-std::vector<interface::Interface> makeInterfaces(const Scene& scene,
-                                                 const std::vector<mesh::InterfaceSurface>& surfaces,
-                                                 bool isConsistent);
+/// Where the unknowns of a surface's pair are: a pair of an interface of the assembly; interface = -1: it has none.
+struct PairPlace {
+  int interface = -1;
+  int pair = -1;
+};
+
+/// The interfaces of an assembly and the way back to the surfaces that they were made of.
+struct Joints {
+  std::vector<interface::Interface> interfaces;
+  std::vector<std::vector<PairPlace>> places;  // per surface and pair
+};
+
+/// An interface for every surface that carries unknowns, with the law of that name. Merges pairs that cuts make
+/// redundant (the areas of `surfaces` change), unless `isConsistent`: then every pair of a surface is kept, with the
+/// consistent interface mass where the surface has faces.
+Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Part>& parts,
+                      std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent);
 
 }  // namespace harmos::setup

@@ -48,8 +48,10 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   interface::Assembly& assembly = problem.assembly;
   assembly.dimension = problem.mesh.dimension;
   assembly.times = scene.times;
-  assembly.interfaces =
-      makeInterfaces(scene, problem.surfaces, scene.input.list("Solver").text("Interface Mass") == "Consistent");
+  Joints joints = makeInterfaces(scene, problem.bodies.parts, problem.surfaces,
+                                 scene.input.list("Solver").text("Interface Mass") == "Consistent");
+  assembly.interfaces = std::move(joints.interfaces);
+  problem.places = std::move(joints.places);
   problem.responses =
       makeResponses(scene.input.lists("Responses"), problem.mesh, problem.bodies.parts, finder, assembly, errors);
   assembly.owner = distribute(problem.bodies, comm.getSize());

@@ -10,6 +10,7 @@
 #include <harmos/latin/Response.hpp>
 #include <harmos/mesh/InterfaceSurface.hpp>
 #include <harmos/setup/Bodies.hpp>
+#include <harmos/setup/Joints.hpp>
 #include <harmos/setup/Scene.hpp>
 
 namespace harmos::setup {
@@ -19,7 +20,8 @@ struct Problem {
   mesh::Mesh mesh;
   Model model;
   Bodies bodies;
-  std::vector<mesh::InterfaceSurface> surfaces;  // one per interface of the assembly
+  std::vector<mesh::InterfaceSurface> surfaces;
+  std::vector<std::vector<PairPlace>> places;  // per surface and pair: where its unknowns are
   interface::Assembly assembly;
   std::vector<std::shared_ptr<const latin::Response>> responses;
 };

@@ -1,0 +1,93 @@
+#include <harmos/mesh/RedundantPairs.hpp>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace harmos::mesh {
+namespace {
+
+using Carriers = std::vector<std::vector<PairCarrier>>;
+
+const Part& at(const std::vector<Part>& parts, int part) {
+  return parts[static_cast<std::size_t>(part)];
+}
+
+bool isCut(const std::vector<Part>& parts, const InterfaceSurface& surface) {
+  return surface.part2 >= 0 && at(parts, surface.part1).body == at(parts, surface.part2).body;
+}
+
+int meshNode(const std::vector<Part>& parts, int part, int node) {
+  return at(parts, part).nodes[static_cast<std::size_t>(node)];
+}
+
+double& areaOf(std::vector<InterfaceSurface>& surfaces, const PairCarrier& pair) {
+  return surfaces[static_cast<std::size_t>(pair.surface)].area[static_cast<std::size_t>(pair.pair)];
+}
+
+/// All pairs of one interface that join the same mesh nodes have one carrier.
+void mergeCopies(const std::vector<Part>& parts, std::vector<InterfaceSurface>& surfaces, Carriers& carriers) {
+  std::map<std::tuple<std::string, int, int>, std::vector<PairCarrier>> copies;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const InterfaceSurface& surface = surfaces[s];
+    if (isCut(parts, surface)) continue;
+    for (std::size_t p = 0; p < surface.node1.size(); ++p) {
+      const int node1 = meshNode(parts, surface.part1, surface.node1[p]);
+      const int node2 = surface.part2 < 0 ? -1 : meshNode(parts, surface.part2, surface.node2[p]);
+      copies[{surface.name, node1, node2}].push_back({static_cast<int>(s), static_cast<int>(p)});
+    }
+  }
+  for (const auto& [key, pairs] : copies) {
+    const PairCarrier carrier = *std::max_element(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
+      return areaOf(surfaces, a) < areaOf(surfaces, b);
+    });
+    double total = 0.0;
+    for (const PairCarrier& pair : pairs) {
+      total += areaOf(surfaces, pair);
+      carriers[static_cast<std::size_t>(pair.surface)][static_cast<std::size_t>(pair.pair)] = carrier;
+    }
+    areaOf(surfaces, carrier) = total;
+  }
+}
+
+/// Of the pairs between the pieces at a mesh node, those of a spanning tree carry themselves, the others nothing.
+void keepSpanningTrees(const std::vector<Part>& parts, std::vector<InterfaceSurface>& surfaces, Carriers& carriers) {
+  std::map<int, std::vector<PairCarrier>> links;  // by mesh node
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    if (!isCut(parts, surfaces[s])) continue;
+    for (std::size_t p = 0; p < surfaces[s].node1.size(); ++p) {
+      links[meshNode(parts, surfaces[s].part1, surfaces[s].node1[p])].push_back(
+          {static_cast<int>(s), static_cast<int>(p)});
+    }
+  }
+  for (auto& [node, pairs] : links) {
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [&](const auto& a, const auto& b) { return areaOf(surfaces, a) > areaOf(surfaces, b); });
+    std::map<int, int> tied;  // piece -> a piece that stands for all tied to it
+    const auto representative = [&](int piece) {
+      tied.emplace(piece, piece);
+      while (tied[piece] != piece) piece = tied[piece];
+      return piece;
+    };
+    for (const PairCarrier& pair : pairs) {
+      const InterfaceSurface& surface = surfaces[static_cast<std::size_t>(pair.surface)];
+      const int first = representative(surface.part1);
+      const int second = representative(surface.part2);
+      if (first == second) continue;
+      tied[first] = second;
+      carriers[static_cast<std::size_t>(pair.surface)][static_cast<std::size_t>(pair.pair)] = pair;
+    }
+  }
+}
+
+}  // namespace
+
+Carriers mergeRedundantPairs(const std::vector<Part>& parts, std::vector<InterfaceSurface>& surfaces) {
+  Carriers carriers;
+  for (const InterfaceSurface& surface : surfaces) carriers.emplace_back(surface.node1.size());
+  mergeCopies(parts, surfaces, carriers);
+  keepSpanningTrees(parts, surfaces, carriers);
+  return carriers;
+}
+
+}  // namespace harmos::mesh

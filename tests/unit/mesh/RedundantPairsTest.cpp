@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include <harmos/mesh/Boxes.hpp>
+#include <harmos/mesh/InterfaceFinder.hpp>
+#include <harmos/mesh/Partition.hpp>
+#include <harmos/mesh/RedundantPairs.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+/// Two stacked boxes, each cut into four pieces, and the contact between them.
+class CutBoxes : public ::testing::Test {
+ protected:
+  CutBoxes() : mesh(boxes({{"lower", {0, 0, 0}, {4, 4, 2}, {4, 4, 2}}, {"upper", {0, 0, 2}, {4, 4, 4}, {4, 4, 2}}})) {
+    for (const char* name : {"lower", "upper"}) {
+      for (Part& piece : cutPart(mesh, makePart(mesh, name, {name}), 4)) parts.push_back(std::move(piece));
+    }
+    const InterfaceFinder finder(mesh, parts);
+    surfaces = finder.betweenBodies("contact", "lower", "upper");
+    for (InterfaceSurface& cut : finder.cuts()) surfaces.push_back(std::move(cut));
+    carriers = mergeRedundantPairs(parts, surfaces);
+  }
+
+  int meshNode(int part, int node) const {
+    return parts[static_cast<std::size_t>(part)].nodes[static_cast<std::size_t>(node)];
+  }
+  bool carries(std::size_t s, std::size_t p) const {
+    return carriers[s][p].surface == static_cast<int>(s) && carriers[s][p].pair == static_cast<int>(p);
+  }
+
+  Mesh mesh;
+  std::vector<Part> parts;
+  std::vector<InterfaceSurface> surfaces;
+  std::vector<std::vector<PairCarrier>> carriers;
+};
+
+TEST_F(CutBoxes, EveryContactNodeHasOneCarrierAndTheAreaOfTheUncutContact) {
+  std::set<int> nodes;
+  double area = 0.0;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    if (surfaces[s].name != "contact") continue;
+    for (std::size_t p = 0; p < surfaces[s].node1.size(); ++p) {
+      EXPECT_GE(carriers[s][p].surface, 0);
+      if (!carries(s, p)) continue;
+      EXPECT_TRUE(nodes.insert(meshNode(surfaces[s].part1, surfaces[s].node1[p])).second);
+      area += surfaces[s].area[p];
+    }
+  }
+  EXPECT_EQ(nodes.size(), 25u);
+  EXPECT_NEAR(area, 16.0, 1e-12);  // sums of a few dozen terms
+}
+
+TEST_F(CutBoxes, PiecesThatShareANodeAreTiedOnce) {
+  std::map<int, int> copies;
+  for (const Part& part : parts) {
+    for (const int node : part.nodes) ++copies[node];
+  }
+  std::map<int, int> ties;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    if (surfaces[s].name == "contact") continue;
+    for (std::size_t p = 0; p < surfaces[s].node1.size(); ++p) {
+      if (carries(s, p)) ++ties[meshNode(surfaces[s].part1, surfaces[s].node1[p])];
+    }
+  }
+  bool meetsThree = false;
+  for (const auto& [node, count] : copies) {
+    EXPECT_EQ(ties[node], count - 1) << "mesh node " << node;
+    meetsThree = meetsThree || count > 2;
+  }
+  EXPECT_TRUE(meetsThree);
+}
+
+}  // namespace
+}  // namespace harmos::mesh
