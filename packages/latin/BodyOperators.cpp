@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 #include <harmos/latin/InterfaceMass.hpp>
@@ -84,6 +85,20 @@ bool equal(const substructure::BoundaryTerm& a, const substructure::BoundaryTerm
   return true;
 }
 
+/// The degrees of freedom, ascending, of the nodes that a boundary term touches.
+std::vector<int> traceOf(const substructure::BoundaryTerm& term) {
+  std::set<int> nodes;
+  for (std::size_t dof = 0; dof < term.diagonal.size(); ++dof) {
+    if (term.diagonal[dof] != 0.0) nodes.insert(static_cast<int>(dof) / term.dimension);
+  }
+  for (const substructure::BoundaryTerm::NodeEntry& entry : term.entries) nodes.insert(entry.row);
+  std::vector<int> dofs;
+  for (const int node : nodes) {
+    for (int c = 0; c < term.dimension; ++c) dofs.push_back(node * term.dimension + c);
+  }
+  return dofs;
+}
+
 }  // namespace
 
 BodyOperators::BodyOperators(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
@@ -117,8 +132,10 @@ BodyOperators::BodyOperators(const interface::Assembly& assembly, const interfac
     if (place.group < 0) {
       place.group = static_cast<int>(groups_.size());
       groups_.emplace_back();
+      std::vector<int> trace = traceOf(term);
       groups_.back().solver = std::make_unique<substructure::SubstructureSolver>(
-          assembly.bodies[static_cast<std::size_t>(master)].stiffness, term, options, body.name);
+          assembly.bodies[static_cast<std::size_t>(master)].stiffness, term, options, body.name, trace);
+      if (groups_.back().solver->solvesTrace()) groups_.back().trace = std::move(trace);
       terms.push_back(std::move(term));
       masters.push_back(master);
     }
@@ -126,15 +143,22 @@ BodyOperators::BodyOperators(const interface::Assembly& assembly, const interfac
     place.member = static_cast<int>(group.bodies.size());
     group.bodies.push_back(static_cast<int>(b));
   }
+  mapBlocks(assembly, layout);
+  gatherLoads(assembly);
+}
+
+void BodyOperators::mapBlocks(const interface::Assembly& assembly, const TraceLayout& layout) {
   for (const TraceLayout::Block& block : layout.blocks()) {
     const Place& place = places_[static_cast<std::size_t>(block.body)];
+    const std::vector<int>& trace = groups_[static_cast<std::size_t>(place.group)].trace;
     BlockMap map{&place, block.begin, {}};
     for (int node : assembly.interfaces[static_cast<std::size_t>(block.interface)].nodes(block.side)) {
-      map.dof.push_back(masterDof(place, node));
+      const int dof = masterDof(place, node);
+      const auto row = std::lower_bound(trace.begin(), trace.end(), dof) - trace.begin();
+      map.row.push_back(trace.empty() ? dof : static_cast<int>(row));
     }
     blocks_.push_back(std::move(map));
   }
-  gatherLoads(assembly);
 }
 
 void BodyOperators::gatherLoads(const interface::Assembly& assembly) {
@@ -186,62 +210,106 @@ void BodyOperators::gatherLoads(const interface::Assembly& assembly) {
         }
       }
     }
+    if (group.trace.empty()) continue;
+    group.loaded.shape(dofs, columns);
+    if (group.loads.normInf() > 0.0) group.solver->solve(group.loads, group.loaded);
   }
 }
 
 void BodyOperators::select(const std::vector<int>& steps) {
   steps_ = steps;
   for (Group& group : groups_) {
+    const int rows = group.trace.empty() ? group.loads.numRows() : static_cast<int>(group.trace.size());
     const int columns = static_cast<int>(group.bodies.size() * steps_.size());
-    group.right.shape(group.loads.numRows(), columns);
-    group.solution.shape(group.loads.numRows(), columns);
+    group.right.shape(rows, columns);
+    group.solution.shape(rows, columns);
   }
 }
 
 void BodyOperators::solve(const base::Matrix& forces, int first, int count) {
   const int columns = static_cast<int>(steps_.size());
   for (Group& group : groups_) {
-    const int dofs = group.loads.numRows();
+    const int rows = group.right.numRows();
     for (std::size_t m = 0; m < group.bodies.size(); ++m) {
-      for (int t = 0; t < count; ++t) {
-        const double* loads =
-            group.loads[static_cast<int>(m) * allSteps_ + steps_[static_cast<std::size_t>(first + t)]];
-        std::copy(loads, loads + dofs, group.right[static_cast<int>(m) * count + t]);
+      for (int t = first; t < first + count; ++t) {
+        const double* loads = group.loads[static_cast<int>(m) * allSteps_ + steps_[static_cast<std::size_t>(t)]];
+        double* right = group.right[static_cast<int>(m) * columns + t];
+        if (group.trace.empty()) {
+          std::copy(loads, loads + rows, right);
+        } else {
+          std::fill(right, right + rows, 0.0);
+        }
       }
     }
   }
   for (const BlockMap& block : blocks_) {
     Group& group = groups_[static_cast<std::size_t>(block.place->group)];
-    for (int t = 0; t < count; ++t) {
-      const double* from = forces[first + t] + block.begin;
-      double* to = group.right[block.place->member * count + t];
+    for (int t = first; t < first + count; ++t) {
+      const double* from = forces[t] + block.begin;
+      double* to = group.right[block.place->member * columns + t];
       if (block.place->rotates) {
-        for (std::size_t p = 0; p < block.dof.size(); ++p, from += dimension_) {
-          addRotated(block.place->rotation, true, dimension_, from, to + block.dof[p]);
+        for (std::size_t p = 0; p < block.row.size(); ++p, from += dimension_) {
+          addRotated(block.place->rotation, true, dimension_, from, to + block.row[p]);
         }
       } else {
-        for (std::size_t p = 0; p < block.dof.size(); ++p, from += dimension_) {
-          for (int c = 0; c < dimension_; ++c) to[block.dof[p] + c] += from[c];
+        for (std::size_t p = 0; p < block.row.size(); ++p, from += dimension_) {
+          for (int c = 0; c < dimension_; ++c) to[block.row[p] + c] += from[c];
         }
       }
     }
   }
-  for (Group& group : groups_) {
-    const int members = static_cast<int>(group.bodies.size());
-    if (count == columns) {
-      group.solver->solve(group.right, group.solution);
-      continue;
+  for (Group& group : groups_) solveGroup(group, first, count);
+}
+
+void BodyOperators::solveGroup(Group& group, int first, int count) {
+  const int columns = static_cast<int>(steps_.size());
+  const int members = static_cast<int>(group.bodies.size());
+  const int rows = group.right.numRows();
+  const auto solveBlock = [&](const base::Matrix& right, base::Matrix& solution) {
+    if (group.trace.empty()) {
+      group.solver->solve(right, solution);
+    } else {
+      group.solver->solveTrace(right, solution);
     }
-    const base::Matrix right(Teuchos::View, group.right.values(), group.right.stride(), group.right.numRows(),
-                             members * count);
-    base::Matrix some(group.right.numRows(), members * count);
-    group.solver->solve(right, some);
+  };
+  if (count == columns) {
+    solveBlock(group.right, group.solution);
+  } else {
+    base::Matrix right(rows, members * count), solution(rows, members * count);
+    for (int m = 0; m < members; ++m) {
+      for (int t = 0; t < count; ++t) std::copy_n(group.right[m * columns + first + t], rows, right[m * count + t]);
+    }
+    solveBlock(right, solution);
     for (int m = 0; m < members; ++m) {
       for (int t = 0; t < count; ++t) {
-        std::copy_n(some[m * count + t], some.numRows(), group.solution[m * columns + first + t]);
+        std::copy_n(solution[m * count + t], rows, group.solution[m * columns + first + t]);
       }
     }
   }
+  if (group.trace.empty()) return;
+  group.hasWhole = false;
+  for (int m = 0; m < members; ++m) {
+    for (int t = first; t < first + count; ++t) {
+      const double* loaded = group.loaded[m * allSteps_ + steps_[static_cast<std::size_t>(t)]];
+      double* solution = group.solution[m * columns + t];
+      for (int row = 0; row < rows; ++row) solution[row] += loaded[group.trace[static_cast<std::size_t>(row)]];
+    }
+  }
+}
+
+const base::Matrix& BodyOperators::wholeSolution(const Group& group) const {
+  if (group.trace.empty()) return group.solution;
+  if (group.hasWhole) return group.whole;
+  const int columns = static_cast<int>(steps_.size());
+  base::Matrix right(group.loads.numRows(), group.right.numCols());
+  for (int j = 0; j < right.numCols(); ++j) {
+    const double* loads = group.loads[j / columns * allSteps_ + steps_[static_cast<std::size_t>(j % columns)]];
+    std::copy_n(loads, right.numRows(), right[j]);
+    for (std::size_t row = 0; row < group.trace.size(); ++row) right[j][group.trace[row]] += group.right[j][row];
+  }
+  group.solver->solve(right, group.whole);
+  group.hasWhole = true;
+  return group.whole;
 }
 
 void BodyOperators::trace(base::Matrix& trace, int first, int count) const {
@@ -251,12 +319,12 @@ void BodyOperators::trace(base::Matrix& trace, int first, int count) const {
     for (int t = first; t < first + count; ++t) {
       const double* from = group.solution[block.place->member * columns + t];
       double* to = trace[t] + block.begin;
-      for (std::size_t p = 0; p < block.dof.size(); ++p, to += dimension_) {
+      for (std::size_t p = 0; p < block.row.size(); ++p, to += dimension_) {
         if (block.place->rotates) {
           std::fill(to, to + dimension_, 0.0);
-          addRotated(block.place->rotation, false, dimension_, from + block.dof[p], to);
+          addRotated(block.place->rotation, false, dimension_, from + block.row[p], to);
         } else {
-          std::copy_n(from + block.dof[p], dimension_, to);
+          std::copy_n(from + block.row[p], dimension_, to);
         }
       }
     }
@@ -293,7 +361,11 @@ mesh::Point BodyOperators::displacement(int body, int node, int column) const {
   const Place& place = places_[static_cast<std::size_t>(body)];
   const Group& group = groups_[static_cast<std::size_t>(place.group)];
   mesh::Point u{};
-  const double* from = group.solution[place.member * static_cast<int>(steps_.size()) + column] + masterDof(place, node);
+  const int dof = masterDof(place, node);
+  const int at = place.member * static_cast<int>(steps_.size()) + column;
+  const auto row = std::lower_bound(group.trace.begin(), group.trace.end(), dof);
+  const bool isOnTrace = row != group.trace.end() && *row == dof;
+  const double* from = isOnTrace ? group.solution[at] + (row - group.trace.begin()) : wholeSolution(group)[at] + dof;
   if (place.rotates) {
     addRotated(place.rotation, false, dimension_, from, u.data());
   } else {
@@ -303,12 +375,17 @@ mesh::Point BodyOperators::displacement(int body, int node, int column) const {
 }
 
 double BodyOperators::largestDisplacement() const {
+  const auto largestOf = [](const base::Matrix& matrix) {
+    double largest = 0.0;
+    for (int j = 0; j < matrix.numCols(); ++j) {
+      for (int row = 0; row < matrix.numRows(); ++row) largest = std::max(largest, std::abs(matrix(row, j)));
+    }
+    return largest;
+  };
   double largest = 0.0;
   for (const Group& group : groups_) {
-    for (int j = 0; j < group.solution.numCols(); ++j) {
-      const double* u = group.solution[j];
-      for (int dof = 0; dof < group.solution.numRows(); ++dof) largest = std::max(largest, std::abs(u[dof]));
-    }
+    largest = std::max(largest, largestOf(group.solution));
+    if (!group.trace.empty()) largest = std::max(largest, largestOf(group.loaded));
   }
   return largest;
 }

@@ -13,7 +13,8 @@ namespace harmos::latin {
 /// The factored operators S = K + k h of the bodies that this rank owns; congruent bodies share one.
 ///
 /// Bodies of one operator are solved together: their load steps are the columns of one block solve. A congruent body's
-/// vectors are carried into its representative's numbering and axes and back.
+/// vectors are carried into its representative's numbering and axes and back. Bodies with few interface nodes are
+/// solved on their traces only; their inner displacements follow when they are asked for.
 class BodyOperators {
  public:
   /// Factors the operators, which is charged to the phase "factor". Throws base::Error naming the body when one is
@@ -33,7 +34,8 @@ class BodyOperators {
   void trace(base::Matrix& trace, int first, int count) const;
   /// Displacement u [length] of a node of an owned body as last solved.
   mesh::Point displacement(int body, int node, int column) const;
-  /// Largest component of the displacement of all owned bodies as last solved, in their representatives' axes.
+  /// Largest component of the displacement of all owned bodies as last solved, in their representatives' axes. Of a
+  /// body that is solved on its trace: of the trace, and of what its loads do to the whole body.
   double largestDisplacement() const;
   /// Loads on a body's own nodes: body forces and prescribed tractions, dofs x steps.
   const base::Matrix& loads(int body) const { return loads_[static_cast<std::size_t>(body)]; }
@@ -44,9 +46,13 @@ class BodyOperators {
   struct Group {
     std::vector<int> bodies;  // first: the representative
     std::unique_ptr<substructure::SubstructureSolver> solver;
-    base::Matrix loads;  // dofs x (bodies * steps), in the representative's numbering
-    base::Matrix right;
+    std::vector<int> trace;  // dofs that interfaces load, ascending, when only these are solved; empty: all are
+    base::Matrix loads;      // dofs x (bodies * steps), in the representative's numbering
+    base::Matrix loaded;     // with a trace: S^-1 loads
+    base::Matrix right;      // dofs, or rows of the trace, x (bodies * columns)
     base::Matrix solution;
+    mutable base::Matrix whole;  // with a trace: all dofs, computed when asked for
+    mutable bool hasWhole = false;
   };
   struct Place {
     int group = -1;
@@ -58,11 +64,13 @@ class BodyOperators {
   struct BlockMap {
     const Place* place;
     int begin;
-    std::vector<int> dof;  // first degree of freedom, in the representative's numbering, of each node of the block
+    std::vector<int> row;  // of the first component of each node of the block in the vectors of its group
   };
 
-  void place(const interface::Assembly& assembly, const std::vector<std::vector<double>>& diagonals);
+  void mapBlocks(const interface::Assembly& assembly, const TraceLayout& layout);
   void gatherLoads(const interface::Assembly& assembly);
+  void solveGroup(Group& group, int first, int count);
+  const base::Matrix& wholeSolution(const Group& group) const;
   int masterDof(const Place& place, int node) const {
     return dimension_ * (place.toMaster.empty() ? node : place.toMaster[static_cast<std::size_t>(node)]);
   }
