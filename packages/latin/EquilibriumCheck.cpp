@@ -65,7 +65,7 @@ struct BodySums {
 };
 struct StepSums {
   std::array<double, motions> resultant{};  // P^T h (f - f^)
-  double forces = 0.0;                      // sum of h |f^|
+  double forces = 0.0;                      // sum of h max(|f|, |f^|)
   double energy = 0.0;                      // sum of h (f - f^)^2 / k
 };
 
@@ -118,8 +118,10 @@ Imbalance largestImbalance(const FixedPoint& state) {
         mesh::Point d{};
         for (std::size_t c = 0; c < dimension; ++c) {
           const double hatted = state.hattedTraction()[static_cast<int>(t)][row + c];
-          d[c] = area * (state.traction()[static_cast<int>(t)][row + c] - hatted);
-          sum.forces += area * std::abs(hatted);
+          const double traction = state.traction()[static_cast<int>(t)][row + c];
+          d[c] = area * (traction - hatted);
+          // A body that has lost every contact feels only f.
+          sum.forces += area * std::max(std::abs(hatted), std::abs(traction));
           sum.energy += d[c] * d[c] / (area * k);
         }
         const auto worked = work(r, d);

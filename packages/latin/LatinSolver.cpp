@@ -40,6 +40,11 @@ constexpr double coarseResidual = 2e-3;
 // lost in k w, and everything finite would look small beside it.
 constexpr double divergedSize = 1e8;
 
+// The drift is followed so many iterations ahead; with a residual that changes by more than this share on the way, the
+// body meets something.
+constexpr double farAhead = 1e6;
+constexpr double farChange = 0.1;
+
 /// True when two vectors agree to within imbalanceSpread.
 bool agree(const mesh::Point& a, const mesh::Point& b) {
   return mesh::distance(a, b) <= imbalanceSpread * mesh::norm(b);
@@ -106,6 +111,23 @@ bool LatinSolver::hasDiverged(const base::Matrix& state) {
   const double size = fixedPoint_.metric().norm(state);
   if (startSize_ == 0.0) startSize_ = size;
   return !(size <= divergedSize * startSize_);
+}
+
+bool LatinSolver::meetsNothingAhead(int step) {
+  base::Matrix residual(image_);
+  residual -= alpha_;
+  base::Matrix ahead(residual);
+  ahead.scale(farAhead);
+  ahead += alpha_;
+  base::Matrix change(ahead.numRows(), ahead.numCols());
+  fixedPoint_.apply(ahead, change);
+  change -= ahead;
+  change -= residual;
+  const auto t = static_cast<std::size_t>(step);
+  const double size = fixedPoint_.metric().squaredNorms(residual)[t];
+  const bool nothing = fixedPoint_.metric().squaredNorms(change)[t] <= farChange * farChange * size;
+  fixedPoint_.apply(alpha_, image_);
+  return nothing;
 }
 
 void LatinSolver::startFromCoarseSteps() {
@@ -188,7 +210,7 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
     }
     if (result.iterations % imbalanceEvery == 0) {
       imbalances.push_back(largestImbalance(fixedPoint_));
-      if (drifts(imbalances, options_.accuracy)) {
+      if (drifts(imbalances, options_.accuracy) && meetsNothingAhead(imbalances.back().step)) {
         result.outcome = Outcome::noEquilibrium;
         result.reason = "the interface laws cannot carry the loads; " + describe(imbalances.back(), assembly_);
         break;

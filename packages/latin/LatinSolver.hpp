@@ -48,6 +48,9 @@ class LatinSolver {
   void startFromCoarseSteps();
   bool settled(int iteration, double tolerance, double& change);
   bool mustStop() const;
+  /// Collective. True when the iteration would go on as it does for ever at this load step: a body that is carried
+  /// away. One that returns from where an iteration has thrown it, or crosses a wide gap, meets something.
+  bool meetsNothingAhead(int step);
   /// Collective. The first image that it sees is the measure of all others.
   bool hasDiverged(const base::Matrix& image);
   void deliver(LatinResult& result, const std::vector<double>& estimates);

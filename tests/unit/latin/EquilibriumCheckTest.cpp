@@ -44,6 +44,14 @@ TEST(EquilibriumCheck, FindsTheLoadThatNothingCarries) {
   EXPECT_GT(settled.rigidShare, 0.9);
 }
 
+// Pulled off, the upper cube has no contact at all and still is the one that is carried away.
+TEST(EquilibriumCheck, FindsABodyThatHasLostEveryContact) {
+  const Imbalance imbalance = imbalanceOf(laws::makeLaw("Unilateral Contact"), push(0.0, 2.0), 200);
+  EXPECT_EQ(imbalance.body, 1);
+  EXPECT_NEAR(std::abs(imbalance.force[2]), 2.0, 1e-6);
+  EXPECT_GT(imbalance.rigidShare, 0.9);
+}
+
 TEST(EquilibriumCheck, FindsNothingWhereThereIsEquilibrium) {
   EXPECT_LT(imbalanceOf(laws::makeLaw("Perfect"), push(0.25, -2.0), 500).relative, 1e-6);
 }

@@ -115,6 +115,8 @@ TEST(LatinSolver, AgreesWithItselfInEveryFormAndAlgorithm) {
         SCOPED_TRACE("formulation " + std::to_string(static_cast<int>(formulation)) + ", algorithm " +
                      std::to_string(static_cast<int>(algorithm)) + ", macro problem " +
                      std::to_string(withMacroProblem));
+        // The plain iteration may jump to and fro for ever; then it must say so.
+        if (algorithm == Algorithm::plain && result.outcome == Outcome::iterationLimit) continue;
         expectValues(result, 0, exact.responses[0].values);
         expectValues(result, 1, exact.responses[1].values);
       }
