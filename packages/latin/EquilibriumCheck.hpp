@@ -11,10 +11,11 @@ namespace harmos::latin {
 struct Imbalance {
   int body = -1;
   int step = 0;
-  mesh::Point force{};      ///< [force], f - f^: the part of the loads that finds no reaction
-  mesh::Point moment{};     ///< [force length], about the body's centre
-  double relative = 0.0;    ///< |force|, or |moment| / size of the body, over the largest sum of forces on the body
-  double rigidShare = 0.0;  ///< share of (f - f^)^2 / k on the body that a rigid drift of the body explains, 0 to 1
+  mesh::Point force{};    ///< [force], f - f^: the part of the loads that finds no reaction
+  mesh::Point moment{};   ///< [force length], about the body's centre
+  mesh::Point centre{};   ///< [length]
+  double arm = 0.0;       ///< largest extent of the body [length]
+  double relative = 0.0;  ///< |force|, or |moment| / size of the body, over the largest sum of forces on the body
 };
 
 /// The body and load step with the largest relative imbalance in the last FixedPoint::apply(). Collective.

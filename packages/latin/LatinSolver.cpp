@@ -9,7 +9,8 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
-#include <harmos/latin/EquilibriumCheck.hpp>
+#include <harmos/latin/FreeMotion.hpp>
+#include <harmos/latin/Starts.hpp>
 #include <harmos/mesh/Vector.hpp>
 
 namespace harmos::latin {
@@ -23,46 +24,33 @@ constexpr double triggerFactor = 15.0;
 
 // After a good start little changes at first; the gap tells that this is not yet the end.
 constexpr double gapFactor = 0.02;
-// A drift shows as four imbalances in a row, each this many iterations apart (odd, so that an iteration that jumps to
-// and fro is no drift), that agree to within 5 % ...
+// A load that is not carried shows as so many imbalances in a row, each this many iterations apart (odd, so that an
+// iteration that jumps to and fro is not taken for it), that agree to within 5 %.
 constexpr int imbalanceEvery = 9;
-constexpr std::size_t imbalanceCount = 4;
+constexpr std::ptrdiff_t imbalanceCount = 4;
 constexpr double imbalanceSpread = 0.05;
-// ... and that are almost nothing but rigid motion; slow convergence has shares below 0.7 (see docs).
-constexpr double driftShare = 0.85;
-
-// A coarse start takes every third load step and stops where interpolation between them becomes the larger error.
-constexpr int coarseSpacing = 3;
-constexpr int coarseIterations = 20;
-constexpr double coarseResidual = 2e-3;
+// A path that the iteration over all load steps has not found by then is followed step after step.
+constexpr int patience = 40;
+// Of the accuracy asked for: the residual at which a march goes on to the next load step.
+constexpr double marchShare = 0.3;
 
 // A state this many times larger than the first one was extrapolated beyond all measure: the digits of the forces are
 // lost in k w, and everything finite would look small beside it.
 constexpr double divergedSize = 1e8;
-
-// The drift is followed so many iterations ahead; with a residual that changes by more than this share on the way, the
-// body meets something.
-constexpr double farAhead = 1e6;
-constexpr double farChange = 0.1;
 
 /// True when two vectors agree to within imbalanceSpread.
 bool agree(const mesh::Point& a, const mesh::Point& b) {
   return mesh::distance(a, b) <= imbalanceSpread * mesh::norm(b);
 }
 
-/// True when a body is carried away by a constant force that no interface balances.
-bool drifts(const std::vector<Imbalance>& history, double accuracy) {
-  if (history.size() < imbalanceCount) return false;
+/// True when one body has lacked the same reaction for a while, although everything else may have settled.
+bool persists(const std::vector<Imbalance>& history, double accuracy) {
+  if (static_cast<std::ptrdiff_t>(history.size()) < imbalanceCount) return false;
   const Imbalance& last = history.back();
-  for (std::size_t i = history.size() - imbalanceCount; i < history.size(); ++i) {
-    const Imbalance& one = history[i];
-    if (one.body != last.body || one.step != last.step || one.rigidShare < driftShare || one.relative < accuracy ||
-        std::abs(one.relative - last.relative) > imbalanceSpread * last.relative ||
-        !(agree(one.force, last.force) || agree(one.moment, last.moment))) {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(history.end() - imbalanceCount, history.end(), [&](const Imbalance& one) {
+    return one.body == last.body && one.step == last.step && one.relative >= accuracy &&
+           (agree(one.force, last.force) || agree(one.moment, last.moment));
+  });
 }
 
 /// The customary indicator |s - s^| / |s| with s = (f, w) in the norm that k makes.
@@ -113,56 +101,10 @@ bool LatinSolver::hasDiverged(const base::Matrix& state) {
   return !(size <= divergedSize * startSize_);
 }
 
-bool LatinSolver::meetsNothingAhead(int step) {
-  base::Matrix residual(image_);
-  residual -= alpha_;
-  base::Matrix ahead(residual);
-  ahead.scale(farAhead);
-  ahead += alpha_;
-  base::Matrix change(ahead.numRows(), ahead.numCols());
-  fixedPoint_.apply(ahead, change);
-  change -= ahead;
-  change -= residual;
-  const auto t = static_cast<std::size_t>(step);
-  const double size = fixedPoint_.metric().squaredNorms(residual)[t];
-  const bool nothing = fixedPoint_.metric().squaredNorms(change)[t] <= farChange * farChange * size;
-  fixedPoint_.apply(alpha_, image_);
-  return nothing;
-}
-
-void LatinSolver::startFromCoarseSteps() {
-  const int count = (assembly_.steps() + coarseSpacing - 1) / coarseSpacing;
-  if (count < 3) return;
-  const auto running = timers_.start("acceleration");
-  std::vector<int> coarse;
-  for (int i = 0; i < count; ++i) {
-    coarse.push_back(static_cast<int>(std::lround(i * (assembly_.steps() - 1.0) / (count - 1))));
-  }
-  fixedPoint_.select(coarse);
-  base::Matrix alpha(alpha_.numRows(), count);
-  base::Matrix image(alpha_.numRows(), count);
-  base::Matrix residual(alpha_.numRows(), count);
-  AndersonAcceleration acceleration(fixedPoint_.metric(), options_.memory);
-  for (int i = 0; i < coarseIterations; ++i) {
-    fixedPoint_.apply(alpha, image);
-    if (hasDiverged(image)) break;
-    residual.assign(image);
-    residual -= alpha;
-    const bool close = fixedPoint_.metric().norm(residual) <= coarseResidual * fixedPoint_.metric().norm(image);
-    acceleration.advance(alpha, image);
-    if (close) break;
-  }
-  fixedPoint_.selectAll();
-  if (hasDiverged(alpha)) return;
-  int left = 0;
-  for (int t = 0; t < assembly_.steps(); ++t) {
-    while (left + 2 < count && coarse[static_cast<std::size_t>(left) + 1] <= t) ++left;
-    const double from = coarse[static_cast<std::size_t>(left)];
-    const double share = (t - from) / (coarse[static_cast<std::size_t>(left) + 1] - from);
-    for (int row = 0; row < alpha.numRows(); ++row) {
-      alpha_[t][row] = (1.0 - share) * alpha[left][row] + share * alpha[left + 1][row];
-    }
-  }
+bool LatinSolver::dependsOnPath() const {
+  if (assembly_.steps() == 1 || fixedPoint_.formulation() != Formulation::displacement) return false;
+  return std::any_of(assembly_.interfaces.begin(), assembly_.interfaces.end(),
+                     [](const interface::Interface& one) { return one.law->historySize() > 0; });
 }
 
 LatinResult LatinSolver::solve(const base::Matrix* start) {
@@ -174,7 +116,8 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   if (start != nullptr) {
     alpha_.assign(*start);
   } else if (options_.algorithm == Algorithm::accelerated) {
-    startFromCoarseSteps();
+    const auto running = timers_.start("acceleration");
+    startFromCoarseSteps(fixedPoint_, alpha_, options_.memory);
   }
   snapshots_.clear();
 
@@ -210,7 +153,7 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
     }
     if (result.iterations % imbalanceEvery == 0) {
       imbalances.push_back(largestImbalance(fixedPoint_));
-      if (drifts(imbalances, options_.accuracy) && meetsNothingAhead(imbalances.back().step)) {
+      if (persists(imbalances, options_.accuracy) && movesFreely(imbalances.back(), fixedPoint_, alpha_, image_)) {
         result.outcome = Outcome::noEquilibrium;
         result.reason = "the interface laws cannot carry the loads; " + describe(imbalances.back(), assembly_);
         break;
@@ -236,7 +179,12 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
       continue;
     }
     const auto running = timers_.start("acceleration");
-    if (acceleration) {
+    if (acceleration && result.iterations == patience && dependsOnPath()) {
+      marchThroughSteps(fixedPoint_, alpha_, options_.memory, marchShare * options_.accuracy,
+                        [&] { return mustStop() || stages() >= options_.maximumIterations; });
+      acceleration->restart();
+      snapshots_.clear();
+    } else if (acceleration) {
       acceleration->advance(alpha_, image_);
     } else {
       const double relaxation = options_.algorithm == Algorithm::plain ? 1.0 : options_.relaxation;

@@ -44,13 +44,10 @@ class LatinSolver {
   const base::Matrix& alpha() const { return alpha_; }
 
  private:
-  /// Solves a few of the load steps roughly and interpolates the start of all from them.
-  void startFromCoarseSteps();
   bool settled(int iteration, double tolerance, double& change);
   bool mustStop() const;
-  /// Collective. True when the iteration would go on as it does for ever at this load step: a body that is carried
-  /// away. One that returns from where an iteration has thrown it, or crosses a wide gap, meets something.
-  bool meetsNothingAhead(int step);
+  /// True when the state at the end of a load step depends on how it came about, and a march can follow it.
+  bool dependsOnPath() const;
   /// Collective. The first image that it sees is the measure of all others.
   bool hasDiverged(const base::Matrix& image);
   void deliver(LatinResult& result, const std::vector<double>& estimates);

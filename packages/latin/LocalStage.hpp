@@ -27,6 +27,11 @@ class LocalStage {
   /// Sets which load step each column of a field is, in ascending order; to be called before the first solve().
   void select(const std::vector<int>& steps);
 
+  /// From now on the first column follows on the last one of the last solve(), or again on the unloaded state.
+  /// Displacement form only.
+  void startFromHere();
+  void startUnloaded();
+
   /// Collective. Overwrites `traction` with f^ [stress] of every row, given `beta` [stress].
   /// Throws base::Error naming interface and step when a law returns a value that is not finite.
   void solve(const base::Matrix& beta, base::Matrix& traction);
@@ -45,6 +50,7 @@ class LocalStage {
     std::vector<double> remote;  // beta of the side owned elsewhere, pairs x dimension x columns
     std::vector<laws::LocalLine> line;
     std::vector<laws::LocalState> state;  // pairs x columns
+    std::vector<double> start;            // history at the beginning of the first column
     std::vector<double> history[2];
     std::vector<double> jump;  // velocity form: hatted jump of the previous step, law's frame
   };
