@@ -62,7 +62,7 @@ struct StepSums {
 
 Imbalance largestImbalance(const FixedPoint& state) {
   const interface::Assembly& assembly = state.assembly();
-  const auto steps = static_cast<std::size_t>(assembly.steps());
+  const auto steps = static_cast<std::size_t>(state.traction().numCols());
   const auto dimension = static_cast<std::size_t>(state.layout().dimension());
   std::vector<std::pair<mesh::Point, double>> extents;
   for (const auto& body : assembly.bodies) extents.push_back(extent(body.nodes));

@@ -9,8 +9,6 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
-#include <harmos/latin/FreeMotion.hpp>
-#include <harmos/latin/Starts.hpp>
 #include <harmos/mesh/Vector.hpp>
 
 namespace harmos::latin {
@@ -24,34 +22,13 @@ constexpr double triggerFactor = 15.0;
 
 // After a good start little changes at first; the gap tells that this is not yet the end.
 constexpr double gapFactor = 0.02;
-// A load that is not carried shows as so many imbalances in a row, each this many iterations apart (odd, so that an
-// iteration that jumps to and fro is not taken for it), that agree to within 5 %.
-constexpr int imbalanceEvery = 9;
-constexpr std::ptrdiff_t imbalanceCount = 4;
-constexpr double imbalanceSpread = 0.05;
-// A path that the iteration over all load steps has not found by then is followed step after step.
-constexpr int patience = 40;
-// Of the accuracy asked for: the residual at which a march goes on to the next load step.
-constexpr double marchShare = 0.3;
+// Of the accuracy asked for: the residual that the first march goes to. A correction then gains about a factor of ten.
+constexpr double marchShare = 1.0;
+constexpr double tightening = 0.2;
 
 // A state this many times larger than the first one was extrapolated beyond all measure: the digits of the forces are
 // lost in k w, and everything finite would look small beside it.
 constexpr double divergedSize = 1e8;
-
-/// True when two vectors agree to within imbalanceSpread.
-bool agree(const mesh::Point& a, const mesh::Point& b) {
-  return mesh::distance(a, b) <= imbalanceSpread * mesh::norm(b);
-}
-
-/// True when one body has lacked the same reaction for a while, although everything else may have settled.
-bool persists(const std::vector<Imbalance>& history, double accuracy) {
-  if (static_cast<std::ptrdiff_t>(history.size()) < imbalanceCount) return false;
-  const Imbalance& last = history.back();
-  return std::all_of(history.end() - imbalanceCount, history.end(), [&](const Imbalance& one) {
-    return one.body == last.body && one.step == last.step && one.relative >= accuracy &&
-           (agree(one.force, last.force) || agree(one.moment, last.moment));
-  });
-}
 
 /// The customary indicator |s - s^| / |s| with s = (f, w) in the norm that k makes.
 double customaryIndicator(const FixedPoint& state) {
@@ -101,35 +78,74 @@ bool LatinSolver::hasDiverged(const base::Matrix& state) {
   return !(size <= divergedSize * startSize_);
 }
 
-bool LatinSolver::dependsOnPath() const {
-  if (assembly_.steps() == 1 || fixedPoint_.formulation() != Formulation::displacement) return false;
-  return std::any_of(assembly_.interfaces.begin(), assembly_.interfaces.end(),
-                     [](const interface::Interface& one) { return one.law->historySize() > 0; });
+LatinResult LatinSolver::solve(const base::Matrix* start) {
+  alpha_.shape(fixedPoint_.layout().rows(), assembly_.steps());
+  image_.shape(alpha_.numRows(), alpha_.numCols());
+  if (start != nullptr) alpha_.assign(*start);
+  stagesBefore_ = fixedPoint_.linearStage().stages();
+  startSize_ = 0.0;
+  snapshots_.clear();
+  estimates_.clear();
+  LatinResult result;
+  if (options_.algorithm == Algorithm::accelerated && fixedPoint_.formulation() == Formulation::displacement) {
+    march(result, start != nullptr ? March::Guess::state : March::Guess::extrapolation);
+  } else {
+    iterate(result);
+  }
+  result.linearStages = stages();
+  deliver(result);
+  return result;
 }
 
-LatinResult LatinSolver::solve(const base::Matrix* start) {
-  const int rows = fixedPoint_.layout().rows();
-  const int stagesBefore = fixedPoint_.linearStage().stages();
-  alpha_.shape(rows, assembly_.steps());
-  image_.shape(rows, assembly_.steps());
-  startSize_ = 0.0;
-  if (start != nullptr) {
-    alpha_.assign(*start);
-  } else if (options_.algorithm == Algorithm::accelerated) {
-    const auto running = timers_.start("acceleration");
-    startFromCoarseSteps(fixedPoint_, alpha_, options_.memory);
+bool LatinSolver::certify(LatinResult& result) {
+  const int before = stages();
+  const auto running = timers_.start("certificate");
+  Certificate certificate(fixedPoint_, responses_, options_.accuracy);
+  const Certificate::Result attempt =
+      certificate.attempt(alpha_, image_, stagesBefore_ + options_.maximumIterations);
+  if (attempt.conclusive) estimates_ = attempt.estimates;
+  alpha_.assign(attempt.state);
+  stagesOfCertificates_ += stages() - before;
+  if (attempt.claimed) {
+    result.outcome = Outcome::certified;
+    result.reason = "the error estimate is below the accuracy asked for";
   }
-  snapshots_.clear();
+  return attempt.claimed;
+}
 
-  LatinResult result;
+void LatinSolver::march(LatinResult& result, March::Guess guess) {
+  March march(fixedPoint_, options_.memory, options_.accuracy);
+  march.setStop([&] { return mustStop() || stages() >= options_.maximumIterations; });
+  march.setObserver([&](int step, int iterations) {
+    result.iterations += iterations;
+    for (const auto& observer : observers_) observer({result.iterations, stages(), 0.0, 0.0, step});
+  });
+  double tolerance = marchShare * options_.accuracy;
+  stagesOfCertificates_ = 0;
+  March::End end = March::End::reached;
+  do {
+    const auto running = timers_.start("acceleration");
+    end = march.run(alpha_, tolerance, guess);
+    fixedPoint_.apply(alpha_, image_);
+    tolerance *= tightening;
+    guess = March::Guess::state;
+  } while (end == March::End::reached && stages() < options_.maximumIterations && !certify(result));
+  result.iterations = stages() - stagesOfCertificates_;
+  if (end == March::End::noEquilibrium) {
+    result.outcome = Outcome::noEquilibrium;
+    result.reason = "the interface laws cannot carry the loads; " + describe(march.imbalance(), assembly_);
+  } else if (end == March::End::stopped && mustStop()) {
+    result.outcome = Outcome::interrupted;
+    result.reason = "interrupted";
+  }
+}
+
+void LatinSolver::iterate(LatinResult& result) {
   std::optional<AndersonAcceleration> acceleration;
   if (options_.algorithm == Algorithm::accelerated) acceleration.emplace(fixedPoint_.metric(), options_.memory);
+  EquilibriumWatch watch(options_.accuracy);
   double trigger = triggerFactor * options_.accuracy;
   int nextAttempt = 0;  // linear stages before which a failed certificate is not tried again
-  std::vector<double> estimates;
-  std::vector<Imbalance> imbalances;
-
-  const auto stages = [&] { return fixedPoint_.linearStage().stages() - stagesBefore; };
   while (stages() < options_.maximumIterations) {
     fixedPoint_.apply(alpha_, image_);
     ++result.iterations;
@@ -143,73 +159,53 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
     double change = 0.0;
     const bool quiet = settled(result.iterations, trigger, change);
     if (!observers_.empty()) {
-      const IterationReport report{result.iterations, stages(), customaryIndicator(fixedPoint_), change};
+      const IterationReport report{result.iterations, stages(), customaryIndicator(fixedPoint_), change, -1};
       for (const auto& observer : observers_) observer(report);
     }
     if (mustStop()) {
       result.outcome = Outcome::interrupted;
       result.reason = "interrupted";
-      break;
+      return;
     }
-    if (result.iterations % imbalanceEvery == 0) {
-      imbalances.push_back(largestImbalance(fixedPoint_));
-      if (persists(imbalances, options_.accuracy) && movesFreely(imbalances.back(), fixedPoint_, alpha_, image_)) {
-        result.outcome = Outcome::noEquilibrium;
-        result.reason = "the interface laws cannot carry the loads; " + describe(imbalances.back(), assembly_);
-        break;
-      }
+    if (watch.findsNoEquilibrium(fixedPoint_, alpha_, image_)) {
+      result.outcome = Outcome::noEquilibrium;
+      result.reason = "the interface laws cannot carry the loads; " + describe(watch.imbalance(), assembly_);
+      return;
     }
     if (quiet && stages() >= nextAttempt) {
-      const int begin = stages();
-      const auto running = timers_.start("certificate");
-      Certificate certificate(fixedPoint_, responses_, options_.accuracy);
-      Certificate::Result attempt = certificate.attempt(alpha_, image_, stagesBefore + options_.maximumIterations);
-      if (attempt.conclusive) estimates = attempt.estimates;
-      alpha_.assign(attempt.state);
-      if (attempt.claimed) {
-        result.outcome = Outcome::certified;
-        result.reason = "the error estimate is below the accuracy asked for";
-        break;
-      }
+      const int before = stages();
+      if (certify(result)) return;
       // What was spent on an estimate that failed is spent on iterations before the next one.
-      nextAttempt = stages() + std::min(stages() - begin, 15);
+      nextAttempt = stages() + std::min(stages() - before, 15);
       trigger *= 0.3;
       if (acceleration) acceleration->restart();
       snapshots_.clear();
       continue;
     }
     const auto running = timers_.start("acceleration");
-    if (acceleration && result.iterations == patience && dependsOnPath()) {
-      marchThroughSteps(fixedPoint_, alpha_, options_.memory, marchShare * options_.accuracy,
-                        [&] { return mustStop() || stages() >= options_.maximumIterations; });
-      acceleration->restart();
-      snapshots_.clear();
-    } else if (acceleration) {
+    if (acceleration) {
       acceleration->advance(alpha_, image_);
-    } else {
-      const double relaxation = options_.algorithm == Algorithm::plain ? 1.0 : options_.relaxation;
-      for (int t = 0; t < alpha_.numCols(); ++t) {
-        for (int row = 0; row < rows; ++row) alpha_[t][row] += relaxation * (image_[t][row] - alpha_[t][row]);
-      }
+      continue;
+    }
+    const double relaxation = options_.algorithm == Algorithm::plain ? 1.0 : options_.relaxation;
+    for (int t = 0; t < alpha_.numCols(); ++t) {
+      for (int row = 0; row < alpha_.numRows(); ++row) alpha_[t][row] += relaxation * (image_[t][row] - alpha_[t][row]);
     }
   }
-  deliver(result, estimates);
-  result.linearStages = stages();
-  return result;
 }
 
-void LatinSolver::deliver(LatinResult& result, const std::vector<double>& estimates) {
+void LatinSolver::deliver(LatinResult& result) {
   fixedPoint_.apply(alpha_, image_);
   result.indicator = customaryIndicator(fixedPoint_);
   const Snapshot last(fixedPoint_, responses_);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < responses_.size(); ++i) {
     result.responses.push_back(
-        {responses_[i]->name(), last.responses()[i], estimates.empty() ? unknown : estimates[i]});
+        {responses_[i]->name(), last.responses()[i], estimates_.empty() ? unknown : estimates_[i]});
   }
-  result.forceErrorEstimate = estimates.empty() ? unknown : estimates[estimates.size() - 2];
-  result.displacementErrorEstimate = estimates.empty() ? unknown : estimates.back();
-  result.errorEstimate = estimates.empty() ? unknown : *std::max_element(estimates.begin(), estimates.end());
+  result.forceErrorEstimate = estimates_.empty() ? unknown : estimates_[estimates_.size() - 2];
+  result.displacementErrorEstimate = estimates_.empty() ? unknown : estimates_.back();
+  result.errorEstimate = estimates_.empty() ? unknown : *std::max_element(estimates_.begin(), estimates_.end());
   if (result.outcome != Outcome::iterationLimit) return;
   const Imbalance imbalance = largestImbalance(fixedPoint_);
   result.reason = "iteration limit of " + std::to_string(options_.maximumIterations) + " linear stages; worst " +
