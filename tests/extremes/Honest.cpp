@@ -62,7 +62,7 @@ std::vector<SolvedRun::Error> SolvedRun::errorsOf(const SolvedRun& run) const {
 }
 
 void expectRight(const SolvedRun& run, const SolvedRun& truth, double accuracy) {
-  EXPECT_TRUE(truth.isCertified()) << truth.result().reason;
+  ASSERT_TRUE(truth.isCertified()) << truth.result().reason;
   const auto errors = truth.errorsOf(run);
   for (const SolvedRun::Error& error : errors) {
     EXPECT_LE(error.relative, allowedExcess * accuracy) << error.quantity << " is certified and wrong";
