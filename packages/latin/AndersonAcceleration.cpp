@@ -17,6 +17,8 @@ constexpr double growth = 1.5;
 /// The residual is constant when it changes by less than this share, and is not reducible when this share remains.
 constexpr double constantChange = 0.1;
 constexpr double irreducible = 0.9;
+// Nor is an extrapolation believed that is so many times longer than a constant residual.
+constexpr double reach = 20.0;
 constexpr double longestStretch = 1048576.0;
 
 }  // namespace
@@ -26,6 +28,10 @@ AndersonAcceleration::AndersonAcceleration(const StateMetric& metric, int memory
 void AndersonAcceleration::restart() {
   stored_ = 0;
   next_ = 0;
+  resume();
+}
+
+void AndersonAcceleration::resume() {
   started_ = false;
   for (Step& step : steps_) {
     step.accepted = -1.0;
@@ -115,7 +121,18 @@ void AndersonAcceleration::judge(const base::Matrix& alpha, const base::Matrix& 
   }
 }
 
-void AndersonAcceleration::move(Step& step, int t, const Sizes& size, const double* products, double* alpha) const {
+double AndersonAcceleration::extrapolate(const Step& step, const Sizes& size, const double* products,
+                                         double* extrapolation) const {
+  const std::vector<double> gamma = solveNormalEquations(step.gram, stored_, products, noise * noise * size.image);
+  const Teuchos::BLAS<int, double> blas;
+  blas.GEMV(Teuchos::NO_TRANS, residual_.numRows(), stored_, 1.0, step.images.values(), step.images.stride(),
+            gamma.data(), 1, 0.0, extrapolation, 1);
+  double remaining = size.residual;
+  for (int j = 0; j < stored_; ++j) remaining -= products[j] * gamma[static_cast<std::size_t>(j)];
+  return remaining;
+}
+
+void AndersonAcceleration::move(Step& step, int t, bool isDrifting, const double* extrapolation, double* alpha) const {
   const int rows = residual_.numRows();
   if (step.isGivenUp) {
     for (int row = 0; row < rows; ++row) {
@@ -124,22 +141,11 @@ void AndersonAcceleration::move(Step& step, int t, const Sizes& size, const doub
     }
     return;
   }
-  const double floor = noise * noise * size.image;
-  const std::vector<double> gamma = solveNormalEquations(step.gram, stored_, products, floor);
-  double remaining = size.residual;
-  for (int j = 0; j < stored_; ++j) remaining -= products[j] * gamma[static_cast<std::size_t>(j)];
-  const bool isConstant = size.change <= constantChange * constantChange * size.residual;
-  if (isConstant && remaining > irreducible * irreducible * size.residual && size.residual > floor) {
-    step.stretch = std::min(2.0 * step.stretch, longestStretch);
-    for (int row = 0; row < rows; ++row) {
-      alpha[row] += (step.stretch - 1.0) * residual_[t][row] / metric_.scale()[static_cast<std::size_t>(row)];
-    }
-    return;
+  step.stretch = isDrifting ? std::min(2.0 * step.stretch, longestStretch) : 1.0;
+  for (int row = 0; row < rows; ++row) {
+    alpha[row] += isDrifting ? (step.stretch - 1.0) * residual_[t][row] / metric_.scale()[static_cast<std::size_t>(row)]
+                             : -extrapolation[row];
   }
-  step.stretch = 1.0;
-  const Teuchos::BLAS<int, double> blas;
-  blas.GEMV(Teuchos::NO_TRANS, rows, stored_, -1.0, step.images.values(), step.images.stride(), gamma.data(), 1, 1.0,
-            alpha, 1);
 }
 
 void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& image) {
@@ -165,9 +171,20 @@ void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& imag
               residual_[static_cast<int>(t)], 1, 0.0, products.data() + t * stored, 1);
   }
   metric_.sum(products);
+  base::Matrix extrapolation(rows, alpha.numCols());
+  std::vector<double> remaining;
   for (std::size_t t = 0; t < steps_.size(); ++t) {
+    remaining.push_back(
+        extrapolate(steps_[t], sizes[t], products.data() + t * stored, extrapolation[static_cast<int>(t)]));
+  }
+  const std::vector<double> lengths = metric_.squaredNorms(extrapolation);
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    const double residual = sizes[t].residual;
+    const bool isConstant = sizes[t].change <= constantChange * constantChange * residual;
+    const bool isUseless = remaining[t] > irreducible * irreducible * residual || lengths[t] > reach * reach * residual;
+    const bool isDrifting = isConstant && isUseless && residual > noise * noise * sizes[t].image;
     const int i = static_cast<int>(t);
-    move(steps_[t], i, sizes[t], products.data() + t * stored, alpha[i]);
+    move(steps_[t], i, isDrifting, extrapolation[i], alpha[i]);
   }
   std::swap(lastResidual_, residual_);
   lastImage_ = image;

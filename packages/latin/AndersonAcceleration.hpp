@@ -17,8 +17,9 @@ namespace harmos::latin {
 ///  - Where the residual grows by more than half, the iterate is given up for the mean of the last good one and its
 ///    image, which no kink can throw far, and the differences are forgotten.
 ///    Source: Zhang, O'Donoghue, Boyd (2020), doi:10.1137/18M1232772.
-///  - Where the residual is constant and no combination of differences reduces it, a body flies or slides freely under
-///    a constant force: alpha_{n+1} = T(alpha_n) + (s - 1) f_n with a stretch s that doubles until something is met.
+///  - Where the residual is constant and no combination of differences reduces it, or only one that leads more than 20
+///    times as far as the residual, a body flies or slides freely under a constant force: alpha_{n+1} = T(alpha_n) + (s
+///    - 1) f_n with a stretch s that doubles until something is met.
 class AndersonAcceleration {
  public:
   /// `memory`: differences kept, >= 1.
@@ -28,6 +29,8 @@ class AndersonAcceleration {
   void advance(base::Matrix& alpha, const base::Matrix& image);
   /// Forgets all differences.
   void restart();
+  /// Keeps them, but draws none between the last iterate and the next: T has changed a little.
+  void resume();
 
  private:
   struct Step {
@@ -51,7 +54,9 @@ class AndersonAcceleration {
   std::vector<Sizes> measure(const base::Matrix& image) const;
   void append(const base::Matrix& image);
   void judge(const base::Matrix& alpha, const base::Matrix& image, const std::vector<Sizes>& sizes);
-  void move(Step& step, int t, const Sizes& size, const double* products, double* alpha) const;
+  /// Writes dG gamma, returns |f - dF gamma|^2.
+  double extrapolate(const Step& step, const Sizes& size, const double* products, double* extrapolation) const;
+  void move(Step& step, int t, bool isDrifting, const double* extrapolation, double* alpha) const;
 
   const StateMetric& metric_;
   int memory_;

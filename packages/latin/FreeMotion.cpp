@@ -11,6 +11,8 @@ namespace {
 
 // How far, in units of imbalance / (k h): springs a million times softer than k are still felt.
 constexpr double farAhead = 1e6;
+// An iterate may have thrown the body far away: what it should meet lies back within so many times its state.
+constexpr double farBack = 100.0;
 // Whoever answers with more than this share of the imbalance resists.
 constexpr double resistance = 0.1;
 // Sine of the largest angle between the way and an interface that counts as sliding along it: the direction of the
@@ -43,6 +45,19 @@ class Push {
       if (block.body != body) return;
       const double k = layout().stiffness()[static_cast<std::size_t>(row)];
       sum[0] += layout().area()[static_cast<std::size_t>(row)] * k * mesh::norm(motion.at(node(block, pair)));
+    });
+    fixedPoint_.metric().sum(sum);
+    return sum[0];
+  }
+
+  /// Sum over the rows of a body of h |alpha| [force]: how far away it is, and how heavily loaded.
+  double stateOf(int body) const {
+    std::vector<double> sum(1, 0.0);
+    visit([&](const TraceLayout::Block& block, int row, int) {
+      if (block.body != body) return;
+      for (int c = 0; c < layout().dimension(); ++c) {
+        sum[0] += layout().area()[static_cast<std::size_t>(row + c)] * std::abs(alpha_[step_][row + c]);
+      }
     });
     fixedPoint_.metric().sum(sum);
     return sum[0];
@@ -127,7 +142,8 @@ bool movesFreely(const Imbalance& imbalance, FixedPoint& fixedPoint, const base:
     motion.rotation = (-1.0 / mesh::norm(imbalance.moment)) * imbalance.moment;
   }
   Push push(fixedPoint, alpha, image, imbalance.step);
-  const double far = farAhead * size / push.stiffnessAlong(imbalance.body, motion);
+  const double far =
+      std::max(farAhead * size, farBack * push.stateOf(imbalance.body)) / push.stiffnessAlong(imbalance.body, motion);
   motion.translation = far * motion.translation;
   motion.rotation = far * motion.rotation;
 

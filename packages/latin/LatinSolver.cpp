@@ -24,7 +24,7 @@ constexpr double triggerFactor = 15.0;
 constexpr double gapFactor = 0.02;
 // Of the accuracy asked for: the residual that the first march goes to. A correction then gains about a factor of ten.
 constexpr double marchShare = 1.0;
-constexpr double tightening = 0.2;
+constexpr double tightening = 0.1;
 
 // A state this many times larger than the first one was extrapolated beyond all measure: the digits of the forces are
 // lost in k w, and everything finite would look small beside it.
@@ -101,8 +101,7 @@ bool LatinSolver::certify(LatinResult& result) {
   const int before = stages();
   const auto running = timers_.start("certificate");
   Certificate certificate(fixedPoint_, responses_, options_.accuracy);
-  const Certificate::Result attempt =
-      certificate.attempt(alpha_, image_, stagesBefore_ + options_.maximumIterations);
+  const Certificate::Result attempt = certificate.attempt(alpha_, image_, stagesBefore_ + options_.maximumIterations);
   if (attempt.conclusive) estimates_ = attempt.estimates;
   alpha_.assign(attempt.state);
   stagesOfCertificates_ += stages() - before;

@@ -71,7 +71,7 @@ class LatinSolver {
   double startSize_ = 0.0;
   int stagesBefore_ = 0;
   int stagesOfCertificates_ = 0;
-  std::vector<double> estimates_;  // of the last certificate that was conclusive; empty: none was
+  std::vector<double> estimates_;                     // of the last certificate that was conclusive; empty: none was
   std::vector<std::unique_ptr<Snapshot>> snapshots_;  // of the last iterations that were looked at
 };
 

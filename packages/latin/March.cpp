@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <harmos/latin/AndersonAcceleration.hpp>
-
 namespace harmos::latin {
 namespace {
 
@@ -25,11 +23,15 @@ void extrapolate(const base::Matrix& alpha, int step, const std::vector<double>&
 }  // namespace
 
 March::March(FixedPoint& fixedPoint, int memory, double accuracy)
-    : fixedPoint_(fixedPoint), memory_(memory), accuracy_(accuracy) {}
+    : fixedPoint_(fixedPoint),
+      accuracy_(accuracy),
+      accelerations_(static_cast<std::size_t>(fixedPoint.assembly().steps()),
+                     AndersonAcceleration(fixedPoint.metric(), memory)) {}
 
 March::End March::iterate(int step, base::Matrix& state, double tolerance) {
   const StateMetric& metric = fixedPoint_.metric();
-  AndersonAcceleration acceleration(metric, memory_);
+  AndersonAcceleration& acceleration = accelerations_[static_cast<std::size_t>(step)];
+  acceleration.resume();
   EquilibriumWatch watch(accuracy_);
   base::Matrix image(state.numRows(), 1);
   base::Matrix residual(state.numRows(), 1);
