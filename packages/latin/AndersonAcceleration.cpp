@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Teuchos_BLAS.hpp>
 
@@ -35,9 +36,15 @@ void AndersonAcceleration::resume() {
   started_ = false;
   for (Step& step : steps_) {
     step.accepted = -1.0;
+    step.predicted = std::numeric_limits<double>::infinity();
     step.stretch = 1.0;
     step.isGivenUp = false;
   }
+}
+
+void AndersonAcceleration::forget(Step& step) {
+  step.residuals.putScalar(0.0);
+  step.gram.putScalar(0.0);
 }
 
 void AndersonAcceleration::scaleResidual(const base::Matrix& alpha, const base::Matrix& image) {
@@ -109,8 +116,7 @@ void AndersonAcceleration::judge(const base::Matrix& alpha, const base::Matrix& 
     step.isGivenUp = isWorse && !step.isGivenUp;
     if (step.isGivenUp) {
       step.stretch = 1.0;
-      step.residuals.putScalar(0.0);
-      step.gram.putScalar(0.0);
+      forget(step);
     } else {
       step.accepted = residual;
       const double* good = alpha[static_cast<int>(t)];
@@ -181,8 +187,13 @@ void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& imag
   for (std::size_t t = 0; t < steps_.size(); ++t) {
     const double residual = sizes[t].residual;
     const bool isConstant = sizes[t].change <= constantChange * constantChange * residual;
-    const bool isUseless = remaining[t] > irreducible * irreducible * residual || lengths[t] > reach * reach * residual;
+    // What should have reduced the residual and has not changed it is no model of T.
+    const bool wasWrong = steps_[t].predicted < irreducible * irreducible * residual;
+    const bool isUseless =
+        wasWrong || remaining[t] > irreducible * irreducible * residual || lengths[t] > reach * reach * residual;
     const bool isDrifting = isConstant && isUseless && residual > noise * noise * sizes[t].image;
+    if (isDrifting) forget(steps_[t]);
+    steps_[t].predicted = isDrifting ? residual : remaining[t];
     const int i = static_cast<int>(t);
     move(steps_[t], i, isDrifting, extrapolation[i], alpha[i]);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
@@ -34,14 +35,15 @@ class AndersonAcceleration {
 
  private:
   struct Step {
-    base::Matrix residuals;         // scaled differences dF, one column each
-    base::Matrix images;            // differences dG
-    base::Matrix gram;              // dF^T dF
-    double accepted = -1.0;         // residual norm of the last good iterate; negative: there is none
-    double stretch = 1.0;           // of the last move
-    bool isGivenUp = false;         // the present iterate was
-    std::vector<double> goodAlpha;  // the last good iterate
-    std::vector<double> goodImage;  // and its image
+    base::Matrix residuals;  // scaled differences dF, one column each
+    base::Matrix images;     // differences dG
+    base::Matrix gram;       // dF^T dF
+    double accepted = -1.0;  // residual norm of the last good iterate; negative: there is none
+    double stretch = 1.0;    // of the last move
+    double predicted = std::numeric_limits<double>::infinity();  // squared residual that the last move should lead to
+    bool isGivenUp = false;                                      // the present iterate was
+    std::vector<double> goodAlpha;                               // the last good iterate
+    std::vector<double> goodImage;                               // and its image
   };
   /// Squared norms at one load step.
   struct Sizes {
@@ -52,6 +54,7 @@ class AndersonAcceleration {
 
   void scaleResidual(const base::Matrix& alpha, const base::Matrix& image);
   std::vector<Sizes> measure(const base::Matrix& image) const;
+  static void forget(Step& step);
   void append(const base::Matrix& image);
   void judge(const base::Matrix& alpha, const base::Matrix& image, const std::vector<Sizes>& sizes);
   /// Writes dG gamma, returns |f - dF gamma|^2.

@@ -374,7 +374,7 @@ mesh::Point BodyOperators::displacement(int body, int node, int column) const {
   return u;
 }
 
-double BodyOperators::largestDisplacement() const {
+double BodyOperators::largestDisplacement(double share) const {
   const auto largestOf = [](const base::Matrix& matrix) {
     double largest = 0.0;
     for (int j = 0; j < matrix.numCols(); ++j) {
@@ -385,7 +385,7 @@ double BodyOperators::largestDisplacement() const {
   double largest = 0.0;
   for (const Group& group : groups_) {
     largest = std::max(largest, largestOf(group.solution));
-    if (!group.trace.empty()) largest = std::max(largest, largestOf(group.loaded));
+    if (!group.trace.empty()) largest = std::max(largest, share * largestOf(group.loaded));
   }
   return largest;
 }

@@ -34,9 +34,9 @@ class BodyOperators {
   void trace(base::Matrix& trace, int first, int count) const;
   /// Displacement u [length] of a node of an owned body as last solved.
   mesh::Point displacement(int body, int node, int column) const;
-  /// Largest component of the displacement of all owned bodies as last solved, in their representatives' axes. Of a
-  /// body that is solved on its trace: of the trace, and of what its loads do to the whole body.
-  double largestDisplacement() const;
+  /// Largest component of the displacement of all owned bodies as last solved, in their representatives' axes; of a
+  /// body that is solved on its trace, of the trace, and `share` of what its loads do to it when only k h holds it.
+  double largestDisplacement(double share) const;
   /// Loads on a body's own nodes: body forces and prescribed tractions, dofs x steps.
   const base::Matrix& loads(int body) const { return loads_[static_cast<std::size_t>(body)]; }
 

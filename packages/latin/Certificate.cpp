@@ -8,9 +8,11 @@ namespace {
 
 constexpr int maximumVectors = 40;
 constexpr double krylovTarget = 0.1;
-constexpr double krylovLimit = 0.3;
+constexpr double krylovLimit = 0.15;
 constexpr int smoothingIterations = 4;
 constexpr int maximumCorrections = 5;
+// Corrections below this share of the accuracy may be round-off, which does not contract.
+constexpr double settledShare = 0.1;
 
 double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
@@ -63,7 +65,7 @@ Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::
     const double error = largest(errors);
     if (correction > 0) {
       result.contraction = error == 0.0 ? 0.0 : error / previous;
-      if (result.contraction > 1.0) return result;
+      if (result.contraction > 1.0 && error > settledShare * accuracy_) return result;
       for (double& e : errors) e /= 1.0 - std::min(result.contraction, 0.9);
       result.conclusive = true;
       result.estimates = errors;

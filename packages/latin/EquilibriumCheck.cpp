@@ -104,8 +104,8 @@ Imbalance largestImbalance(const FixedPoint& state) {
       const mesh::Point moment{r[3], r[4], r[5]};
       const double relative = std::max(length(force), length(moment) / extents[body].second) / scale;
       if (relative <= worst.relative) continue;
-      worst = {static_cast<int>(body), static_cast<int>(t),  force,   moment,
-               extents[body].first,    extents[body].second, relative};
+      worst = {static_cast<int>(body), static_cast<int>(t),  force,      moment,
+               extents[body].first,    extents[body].second, sum.forces, relative};
     }
   }
   return worstOfAllRanks(worst, state.layout().comm());

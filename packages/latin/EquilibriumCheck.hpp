@@ -15,6 +15,7 @@ struct Imbalance {
   mesh::Point moment{};   ///< [force length], about the body's centre
   mesh::Point centre{};   ///< [length]
   double arm = 0.0;       ///< largest extent of the body [length]
+  double load = 0.0;      ///< sum of the absolute forces on the body at this step [force]
   double relative = 0.0;  ///< |force|, or |moment| / size of the body, over the largest sum of forces on the body
 };
 

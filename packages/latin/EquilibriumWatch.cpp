@@ -1,6 +1,7 @@
 #include <harmos/latin/EquilibriumWatch.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <harmos/latin/FreeMotion.hpp>
 #include <harmos/mesh/Vector.hpp>
@@ -12,6 +13,7 @@ namespace {
 constexpr int lookEvery = 9;
 constexpr std::ptrdiff_t looks = 4;
 constexpr double spread = 0.05;
+constexpr double smallestScale = 1e-2;
 
 bool agree(const mesh::Point& a, const mesh::Point& b) {
   return mesh::distance(a, b) <= spread * mesh::norm(b);
@@ -24,12 +26,14 @@ bool EquilibriumWatch::persists() const {
   const Imbalance& last = history_.back();
   return std::all_of(history_.end() - looks, history_.end(), [&](const Imbalance& one) {
     return one.body == last.body && one.step == last.step && one.relative >= accuracy_ &&
+           std::abs(one.load - last.load) <= spread * last.load &&
            (agree(one.force, last.force) || agree(one.moment, last.moment));
   });
 }
 
 bool EquilibriumWatch::findsNoEquilibrium(FixedPoint& fixedPoint, const base::Matrix& alpha, base::Matrix& image) {
-  if (++iterations_ % lookEvery != 0) return false;
+  // With a k far too small the interfaces have not felt their forces yet.
+  if (++iterations_ % lookEvery != 0 || fixedPoint.searchDirectionScale() < smallestScale) return false;
   history_.push_back(largestImbalance(fixedPoint));
   return persists() && movesFreely(history_.back(), fixedPoint, alpha, image);
 }

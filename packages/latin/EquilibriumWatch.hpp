@@ -8,8 +8,8 @@ namespace harmos::latin {
 
 /// Notices during an iteration that the interface laws cannot carry the loads.
 ///
-/// Looks at every ninth iteration. When a body has lacked the same reaction four times in a row, to within 5 %, it is
-/// pushed along; see movesFreely().
+/// Looks at every ninth iteration. When a body has lacked the same reaction under the same forces four times in a row,
+/// to within 5 %, it is pushed along; see movesFreely().
 class EquilibriumWatch {
  public:
   /// Imbalances below `accuracy` (relative, see Imbalance) do not count.

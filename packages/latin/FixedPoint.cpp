@@ -8,6 +8,7 @@ FixedPoint::FixedPoint(const interface::Assembly& assembly, const StageOptions& 
                        Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers)
     : assembly_(assembly),
       formulation_(options.formulation),
+      searchDirectionScale_(options.searchDirectionScale),
       timers_(timers),
       searchDirection_(assembly, options.searchDirectionScale, *comm),
       layout_(assembly, searchDirection_, comm),

@@ -50,10 +50,13 @@ class FixedPoint {
   const LinearStage& linearStage() const { return linear_; }
   const LocalStage& localStage() const { return local_; }
   Formulation formulation() const { return formulation_; }
+  /// Factor on the automatic search direction.
+  double searchDirectionScale() const { return searchDirectionScale_; }
 
  private:
   const interface::Assembly& assembly_;
   Formulation formulation_;
+  double searchDirectionScale_;
   base::Timers& timers_;
   interface::SearchDirection searchDirection_;
   TraceLayout layout_;

@@ -9,7 +9,7 @@
 namespace harmos::latin {
 namespace {
 
-// How far, in units of imbalance / (k h): springs a million times softer than k are still felt.
+// How far, in units of imbalance / (k h) with the automatic k: springs a million times softer than k are still felt.
 constexpr double farAhead = 1e6;
 // An iterate may have thrown the body far away: what it should meet lies back within so many times its state.
 constexpr double farBack = 100.0;
@@ -142,8 +142,8 @@ bool movesFreely(const Imbalance& imbalance, FixedPoint& fixedPoint, const base:
     motion.rotation = (-1.0 / mesh::norm(imbalance.moment)) * imbalance.moment;
   }
   Push push(fixedPoint, alpha, image, imbalance.step);
-  const double far =
-      std::max(farAhead * size, farBack * push.stateOf(imbalance.body)) / push.stiffnessAlong(imbalance.body, motion);
+  const double far = std::max(farAhead * size, farBack * push.stateOf(imbalance.body)) /
+                     (push.stiffnessAlong(imbalance.body, motion) / fixedPoint.searchDirectionScale());
   motion.translation = far * motion.translation;
   motion.rotation = far * motion.rotation;
 

@@ -11,8 +11,8 @@ namespace harmos::latin {
 namespace {
 
 constexpr double smallShare = 1e-3;
-// Forces are differences of large numbers when bodies move without being held: f = alpha - k w. Below this share of k w
-// too few digits are left.
+// Forces are differences of large numbers when bodies move without being held: f = alpha - k w. Below this share of k
+// w, with the automatic k, too few digits are left.
 constexpr double cancellation = 1e-7;
 
 }  // namespace
@@ -25,16 +25,20 @@ NaturalSizes::NaturalSizes(const FixedPoint& state) {
   std::vector<double> forces(steps, 0.0), springs(steps, 0.0), squaredSprings(steps, 0.0);
   std::vector<double> total(1, 0.0);
   double stress = 0.0, springStress = 0.0;
+  // What the loads do to a body that only k holds grows as 1/k; with the automatic k it is a natural size.
+  double displacement =
+      state.linearStage().operators().largestDisplacement(std::min(1.0, state.searchDirectionScale()));
   for (std::size_t t = 0; t < steps; ++t) {
     const double* f = state.hattedTraction()[static_cast<int>(t)];
     const double* w = state.trace()[static_cast<int>(t)];
     for (std::size_t row = 0; row < area.size(); ++row) {
-      const double spring = k[row] * std::abs(w[row]);
+      const double spring = k[row] / state.searchDirectionScale() * std::abs(w[row]);
       forces[t] += area[row] * std::abs(f[row]);
       springs[t] += area[row] * spring;
       squaredSprings[t] += area[row] * spring * spring;
       stress = std::max(stress, std::abs(f[row]));
       springStress = std::max(springStress, spring);
+      displacement = std::max(displacement, std::abs(w[row]));
     }
   }
   for (const double a : area) total[0] += a;
@@ -53,7 +57,7 @@ NaturalSizes::NaturalSizes(const FixedPoint& state) {
   }
   length_ = std::hypot(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]);
 
-  const std::array<double, 3> mine = {state.linearStage().operators().largestDisplacement(), stress, springStress};
+  const std::array<double, 3> mine = {displacement, stress, springStress};
   std::array<double, 3> all{};
   Teuchos::reduceAll(layout.comm(), Teuchos::REDUCE_MAX, 3, mine.data(), all.data());
   const auto largest = [](const std::vector<double>& values) {

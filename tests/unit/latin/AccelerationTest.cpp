@@ -142,7 +142,7 @@ TEST_F(Anderson, GoesBackFromAKink) {
     acceleration.advance(alpha, map(alpha));
     EXPECT_LT(alpha.normInf(), 5.0);
   }
-  EXPECT_NEAR(alpha(0, 0), 1.0, 0.02);
+  EXPECT_NEAR(alpha(0, 0), 1.0, 0.05);
 }
 
 base::Matrix gramOf(const base::Matrix& columns) {
