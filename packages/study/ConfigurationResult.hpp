@@ -7,12 +7,12 @@ namespace harmos::study {
 
 /// How the solution of one configuration ended.
 enum class Status {
-  certified,       // two corrections of its own bound its error
-  calibrated,      // its free indicators, calibrated on certified configurations, are below the request
-  notConverged,    // the request was not met
-  noEquilibrium,   // the interface laws cannot carry the loads
-  failed,          // something threw; see the reason
-  inadmissible     // its parameters violate a range of the scene
+  certified,      // two corrections of its own bound its error
+  calibrated,     // its free indicators, calibrated on certified configurations, are below the request
+  notConverged,   // the request was not met
+  noEquilibrium,  // the interface laws cannot carry the loads
+  failed,         // something threw; see the reason
+  inadmissible    // its parameters violate a range of the scene
 };
 
 /// What is known about one configuration; the curves are those of the scene's responses.
@@ -20,7 +20,7 @@ struct ConfigurationResult {
   int id = 0;
   Status status = Status::failed;
   std::string reason;
-  std::vector<std::vector<double>> curves;  // per response of the scene, one value per load step; empty without a solution
+  std::vector<std::vector<double>> curves;  // [response][load step]; empty without a solution
   std::vector<double> curveErrors;          // per response, estimate of the relative error; NaN: none
   double errorEstimate = 0.0;               // largest, force and displacement fields included; NaN: none
   int iterations = 0;
