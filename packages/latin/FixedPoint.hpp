@@ -26,6 +26,10 @@ class FixedPoint {
   void select(const std::vector<int>& steps);
   void selectAll();
 
+  /// To be called when laws of the assembly have been replaced by others of the same kind: the operators do not depend
+  /// on them, but loads do.
+  void updateLaws() { linear_.updateLoads(); }
+
   /// Collective. image = T(alpha) [stress]; the fields of the iteration are kept.
   void apply(const base::Matrix& alpha, base::Matrix& image);
 

@@ -36,6 +36,9 @@ class LatinSolver {
   /// Asked on every rank after every iteration; the run stops when it is true on any rank.
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
 
+  /// See FixedPoint::updateLaws().
+  void updateLaws() { fixedPoint_.updateLaws(); }
+
   /// Runs from alpha = 0, or from `start` (rows as in the layout).
   LatinResult solve(const base::Matrix* start = nullptr);
   /// Fields of the delivered state.
