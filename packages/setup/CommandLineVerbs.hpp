@@ -10,5 +10,7 @@ Command checkCommand();
 Command docCommand();
 Command meshCommand();
 Command compareCommand();
+Command studyCommand();
+Command reportCommand();
 
 }  // namespace harmos::setup

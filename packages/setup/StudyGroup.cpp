@@ -1,0 +1,117 @@
+#include <harmos/setup/StudyGroup.hpp>
+
+#include <map>
+
+#include <harmos/base/Error.hpp>
+
+namespace harmos::setup {
+
+namespace {
+
+/// Lets only the result of one configuration through.
+class OnlyOne : public study::ResultSink {
+ public:
+  OnlyOne(int id, study::ResultSink& sink) : id_(id), sink_(sink) {}
+  void record(const study::ConfigurationResult& result) override {
+    if (result.id == id_) sink_.record(result);
+  }
+
+ private:
+  int id_;
+  study::ResultSink& sink_;
+};
+
+Scene firstAdmissible(const Study& study, const std::vector<study::Configuration>& configurations,
+                      const laws::LawRegistry& laws) {
+  for (const study::Configuration& configuration : configurations) {
+    try {
+      return study.sceneFor(configuration.values, laws);
+    } catch (const base::Error& error) {
+      if (error.code() != base::ExitCode::input || &configuration == &configurations.back()) throw;
+    }
+  }
+  throw base::Error("There is no configuration.");
+}
+
+}  // namespace
+
+StudyGroup::StudyGroup(const Study& study, std::vector<study::Configuration> configurations,
+                       const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers)
+    : study_(study),
+      configurations_(std::move(configurations)),
+      laws_(laws),
+      comm_(std::move(comm)),
+      timers_(timers),
+      scene_(firstAdmissible(study, configurations_, laws)),
+      problem_(makeProblem(scene_, *comm_, timers)) {}
+
+void StudyGroup::solve(const std::vector<study::ConfigurationResult>& done, study::ResultSink& sink) {
+  std::map<int, const study::ConfigurationResult*> known;
+  for (const study::ConfigurationResult& result : done) known[result.id] = &result;
+  std::vector<study::Configuration> open;
+  std::vector<study::ConfigurationResult> mine;
+  for (const study::Configuration& configuration : configurations_) {
+    const auto found = known.find(configuration.id);
+    if (found == known.end()) {
+      open.push_back(configuration);
+    } else {
+      mine.push_back(*found->second);
+    }
+  }
+  if (!open.empty()) run(open, mine, sink);
+}
+
+void StudyGroup::solveAlone(const study::Configuration& configuration, study::ResultSink& sink) {
+  run({configuration}, {}, sink);
+}
+
+void StudyGroup::walk(const study::Configuration& from, const study::Configuration& to, int steps,
+                      study::ResultSink& sink) {
+  std::vector<study::Configuration> path = {from};
+  for (int step = 1; step < steps; ++step) {
+    study::Configuration between;
+    between.id = -step;  // of no row
+    for (std::size_t p = 0; p < from.values.size(); ++p) {
+      between.values.push_back(from.values[p] + (to.values[p] - from.values[p]) * step / steps);
+    }
+    path.push_back(std::move(between));
+  }
+  path.push_back(to);
+  OnlyOne last(to.id, sink);
+  run(path, {}, last);
+}
+
+void StudyGroup::run(const std::vector<study::Configuration>& open, const std::vector<study::ConfigurationResult>& done,
+                     study::ResultSink& sink) {
+  study::ParametricStudy engine(
+      problem_.assembly, [this](const std::vector<double>& values) { install(values); }, problem_.responses,
+      latin::LatinOptions(scene_.input.list("Solver")), comm_, timers_);
+  if (interrupted_) engine.setInterrupt(interrupted_);
+  engine.run(open, done, sink);
+}
+
+void StudyGroup::install(const std::vector<double>& values) {
+  const auto installing = timers_.start("laws");
+  const Scene scene = study_.sceneFor(values, laws_);
+  for (interface::Interface& joint : problem_.assembly.interfaces) {
+    const auto law = scene.laws.find(joint.name);
+    if (law != scene.laws.end()) joint.law = law->second;  // else a cut through a part, which no parameter changes
+  }
+}
+
+std::vector<std::vector<study::Configuration>> groupByOperators(const Study& study) {
+  std::vector<std::vector<study::Configuration>> groups;
+  std::map<std::vector<double>, std::size_t> places;
+  for (const study::Configuration& configuration : study.configurations) {
+    std::vector<double> key;
+    for (std::size_t p = 0; p < study.parameters.size(); ++p) {
+      if (study.parameters[p].phase == StudyPhase::operators) key.push_back(configuration.values[p]);
+    }
+    const auto [place, isNew] = places.emplace(key, groups.size());
+    if (isNew) groups.emplace_back();
+    groups[place->second].push_back(configuration);
+  }
+  return groups;
+}
+
+}  // namespace harmos::setup
