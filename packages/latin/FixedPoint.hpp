@@ -34,6 +34,8 @@ class FixedPoint {
   void apply(const base::Matrix& alpha, base::Matrix& image);
 
   // Fields of the last apply(); rows as in TraceLayout, one column per load step.
+  /// beta = f - k w [stress] of the linear stage (velocity form: f - k dw).
+  const base::Matrix& beta() const { return beta_; }
   /// w [length] of the linear stage.
   const base::Matrix& trace() const { return linear_.trace(); }
   /// f [stress] of the linear stage, in equilibrium with the bodies.
@@ -50,6 +52,7 @@ class FixedPoint {
   const StateMetric& metric() const { return metric_; }
   const LinearStage& linearStage() const { return linear_; }
   const LocalStage& localStage() const { return local_; }
+  LocalStage& localStage() { return local_; }
   Formulation formulation() const { return formulation_; }
 
  private:

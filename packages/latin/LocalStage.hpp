@@ -31,6 +31,13 @@ class LocalStage {
   /// Throws base::Error naming interface and step when a law returns a value that is not finite.
   void solve(const base::Matrix& beta, base::Matrix& traction);
 
+  /// The same for one load step after the other: begin() forgets all history, solveColumn() may be called any number of
+  /// times for the next column and starts from the history of the columns before, accept() makes its last call final.
+  /// solveColumn() is collective. In the displacement form only.
+  void begin();
+  void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction);
+  void accept();
+
   /// Status of the pairs of one interface at one step, as last solved on this rank; empty if no side is owned here.
   const std::vector<laws::LocalState>& states(int interfaceIndex) const {
     return joints_[static_cast<std::size_t>(interfaceIndex)].state;
@@ -49,8 +56,8 @@ class LocalStage {
     std::vector<double> jump;  // velocity form: hatted jump of the previous step, law's frame
   };
 
-  void exchange(const base::Matrix& beta);
-  void solveJoint(int interfaceIndex, Joint& joint, const base::Matrix& beta, base::Matrix& traction);
+  void exchange(const base::Matrix& beta, int first, int count);
+  void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
 
   const interface::Assembly& assembly_;
   const interface::SearchDirection& searchDirection_;
