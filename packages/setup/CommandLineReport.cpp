@@ -44,7 +44,9 @@ int report(const CommandLineArguments& arguments, const CommandEnvironment& envi
   const std::string study = arguments.operands()[0];
   if (!fs::exists(study)) throw base::Error("Cannot read " + study + ": there is no such file.", base::ExitCode::input);
   const std::string page = arguments.value("--output", fs::path(study).replace_extension(".html").string());
-  return runScript({"python3", scriptPath().string(), study, page});
+  std::vector<std::string> words = {scriptPath().string(), study, page};
+  if (arguments.has("--abscissa")) words.insert(words.end(), {"--abscissa", arguments.value("--abscissa", "")});
+  return runScript(std::move(words));
 }
 
 }  // namespace
@@ -53,8 +55,9 @@ Command reportCommand() {
   return {"report",
           "STUDY.h5",
           "Write one HTML file with the pictures and tables of a study.",
-          {{"--output", "FILE.html", "the page (default: beside the study, with its name)"}},
-          {"harmos report results/bolted_joint_study.h5"},
+          {{"--output", "FILE.html", "the page (default: beside the study, with its name)"},
+           {"--abscissa", "CURVE", "draw the other curves against this one (default: against time)"}},
+          {"harmos report results/bolted_joint_study.h5 --abscissa u_load"},
           report};
 }
 
