@@ -23,6 +23,18 @@ void demandJournal(const StudyFiles& files, bool restart) {
                     base::ExitCode::input);
 }
 
+/// What was being written when an earlier process was killed; it holds the journal no more.
+void removePartialFiles(const StudyFiles& files) {
+  std::error_code error;
+  const fs::path directory = fs::path(files.file).parent_path();
+  for (const auto& entry : fs::directory_iterator(directory.empty() ? "." : directory, error)) {
+    const std::string name = entry.path().filename().string();
+    for (const auto& path : {files.file, files.table, files.dakota}) {
+      if (name.rfind(fs::path(path).filename().string() + ".partial.", 0) == 0) fs::remove(entry.path(), error);
+    }
+  }
+}
+
 }  // namespace
 
 StudyFiles::StudyFiles(const std::string& directory, const std::string& study) {
@@ -37,6 +49,7 @@ StudyWriter::StudyWriter(const StudyFiles& files, const StudyDescription& descri
     : files_(files),
       results_(description),
       journal_((demandJournal(files, restart), files.journal), description.identity, restart) {
+  removePartialFiles(files_);
   for (const auto& path : {files_.table, files_.dakota}) {
     std::error_code error;
     fs::remove(path, error);

@@ -95,10 +95,7 @@ class StudyReader {
     parameter.name = list.name();
     parameter.unit = list.text("Unit");
     parameter.where = list.where();
-    if (!study::isFormulaName(list.name())) {
-      errors_.add(list.where(), "this name cannot stand in a formula.",
-                  "Take letters, digits and underscores, no digit first, and no name of a function.");
-    }
+    checkName(list);
     if (list.has("Entry") && list.has("Entries")) {
       errors_.add(list.where("Entries"), "\"Entry\" is given too.", "Give one of them.");
     }
@@ -112,6 +109,17 @@ class StudyReader {
     readLevels(list, planned.axis);
     planned_.push_back(std::move(planned));
     study_.parameters.push_back(std::move(parameter));
+  }
+
+  /// Names head the columns of tables, and those of parameters stand in formulas.
+  void checkName(const Parameters& list) {
+    const Names taken = {"id", "status", "iterations", "error_estimate", "start"};
+    if (std::find(taken.begin(), taken.end(), list.name()) != taken.end()) {
+      errors_.add(list.where(), "this name heads another column of the results.", "Take another one.");
+    } else if (!study::isFormulaName(list.name())) {
+      errors_.add(list.where(), "this name can stand neither in formulas nor in tables.",
+                  "Take letters, digits and underscores, no digit first, and no name of a function.");
+    }
   }
 
   void readEntries(const Parameters& list, StudyParameter& parameter) {
@@ -201,7 +209,9 @@ class StudyReader {
   /// Every formula by itself, so that all errors come at once. Returns the names of the parameters that they use.
   Names readFormulas() {
     Names names, used;
-    for (const study::PlannedParameter& parameter : planned_) names.push_back(parameter.axis.name);
+    for (const study::PlannedParameter& parameter : planned_) {
+      if (study::isFormulaName(parameter.axis.name)) names.push_back(parameter.axis.name);
+    }
     for (const char* kind : {"Parameters", "Conditions"}) {
       for (const Parameters& list : input_.lists(kind)) {
         if (!list.has("Formula")) continue;
@@ -236,6 +246,7 @@ class StudyReader {
   }
 
   void readResponse(const Parameters& list) {
+    checkName(list);
     Names known;
     for (const Parameters& response : study_.scene.input.lists("Responses")) known.push_back(response.name());
     const auto found = std::find(known.begin(), known.end(), list.text("Response"));
