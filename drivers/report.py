@@ -168,7 +168,22 @@ def response_section(study, grid, is_grid):
                 parts.append(picture(surface(study, grid, values, name)))
         elif study.free:
             parts.append(picture(scatter(study, study.free, values, name)))
+    if study.surrogate_models:
+        rows = [(name, f"{100 * model['mean_left_out_error'] / span(study.responses[name]):.2g} %",
+                 f"{100 * model['largest_left_out_error'] / span(study.responses[name]):.2g} %")
+                for name, model in study.surrogate_models.items()]
+        parts.append("<h3>Surfaces with error bars</h3>" + table(
+            ("response", "mean error", "largest error"), rows) +
+            '<p class="note">Polynomial and Gaussian process, evaluated by <code>harmos predict</code> and '
+            "<code>study.surrogate()</code>. Errors: every configuration against the surface of all others, relative to "
+            "the range of the response.</p>")
     return "".join(parts) or '<p class="note">The study reports no responses.</p>'
+
+
+def span(values):
+    """The range of a response; 1 if it has none."""
+    width = numpy.nanmax(values) - numpy.nanmin(values)
+    return width if width > 0 else 1.0
 
 
 def curve_section(study, grid, is_grid, abscissa):

@@ -11,7 +11,7 @@ namespace harmos::output {
 class Hdf5Handle {
  public:
   using Close = herr_t (*)(hid_t);
-  /// Throws base::Error saying that `what` failed when the identifier is invalid.
+  /// Throws base::Error saying that `what` cannot be written when the identifier is invalid.
   Hdf5Handle(hid_t id, Close closing, const std::string& what);
   ~Hdf5Handle();
   Hdf5Handle(Hdf5Handle&& other) noexcept;
@@ -52,6 +52,30 @@ class Hdf5Group {
   Hdf5Group write(const std::string& name, hid_t type, const void* values, std::size_t count,
                   std::size_t columns) const;
 
+  Hdf5Handle handle_;
+};
+
+/// A group or array of an HDF5 file that is read, and what is in it. All members throw base::Error (input) when it is
+/// not there or cannot be read.
+class Hdf5Source {
+ public:
+  static Hdf5Source open(const std::string& path);
+  /// Of a group or an array.
+  Hdf5Source group(const std::string& name) const;
+  /// What a group holds, in alphabetical order.
+  std::vector<std::string> names() const;
+
+  bool hasAttribute(const std::string& name) const;
+  std::string text(const std::string& attribute) const;
+  double number(const std::string& attribute) const;
+  int integer(const std::string& attribute) const;
+  std::vector<std::string> texts(const std::string& attribute) const;
+  /// Of an array, by rows.
+  std::vector<double> values() const;
+  std::vector<std::string> textValues() const;
+
+ private:
+  explicit Hdf5Source(Hdf5Handle handle) : handle_(std::move(handle)) {}
   Hdf5Handle handle_;
 };
 

@@ -6,6 +6,7 @@
 
 #include <harmos/output/AtomicFile.hpp>
 #include <harmos/output/Hdf5.hpp>
+#include <harmos/output/StudyData.hpp>
 #include <harmos/output/Version.hpp>
 #include <harmos/study/StatusName.hpp>
 
@@ -17,8 +18,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 class Writer {
  public:
-  Writer(const Hdf5Group& group, const StudyResults& results)
-      : group_(group), results_(results), description_(results.description()) {}
+  Writer(const Hdf5Group& group, const StudyResults& results, bool hasSurrogates)
+      : group_(group), results_(results), description_(results.description()), hasSurrogates_(hasSurrogates) {}
 
   void write() const {
     writeParameters();
@@ -28,6 +29,7 @@ class Writer {
     const Hdf5Group input = group_.group("input");
     input.attribute("study", description_.studyInput);
     input.attribute("scene", description_.sceneInput);
+    if (hasSurrogates_) writeSurrogates();
     const Hdf5Group leftOut = group_.group("left_out");
     for (const auto& [condition, count] : description_.leftOut) leftOut.attribute(condition, count);
   }
@@ -103,6 +105,26 @@ class Writer {
     responses.attribute("order", names);
   }
 
+  void writeSurrogates() const {
+    const StudyData data = dataOf(results_);
+    const Hdf5Group surrogates = group_.group("surrogates");
+    surrogates.attribute("parameters", data.parameters);
+    for (std::size_t r = 0; r < data.values.size(); ++r) {
+      const auto surrogate = data.surrogate(r);
+      if (!surrogate) continue;
+      const Hdf5Group group = surrogates.group(description_.responses[r].name);
+      const study::Surrogate::Model& model = surrogate->model();
+      group.attribute("degree", model.degree);
+      group.attribute("nugget", model.nugget);
+      group.attribute("calibration", model.calibration);
+      group.attribute("largest_left_out_error", surrogate->largestLeftOutError());
+      group.attribute("mean_left_out_error", surrogate->meanLeftOutError());
+      group.array("lengths", model.lengths);
+      group.array("lower", model.lower);
+      group.array("upper", model.upper);
+    }
+  }
+
   void writeCurves() const {
     const Hdf5Group curves = group_.group("curves");
     const std::size_t steps = description_.times.size();
@@ -131,6 +153,7 @@ class Writer {
   const Hdf5Group& group_;
   const StudyResults& results_;
   const StudyDescription& description_;
+  bool hasSurrogates_;
 };
 
 }  // namespace
@@ -149,7 +172,7 @@ void writeStudyFile(const std::string& path, const StudyResults& results, const 
       group.attribute("scene", description.scene);
       group.attribute("accuracy", description.accuracy);
       group.attribute("state", state);
-      Writer(group, results).write();
+      Writer(group, results, state != "running").write();
     }
     root.close();
   }

@@ -84,7 +84,8 @@ bool CommandEnvironment::isRoot() const {
 }
 
 std::vector<Command> commands() {
-  return {runCommand(), checkCommand(), docCommand(), meshCommand(), compareCommand(), studyCommand(), reportCommand()};
+  return {runCommand(),     checkCommand(), docCommand(),    meshCommand(),
+          compareCommand(), studyCommand(), reportCommand(), predictCommand()};
 }
 
 int runCommandLine(const std::vector<std::string>& words, const CommandEnvironment& environment) {

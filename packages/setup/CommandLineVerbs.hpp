@@ -12,5 +12,6 @@ Command meshCommand();
 Command compareCommand();
 Command studyCommand();
 Command reportCommand();
+Command predictCommand();
 
 }  // namespace harmos::setup

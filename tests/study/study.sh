@@ -113,6 +113,15 @@ expect 0 '' "$harmos" study "$study" --output "$work/all" --quiet
 expect 0 '^same$' awk -F, 'NR == FNR { u[$1] = $9; next } FNR > 1 && ($9 / u[$1] - 1) ^ 2 > 4e-8 { print "differs:", $0 }
   END { print "same" }' "$work/all/$name.csv" "$work/ranks/$name.csv"
 
+# The response surface, by the program and by the Python module.
+at=(--at mu=0.37 --at pressure=21.3)
+expect 0 '^mu,pressure,u_max,u_max_deviation,lost,lost_deviation,u_2,u_2_deviation,extrapolated$' \
+  "$harmos" predict "$work/all/$name.h5" "${at[@]}"
+expect 0 '^same$' "$(dirname "$0")/surface.py" "$harmos" "$work/all/$name.h5"
+expect 2 'there is no value of "pressure"' "$harmos" predict "$work/all/$name.h5" --at mu=0.37
+expect 2 'the study varies no "nu".' "$harmos" predict "$work/all/$name.h5" --at nu=0.37
+expect 2 'too few solutions' "$harmos" predict "$work/retry/$name.h5" --at mu=0.3
+
 # The report, of a grid, of scattered points, and of a study that was interrupted.
 for result in "$work/all" "$work/designs" "$work/long" "$work/range" "$work/retry"; do
   expect 0 "$name.html" "$harmos" report "$result/$name.h5"

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/output/StudyData.hpp>
 #include <harmos/output/StudyFile.hpp>
 #include <harmos/output/StudyTables.hpp>
 #include <harmos/output/StudyWriter.hpp>
@@ -215,6 +216,38 @@ TEST_F(StudyFilesTest, Hdf5HoldsEverything) {
   const std::string before = contentOf(files.file);
   writeStudyFile(files.file, results, "running");
   EXPECT_EQ(contentOf(files.file), before);
+}
+
+TEST_F(StudyFilesTest, ResponseSurfacesAreMadeOfWhatIsSolved) {
+  description.configurations.clear();
+  for (int i = 0; i < 8; ++i) description.configurations.push_back({i + 1, {0.1 * i, 0.2 * i}});
+  description.recovery = {-1.0};
+  StudyResults results(description);
+  for (int id = 1; id <= 7; ++id) {
+    study::ConfigurationResult result = solved(id);
+    result.curves[0] = {0.0, 3.0 * id};
+    if (id == 4) result.status = study::Status::notConverged;
+    results.set(result);
+  }
+  writeStudyFile(files.file, results, "complete");
+  const StudyData data = readStudyData(files.file);
+  EXPECT_EQ(data.parameters, std::vector<std::string>{"mu"});  // the other one is derived
+  EXPECT_EQ(data.responses, std::vector<std::string>{"F_max"});
+  EXPECT_EQ(data.points[2], std::vector<double>{0.2});
+  EXPECT_EQ(data.values[0][2], 9.0);
+  EXPECT_TRUE(std::isnan(data.values[0][3]));
+  EXPECT_TRUE(std::isnan(data.values[0][7]));
+  EXPECT_EQ(dataOf(results).points, data.points);
+  const auto surrogate = data.surrogate(0);
+  ASSERT_TRUE(surrogate.has_value());
+  EXPECT_NEAR(surrogate->evaluate({0.3}).value, 12.0, 1e-4);
+  EXPECT_FALSE(surrogate->evaluate({0.7}).isInside);
+}
+
+TEST_F(StudyFilesTest, WhatIsNoStudyIsRefused) {
+  std::filesystem::create_directories(directory);
+  std::ofstream(files.file) << "no HDF5";
+  EXPECT_EQ(messageOf([&] { readStudyData(files.file); }), "Cannot read " + files.file + " as HDF5.");
 }
 
 TEST_F(StudyFilesTest, WriterResumes) {
