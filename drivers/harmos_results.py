@@ -28,6 +28,7 @@ class Study:
     curve_errors             dictionary of arrays: estimated relative error of every curve
     times                    of the load steps
     id, status, reason, iterations, linear_stages, error_estimate, starts, cpu_seconds    arrays
+    notes                    what the solver says about the study as a whole
     left_out                 how many points of the design each condition left out
     study_input, scene_input XML with all defaults
     surrogate_models         dictionaries by response: how its surface was fitted, once the study has ended
@@ -59,6 +60,7 @@ class Study:
                 setattr(self, key, rows[key][()])
             self.status = rows["status"].asstr()[()].astype(str)
             self.reason = rows["reason"].asstr()[()]
+            self.notes = dict(group["notes"].attrs)
             self.left_out = dict(group["left_out"].attrs)
             self.surrogate_models = {name: {**dict(model.attrs), **{key: model[key][()] for key in model}}
                                      for name, model in group.get("surrogates", {}).items()}

@@ -358,6 +358,7 @@ def overview(study):
         rows += [("linear stages per configuration", f"{study.linear_stages[done].mean():.1f}"),
                  ("CPU time", f"{numpy.nansum(study.cpu_seconds[done]):.1f} s"),
                  ("started from another solution", f"{(study.starts[done, 0] != 0).sum()} of {done.sum()}")]
+    rows += list(study.notes.items())
     rows += [("written by", f"Harmos {study.version}")]
     parameters = [[label(study, name), number(values.min()), number(values.max()), len(numpy.unique(values)),
                    study.formulas[name] or ", ".join(study.entries[name]), study.phases[name]]

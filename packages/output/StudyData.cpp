@@ -32,7 +32,7 @@ void add(const std::string& name, const std::vector<double>& column, StudyData& 
 
 StudyData dataOf(const StudyResults& results) {
   const StudyDescription& description = results.description();
-  const auto& all = description.configurations;
+  const auto& all = results.configurations();
   StudyData data;
   data.accuracy = description.accuracy;
   data.points.resize(all.size());

@@ -27,7 +27,7 @@ struct StudyDescription {
   std::string scene;  // path as given
   double accuracy = 0.0;
   std::vector<Parameter> parameters;
-  std::vector<study::Configuration> configurations;  // id = position + 1
+  std::vector<study::Configuration> configurations;  // to begin with; id = position + 1
   std::vector<std::string> curves;                   // names of the scene's responses
   std::vector<double> times;                         // of the load steps
   std::vector<study::ScalarResponse> responses;

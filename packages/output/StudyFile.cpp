@@ -30,6 +30,8 @@ class Writer {
     input.attribute("study", description_.studyInput);
     input.attribute("scene", description_.sceneInput);
     if (hasSurrogates_) writeSurrogates();
+    const Hdf5Group notes = group_.group("notes");
+    for (const auto& [name, text] : results_.notes()) notes.attribute(name, text);
     const Hdf5Group leftOut = group_.group("left_out");
     for (const auto& [condition, count] : description_.leftOut) leftOut.attribute(condition, count);
   }
@@ -41,7 +43,7 @@ class Writer {
   template <class T>
   std::vector<T> collect(const std::function<T(const Result&)>& value, T otherwise) const {
     std::vector<T> values;
-    for (const auto& configuration : description_.configurations) {
+    for (const auto& configuration : results_.configurations()) {
       const Result* result = results_.find(configuration.id);
       values.push_back(result ? value(*result) : otherwise);
     }
@@ -54,7 +56,7 @@ class Writer {
     for (std::size_t p = 0; p < description_.parameters.size(); ++p) {
       const auto& parameter = description_.parameters[p];
       std::vector<double> values;
-      for (const auto& configuration : description_.configurations) values.push_back(configuration.values[p]);
+      for (const auto& configuration : results_.configurations()) values.push_back(configuration.values[p]);
       const Hdf5Group array = parameters.array(parameter.name, values);
       array.attribute("unit", parameter.unit);
       array.attribute("formula", parameter.formula);
@@ -69,7 +71,7 @@ class Writer {
     const Hdf5Group rows = group_.group("configurations");
     std::vector<int> ids;
     std::size_t mostStarts = 1;
-    for (const auto& configuration : description_.configurations) {
+    for (const auto& configuration : results_.configurations()) {
       ids.push_back(configuration.id);
       const Result* result = results_.find(configuration.id);
       if (result) mostStarts = std::max(mostStarts, result->starts.size());
@@ -93,7 +95,7 @@ class Writer {
     const Hdf5Group responses = group_.group("responses");
     std::vector<std::string> names;
     std::vector<std::vector<double>> columns(description_.responses.size());
-    for (const auto& configuration : description_.configurations) {
+    for (const auto& configuration : results_.configurations()) {
       const auto values = results_.responses(configuration.id);
       for (std::size_t r = 0; r < values.size(); ++r) columns[r].push_back(values[r]);
     }
@@ -130,7 +132,7 @@ class Writer {
     const std::size_t steps = description_.times.size();
     for (std::size_t c = 0; c < description_.curves.size(); ++c) {
       std::vector<double> values;
-      for (const auto& configuration : description_.configurations) {
+      for (const auto& configuration : results_.configurations()) {
         const Result* result = results_.find(configuration.id);
         if (result && c < result->curves.size() && result->curves[c].size() == steps) {
           values.insert(values.end(), result->curves[c].begin(), result->curves[c].end());

@@ -184,6 +184,14 @@ study::ConfigurationResult fromJson(const Json& json) {
   return result;
 }
 
+study::Configuration configurationOf(const Json& json) {
+  try {
+    return {json.at("configuration").get<int>(), numbers(json, "values")};
+  } catch (const Json::exception& error) {
+    throw base::Error(std::string("This is no configuration: ") + error.what());
+  }
+}
+
 }  // namespace
 
 std::string resultToJson(const study::ConfigurationResult& result) {
@@ -192,6 +200,14 @@ std::string resultToJson(const study::ConfigurationResult& result) {
 
 study::ConfigurationResult resultFromJson(const std::string& json) {
   return fromJson(Json::parse(json, nullptr, false));
+}
+
+std::string configurationToJson(const study::Configuration& configuration) {
+  return dump({{"configuration", configuration.id}, {"values", numbers(configuration.values)}});
+}
+
+study::Configuration configurationFromJson(const std::string& json) {
+  return configurationOf(Json::parse(json, nullptr, false));
 }
 
 StudyJournal::StudyJournal(const std::string& path, const Identity& identity, bool restart) : path_(path) {
@@ -261,6 +277,10 @@ void StudyJournal::read(const Identity& identity) {
     const auto json = parseLine(lines[i]);
     if (!json) {
       ++damaged_;
+    } else if (json->contains("configuration")) {
+      added_.push_back(configurationOf(*json));
+    } else if (json->contains("note")) {
+      notes_[json->at("note").get<std::string>()] = json->value("text", "");
     } else if (json->contains("id")) {
       study::ConfigurationResult result = fromJson(*json);
       latest[result.id] = std::move(result);
@@ -281,6 +301,14 @@ void StudyJournal::append(const study::ConfigurationResult& result) {
   if (time - lastSync_ < std::chrono::seconds(1)) return;
   lastSync_ = time;
   ::fdatasync(descriptor_);
+}
+
+void StudyJournal::append(const study::Configuration& added) {
+  writeLine(configurationToJson(added));
+}
+
+void StudyJournal::appendNote(const std::string& name, const std::string& text) {
+  writeLine(dump({{"note", name}, {"text", text}}));
 }
 
 void StudyJournal::writeLine(const std::string& json) {

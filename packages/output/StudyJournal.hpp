@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,11 +29,16 @@ class StudyJournal {
 
   /// What was in the file when it was opened, the last result of every configuration.
   const std::vector<study::ConfigurationResult>& results() const { return results_; }
+  /// What had been added to the study's configurations when it was opened, in the order of their ids.
+  const std::vector<study::Configuration>& added() const { return added_; }
+  const std::map<std::string, std::string>& notes() const { return notes_; }
   /// How many lines were unreadable; their configurations are open again.
   int damaged() const { return damaged_; }
   /// From here on a sudden end of the process does not lose the result; a second later also no power failure. Throws
   /// base::Error when it cannot be written; the file then ends where it did before.
   void append(const study::ConfigurationResult& result);
+  void append(const study::Configuration& added);
+  void appendNote(const std::string& name, const std::string& text);
 
  private:
   void lock();
@@ -43,6 +49,8 @@ class StudyJournal {
   std::string path_;
   int descriptor_ = -1;
   std::vector<study::ConfigurationResult> results_;
+  std::vector<study::Configuration> added_;
+  std::map<std::string, std::string> notes_;
   int damaged_ = 0;
   std::chrono::steady_clock::time_point lastSync_;
 };
@@ -51,5 +59,7 @@ class StudyJournal {
 std::string resultToJson(const study::ConfigurationResult& result);
 /// The reverse; throws base::Error when the text is not such a result.
 study::ConfigurationResult resultFromJson(const std::string& json);
+std::string configurationToJson(const study::Configuration& configuration);
+study::Configuration configurationFromJson(const std::string& json);
 
 }  // namespace harmos::output

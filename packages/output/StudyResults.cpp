@@ -8,7 +8,15 @@
 namespace harmos::output {
 
 StudyResults::StudyResults(const StudyDescription& description)
-    : description_(description), results_(description.configurations.size()) {}
+    : description_(description),
+      configurations_(description.configurations),
+      results_(description.configurations.size()) {}
+
+void StudyResults::add(const study::Configuration& configuration) {
+  if (configuration.id != static_cast<int>(configurations_.size()) + 1) return;
+  configurations_.push_back(configuration);
+  results_.emplace_back();
+}
 
 void StudyResults::set(const study::ConfigurationResult& result) {
   if (result.id < 1 || result.id > static_cast<int>(results_.size())) return;

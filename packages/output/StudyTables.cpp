@@ -16,7 +16,7 @@ void writeStudyTable(const std::string& path, const StudyResults& results) {
   text += ",status,iterations,error_estimate,start";
   for (const auto& response : description.responses) text += "," + response.name;
   text += "\n";
-  for (const study::Configuration& configuration : description.configurations) {
+  for (const study::Configuration& configuration : results.configurations()) {
     const study::ConfigurationResult* result = results.find(configuration.id);
     text += std::to_string(configuration.id);
     for (const double value : configuration.values) text += cell(value);
@@ -38,7 +38,7 @@ void writeDakotaTable(const std::string& path, const StudyResults& results) {
   for (const auto& parameter : description.parameters) text += " " + parameter.name;
   for (const auto& response : description.responses) text += " " + response.name;
   text += "\n";
-  for (const study::Configuration& configuration : description.configurations) {
+  for (const study::Configuration& configuration : results.configurations()) {
     text += std::to_string(configuration.id) + " NO_ID";
     for (const double value : configuration.values) text += " " + base::toText(value);
     for (const double value : results.responses(configuration.id)) {

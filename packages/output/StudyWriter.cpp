@@ -55,7 +55,9 @@ StudyWriter::StudyWriter(const StudyFiles& files, const StudyDescription& descri
     fs::remove(path, error);
     if (error) throw base::Error("Cannot remove the old result " + path + ": " + error.message() + ".");
   }
+  for (const auto& configuration : journal_.added()) results_.add(configuration);
   for (const auto& result : journal_.results()) results_.set(result);
+  for (const auto& [name, text] : journal_.notes()) results_.note(name, text);
   writeFile("running");
 }
 
@@ -63,6 +65,16 @@ void StudyWriter::record(const study::ConfigurationResult& result) {
   journal_.append(result);
   results_.set(result);
   if (std::chrono::steady_clock::now() >= nextFile_) writeFile("running");
+}
+
+void StudyWriter::note(const std::string& name, const std::string& text) {
+  journal_.appendNote(name, text);
+  results_.note(name, text);
+}
+
+void StudyWriter::add(const study::Configuration& configuration) {
+  journal_.append(configuration);
+  results_.add(configuration);
 }
 
 void StudyWriter::finish(const std::string& state) {

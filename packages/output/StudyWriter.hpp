@@ -31,6 +31,9 @@ class StudyWriter : public study::ResultSink {
   int damaged() const { return journal_.damaged(); }
   /// Appends to the journal, and brings the HDF5 file up to date every few seconds.
   void record(const study::ConfigurationResult& result) override;
+  void note(const std::string& name, const std::string& text) override;
+  /// A configuration that an adaptive design has chosen.
+  void add(const study::Configuration& configuration);
   /// Writes the HDF5 file and the tables; `state` as in writeStudyFile().
   void finish(const std::string& state);
 

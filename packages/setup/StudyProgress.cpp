@@ -34,7 +34,7 @@ void StudyProgress::report(const output::StudyResults& results) {
   const double interval = isTerminal_ ? 0.2 : 10.0;  // [s]: smooth for the eye, and few lines in a log
   if (std::chrono::duration<double>(now - last_).count() < interval) return;
   last_ = now;
-  const int all = static_cast<int>(results.description().configurations.size());
+  const int all = static_cast<int>(results.configurations().size());
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const double rate = (results.count() - before_) / seconds;
   std::ostringstream line;

@@ -26,16 +26,28 @@ void broadcast(std::string& text, const Teuchos::Comm<int>& comm) {
   Teuchos::broadcast(comm, 0, length, text.data());
 }
 
+void forEachLine(const std::string& text, const std::function<void(const std::string&)>& action) {
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    action(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+}
+
 /// Opens the files on rank 0; all ranks learn the results of an earlier run, or throw the same error.
 std::unique_ptr<output::StudyWriter> openFiles(const output::StudyFiles& files,
                                                const output::StudyDescription& description, bool restart,
                                                output::StudyResults& results, const Teuchos::Comm<int>& comm) {
   std::unique_ptr<output::StudyWriter> writer;
-  std::string error, lines;
+  std::string error, added, lines;
   int code = 0;
   if (comm.getRank() == 0) {
     try {
       writer = std::make_unique<output::StudyWriter>(files, description, restart);
+      const auto& all = writer->results().configurations();
+      for (std::size_t i = description.configurations.size(); i < all.size(); ++i) {
+        added += output::configurationToJson(all[i]) + "\n";
+      }
       for (const ConfigurationResult& result : writer->results().all()) lines += output::resultToJson(result) + "\n";
     } catch (const base::Error& failure) {
       error = failure.what();
@@ -45,12 +57,10 @@ std::unique_ptr<output::StudyWriter> openFiles(const output::StudyFiles& files,
   broadcast(error, comm);
   Teuchos::broadcast(comm, 0, Teuchos::outArg(code));
   if (!error.empty()) throw base::Error(error, static_cast<base::ExitCode>(code));
+  broadcast(added, comm);
   broadcast(lines, comm);
-  for (std::size_t begin = 0; begin < lines.size();) {
-    const std::size_t end = lines.find('\n', begin);
-    results.set(output::resultFromJson(lines.substr(begin, end - begin)));
-    begin = end + 1;
-  }
+  forEachLine(added, [&](const std::string& line) { results.add(output::configurationFromJson(line)); });
+  forEachLine(lines, [&](const std::string& line) { results.set(output::resultFromJson(line)); });
   return writer;
 }
 
@@ -65,6 +75,14 @@ class Recorder : public study::ResultSink {
     if (writer_) writer_->record(result);
     if (aborts_ && mayBeHelped(result)) isAborted_ = true;
     if (request_.observer) request_.observer(results_);
+  }
+  void note(const std::string& name, const std::string& text) override {
+    results_.note(name, text);
+    if (writer_) writer_->note(name, text);
+  }
+  void add(const Configuration& configuration) {
+    results_.add(configuration);
+    if (writer_) writer_->add(configuration);
   }
   bool isAborted() const { return isAborted_; }
   bool mustStop() const { return isAborted_ || (request_.interrupted && request_.interrupted()); }

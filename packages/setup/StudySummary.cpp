@@ -48,7 +48,7 @@ void printPlan(std::ostream& out, const Study& study) {
 
 void printOutcome(std::ostream& out, const output::StudyResults& results) {
   const output::StudyDescription& description = results.description();
-  out << results.count() << " of " << description.configurations.size() << " configurations:";
+  out << results.count() << " of " << results.configurations().size() << " configurations:";
   const char* separator = " ";
   for (const study::Status status : study::allStatuses()) {
     if (results.count(status) == 0) continue;
@@ -75,6 +75,7 @@ void printOutcome(std::ostream& out, const output::StudyResults& results) {
     if (least > most) continue;
     out << "  " << description.responses[r].name << " from " << std::setprecision(7) << least << " to " << most << "\n";
   }
+  for (const auto& [name, text] : results.notes()) out << "  " << name << ": " << text << "\n";
   if (all.empty()) return;
   out << std::setprecision(3) << "largest error estimate " << largestError << " (asked for " << description.accuracy
       << "), " << static_cast<double>(stages) / static_cast<double>(all.size()) << " linear stages and "

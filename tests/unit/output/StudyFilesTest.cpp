@@ -266,6 +266,21 @@ TEST_F(StudyFilesTest, WriterResumes) {
   EXPECT_EQ(writer.results().count(study::Status::calibrated), 3);
 }
 
+TEST_F(StudyFilesTest, WriterRemembersAddedConfigurationsAndNotes) {
+  {
+    StudyWriter writer(files, description, false);
+    writer.add({4, {1.0 / 7.0, 2.0 / 7.0}});
+    writer.note("audit", "none");
+    writer.note("audit", "1 of 1");
+    writer.record(solved(4));
+  }
+  const StudyWriter writer(files, description, false);
+  ASSERT_EQ(writer.results().configurations().size(), 4u);
+  EXPECT_EQ(writer.results().configurations()[3].values, (std::vector<double>{1.0 / 7.0, 2.0 / 7.0}));
+  ASSERT_NE(writer.results().find(4), nullptr);
+  EXPECT_EQ(writer.results().notes().at("audit"), "1 of 1");
+}
+
 TEST_F(StudyFilesTest, ResultsWithoutJournalAreNotOverwritten) {
   { StudyWriter(files, description, false); }
   std::filesystem::remove(files.journal);
