@@ -45,7 +45,9 @@ void applyToScene(const std::string& assignment, const std::string& where, const
 class StudyReader {
  public:
   StudyReader(Study& study, const std::string& pointsFile, const laws::LawRegistry& laws)
-      : study_(study), input_(study.input), spec_(sceneSpec(laws)), pointsFile_(pointsFile), laws_(laws) {}
+      : study_(study), input_(study.input), spec_(sceneSpec(laws)), pointsFile_(pointsFile), laws_(laws) {
+    study_.pointsFile = pointsFile;
+  }
 
   void read(const Names& sceneChanges) {
     const std::string path = besides(study_.path, input_.text("Scene"));
@@ -60,6 +62,7 @@ class StudyReader {
       for (const Parameters& response : input_.lists("Responses")) readResponse(response);
     }
     checkRecovery();
+    if (study_.isAdaptive()) checkAdaptive();
     makeConfigurations();
     finish();
   }
@@ -229,9 +232,9 @@ class StudyReader {
     const std::unique_ptr<study::Design> design = readDesign();
     if (!design || errors_.count() > 0) return;
     errors_.collect(input_.hasList("Design") ? input_.list("Design").where() : input_.where(), [&] {
-      study::Plan plan(planned_, conditions_);
-      study_.configurations = plan.configurations(*design);
-      study_.leftOut = plan.leftOut();
+      study_.plan = std::make_shared<study::Plan>(planned_, conditions_);
+      study_.configurations = study_.plan->configurations(*design);
+      study_.leftOut = study_.plan->leftOut();
     });
   }
 
@@ -277,6 +280,27 @@ class StudyReader {
     study_.responses.push_back(std::move(response));
   }
 
+  void checkAdaptive() {
+    const Parameters& design = input_.list("Design");
+    Names known;
+    for (const Parameters& response : input_.lists("Responses")) known.push_back(response.name());
+    if (std::find(known.begin(), known.end(), design.text("Response")) == known.end()) {
+      errors_.add(design.where("Response"), "the study has no response \"" + design.text("Response") + "\".",
+                  base::suggestName(design.text("Response"), known, "It has"));
+    }
+    for (std::size_t p = 0; p < planned_.size(); ++p) {
+      const study::Axis& axis = planned_[p].axis;
+      if (study_.parameters[p].phase == StudyPhase::operators) {
+        errors_.add(study_.parameters[p].where,
+                    "an adaptive design varies laws and loads only, but this changes bodies.", "Take another design.");
+      }
+      const bool isConstant = axis.levels.empty() ? axis.lower == axis.upper : axis.levels.size() == 1;
+      if (planned_[p].formula.empty() && isConstant) {
+        errors_.add(study_.parameters[p].where, "an adaptive design needs two different values at least.");
+      }
+    }
+  }
+
   void checkRecovery() {
     if (!input_.hasList("Failure Policy") || input_.list("Failure Policy").type() != "Recover") return;
     const Parameters& policy = input_.list("Failure Policy");
@@ -308,6 +332,10 @@ class StudyReader {
 };
 
 }  // namespace
+
+bool Study::isAdaptive() const {
+  return pointsFile.empty() && input.hasList("Design") && input.list("Design").type() == "Adaptive";
+}
 
 bool isStudyFile(const std::string& path) {
   return base::InputTree::fromFile(path).root.name() == studySpec().name();

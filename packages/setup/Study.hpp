@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,7 +9,7 @@
 #include <harmos/base/Parameters.hpp>
 #include <harmos/setup/Scene.hpp>
 #include <harmos/setup/StudyPhase.hpp>
-#include <harmos/study/Configuration.hpp>
+#include <harmos/study/Plan.hpp>
 #include <harmos/study/ScalarResponse.hpp>
 
 namespace harmos::setup {
@@ -24,7 +25,8 @@ struct StudyParameter {
   StudyPhase phase = StudyPhase::nothing;
 };
 
-/// A checked study: its scene, parameters and all configurations; all that can be known before a mesh is read.
+/// A checked study: its scene, parameters and all configurations (of an adaptive design the first
+/// ones); all that can be known before a mesh is read.
 struct Study {
   std::string path;           // of the study's file
   base::Parameters input;     // all defaults filled in
@@ -35,7 +37,9 @@ struct Study {
   std::vector<study::Configuration> configurations;
   std::vector<std::pair<std::string, int>> leftOut;  // by condition
   std::vector<study::ScalarResponse> responses;
+  std::shared_ptr<study::Plan> plan;  // completes further points
 
+  bool isAdaptive() const;
   /// The scene for values of the parameters. Throws base::Error (input) when they are not admissible.
   Scene sceneFor(const std::vector<double>& values, const laws::LawRegistry& laws) const;
 };

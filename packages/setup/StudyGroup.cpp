@@ -58,11 +58,13 @@ void StudyGroup::solve(const std::vector<study::ConfigurationResult>& done, stud
       mine.push_back(*found->second);
     }
   }
-  if (!open.empty()) run(open, mine, sink);
+  if (open.empty()) return;
+  if (!engine_) engine_ = makeEngine();
+  engine_->run(open, mine, sink);
 }
 
 void StudyGroup::solveAlone(const study::Configuration& configuration, study::ResultSink& sink) {
-  run({configuration}, {}, sink);
+  makeEngine()->run({configuration}, {}, sink);
 }
 
 void StudyGroup::walk(const study::Configuration& from, const study::Configuration& to, int steps,
@@ -78,16 +80,15 @@ void StudyGroup::walk(const study::Configuration& from, const study::Configurati
   }
   path.push_back(to);
   OnlyOne last(to.id, sink);
-  run(path, {}, last);
+  makeEngine()->run(path, {}, last);
 }
 
-void StudyGroup::run(const std::vector<study::Configuration>& open, const std::vector<study::ConfigurationResult>& done,
-                     study::ResultSink& sink) {
-  study::ParametricStudy engine(
+std::unique_ptr<study::ParametricStudy> StudyGroup::makeEngine() {
+  auto engine = std::make_unique<study::ParametricStudy>(
       problem_.assembly, [this](const std::vector<double>& values) { install(values); }, problem_.responses,
       latin::LatinOptions(scene_.input.list("Solver")), comm_, timers_);
-  if (interrupted_) engine.setInterrupt(interrupted_);
-  engine.run(open, done, sink);
+  if (interrupted_) engine->setInterrupt(interrupted_);
+  return engine;
 }
 
 void StudyGroup::install(const std::vector<double>& values) {

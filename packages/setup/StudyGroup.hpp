@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include <Teuchos_Comm.hpp>
@@ -32,6 +33,8 @@ class StudyGroup {
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
   /// Solves the configurations that `done` does not hold.
   void solve(const std::vector<study::ConfigurationResult>& done, study::ResultSink& sink);
+  /// Adds one that uses the same operators.
+  void add(const study::Configuration& configuration) { configurations_.push_back(configuration); }
   /// Solves one configuration by itself, from a cold start.
   void solveAlone(const study::Configuration& configuration, study::ResultSink& sink);
   /// Walks to a configuration from another one in `steps` equal steps; only its own result reaches the sink.
@@ -39,8 +42,7 @@ class StudyGroup {
   const std::vector<study::Configuration>& configurations() const { return configurations_; }
 
  private:
-  void run(const std::vector<study::Configuration>& open, const std::vector<study::ConfigurationResult>& done,
-           study::ResultSink& sink);
+  std::unique_ptr<study::ParametricStudy> makeEngine();
   void install(const std::vector<double>& values);
 
   const Study& study_;
@@ -51,6 +53,7 @@ class StudyGroup {
   std::function<bool()> interrupted_;
   Scene scene_;
   Problem problem_;
+  std::unique_ptr<study::ParametricStudy> engine_;  // keeps factors and solutions between calls of solve()
 };
 
 /// Splits configurations into those that share operators, in the order of their first; one group when no parameter

@@ -8,6 +8,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/setup/FailurePolicy.hpp>
+#include <harmos/setup/StudyDesign.hpp>
 #include <harmos/setup/StudyGroup.hpp>
 #include <harmos/setup/StudyIdentity.hpp>
 #include <harmos/study/StatusName.hpp>
@@ -130,7 +131,14 @@ class Runner {
 
   /// `ready`: the only group, if it has been made already.
   void run(std::unique_ptr<StudyGroup> ready, base::Timers& timers) {
-    if (ready) return solve(*ready);
+    if (ready) {
+      for (std::size_t i = study_.configurations.size(); i < recorder_.results().configurations().size(); ++i) {
+        ready->add(recorder_.results().configurations()[i]);
+      }
+      solve(*ready);
+      if (study_.isAdaptive()) refine(*ready);
+      return;
+    }
     for (const auto& configurations : groupByOperators(study_)) {
       const bool isOpen = std::any_of(configurations.begin(), configurations.end(),
                                       [&](const Configuration& c) { return needsWork(c.id); });
@@ -193,6 +201,40 @@ class Runner {
       if (!result || !mayBeHelped(*result)) continue;
       if (policy_.kind == FailurePolicy::Kind::retry) retry(group, configuration, *result);
       if (policy_.kind == FailurePolicy::Kind::continuation) walkTo(group, configuration, *result);
+    }
+  }
+
+  void refine(StudyGroup& group) {
+    const base::Parameters& design = study_.input.list("Design");
+    study::Refinement refinement(study_.plan->axes(), refinementOptions(design),
+                                 [this](const auto& point) { return study_.plan->complete(point).has_value(); });
+    const auto& names = recorder_.results().description().responses;
+    const auto response = std::find_if(names.begin(), names.end(),
+                                       [&](const auto& each) { return each.name == design.text("Response"); });
+    while (!mustStop()) {
+      std::vector<std::vector<double>> points;
+      std::vector<double> values;
+      for (const Configuration& configuration : recorder_.results().configurations()) {
+        auto& point = points.emplace_back();
+        for (std::size_t p = 0; p < study_.parameters.size(); ++p) {
+          if (study_.parameters[p].formula.empty()) point.push_back(configuration.values[p]);
+        }
+        const ConfigurationResult* result = recorder_.results().find(configuration.id);
+        const bool isSolved = result && study::isSolved(result->status);
+        values.push_back(isSolved ? recorder_.results().responses(
+                                        configuration.id)[static_cast<std::size_t>(response - names.begin())]
+                                  : std::numeric_limits<double>::quiet_NaN());
+      }
+      const auto batch = refinement.next(points, values, recorder_.results().description().accuracy);
+      recorder_.note("surface of " + response->name,
+                     (refinement.isReached() ? "reached: " : "not reached: ") + refinement.summary());
+      if (batch.empty()) return;
+      for (const auto& point : batch) {
+        const int id = static_cast<int>(recorder_.results().configurations().size()) + 1;
+        recorder_.add({id, *study_.plan->complete(point)});
+        group.add(recorder_.results().configurations().back());
+      }
+      solve(group);
     }
   }
 

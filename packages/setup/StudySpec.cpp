@@ -26,7 +26,8 @@ base::ParameterSpec& addCount(base::ParameterSpec& spec) {
 }
 
 std::vector<base::ParameterSpec> designForms() {
-  base::ParameterSpec grid("Grid"), list("List"), random("Random"), cube("Latin Hypercube"), sobol("Sobol");
+  base::ParameterSpec grid("Grid"), list("List"), random("Random"), cube("Latin Hypercube"), sobol("Sobol"),
+      adaptive("Adaptive");
   grid.summary("All combinations of the levels; the last parameter varies fastest.");
   list.summary("The rows of a table.");
   list.text("File").required().doc(
@@ -39,7 +40,23 @@ std::vector<base::ParameterSpec> designForms() {
   addCount(sobol.summary("Sobol' sequence: fills the space evenly; a longer one begins with the shorter one."));
   sobol.source("Joe, Kuo, SIAM J. Sci. Comput. 30 (2008)");
   sobol.integer("Seed").defaultValue(0).doc("0: the plain sequence; else a random digital shift.");
-  return {grid, list, random, cube, sobol};
+  adaptive.summary(
+      "Chooses its points itself until the surface of one response is known to a tolerance over the box of the free "
+      "parameters, which may set laws and loads only.");
+  adaptive.text("Response").required().doc("Name of an entry of the study's Responses.");
+  adaptive.number("Tolerance")
+      .unit("-")
+      .defaultValue(1e-2)
+      .above(0.0)
+      .below(1.0)
+      .doc("Largest error of the surface, at 95 % confidence, relative to the largest value of the response.");
+  adaptive.integer("Initial Count")
+      .defaultValue(0)
+      .atLeast(0)
+      .doc("Points to begin with; 0: twice as many as a quadratic polynomial has terms.");
+  adaptive.integer("Maximum Count").defaultValue(200).atLeast(1).doc("Most points.");
+  adaptive.integer("Seed").defaultValue(0).doc("0: plain Sobol' sequences; else with a random digital shift.");
+  return {grid, list, random, cube, sobol, adaptive};
 }
 
 std::vector<base::ParameterSpec> policyForms() {

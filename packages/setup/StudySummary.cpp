@@ -31,7 +31,8 @@ const char* consequenceOf(StudyPhase phase) {
 }  // namespace
 
 void printPlan(std::ostream& out, const Study& study) {
-  out << study.path << ": " << study.configurations.size() << " configurations";
+  out << study.path << ": " << study.configurations.size() << " configurations"
+      << (study.isAdaptive() ? " to begin with" : "");
   const auto groups = groupByOperators(study).size();
   if (groups > 1) out << " with " << groups << " different operators";
   out << "\n";

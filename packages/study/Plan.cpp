@@ -38,13 +38,6 @@ Plan::Plan(std::vector<PlannedParameter> parameters, const std::vector<Condition
     naming(condition.name, [&] { conditions_.emplace_back(condition.formula, names); });
     leftOut_.emplace_back(condition.name, 0);
   }
-  const auto remember = [&](const Formula& formula) {
-    const auto used = formula.variables();
-    namesInFormulas_.insert(namesInFormulas_.end(), used.begin(), used.end());
-  };
-  for (const Derived& derived : waiting) remember(derived.formula);
-  for (const Formula& condition : conditions_) remember(condition);
-
   while (!waiting.empty()) {
     const auto ready = std::find_if(waiting.begin(), waiting.end(), [&](const Derived& derived) {
       const auto needed = derived.formula.variables();
@@ -65,33 +58,37 @@ Plan::Plan(std::vector<PlannedParameter> parameters, const std::vector<Condition
   }
 }
 
-std::vector<Configuration> Plan::configurations(const Design& design) {
+std::vector<Axis> Plan::axes() const {
   std::vector<Axis> axes;
   for (const PlannedParameter& parameter : parameters_) {
     if (parameter.formula.empty()) axes.push_back(parameter.axis);
   }
+  return axes;
+}
+
+std::optional<std::vector<double>> Plan::complete(const std::vector<double>& point) {
+  std::vector<double> values(parameters_.size());
+  auto next = point.begin();
+  for (std::size_t p = 0; p < parameters_.size(); ++p) {
+    if (parameters_[p].formula.empty()) values[p] = *next++;
+  }
+  for (const Derived& derived : derived_) {
+    naming(parameters_[derived.parameter].axis.name,
+           [&] { values[derived.parameter] = derived.formula.evaluate(values); });
+  }
+  for (std::size_t c = 0; c < conditions_.size(); ++c) {
+    if (naming(leftOut_[c].first, [&] { return conditions_[c].evaluate(values) != 0.0; })) continue;
+    ++leftOut_[c].second;
+    return std::nullopt;
+  }
+  return values;
+}
+
+std::vector<Configuration> Plan::configurations(const Design& design) {
   for (auto& count : leftOut_) count.second = 0;
   std::vector<Configuration> result;
-  for (const auto& point : design.points(axes)) {
-    std::vector<double> values(parameters_.size());
-    auto next = point.begin();
-    for (std::size_t p = 0; p < parameters_.size(); ++p) {
-      if (parameters_[p].formula.empty()) values[p] = *next++;
-    }
-    for (const Derived& derived : derived_) {
-      naming(parameters_[derived.parameter].axis.name,
-             [&] { values[derived.parameter] = derived.formula.evaluate(values); });
-    }
-    std::size_t violated = 0;
-    while (violated < conditions_.size() &&
-           naming(leftOut_[violated].first, [&] { return conditions_[violated].evaluate(values) != 0.0; })) {
-      ++violated;
-    }
-    if (violated < conditions_.size()) {
-      ++leftOut_[violated].second;
-    } else {
-      result.push_back({static_cast<int>(result.size()) + 1, std::move(values)});
-    }
+  for (const auto& point : design.points(axes())) {
+    if (auto values = complete(point)) result.push_back({static_cast<int>(result.size()) + 1, std::move(*values)});
   }
   if (result.empty()) throw base::Error("the study has no configuration.", base::ExitCode::input);
   return result;

@@ -32,10 +32,13 @@ class Plan {
 
   /// Numbers the configurations from 1. Throws base::Error (input) when none is left or a formula has no value.
   std::vector<Configuration> configurations(const Design& design);
+  /// The values of all parameters for those of the free ones; nothing when a condition leaves the point out. Throws
+  /// base::Error (input) when a formula has no value.
+  std::optional<std::vector<double>> complete(const std::vector<double>& point);
+  /// Of the free parameters.
+  std::vector<Axis> axes() const;
   /// How many points of the last design each condition left out, the first that is violated counting.
   const std::vector<std::pair<std::string, int>>& leftOut() const { return leftOut_; }
-  /// Names of the parameters that occur in a formula.
-  const std::vector<std::string>& namesInFormulas() const { return namesInFormulas_; }
 
  private:
   struct Derived {
@@ -46,7 +49,6 @@ class Plan {
   std::vector<Derived> derived_;  // each after those that it needs
   std::vector<Formula> conditions_;
   std::vector<std::pair<std::string, int>> leftOut_;
-  std::vector<std::string> namesInFormulas_;
 };
 
 }  // namespace harmos::study

@@ -68,6 +68,13 @@ for design in Random 'Latin Hypercube' Sobol; do
     --set Design/Count=4
 done
 
+# An adaptive design reaches its tolerance, and a second run has nothing to add.
+adaptive=(--set Design/Type=Adaptive --set Design/Response=u_max --set Design/Tolerance=0.01)
+expect 0 'surface of u_max: reached: within ' "$harmos" study "$study" --output "$work/adaptive" "${adaptive[@]}"
+rows=$(wc -l <"$work/adaptive/$name.csv")
+expect 0 'surface of u_max: reached: within ' "$harmos" study "$study" --output "$work/adaptive" "${adaptive[@]}"
+expect 0 "^$rows " wc -l "$work/adaptive/$name.csv"
+
 # A configuration that violates a range is recorded with its reason; the others are solved.
 printf 'pressure,mu\n20,0.3\n20,-1\n20,0.31\n' >"$work/range.csv"
 expect 3 '2 certified, 1 inadmissible\|1 inadmissible' "$harmos" study "$study" --output "$work/range" --points "$work/range.csv"
