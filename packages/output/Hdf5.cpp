@@ -40,6 +40,15 @@ Hdf5Handle scalar() {
 
 }  // namespace
 
+QuietHdf5::QuietHdf5() {
+  H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+QuietHdf5::~QuietHdf5() {
+  H5Eset_auto2(H5E_DEFAULT, print_, data_);
+}
+
 Hdf5Handle::Hdf5Handle(hid_t id, Close closing, const std::string& what) : id_(id), close_(closing) {
   if (id < 0) throw base::Error("Cannot write " + what + " of the study file.");
 }
@@ -52,14 +61,10 @@ Hdf5Handle::~Hdf5Handle() {
   if (id_ >= 0) close_(id_);
 }
 
-void Hdf5Handle::close(const std::string& what) {
-  const hid_t id = id_;
-  id_ = -1;
-  demand(close_(id), what);
-}
-
-Hdf5Group Hdf5Group::create(const std::string& path) {
-  return Hdf5Group({H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path});
+Hdf5Group Hdf5Group::create() {
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "the beginning");
+  demand(H5Pset_fapl_core(access, 1 << 20, false), "the beginning");
+  return Hdf5Group({H5Fcreate("study", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "the beginning"});
 }
 
 Hdf5Group Hdf5Group::group(const std::string& name) const {
@@ -99,8 +104,12 @@ Hdf5Group Hdf5Group::array(const std::string& name, const std::vector<std::strin
   return write(name, textType(), pointers(values).data(), values.size(), 0);
 }
 
-void Hdf5Group::close() {
-  handle_.close("the end");
+std::string Hdf5Group::image() const {
+  demand(H5Fflush(handle_, H5F_SCOPE_LOCAL), "the end");
+  const ::ssize_t size = H5Fget_file_image(handle_, nullptr, 0);
+  std::string bytes(static_cast<std::size_t>(std::max<::ssize_t>(size, 0)), '\0');
+  demand(H5Fget_file_image(handle_, bytes.data(), bytes.size()) > 0 ? 0 : -1, "the end");
+  return bytes;
 }
 
 Hdf5Group Hdf5Group::write(const std::string& name, hid_t type, const void* values, std::size_t count,
@@ -146,12 +155,7 @@ std::vector<std::string> readTexts(const Hdf5Handle& space, const std::function<
 }  // namespace
 
 Hdf5Source Hdf5Source::open(const std::string& path) {
-  hid_t file = -1;
-  // A message of our own is enough.
-  H5E_BEGIN_TRY {
-    file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  }
-  H5E_END_TRY
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (file < 0) throw base::Error("Cannot read " + path + " as HDF5.", base::ExitCode::input);
   return Hdf5Source({file, H5Fclose, path});
 }

@@ -7,6 +7,19 @@
 
 namespace harmos::output {
 
+/// While it lives HDF5 prints no messages of its own; errors end up as base::Error.
+class QuietHdf5 {
+ public:
+  QuietHdf5();
+  ~QuietHdf5();
+  QuietHdf5(const QuietHdf5&) = delete;
+  QuietHdf5& operator=(const QuietHdf5&) = delete;
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
+
 /// Owns one identifier of the HDF5 library.
 class Hdf5Handle {
  public:
@@ -19,8 +32,6 @@ class Hdf5Handle {
   Hdf5Handle& operator=(const Hdf5Handle&) = delete;
 
   operator hid_t() const { return id_; }
-  /// Closes it now; throws base::Error when that fails, as when the disk is full.
-  void close(const std::string& what);
 
  private:
   hid_t id_;
@@ -28,11 +39,12 @@ class Hdf5Handle {
 };
 
 /// A group of a new HDF5 file, and what is put into it. Arrays are stored by rows, in chunks. Without time stamps, so
-/// that equal content gives equal files. All members throw base::Error when the file cannot be written.
+/// that equal content gives equal files. The file is made in memory, because HDF5 does not survive a full disk. All
+/// members throw base::Error when something cannot be written.
 class Hdf5Group {
  public:
-  /// The root of a new file, which replaces an older one.
-  static Hdf5Group create(const std::string& path);
+  /// The root of a new file.
+  static Hdf5Group create();
   Hdf5Group group(const std::string& name) const;
 
   void attribute(const std::string& name, const std::string& value) const;
@@ -44,8 +56,8 @@ class Hdf5Group {
   Hdf5Group array(const std::string& name, const std::vector<double>& values, std::size_t columns = 0) const;
   Hdf5Group array(const std::string& name, const std::vector<int>& values, std::size_t columns = 0) const;
   Hdf5Group array(const std::string& name, const std::vector<std::string>& values) const;
-  /// Of the root: closes the file, so that it is complete.
-  void close();
+  /// Of the root, when all other groups and arrays are gone: the bytes of the file.
+  std::string image() const;
 
  private:
   explicit Hdf5Group(Hdf5Handle handle) : handle_(std::move(handle)) {}

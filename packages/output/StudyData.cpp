@@ -54,6 +54,7 @@ StudyData dataOf(const StudyResults& results) {
 }
 
 StudyData readStudyData(const std::string& path) {
+  const QuietHdf5 quiet;
   const Hdf5Source root = Hdf5Source::open(path);
   if (!root.hasAttribute("schema") || root.text("schema") != "harmos-study") {
     throw base::Error(path + " is not the file of a study.", base::ExitCode::input);

@@ -161,24 +161,21 @@ class Writer {
 }  // namespace
 
 void writeStudyFile(const std::string& path, const StudyResults& results, const std::string& state) {
-  AtomicFile file(path);
+  const QuietHdf5 quiet;
   const StudyDescription& description = results.description();
+  const Hdf5Group root = Hdf5Group::create();
+  root.attribute("schema", std::string("harmos-study"));
+  root.attribute("schema_version", studySchemaVersion);
+  root.attribute("program_version", std::string(version()));
   {
-    Hdf5Group root = Hdf5Group::create(file.temporaryPath());
-    root.attribute("schema", std::string("harmos-study"));
-    root.attribute("schema_version", studySchemaVersion);
-    root.attribute("program_version", std::string(version()));
-    {
-      const Hdf5Group group = root.group(description.name);
-      group.attribute("title", description.title);
-      group.attribute("scene", description.scene);
-      group.attribute("accuracy", description.accuracy);
-      group.attribute("state", state);
-      Writer(group, results, state != "running").write();
-    }
-    root.close();
+    const Hdf5Group group = root.group(description.name);
+    group.attribute("title", description.title);
+    group.attribute("scene", description.scene);
+    group.attribute("accuracy", description.accuracy);
+    group.attribute("state", state);
+    Writer(group, results, state != "running").write();
   }
-  file.commit();
+  replaceFile(path, root.image());
 }
 
 }  // namespace harmos::output

@@ -73,25 +73,35 @@ class Recorder : public study::ResultSink {
 
   void record(const ConfigurationResult& result) override {
     results_.set(result);
-    if (writer_) writer_->record(result);
+    write([&] { writer_->record(result); });
     if (aborts_ && mayBeHelped(result)) isAborted_ = true;
     if (request_.observer) request_.observer(results_);
   }
   void note(const std::string& name, const std::string& text) override {
     results_.note(name, text);
-    if (writer_) writer_->note(name, text);
+    write([&] { writer_->note(name, text); });
   }
   void add(const Configuration& configuration) {
     results_.add(configuration);
-    if (writer_) writer_->add(configuration);
+    write([&] { writer_->add(configuration); });
   }
+  /// Results could not be written, which is no fault of a configuration.
+  bool cannotWrite() const { return cannotWrite_; }
   bool isAborted() const { return isAborted_; }
   bool mustStop() const { return isAborted_ || (request_.interrupted && request_.interrupted()); }
   const output::StudyResults& results() const { return results_; }
 
  private:
+  void write(const std::function<void()>& action) {
+    if (!writer_) return;
+    cannotWrite_ = true;
+    action();
+    cannotWrite_ = false;
+  }
+
   output::StudyResults& results_;
   output::StudyWriter* writer_;
+  bool cannotWrite_ = false;
   const StudyRunRequest& request_;
   bool aborts_;
   bool isAborted_ = false;
@@ -190,6 +200,7 @@ class Runner {
     } catch (const base::Error& error) {
       // An operator that cannot be factored, on one rank perhaps: the others wait for it.
       if (comm_->getSize() > 1 && error.code() != base::ExitCode::input) throw;
+      if (recorder_.cannotWrite()) throw;
       for (const Configuration& configuration : group.configurations()) {
         if (!recorder_.results().find(configuration.id)) recordFailure(configuration, error);
       }
