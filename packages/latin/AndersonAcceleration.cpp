@@ -22,6 +22,47 @@ void AndersonAcceleration::restart() {
   started_ = false;
 }
 
+void AndersonAcceleration::reserve(int rows, int columns) {
+  if (!steps_.empty()) return;
+  steps_.resize(static_cast<std::size_t>(columns));
+  for (Step& step : steps_) {
+    step.residuals.shape(rows, memory_);
+    step.images.shape(rows, memory_);
+    step.gram.shape(memory_, memory_);
+  }
+}
+
+void AndersonAcceleration::seed(const std::vector<base::Matrix>& residuals, const std::vector<base::Matrix>& images) {
+  restart();
+  if (residuals.empty()) return;
+  const Teuchos::BLAS<int, double> blas;
+  const int rows = residuals[0].numRows();
+  const int count = residuals[0].numCols();
+  reserve(rows, static_cast<int>(residuals.size()));
+  const auto size = static_cast<std::size_t>(count) * static_cast<std::size_t>(count);
+  std::vector<double> products(size * steps_.size());
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    for (int j = 0; j < count; ++j) {
+      std::copy_n(residuals[t][j], rows, steps_[t].residuals[j]);
+      std::copy_n(images[t][j], rows, steps_[t].images[j]);
+    }
+    blas.SYRK(Teuchos::UPPER_TRI, Teuchos::TRANS, count, rows, 1.0, steps_[t].residuals.values(),
+              steps_[t].residuals.stride(), 0.0, products.data() + t * size, count);
+  }
+  metric_.sum(products);
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    for (int j = 0; j < count; ++j) {
+      for (int i = 0; i <= j; ++i) {
+        const double product = products[t * size + static_cast<std::size_t>(j * count + i)];
+        steps_[t].gram(i, j) = product;
+        steps_[t].gram(j, i) = product;
+      }
+    }
+  }
+  stored_ = count;
+  next_ = count % memory_;
+}
+
 void AndersonAcceleration::append(const base::Matrix& residual, const base::Matrix& image) {
   const Teuchos::BLAS<int, double> blas;
   const int rows = residual.numRows();
@@ -61,14 +102,7 @@ void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& imag
       residual[t][row] = metric_.scale()[static_cast<std::size_t>(row)] * (image[t][row] - alpha[t][row]);
     }
   }
-  if (steps_.empty()) {
-    steps_.resize(static_cast<std::size_t>(columns));
-    for (Step& step : steps_) {
-      step.residuals.shape(rows, memory_);
-      step.images.shape(rows, memory_);
-      step.gram.shape(memory_, memory_);
-    }
-  }
+  reserve(rows, columns);
   if (started_) append(residual, image);
 
   alpha.assign(image);

@@ -19,6 +19,10 @@ class AndersonAcceleration {
 
   /// Collective. Replaces `alpha` by the next iterate, given image = T(alpha).
   void advance(base::Matrix& alpha, const base::Matrix& image);
+  /// Collective. Forgets all differences and starts with those that are known from elsewhere: per load step dF in the
+  /// scale of the metric, and dG, one column each and at most as many as the memory. New ones replace them in their
+  /// order.
+  void seed(const std::vector<base::Matrix>& residuals, const std::vector<base::Matrix>& images);
   /// Forgets all differences.
   void restart();
 
@@ -29,6 +33,7 @@ class AndersonAcceleration {
     base::Matrix gram;       // dF^T dF
   };
 
+  void reserve(int rows, int columns);
   void append(const base::Matrix& residual, const base::Matrix& image);
 
   const StateMetric& metric_;

@@ -43,6 +43,8 @@ class LatinSolver {
   LatinResult solve(const base::Matrix* start = nullptr);
   /// Fields of the delivered state.
   const FixedPoint& state() const { return fixedPoint_; }
+  /// The iteration itself, for those who go on from here.
+  FixedPoint& fixedPoint() { return fixedPoint_; }
   /// The delivered state alpha [stress]: a start for another run, or a checkpoint.
   const base::Matrix& alpha() const { return alpha_; }
 
