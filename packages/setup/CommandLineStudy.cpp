@@ -1,5 +1,6 @@
 #include <ostream>
 
+#include <harmos/base/Numerals.hpp>
 #include <harmos/setup/CommandLineVerbs.hpp>
 #include <harmos/setup/StudyProgress.hpp>
 #include <harmos/setup/StudyRun.hpp>
@@ -20,6 +21,9 @@ int study(const CommandLineArguments& arguments, const CommandEnvironment& envir
   request.pointsFile = arguments.value("--points", "");
   request.directory = arguments.value("--output", "results");
   request.restart = arguments.has("--restart");
+  if (arguments.has("--ranks-per-configuration")) {
+    request.ranksPerConfiguration = base::parseInteger(arguments.value("--ranks-per-configuration", "")).value_or(0);
+  }
   request.interrupted = environment.interrupted;
   StudyProgress progress(environment.err, environment.terminal);
   if (isShown) {
@@ -55,6 +59,7 @@ Command studyCommand() {
       {{"--points", "FILE.csv", "the rows of this table instead of the study's design"},
        {"--output", "DIR", "folder of the results (default: results)"},
        {"--set", "'LIST/NAME=VALUE'", "replace an entry of the study, or with Scene/ before it of its scene", true},
+       {"--ranks-per-configuration", "N", "ranks that solve one configuration together (default: 1)"},
        {"--restart", "", "forget the results of an earlier run"},
        {"--quiet", "", "print only errors"}},
       {"harmos study xml/bolted_joint_study.xml",

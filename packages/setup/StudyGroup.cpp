@@ -1,6 +1,7 @@
 #include <harmos/setup/StudyGroup.hpp>
 
 #include <map>
+#include <set>
 
 #include <harmos/base/Error.hpp>
 
@@ -35,32 +36,26 @@ Scene firstAdmissible(const Study& study, const std::vector<study::Configuration
 
 }  // namespace
 
-StudyGroup::StudyGroup(const Study& study, std::vector<study::Configuration> configurations,
+StudyGroup::StudyGroup(const Study& study, const std::vector<study::Configuration>& configurations,
                        const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers)
     : study_(study),
-      configurations_(std::move(configurations)),
       laws_(laws),
       comm_(std::move(comm)),
       timers_(timers),
-      scene_(firstAdmissible(study, configurations_, laws)),
+      scene_(firstAdmissible(study, configurations, laws)),
       problem_(makeProblem(scene_, *comm_, timers)) {}
 
-void StudyGroup::solve(const std::vector<study::ConfigurationResult>& done, study::ResultSink& sink) {
-  std::map<int, const study::ConfigurationResult*> known;
-  for (const study::ConfigurationResult& result : done) known[result.id] = &result;
+void StudyGroup::solve(const std::vector<study::Configuration>& configurations,
+                       const std::vector<study::ConfigurationResult>& done, study::ResultSink& sink) {
+  std::set<int> known;
+  for (const study::ConfigurationResult& result : done) known.insert(result.id);
   std::vector<study::Configuration> open;
-  std::vector<study::ConfigurationResult> mine;
-  for (const study::Configuration& configuration : configurations_) {
-    const auto found = known.find(configuration.id);
-    if (found == known.end()) {
-      open.push_back(configuration);
-    } else {
-      mine.push_back(*found->second);
-    }
+  for (const study::Configuration& configuration : configurations) {
+    if (known.count(configuration.id) == 0) open.push_back(configuration);
   }
   if (open.empty()) return;
   if (!engine_) engine_ = makeEngine();
-  engine_->run(open, mine, sink);
+  engine_->run(open, done, sink);
 }
 
 void StudyGroup::solveAlone(const study::Configuration& configuration, study::ResultSink& sink) {
@@ -100,13 +95,14 @@ void StudyGroup::install(const std::vector<double>& values) {
   }
 }
 
-std::vector<std::vector<study::Configuration>> groupByOperators(const Study& study) {
+std::vector<std::vector<study::Configuration>> groupByOperators(
+    const std::vector<StudyParameter>& parameters, const std::vector<study::Configuration>& configurations) {
   std::vector<std::vector<study::Configuration>> groups;
   std::map<std::vector<double>, std::size_t> places;
-  for (const study::Configuration& configuration : study.configurations) {
+  for (const study::Configuration& configuration : configurations) {
     std::vector<double> key;
-    for (std::size_t p = 0; p < study.parameters.size(); ++p) {
-      if (study.parameters[p].phase == StudyPhase::operators) key.push_back(configuration.values[p]);
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+      if (parameters[p].phase == StudyPhase::operators) key.push_back(configuration.values[p]);
     }
     const auto [place, isNew] = places.emplace(key, groups.size());
     if (isNew) groups.emplace_back();

@@ -22,31 +22,29 @@ namespace harmos::setup {
 /// All calls are collective over the communicator.
 class StudyGroup {
  public:
-  /// Builds mesh and bodies for the first configuration whose values are admissible. The study, the laws and the timers
-  /// must outlive it. Throws base::Error (input) when none is, and as makeProblem() does.
-  StudyGroup(const Study& study, std::vector<study::Configuration> configurations, const laws::LawRegistry& laws,
+  /// Builds mesh and bodies for the first of `configurations` whose values are admissible. The study, the laws and the
+  /// timers must outlive it. Throws base::Error (input) when none is, and as makeProblem() does.
+  StudyGroup(const Study& study, const std::vector<study::Configuration>& configurations, const laws::LawRegistry& laws,
              Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
 
   StudyGroup(const StudyGroup&) = delete;  // the problem refers to the scene
   StudyGroup& operator=(const StudyGroup&) = delete;
 
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
-  /// Solves the configurations that `done` does not hold.
-  void solve(const std::vector<study::ConfigurationResult>& done, study::ResultSink& sink);
-  /// Adds one that uses the same operators.
-  void add(const study::Configuration& configuration) { configurations_.push_back(configuration); }
+  /// Solves those of the configurations, which share the operators, that `done` does not hold. What is solved serves
+  /// later calls.
+  void solve(const std::vector<study::Configuration>& configurations,
+             const std::vector<study::ConfigurationResult>& done, study::ResultSink& sink);
   /// Solves one configuration by itself, from a cold start.
   void solveAlone(const study::Configuration& configuration, study::ResultSink& sink);
   /// Walks to a configuration from another one in `steps` equal steps; only its own result reaches the sink.
   void walk(const study::Configuration& from, const study::Configuration& to, int steps, study::ResultSink& sink);
-  const std::vector<study::Configuration>& configurations() const { return configurations_; }
 
  private:
   std::unique_ptr<study::ParametricStudy> makeEngine();
   void install(const std::vector<double>& values);
 
   const Study& study_;
-  std::vector<study::Configuration> configurations_;
   const laws::LawRegistry& laws_;
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
   base::Timers& timers_;
@@ -58,6 +56,7 @@ class StudyGroup {
 
 /// Splits configurations into those that share operators, in the order of their first; one group when no parameter
 /// changes any.
-std::vector<std::vector<study::Configuration>> groupByOperators(const Study& study);
+std::vector<std::vector<study::Configuration>> groupByOperators(
+    const std::vector<StudyParameter>& parameters, const std::vector<study::Configuration>& configurations);
 
 }  // namespace harmos::setup

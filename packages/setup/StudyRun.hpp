@@ -22,17 +22,19 @@ struct StudyRunRequest {
   std::string pointsFile;              // as for readStudy()
   std::string directory = "results";   // of the result files
   bool restart = false;                // forget the results of an earlier run
+  int ranksPerConfiguration = 1;       // size of the teams that solve configurations side by side
   /// Once, before the first solution; may be empty. `damaged`: lines of the journal that could not be read.
   std::function<void(const Study&, const output::StudyResults&, int damaged)> started;
-  std::function<void(const output::StudyResults&)> observer;  // after every result, on every rank; may be empty
-  std::function<bool()> interrupted;                          // asked between iterations; may be empty
+  /// After every result that a rank keeps (rank 0: all); may be empty.
+  std::function<void(const output::StudyResults&)> observer;
+  std::function<bool()> interrupted;  // asked between iterations; may be empty
 };
 
 /// A study and what became of it.
 struct StudyRunResult {
   std::unique_ptr<const Study> study;
   std::unique_ptr<const output::StudyDescription> description;
-  std::unique_ptr<output::StudyResults> results;
+  std::unique_ptr<output::StudyResults> results;  // on rank 0 all of them, elsewhere those of the own team
   output::StudyFiles files;
   std::string state;  // complete, interrupted, aborted
   int exitCode = 0;   // 0: all solved; 3, 4, 130 as for a scene; 1: aborted

@@ -33,7 +33,7 @@ const char* consequenceOf(StudyPhase phase) {
 void printPlan(std::ostream& out, const Study& study) {
   out << study.path << ": " << study.configurations.size() << " configurations"
       << (study.isAdaptive() ? " to begin with" : "");
-  const auto groups = groupByOperators(study).size();
+  const auto groups = groupByOperators(study.parameters, study.configurations).size();
   if (groups > 1) out << " with " << groups << " different operators";
   out << "\n";
   for (const auto& [condition, count] : study.leftOut) {
