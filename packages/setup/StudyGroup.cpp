@@ -1,7 +1,9 @@
 #include <harmos/setup/StudyGroup.hpp>
 
+#include <iomanip>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include <harmos/base/Error.hpp>
 
@@ -21,6 +23,26 @@ class OnlyOne : public study::ResultSink {
   int id_;
   study::ResultSink& sink_;
 };
+
+/// What the report says of the estimates of a study.
+void noteTrust(const study::StudySummary& summary, study::ResultSink& sink) {
+  std::ostringstream text;
+  text << std::setprecision(2);
+  if (summary.calibrations > 0) {
+    text << summary.calibrations << " configurations solved tightly; ratio of indicator to error at least "
+         << summary.forceRatio << " (forces) and " << summary.responseRatio << " (responses); " << summary.reopened
+         << " taken up again";
+    sink.note("calibration of the error estimate", text.str());
+    text.str("");
+  }
+  if (summary.audits > 0) {
+    text << summary.falseClaims << " of " << summary.audits
+         << " random configurations had a larger error than accepted, "
+         << "the largest " << summary.largestAudit << " of what was asked for; false claims at most "
+         << 100.0 * summary.falseClaimBound << " % at 95 % confidence";
+    sink.note("audit of the error estimate", text.str());
+  }
+}
 
 Scene firstAdmissible(const Study& study, const std::vector<study::Configuration>& configurations,
                       const laws::LawRegistry& laws) {
@@ -56,6 +78,7 @@ void StudyGroup::solve(const std::vector<study::Configuration>& configurations,
   if (open.empty()) return;
   if (!engine_) engine_ = makeEngine();
   engine_->run(open, done, sink);
+  noteTrust(engine_->summary(), sink);
 }
 
 void StudyGroup::solveAlone(const study::Configuration& configuration, study::ResultSink& sink) {
