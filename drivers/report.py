@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Writes one HTML file with the pictures and tables of a study; `harmos report` calls it.
 
-report.py STUDY.h5 PAGE.html [--abscissa CURVE]
+report.py STUDY.h5 PAGE.html [--abscissa CURVE] [--pictures DIR]
 
 Works for any number of parameters and responses. On a grid the last two parameters span the pictures and the others
 are fixed, one picture for each of their combinations (nine at most); other designs are shown point by point.
@@ -11,6 +11,7 @@ import base64
 import html
 import io
 import itertools
+import pathlib
 import sys
 
 import matplotlib
@@ -37,11 +38,17 @@ img { max-width: 100%; } pre { background: #f6f6f6; padding: 1em; overflow: auto
 """
 
 
-def picture(figure):
+picture_folder = None  # also keeps the pictures there, if given
+
+
+def picture(figure, name):
     """The figure as an image inside of the page."""
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png", dpi=110, bbox_inches="tight")
     pyplot.close(figure)
+    if picture_folder:
+        picture_folder.mkdir(parents=True, exist_ok=True)
+        (picture_folder / f"{name}.png").write_bytes(buffer.getvalue())
     return f'<img alt="" src="data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}">'
 
 
@@ -163,11 +170,11 @@ def response_section(study, grid, is_grid):
             continue
         parts.append(f"<h3>{html.escape(name)}</h3>")
         if is_grid and len(grid.names) >= 2:
-            parts.append(picture(maps(study, grid, values, name, contours=True)))
+            parts.append(picture(maps(study, grid, values, name, contours=True), f"{name}_maps"))
             if min(grid.shape[-2:]) > 1:
-                parts.append(picture(surface(study, grid, values, name)))
+                parts.append(picture(surface(study, grid, values, name), f"{name}_surfaces"))
         elif study.free:
-            parts.append(picture(scatter(study, study.free, values, name)))
+            parts.append(picture(scatter(study, study.free, values, name), f"{name}_points"))
     if study.surrogate_models:
         rows = [(name, f"{100 * model['mean_left_out_error'] / span(study.responses[name]):.2g} %",
                  f"{100 * model['largest_left_out_error'] / span(study.responses[name]):.2g} %")
@@ -222,7 +229,7 @@ def curve_section(study, grid, is_grid, abscissa):
         axis.grid(alpha=0.3)
     if study.free:
         figure.colorbar(pyplot.cm.ScalarMappable(norm, "viridis"), ax=axes, label=label(study, study.free[0]))
-    return f'<p class="note">{html.escape(note)}</p>' + picture(figure)
+    return f'<p class="note">{html.escape(note)}</p>' + picture(figure, "curves")
 
 
 def main_effects(study, name, values):
@@ -301,7 +308,7 @@ def sensitivity_section(study):
             rows.append(row)
         header = ["parameter", "from", "to", "share of variance"]
         header += [f"d {response} / d parameter", f"change of {response} over the range"] if fit else []
-        parts.append(f"<h3>{html.escape(response)}</h3>" + picture(figure) + table(header, rows))
+        parts.append(f"<h3>{html.escape(response)}</h3>" + picture(figure, f"{response}_effects") + table(header, rows))
         if fit:
             parts.append(f'<p class="note">Derivatives at the middle of the box, from a quadratic fit by least squares '
                          f"that explains {100 * fit[2]:.2f} % of the variance. Share of variance: of the mean over all "
@@ -316,12 +323,12 @@ def effort_section(study, grid, is_grid):
     if is_grid and len(grid.names) >= 2:
         done = numpy.where(study.status == "open", numpy.nan, study.iterations)
         if not numpy.isnan(done).all():
-            parts.append("<h3>Iterations</h3>" + picture(maps(study, grid, done, "iterations")))
+            parts.append("<h3>Iterations</h3>" + picture(maps(study, grid, done, "iterations"), "iterations"))
         colours = ListedColormap(list(STATUS_COLOURS.values()))
         figure = maps(study, grid, code, "", cmap=colours, vmin=-0.5, vmax=len(STATUS_COLOURS) - 0.5)
         legend = ", ".join(f'<span style="color:{STATUS_COLOURS[status]}">&#9632;</span> {status}'
                            for status in statuses)
-        parts.append(f"<h3>Status</h3><p>{legend}</p>" + picture(figure))
+        parts.append(f"<h3>Status</h3><p>{legend}</p>" + picture(figure, "status"))
     else:
         figure, axis = pyplot.subplots(figsize=(9, 3), layout="constrained")
         for status in statuses:
@@ -330,7 +337,7 @@ def effort_section(study, grid, is_grid):
         axis.set_xlabel("configuration")
         axis.set_ylabel("iterations")
         axis.legend()
-        parts.append(picture(figure))
+        parts.append(picture(figure, "effort"))
     return "".join(parts)
 
 
@@ -388,7 +395,10 @@ def main():
     parser.add_argument("study")
     parser.add_argument("page")
     parser.add_argument("--abscissa", default="", help="curve to draw the other curves against (default: time)")
+    parser.add_argument("--pictures", type=pathlib.Path, help="folder that also gets the pictures, as PNG files")
     arguments = parser.parse_args()
+    global picture_folder
+    picture_folder = arguments.pictures
     try:
         study = harmos_results.read_study(arguments.study)
         if arguments.abscissa and arguments.abscissa not in study.curves:

@@ -45,7 +45,9 @@ int report(const CommandLineArguments& arguments, const CommandEnvironment& envi
   if (!fs::exists(study)) throw base::Error("Cannot read " + study + ": there is no such file.", base::ExitCode::input);
   const std::string page = arguments.value("--output", fs::path(study).replace_extension(".html").string());
   std::vector<std::string> words = {scriptPath().string(), study, page};
-  if (arguments.has("--abscissa")) words.insert(words.end(), {"--abscissa", arguments.value("--abscissa", "")});
+  for (const std::string option : {"--abscissa", "--pictures"}) {
+    if (arguments.has(option)) words.insert(words.end(), {option, arguments.value(option, "")});
+  }
   return runScript(std::move(words));
 }
 
@@ -56,7 +58,8 @@ Command reportCommand() {
           "STUDY.h5",
           "Write one HTML file with the pictures and tables of a study.",
           {{"--output", "FILE.html", "the page (default: beside the study, with its name)"},
-           {"--abscissa", "CURVE", "draw the other curves against this one (default: against time)"}},
+           {"--abscissa", "CURVE", "draw the other curves against this one (default: against time)"},
+           {"--pictures", "DIR", "write the pictures there as well, as PNG files"}},
           {"harmos report results/bolted_joint_study.h5 --abscissa u_load"},
           report};
 }

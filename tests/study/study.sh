@@ -155,6 +155,8 @@ for result in "$work/all" "$work/designs" "$work/long" "$work/range" "$work/retr
   expect 0 '</html>' tail -n 1 "$result/$name.html"
 done
 expect 2 'no_such.h5' "$harmos" report no_such.h5
+expect 0 "$name.html" "$harmos" report "$work/all/$name.h5" --abscissa friction_force --pictures "$work/pictures"
+expect 0 'u_max_effects.png' ls "$work/pictures"
 expect 2 'there is no curve' "$harmos" report "$work/all/$name.h5" --abscissa u
 
 [ $failures -eq 0 ] && echo "all as promised"
