@@ -14,16 +14,18 @@ constexpr double slow = 0.5;
 // Differences across many changes of status mislead as well.
 constexpr std::size_t latePatience = 20;
 constexpr int neighboursInTime = 2;
+// Fewer solved states are worth less than a cold start: the iteration first has to get rid of their contact status.
+constexpr int fewestStates = 8;
 
 }  // namespace
 
 ConfigurationIteration::ConfigurationIteration(latin::FixedPoint& fixedPoint,
                                                const std::vector<std::shared_ptr<const latin::Response>>& responses,
-                                               int neighbours, int memory)
+                                               int neighbours, int memory, base::Timers& timers)
     : fixedPoint_(fixedPoint),
       responses_(responses),
       neighbours_(neighbours),
-      memory_(memory),
+      timers_(timers),
       start_(fixedPoint),
       acceleration_(fixedPoint.metric(), neighbours + neighboursInTime + memory) {}
 
@@ -66,7 +68,8 @@ void ConfigurationIteration::prepare() {
 
 void ConfigurationIteration::begin(const SolvedStates& states, const std::vector<double>& values) {
   prepare();
-  if (states.count() == 0) return;
+  if (states.count() < fewestStates) return;
+  const auto running = timers_.start("start");
   start_.find(states, values, neighbours_, offset_);
   starts_ = start_.starts();
   acceleration_.seed(start_.residualTangents(), start_.imageTangents());
@@ -83,7 +86,7 @@ Indicators ConfigurationIteration::iterate() {
   alpha_.assign(next_);
   fixedPoint_.apply(alpha_, image_);
   ++stages_;
-  const Indicators indicators = indicatorsOf(fixedPoint_, alpha_, image_, responses_);
+  const Indicators indicators = measure();
   residuals_.push_back(indicators.force);
   const std::size_t n = residuals_.size();
   const std::size_t back = hasRestarted_ ? latePatience : patience;
@@ -92,8 +95,14 @@ Indicators ConfigurationIteration::iterate() {
     hasRestarted_ = true;
     residuals_.clear();
   }
+  const auto running = timers_.start("acceleration");
   acceleration_.advance(next_, image_);
   return indicators;
+}
+
+Indicators ConfigurationIteration::measure() {
+  const auto running = timers_.start("indicators");
+  return indicatorsOf(fixedPoint_, alpha_, image_, responses_);
 }
 
 base::Matrix ConfigurationIteration::linear() const {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
+#include <harmos/base/Timers.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/study/Indicators.hpp>
 #include <harmos/study/ReducedBasisStart.hpp>
@@ -14,12 +14,14 @@ namespace harmos::study {
 /// stages with Anderson acceleration that already knows how the residual changes along these states.
 class ConfigurationIteration {
  public:
-  /// `memory`: differences that the acceleration keeps beyond those of the start.
+  /// `memory`: differences that the acceleration keeps beyond those of the start. The phases "start", "indicators" and
+  /// "acceleration" are charged to `timers`.
   ConfigurationIteration(latin::FixedPoint& fixedPoint,
                          const std::vector<std::shared_ptr<const latin::Response>>& responses, int neighbours,
-                         int memory);
+                         int memory, base::Timers& timers);
 
-  /// Collective. Begins the configuration whose laws are in the assembly, from alpha = 0 when there are no `states`.
+  /// Collective. Begins the configuration whose laws are in the assembly, from alpha = 0 when there are only few
+  /// `states`.
   void begin(const SolvedStates& states, const std::vector<double>& values);
   /// Collective. Goes on from a state found elsewhere.
   void beginAt(const base::Matrix& alpha);
@@ -36,12 +38,13 @@ class ConfigurationIteration {
 
  private:
   void prepare();
+  Indicators measure();
   void updateOffset();
 
   latin::FixedPoint& fixedPoint_;
   const std::vector<std::shared_ptr<const latin::Response>>& responses_;
   int neighbours_;
-  int memory_;
+  base::Timers& timers_;
   ReducedBasisStart start_;
   latin::AndersonAcceleration acceleration_;
   base::Matrix alpha_, next_, image_;

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int fewConfigurations = 10;
 constexpr int auditEvery = 100;
+constexpr int attemptsToCalibrate = 10;
 // More neighbours make a better and dearer start, which pays when stages are to be saved.
 constexpr double demanding = 5e-3;
 constexpr int neighbours = 12;
@@ -48,8 +49,11 @@ Status statusOf(latin::Outcome outcome) {
   return Status::notConverged;
 }
 
-bool isCalibration(int number) {
-  return number == 1 || number == 2 || number == 4 || number == 8 || number == 16;
+/// Calibrations that a study should have after so many configurations: numbers 1, 2, 4, 8 and 16 are.
+int calibrationsUntil(int number) {
+  int count = 0;
+  for (int next = 1; next <= std::min(number, 16); next *= 2) ++count;
+  return count;
 }
 
 /// The same on every rank, in every run and on every machine.
@@ -88,7 +92,7 @@ ParametricStudy::ParametricStudy(interface::Assembly& assembly, Install install,
       solver_(assembly, options, std::move(comm), timers),
       fixedPoint_(solver_.fixedPoint()),
       iteration_(fixedPoint_, responses_, options.accuracy < demanding ? neighboursWhenDemanding : neighbours,
-                 options.memory),
+                 options.memory, timers),
       calibration_(options.accuracy),
       states_(statesThatFit(fixedPoint_.layout(), assembly.steps())) {
   for (const auto& response : responses_) solver_.addResponse(response);
@@ -209,7 +213,15 @@ bool ParametricStudy::iterate(const Configuration& configuration, Purpose purpos
   result.linearStages += iteration_.stages();
   const bool isTight = summary_.calibrations + summary_.audits > before;
   if (isAccepted && (isTight || calibration_.accepts(indicators_))) {
+    if (isTight && summary_.certificates == 0 && purpose == Purpose::calibration) {
+      if (!confirm(result)) return false;
+    }
+    const bool isCertified = result.status == Status::certified;
     deliver(indicators_, result);
+    if (isCertified) {
+      result.status = Status::certified;
+      result.reason = "the error estimate of a certificate is below the accuracy asked for";
+    }
     if (observer_) observer_(configuration, fixedPoint_);
     remember(configuration);
     accepted_[configuration.id] = {configuration, result, indicators_};
@@ -219,7 +231,28 @@ bool ParametricStudy::iterate(const Configuration& configuration, Purpose purpos
   return true;
 }
 
-bool ParametricStudy::solve(const Configuration& configuration, Purpose purpose, ResultSink& sink) {
+ParametricStudy::Purpose ParametricStudy::purposeOfNext() {
+  ++number_;
+  if (calibration_.runs() < calibrationsUntil(number_) && attempts_ < attemptsToCalibrate) {
+    ++attempts_;
+    return Purpose::calibration;
+  }
+  return number_ % auditEvery == auditEvery / 2 ? Purpose::audit : Purpose::result;
+}
+
+bool ParametricStudy::confirm(ConfigurationResult& result) {
+  const base::Matrix tight(iteration_.alpha());
+  const latin::Snapshot claimed(fixedPoint_, responses_);
+  if (!certify(&tight, result)) return false;
+  const latin::Snapshot certified(fixedPoint_, responses_);
+  const auto [responseError, forceError] = errorsAgainst(certified, claimed);
+  isContradicted_ = result.status == Status::certified && std::max(responseError, forceError) > options_.accuracy;
+  iteration_.beginAt(tight);
+  indicators_ = iteration_.iterate();
+  return true;
+}
+
+bool ParametricStudy::solve(const Configuration& configuration, bool isNew, ResultSink& sink) {
   const double begin = cpuSeconds();
   ConfigurationResult result;
   result.id = configuration.id;
@@ -240,13 +273,14 @@ bool ParametricStudy::solve(const Configuration& configuration, Purpose purpose,
   }
   accepted_.erase(configuration.id);
   fixedPoint_.updateLaws();
+  const Purpose purpose = isNew ? purposeOfNext() : Purpose::result;
   try {
     if (!iterate(configuration, purpose, result)) return false;
   } catch (const base::Error& error) {
     result.status = Status::failed;
     result.reason = error.what();
   }
-  if (result.status == Status::calibrated) {
+  if (result.status == Status::calibrated || result.status == Status::certified) {
     report();
     return true;
   }
@@ -283,7 +317,7 @@ bool ParametricStudy::reopen(ResultSink& sink) {
     }
     for (const Configuration& configuration : again) {
       ++summary_.reopened;
-      if (!solve(configuration, Purpose::result, sink)) return false;
+      if (!solve(configuration, false, sink)) return false;
     }
   }
   return true;
@@ -347,16 +381,18 @@ void ParametricStudy::run(const std::vector<Configuration>& open, const std::vec
     certifyEach(open, sink);
     return;
   }
+  std::vector<Configuration> left;
   for (const std::size_t position : randomOrder(open.size())) {
-    ++number_;
-    const Purpose purpose = isCalibration(number_)                       ? Purpose::calibration
-                            : number_ % auditEvery == auditEvery / 2 + 1 ? Purpose::audit
-                                                                         : Purpose::result;
-    if (!solve(open[position], purpose, sink) || !reopen(sink)) return;
+    if (isContradicted_) {
+      left.push_back(open[position]);
+      continue;
+    }
+    if (!solve(open[position], true, sink) || !reopen(sink)) return;
     summary_.forceRatio = calibration_.forceRatio();
     summary_.responseRatio = calibration_.responseRatio();
     summary_.falseClaimBound = falseClaimBound(summary_.audits, summary_.falseClaims);
   }
+  certifyEach(left, sink);
 }
 
 }  // namespace harmos::study

@@ -25,11 +25,11 @@ namespace harmos::study {
 /// A configuration changes laws only: friction, preload, stiffness of interfaces, prescribed displacements and
 /// tractions. The configurations are taken in a random order, each started from the span of its nearest neighbours
 /// (ReducedBasisStart) and iterated until its free indicators, calibrated in the same study, meet the accuracy
-/// (Calibration). Number 1 is certified; numbers 1, 2, 4, 8 and 16 are iterated on to a tight stop and calibrate; so
-/// are random ones after they were accepted, as audits. When a ratio falls, what it no longer covers is taken up again.
-/// The accuracy is that of the responses and of the field of interface forces. Studies of fewer than 10 configurations,
-/// the velocity form and the algorithms of the literature get a certificate for each configuration.
-/// All calls are collective over the communicator.
+/// (Calibration). Numbers 1, 2, 4, 8 and 16 are iterated on to a tight stop and calibrate, the first of them is
+/// certified as well; so are random ones after they were accepted, as audits. When a ratio falls, what it no longer
+/// covers is taken up again. The accuracy is that of the responses and of the field of interface forces. Studies of
+/// fewer than 10 configurations, the velocity form and the algorithms of the literature get a certificate for each
+/// configuration. All calls are collective over the communicator.
 class ParametricStudy {
  public:
   /// Puts the laws for these parameter values into the assembly; throws base::Error when they are inadmissible.
@@ -67,13 +67,16 @@ class ParametricStudy {
 
   void certifyEach(const std::vector<Configuration>& open, ResultSink& sink);
   /// These return false when interrupted.
-  bool solve(const Configuration& configuration, Purpose purpose, ResultSink& sink);
+  bool solve(const Configuration& configuration, bool isNew, ResultSink& sink);
   bool iterate(const Configuration& configuration, Purpose purpose, ConfigurationResult& result);
   /// Iterates on from the present state, whose way so far is in `snapshots_`, to a tight stop and calibrates.
   bool tighten(Purpose purpose, ConfigurationResult& result);
+  /// Certifies the present tight state; what calibrates must not contradict a certificate.
+  bool confirm(ConfigurationResult& result);
   bool certify(const base::Matrix* start, ConfigurationResult& result);
   bool reopen(ResultSink& sink);
 
+  Purpose purposeOfNext();
   void deliver(const Indicators& indicators, ConfigurationResult& result) const;
   void estimate(const Indicators& indicators, ConfigurationResult& result) const;
   void remember(const Configuration& configuration);
@@ -92,7 +95,9 @@ class ParametricStudy {
 
   Calibration calibration_;
   SolvedStates states_;
-  int number_ = 0;                    // of configurations begun by solve()
+  int number_ = 0;                    // of configurations that were new to solve()
+  int attempts_ = 0;                  // to calibrate
+  bool isContradicted_ = false;       // by a certificate: then each configuration is certified
   std::map<int, Accepted> accepted_;  // by id
   std::vector<int> stagesOfAccepted_;
   bool ratioFell_ = false;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <harmos/base/Error.hpp>
@@ -100,6 +102,114 @@ TEST(ParametricStudy, RecordsFailuresAndGoesOn) {
   EXPECT_EQ(results.all[0].reason, "the preload is negative");
   EXPECT_TRUE(results.all[0].curves.empty());
   EXPECT_EQ(results.all[1].status, Status::certified);
+}
+
+/// A node pressed and dragged to and fro: the shear force is that of a Jenkins element.
+class JenkinsStudy {
+ public:
+  explicit JenkinsStudy(double accuracy)
+      : assembly_(
+            latin::twoChains(friction(0.3),
+                             laws::makeLaw("Prescribed Displacement", {{"X", -1.0 / both}, {"Y", 0.1}, {"Z", 0.0}},
+                                           {{"Y", {0.2, 1.0, 0.8, -1.0}}}),
+                             4)) {
+    options_.accuracy = accuracy;
+    shear_ = std::make_shared<latin::ResultantResponse>("shear", std::vector<int>{1},
+                                                        std::vector<mesh::Point>{{0.0, 1.0, 0.0}});
+    study_ = std::make_unique<ParametricStudy>(
+        assembly_, [this](const auto& values) { install(values); },
+        std::vector<std::shared_ptr<const latin::Response>>{shear_}, options_, latin::self(), timers_);
+  }
+  static std::shared_ptr<const laws::InterfaceLaw> friction(double coefficient) {
+    return laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", coefficient}});
+  }
+  /// Stick: both * way; slip at the friction coefficient times the pressure of 1.
+  static std::vector<double> exact(double coefficient) {
+    std::vector<double> curve;
+    double force = 0.0, before = 0.0;
+    for (double way : {0.02, 0.1, 0.08, -0.1}) {
+      force = std::clamp(force + both * (way - before), -coefficient, coefficient);
+      before = way;
+      curve.push_back(force);
+    }
+    return curve;
+  }
+  void install(const std::vector<double>& values) {
+    if (values[0] < 0.0) throw base::Error("negative friction", base::ExitCode::input);
+    assembly_.interfaces[1].law = friction(values[0]);
+  }
+
+  interface::Assembly assembly_;
+  latin::LatinOptions options_;
+  base::Timers timers_;
+  std::shared_ptr<const latin::Response> shear_;
+  std::unique_ptr<ParametricStudy> study_;
+};
+
+std::vector<Configuration> frictions(int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(0.1 + 0.4 * i / (count - 1.0));
+  return row(values);
+}
+
+TEST(ParametricStudy, ClaimsNothingFalse) {
+  for (double accuracy : {1e-2, 1e-4}) {
+    JenkinsStudy jenkins(accuracy);
+    Results results;
+    jenkins.study_->run(frictions(60), {}, results);
+    ASSERT_EQ(results.all.size(), 60u);
+    int certified = 0, stages = 0;
+    for (const ConfigurationResult& result : results.all) {
+      ASSERT_TRUE(result.status == Status::calibrated || result.status == Status::certified) << result.reason;
+      certified += result.status == Status::certified ? 1 : 0;
+      stages += result.linearStages;
+      EXPECT_LE(result.errorEstimate, accuracy);
+      const double coefficient = 0.1 + 0.4 * (result.id - 1) / 59.0;
+      const std::vector<double> exact = JenkinsStudy::exact(coefficient);
+      double size = 0.0;
+      for (double value : exact) size = std::max(size, std::abs(value));
+      for (std::size_t t = 0; t < exact.size(); ++t) EXPECT_NEAR(result.curves[0][t], exact[t], accuracy * size);
+    }
+    EXPECT_GE(certified, 1);
+    EXPECT_GE(jenkins.study_->summary().calibrations, 4);
+    EXPECT_EQ(jenkins.study_->summary().audits, 1);
+    EXPECT_EQ(jenkins.study_->summary().falseClaims, 0);
+    EXPECT_LT(stages, 60 * 20);
+  }
+}
+
+TEST(ParametricStudy, KeepsSolutionsForLaterRuns) {
+  JenkinsStudy jenkins(1e-3);
+  Results results;
+  jenkins.study_->run(frictions(20), {}, results);
+  jenkins.study_->run({{100, {0.333}}}, {}, results);
+  ASSERT_EQ(results.all.size(), 21u);
+  EXPECT_FALSE(results.all.back().starts.empty());
+  EXPECT_LT(results.all.back().linearStages, 10);
+}
+
+TEST(ParametricStudy, GoesOnAfterAFailureAmongMany) {
+  JenkinsStudy jenkins(1e-3);
+  std::vector<Configuration> configurations = frictions(15);
+  configurations[3].values[0] = -1.0;
+  Results results;
+  jenkins.study_->run(configurations, {}, results);
+  ASSERT_EQ(results.all.size(), 15u);
+  for (const ConfigurationResult& result : results.all) {
+    if (result.id == 4) {
+      EXPECT_EQ(result.status, Status::inadmissible);
+    } else {
+      EXPECT_TRUE(result.status == Status::calibrated || result.status == Status::certified) << result.reason;
+    }
+  }
+}
+
+TEST(ParametricStudy, StopsWhenAsked) {
+  JenkinsStudy jenkins(1e-3);
+  Results results;
+  jenkins.study_->setInterrupt([&] { return results.all.size() == 7; });
+  jenkins.study_->run(frictions(20), {}, results);
+  EXPECT_EQ(results.all.size(), 7u);
 }
 
 }  // namespace
