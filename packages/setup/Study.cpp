@@ -42,6 +42,25 @@ void applyToScene(const std::string& assignment, const std::string& where, const
   base::applyChange(scene, spec, {assignment.substr(0, equals), assignment.substr(equals + 1), where}, where, errors);
 }
 
+bool has(const base::ParameterSpec& spec, const std::string& name) {
+  const auto& entries = spec.entries();
+  const auto& lists = spec.sublists();
+  return std::any_of(entries.begin(), entries.end(), [&](const auto& entry) { return entry->name == name; }) ||
+         std::any_of(lists.begin(), lists.end(), [&](const auto& list) { return list.name == name; });
+}
+
+/// Refuses changes of the scene that are written as if they were changes of the study.
+void demandPrefix(const Names& changes, const laws::LawRegistry& laws) {
+  base::ErrorList errors;
+  for (const std::string& change : changes) {
+    const std::string first = change.substr(0, change.find_first_of("/="));
+    if (has(studySpec(), first) || !has(sceneSpec(laws), first)) continue;
+    errors.add("--set '" + change + "'", "the study has no \"" + first + "\", but its scene has.",
+               "Write --set '" + (scenePrefix + change) + "'.");
+  }
+  errors.throwIfAny();
+}
+
 class StudyReader {
  public:
   StudyReader(Study& study, const std::string& pointsFile, const laws::LawRegistry& laws)
@@ -372,6 +391,7 @@ Study readStudy(const std::string& path, const std::vector<std::string>& overrid
       ofStudy.push_back(change);
     }
   }
+  demandPrefix(ofStudy, laws);
   Study study;
   study.path = path;
   study.input = base::check(base::InputTree::fromFile(path), studySpec(), ofStudy);

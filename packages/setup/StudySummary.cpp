@@ -31,12 +31,14 @@ const char* consequenceOf(StudyPhase phase) {
 }  // namespace
 
 void printPlan(std::ostream& out, const Study& study) {
-  out << study.path << ": " << study.configurations.size() << " configurations"
+  out << study.path << ": " << study.configurations.size()
+      << (study.configurations.size() == 1 ? " configuration" : " configurations")
       << (study.isAdaptive() ? " to begin with" : "");
   const auto groups = groupByOperators(study.parameters, study.configurations).size();
   if (groups > 1) out << " with " << groups << " different operators";
   out << "\n";
   for (const auto& [condition, count] : study.leftOut) {
+    if (count == 0) continue;
     out << "  " << count << " more are left out by the condition \"" << condition << "\"\n";
   }
   for (const StudyParameter& parameter : study.parameters) {
