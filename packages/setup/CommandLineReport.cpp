@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 fs::path scriptPath() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path script = program.parent_path().parent_path() / "share" / "harmos" / "report.py";
+  fs::path script = program.parent_path().parent_path() / "share" / "harmos" / "report.py";
   if (!fs::exists(script, error)) throw base::Error("The script of the report is not at " + script.string() + ".");
   return script;
 }
