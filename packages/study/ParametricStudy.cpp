@@ -22,14 +22,15 @@ constexpr double demanding = 5e-3;
 constexpr int neighbours = 12;
 constexpr int neighboursWhenDemanding = 24;
 // An iteration that needs more than this many times the median number of stages has lost its way.
-constexpr int patience = 5;
-constexpr int leastLimit = 40;
+constexpr int patience = 4;
+constexpr int leastLimit = 20;
+constexpr int coldLimit = 150;
 // A tight stop: indicators below these shares of the accuracy, and changes of what is promised over the last stages.
 constexpr double tightForce = 0.01;
 constexpr double tightResponse = 0.05;
 constexpr double tightChange = 0.03;
 constexpr std::size_t tightStages = 4;
-constexpr int tightLimit = 150;
+constexpr int tightLimit = 80;
 constexpr std::size_t memoryForStates = std::size_t{1} << 30;  // byte, all ranks alike
 
 double cpuSeconds() {
@@ -111,7 +112,7 @@ bool ParametricStudy::mustStop() const {
 }
 
 int ParametricStudy::stageLimit() const {
-  if (stagesOfAccepted_.empty()) return tightLimit;
+  if (stagesOfAccepted_.empty()) return coldLimit;
   std::vector<int> stages = stagesOfAccepted_;
   const auto middle = stages.begin() + static_cast<std::ptrdiff_t>(stages.size() / 2);
   std::nth_element(stages.begin(), middle, stages.end());
@@ -193,12 +194,13 @@ bool ParametricStudy::tighten(Purpose purpose, ConfigurationResult& result) {
   return true;
 }
 
-bool ParametricStudy::iterate(const Configuration& configuration, Purpose purpose, ConfigurationResult& result) {
+bool ParametricStudy::iterate(const Configuration& configuration, Purpose purpose, const SolvedStates& states,
+                              ConfigurationResult& result) {
   way_.clear();
   snapshots_.clear();
-  iteration_.begin(states_, configuration.values);
+  iteration_.begin(states, configuration.values);
   result.starts = iteration_.starts();
-  const int limit = stageLimit();
+  const int limit = result.starts.empty() ? coldLimit : stageLimit();
   bool isAccepted = false;
   while (!isAccepted && iteration_.stages() < limit) {
     if (mustStop()) return false;
@@ -207,7 +209,8 @@ bool ParametricStudy::iterate(const Configuration& configuration, Purpose purpos
     if (purpose != Purpose::result) observe();
     isAccepted = purpose == Purpose::calibration || calibration_.accepts(indicators_);
   }
-  if (isAccepted && purpose == Purpose::result) stagesOfAccepted_.push_back(iteration_.stages());
+  if (isAccepted && purpose == Purpose::result && !result.starts.empty())
+    stagesOfAccepted_.push_back(iteration_.stages());
   const int before = summary_.calibrations + summary_.audits;
   if (isAccepted && purpose != Purpose::result && !tighten(purpose, result)) return false;
   result.linearStages += iteration_.stages();
@@ -275,7 +278,10 @@ bool ParametricStudy::solve(const Configuration& configuration, bool isNew, Resu
   fixedPoint_.updateLaws();
   const Purpose purpose = isNew ? purposeOfNext() : Purpose::result;
   try {
-    if (!iterate(configuration, purpose, result)) return false;
+    if (!iterate(configuration, purpose, states_, result)) return false;
+    if (result.status == Status::notConverged && !result.starts.empty()) {
+      if (!iterate(configuration, purpose, SolvedStates(1), result)) return false;
+    }
   } catch (const base::Error& error) {
     result.status = Status::failed;
     result.reason = error.what();
@@ -284,7 +290,7 @@ bool ParametricStudy::solve(const Configuration& configuration, bool isNew, Resu
     report();
     return true;
   }
-  // Colder: without anything that may mislead.
+  // Without anything that may mislead.
   try {
     result.starts.clear();
     if (!certify(nullptr, result)) return false;

@@ -27,9 +27,10 @@ namespace harmos::study {
 /// (ReducedBasisStart) and iterated until its free indicators, calibrated in the same study, meet the accuracy
 /// (Calibration). Numbers 1, 2, 4, 8 and 16 are iterated on to a tight stop and calibrate, the first of them is
 /// certified as well; so are random ones after they were accepted, as audits. When a ratio falls, what it no longer
-/// covers is taken up again. The accuracy is that of the responses and of the field of interface forces. Studies of
-/// fewer than 10 configurations, the velocity form and the algorithms of the literature get a certificate for each
-/// configuration. All calls are collective over the communicator.
+/// covers is taken up again. An iteration that loses its way begins anew from a cold start, and then with a
+/// certificate. The accuracy is that of the responses and of the field of interface forces. Studies of fewer than 10
+/// configurations, the velocity form and the algorithms of the literature get a certificate for each configuration. All
+/// calls are collective over the communicator.
 class ParametricStudy {
  public:
   /// Puts the laws for these parameter values into the assembly; throws base::Error when they are inadmissible.
@@ -68,7 +69,8 @@ class ParametricStudy {
   void certifyEach(const std::vector<Configuration>& open, ResultSink& sink);
   /// These return false when interrupted.
   bool solve(const Configuration& configuration, bool isNew, ResultSink& sink);
-  bool iterate(const Configuration& configuration, Purpose purpose, ConfigurationResult& result);
+  bool iterate(const Configuration& configuration, Purpose purpose, const SolvedStates& states,
+               ConfigurationResult& result);
   /// Iterates on from the present state, whose way so far is in `snapshots_`, to a tight stop and calibrates.
   bool tighten(Purpose purpose, ConfigurationResult& result);
   /// Certifies the present tight state; what calibrates must not contradict a certificate.
