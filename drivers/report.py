@@ -20,6 +20,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot
 import numpy
 from matplotlib.colors import ListedColormap
+from matplotlib.ticker import MaxNLocator
 
 import harmos_results
 
@@ -115,7 +116,7 @@ def maps(study, grid, values, what, **style):
             continue
         shown = field[at]
         if contours and min(shown.shape) > 1:
-            levels = numpy.linspace(low, high, 21)
+            levels = MaxNLocator(20).tick_values(low, high)
             drawn = axis.contourf(x_levels, y_levels, shown, levels=levels, cmap="viridis")
             axis.contour(x_levels, y_levels, shown, levels=levels[::2], colors="white", linewidths=0.5)
         else:
