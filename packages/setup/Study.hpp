@@ -8,22 +8,11 @@
 #include <harmos/base/InputTree.hpp>
 #include <harmos/base/Parameters.hpp>
 #include <harmos/setup/Scene.hpp>
-#include <harmos/setup/StudyPhase.hpp>
+#include <harmos/setup/StudyParameters.hpp>
 #include <harmos/study/Plan.hpp>
 #include <harmos/study/ScalarResponse.hpp>
 
 namespace harmos::setup {
-
-/// A parameter of a study and what it does to the scene.
-struct StudyParameter {
-  std::string name;
-  std::string unit;
-  std::string formula;               // of a derived parameter, else empty
-  std::string where;                 // it stands, for messages
-  std::vector<std::string> entries;  // of the scene that it sets, "List/Sublist/Name"
-  std::vector<std::string> effects;  // where these entries are used
-  StudyPhase phase = StudyPhase::nothing;
-};
 
 /// A checked study: its scene, parameters and all configurations (of an adaptive design the first
 /// ones); all that can be known before a mesh is read.
