@@ -218,6 +218,10 @@ bool ParametricStudy::iterate(const Configuration& configuration, Purpose purpos
   if (isAccepted && (isTight || calibration_.accepts(indicators_))) {
     if (isTight && summary_.certificates == 0 && purpose == Purpose::calibration) {
       if (!confirm(result)) return false;
+      if (isContradicted_) {
+        result.status = Status::notConverged;
+        return true;
+      }
     }
     const bool isCertified = result.status == Status::certified;
     deliver(indicators_, result);
@@ -279,7 +283,7 @@ bool ParametricStudy::solve(const Configuration& configuration, bool isNew, Resu
   const Purpose purpose = isNew ? purposeOfNext() : Purpose::result;
   try {
     if (!iterate(configuration, purpose, states_, result)) return false;
-    if (result.status == Status::notConverged && !result.starts.empty()) {
+    if (result.status == Status::notConverged && !result.starts.empty() && !isContradicted_) {
       if (!iterate(configuration, purpose, SolvedStates(1), result)) return false;
     }
   } catch (const base::Error& error) {
