@@ -256,6 +256,7 @@ bool ParametricStudy::confirm(ConfigurationResult& result) {
   isContradicted_ = result.status == Status::certified && std::max(responseError, forceError) > options_.accuracy;
   iteration_.beginAt(tight);
   indicators_ = iteration_.iterate();
+  result.linearStages += iteration_.stages();
   return true;
 }
 
