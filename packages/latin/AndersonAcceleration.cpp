@@ -1,5 +1,6 @@
 #include <harmos/latin/AndersonAcceleration.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <Teuchos_BLAS.hpp>
@@ -9,8 +10,16 @@
 namespace harmos::latin {
 namespace {
 
-/// Differences of the residual below this share of the state are round-off of the linear solves.
+/// Residuals and their differences below this share of the state are round-off of the linear solves.
 constexpr double noise = 1e-12;
+/// A residual that grows by this factor was misled by a kink.
+constexpr double growth = 1.5;
+/// The residual is constant when it changes by less than this share, and is not reducible when this share remains.
+constexpr double constantChange = 0.1;
+constexpr double irreducible = 0.9;
+// Nor is an extrapolation believed that is so many times longer than a constant residual.
+constexpr double reach = 20.0;
+constexpr double longestStretch = 1048576.0;
 
 }  // namespace
 
@@ -19,7 +28,7 @@ AndersonAcceleration::AndersonAcceleration(const StateMetric& metric, int memory
 void AndersonAcceleration::restart() {
   stored_ = 0;
   next_ = 0;
-  started_ = false;
+  resume();
 }
 
 void AndersonAcceleration::reserve(int rows, int columns) {
@@ -63,9 +72,46 @@ void AndersonAcceleration::seed(const std::vector<base::Matrix>& residuals, cons
   next_ = count % memory_;
 }
 
-void AndersonAcceleration::append(const base::Matrix& residual, const base::Matrix& image) {
+void AndersonAcceleration::resume() {
+  started_ = false;
+  for (Step& step : steps_) {
+    step.accepted = -1.0;
+    step.stretch = 1.0;
+    step.isGivenUp = false;
+  }
+}
+
+void AndersonAcceleration::scaleResidual(const base::Matrix& alpha, const base::Matrix& image) {
+  residual_.shapeUninitialized(alpha.numRows(), alpha.numCols());
+  for (int t = 0; t < alpha.numCols(); ++t) {
+    for (int row = 0; row < alpha.numRows(); ++row) {
+      residual_[t][row] = metric_.scale()[static_cast<std::size_t>(row)] * (image[t][row] - alpha[t][row]);
+    }
+  }
+}
+
+std::vector<AndersonAcceleration::Sizes> AndersonAcceleration::measure(const base::Matrix& image) const {
+  std::vector<double> sums(3 * steps_.size(), 0.0);
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    const int i = static_cast<int>(t);
+    for (int row = 0; row < image.numRows(); ++row) {
+      const double residual = residual_[i][row];
+      const double change = started_ ? residual - lastResidual_[i][row] : residual;
+      const double value = metric_.scale()[static_cast<std::size_t>(row)] * image[i][row];
+      sums[3 * t] += residual * residual;
+      sums[3 * t + 1] += change * change;
+      sums[3 * t + 2] += value * value;
+    }
+  }
+  metric_.sum(sums);
+  std::vector<Sizes> sizes;
+  for (std::size_t t = 0; t < steps_.size(); ++t) sizes.push_back({sums[3 * t], sums[3 * t + 1], sums[3 * t + 2]});
+  return sizes;
+}
+
+void AndersonAcceleration::append(const base::Matrix& image) {
   const Teuchos::BLAS<int, double> blas;
-  const int rows = residual.numRows();
+  const int rows = residual_.numRows();
   const int column = next_;
   next_ = (next_ + 1) % memory_;
   stored_ = std::min(stored_ + 1, memory_);
@@ -75,9 +121,10 @@ void AndersonAcceleration::append(const base::Matrix& residual, const base::Matr
     const int i = static_cast<int>(t);
     double* difference = step.residuals[column];
     double* imageDifference = step.images[column];
+    // What lies between an iterate that was given up and the next one is no direction of progress.
     for (int row = 0; row < rows; ++row) {
-      difference[row] = residual[i][row] - lastResidual_[i][row];
-      imageDifference[row] = image[i][row] - lastImage_[i][row];
+      difference[row] = step.isGivenUp ? 0.0 : residual_[i][row] - lastResidual_[i][row];
+      imageDifference[row] = step.isGivenUp ? 0.0 : image[i][row] - lastImage_[i][row];
     }
     blas.GEMV(Teuchos::TRANS, rows, stored_, 1.0, step.residuals.values(), step.residuals.stride(), difference, 1, 0.0,
               products.data() + t * static_cast<std::size_t>(stored_), 1);
@@ -92,46 +139,88 @@ void AndersonAcceleration::append(const base::Matrix& residual, const base::Matr
   }
 }
 
+void AndersonAcceleration::judge(const base::Matrix& alpha, const base::Matrix& image,
+                                 const std::vector<Sizes>& sizes) {
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    Step& step = steps_[t];
+    const double residual = std::sqrt(sizes[t].residual);
+    const bool isWorse =
+        step.accepted >= 0.0 && residual > growth * step.accepted && residual > noise * std::sqrt(sizes[t].image);
+    // Not twice in a row: an earlier load step may have changed what this one must do.
+    step.isGivenUp = isWorse && !step.isGivenUp;
+    if (step.isGivenUp) {
+      step.stretch = 1.0;
+      step.residuals.putScalar(0.0);
+      step.gram.putScalar(0.0);
+    } else {
+      step.accepted = residual;
+      const double* good = alpha[static_cast<int>(t)];
+      const double* goodImage = image[static_cast<int>(t)];
+      step.goodAlpha.assign(good, good + alpha.numRows());
+      step.goodImage.assign(goodImage, goodImage + alpha.numRows());
+    }
+  }
+}
+
+double AndersonAcceleration::extrapolate(const Step& step, const Sizes& size, const double* products,
+                                         double* extrapolation) const {
+  const std::vector<double> gamma = solveNormalEquations(step.gram, stored_, products, noise * noise * size.image);
+  const Teuchos::BLAS<int, double> blas;
+  blas.GEMV(Teuchos::NO_TRANS, residual_.numRows(), stored_, 1.0, step.images.values(), step.images.stride(),
+            gamma.data(), 1, 0.0, extrapolation, 1);
+  double remaining = size.residual;
+  for (int j = 0; j < stored_; ++j) remaining -= products[j] * gamma[static_cast<std::size_t>(j)];
+  return remaining;
+}
+
+void AndersonAcceleration::move(Step& step, int t, bool isDrifting, const double* extrapolation, double* alpha) const {
+  const int rows = residual_.numRows();
+  if (step.isGivenUp) {
+    for (int row = 0; row < rows; ++row) {
+      const auto i = static_cast<std::size_t>(row);
+      alpha[row] = 0.5 * (step.goodAlpha[i] + step.goodImage[i]);
+    }
+    return;
+  }
+  step.stretch = isDrifting ? std::min(2.0 * step.stretch, longestStretch) : 1.0;
+  for (int row = 0; row < rows; ++row) {
+    alpha[row] += isDrifting ? (step.stretch - 1.0) * residual_[t][row] / metric_.scale()[static_cast<std::size_t>(row)]
+                             : -extrapolation[row];
+  }
+}
+
 void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& image) {
   const Teuchos::BLAS<int, double> blas;
   const int rows = alpha.numRows();
-  const int columns = alpha.numCols();
-  base::Matrix residual(rows, columns);
-  for (int t = 0; t < columns; ++t) {
-    for (int row = 0; row < rows; ++row) {
-      residual[t][row] = metric_.scale()[static_cast<std::size_t>(row)] * (image[t][row] - alpha[t][row]);
-    }
-  }
-  reserve(rows, columns);
-  if (started_) append(residual, image);
-
+  reserve(rows, alpha.numCols());
+  scaleResidual(alpha, image);
+  const std::vector<Sizes> sizes = measure(image);
+  if (started_) append(image);
+  judge(alpha, image, sizes);
   alpha.assign(image);
-  if (stored_ > 0) {
-    const auto stored = static_cast<std::size_t>(stored_);
-    const std::size_t width = stored + 1;  // products with the differences, then the square of T(alpha)
-    std::vector<double> right(steps_.size() * width);
-    for (std::size_t t = 0; t < steps_.size(); ++t) {
-      const int i = static_cast<int>(t);
-      blas.GEMV(Teuchos::TRANS, rows, stored_, 1.0, steps_[t].residuals.values(), steps_[t].residuals.stride(),
-                residual[i], 1, 0.0, right.data() + t * width, 1);
-      double& square = right[t * width + stored];
-      for (int row = 0; row < rows; ++row) {
-        const double value = metric_.scale()[static_cast<std::size_t>(row)] * image[i][row];
-        square += value * value;
-      }
-    }
-    metric_.sum(right);
-    for (std::size_t t = 0; t < steps_.size(); ++t) {
-      const double* products = right.data() + t * width;
-      // Where the residual no longer changes, as without equilibrium, differences are noise and would throw the state
-      // anywhere.
-      const std::vector<double> gamma =
-          solveNormalEquations(steps_[t].gram, stored_, products, noise * noise * products[stored]);
-      blas.GEMV(Teuchos::NO_TRANS, rows, stored_, -1.0, steps_[t].images.values(), steps_[t].images.stride(),
-                gamma.data(), 1, 1.0, alpha[static_cast<int>(t)], 1);
-    }
+  const auto stored = static_cast<std::size_t>(stored_);
+  std::vector<double> products(steps_.size() * stored);
+  for (std::size_t t = 0; stored > 0 && t < steps_.size(); ++t) {
+    blas.GEMV(Teuchos::TRANS, rows, stored_, 1.0, steps_[t].residuals.values(), steps_[t].residuals.stride(),
+              residual_[static_cast<int>(t)], 1, 0.0, products.data() + t * stored, 1);
   }
-  lastResidual_ = residual;
+  metric_.sum(products);
+  base::Matrix extrapolation(rows, alpha.numCols());
+  std::vector<double> remaining;
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    remaining.push_back(
+        extrapolate(steps_[t], sizes[t], products.data() + t * stored, extrapolation[static_cast<int>(t)]));
+  }
+  const std::vector<double> lengths = metric_.squaredNorms(extrapolation);
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    const double residual = sizes[t].residual;
+    const bool isConstant = sizes[t].change <= constantChange * constantChange * residual;
+    const bool isUseless = remaining[t] > irreducible * irreducible * residual || lengths[t] > reach * reach * residual;
+    const bool isDrifting = isConstant && isUseless && residual > noise * noise * sizes[t].image;
+    const int i = static_cast<int>(t);
+    move(steps_[t], i, isDrifting, extrapolation[i], alpha[i]);
+  }
+  std::swap(lastResidual_, residual_);
   lastImage_ = image;
   started_ = true;
 }

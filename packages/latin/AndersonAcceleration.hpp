@@ -12,6 +12,14 @@ namespace harmos::latin {
 /// At each step t, gamma minimises |f_n - dF gamma| in the state metric, with f = T(alpha) - alpha and dF, dG the last
 /// differences of f and of T(alpha); then alpha_{n+1} = T(alpha_n) - dG gamma.
 /// Source: Anderson (1965), doi:10.1145/321296.321305; Walker, Ni (2011), doi:10.1137/10078356X.
+///
+/// Two guards, because the laws have kinks and T brings no point closer together than it must:
+///  - Where the residual grows by more than half, the iterate is given up for the mean of the last good one and its
+///    image, which no kink can throw far, and the differences are forgotten.
+///    Source: Zhang, O'Donoghue, Boyd (2020), doi:10.1137/18M1232772.
+///  - Where the residual is constant and no combination of differences reduces it, or only one that leads more than 20
+///    times as far as the residual, a body flies or slides freely under a constant force: alpha_{n+1} = T(alpha_n) + (s
+///    - 1) f_n with a stretch s that doubles until something is met.
 class AndersonAcceleration {
  public:
   /// `memory`: differences kept, >= 1.
@@ -25,23 +33,43 @@ class AndersonAcceleration {
   void seed(const std::vector<base::Matrix>& residuals, const std::vector<base::Matrix>& images);
   /// Forgets all differences.
   void restart();
+  /// Keeps them, but draws none between the last iterate and the next: T has changed a little.
+  void resume();
 
  private:
   struct Step {
-    base::Matrix residuals;  // scaled differences dF, one column each
-    base::Matrix images;     // differences dG
-    base::Matrix gram;       // dF^T dF
+    base::Matrix residuals;         // scaled differences dF, one column each
+    base::Matrix images;            // differences dG
+    base::Matrix gram;              // dF^T dF
+    double accepted = -1.0;         // residual norm of the last good iterate; negative: there is none
+    double stretch = 1.0;           // of the last move
+    bool isGivenUp = false;         // the present iterate was
+    std::vector<double> goodAlpha;  // the last good iterate
+    std::vector<double> goodImage;  // and its image
+  };
+  /// Squared norms at one load step.
+  struct Sizes {
+    double residual;
+    double change;  // of the residual since the last iterate
+    double image;
   };
 
   void reserve(int rows, int columns);
-  void append(const base::Matrix& residual, const base::Matrix& image);
+  void scaleResidual(const base::Matrix& alpha, const base::Matrix& image);
+  std::vector<Sizes> measure(const base::Matrix& image) const;
+  void append(const base::Matrix& image);
+  void judge(const base::Matrix& alpha, const base::Matrix& image, const std::vector<Sizes>& sizes);
+  /// Writes dG gamma, returns |f - dF gamma|^2.
+  double extrapolate(const Step& step, const Sizes& size, const double* products, double* extrapolation) const;
+  void move(Step& step, int t, bool isDrifting, const double* extrapolation, double* alpha) const;
 
   const StateMetric& metric_;
   int memory_;
   int stored_ = 0;
   int next_ = 0;  // column to overwrite
   std::vector<Step> steps_;
-  base::Matrix lastResidual_;  // scaled
+  base::Matrix residual_;  // scaled
+  base::Matrix lastResidual_;
   base::Matrix lastImage_;
   bool started_ = false;
 };

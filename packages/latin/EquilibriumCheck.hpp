@@ -10,14 +10,16 @@ namespace harmos::latin {
 /// Resultant of f^ - f on one body at one load step: what the interface laws fail to carry.
 struct Imbalance {
   int body = -1;
-  int step = 0;
-  mesh::Point force{};      ///< [force], f - f^: the part of the loads that finds no reaction
-  mesh::Point moment{};     ///< [force length], about the body's centre
-  double relative = 0.0;    ///< |force|, or |moment| / size of the body, over the largest sum of forces on the body
-  double rigidShare = 0.0;  ///< share of (f - f^)^2 / k on the body that a rigid drift of the body explains, 0 to 1
+  int step = 0;           ///< column of the state, a load step when all are selected
+  mesh::Point force{};    ///< [force], f - f^: the part of the loads that finds no reaction
+  mesh::Point moment{};   ///< [force length], about the body's centre
+  mesh::Point centre{};   ///< [length]
+  double arm = 0.0;       ///< largest extent of the body [length]
+  double relative = 0.0;  ///< |force|, or |moment| / size of the body, over the largest sum of forces on the body
 };
 
-/// The body and load step with the largest relative imbalance in the last FixedPoint::apply(). Collective.
+/// The body and load step with the largest relative imbalance in the last FixedPoint::apply(), of those selected.
+/// Collective.
 ///
 /// f is in equilibrium with the body, f^ obeys the laws. Where an equilibrium exists both agree in the end; where none
 /// does, the imbalance stays while everything else settles.

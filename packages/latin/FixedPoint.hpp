@@ -25,6 +25,9 @@ class FixedPoint {
   /// load steps after construction. Responses and pairFields() need all.
   void select(const std::vector<int>& steps);
   void selectAll();
+  /// From now on the first column follows on the last one of the last apply(), or again on the unloaded state.
+  void startFromHere() { local_.startFromHere(); }
+  void startUnloaded() { local_.startUnloaded(); }
 
   /// To be called when laws of the assembly have been replaced by others of the same kind: the operators do not depend
   /// on them, but loads do.

@@ -29,7 +29,7 @@ struct LatinResult {
   double displacementErrorEstimate = 0.0;  ///< relative, field of interface displacements
   double errorEstimate = 0.0;              ///< largest of all estimates
   double indicator = 0.0;                  ///< the customary |s - s^| / |s|: not an error, for comparison only
-  int iterations = 0;                      ///< applications of T outside the error estimate
+  int iterations = 0;                      ///< applications of T outside the error estimate, in linear stages
   int linearStages = 0;                    ///< all applications of T, those of the error estimate included
 };
 

@@ -9,7 +9,6 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
-#include <harmos/latin/EquilibriumCheck.hpp>
 #include <harmos/mesh/Vector.hpp>
 
 namespace harmos::latin {
@@ -23,47 +22,13 @@ constexpr double triggerFactor = 15.0;
 
 // After a good start little changes at first; the gap tells that this is not yet the end.
 constexpr double gapFactor = 0.02;
-// A drift shows as four imbalances in a row, each this many iterations apart (odd, so that an iteration that jumps to
-// and fro is no drift), that agree to within 5 % ...
-constexpr int imbalanceEvery = 9;
-constexpr std::size_t imbalanceCount = 4;
-constexpr double imbalanceSpread = 0.05;
-// ... and that are almost nothing but rigid motion; slow convergence has shares below 0.7 (see docs).
-constexpr double driftShare = 0.85;
-
-// A coarse start takes every third load step and stops where interpolation between them becomes the larger error.
-constexpr int coarseSpacing = 3;
-constexpr int coarseIterations = 20;
-constexpr double coarseResidual = 2e-3;
+// Of the accuracy asked for: the residual that the first march goes to. A correction then gains about a factor of ten.
+constexpr double marchShare = 1.0;
+constexpr double tightening = 0.1;
 
 // A state this many times larger than the first one was extrapolated beyond all measure: the digits of the forces are
 // lost in k w, and everything finite would look small beside it.
 constexpr double divergedSize = 1e8;
-
-// The drift is followed so many iterations ahead; with a residual that changes by more than this share on the way, the
-// body meets something.
-constexpr double farAhead = 1e6;
-constexpr double farChange = 0.1;
-
-/// True when two vectors agree to within imbalanceSpread.
-bool agree(const mesh::Point& a, const mesh::Point& b) {
-  return mesh::distance(a, b) <= imbalanceSpread * mesh::norm(b);
-}
-
-/// True when a body is carried away by a constant force that no interface balances.
-bool drifts(const std::vector<Imbalance>& history, double accuracy) {
-  if (history.size() < imbalanceCount) return false;
-  const Imbalance& last = history.back();
-  for (std::size_t i = history.size() - imbalanceCount; i < history.size(); ++i) {
-    const Imbalance& one = history[i];
-    if (one.body != last.body || one.step != last.step || one.rigidShare < driftShare || one.relative < accuracy ||
-        std::abs(one.relative - last.relative) > imbalanceSpread * last.relative ||
-        !(agree(one.force, last.force) || agree(one.moment, last.moment))) {
-      return false;
-    }
-  }
-  return true;
-}
 
 /// The customary indicator |s - s^| / |s| with s = (f, w) in the norm that k makes.
 double customaryIndicator(const FixedPoint& state) {
@@ -113,80 +78,73 @@ bool LatinSolver::hasDiverged(const base::Matrix& state) {
   return !(size <= divergedSize * startSize_);
 }
 
-bool LatinSolver::meetsNothingAhead(int step) {
-  base::Matrix residual(image_);
-  residual -= alpha_;
-  base::Matrix ahead(residual);
-  ahead.scale(farAhead);
-  ahead += alpha_;
-  base::Matrix change(ahead.numRows(), ahead.numCols());
-  fixedPoint_.apply(ahead, change);
-  change -= ahead;
-  change -= residual;
-  const auto t = static_cast<std::size_t>(step);
-  const double size = fixedPoint_.metric().squaredNorms(residual)[t];
-  const bool nothing = fixedPoint_.metric().squaredNorms(change)[t] <= farChange * farChange * size;
-  fixedPoint_.apply(alpha_, image_);
-  return nothing;
-}
-
-void LatinSolver::startFromCoarseSteps() {
-  const int count = (assembly_.steps() + coarseSpacing - 1) / coarseSpacing;
-  if (count < 3) return;
-  const auto running = timers_.start("acceleration");
-  std::vector<int> coarse;
-  for (int i = 0; i < count; ++i) {
-    coarse.push_back(static_cast<int>(std::lround(i * (assembly_.steps() - 1.0) / (count - 1))));
-  }
-  fixedPoint_.select(coarse);
-  base::Matrix alpha(alpha_.numRows(), count);
-  base::Matrix image(alpha_.numRows(), count);
-  base::Matrix residual(alpha_.numRows(), count);
-  AndersonAcceleration acceleration(fixedPoint_.metric(), options_.memory);
-  for (int i = 0; i < coarseIterations; ++i) {
-    fixedPoint_.apply(alpha, image);
-    if (hasDiverged(image)) break;
-    residual.assign(image);
-    residual -= alpha;
-    const bool close = fixedPoint_.metric().norm(residual) <= coarseResidual * fixedPoint_.metric().norm(image);
-    acceleration.advance(alpha, image);
-    if (close) break;
-  }
-  fixedPoint_.selectAll();
-  if (hasDiverged(alpha)) return;
-  int left = 0;
-  for (int t = 0; t < assembly_.steps(); ++t) {
-    while (left + 2 < count && coarse[static_cast<std::size_t>(left) + 1] <= t) ++left;
-    const double from = coarse[static_cast<std::size_t>(left)];
-    const double share = (t - from) / (coarse[static_cast<std::size_t>(left) + 1] - from);
-    for (int row = 0; row < alpha.numRows(); ++row) {
-      alpha_[t][row] = (1.0 - share) * alpha[left][row] + share * alpha[left + 1][row];
-    }
-  }
-}
-
 LatinResult LatinSolver::solve(const base::Matrix* start) {
-  const int rows = fixedPoint_.layout().rows();
-  const int stagesBefore = fixedPoint_.linearStage().stages();
-  alpha_.shape(rows, assembly_.steps());
-  image_.shape(rows, assembly_.steps());
+  alpha_.shape(fixedPoint_.layout().rows(), assembly_.steps());
+  image_.shape(alpha_.numRows(), alpha_.numCols());
+  if (start != nullptr) alpha_.assign(*start);
+  stagesBefore_ = fixedPoint_.linearStage().stages();
   startSize_ = 0.0;
-  if (start != nullptr) {
-    alpha_.assign(*start);
-  } else if (options_.algorithm == Algorithm::accelerated) {
-    startFromCoarseSteps();
-  }
   snapshots_.clear();
-
+  estimates_.clear();
   LatinResult result;
+  if (options_.algorithm == Algorithm::accelerated && fixedPoint_.formulation() == Formulation::displacement) {
+    march(result, start != nullptr ? March::Guess::state : March::Guess::extrapolation);
+  } else {
+    iterate(result);
+  }
+  result.linearStages = stages();
+  deliver(result);
+  return result;
+}
+
+bool LatinSolver::certify(LatinResult& result) {
+  const int before = stages();
+  const auto running = timers_.start("certificate");
+  Certificate certificate(fixedPoint_, responses_, options_.accuracy);
+  const Certificate::Result attempt = certificate.attempt(alpha_, image_, stagesBefore_ + options_.maximumIterations);
+  if (attempt.conclusive) estimates_ = attempt.estimates;
+  alpha_.assign(attempt.state);
+  stagesOfCertificates_ += stages() - before;
+  if (attempt.claimed) {
+    result.outcome = Outcome::certified;
+    result.reason = "the error estimate is below the accuracy asked for";
+  }
+  return attempt.claimed;
+}
+
+void LatinSolver::march(LatinResult& result, March::Guess guess) {
+  March march(fixedPoint_, options_.memory, options_.accuracy);
+  march.setStop([&] { return mustStop() || stages() >= options_.maximumIterations; });
+  march.setObserver([&](int step, int iterations) {
+    result.iterations += iterations;
+    for (const auto& observer : observers_) observer({result.iterations, stages(), 0.0, 0.0, step});
+  });
+  double tolerance = marchShare * options_.accuracy;
+  stagesOfCertificates_ = 0;
+  March::End end = March::End::reached;
+  do {
+    const auto running = timers_.start("acceleration");
+    end = march.run(alpha_, tolerance, guess);
+    fixedPoint_.apply(alpha_, image_);
+    tolerance *= tightening;
+    guess = March::Guess::state;
+  } while (end == March::End::reached && stages() < options_.maximumIterations && !certify(result));
+  result.iterations = stages() - stagesOfCertificates_;
+  if (end == March::End::noEquilibrium) {
+    result.outcome = Outcome::noEquilibrium;
+    result.reason = "the interface laws cannot carry the loads; " + describe(march.imbalance(), assembly_);
+  } else if (end == March::End::stopped && mustStop()) {
+    result.outcome = Outcome::interrupted;
+    result.reason = "interrupted";
+  }
+}
+
+void LatinSolver::iterate(LatinResult& result) {
   std::optional<AndersonAcceleration> acceleration;
   if (options_.algorithm == Algorithm::accelerated) acceleration.emplace(fixedPoint_.metric(), options_.memory);
+  EquilibriumWatch watch(options_.accuracy);
   double trigger = triggerFactor * options_.accuracy;
   int nextAttempt = 0;  // linear stages before which a failed certificate is not tried again
-  std::vector<double> estimates;
-  std::vector<Imbalance> imbalances;
-
-  const auto stages = [&] { return fixedPoint_.linearStage().stages() - stagesBefore; };
   while (stages() < options_.maximumIterations) {
     fixedPoint_.apply(alpha_, image_);
     ++result.iterations;
@@ -200,36 +158,24 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
     double change = 0.0;
     const bool quiet = settled(result.iterations, trigger, change);
     if (!observers_.empty()) {
-      const IterationReport report{result.iterations, stages(), customaryIndicator(fixedPoint_), change};
+      const IterationReport report{result.iterations, stages(), customaryIndicator(fixedPoint_), change, -1};
       for (const auto& observer : observers_) observer(report);
     }
     if (mustStop()) {
       result.outcome = Outcome::interrupted;
       result.reason = "interrupted";
-      break;
+      return;
     }
-    if (result.iterations % imbalanceEvery == 0) {
-      imbalances.push_back(largestImbalance(fixedPoint_));
-      if (drifts(imbalances, options_.accuracy) && meetsNothingAhead(imbalances.back().step)) {
-        result.outcome = Outcome::noEquilibrium;
-        result.reason = "the interface laws cannot carry the loads; " + describe(imbalances.back(), assembly_);
-        break;
-      }
+    if (watch.findsNoEquilibrium(fixedPoint_, alpha_, image_)) {
+      result.outcome = Outcome::noEquilibrium;
+      result.reason = "the interface laws cannot carry the loads; " + describe(watch.imbalance(), assembly_);
+      return;
     }
     if (quiet && stages() >= nextAttempt) {
-      const int begin = stages();
-      const auto running = timers_.start("certificate");
-      Certificate certificate(fixedPoint_, responses_, options_.accuracy);
-      Certificate::Result attempt = certificate.attempt(alpha_, image_, stagesBefore + options_.maximumIterations);
-      if (attempt.conclusive) estimates = attempt.estimates;
-      alpha_.assign(attempt.state);
-      if (attempt.claimed) {
-        result.outcome = Outcome::certified;
-        result.reason = "the error estimate is below the accuracy asked for";
-        break;
-      }
+      const int before = stages();
+      if (certify(result)) return;
       // What was spent on an estimate that failed is spent on iterations before the next one.
-      nextAttempt = stages() + std::min(stages() - begin, 15);
+      nextAttempt = stages() + std::min(stages() - before, 15);
       trigger *= 0.3;
       if (acceleration) acceleration->restart();
       snapshots_.clear();
@@ -238,30 +184,27 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
     const auto running = timers_.start("acceleration");
     if (acceleration) {
       acceleration->advance(alpha_, image_);
-    } else {
-      const double relaxation = options_.algorithm == Algorithm::plain ? 1.0 : options_.relaxation;
-      for (int t = 0; t < alpha_.numCols(); ++t) {
-        for (int row = 0; row < rows; ++row) alpha_[t][row] += relaxation * (image_[t][row] - alpha_[t][row]);
-      }
+      continue;
+    }
+    const double relaxation = options_.algorithm == Algorithm::plain ? 1.0 : options_.relaxation;
+    for (int t = 0; t < alpha_.numCols(); ++t) {
+      for (int row = 0; row < alpha_.numRows(); ++row) alpha_[t][row] += relaxation * (image_[t][row] - alpha_[t][row]);
     }
   }
-  deliver(result, estimates);
-  result.linearStages = stages();
-  return result;
 }
 
-void LatinSolver::deliver(LatinResult& result, const std::vector<double>& estimates) {
+void LatinSolver::deliver(LatinResult& result) {
   fixedPoint_.apply(alpha_, image_);
   result.indicator = customaryIndicator(fixedPoint_);
   const Snapshot last(fixedPoint_, responses_);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < responses_.size(); ++i) {
     result.responses.push_back(
-        {responses_[i]->name(), last.responses()[i], estimates.empty() ? unknown : estimates[i]});
+        {responses_[i]->name(), last.responses()[i], estimates_.empty() ? unknown : estimates_[i]});
   }
-  result.forceErrorEstimate = estimates.empty() ? unknown : estimates[estimates.size() - 2];
-  result.displacementErrorEstimate = estimates.empty() ? unknown : estimates.back();
-  result.errorEstimate = estimates.empty() ? unknown : *std::max_element(estimates.begin(), estimates.end());
+  result.forceErrorEstimate = estimates_.empty() ? unknown : estimates_[estimates_.size() - 2];
+  result.displacementErrorEstimate = estimates_.empty() ? unknown : estimates_.back();
+  result.errorEstimate = estimates_.empty() ? unknown : *std::max_element(estimates_.begin(), estimates_.end());
   if (result.outcome != Outcome::iterationLimit) return;
   const Imbalance imbalance = largestImbalance(fixedPoint_);
   result.reason = "iteration limit of " + std::to_string(options_.maximumIterations) + " linear stages; worst " +

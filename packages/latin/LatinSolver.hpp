@@ -7,16 +7,18 @@
 #include <harmos/latin/Certificate.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/latin/LatinResult.hpp>
+#include <harmos/latin/March.hpp>
 #include <harmos/latin/Response.hpp>
 
 namespace harmos::latin {
 
-/// What an observer is told after every iteration.
+/// What an observer is told after every iteration over all load steps, or after every load step of a march.
 struct IterationReport {
   int iteration = 0;
   int linearStages = 0;
   double indicator = 0.0;  ///< |s - s^| / |s|
   double change = 0.0;  ///< largest relative change of the promised quantities over the last iterations; 0: not known
+  int loadStep = -1;    ///< of a march; -1: all
 };
 
 /// Solves an assembly by LATIN to a certified accuracy.
@@ -49,16 +51,18 @@ class LatinSolver {
   const base::Matrix& alpha() const { return alpha_; }
 
  private:
-  /// Solves a few of the load steps roughly and interpolates the start of all from them.
-  void startFromCoarseSteps();
   bool settled(int iteration, double tolerance, double& change);
   bool mustStop() const;
-  /// Collective. True when the iteration would go on as it does for ever at this load step: a body that is carried
-  /// away. One that returns from where an iteration has thrown it, or crosses a wide gap, meets something.
-  bool meetsNothingAhead(int step);
   /// Collective. The first image that it sees is the measure of all others.
   bool hasDiverged(const base::Matrix& image);
-  void deliver(LatinResult& result, const std::vector<double>& estimates);
+  void deliver(LatinResult& result);
+  /// Load step after load step, to ever smaller residuals, until the certificate claims.
+  void march(LatinResult& result, March::Guess guess);
+  /// All load steps at once.
+  void iterate(LatinResult& result);
+  /// Tries for a certificate; true when it claims. Leaves its corrected state in alpha_.
+  bool certify(LatinResult& result);
+  int stages() const { return fixedPoint_.linearStage().stages() - stagesBefore_; }
 
   const interface::Assembly& assembly_;
   LatinOptions options_;
@@ -70,6 +74,9 @@ class LatinSolver {
   base::Matrix alpha_;
   base::Matrix image_;
   double startSize_ = 0.0;
+  int stagesBefore_ = 0;
+  int stagesOfCertificates_ = 0;
+  std::vector<double> estimates_;                     // of the last certificate that was conclusive; empty: none was
   std::vector<std::unique_ptr<Snapshot>> snapshots_;  // of the last iterations that were looked at
 };
 

@@ -39,6 +39,7 @@ LocalStage::LocalStage(const interface::Assembly& assembly, const interface::Sea
       joint.line.resize(pairs);
       for (auto& history : joint.history)
         history.resize(pairs * static_cast<std::size_t>(interface.law->historySize()));
+      joint.start.resize(joint.history[0].size());
       if (formulation == Formulation::velocity) joint.jump.resize(3 * pairs);
       if (interface.sides() == 2 && (joint.begin1 < 0 || joint.begin2 < 0)) {
         joint.neighbour = assembly.ownerOf(joint.begin1 < 0 ? interface.body1 : interface.body2);
@@ -57,6 +58,14 @@ void LocalStage::select(const std::vector<int>& steps) {
       joint.remote.resize(joint.line.size() * steps.size() * static_cast<std::size_t>(layout_.dimension()));
     }
   }
+}
+
+void LocalStage::startFromHere() {
+  for (Joint& joint : joints_) joint.start = joint.history[0];
+}
+
+void LocalStage::startUnloaded() {
+  for (Joint& joint : joints_) std::fill(joint.start.begin(), joint.start.end(), 0.0);
 }
 
 void LocalStage::exchange(const base::Matrix& beta, int first, int count) {
@@ -93,7 +102,7 @@ void LocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
 
 void LocalStage::begin() {
   for (Joint& joint : joints_) {
-    std::fill(joint.history[0].begin(), joint.history[0].end(), 0.0);
+    joint.history[0] = joint.start;
     std::fill(joint.jump.begin(), joint.jump.end(), 0.0);
   }
 }

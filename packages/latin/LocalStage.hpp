@@ -27,13 +27,18 @@ class LocalStage {
   /// Sets which load step each column of a field is, in ascending order; to be called before the first solve().
   void select(const std::vector<int>& steps);
 
+  /// From now on the first column follows on the last one that was solved, or again on the unloaded state. Displacement
+  /// form only.
+  void startFromHere();
+  void startUnloaded();
+
   /// Collective. Overwrites `traction` with f^ [stress] of every row, given `beta` [stress].
   /// Throws base::Error naming interface and step when a law returns a value that is not finite.
   void solve(const base::Matrix& beta, base::Matrix& traction);
 
-  /// The same for one load step after the other: begin() forgets all history, solveColumn() may be called any number of
-  /// times for the next column and starts from the history of the columns before, accept() makes its last call final.
-  /// solveColumn() is collective. In the displacement form only.
+  /// The same for one load step after the other: begin() goes back before the first column, solveColumn() may be called
+  /// any number of times for the next column and starts from the history of the columns before, accept() makes its last
+  /// call final. solveColumn() is collective. In the displacement form only.
   void begin();
   void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction);
   void accept();
@@ -52,6 +57,7 @@ class LocalStage {
     std::vector<double> remote;  // beta of the side owned elsewhere, pairs x dimension x columns
     std::vector<laws::LocalLine> line;
     std::vector<laws::LocalState> state;  // pairs x columns
+    std::vector<double> start;            // history at the beginning of the first column
     std::vector<double> history[2];
     std::vector<double> jump;  // velocity form: hatted jump of the previous step, law's frame
   };

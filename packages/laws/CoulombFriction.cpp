@@ -4,6 +4,9 @@
 namespace harmos::laws {
 namespace {
 
+/// From this relative distance to the cone on, a node counts as slipping.
+constexpr double onTheCone = 1e-5;
+
 /// Unilateral contact with isotropic Coulomb friction, small sliding, implicit in the load step.
 ///
 /// Normal: delta_n + g >= 0, t_n <= 0, (delta_n + g) t_n = 0.
@@ -43,13 +46,13 @@ struct CoulombFriction {
       state.traction[1] = (line.freeJump[1] - old[0]) / line.compliance;
       state.traction[2] = (line.freeJump[2] - old[1]) / line.compliance;
       const double trial = tangentialNorm(state.traction);
-      state.status = Status::stick;
       if (trial >= limit) {
         const double scale = trial > 0.0 ? limit / trial : 0.0;
         state.traction[1] *= scale;
         state.traction[2] *= scale;
-        state.status = Status::slip;
       }
+      // A node that came to rest on the cone would otherwise be told apart by round-off.
+      state.status = trial >= (1.0 - onTheCone) * limit ? Status::slip : Status::stick;
     }
     const Vector3 jump = line.jump(state.traction);
     now[0] = jump[1];

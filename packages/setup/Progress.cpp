@@ -17,10 +17,11 @@ void Progress::report(const latin::IterationReport& report) {
   last_ = now;
 
   std::ostringstream line;
+  if (report.loadStep >= 0) line << "load step " << report.loadStep + 1 << ", ";
   line << "iteration " << report.iteration << ", " << report.linearStages << " linear stages" << std::scientific
        << std::setprecision(2);
   if (report.change > 0.0) line << ", change " << report.change;
-  if (detail_ == Detail::everyIteration) line << ", indicator " << report.indicator;
+  if (detail_ == Detail::everyIteration && report.loadStep < 0) line << ", indicator " << report.indicator;
   if (isTerminal_ && detail_ == Detail::sparse) {
     stream_ << "\r\033[K" << line.str() << std::flush;
   } else {

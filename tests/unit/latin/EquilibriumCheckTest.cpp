@@ -41,7 +41,6 @@ TEST(EquilibriumCheck, FindsTheLoadThatNothingCarries) {
   const Imbalance settled = imbalanceOf(laws::makeLaw("Unilateral Contact"), push(0.25, -2.0), 200);
   EXPECT_NEAR(settled.force[1], 0.0, 1e-6);
   EXPECT_NEAR(settled.force[2], 0.0, 1e-3);
-  EXPECT_GT(settled.rigidShare, 0.9);
 }
 
 // Pulled off, the upper cube has no contact at all and still is the one that is carried away.
@@ -49,7 +48,6 @@ TEST(EquilibriumCheck, FindsABodyThatHasLostEveryContact) {
   const Imbalance imbalance = imbalanceOf(laws::makeLaw("Unilateral Contact"), push(0.0, 2.0), 200);
   EXPECT_EQ(imbalance.body, 1);
   EXPECT_NEAR(std::abs(imbalance.force[2]), 2.0, 1e-6);
-  EXPECT_GT(imbalance.rigidShare, 0.9);
 }
 
 TEST(EquilibriumCheck, FindsNothingWhereThereIsEquilibrium) {

@@ -29,6 +29,9 @@ void chooseCase(SceneInput& scene, const Case& chosen) {
 void expectUniformPressure(const SolvedScene& run) {
   for (const PairValue& pair : run.pairs("contact")) {
     EXPECT_NEAR(pair.traction[0], -pressure, tolerance * pressure);
+    // Both sides of a node on a plane of symmetry are held there, so that what the interface carries along itself and
+    // what the plane does cannot be told apart.
+    if (pair.position[0] == 0.0 || pair.position[1] == 0.0) continue;
     EXPECT_NEAR(pair.traction[1], 0.0, tolerance * pressure);
     EXPECT_NEAR(pair.traction[2], 0.0, tolerance * pressure);
   }

@@ -100,8 +100,6 @@ TEST(CattaneoMindlin, StickZoneAndShear) {
     const double a = std::sqrt(8.0 * force * 50.0 / (pi * planeStrainModulus));
     const double p0 = 2.0 * force / (pi * a);
     const double c = a * std::sqrt(std::max(0.0, 1.0 - shearForce / (mu * force)));
-    std::printf("step %d: P %g Q %g a %g p0 %g / %g c/a %g\n", step, force, shearForce, a, p0, run.value("p0", step),
-                c / a);
     EXPECT_NEAR(run.value("p0", step), p0, 0.03 * p0);
     const auto [contact, edge] = extent(pairs, [](const PairValue& p) { return p.status != laws::Status::open; });
     EXPECT_NEAR(contact, a, edge);

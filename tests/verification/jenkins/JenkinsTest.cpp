@@ -32,7 +32,8 @@ TEST_P(Jenkins, LoopArea) {
   }
   // The trapezoidal rule cuts the corners of the loop: increments are a tenth of the half cycle.
   EXPECT_NEAR(loop, cycle.area, std::max(0.06 * cycle.area, 1e-3));
-  EXPECT_NEAR(*std::max_element(reaction.begin(), reaction.end()), 30.0, 0.01);
+  // Without sliding the flexibility of bar and block shows: 1000 N/mm in series with about 3e5 N/mm.
+  EXPECT_NEAR(*std::max_element(reaction.begin(), reaction.end()), 30.0, cycle.area > 0.0 ? 0.01 : 0.005 * 30.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Amplitudes, Jenkins,

@@ -1,0 +1,177 @@
+#include <harmos/latin/FreeMotion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <harmos/mesh/Vector.hpp>
+
+namespace harmos::latin {
+namespace {
+
+// How far, in units of imbalance / (k h): springs a million times softer than k are still felt.
+constexpr double farAhead = 1e6;
+// An iterate may have thrown the body far away: what it should meet lies back within so many times its state.
+constexpr double farBack = 100.0;
+// Whoever answers with more than this share of the imbalance resists.
+constexpr double resistance = 0.1;
+// Sine of the largest angle between the way and an interface that counts as sliding along it: the direction of the
+// imbalance is not exact.
+constexpr double grazing = 0.2;
+constexpr int maximumTries = 20;
+
+using mesh::operator+;
+using mesh::operator-;
+using mesh::operator*;
+
+/// A rigid motion: translation, and rotation about a centre.
+struct Motion {
+  mesh::Point translation{};
+  mesh::Point rotation{};
+  mesh::Point centre{};
+  mesh::Point at(const mesh::Point& x) const { return translation + mesh::cross(rotation, x - centre); }
+};
+
+/// Moves bodies at one load step and asks the interfaces.
+class Push {
+ public:
+  Push(FixedPoint& fixedPoint, const base::Matrix& alpha, base::Matrix& image, int step)
+      : fixedPoint_(fixedPoint), alpha_(alpha), image_(image), step_(step), unmoved_(fixedPoint.hattedTraction()) {}
+
+  /// Sum over the rows of a body of h k |motion| [force].
+  double stiffnessAlong(int body, const Motion& motion) const {
+    std::vector<double> sum(1, 0.0);
+    visit([&](const TraceLayout::Block& block, int row, int pair) {
+      if (block.body != body) return;
+      const double k = layout().stiffness()[static_cast<std::size_t>(row)];
+      sum[0] += layout().area()[static_cast<std::size_t>(row)] * k * mesh::norm(motion.at(node(block, pair)));
+    });
+    fixedPoint_.metric().sum(sum);
+    return sum[0];
+  }
+
+  /// Sum over the rows of a body of h |alpha| [force]: how far away it is, and how heavily loaded.
+  double stateOf(int body) const {
+    std::vector<double> sum(1, 0.0);
+    visit([&](const TraceLayout::Block& block, int row, int) {
+      if (block.body != body) return;
+      for (int c = 0; c < layout().dimension(); ++c) {
+        sum[0] += layout().area()[static_cast<std::size_t>(row + c)] * std::abs(alpha_[step_][row + c]);
+      }
+    });
+    fixedPoint_.metric().sum(sum);
+    return sum[0];
+  }
+
+  /// Change of the resultant on side 1 of every interface [force] when `bodies` make this motion.
+  std::vector<mesh::Point> answers(const std::set<int>& bodies, const Motion& motion) {
+    base::Matrix moved(alpha_);
+    visit([&](const TraceLayout::Block& block, int row, int pair) {
+      if (bodies.count(block.body) == 0) return;
+      const mesh::Point way = motion.at(node(block, pair));
+      for (int c = 0; c < layout().dimension(); ++c) {
+        moved[step_][row + c] +=
+            layout().stiffness()[static_cast<std::size_t>(row + c)] * way[static_cast<std::size_t>(c)];
+      }
+    });
+    fixedPoint_.apply(moved, image_);
+    const std::size_t interfaces = fixedPoint_.assembly().interfaces.size();
+    std::vector<double> sums(3 * interfaces, 0.0);
+    visit([&](const TraceLayout::Block& block, int row, int) {
+      if (block.side != 0) return;
+      for (int c = 0; c < layout().dimension(); ++c) {
+        sums[3 * static_cast<std::size_t>(block.interface) + static_cast<std::size_t>(c)] +=
+            layout().area()[static_cast<std::size_t>(row + c)] *
+            (fixedPoint_.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]);
+      }
+    });
+    fixedPoint_.metric().sum(sums);
+    std::vector<mesh::Point> result;
+    for (std::size_t i = 0; i < interfaces; ++i) result.push_back({sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]});
+    return result;
+  }
+
+ private:
+  const TraceLayout& layout() const { return fixedPoint_.layout(); }
+  const mesh::Point& node(const TraceLayout::Block& block, int pair) const {
+    const auto& interface = fixedPoint_.assembly().interfaces[static_cast<std::size_t>(block.interface)];
+    const int index = interface.nodes(block.side)[static_cast<std::size_t>(pair)];
+    return fixedPoint_.assembly().bodies[static_cast<std::size_t>(block.body)].nodes[static_cast<std::size_t>(index)];
+  }
+  template <class Action>
+  void visit(const Action& action) const {
+    for (const TraceLayout::Block& block : layout().blocks()) {
+      for (int pair = 0; pair < block.pairs; ++pair) action(block, block.begin + pair * layout().dimension(), pair);
+    }
+  }
+
+  FixedPoint& fixedPoint_;
+  const base::Matrix& alpha_;
+  base::Matrix& image_;
+  int step_;
+  base::Matrix unmoved_;
+};
+
+/// Turns a translation that meets an interface at a grazing angle into the mean plane of the interface; false when it
+/// lies there already, or goes against it.
+bool slideAlong(Motion& motion, const interface::Interface& interface) {
+  mesh::Point normal{};
+  for (const mesh::Frame& frame : interface.frame) normal = normal + frame[0];
+  if (mesh::norm(normal) == 0.0) return false;
+  normal = (1.0 / mesh::norm(normal)) * normal;
+  const double along = mesh::dot(motion.translation, normal);
+  const double way = mesh::norm(motion.translation);
+  if (std::abs(along) > grazing * way || std::abs(along) < 1e-12 * way) return false;
+  motion.translation = motion.translation - along * normal;
+  return true;
+}
+
+}  // namespace
+
+bool movesFreely(const Imbalance& imbalance, FixedPoint& fixedPoint, const base::Matrix& alpha, base::Matrix& image) {
+  const interface::Assembly& assembly = fixedPoint.assembly();
+  const double force = mesh::norm(imbalance.force);
+  const double moment = mesh::norm(imbalance.moment) / imbalance.arm;
+  const double size = std::max(force, moment);
+  Motion motion;
+  motion.centre = imbalance.centre;
+  // The body lacks a reaction to f - f^, so it goes against it.
+  if (force >= moment) {
+    motion.translation = (-1.0 / force) * imbalance.force;
+  } else {
+    motion.rotation = (-1.0 / mesh::norm(imbalance.moment)) * imbalance.moment;
+  }
+  Push push(fixedPoint, alpha, image, imbalance.step);
+  const double far =
+      std::max(farAhead * size, farBack * push.stateOf(imbalance.body)) / push.stiffnessAlong(imbalance.body, motion);
+  motion.translation = far * motion.translation;
+  motion.rotation = far * motion.rotation;
+
+  std::set<int> bodies{imbalance.body};
+  bool isHeld = true;
+  for (int attempt = 0; attempt < maximumTries; ++attempt) {
+    const std::vector<mesh::Point> answers = push.answers(bodies, motion);
+    std::vector<const interface::Interface*> resisting;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      if (mesh::norm(answers[i]) > resistance * size) resisting.push_back(&assembly.interfaces[i]);
+    }
+    if (std::any_of(resisting.begin(), resisting.end(),
+                    [&](const interface::Interface* one) { return slideAlong(motion, *one); })) {
+      continue;
+    }
+    if (std::any_of(resisting.begin(), resisting.end(),
+                    [](const interface::Interface* one) { return one->sides() == 1; })) {
+      break;
+    }
+    const std::size_t before = bodies.size();
+    for (const interface::Interface* one : resisting) bodies.insert({one->body1, one->body2});
+    if (bodies.size() == before) {
+      isHeld = false;
+      break;
+    }
+  }
+  fixedPoint.apply(alpha, image);
+  return !isHeld;
+}
+
+}  // namespace harmos::latin

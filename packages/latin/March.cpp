@@ -1,0 +1,91 @@
+#include <harmos/latin/March.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace harmos::latin {
+namespace {
+
+constexpr int maximumIterations = 100;
+// Residuals below this share of the state are round-off.
+constexpr double noise = 1e-13;
+
+/// The column of a load step from the two before it, linear in time.
+void extrapolate(const base::Matrix& alpha, int step, const std::vector<double>& times, base::Matrix& state) {
+  const auto t = static_cast<std::size_t>(step);
+  const double ratio = step < 2 ? 0.0 : (times[t] - times[t - 1]) / (times[t - 1] - times[t - 2]);
+  for (int row = 0; row < alpha.numRows(); ++row) {
+    const double last = step > 0 ? alpha[step - 1][row] : 0.0;
+    state[0][row] = step < 2 ? last : last + ratio * (last - alpha[step - 2][row]);
+  }
+}
+
+}  // namespace
+
+March::March(FixedPoint& fixedPoint, int memory, double accuracy)
+    : fixedPoint_(fixedPoint),
+      accuracy_(accuracy),
+      accelerations_(static_cast<std::size_t>(fixedPoint.assembly().steps()),
+                     AndersonAcceleration(fixedPoint.metric(), memory)) {}
+
+March::End March::iterate(int step, base::Matrix& state, double tolerance) {
+  const StateMetric& metric = fixedPoint_.metric();
+  AndersonAcceleration& acceleration = accelerations_[static_cast<std::size_t>(step)];
+  acceleration.resume();
+  EquilibriumWatch watch(accuracy_);
+  base::Matrix image(state.numRows(), 1);
+  base::Matrix residual(state.numRows(), 1);
+  int iteration = 0;
+  End end = End::reached;
+  while (iteration < maximumIterations) {
+    fixedPoint_.apply(state, image);
+    ++iteration;
+    residual.assign(image);
+    residual -= state;
+    const double size = metric.norm(residual);
+    const double force = std::max(largestForce_, metric.norm(fixedPoint_.hattedTraction()));
+    if (size <= std::max(tolerance * force, noise * metric.norm(image))) {
+      largestForce_ = force;
+      break;
+    }
+    if (mustStop_ && mustStop_()) {
+      end = End::stopped;
+      break;
+    }
+    if (watch.findsNoEquilibrium(fixedPoint_, state, image)) {
+      imbalance_ = watch.imbalance();
+      imbalance_.step = step;
+      end = End::noEquilibrium;
+      break;
+    }
+    acceleration.advance(state, image);
+  }
+  state.assign(image);
+  if (observer_) observer_(step, iteration);
+  return end;
+}
+
+March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
+  const int rows = alpha.numRows();
+  base::Matrix state(rows, 1);
+  End end = End::reached;
+  fixedPoint_.startUnloaded();
+  for (int t = 0; t < alpha.numCols(); ++t) {
+    if (end == End::reached) {
+      if (guess == Guess::extrapolation) {
+        extrapolate(alpha, t, fixedPoint_.assembly().times, state);
+      } else {
+        std::copy_n(alpha[t], rows, state[0]);
+      }
+      fixedPoint_.select({t});
+      end = iterate(t, state, tolerance);
+      fixedPoint_.startFromHere();
+    }
+    std::copy_n(state[0], rows, alpha[t]);
+  }
+  fixedPoint_.startUnloaded();
+  fixedPoint_.selectAll();
+  return end;
+}
+
+}  // namespace harmos::latin

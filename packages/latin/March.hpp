@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+
+#include <harmos/latin/AndersonAcceleration.hpp>
+#include <harmos/latin/EquilibriumWatch.hpp>
+
+namespace harmos::latin {
+
+/// Iterates one load step after the other, each with the history that the one before has left.
+///
+/// What a step does then depends on nothing that is still moving, which is faster and far surer along paths with
+/// friction than to iterate all load steps at once. Each step iterates with Anderson acceleration until |T(alpha) -
+/// alpha| <= tolerance |f^| in the state metric, |f^| the largest of the steps so far. Displacement form only.
+class March {
+ public:
+  enum class End {
+    reached,        ///< all load steps were visited
+    stopped,        ///< the caller asked to stop
+    noEquilibrium,  ///< see imbalance()
+  };
+  /// How the next load step starts.
+  enum class Guess {
+    extrapolation,  ///< from the two steps before it
+    state           ///< from what alpha holds for it
+  };
+
+  /// `memory` of the acceleration; loads that are not carried are those above `accuracy`.
+  March(FixedPoint& fixedPoint, int memory, double accuracy);
+
+  /// Asked on every rank after every iteration.
+  void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
+  /// Told on every rank after every load step: step, iterations that it took.
+  void setObserver(std::function<void(int, int)> observer) { observer_ = std::move(observer); }
+
+  /// Collective. Replaces the columns of `alpha`, one per load step. A step that does not get there in 100 iterations
+  /// is left as it is. After an early end the remaining columns hold the last state.
+  End run(base::Matrix& alpha, double tolerance, Guess guess);
+  const Imbalance& imbalance() const { return imbalance_; }
+
+ private:
+  End iterate(int step, base::Matrix& state, double tolerance);
+
+  FixedPoint& fixedPoint_;
+  double accuracy_;
+  std::function<bool()> mustStop_;
+  std::function<void(int, int)> observer_;
+  std::vector<AndersonAcceleration> accelerations_;  // per load step
+  Imbalance imbalance_;
+  double largestForce_ = 0.0;
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,127 @@
+// Loads that nothing carries, parts that nothing holds, laws that break: each is named.
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <Tpetra_Core.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/latin/LatinSolver.hpp>
+#include <harmos/setup/Problem.hpp>
+#include <harmos/setup/SceneRun.hpp>
+
+#include "Honest.hpp"
+
+namespace harmos::verification {
+namespace {
+
+const std::vector<std::string> pulledParts = {"centre", "bolt_1", "bolt_2", "head_1", "head_2"};
+
+TEST(NoEquilibrium, OfAPullWithoutFriction) {
+  expectNoEquilibrium(pressedBlocks().set("Values/mu=0"), {"upper"});
+  expectNoEquilibrium(boltedJoint().set("Values/mu=0"), pulledParts);
+}
+
+// 7680 N and 0.2 carry 1536 N; the pull acts on 128 mm2.
+TEST(NoEquilibrium, OfAPullBeyondSliding) {
+  expectNoEquilibrium(pressedBlocks().set("Values/pull=13"), {"upper"});
+  solveSurely(pressedBlocks().set("Values/pull=11"));
+  // 400 mm2: 1600 N where about 1440 N slide.
+  expectNoEquilibrium(boltedJoint().set("Values/traction=4"), pulledParts);
+}
+
+TEST(NoEquilibrium, OfABodyPulledOff) {
+  expectNoEquilibrium(pressedBlocks().set("Values/pressure=-1"), {"upper"});
+}
+
+/// What is said when the scene cannot even be started; "" when it can.
+std::string refusal(const SceneInput& scene, int& exitCode) {
+  exitCode = 0;
+  try {
+    const SolvedRun run(scene);
+    exitCode = setup::exitCodeOf(run.result().outcome);
+    return run.result().reason;
+  } catch (const base::Error& error) {
+    exitCode = static_cast<int>(error.code());
+    return error.what();
+  }
+}
+
+TEST(Floating, PartThatNothingTouches) {
+  SceneInput scene = pressedBlocks();
+  scene.remove("Boundaries/top").remove("Boundaries/pull").remove("Interfaces/contact");
+  scene.remove("Responses");
+  int code = 0;
+  const std::string message = refusal(scene, code);
+  EXPECT_EQ(code, 2) << message;
+  EXPECT_NE(message.find("upper"), std::string::npos) << message;
+}
+
+TEST(Floating, PartWithTractionsOnly) {
+  SceneInput scene = pressedBlocks();
+  scene.remove("Interfaces/contact").remove("Responses");
+  int code = 0;
+  const std::string message = refusal(scene, code);
+  EXPECT_NE(code, 0) << message;
+  EXPECT_NE(message.find("\"upper\""), std::string::npos) << message;
+}
+
+TEST(Floating, AssemblyThatNothingHolds) {
+  SceneInput scene = pressedBlocks();
+  scene.remove("Boundaries/bottom");
+  int code = 0;
+  const std::string message = refusal(scene, code);
+  EXPECT_EQ(code, 4) << message;
+  for (const char* part : {"\"lower\"", "\"upper\""}) EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+// Held in one direction only, loaded in another one.
+TEST(Floating, PartOnRollers) {
+  SceneInput scene = pressedBlocks();
+  scene.set("Boundaries/bottom/Law/Type=Symmetry");
+  for (const std::string component : {"X", "Y", "Z"}) scene.remove("Boundaries/bottom/Law/" + component);
+  int code = 0;
+  const std::string message = refusal(scene, code);
+  EXPECT_EQ(code, 4) << message;
+}
+
+/// Carries its load until the third load step, then breaks.
+struct Broken {
+  static constexpr const char* name = "Broken";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::two;
+  static void describe(base::ParameterSpec& p) {
+    p.summary("Returns what is not a number.");
+    p.number("Friction Coefficient").unit("-").doc("Not used.");
+  }
+  explicit Broken(const base::Parameters&) {}
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext& at, const double*, double*) const {
+    laws::LocalState state;
+    for (std::size_t c = 0; c < 3; ++c) state.traction[c] = line.freeJump[c] / line.compliance;
+    if (at.step == 2) state.traction[0] = std::numeric_limits<double>::quiet_NaN();
+    return state;
+  }
+};
+
+TEST(HostLaw, ThatReturnsNoNumberIsNamed) {
+  laws::LawRegistry laws = laws::builtInLaws();
+  laws::addLaw<Broken>(laws);
+  const setup::Scene scene = setup::readScene(std::string(HARMOS_VERIFICATION_DIR) + "/pressed_blocks.xml",
+                                              {"Interfaces/contact/Law/Type=Broken"}, laws);
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  const setup::Problem problem = setup::makeProblem(scene, *comm, timers);
+  latin::LatinSolver solver(problem.assembly, latin::LatinOptions(scene.input.list("Solver")), comm, timers);
+  try {
+    solver.solve();
+    FAIL();
+  } catch (const base::Error& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(static_cast<int>(error.code()), 3);
+    for (const char* part : {"\"contact\"", "load step 3", "\"Broken\""})
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
+}
+
+}  // namespace
+}  // namespace harmos::verification

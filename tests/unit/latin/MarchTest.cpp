@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <harmos/latin/March.hpp>
+
+#include "BoxAssembly.hpp"
+#include "Chains.hpp"
+
+namespace harmos::latin {
+namespace {
+
+using Law = std::shared_ptr<const laws::InterfaceLaw>;
+
+constexpr int memory = 30;
+constexpr double accuracy = 1e-3;
+constexpr double tight = 1e-11;
+
+Law friction(double mu) {
+  return laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", mu}});
+}
+
+/// Two cubes that are pressed and then dragged to and fro by more and by less than sticks.
+const std::vector<double> cycle = {0.0, 0.3, 1.0, 0.8, -0.5, -1.0, 0.2, 0.3};
+BoxAssembly draggedCubes() {
+  return twoCubes(friction(0.3),
+                  laws::makeLaw("Prescribed Displacement", {{"X", 0.1}, {"Y", 0.0}, {"Z", -0.05}}, {{"X", cycle}}),
+                  static_cast<int>(cycle.size()));
+}
+
+struct Problem {
+  explicit Problem(BoxAssembly boxes) : cubes(std::move(boxes)), fixedPoint(cubes.assembly(), {}, self(), timers) {}
+
+  int steps() { return cubes.assembly().steps(); }
+  base::Matrix zero() { return base::Matrix(fixedPoint.layout().rows(), steps()); }
+
+  /// The iteration over all load steps, relaxed, until nothing moves.
+  base::Matrix converged() {
+    base::Matrix alpha = zero(), image = zero();
+    double residual = 1.0;
+    for (int n = 0; n < 5000 && residual > 1e-13; ++n) {
+      fixedPoint.apply(alpha, image);
+      base::Matrix difference(image);
+      difference -= alpha;
+      residual = fixedPoint.metric().norm(difference) / fixedPoint.metric().norm(image);
+      difference.scale(0.7);
+      alpha += difference;
+    }
+    EXPECT_LE(residual, 1e-13);
+    return alpha;
+  }
+
+  /// Forces f^ of one load step at a state of all.
+  std::vector<double> forces(const base::Matrix& alpha, int step) {
+    base::Matrix image = zero();
+    fixedPoint.apply(alpha, image);
+    const double* column = fixedPoint.hattedTraction()[step];
+    return {column, column + fixedPoint.layout().rows()};
+  }
+
+  base::Timers timers;
+  BoxAssembly cubes;
+  FixedPoint fixedPoint;
+};
+
+void expectEqualForces(Problem& problem, const base::Matrix& alpha, const base::Matrix& expected) {
+  for (int t = 0; t < problem.steps(); ++t) {
+    const std::vector<double> found = problem.forces(alpha, t), right = problem.forces(expected, t);
+    double size = 0.0, error = 0.0;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      size = std::max(size, std::abs(right[i]));
+      error = std::max(error, std::abs(found[i] - right[i]));
+    }
+    EXPECT_LE(error, 1e-7 * size) << "load step " << t + 1;
+  }
+}
+
+// Friction keeps what has slid: the way to and fro is not the way back, and both iterations find the same one.
+TEST(March, FindsWhatTheIterationOverAllStepsFinds) {
+  Problem problem(draggedCubes());
+  base::Matrix alpha = problem.zero();
+  March march(problem.fixedPoint, memory, accuracy);
+  EXPECT_EQ(march.run(alpha, tight, March::Guess::extrapolation), March::End::reached);
+  expectEqualForces(problem, alpha, problem.converged());
+  // The same displacement at the steps 2 and 8, but another history.
+  const std::vector<double> there = problem.forces(alpha, 1), again = problem.forces(alpha, 7);
+  double size = 0.0, difference = 0.0;
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    size = std::max(size, std::abs(there[i]));
+    difference = std::max(difference, std::abs(there[i] - again[i]));
+  }
+  EXPECT_GT(difference, 0.1 * size);
+}
+
+TEST(March, StaysWhereItIsRight) {
+  Problem problem(draggedCubes());
+  base::Matrix alpha = problem.converged();
+  std::vector<int> visited, iterations;
+  March march(problem.fixedPoint, memory, accuracy);
+  march.setObserver([&](int step, int count) {
+    visited.push_back(step);
+    iterations.push_back(count);
+  });
+  EXPECT_EQ(march.run(alpha, 1e-9, March::Guess::state), March::End::reached);
+  EXPECT_EQ(visited, allSteps(problem.steps()));
+  EXPECT_EQ(iterations, std::vector<int>(cycle.size(), 1));
+  expectEqualForces(problem, alpha, problem.converged());
+}
+
+// After a march the fixed point has all load steps again, from the unloaded state.
+TEST(March, LeavesTheFixedPointAsItWas) {
+  Problem problem(draggedCubes());
+  base::Matrix state = problem.zero();
+  randomize(state);
+  const std::vector<double> before = problem.forces(state, 5);
+  base::Matrix alpha = problem.zero();
+  March(problem.fixedPoint, memory, accuracy).run(alpha, 1e-3, March::Guess::extrapolation);
+  EXPECT_EQ(problem.forces(state, 5), before);
+}
+
+TEST(March, StopsWhenAsked) {
+  Problem problem(draggedCubes());
+  base::Matrix alpha = problem.zero();
+  int steps = 0;
+  March march(problem.fixedPoint, memory, accuracy);
+  march.setObserver([&](int, int) { ++steps; });
+  march.setStop([&] { return steps == 3; });
+  EXPECT_EQ(march.run(alpha, tight, March::Guess::extrapolation), March::End::stopped);
+  EXPECT_EQ(steps, 4);
+  for (int t = 4; t < problem.steps(); ++t) {
+    for (int row = 0; row < alpha.numRows(); ++row) EXPECT_EQ(alpha(row, t), alpha(row, 3));
+  }
+}
+
+// The pull grows step by step; 0.3 x 2 carries it until the fourth. A step at the edge may pass for one that is slow.
+TEST(March, FindsTheStepThatNothingCarries) {
+  const std::vector<double> pull = {0.0, 0.2, 0.4, 0.8, 0.9};
+  Problem problem(
+      twoCubes(friction(0.3), laws::makeLaw("Prescribed Traction", {{"X", 1.0}, {"Z", -2.0}}, {{"X", pull}}), 5));
+  base::Matrix alpha = problem.zero();
+  March march(problem.fixedPoint, memory, accuracy);
+  EXPECT_EQ(march.run(alpha, 1e-8, March::Guess::extrapolation), March::End::noEquilibrium);
+  const Imbalance& found = march.imbalance();
+  EXPECT_GE(found.step, 3);
+  EXPECT_EQ(found.body, 1);
+  const double missing = pull[static_cast<std::size_t>(found.step)] - 0.6;
+  EXPECT_NEAR(std::abs(found.force[0]), missing, 0.05 * missing);
+}
+
+}  // namespace
+}  // namespace harmos::latin
