@@ -11,7 +11,6 @@ constexpr double largestError = 10.0;
 constexpr int runsOfExperience = 5;
 constexpr double safety = 1.5;
 constexpr double safetyAtFirst = 2.0;
-constexpr double safetyToKeep = 1.3;
 
 }  // namespace
 
@@ -42,10 +41,6 @@ double Calibration::estimate(const Indicators& indicators) const {
 
 bool Calibration::accepts(const Indicators& indicators) const {
   return (runs_ < runsOfExperience ? safetyAtFirst : safety) * estimate(indicators) <= accuracy_;
-}
-
-bool Calibration::keeps(const Indicators& indicators) const {
-  return safetyToKeep * estimate(indicators) <= accuracy_;
 }
 
 }  // namespace harmos::study

@@ -35,8 +35,6 @@ class Calibration {
   double estimate(const Indicators& indicators) const;
   /// True when E with its factor of safety, 1.5, or 2 before the fifth run, meets the accuracy.
   bool accepts(const Indicators& indicators) const;
-  /// True when E with a factor of safety of 1.3 still does: what was accepted stays so when a ratio falls a little.
-  bool keeps(const Indicators& indicators) const;
 
  private:
   double accuracy_;

@@ -319,7 +319,7 @@ bool ParametricStudy::reopen(ResultSink& sink) {
     ratioFell_ = false;
     std::vector<Configuration> again;
     for (auto& [id, one] : accepted_) {
-      if (calibration_.keeps(one.indicators)) {
+      if (calibration_.accepts(one.indicators)) {
         estimate(one.indicators, one.result);
         sink.record(one.result);
       } else {

@@ -38,8 +38,6 @@ TEST(Calibration, IsMoreCarefulAtFirst) {
     EXPECT_EQ(calibration.accepts({6e-3, 0.0}), run == 5);
   }
   EXPECT_FALSE(calibration.accepts({7e-3, 0.0}));
-  EXPECT_TRUE(calibration.keeps({7e-3, 0.0}));
-  EXPECT_FALSE(calibration.keeps({8e-3, 0.0}));
 }
 
 // P(0 of n) = (1 - p)^n = 0.05, and the tabulated value for 1 of 20.
