@@ -101,7 +101,7 @@ base::ParameterSpec studySpec() {
       .optional()
       .atLeast(1e-10)
       .atMost(3e-2)
-      .doc("Largest relative error of every curve and of the fields of contact; absent: that of the scene.");
+      .doc("Largest relative error of every curve and of the field of interface forces; absent: that of the scene.");
   describeParameter(spec.namedLists("Parameters", true));
   spec.namedLists("Conditions")
       .summary("Configurations that do not satisfy all conditions are left out and counted.")

@@ -22,7 +22,9 @@ struct ConfigurationResult {
   std::string reason;
   std::vector<std::vector<double>> curves;  // [response][load step]; empty without a solution
   std::vector<double> curveErrors;          // per response, estimate of the relative error; NaN: none
-  double errorEstimate = 0.0;               // largest, force and displacement fields included; NaN: none
+  // Largest of the responses and of the field of interface forces; only a certificate also covers the field of
+  // displacements. NaN: none.
+  double errorEstimate = 0.0;
   int iterations = 0;
   int linearStages = 0;
   std::vector<int> starts;  // ids of the configurations whose solutions it started from; empty: cold
