@@ -173,7 +173,7 @@ double AndersonAcceleration::extrapolate(const Step& step, const Sizes& size, co
   return remaining;
 }
 
-void AndersonAcceleration::move(Step& step, int t, bool isDrifting, const double* extrapolation, double* alpha) const {
+void AndersonAcceleration::move(Step& step, bool isDrifting, const double* extrapolation, double* alpha) const {
   const int rows = residual_.numRows();
   if (step.isGivenUp) {
     for (int row = 0; row < rows; ++row) {
@@ -184,8 +184,9 @@ void AndersonAcceleration::move(Step& step, int t, bool isDrifting, const double
   }
   step.stretch = isDrifting ? std::min(2.0 * step.stretch, longestStretch) : 1.0;
   for (int row = 0; row < rows; ++row) {
-    alpha[row] += isDrifting ? (step.stretch - 1.0) * residual_[t][row] / metric_.scale()[static_cast<std::size_t>(row)]
-                             : -extrapolation[row];
+    // Not the scaled residual: a rank without rows has one that weighs nothing.
+    const auto i = static_cast<std::size_t>(row);
+    alpha[row] += isDrifting ? (step.stretch - 1.0) * (step.goodImage[i] - step.goodAlpha[i]) : -extrapolation[row];
   }
 }
 
@@ -218,7 +219,7 @@ void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& imag
     const bool isUseless = remaining[t] > irreducible * irreducible * residual || lengths[t] > reach * reach * residual;
     const bool isDrifting = isConstant && isUseless && residual > noise * noise * sizes[t].image;
     const int i = static_cast<int>(t);
-    move(steps_[t], i, isDrifting, extrapolation[i], alpha[i]);
+    move(steps_[t], isDrifting, extrapolation[i], alpha[i]);
   }
   std::swap(lastResidual_, residual_);
   lastImage_ = image;

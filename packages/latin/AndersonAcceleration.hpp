@@ -61,7 +61,7 @@ class AndersonAcceleration {
   void judge(const base::Matrix& alpha, const base::Matrix& image, const std::vector<Sizes>& sizes);
   /// Writes dG gamma, returns |f - dF gamma|^2.
   double extrapolate(const Step& step, const Sizes& size, const double* products, double* extrapolation) const;
-  void move(Step& step, int t, bool isDrifting, const double* extrapolation, double* alpha) const;
+  void move(Step& step, bool isDrifting, const double* extrapolation, double* alpha) const;
 
   const StateMetric& metric_;
   int memory_;
