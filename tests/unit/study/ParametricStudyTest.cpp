@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -107,12 +108,7 @@ TEST(ParametricStudy, RecordsFailuresAndGoesOn) {
 /// A node pressed and dragged to and fro: the shear force is that of a Jenkins element.
 class JenkinsStudy {
  public:
-  explicit JenkinsStudy(double accuracy)
-      : assembly_(
-            latin::twoChains(friction(0.3),
-                             laws::makeLaw("Prescribed Displacement", {{"X", -1.0 / both}, {"Y", 0.1}, {"Z", 0.0}},
-                                           {{"Y", {0.2, 1.0, 0.8, -1.0}}}),
-                             4)) {
+  explicit JenkinsStudy(double accuracy) : assembly_(latin::twoChains(friction(0.3), drag(0.8), 4)) {
     options_.accuracy = accuracy;
     shear_ = std::make_shared<latin::ResultantResponse>("shear", std::vector<int>{1},
                                                         std::vector<mesh::Point>{{0.0, 1.0, 0.0}});
@@ -122,6 +118,11 @@ class JenkinsStudy {
   }
   static std::shared_ptr<const laws::InterfaceLaw> friction(double coefficient) {
     return laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", coefficient}});
+  }
+  /// To and fro; `third` of the way at the third step.
+  static std::shared_ptr<const laws::InterfaceLaw> drag(double third) {
+    return laws::makeLaw("Prescribed Displacement", {{"X", -1.0 / both}, {"Y", 0.1}, {"Z", 0.0}},
+                         {{"Y", {0.2, 1.0, third, -1.0}}});
   }
   /// Stick: both * way; slip at the friction coefficient times the pressure of 1.
   static std::vector<double> exact(double coefficient) {
@@ -136,12 +137,15 @@ class JenkinsStudy {
   }
   void install(const std::vector<double>& values) {
     if (values[0] < 0.0) throw base::Error("negative friction", base::ExitCode::input);
+    const bool isBroken = std::find(broken_.begin(), broken_.end(), values[0]) != broken_.end();
     assembly_.interfaces[1].law = friction(values[0]);
+    assembly_.interfaces[2].law = drag(isBroken ? std::numeric_limits<double>::quiet_NaN() : 0.8);
   }
 
   interface::Assembly assembly_;
   latin::LatinOptions options_;
   base::Timers timers_;
+  std::vector<double> broken_;  // coefficients with which the law fails
   std::shared_ptr<const latin::Response> shear_;
   std::unique_ptr<ParametricStudy> study_;
 };
@@ -201,6 +205,27 @@ TEST(ParametricStudy, GoesOnAfterAFailureAmongMany) {
     } else {
       EXPECT_TRUE(result.status == Status::calibrated || result.status == Status::certified) << result.reason;
     }
+  }
+}
+
+// A law that fails on the way leaves nothing behind.
+TEST(ParametricStudy, GoesOnAfterALawThatFails) {
+  JenkinsStudy jenkins(1e-3);
+  std::vector<Configuration> configurations = frictions(15);
+  for (const int broken : {0, 3, 7, 11})
+    jenkins.broken_.push_back(configurations[static_cast<std::size_t>(broken)].values[0]);
+  Results results;
+  jenkins.study_->run(configurations, {}, results);
+  ASSERT_EQ(results.all.size(), 15u);
+  for (const ConfigurationResult& result : results.all) {
+    if (result.id == 1 || result.id == 4 || result.id == 8 || result.id == 12) {
+      EXPECT_EQ(result.status, Status::failed);
+      continue;
+    }
+    ASSERT_TRUE(result.status == Status::calibrated || result.status == Status::certified) << result.reason;
+    const std::vector<double> exact =
+        JenkinsStudy::exact(configurations[static_cast<std::size_t>(result.id) - 1].values[0]);
+    for (std::size_t t = 0; t < exact.size(); ++t) EXPECT_NEAR(result.curves[0][t], exact[t], 1e-3);
   }
 }
 
