@@ -31,6 +31,18 @@ find_path(EXODUS_INCLUDE exodusII.h REQUIRED)
 find_library(EXODUS_LIBRARY exoIIv2c REQUIRED)
 harmos_dependency(exodus INCLUDE ${EXODUS_INCLUDE} LIBRARIES ${EXODUS_LIBRARY})
 
+# The variant that Exodus uses: two copies of HDF5 in one process would be one too many.
+find_path(HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/openmpi REQUIRED)
+find_library(HDF5_LIBRARY NAMES hdf5_openmpi hdf5 REQUIRED)
+harmos_dependency(hdf5 INCLUDE ${HDF5_INCLUDE} LIBRARIES ${HDF5_LIBRARY} MPI::MPI_CXX)
+
+find_path(BOOST_INCLUDE boost/random/sobol.hpp REQUIRED)
+harmos_dependency(boost INCLUDE ${BOOST_INCLUDE})
+
+find_path(MUPARSER_INCLUDE muParser.h REQUIRED)
+find_library(MUPARSER_LIBRARY muparser REQUIRED)
+harmos_dependency(muparser INCLUDE ${MUPARSER_INCLUDE} LIBRARIES ${MUPARSER_LIBRARY})
+
 find_path(METIS_INCLUDE metis.h REQUIRED)
 find_library(METIS_LIBRARY metis REQUIRED)
 harmos_dependency(metis INCLUDE ${METIS_INCLUDE} LIBRARIES ${METIS_LIBRARY})

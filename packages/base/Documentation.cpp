@@ -114,8 +114,12 @@ class Writer {
 }  // namespace
 
 std::string documentation(const ParameterSpec& spec, const std::string& topic) {
+  return documentation(std::vector<ParameterSpec>{spec}, topic);
+}
+
+std::string documentation(const std::vector<ParameterSpec>& specs, const std::string& topic) {
   Writer writer(topic);
-  writer.list(spec, nullptr, spec.name(), spec.name(), topic.empty());
+  for (const ParameterSpec& spec : specs) writer.list(spec, nullptr, spec.name(), spec.name(), topic.empty());
   return writer.text();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <harmos/base/ParameterSpec.hpp>
 
@@ -10,5 +11,8 @@ namespace harmos::base {
 /// every parameter, and a snippet of XML for every list. `topic` restricts it to the lists and types of this name.
 /// Throws base::Error (input) when there is no such topic.
 std::string documentation(const ParameterSpec& spec, const std::string& topic = "");
+
+/// The same for several inputs, one after the other.
+std::string documentation(const std::vector<ParameterSpec>& specs, const std::string& topic = "");
 
 }  // namespace harmos::base

@@ -6,9 +6,7 @@ namespace harmos::base {
 
 namespace {
 
-constexpr const char* location = "--set";
-
-InputNode& add(InputNode& parent, const char* tag, const std::string& name) {
+InputNode& add(InputNode& parent, const char* tag, const std::string& name, const std::string& location) {
   InputNode& node = parent.children.emplace_back();
   node.tag = tag;
   node.location = location;
@@ -16,12 +14,13 @@ InputNode& add(InputNode& parent, const char* tag, const std::string& name) {
   return node;
 }
 
-void assign(InputNode& list, const std::string& name, ParameterType type, const std::string& value) {
+ParameterType assign(InputNode& list, const std::string& name, ParameterType type, const EntryChange& change) {
   InputNode* node = list.child(name);
-  if (!node) node = &add(list, InputNode::parameterTag, name);
+  if (!node) node = &add(list, InputNode::parameterTag, name, change.location);
   node->setAttribute("type", xmlType(type));
-  node->setAttribute("value", value);
-  node->location = location;
+  node->setAttribute("value", change.value);
+  node->location = change.location;
+  return type;
 }
 
 std::vector<std::string> childNames(const InputNode& node) {
@@ -39,25 +38,30 @@ const ParameterSpec* formOf(const InputNode& node, const ParameterSpec& spec) {
 }  // namespace
 
 void applyOverride(InputTree& input, const ParameterSpec& spec, const std::string& assignment, ErrorList& errors) {
-  const std::string where = std::string(location) + " '" + assignment + "'";
+  const std::string where = "--set '" + assignment + "'";
   const auto equals = assignment.find('=');
   if (equals == std::string::npos) {
     errors.add(where, "has no value.", "Write --set 'List/Sublist/Name=value'.");
     return;
   }
+  applyChange(input, spec, {assignment.substr(0, equals), assignment.substr(equals + 1), "--set"}, where, errors);
+}
+
+std::optional<ParameterType> applyChange(InputTree& input, const ParameterSpec& spec, const EntryChange& change,
+                                         const std::string& where, ErrorList& errors) {
   std::vector<std::string> path;
-  for (std::size_t begin = 0; begin <= equals;) {
-    const std::size_t end = std::min(assignment.find('/', begin), equals);
-    path.push_back(assignment.substr(begin, end - begin));
+  for (std::size_t begin = 0; begin <= change.path.size();) {
+    const std::size_t end = std::min(change.path.find('/', begin), change.path.size());
+    path.push_back(change.path.substr(begin, end - begin));
     begin = end + 1;
   }
-  const std::string value = assignment.substr(equals + 1);
 
   InputNode* node = &input.root;
   const ParameterSpec* at = &spec;
   std::string listName = spec.name();
   const auto noSuch = [&](const char* kind, const std::string& name, const std::vector<std::string>& known) {
     errors.add(where, listName + " has no " + kind + " \"" + name + "\".", suggestName(name, known, "It has"));
+    return std::nullopt;
   };
   std::size_t i = 0;
   for (; i + 1 < path.size(); ++i) {
@@ -70,33 +74,33 @@ void applyOverride(InputTree& input, const ParameterSpec& spec, const std::strin
     }
     if (!next) return noSuch("list", path[i], known);
     InputNode* child = node->child(path[i]);
-    node = child ? child : &add(*node, InputNode::listTag, path[i]);
-    if (!node->isList()) return;  // check() says so
+    node = child ? child : &add(*node, InputNode::listTag, path[i], change.location);
+    if (!node->isList()) return std::nullopt;  // check() says so
     listName = path[i];
     if (next->kind == ParameterSpec::ListKind::named) {
       const std::string& name = path[++i];
       child = node->child(name);
       if (!child) return noSuch("list", name, childNames(*node));
-      if (!child->isList()) return;
+      if (!child->isList()) return std::nullopt;
       node = child;
       listName = name;
       if (i + 1 == path.size()) {
         errors.add(where, "\"" + name + "\" is a list.", "Name one of its entries: List/Sublist/Name=value.");
-        return;
+        return std::nullopt;
       }
     } else if (next->kind == ParameterSpec::ListKind::numbers) {
       const std::string& name = path[i + 1];
       if (i + 2 != path.size() || !node->child(name)) return noSuch("entry", name, childNames(*node));
-      return assign(*node, name, ParameterType::number, value);
+      return assign(*node, name, ParameterType::number, change);
     }
     at = next->spec.get();
   }
   std::vector<std::string> known;
   for (const ParameterEntry& entry : at->entriesWith(formOf(*node, *at))) {
-    if (entry.name == path.back()) return assign(*node, entry.name, entry.type, value);
+    if (entry.name == path.back()) return assign(*node, entry.name, entry.type, change);
     known.push_back(entry.name);
   }
-  noSuch("parameter", path.back(), known);
+  return noSuch("parameter", path.back(), known);
 }
 
 }  // namespace harmos::base

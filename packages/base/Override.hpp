@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <harmos/base/ErrorList.hpp>
@@ -12,5 +13,17 @@ namespace harmos::base {
 /// fixed name above it) when the input omits it. Lists and values named by the user must be there. Reports a path that
 /// does not exist to `errors`; the value itself is left to check().
 void applyOverride(InputTree& input, const ParameterSpec& spec, const std::string& assignment, ErrorList& errors);
+
+/// What replaces an entry and on whose behalf.
+struct EntryChange {
+  std::string path;      // "List/Sublist/Name"
+  std::string value;     // as it would be written in XML
+  std::string location;  // of the changed entry from then on, in messages about its value
+};
+
+/// The same for a change from elsewhere; a path that does not exist is reported at `where`. Returns the type of the
+/// entry, nothing when it was not changed.
+std::optional<ParameterType> applyChange(InputTree& input, const ParameterSpec& spec, const EntryChange& change,
+                                         const std::string& where, ErrorList& errors);
 
 }  // namespace harmos::base

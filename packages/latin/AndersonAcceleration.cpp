@@ -32,6 +32,47 @@ void AndersonAcceleration::restart() {
   resume();
 }
 
+void AndersonAcceleration::reserve(int rows, int columns) {
+  if (!steps_.empty()) return;
+  steps_.resize(static_cast<std::size_t>(columns));
+  for (Step& step : steps_) {
+    step.residuals.shape(rows, memory_);
+    step.images.shape(rows, memory_);
+    step.gram.shape(memory_, memory_);
+  }
+}
+
+void AndersonAcceleration::seed(const std::vector<base::Matrix>& residuals, const std::vector<base::Matrix>& images) {
+  restart();
+  if (residuals.empty()) return;
+  const Teuchos::BLAS<int, double> blas;
+  const int rows = residuals[0].numRows();
+  const int count = residuals[0].numCols();
+  reserve(rows, static_cast<int>(residuals.size()));
+  const auto size = static_cast<std::size_t>(count) * static_cast<std::size_t>(count);
+  std::vector<double> products(size * steps_.size());
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    for (int j = 0; j < count; ++j) {
+      std::copy_n(residuals[t][j], rows, steps_[t].residuals[j]);
+      std::copy_n(images[t][j], rows, steps_[t].images[j]);
+    }
+    blas.SYRK(Teuchos::UPPER_TRI, Teuchos::TRANS, count, rows, 1.0, steps_[t].residuals.values(),
+              steps_[t].residuals.stride(), 0.0, products.data() + t * size, count);
+  }
+  metric_.sum(products);
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    for (int j = 0; j < count; ++j) {
+      for (int i = 0; i <= j; ++i) {
+        const double product = products[t * size + static_cast<std::size_t>(j * count + i)];
+        steps_[t].gram(i, j) = product;
+        steps_[t].gram(j, i) = product;
+      }
+    }
+  }
+  stored_ = count;
+  next_ = count % memory_;
+}
+
 void AndersonAcceleration::resume() {
   started_ = false;
   for (Step& step : steps_) {
@@ -138,7 +179,7 @@ double AndersonAcceleration::extrapolate(const Step& step, const Sizes& size, co
   return remaining;
 }
 
-void AndersonAcceleration::move(Step& step, int t, bool isDrifting, const double* extrapolation, double* alpha) const {
+void AndersonAcceleration::move(Step& step, bool isDrifting, const double* extrapolation, double* alpha) const {
   const int rows = residual_.numRows();
   if (step.isGivenUp) {
     for (int row = 0; row < rows; ++row) {
@@ -149,22 +190,16 @@ void AndersonAcceleration::move(Step& step, int t, bool isDrifting, const double
   }
   step.stretch = isDrifting ? std::min(2.0 * step.stretch, longestStretch) : 1.0;
   for (int row = 0; row < rows; ++row) {
-    alpha[row] += isDrifting ? (step.stretch - 1.0) * residual_[t][row] / metric_.scale()[static_cast<std::size_t>(row)]
-                             : -extrapolation[row];
+    // Not the scaled residual: a rank without rows has one that weighs nothing.
+    const auto i = static_cast<std::size_t>(row);
+    alpha[row] += isDrifting ? (step.stretch - 1.0) * (step.goodImage[i] - step.goodAlpha[i]) : -extrapolation[row];
   }
 }
 
 void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& image) {
   const Teuchos::BLAS<int, double> blas;
   const int rows = alpha.numRows();
-  if (steps_.empty()) {
-    steps_.resize(static_cast<std::size_t>(alpha.numCols()));
-    for (Step& step : steps_) {
-      step.residuals.shape(rows, memory_);
-      step.images.shape(rows, memory_);
-      step.gram.shape(memory_, memory_);
-    }
-  }
+  reserve(rows, alpha.numCols());
   scaleResidual(alpha, image);
   const std::vector<Sizes> sizes = measure(image);
   if (started_) append(image);
@@ -195,7 +230,7 @@ void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& imag
     if (isDrifting) forget(steps_[t]);
     steps_[t].predicted = isDrifting ? residual : remaining[t];
     const int i = static_cast<int>(t);
-    move(steps_[t], i, isDrifting, extrapolation[i], alpha[i]);
+    move(steps_[t], isDrifting, extrapolation[i], alpha[i]);
   }
   std::swap(lastResidual_, residual_);
   lastImage_ = image;

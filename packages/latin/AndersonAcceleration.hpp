@@ -28,6 +28,10 @@ class AndersonAcceleration {
 
   /// Collective. Replaces `alpha` by the next iterate, given image = T(alpha).
   void advance(base::Matrix& alpha, const base::Matrix& image);
+  /// Collective. Forgets all differences and starts with those that are known from elsewhere: per load step dF in the
+  /// scale of the metric, and dG, one column each and at most as many as the memory. New ones replace them in their
+  /// order.
+  void seed(const std::vector<base::Matrix>& residuals, const std::vector<base::Matrix>& images);
   /// Forgets all differences.
   void restart();
   /// Keeps them, but draws none between the last iterate and the next: T has changed a little.
@@ -52,6 +56,7 @@ class AndersonAcceleration {
     double image;
   };
 
+  void reserve(int rows, int columns);
   void scaleResidual(const base::Matrix& alpha, const base::Matrix& image);
   std::vector<Sizes> measure(const base::Matrix& image) const;
   static void forget(Step& step);
@@ -59,7 +64,7 @@ class AndersonAcceleration {
   void judge(const base::Matrix& alpha, const base::Matrix& image, const std::vector<Sizes>& sizes);
   /// Writes dG gamma, returns |f - dF gamma|^2.
   double extrapolate(const Step& step, const Sizes& size, const double* products, double* extrapolation) const;
-  void move(Step& step, int t, bool isDrifting, const double* extrapolation, double* alpha) const;
+  void move(Step& step, bool isDrifting, const double* extrapolation, double* alpha) const;
 
   const StateMetric& metric_;
   int memory_;

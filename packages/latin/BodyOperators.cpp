@@ -144,7 +144,7 @@ BodyOperators::BodyOperators(const interface::Assembly& assembly, const interfac
     group.bodies.push_back(static_cast<int>(b));
   }
   mapBlocks(assembly, layout);
-  gatherLoads(assembly);
+  updateLoads(assembly);
 }
 
 void BodyOperators::mapBlocks(const interface::Assembly& assembly, const TraceLayout& layout) {
@@ -161,7 +161,7 @@ void BodyOperators::mapBlocks(const interface::Assembly& assembly, const TraceLa
   }
 }
 
-void BodyOperators::gatherLoads(const interface::Assembly& assembly) {
+void BodyOperators::updateLoads(const interface::Assembly& assembly) {
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     if (places_[b].group < 0) continue;
     const substructure::Substructure& body = assembly.bodies[b];

@@ -24,6 +24,8 @@ class BodyOperators {
 
   /// Sets which load step each column of a field is; to be called before the first solve().
   void select(const std::vector<int>& steps);
+  /// Reads body forces and prescribed tractions anew from the assembly, of which nothing else may have changed.
+  void updateLoads(const interface::Assembly& assembly);
   /// Solves S u = B^T r + l for all owned bodies and the columns first .. first + count - 1, where r are the nodal
   /// forces [force] on the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement().
   void solve(const base::Matrix& forces, int first, int count);
@@ -68,7 +70,6 @@ class BodyOperators {
   };
 
   void mapBlocks(const interface::Assembly& assembly, const TraceLayout& layout);
-  void gatherLoads(const interface::Assembly& assembly);
   void solveGroup(Group& group, int first, int count);
   const base::Matrix& wholeSolution(const Group& group) const;
   int masterDof(const Place& place, int node) const {

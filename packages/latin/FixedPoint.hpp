@@ -29,10 +29,16 @@ class FixedPoint {
   void startFromHere() { local_.startFromHere(); }
   void startUnloaded() { local_.startUnloaded(); }
 
+  /// To be called when laws of the assembly have been replaced by others of the same kind: the operators do not depend
+  /// on them, but loads do.
+  void updateLaws() { linear_.updateLoads(); }
+
   /// Collective. image = T(alpha) [stress]; the fields of the iteration are kept.
   void apply(const base::Matrix& alpha, base::Matrix& image);
 
   // Fields of the last apply(); rows as in TraceLayout, one column per load step.
+  /// beta = f - k w [stress] of the linear stage (velocity form: f - k dw).
+  const base::Matrix& beta() const { return beta_; }
   /// w [length] of the linear stage.
   const base::Matrix& trace() const { return linear_.trace(); }
   /// f [stress] of the linear stage, in equilibrium with the bodies.
@@ -49,6 +55,7 @@ class FixedPoint {
   const StateMetric& metric() const { return metric_; }
   const LinearStage& linearStage() const { return linear_; }
   const LocalStage& localStage() const { return local_; }
+  LocalStage& localStage() { return local_; }
   Formulation formulation() const { return formulation_; }
   /// Factor on the automatic search direction.
   double searchDirectionScale() const { return searchDirectionScale_; }

@@ -38,10 +38,15 @@ class LatinSolver {
   /// Asked on every rank after every iteration; the run stops when it is true on any rank.
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
 
+  /// See FixedPoint::updateLaws().
+  void updateLaws() { fixedPoint_.updateLaws(); }
+
   /// Runs from alpha = 0, or from `start` (rows as in the layout).
   LatinResult solve(const base::Matrix* start = nullptr);
   /// Fields of the delivered state.
   const FixedPoint& state() const { return fixedPoint_; }
+  /// The iteration itself, for those who go on from here.
+  FixedPoint& fixedPoint() { return fixedPoint_; }
   /// The delivered state alpha [stress]: a start for another run, or a checkpoint.
   const base::Matrix& alpha() const { return alpha_; }
 

@@ -26,6 +26,11 @@ void LinearStage::select(const std::vector<int>& steps) {
   }
 }
 
+void LinearStage::updateLoads() {
+  operators_.updateLoads(assembly_);
+  if (macro_) macro_->updateLoads(operators_);
+}
+
 void LinearStage::applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const {
   for (const TraceLayout::Block& block : layout_.blocks()) {
     const interface::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(block.interface)];

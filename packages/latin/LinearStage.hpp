@@ -25,6 +25,9 @@ class LinearStage {
   /// Sets which load step each column of a field is; to be called before the first solve.
   void select(const std::vector<int>& steps);
 
+  /// To be called when the laws of boundaries with prescribed tractions have been replaced.
+  void updateLoads();
+
   /// Collective. From alpha [stress] to beta = f - k w [stress] (velocity form: f - k dw); keeps w.
   void solve(const base::Matrix& alpha, base::Matrix& beta);
 

@@ -27,14 +27,21 @@ class LocalStage {
   /// Sets which load step each column of a field is, in ascending order; to be called before the first solve().
   void select(const std::vector<int>& steps);
 
-  /// From now on the first column follows on the last one of the last solve(), or again on the unloaded state.
-  /// Displacement form only.
+  /// From now on the first column follows on the last one that was solved, or again on the unloaded state. Displacement
+  /// form only.
   void startFromHere();
   void startUnloaded();
 
   /// Collective. Overwrites `traction` with f^ [stress] of every row, given `beta` [stress].
   /// Throws base::Error naming interface and step when a law returns a value that is not finite.
   void solve(const base::Matrix& beta, base::Matrix& traction);
+
+  /// The same for one load step after the other: begin() goes back before the first column, solveColumn() may be called
+  /// any number of times for the next column and starts from the history of the columns before, accept() makes its last
+  /// call final. solveColumn() is collective. In the displacement form only.
+  void begin();
+  void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction);
+  void accept();
 
   /// Status of the pairs of one interface at one step, as last solved on this rank; empty if no side is owned here.
   const std::vector<laws::LocalState>& states(int interfaceIndex) const {
@@ -55,8 +62,8 @@ class LocalStage {
     std::vector<double> jump;  // velocity form: hatted jump of the previous step, law's frame
   };
 
-  void exchange(const base::Matrix& beta);
-  void solveJoint(int interfaceIndex, Joint& joint, const base::Matrix& beta, base::Matrix& traction);
+  void exchange(const base::Matrix& beta, int first, int count);
+  void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
 
   const interface::Assembly& assembly_;
   const interface::SearchDirection& searchDirection_;

@@ -111,7 +111,7 @@ MacroProblem::MacroProblem(const interface::Assembly& assembly, const interface:
     auto& local = localBody[static_cast<std::size_t>(at.body)];
     if (local < 0) {
       local = static_cast<int>(bodies_.size());
-      bodies_.push_back({at.body, {}, {}});
+      bodies_.push_back({at.body, {}, {}, {}});
     }
     const auto i = static_cast<std::size_t>(at.interface);
     Block block{at.begin, local, firstMode_[i], &modes_[i], {}, {}, {}};
@@ -135,8 +135,7 @@ MacroProblem::MacroProblem(const interface::Assembly& assembly, const interface:
       if (blocks_[i].body == static_cast<int>(b)) mine.push_back(i);
     }
     const int count = static_cast<int>(body.unknowns.size());
-    const Matrix& loads = operators.loads(body.body);
-    Matrix right(loads.numRows(), count);
+    Matrix right(operators.loads(body.body).numRows(), count);
     int column = 0;
     for (std::size_t i : mine) {
       const TraceLayout::Block& at = layout.blocks()[i];
@@ -148,9 +147,8 @@ MacroProblem::MacroProblem(const interface::Assembly& assembly, const interface:
         }
       }
     }
-    const Matrix response = count > 0 ? operators.solveBody(body.body, right) : right;
-    body.loads.shape(count, assembly.steps());
-    if (count > 0) body.loads.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, response, loads, 0.0);
+    body.response = count > 0 ? operators.solveBody(body.body, right) : right;
+    const Matrix& response = body.response;
 
     Matrix contribution(count, count);
     column = 0;
@@ -182,7 +180,17 @@ MacroProblem::MacroProblem(const interface::Assembly& assembly, const interface:
     }
     contributions.push_back(std::move(contribution));
   }
+  updateLoads(operators);
   factor(assembly, options, contributions);
+}
+
+void MacroProblem::updateLoads(const BodyOperators& operators) {
+  for (Body& body : bodies_) {
+    const Matrix& loads = operators.loads(body.body);
+    const int count = static_cast<int>(body.unknowns.size());
+    body.loads.shape(count, loads.numCols());
+    if (count > 0) body.loads.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, body.response, loads, 0.0);
+  }
 }
 
 void MacroProblem::buildModes(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection) {

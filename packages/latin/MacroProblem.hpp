@@ -23,6 +23,9 @@ class MacroProblem {
   MacroProblem(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
                const TraceLayout& layout, const BodyOperators& operators, const substructure::SolverOptions& options);
 
+  /// Reads the loads of the bodies anew.
+  void updateLoads(const BodyOperators& operators);
+
   /// Collective. Adds k P c to `alpha` [stress] and h k P c to `forces` = h alpha [force], columns
   /// first .. first + steps.size() - 1, which are the load steps `steps`.
   void correct(base::Matrix& alpha, base::Matrix& forces, int first, const std::vector<int>& steps) const;
@@ -42,6 +45,7 @@ class MacroProblem {
   struct Body {
     int body;
     std::vector<int> unknowns;  // global numbers of the coarse unknowns of its interfaces
+    base::Matrix response;      // X, dofs x unknowns
     base::Matrix loads;         // X^T l, unknowns x steps
   };
 

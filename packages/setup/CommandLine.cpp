@@ -16,11 +16,11 @@ namespace {
 
 const char* const exitCodes =
     "Exit codes:\n"
-    "  0    done; for run: the solution is certified to the accuracy asked for\n"
+    "  0    done; for run and study: all solutions are as accurate as asked for\n"
     "  1    failure, the message says which; for compare: the files are different\n"
     "  2    the input or the command line is wrong, nothing was run or written\n"
-    "  3    not converged: iteration limit or stagnation\n"
-    "  4    no equilibrium exists under the given loads\n"
+    "  3    not converged: iteration limit or stagnation; for study: some configurations have no solution\n"
+    "  4    no equilibrium exists under the given loads; for study: of some configurations, all others are solved\n"
     "  130  interrupted; what was written is readable\n";
 
 void printIndented(std::ostream& out, const std::vector<std::string>& lines) {
@@ -84,7 +84,8 @@ bool CommandEnvironment::isRoot() const {
 }
 
 std::vector<Command> commands() {
-  return {runCommand(), checkCommand(), docCommand(), meshCommand(), compareCommand()};
+  return {runCommand(),     checkCommand(), docCommand(),    meshCommand(),
+          compareCommand(), studyCommand(), reportCommand(), predictCommand()};
 }
 
 int runCommandLine(const std::vector<std::string>& words, const CommandEnvironment& environment) {

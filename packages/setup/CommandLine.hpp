@@ -37,7 +37,8 @@ struct Command {
   std::function<int(const CommandLineArguments&, const CommandEnvironment&)> run;  // returns the exit code
 };
 
-/// The verbs of `harmos`: run, check, doc, mesh, compare.
+/// The verbs of `harmos`: run, check, doc, mesh, compare, study, report,
+/// predict.
 std::vector<Command> commands();
 
 /// Does what `harmos <words...>` does and returns its exit code; --help and --version included. Collective over the

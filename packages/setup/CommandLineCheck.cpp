@@ -2,8 +2,11 @@
 #include <iomanip>
 #include <ostream>
 
+#include <harmos/base/Error.hpp>
 #include <harmos/setup/CommandLineVerbs.hpp>
 #include <harmos/setup/CostEstimate.hpp>
+#include <harmos/setup/Study.hpp>
+#include <harmos/setup/StudySummary.hpp>
 
 namespace harmos::setup {
 
@@ -52,9 +55,7 @@ void printCost(std::ostream& out, const CostEstimate& cost) {
       << std::defaultfloat;
 }
 
-int checkScene(const CommandLineArguments& arguments, const CommandEnvironment& environment) {
-  arguments.requireOperands({"SCENE.xml"});
-  const Scene scene = readScene(arguments.operands()[0], arguments.values("--set"), laws::builtInLaws());
+int checkScene(const Scene& scene, const CommandLineArguments& arguments, const CommandEnvironment& environment) {
   base::Timers timers;
   const Problem problem = makeProblem(scene, *environment.communicator, timers);
   const CostEstimate cost = estimateCost(problem, *environment.communicator);
@@ -67,17 +68,48 @@ int checkScene(const CommandLineArguments& arguments, const CommandEnvironment& 
   return 0;
 }
 
+/// Every configuration is made, so that values outside of a range show before anything is solved.
+int checkStudy(const Study& study, const CommandLineArguments& arguments, const CommandEnvironment& environment) {
+  const laws::LawRegistry laws = laws::builtInLaws();
+  if (environment.isRoot() && !arguments.has("--quiet")) printPlan(environment.out, study);
+  int inadmissible = 0;
+  std::string reason;
+  for (const study::Configuration& configuration : study.configurations) {
+    try {
+      study.sceneFor(configuration.values, laws);
+    } catch (const base::Error& error) {
+      if (inadmissible++ == 0) reason = "configuration " + std::to_string(configuration.id) + ": " + error.what();
+    }
+  }
+  checkScene(study.scene, arguments, environment);
+  if (!environment.isRoot()) return 0;
+  if (inadmissible > 0) {
+    environment.out << inadmissible << " configurations are not admissible; the first is " << reason << "\n";
+  }
+  environment.out << study.path << " is valid.\n";
+  return 0;
+}
+
+int check(const CommandLineArguments& arguments, const CommandEnvironment& environment) {
+  arguments.requireOperands({"SCENE.xml"});
+  const std::string& path = arguments.operands()[0];
+  const laws::LawRegistry laws = laws::builtInLaws();
+  if (isStudyFile(path))
+    return checkStudy(readStudy(path, arguments.values("--set"), "", laws), arguments, environment);
+  return checkScene(readScene(path, arguments.values("--set"), laws), arguments, environment);
+}
+
 }  // namespace
 
 Command checkCommand() {
-  return {
-      "check",
-      "SCENE.xml",
-      "Validate a scene and its mesh, say what it will allocate and roughly cost; nothing is solved.",
-      {{"--set", "'LIST/NAME=VALUE'", "replace an entry of the scene; may be repeated", true},
-       {"--quiet", "", "only say whether it is valid"}},
-      {"harmos check xml/bolted_joint.xml", "harmos check xml/bolted_joint.xml --set 'Parts/cover_bottom/Pieces=4'"},
-      checkScene};
+  return {"check",
+          "SCENE.xml",
+          "Validate a scene or a study, say what it will allocate and roughly cost; nothing is solved.",
+          {{"--set", "'LIST/NAME=VALUE'", "replace an entry of the scene; may be repeated", true},
+           {"--quiet", "", "only say whether it is valid"}},
+          {"harmos check xml/bolted_joint.xml", "harmos check xml/bolted_joint.xml --set 'Parts/cover_bottom/Pieces=4'",
+           "harmos check xml/bolted_joint_study.xml"},
+          check};
 }
 
 }  // namespace harmos::setup

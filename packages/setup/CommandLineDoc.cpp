@@ -3,6 +3,7 @@
 #include <harmos/base/Documentation.hpp>
 #include <harmos/setup/CommandLineVerbs.hpp>
 #include <harmos/setup/SceneSpec.hpp>
+#include <harmos/setup/StudySpec.hpp>
 
 namespace harmos::setup {
 
@@ -11,7 +12,7 @@ namespace {
 int printReference(const CommandLineArguments& arguments, const CommandEnvironment& environment) {
   std::string topic;
   for (const auto& word : arguments.operands()) topic += (topic.empty() ? "" : " ") + word;
-  const std::string text = base::documentation(sceneSpec(laws::builtInLaws()), topic);
+  const std::string text = base::documentation({sceneSpec(laws::builtInLaws()), studySpec()}, topic);
   if (environment.isRoot()) environment.out << text;
   return 0;
 }
@@ -23,7 +24,7 @@ Command docCommand() {
           "[TOPIC]",
           "Print the reference of every input, or of one list or type, in Markdown.",
           {},
-          {"harmos doc Solver", "harmos doc Coulomb Friction", "harmos doc > reference.md"},
+          {"harmos doc Solver", "harmos doc Harmos Study", "harmos doc Coulomb Friction", "harmos doc > reference.md"},
           printReference};
 }
 

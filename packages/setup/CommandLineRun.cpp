@@ -2,9 +2,11 @@
 #include <iomanip>
 #include <ostream>
 
+#include <harmos/base/Error.hpp>
 #include <harmos/setup/CommandLineVerbs.hpp>
 #include <harmos/setup/Progress.hpp>
 #include <harmos/setup/SceneRun.hpp>
+#include <harmos/setup/Study.hpp>
 
 namespace harmos::setup {
 
@@ -35,12 +37,16 @@ void printSummary(std::ostream& out, const SceneRunResult& result) {
 
 int run(const CommandLineArguments& arguments, const CommandEnvironment& environment) {
   arguments.requireOperands({"SCENE.xml"});
+  const std::string& path = arguments.operands()[0];
+  if (isStudyFile(path)) {
+    throw base::Error(path + " is a study.\n  Write: harmos study " + path, base::ExitCode::input);
+  }
   const bool isQuiet = arguments.has("--quiet");
   auto detail = arguments.has("--verbose") ? Progress::Detail::everyIteration : Progress::Detail::sparse;
   if (isQuiet || !environment.isRoot()) detail = Progress::Detail::none;
 
   SceneRunRequest request;
-  request.scene = arguments.operands()[0];
+  request.scene = path;
   request.overrides = arguments.values("--set");
   request.directory = arguments.value("--output", "results");
   request.interrupted = environment.interrupted;

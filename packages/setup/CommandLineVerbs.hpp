@@ -10,5 +10,8 @@ Command checkCommand();
 Command docCommand();
 Command meshCommand();
 Command compareCommand();
+Command studyCommand();
+Command reportCommand();
+Command predictCommand();
 
 }  // namespace harmos::setup

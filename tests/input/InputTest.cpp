@@ -10,6 +10,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/setup/Problem.hpp>
 #include <harmos/setup/Scene.hpp>
+#include <harmos/setup/Study.hpp>
 
 namespace harmos::setup {
 namespace {
@@ -25,6 +26,10 @@ std::vector<std::string> cases() {
 
 std::string messageOf(const std::string& scenePath) {
   try {
+    if (isStudyFile(scenePath)) {
+      readStudy(scenePath, {}, "", laws::builtInLaws());
+      return "no error\n";
+    }
     const Scene scene = readScene(scenePath, {}, laws::builtInLaws());
     base::Timers timers;
     makeProblem(scene, *Tpetra::getDefaultComm(), timers);

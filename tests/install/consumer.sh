@@ -15,3 +15,7 @@ cmake --build "$work_dir/consumer"
 "$work_dir/consumer/consumer"
 mpirun -np 2 "$work_dir/consumer/consumer"
 "$prefix/bin/harmos" --version
+
+# The scripts are found where they were installed.
+"$prefix/bin/harmos" study "$(dirname "$source_dir")/../study/sliding_blocks_study.xml" --output "$work_dir/study" --restart --quiet
+"$prefix/bin/harmos" report "$work_dir/study/sliding_blocks_study.h5"

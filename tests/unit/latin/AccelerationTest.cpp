@@ -227,5 +227,27 @@ TEST(LeastSquares, TakesTheLeadingColumnsOnly) {
   EXPECT_DOUBLE_EQ(found[0], 0.5);
 }
 
+// Differences that span everything, given beforehand: the first iterate is exact.
+TEST_F(Anderson, StartsFromKnownDifferences) {
+  const int rows = layout_.rows();
+  const AffineMap map(rows, 3, 5.0);
+  std::vector<base::Matrix> residuals, images;
+  for (const base::Matrix& matrix : map.matrices) {
+    residuals.emplace_back(rows, rows);
+    images.emplace_back(matrix);
+    for (int j = 0; j < rows; ++j) {
+      for (int i = 0; i < rows; ++i) {
+        const double identity = i == j ? 1.0 : 0.0;
+        residuals.back()(i, j) = metric_.scale()[static_cast<std::size_t>(i)] * (matrix(i, j) - identity);
+      }
+    }
+  }
+  AndersonAcceleration acceleration(metric_, rows + 5);
+  acceleration.seed(residuals, images);
+  base::Matrix alpha(rows, 3);
+  acceleration.advance(alpha, map(alpha));
+  EXPECT_LT(map.residual(alpha), 1e-8 * map.shift.normFrobenius());
+}
+
 }  // namespace
 }  // namespace harmos::latin

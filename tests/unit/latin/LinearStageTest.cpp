@@ -233,5 +233,23 @@ TEST(LinearStage, SolvesAChoiceOfLoadSteps) {
   }
 }
 
+// Laws that prescribe tractions may be replaced: as if the stage had been built with the new ones.
+TEST(LinearStage, TakesNewLoads) {
+  Stage stage(loadedCubes());
+  interface::Assembly other = loadedCubes();
+  for (interface::Assembly* assembly : {&stage.assembly, &other}) {
+    for (interface::Interface& joint : assembly->interfaces) {
+      if (joint.law->prescribesTraction())
+        joint.law = laws::makeLaw("Pressure", {{"Pressure", -3.0}}, {{"Pressure", {4, 1, 2, 1}}});
+    }
+  }
+  stage.linear.updateLoads();
+  stage.linear.solve(stage.alpha, stage.beta);
+  const Stage fresh(other);
+  for (int t = 0; t < steps; ++t) {
+    for (int row = 0; row < stage.layout.rows(); ++row) EXPECT_NEAR(stage.beta(row, t), fresh.beta(row, t), 1e-11);
+  }
+}
+
 }  // namespace
 }  // namespace harmos::latin

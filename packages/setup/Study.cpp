@@ -1,0 +1,310 @@
+#include <harmos/setup/Study.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <harmos/base/Check.hpp>
+#include <harmos/base/Error.hpp>
+#include <harmos/base/ErrorList.hpp>
+#include <harmos/base/Names.hpp>
+#include <harmos/base/Numerals.hpp>
+#include <harmos/base/Override.hpp>
+#include <harmos/setup/PointsFile.hpp>
+#include <harmos/setup/SceneSpec.hpp>
+#include <harmos/setup/StudyDesign.hpp>
+#include <harmos/setup/StudyParameters.hpp>
+#include <harmos/setup/StudySpec.hpp>
+#include <harmos/study/ListDesign.hpp>
+#include <harmos/study/Plan.hpp>
+
+namespace harmos::setup {
+
+namespace {
+
+namespace fs = std::filesystem;
+using base::Parameters;
+using Names = std::vector<std::string>;
+
+constexpr const char* scenePrefix = "Scene/";
+
+std::string besides(const std::string& file, const std::string& path) {
+  return (fs::path(file).parent_path() / path).lexically_normal().string();
+}
+
+/// Applies "List/Name=value" to the scene on behalf of `where`.
+void applyToScene(const std::string& assignment, const std::string& where, const base::ParameterSpec& spec,
+                  base::InputTree& scene, base::ErrorList& errors) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    errors.add(where, "\"" + assignment + "\" has no value.", "Write List/Sublist/Name=value.");
+    return;
+  }
+  base::applyChange(scene, spec, {assignment.substr(0, equals), assignment.substr(equals + 1), where}, where, errors);
+}
+
+bool has(const base::ParameterSpec& spec, const std::string& name) {
+  const auto& entries = spec.entries();
+  const auto& lists = spec.sublists();
+  return std::any_of(entries.begin(), entries.end(), [&](const auto& entry) { return entry->name == name; }) ||
+         std::any_of(lists.begin(), lists.end(), [&](const auto& list) { return list.name == name; });
+}
+
+/// Refuses changes of the scene that are written as if they were changes of the study.
+void demandPrefix(const Names& changes, const laws::LawRegistry& laws) {
+  base::ErrorList errors;
+  for (const std::string& change : changes) {
+    const std::string first = change.substr(0, change.find_first_of("/="));
+    if (has(studySpec(), first) || !has(sceneSpec(laws), first)) continue;
+    errors.add("--set '" + change + "'", "the study has no \"" + first + "\", but its scene has.",
+               "Write --set '" + (scenePrefix + change) + "'.");
+  }
+  errors.throwIfAny();
+}
+
+class StudyReader {
+ public:
+  StudyReader(Study& study, const std::string& pointsFile, const laws::LawRegistry& laws)
+      : study_(study), input_(study.input), spec_(sceneSpec(laws)), pointsFile_(pointsFile), laws_(laws) {
+    study_.pointsFile = pointsFile;
+  }
+
+  void read(const Names& sceneChanges) {
+    const std::string path = besides(study_.path, input_.text("Scene"));
+    const bool isRead = errors_.collect(input_.where("Scene"), [&] {
+      study_.sceneTree = base::InputTree::fromFile(path);
+      changeScene(sceneChanges);
+    });
+    if (isRead) readScene(path);
+    StudyParameterReader reader(study_.sceneTree, isSceneRead_ ? &study_.scene : nullptr, spec_, isListed(), errors_);
+    for (const Parameters& parameter : input_.lists("Parameters")) reader.read(parameter);
+    study_.parameters = reader.parameters();
+    planned_ = reader.planned();
+    demandUse(readFormulas());
+    if (isSceneRead_) {
+      for (const Parameters& response : input_.lists("Responses")) readResponse(response);
+    }
+    checkRecovery();
+    if (study_.isAdaptive()) checkAdaptive();
+    makeConfigurations();
+    finish();
+  }
+
+ private:
+  void changeScene(const Names& sceneChanges) {
+    if (input_.has("Scene Overrides")) {
+      for (const std::string& change : input_.texts("Scene Overrides")) {
+        applyToScene(change, input_.where("Scene Overrides"), spec_, study_.sceneTree, errors_);
+      }
+    }
+    for (const std::string& change : sceneChanges) {
+      applyToScene(change, "--set '" + (scenePrefix + change) + "'", spec_, study_.sceneTree, errors_);
+    }
+    if (input_.has("Accuracy")) {
+      applyToScene("Solver/Accuracy=" + base::toText(input_.number("Accuracy")), input_.where("Accuracy"), spec_,
+                   study_.sceneTree, errors_);
+    }
+  }
+
+  void readScene(const std::string& path) {
+    try {
+      study_.scene = makeScene(study_.sceneTree, path, {}, laws_);
+      isSceneRead_ = true;
+    } catch (const base::Error& error) {
+      if (error.code() != base::ExitCode::input) throw;
+      sceneErrors_ = error.what();
+    }
+  }
+
+  bool isListed() const {
+    return !pointsFile_.empty() || (input_.hasList("Design") && input_.list("Design").type() == "List");
+  }
+
+  /// Null when it cannot be made, which is then reported.
+  std::unique_ptr<study::Design> readDesign() {
+    if (!isListed()) return makeDesign(input_);
+    study_.pointsFile = pointsFile_.empty() ? besides(study_.path, input_.list("Design").text("File")) : pointsFile_;
+    Names names;
+    for (const study::PlannedParameter& parameter : planned_) {
+      if (parameter.formula.empty()) names.push_back(parameter.axis.name);
+    }
+    try {
+      return std::make_unique<study::ListDesign>(readPoints(study_.pointsFile, names));
+    } catch (const base::Error& error) {
+      pointsErrors_ = error.what();
+      return nullptr;
+    }
+  }
+
+  /// Every formula by itself, so that all errors come at once. Returns the names of the parameters that they use.
+  Names readFormulas() {
+    Names names, used;
+    for (const study::PlannedParameter& parameter : planned_) {
+      if (study::isFormulaName(parameter.axis.name)) names.push_back(parameter.axis.name);
+    }
+    for (const char* kind : {"Parameters", "Conditions"}) {
+      for (const Parameters& list : input_.lists(kind)) {
+        if (!list.has("Formula")) continue;
+        errors_.collect(list.where("Formula"), [&] {
+          const auto variables = study::Formula(list.text("Formula"), names).variables();
+          used.insert(used.end(), variables.begin(), variables.end());
+        });
+        if (std::string(kind) == "Conditions") conditions_.push_back({list.name(), list.text("Formula")});
+      }
+    }
+    return used;
+  }
+
+  void makeConfigurations() {
+    const std::unique_ptr<study::Design> design = readDesign();
+    if (!design || errors_.count() > 0) return;
+    errors_.collect(input_.hasList("Design") ? input_.list("Design").where() : input_.where(), [&] {
+      study_.plan = std::make_shared<study::Plan>(planned_, conditions_);
+      study_.configurations = study_.plan->configurations(*design);
+      study_.leftOut = study_.plan->leftOut();
+    });
+  }
+
+  void demandUse(const Names& namesInFormulas) {
+    for (const StudyParameter& parameter : study_.parameters) {
+      const bool isInFormula =
+          std::find(namesInFormulas.begin(), namesInFormulas.end(), parameter.name) != namesInFormulas.end();
+      if (!parameter.entries.empty() || isInFormula || !parameter.formula.empty()) continue;
+      errors_.add(parameter.where, "this parameter changes nothing.",
+                  "Give the Entry of the scene that it sets, or use it in a formula.");
+    }
+  }
+
+  void readResponse(const Parameters& list) {
+    checkStudyName(list, errors_);
+    Names known;
+    for (const Parameters& response : study_.scene.input.lists("Responses")) known.push_back(response.name());
+    const auto found = std::find(known.begin(), known.end(), list.text("Response"));
+    if (found == known.end()) {
+      errors_.add(list.where("Response"), "the scene has no response \"" + list.text("Response") + "\".",
+                  base::suggestName(list.text("Response"), known, "It has"));
+      return;
+    }
+    for (const StudyParameter& parameter : study_.parameters) {
+      if (parameter.name == list.name()) errors_.add(list.where(), "a parameter has the same name.", "Rename one.");
+    }
+    using Kind = study::ScalarResponse::Kind;
+    study::ScalarResponse response;
+    response.name = list.name();
+    response.curve = static_cast<std::size_t>(found - known.begin());
+    const std::string& type = list.type();
+    response.kind = type == "Maximum"             ? Kind::maximum
+                    : type == "Minimum"           ? Kind::minimum
+                    : type == "Final"             ? Kind::final
+                    : type == "Largest Magnitude" ? Kind::largestMagnitude
+                                                  : Kind::atTime;
+    if (response.kind == Kind::atTime) {
+      response.time = list.number("Time");
+      if (response.time > study_.scene.times.back()) {
+        errors_.add(list.where("Time"), "the scene ends at " + base::toText(study_.scene.times.back()) + ".");
+      }
+    }
+    study_.responses.push_back(std::move(response));
+  }
+
+  void checkAdaptive() {
+    const Parameters& design = input_.list("Design");
+    Names known;
+    for (const Parameters& response : input_.lists("Responses")) known.push_back(response.name());
+    if (std::find(known.begin(), known.end(), design.text("Response")) == known.end()) {
+      errors_.add(design.where("Response"), "the study has no response \"" + design.text("Response") + "\".",
+                  base::suggestName(design.text("Response"), known, "It has"));
+    }
+    for (std::size_t p = 0; p < planned_.size(); ++p) {
+      const study::Axis& axis = planned_[p].axis;
+      if (study_.parameters[p].phase == StudyPhase::operators) {
+        errors_.add(study_.parameters[p].where,
+                    "an adaptive design varies laws and loads only, but this changes bodies.", "Take another design.");
+      }
+      const bool isConstant = axis.levels.empty() ? axis.lower == axis.upper : axis.levels.size() == 1;
+      if (planned_[p].formula.empty() && isConstant) {
+        errors_.add(study_.parameters[p].where, "an adaptive design needs two different values at least.");
+      }
+    }
+  }
+
+  void checkRecovery() {
+    if (!input_.hasList("Failure Policy") || input_.list("Failure Policy").type() != "Recover") return;
+    const Parameters& policy = input_.list("Failure Policy");
+    const std::size_t given = policy.numbers("Values").size();
+    const std::size_t wanted = input_.lists("Responses").size();
+    if (given == wanted) return;
+    errors_.add(policy.where("Values"), std::to_string(given) + " values are given, but the study has " +
+                                            std::to_string(wanted) + " responses.");
+  }
+
+  void finish() const {
+    std::string text = errors_.message();
+    for (const std::string& more : {sceneErrors_, pointsErrors_}) {
+      if (!more.empty()) text += (text.empty() ? "" : "\n") + more;
+    }
+    if (!text.empty()) throw base::Error(text, base::ExitCode::input);
+  }
+
+  Study& study_;
+  const Parameters& input_;
+  base::ParameterSpec spec_;
+  std::string pointsFile_;
+  const laws::LawRegistry& laws_;
+  base::ErrorList errors_;
+  bool isSceneRead_ = false;
+  std::string sceneErrors_, pointsErrors_;  // lists of their own, about other files
+  std::vector<study::PlannedParameter> planned_;
+  std::vector<study::Condition> conditions_;
+};
+
+}  // namespace
+
+bool Study::isAdaptive() const {
+  return pointsFile.empty() && input.hasList("Design") && input.list("Design").type() == "Adaptive";
+}
+
+bool isStudyFile(const std::string& path) {
+  return base::InputTree::fromFile(path).root.name() == studySpec().name();
+}
+
+Scene Study::sceneFor(const std::vector<double>& values, const laws::LawRegistry& laws) const {
+  const base::ParameterSpec spec = sceneSpec(laws);
+  base::InputTree tree = sceneTree;
+  base::ErrorList errors;
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    for (const std::string& entry : parameters[p].entries) {
+      const std::string location = parameters[p].name;
+      base::applyChange(tree, spec, {entry, base::toText(values[p]), location}, location, errors);
+    }
+  }
+  try {
+    errors.throwIfAny();
+    return makeScene(std::move(tree), scene.path, {}, laws);
+  } catch (const base::Error& error) {
+    // Elsewhere things are run: the closing line about the number of errors is not for a table.
+    const std::string text = error.what();
+    throw base::Error(text.substr(0, text.rfind('\n')), error.code());
+  }
+}
+
+Study readStudy(const std::string& path, const std::vector<std::string>& overrides, const std::string& pointsFile,
+                const laws::LawRegistry& laws) {
+  Names ofStudy, ofScene;
+  for (const std::string& change : overrides) {
+    const std::string prefix = scenePrefix;
+    if (change.compare(0, prefix.size(), prefix) == 0) {
+      ofScene.push_back(change.substr(prefix.size()));
+    } else {
+      ofStudy.push_back(change);
+    }
+  }
+  demandPrefix(ofStudy, laws);
+  Study study;
+  study.path = path;
+  study.input = base::check(base::InputTree::fromFile(path), studySpec(), ofStudy);
+  StudyReader(study, pointsFile, laws).read(ofScene);
+  return study;
+}
+
+}  // namespace harmos::setup

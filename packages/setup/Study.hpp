@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <harmos/base/InputTree.hpp>
+#include <harmos/base/Parameters.hpp>
+#include <harmos/setup/Scene.hpp>
+#include <harmos/setup/StudyParameters.hpp>
+#include <harmos/study/Plan.hpp>
+#include <harmos/study/ScalarResponse.hpp>
+
+namespace harmos::setup {
+
+/// A checked study: its scene, parameters and all configurations (of an adaptive design the first
+/// ones); all that can be known before a mesh is read.
+struct Study {
+  std::string path;           // of the study's file
+  base::Parameters input;     // all defaults filled in
+  std::string pointsFile;     // of a listed design, else empty
+  base::InputTree sceneTree;  // the scene with the changes that hold for the whole study
+  Scene scene;                // made of it, with the values that it has itself
+  std::vector<StudyParameter> parameters;
+  std::vector<study::Configuration> configurations;
+  std::vector<std::pair<std::string, int>> leftOut;  // by condition
+  std::vector<study::ScalarResponse> responses;
+  std::shared_ptr<study::Plan> plan;  // completes further points
+
+  bool isAdaptive() const;
+  /// The scene for values of the parameters. Throws base::Error (input) when they are not admissible.
+  Scene sceneFor(const std::vector<double>& values, const laws::LawRegistry& laws) const;
+};
+
+/// Whether the file is a study and not a scene. Throws base::Error (input) when it is no parameter list in XML.
+bool isStudyFile(const std::string& path);
+
+/// Reads a study and its scene and checks both. Each of `overrides` is "List/Sublist/Name=value" for an entry of the
+/// study, or "Scene/List/Sublist/Name=value" for one of its scene. `pointsFile`, if not empty, replaces the design by
+/// the rows of a CSV file. Throws one base::Error (input) that lists all errors.
+Study readStudy(const std::string& path, const std::vector<std::string>& overrides, const std::string& pointsFile,
+                const laws::LawRegistry& laws);
+
+}  // namespace harmos::setup

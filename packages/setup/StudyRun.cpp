@@ -1,0 +1,70 @@
+#include <harmos/setup/StudyRun.hpp>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/setup/StudyIdentity.hpp>
+#include <harmos/setup/StudyRunner.hpp>
+
+namespace harmos::setup {
+
+namespace {
+
+int exitCodeOf(const output::StudyResults& results) {
+  const auto count = [&](study::Status status) { return results.count(status); };
+  const int solved = count(study::Status::certified) + count(study::Status::calibrated);
+  const int unbalanced = count(study::Status::noEquilibrium);
+  if (solved == results.count()) return static_cast<int>(base::ExitCode::ok);
+  return static_cast<int>(solved + unbalanced == results.count() ? base::ExitCode::noEquilibrium
+                                                                 : base::ExitCode::notConverged);
+}
+
+}  // namespace
+
+StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry& laws,
+                        const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  base::Timers timers;
+  StudyRunResult run{
+      std::make_unique<const Study>(readStudy(request.study, request.overrides, request.pointsFile, laws)),
+      {},
+      {},
+      output::StudyFiles(request.directory, request.study),
+      "",
+      0};
+  const Study& study = *run.study;
+  run.description = std::make_unique<const output::StudyDescription>(describe(study));
+  run.results = std::make_unique<output::StudyResults>(*run.description);
+  // The points of an adaptive design follow from all results so far.
+  StudyTeams teams(comm, study.isAdaptive() ? comm->getSize() : request.ranksPerConfiguration);
+
+  // What is wrong with the mesh is known before anything is written.
+  const auto groups = groupByOperators(study.parameters, study.configurations);
+  std::unique_ptr<StudyGroup> onlyGroup;
+  if (groups.size() == 1) {
+    onlyGroup = std::make_unique<StudyGroup>(study, groups.front(), laws, teams.team(), timers);
+  } else {
+    makeProblem(study.scene, *teams.team(), timers);
+  }
+  StudyRecorder recorder(run.files, request.restart, *run.results, teams);
+  if (request.observer) recorder.setObserver(request.observer);
+  if (request.started) request.started(study, *run.results, recorder.damaged());
+
+  StudyRunner runner(study, laws, teams, recorder, request.interrupted, timers);
+  try {
+    runner.run(std::move(onlyGroup));
+  } catch (...) {
+    recorder.finish("interrupted");
+    throw;
+  }
+  const bool isAborted = runner.isAborted();
+  run.state = isAborted ? "aborted" : runner.isStopped() ? "interrupted" : "complete";
+  recorder.finish(run.state);
+  run.exitCode = isAborted                    ? static_cast<int>(base::ExitCode::failure)
+                 : run.state == "interrupted" ? 130
+                                              : exitCodeOf(*run.results);
+  // Rank 0 alone knows all results.
+  Teuchos::broadcast(*comm, 0, Teuchos::outArg(run.exitCode));
+  return run;
+}
+
+}  // namespace harmos::setup

@@ -1,0 +1,88 @@
+#include <harmos/setup/StudySummary.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <ostream>
+
+#include <harmos/base/Names.hpp>
+#include <harmos/setup/StudyGroup.hpp>
+#include <harmos/study/StatusName.hpp>
+
+namespace harmos::setup {
+
+namespace {
+
+const char* consequenceOf(StudyPhase phase) {
+  switch (phase) {
+    case StudyPhase::nothing:
+      return "nothing to do in the scene";
+    case StudyPhase::localStage:
+      return "local stage only, all operators stay";
+    case StudyPhase::loads:
+      return "loads, all operators stay";
+    case StudyPhase::operators:
+      return "bodies are assembled and factored anew";
+  }
+  return "";
+}
+
+}  // namespace
+
+void printPlan(std::ostream& out, const Study& study) {
+  out << study.path << ": " << study.configurations.size()
+      << (study.configurations.size() == 1 ? " configuration" : " configurations")
+      << (study.isAdaptive() ? " to begin with" : "");
+  const auto groups = groupByOperators(study.parameters, study.configurations).size();
+  if (groups > 1) out << " with " << groups << " different operators";
+  out << "\n";
+  for (const auto& [condition, count] : study.leftOut) {
+    if (count == 0) continue;
+    out << "  " << count << " more are left out by the condition \"" << condition << "\"\n";
+  }
+  for (const StudyParameter& parameter : study.parameters) {
+    const std::string name = parameter.name + (parameter.unit.empty() ? "" : " [" + parameter.unit + "]");
+    out << "  " << std::left << std::setw(20) << name << std::right << consequenceOf(parameter.phase);
+    if (!parameter.effects.empty()) out << ": " << base::joinNames(parameter.effects, 3);
+    out << "\n";
+  }
+}
+
+void printOutcome(std::ostream& out, const output::StudyResults& results) {
+  const output::StudyDescription& description = results.description();
+  out << results.count() << " of " << results.configurations().size() << " configurations:";
+  const char* separator = " ";
+  for (const study::Status status : study::allStatuses()) {
+    if (results.count(status) == 0) continue;
+    out << separator << results.count(status) << " " << study::statusName(status);
+    separator = ", ";
+  }
+  out << "\n";
+  const auto all = results.all();
+  double seconds = 0.0, largestError = 0.0;
+  long stages = 0;
+  for (const study::ConfigurationResult& result : all) {
+    seconds += result.cpuSeconds;
+    stages += result.linearStages;
+    if (study::isSolved(result.status)) largestError = std::max(largestError, result.errorEstimate);
+  }
+  for (std::size_t r = 0; r < description.responses.size(); ++r) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const study::ConfigurationResult& result : all) {
+      const double value = results.responses(result.id)[r];
+      if (std::isnan(value)) continue;
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    if (least > most) continue;
+    out << "  " << description.responses[r].name << " from " << std::setprecision(7) << least << " to " << most << "\n";
+  }
+  for (const auto& [name, text] : results.notes()) out << "  " << name << ": " << text << "\n";
+  if (all.empty()) return;
+  out << std::setprecision(3) << "largest error estimate " << largestError << " (asked for " << description.accuracy
+      << "), " << static_cast<double>(stages) / static_cast<double>(all.size()) << " linear stages and "
+      << seconds / static_cast<double>(all.size()) << " CPU seconds per configuration\n";
+}
+
+}  // namespace harmos::setup

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+namespace harmos::study {
+
+/// One point of a design.
+struct Configuration {
+  int id = 0;                  // 1, 2, .. in the order of the design: the row of the study file
+  std::vector<double> values;  // of the study's parameters, in their order and units
+};
+
+}  // namespace harmos::study

@@ -1,0 +1,77 @@
+#include <harmos/study/Formula.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <muParser.h>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
+
+namespace harmos::study {
+
+struct Formula::Parser {
+  mu::Parser engine;
+  std::vector<std::string> names;
+  std::vector<double> values;  // the engine holds their addresses
+};
+
+Formula::Formula(const std::string& text, const std::vector<std::string>& names)
+    : text_(text), parser_(std::make_unique<Parser>()) {
+  parser_->names = names;
+  parser_->values.resize(names.size());
+  try {
+    for (std::size_t i = 0; i < names.size(); ++i) parser_->engine.DefineVar(names[i], &parser_->values[i]);
+    parser_->engine.SetExpr(text);
+    for (const auto& used : parser_->engine.GetUsedVar()) {
+      if (std::find(names.begin(), names.end(), used.first) != names.end()) continue;
+      throw base::Error("the formula " + base::quoted(text) + " uses " + base::quoted(used.first) +
+                            ", which is no parameter.\n  " + base::suggestName(used.first, names, "Parameters"),
+                        base::ExitCode::input);
+    }
+    parser_->engine.Eval();
+  } catch (const mu::Parser::exception_type& error) {
+    throw base::Error(base::quoted(text) + " is not a formula: " + error.GetMsg() +
+                          "\n  Write for example \"2 * mu\" or \"preload_1 >= preload_2\".",
+                      base::ExitCode::input);
+  }
+}
+
+Formula::~Formula() = default;
+Formula::Formula(Formula&&) noexcept = default;
+Formula& Formula::operator=(Formula&&) noexcept = default;
+
+std::vector<std::string> Formula::variables() const {
+  const auto used = parser_->engine.GetUsedVar();
+  std::vector<std::string> result;
+  for (const std::string& name : parser_->names) {
+    if (used.count(name) > 0) result.push_back(name);
+  }
+  return result;
+}
+
+double Formula::evaluate(const std::vector<double>& values) const {
+  parser_->values.assign(values.begin(), values.end());
+  double result = 0.0;
+  try {
+    result = parser_->engine.Eval();
+  } catch (const mu::Parser::exception_type& error) {
+    throw base::Error("the formula " + base::quoted(text_) + " has no value: " + error.GetMsg(), base::ExitCode::input);
+  }
+  if (!std::isfinite(result)) {
+    throw base::Error("the formula " + base::quoted(text_) + " has no finite value.", base::ExitCode::input);
+  }
+  return result;
+}
+
+bool isFormulaName(const std::string& name) {
+  const auto isLetter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  if (name.empty() || !isLetter(name.front())) return false;
+  if (!std::all_of(name.begin(), name.end(), [&](char c) { return isLetter(c) || isDigit(c); })) return false;
+  const mu::Parser parser;
+  return parser.GetFunDef().count(name) == 0 && parser.GetConst().count(name) == 0;
+}
+
+}  // namespace harmos::study

@@ -1,0 +1,36 @@
+#include <harmos/study/GridDesign.hpp>
+
+#include <limits>
+
+#include <harmos/base/Error.hpp>
+
+namespace harmos::study {
+
+std::vector<std::vector<double>> GridDesign::points(const std::vector<Axis>& axes) const {
+  double count = 1.0;
+  for (const Axis& axis : axes) {
+    if (axis.levels.empty()) {
+      throw base::Error("a grid needs levels of \"" + axis.name + "\".\n  Give Values, or From, To and Count.",
+                        base::ExitCode::input);
+    }
+    count *= static_cast<double>(axis.levels.size());
+  }
+  if (count > std::numeric_limits<int>::max()) {
+    throw base::Error("the grid has too many points.\n  Take fewer levels or another design.", base::ExitCode::input);
+  }
+  std::vector<std::vector<double>> points = {{}};
+  for (const Axis& axis : axes) {
+    std::vector<std::vector<double>> longer;
+    longer.reserve(points.size() * axis.levels.size());
+    for (const auto& point : points) {
+      for (const double level : axis.levels) {
+        longer.push_back(point);
+        longer.back().push_back(level);
+      }
+    }
+    points = std::move(longer);
+  }
+  return points;
+}
+
+}  // namespace harmos::study

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/Response.hpp>
+
+namespace harmos::study {
+
+/// What an iteration shows of its own error for nothing; see Calibration for what it takes to read it.
+///
+/// Both compare the two fields of the LATIN method, which agree at the solution: tractions f of the linear stage, in
+/// equilibrium with the bodies, and f^ of the local stage, which obey the interface laws.
+struct Indicators {
+  /// |T(alpha) - alpha| / |f^|, both in the state metric: goes with the error of the field of interface forces.
+  double force = 0.0;
+  /// Largest resultant over bodies and load steps |sum of h (f^ - f)|, which is the resultant by which the tractions f^
+  /// fail to balance a body, relative to the size of the smallest response that is a force, or of the largest resultant
+  /// of an interface: goes with the error of the responses.
+  double response = 0.0;
+};
+
+/// Collective. Reads the last FixedPoint::apply(), which made `image` of `alpha`.
+Indicators indicatorsOf(const latin::FixedPoint& state, const base::Matrix& alpha, const base::Matrix& image,
+                        const std::vector<std::shared_ptr<const latin::Response>>& responses);
+
+}  // namespace harmos::study

@@ -1,0 +1,97 @@
+#!/usr/bin/python3
+"""Kills a running study at random instants and resumes it; the end must be that of a study left in peace.
+
+kill.py HARMOS STUDY.xml WORK_DIR KILLS [SEED]
+
+After every kill the study file must be readable, and no configuration that the journal holds may be lost or solved
+again. A study that ends before enough kills is started over.
+"""
+import csv
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import time
+import zlib
+
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "drivers"))
+import harmos_results
+
+harmos, study, work, kills = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]), int(sys.argv[4])
+seed = int(sys.argv[5]) if len(sys.argv) > 5 else time.time_ns() % 100000
+print("seed", seed)
+random.seed(seed)
+name = pathlib.Path(study).stem
+accuracy = 1e-4
+options = ["--quiet", "--set", "Parameters/mu/Count=30", "--set", f"Accuracy={accuracy}"]
+
+
+def command(directory):
+    return [harmos, "study", study, "--output", str(directory), *options]
+
+
+def journal(directory):
+    """Ids of the complete records, in their order; the last line may have been cut."""
+    path = directory / f"{name}.journal"
+    ids = []
+    if path.exists():
+        for line in path.read_bytes().split(b"\n")[:-1]:
+            checksum, text = line[:8], line[9:]
+            assert int(checksum, 16) == zlib.crc32(text), "a damaged line"
+            if text.startswith(b'{"id":'):
+                ids.append(int(text[6:text.index(b",")]))
+    return ids
+
+
+def rows(directory):
+    with open(directory / f"{name}.csv", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+shutil.rmtree(work, ignore_errors=True)
+work.mkdir(parents=True)
+begin = time.time()
+subprocess.run(command(work / "peace"), check=True)
+duration = time.time() - begin
+reference = rows(work / "peace")
+print(f"{len(reference)} configurations, {duration:.2f} s in peace")
+
+done, rounds = 0, 0
+while done < kills:
+    rounds += 1
+    killed = work / "killed"
+    shutil.rmtree(killed, ignore_errors=True)
+    while True:
+        before = journal(killed)
+        process = subprocess.Popen(command(killed))
+        try:
+            # Most kills meet the solutions, some the start and the end.
+            process.wait(random.uniform(0.0, 0.6 * duration) if done < kills else None)
+            assert process.returncode == 0, process.returncode
+            break
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+            done += 1
+        after = journal(killed)
+        assert after[:len(before)] == before, "records are lost"
+        assert not set(after[len(before):]) & set(before), "configurations are solved again"
+        file = killed / f"{name}.h5"
+        if file.exists():
+            present = harmos_results.read_study(file)
+            assert set(present.id[present.status != "open"]) <= set(after)
+    ids = journal(killed)
+    assert set(ids) == set(range(1, len(reference) + 1)), "each configuration"
+    final = harmos_results.read_study(killed / f"{name}.h5")
+    assert final.state == "complete" and final.solved.all()
+    result = rows(killed)
+    for response in final.responses:
+        expected = numpy.array([float(row[response]) for row in reference])
+        found = numpy.array([float(row[response]) for row in result])
+        difference = numpy.abs(found - expected).max() / numpy.abs(expected).max()
+        assert difference <= 2 * accuracy, (response, difference)
+    left = [path.name for path in killed.iterdir() if ".partial." in path.name]
+    print(f"round {rounds}: {done} kills, largest difference {difference:.1e}, left over: {left or 'nothing'}")

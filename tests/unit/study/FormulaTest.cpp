@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/study/Formula.hpp>
+
+namespace harmos::study {
+namespace {
+
+std::string messageOf(const std::string& text) {
+  try {
+    Formula(text, {"mu", "preload"}).evaluate({0.0, 1.0});
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Formula, Computes) {
+  const Formula formula("preload >= 2 * mu && mu > 0 ? sqrt(preload) : -1", {"mu", "preload"});
+  EXPECT_EQ(formula.evaluate({0.5, 4.0}), 2.0);
+  EXPECT_EQ(formula.evaluate({3.0, 4.0}), -1.0);
+  EXPECT_EQ(Formula("2*preload", {"mu", "preload"}).variables(), std::vector<std::string>{"preload"});
+}
+
+TEST(Formula, SaysWhatIsWrong) {
+  EXPECT_EQ(messageOf("2 * prelaod"),
+            "the formula \"2 * prelaod\" uses \"prelaod\", which is no parameter.\n  Did you mean \"preload\"? "
+            "Parameters: mu, preload.");
+  EXPECT_EQ(messageOf("preload / mu"), "the formula \"preload / mu\" has no finite value.");
+  EXPECT_NE(messageOf("2 *").find("\"2 *\" is not a formula: "), std::string::npos);
+  EXPECT_NE(messageOf("").find("is not a formula"), std::string::npos);
+}
+
+TEST(Formula, NamesAreIdentifiers) {
+  EXPECT_TRUE(isFormulaName("preload_1"));
+  EXPECT_FALSE(isFormulaName(""));
+  EXPECT_FALSE(isFormulaName("1st"));
+  EXPECT_FALSE(isFormulaName("Young's Modulus"));
+  EXPECT_FALSE(isFormulaName("sqrt"));
+  EXPECT_FALSE(isFormulaName("_pi"));
+}
+
+}  // namespace
+}  // namespace harmos::study
