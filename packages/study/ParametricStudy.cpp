@@ -273,8 +273,15 @@ bool ParametricStudy::solve(const Configuration& configuration, bool isNew, Resu
   ConfigurationResult result;
   result.id = configuration.id;
   result.errorEstimate = std::numeric_limits<double>::quiet_NaN();
+  // What a configuration that is taken up again has cost before counts as well.
+  double secondsBefore = 0.0;
+  if (const auto before = accepted_.find(configuration.id); before != accepted_.end()) {
+    result.iterations = before->second.result.iterations;
+    result.linearStages = before->second.result.linearStages;
+    secondsBefore = before->second.result.cpuSeconds;
+  }
   const auto report = [&] {
-    result.cpuSeconds = cpuSeconds() - begin;
+    result.cpuSeconds = secondsBefore + cpuSeconds() - begin;
     const auto accepted = accepted_.find(result.id);
     if (accepted != accepted_.end()) accepted->second.result = result;
     sink.record(result);
