@@ -223,6 +223,7 @@ bool ParametricStudy::iterate(const Configuration& configuration, Purpose purpos
   if (isAccepted && purpose != Purpose::result && !tighten(purpose, result)) return false;
   result.linearStages += iteration_.stages();
   const bool isTight = summary_.calibrations + summary_.audits > before;
+  if (isAccepted && !isTight && purpose == Purpose::audit) ++summary_.openAudits;
   if (isAccepted && (isTight || calibration_.accepts(indicators_))) {
     if (isTight && summary_.certificates == 0 && purpose == Purpose::calibration) {
       if (!confirm(result)) return false;
