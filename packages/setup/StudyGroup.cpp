@@ -35,11 +35,12 @@ void noteTrust(const study::StudySummary& summary, study::ResultSink& sink) {
     sink.note("calibration of the error estimate", text.str());
     text.str("");
   }
-  if (summary.audits > 0) {
+  if (summary.audits + summary.openAudits > 0) {
     text << summary.falseClaims << " of " << summary.audits
          << " random configurations had a larger error than accepted, "
          << "the largest " << summary.largestAudit << " of what was asked for; false claims at most "
          << 100.0 * summary.falseClaimBound << " % at 95 % confidence";
+    if (summary.openAudits > 0) text << "; " << summary.openAudits << " more audits came to no end";
     sink.note("audit of the error estimate", text.str());
   }
 }

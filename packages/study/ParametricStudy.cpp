@@ -223,6 +223,7 @@ bool ParametricStudy::iterate(const Configuration& configuration, Purpose purpos
   if (isAccepted && purpose != Purpose::result && !tighten(purpose, result)) return false;
   result.linearStages += iteration_.stages();
   const bool isTight = summary_.calibrations + summary_.audits > before;
+  if (isAccepted && !isTight && purpose == Purpose::audit) ++summary_.openAudits;
   if (isAccepted && (isTight || calibration_.accepts(indicators_))) {
     if (isTight && summary_.certificates == 0 && purpose == Purpose::calibration) {
       if (!confirm(result)) return false;
@@ -273,8 +274,15 @@ bool ParametricStudy::solve(const Configuration& configuration, bool isNew, Resu
   ConfigurationResult result;
   result.id = configuration.id;
   result.errorEstimate = std::numeric_limits<double>::quiet_NaN();
+  // What a configuration that is taken up again has cost before counts as well.
+  double secondsBefore = 0.0;
+  if (const auto before = accepted_.find(configuration.id); before != accepted_.end()) {
+    result.iterations = before->second.result.iterations;
+    result.linearStages = before->second.result.linearStages;
+    secondsBefore = before->second.result.cpuSeconds;
+  }
   const auto report = [&] {
-    result.cpuSeconds = cpuSeconds() - begin;
+    result.cpuSeconds = secondsBefore + cpuSeconds() - begin;
     const auto accepted = accepted_.find(result.id);
     if (accepted != accepted_.end()) accepted->second.result = result;
     sink.record(result);

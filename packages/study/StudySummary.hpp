@@ -8,6 +8,7 @@ struct StudySummary {
   double forceRatio = 1.0;       // kf
   double responseRatio = 1.0;    // kc
   int audits = 0;                // accepted configurations, chosen at random, that were iterated on to a tight stop
+  int openAudits = 0;            // others that came to no tight stop, so that nothing is known of their errors
   int falseClaims = 0;           // audited configurations whose error was above the accuracy
   double largestAudit = 0.0;     // largest error found by an audit, over the accuracy
   double falseClaimBound = 1.0;  // upper limit of the share of false claims at 95 % confidence, from the audits

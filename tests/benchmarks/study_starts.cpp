@@ -191,10 +191,11 @@ int measure(std::vector<std::string> arguments) {
               ends[study::Status::calibrated], ends[study::Status::certified],
               static_cast<int>(stages.size()) - ends[study::Status::calibrated] - ends[study::Status::certified]);
   std::printf(
-      "kf %.3g, kc %.3g from %d calibrations; %d audits, %d false, largest error %.2f of the accuracy; at most "
+      "kf %.3g, kc %.3g from %d calibrations; %d audits, %d without end, %d false, largest error %.2f of the accuracy; "
+      "at most "
       "%.1f %% false claims at 95 %% confidence; %d taken up again\n",
-      summary.forceRatio, summary.responseRatio, summary.calibrations, summary.audits, summary.falseClaims,
-      summary.largestAudit, 100.0 * summary.falseClaimBound, summary.reopened);
+      summary.forceRatio, summary.responseRatio, summary.calibrations, summary.audits, summary.openAudits,
+      summary.falseClaims, summary.largestAudit, 100.0 * summary.falseClaimBound, summary.reopened);
 
   // Cold runs: what a certificate costs, and the same stop as in the study.
   std::vector<int> certifiedStages, sameStopStages;
