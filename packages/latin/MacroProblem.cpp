@@ -198,7 +198,7 @@ void MacroProblem::buildModes(const interface::Assembly& assembly, const interfa
     const interface::Interface& interface = assembly.interfaces[i];
     firstMode_.push_back(unknowns_);
     if (interface.sides() == 1) {
-      modes_.emplace_back(interface.pairs() * layout_.dimension(), 0);
+      modes_.emplace_back(interface.pairs() * layout_.dimension(), 0, false);
       continue;
     }
     const Matrix motions =
