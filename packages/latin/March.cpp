@@ -69,6 +69,14 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
   const int rows = alpha.numRows();
   base::Matrix state(rows, 1);
   End end = End::reached;
+  // All load steps are selected again at the end, also when a law throws.
+  const struct Restore {
+    FixedPoint& fixedPoint;
+    ~Restore() {
+      fixedPoint.startUnloaded();
+      fixedPoint.selectAll();
+    }
+  } restore{fixedPoint_};
   fixedPoint_.startUnloaded();
   for (int t = 0; t < alpha.numCols(); ++t) {
     if (end == End::reached) {
@@ -83,8 +91,6 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
     }
     std::copy_n(state[0], rows, alpha[t]);
   }
-  fixedPoint_.startUnloaded();
-  fixedPoint_.selectAll();
   return end;
 }
 

@@ -144,15 +144,7 @@ void ParametricStudy::observe() {
 }
 
 bool ParametricStudy::certify(const base::Matrix* start, ConfigurationResult& result) {
-  latin::LatinResult solution;
-  try {
-    solution = solver_.solve(start);
-  } catch (const base::Error&) {
-    // A march may have been left at any load step.
-    fixedPoint_.startUnloaded();
-    fixedPoint_.selectAll();
-    throw;
-  }
+  const latin::LatinResult solution = solver_.solve(start);
   result.status = statusOf(solution.outcome);
   result.reason = solution.reason;
   result.iterations += solution.iterations;
