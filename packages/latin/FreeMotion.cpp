@@ -9,6 +9,12 @@
 namespace harmos::latin {
 namespace {
 
+// NOLINTBEGIN(misc-unused-using-decls): clang-tidy does not see operators at work
+using mesh::operator+;
+using mesh::operator-;
+using mesh::operator*;
+// NOLINTEND(misc-unused-using-decls)
+
 // How far, in units of imbalance / (k h) with the automatic k: springs a million times softer than k are still felt.
 constexpr double farAhead = 1e6;
 // An iterate may have thrown the body far away: what it should meet lies back within so many times its state.
@@ -19,10 +25,6 @@ constexpr double resistance = 0.1;
 // imbalance is not exact.
 constexpr double grazing = 0.2;
 constexpr int maximumTries = 20;
-
-using mesh::operator+;
-using mesh::operator-;
-using mesh::operator*;
 
 /// A rigid motion: translation, and rotation about a centre.
 struct Motion {
@@ -56,7 +58,8 @@ class Push {
     visit([&](const TraceLayout::Block& block, int row, int) {
       if (block.body != body) return;
       for (int c = 0; c < layout().dimension(); ++c) {
-        sum[0] += layout().area()[static_cast<std::size_t>(row + c)] * std::abs(alpha_[step_][row + c]);
+        sum[0] += layout().area()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
+                  std::abs(alpha_[step_][row + c]);
       }
     });
     fixedPoint_.metric().sum(sum);
@@ -70,8 +73,8 @@ class Push {
       if (bodies.count(block.body) == 0) return;
       const mesh::Point way = motion.at(node(block, pair));
       for (int c = 0; c < layout().dimension(); ++c) {
-        moved[step_][row + c] +=
-            layout().stiffness()[static_cast<std::size_t>(row + c)] * way[static_cast<std::size_t>(c)];
+        moved[step_][row + c] += layout().stiffness()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
+                                 way[static_cast<std::size_t>(c)];
       }
     });
     fixedPoint_.apply(moved, image_);
@@ -81,7 +84,7 @@ class Push {
       if (block.side != 0) return;
       for (int c = 0; c < layout().dimension(); ++c) {
         sums[3 * static_cast<std::size_t>(block.interface) + static_cast<std::size_t>(c)] +=
-            layout().area()[static_cast<std::size_t>(row + c)] *
+            layout().area()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
             (fixedPoint_.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]);
       }
     });
