@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -53,7 +54,10 @@ double customaryIndicator(const FixedPoint& state) {
 
 LatinSolver::LatinSolver(const interface::Assembly& assembly, const LatinOptions& options,
                          Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers)
-    : assembly_(assembly), options_(options), timers_(timers), fixedPoint_(assembly, options.stages, comm, timers) {}
+    : assembly_(assembly),
+      options_(options),
+      timers_(timers),
+      fixedPoint_(assembly, options.stages, std::move(comm), timers) {}
 
 bool LatinSolver::mustStop() const {
   const int here = interrupted_ && interrupted_() ? 1 : 0;
