@@ -23,8 +23,10 @@ struct IterationReport {
 
 /// Solves an assembly by LATIN to a certified accuracy.
 ///
-/// Iterates alpha <- T(alpha) with the chosen acceleration until the promised quantities have settled, then asks the
-/// Certificate; if that does not claim, iterates on. All calls are collective over the communicator.
+/// By default follows the load steps one after the other (March), then asks the Certificate; if that does not claim,
+/// marches on to a smaller residual. The iterations of the literature and the velocity form iterate
+/// alpha <- T(alpha) over all load steps until the promised quantities have settled. All calls are collective over the
+/// communicator.
 class LatinSolver {
  public:
   /// Factors all operators. `assembly` and `timers` must outlive the solver. Throws base::Error naming the part when an
@@ -33,7 +35,7 @@ class LatinSolver {
               Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
 
   void addResponse(std::shared_ptr<const Response> response) { responses_.push_back(std::move(response)); }
-  /// Called on every rank after every iteration.
+  /// Called on every rank after every iteration; after every load step of a march, when state() holds only that one.
   void addObserver(std::function<void(const IterationReport&)> observer) { observers_.push_back(std::move(observer)); }
   /// Asked on every rank after every iteration; the run stops when it is true on any rank.
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
