@@ -39,9 +39,8 @@ class LatinSolver {
   void addObserver(std::function<void(const IterationReport&)> observer) { observers_.push_back(std::move(observer)); }
   /// Asked on every rank after every iteration; the run stops when it is true on any rank.
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
-
-  /// See FixedPoint::updateLaws().
-  void updateLaws() { fixedPoint_.updateLaws(); }
+  /// Collective. What all ranks make of it.
+  bool mustStop() const;
 
   /// Runs from alpha = 0, or from `start` (rows as in the layout).
   LatinResult solve(const base::Matrix* start = nullptr);
@@ -54,7 +53,6 @@ class LatinSolver {
 
  private:
   bool settled(int iteration, double tolerance, double& change);
-  bool mustStop() const;
   /// Collective. The first image that it sees is the measure of all others.
   bool hasDiverged(const base::Matrix& image);
   void deliver(LatinResult& result);

@@ -78,12 +78,12 @@ void StudyGroup::solve(const std::vector<study::Configuration>& configurations,
   }
   if (open.empty()) return;
   if (!engine_) engine_ = makeEngine();
-  engine_->run(open, done, sink);
+  engine_->run(open, sink);
   noteTrust(engine_->summary(), sink);
 }
 
 void StudyGroup::solveAlone(const study::Configuration& configuration, study::ResultSink& sink) {
-  makeEngine()->run({configuration}, {}, sink);
+  makeEngine()->run({configuration}, sink);
 }
 
 void StudyGroup::walk(const study::Configuration& from, const study::Configuration& to, int steps,
@@ -99,7 +99,7 @@ void StudyGroup::walk(const study::Configuration& from, const study::Configurati
   }
   path.push_back(to);
   OnlyOne last(to.id, sink);
-  makeEngine()->run(path, {}, last);
+  makeEngine()->run(path, last);
 }
 
 std::unique_ptr<study::ParametricStudy> StudyGroup::makeEngine() {

@@ -100,15 +100,7 @@ ParametricStudy::ParametricStudy(interface::Assembly& assembly, Install install,
 }
 
 void ParametricStudy::setInterrupt(std::function<bool()> interrupted) {
-  interrupted_ = interrupted;
   solver_.setInterrupt(std::move(interrupted));
-}
-
-bool ParametricStudy::mustStop() const {
-  const int here = interrupted_ && interrupted_() ? 1 : 0;
-  int anywhere = 0;
-  Teuchos::reduceAll(fixedPoint_.layout().comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(anywhere));
-  return anywhere != 0;
 }
 
 int ParametricStudy::stageLimit() const {
@@ -186,7 +178,7 @@ bool ParametricStudy::tighten(Purpose purpose, ConfigurationResult& result) {
         return true;
       }
     }
-    if (mustStop()) return false;
+    if (solver_.mustStop()) return false;
     indicators_ = iteration_.iterate();
     ++result.iterations;
     observe();
@@ -203,7 +195,7 @@ bool ParametricStudy::iterate(const Configuration& configuration, Purpose purpos
   const int limit = result.starts.empty() ? coldLimit : stageLimit();
   bool isAccepted = false;
   while (!isAccepted && iteration_.stages() < limit) {
-    if (mustStop()) return false;
+    if (solver_.mustStop()) return false;
     indicators_ = iteration_.iterate();
     ++result.iterations;
     if (purpose != Purpose::result) observe();
@@ -391,8 +383,7 @@ void ParametricStudy::certifyEach(const std::vector<Configuration>& open, Result
   }
 }
 
-void ParametricStudy::run(const std::vector<Configuration>& open, const std::vector<ConfigurationResult>&,
-                          ResultSink& sink) {
+void ParametricStudy::run(const std::vector<Configuration>& open, ResultSink& sink) {
   for (const Configuration& configuration : open) states_.widen(configuration.values);
   if (static_cast<int>(open.size()) + states_.count() < fewConfigurations ||
       options_.stages.formulation == latin::Formulation::velocity ||

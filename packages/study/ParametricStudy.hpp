@@ -50,10 +50,9 @@ class ParametricStudy {
     observer_ = std::move(observer);
   }
 
-  /// Solves all of `open`; `done` are results of an earlier, interrupted run, which are left as they are. `sink` is
-  /// called on every rank; a configuration may be reported again when its estimate or its solution has changed. What is
-  /// solved serves later calls as well.
-  void run(const std::vector<Configuration>& open, const std::vector<ConfigurationResult>& done, ResultSink& sink);
+  /// Solves all of `open`. `sink` is called on every rank; a configuration may be reported again when its estimate or
+  /// its solution has changed. What is solved serves later calls as well.
+  void run(const std::vector<Configuration>& open, ResultSink& sink);
   /// Of all calls of run() together.
   const StudySummary& summary() const { return summary_; }
 
@@ -83,7 +82,6 @@ class ParametricStudy {
   void estimate(const Indicators& indicators, ConfigurationResult& result) const;
   void remember(const Configuration& configuration);
   void observe();
-  bool mustStop() const;
   int stageLimit() const;
 
   Install install_;
@@ -92,7 +90,6 @@ class ParametricStudy {
   latin::LatinSolver solver_;
   latin::FixedPoint& fixedPoint_;
   ConfigurationIteration iteration_;
-  std::function<bool()> interrupted_;
   std::function<void(const Configuration&, const latin::FixedPoint&)> observer_;
 
   Calibration calibration_;

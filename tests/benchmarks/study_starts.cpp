@@ -175,7 +175,7 @@ int measure(std::vector<std::string> arguments) {
   });
   Results results;
   const double begin = cpuSeconds();
-  engine.run(open, {}, results);
+  engine.run(open, results);
   const double studySeconds = cpuSeconds() - begin;
 
   std::vector<int> stages;

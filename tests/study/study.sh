@@ -10,21 +10,7 @@ harmos=$1 study=$2 work=$3
 name=$(basename "$study" .xml)
 rm -rf "$work"
 mkdir -p "$work"
-failures=0
-
-# expect CODE PATTERN COMMAND...: the command ends with this code and prints the pattern.
-expect() {
-  local code=$1 pattern=$2 output status
-  shift 2
-  output=$("$@" 2>&1)
-  status=$?
-  if [ $status -ne "$code" ] || ! grep -q -- "$pattern" <<<"$output"; then
-    echo "FAILED: $*"
-    echo "  exit code $status, expected $code; expected text: $pattern; printed:"
-    sed 's/^/  | /' <<<"$output"
-    failures=$((failures + 1))
-  fi
-}
+. "$(dirname "$0")/../expect.sh"
 
 expect 0 'Latin Hypercube' "$harmos" doc Design
 expect 0 '27 configurations' "$harmos" check "$study"

@@ -37,7 +37,7 @@ std::map<int, ConfigurationResult> run(const Teuchos::RCP<const Teuchos::Comm<in
   std::vector<Configuration> configurations;
   for (int i = 1; i <= 20; ++i) configurations.push_back({i, {0.02 * i}});
   Results results;
-  study.run(configurations, {}, results);
+  study.run(configurations, results);
   return results.last;
 }
 

@@ -45,7 +45,7 @@ class Chains {
         std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<mesh::Point>{});
     ParametricStudy study(assembly_, install, {force}, options_, latin::self(), timers_);
     Results results;
-    study.run(configurations, {}, results);
+    study.run(configurations, results);
     return results;
   }
   void setLaw(std::size_t interface, std::shared_ptr<const laws::InterfaceLaw> law) {
@@ -160,7 +160,7 @@ TEST(ParametricStudy, ClaimsNothingFalse) {
   for (double accuracy : {1e-2, 1e-4}) {
     JenkinsStudy jenkins(accuracy);
     Results results;
-    jenkins.study_->run(frictions(60), {}, results);
+    jenkins.study_->run(frictions(60), results);
     ASSERT_EQ(results.all.size(), 60u);
     int certified = 0, stages = 0;
     for (const ConfigurationResult& result : results.all) {
@@ -185,8 +185,8 @@ TEST(ParametricStudy, ClaimsNothingFalse) {
 TEST(ParametricStudy, KeepsSolutionsForLaterRuns) {
   JenkinsStudy jenkins(1e-3);
   Results results;
-  jenkins.study_->run(frictions(20), {}, results);
-  jenkins.study_->run({{100, {0.333}}}, {}, results);
+  jenkins.study_->run(frictions(20), results);
+  jenkins.study_->run({{100, {0.333}}}, results);
   ASSERT_EQ(results.all.size(), 21u);
   EXPECT_FALSE(results.all.back().starts.empty());
   EXPECT_LT(results.all.back().linearStages, 10);
@@ -197,7 +197,7 @@ TEST(ParametricStudy, GoesOnAfterAFailureAmongMany) {
   std::vector<Configuration> configurations = frictions(15);
   configurations[3].values[0] = -1.0;
   Results results;
-  jenkins.study_->run(configurations, {}, results);
+  jenkins.study_->run(configurations, results);
   ASSERT_EQ(results.all.size(), 15u);
   for (const ConfigurationResult& result : results.all) {
     if (result.id == 4) {
@@ -215,7 +215,7 @@ TEST(ParametricStudy, GoesOnAfterALawThatFails) {
   for (const int broken : {0, 3, 7, 11})
     jenkins.broken_.push_back(configurations[static_cast<std::size_t>(broken)].values[0]);
   Results results;
-  jenkins.study_->run(configurations, {}, results);
+  jenkins.study_->run(configurations, results);
   ASSERT_EQ(results.all.size(), 15u);
   for (const ConfigurationResult& result : results.all) {
     if (result.id == 1 || result.id == 4 || result.id == 8 || result.id == 12) {
@@ -233,7 +233,7 @@ TEST(ParametricStudy, StopsWhenAsked) {
   JenkinsStudy jenkins(1e-3);
   Results results;
   jenkins.study_->setInterrupt([&] { return results.all.size() == 7; });
-  jenkins.study_->run(frictions(20), {}, results);
+  jenkins.study_->run(frictions(20), results);
   EXPECT_EQ(results.all.size(), 7u);
 }
 
