@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include <harmos/chaos/Polynomials.hpp>
+
+namespace harmos::chaos {
+
+/// The law of probability of one random parameter X, and the germ xi that X is a function of.
+///
+/// X = value(xi), with xi of a law for which orthonormal polynomials are known. Where X is an affine function of xi,
+/// the polynomials in xi are the polynomials in X.
+class Distribution {
+ public:
+  virtual ~Distribution() = default;
+  /// As written in XML.
+  virtual const char* name() const = 0;
+  virtual double mean() const = 0;
+  virtual double standardDeviation() const = 0;
+  /// X of a germ.
+  virtual double value(double germ) const = 0;
+  /// The germ whose probability not to be exceeded is u, 0 < u < 1; value(germ(u)) is the quantile of X.
+  virtual double germ(double u) const = 0;
+  /// P(X <= x).
+  virtual double cumulative(double x) const = 0;
+  /// Orthonormal in the germ.
+  virtual const Polynomials& polynomials() const = 0;
+  /// X = mean + c xi with a constant c.
+  virtual bool isAffine() const = 0;
+};
+
+}  // namespace harmos::chaos
