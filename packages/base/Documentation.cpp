@@ -1,5 +1,7 @@
 #include <harmos/base/Documentation.hpp>
 
+#include <map>
+
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
 
@@ -59,22 +61,10 @@ class Writer {
     const bool isShown = isChosen || shown.name() == topic_;
     topics_.push_back(shown.name());
     if (isShown) {
-      text_ += "## " + path + (form ? ", Type = " + form->name() : "") + "\n\n";
-      std::string facts;
-      if (!shown.summary().empty()) text_ += shown.summary() + "\n";
-      if (!shown.source().empty()) text_ += "\nSource: " + shown.source() + ".\n";
-      for (const auto& entry : shown.entries()) facts += describe(*entry);
-      if (!form && !spec.forms().empty()) {
-        std::vector<std::string> types;
-        for (const ParameterSpec& f : spec.forms()) types.push_back(f.name());
-        facts += "- `Type` (string, required), one of: " + joinNames(types, types.size()) + ".\n";
-      }
-      for (const auto& sublist : shown.sublists()) {
-        facts += "- list `" + sublist.name + "` (" + (sublist.required ? "required" : "optional") + ").\n";
-      }
-      if (!facts.empty()) text_ += (shown.summary().empty() ? "" : "\n") + facts;
-      if (form || spec.forms().empty()) text_ += snippet(spec, form, name);
-      text_ += "\n";
+      const std::string heading = path + (form ? ", Type = " + form->name() : "");
+      const std::string body = bodyOf(spec, form, name);
+      const auto [first, isNew] = headings_.emplace(body, heading);
+      text_ += "## " + heading + "\n\n" + (form && !isNew ? "As for " + first->second + ".\n" : body) + "\n";
     }
     for (const auto& sublist : shown.sublists()) {
       const std::string below = path + " / " + sublist.name;
@@ -100,6 +90,25 @@ class Writer {
   }
 
  private:
+  static std::string bodyOf(const ParameterSpec& spec, const ParameterSpec* form, const std::string& name) {
+    const ParameterSpec& shown = form ? *form : spec;
+    std::string text, facts;
+    if (!shown.summary().empty()) text += shown.summary() + "\n";
+    if (!shown.source().empty()) text += "\nSource: " + shown.source() + ".\n";
+    for (const auto& entry : shown.entries()) facts += describe(*entry);
+    if (!form && !spec.forms().empty()) {
+      std::vector<std::string> types;
+      for (const ParameterSpec& f : spec.forms()) types.push_back(f.name());
+      facts += "- `Type` (string, required), one of: " + joinNames(types, types.size()) + ".\n";
+    }
+    for (const auto& sublist : shown.sublists()) {
+      facts += "- list `" + sublist.name + "` (" + (sublist.required ? "required" : "optional") + ").\n";
+    }
+    if (!facts.empty()) text += (shown.summary().empty() ? "" : "\n") + facts;
+    if (form || spec.forms().empty()) text += snippet(spec, form, name);
+    return text;
+  }
+
   void numbers(const ParameterSpec& spec, const std::string& path, bool isChosen) {
     topics_.push_back(spec.name());
     if (!isChosen && spec.name() != topic_) return;
@@ -109,6 +118,7 @@ class Writer {
 
   std::string topic_, text_;
   std::vector<std::string> topics_;
+  std::map<std::string, std::string> headings_;  // under which each text stands for the first time
 };
 
 }  // namespace

@@ -33,6 +33,19 @@ TEST(Documentation, HoldsEveryList) {
   }
 }
 
+TEST(Documentation, DescribesATypeOfSeveralListsOnce) {
+  ParameterSpec form("Friction");
+  form.summary("Sliding.");
+  ParameterSpec spec("Sample");
+  spec.list("First").alternatives("Law", {form});
+  spec.list("Second").alternatives("Law", {form});
+  const std::string text = documentation(spec, "Friction");
+  EXPECT_EQ(text.find("Sliding."), text.rfind("Sliding."));
+  EXPECT_NE(text.find("## Sample / Second / Law, Type = Friction\n\nAs for Sample / First / Law, Type = Friction.\n"),
+            std::string::npos)
+      << text;
+}
+
 TEST(Documentation, UnknownTopic) {
   EXPECT_EQ(
       messageOf([] { documentation(sampleSpec(), "Frction"); }),
