@@ -40,6 +40,8 @@ class InterfaceLaw {
   virtual bool prescribesTraction() const = 0;
   /// Work done against the law is lost: t.(delta - delta_old) is reported as dissipation.
   virtual bool dissipates() const = 0;
+  /// The jump is 0 whatever the traction: the sides move as one.
+  virtual bool bonds() const { return false; }
   /// Solves all nodes at one load step. With prescribesTraction() the lines are not read.
   virtual void solve(int step, const NodeArrays& nodes) const = 0;
 };

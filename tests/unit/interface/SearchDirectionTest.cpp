@@ -24,7 +24,7 @@ double k(const Assembly& assembly, int interfaceIndex, int pair = 0, double scal
 Assembly twoBodies(double spring1, double spring2) {
   Assembly assembly;
   assembly.bodies = {chain("a", 0.0, 3, spring1), chain("b", 2.0, 3, spring2)};
-  assembly.interfaces = {pointInterface("joint", laws::makeLaw("Perfect"), 0, 2, 1, 0, 0.5),
+  assembly.interfaces = {pointInterface("joint", laws::makeLaw("Unilateral Contact"), 0, 2, 1, 0, 0.5),
                          pointInterface("wall", latin::clamp(), 0, 0, -1, 0, 0.25)};
   assembly.times = {1.0};
   // Each rank owns a body, if there are so many ranks.
@@ -41,6 +41,12 @@ TEST(SearchDirection, OfAnInterfaceIsTheHarmonicMean) {
   EXPECT_NEAR(k(twoBodies(30.0, 60.0), 0), factor * 2.0 / (0.5 / 30.0 + 0.5 / 60.0), 1e-12);
   // The softer side decides.
   EXPECT_NEAR(k(twoBodies(30.0, 3e10), 0), factor * 2.0 * 30.0 / 0.5, 1e-6);
+}
+
+TEST(SearchDirection, OfABondIsThreeTimesStiffer) {
+  Assembly bonded = twoBodies(30.0, 60.0);
+  bonded.interfaces[0].law = laws::makeLaw("Perfect");
+  EXPECT_NEAR(k(bonded, 0), 3.0 * k(twoBodies(30.0, 60.0), 0), 1e-12);
 }
 
 TEST(SearchDirection, DoesNotDependOnTheOrderOfTheSides) {
