@@ -23,6 +23,11 @@ endfunction()
 
 harmos_dependency(trilinos INCLUDE ${Trilinos_INCLUDE_DIRS} LIBRARIES ${Trilinos_LIBRARIES} MPI::MPI_CXX)
 
+# Not a component of find_package: that would ask for 32 packages of Trilinos. Bases and quadrature are templates, no
+# library is linked.
+find_path(STOKHOS_INCLUDE Stokhos_RecurrenceBasis.hpp HINTS ${Trilinos_INCLUDE_DIRS} REQUIRED)
+harmos_dependency(stokhos INCLUDE ${STOKHOS_INCLUDE} LIBRARIES harmos_trilinos)
+
 find_path(EXPAT_INCLUDE expat.h REQUIRED)
 find_library(EXPAT_LIBRARY expat REQUIRED)
 harmos_dependency(expat INCLUDE ${EXPAT_INCLUDE} LIBRARIES ${EXPAT_LIBRARY})

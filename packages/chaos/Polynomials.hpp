@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 namespace harmos::chaos {
@@ -16,26 +17,35 @@ struct GaussRule {
 /// Source: Gautschi, Orthogonal Polynomials (2004), ch. 1.
 class Polynomials {
  public:
-  /// Of a standard normal germ (Hermite).
+  /// Of a standard normal germ (Hermite). This and the other continuous families are known up to degree 128.
   static Polynomials hermite();
   /// Of a germ that is uniform on [-1, 1] (Legendre).
   static Polynomials legendre();
   /// Of a germ on [-1, 1] with the density (1 - x)^alpha (1 + x)^beta, but for a factor (Jacobi); alpha, beta > -1.
   static Polynomials jacobi(double alpha, double beta);
   /// Of a germ that takes these values with these probabilities, which add up to 1 (Stieltjes' procedure). The largest
-  /// degree is one less than the number of different points.
+  /// degree is one less than the number of different points, and at most 128. Throws base::Error when the two differ in
+  /// length, a probability is negative or the sum is not 1.
   static Polynomials discrete(const std::vector<double>& points, const std::vector<double>& probabilities);
 
   /// Highest degree that is known.
   int largestDegree() const { return static_cast<int>(a_.size()) - 1; }
+  /// Coefficients of the recurrence, one for every degree; b()[0] = 1 is not used.
+  const std::vector<double>& a() const { return a_; }
+  const std::vector<double>& b() const { return b_; }
   /// p_0(xi) .. p_degree(xi). Throws base::Error when the degree is not known.
   std::vector<double> evaluate(double xi, int degree) const;
-  /// Exact for polynomials up to degree 2 count - 1. Throws base::Error when degree `count` is not known.
+  /// Exact for polynomials up to degree 2 count - 1. Of a germ that takes fewer values than `count` these values and
+  /// their probabilities, which is exact for any function. Throws base::Error when degree count - 1 is not known.
   GaussRule gauss(int count) const;
 
  private:
-  Polynomials(std::vector<double> a, std::vector<double> b) : a_(std::move(a)), b_(std::move(b)) {}
+  using Recurrence = std::pair<std::vector<double>, std::vector<double>>;
+  explicit Polynomials(Recurrence recurrence, bool isFinite = false)
+      : a_(std::move(recurrence.first)), b_(std::move(recurrence.second)), isFinite_(isFinite) {}
+
   std::vector<double> a_, b_;
+  bool isFinite_;  // the germ takes as many values as there are polynomials
 };
 
 }  // namespace harmos::chaos

@@ -1,0 +1,29 @@
+#include <harmos/chaos/Normal.hpp>
+
+#include <cmath>
+
+#include <harmos/chaos/Require.hpp>
+#include <harmos/chaos/StandardNormal.hpp>
+
+namespace harmos::chaos {
+
+Normal::Normal(double mean, double standardDeviation) : mean_(mean), deviation_(standardDeviation) {
+  require(std::isfinite(mean), "Normal distribution: the mean must be a finite number.");
+  require(standardDeviation > 0.0 && std::isfinite(standardDeviation),
+          "Normal distribution: the standard deviation must be above 0, not " + base::toText(standardDeviation) +
+              "; a parameter that does not vary is given by its value alone.");
+}
+
+double Normal::germ(double u) const {
+  return normalQuantile(u);
+}
+
+double Normal::germExceeded(double v) const {
+  return -normalQuantile(v);
+}
+
+double Normal::cumulative(double x) const {
+  return normalCumulative((x - mean_) / deviation_);
+}
+
+}  // namespace harmos::chaos

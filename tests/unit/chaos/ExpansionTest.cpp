@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/chaos/Expansion.hpp>
+#include <harmos/chaos/Lognormal.hpp>
+#include <harmos/chaos/Normal.hpp>
+#include <harmos/chaos/Quadrature.hpp>
+#include <harmos/chaos/Uniform.hpp>
+
+namespace harmos::chaos {
+namespace {
+
+template <class Function>
+Expansion project(std::shared_ptr<const Basis> basis, const Quadrature& quadrature, const Function& function) {
+  const base::Matrix projection = projector(*basis, quadrature);
+  std::vector<double> coefficients(static_cast<std::size_t>(basis->size()), 0.0);
+  for (int q = 0; q < quadrature.size(); ++q) {
+    const double value = function(basis->variables().values(quadrature.points[static_cast<std::size_t>(q)]));
+    for (int a = 0; a < basis->size(); ++a) coefficients[static_cast<std::size_t>(a)] += projection(a, q) * value;
+  }
+  return Expansion(std::move(basis), std::move(coefficients));
+}
+
+std::shared_ptr<const Basis> springs(int order) {
+  return std::make_shared<Basis>(
+      std::make_shared<RandomVector>(std::vector<Variable>{{"k1", std::make_shared<Lognormal>(2.0, 0.4)},
+                                                           {"k2", std::make_shared<Lognormal>(5.0, 1.25)}}),
+      order);
+}
+
+double seriesDisplacement(const std::vector<double>& k) {
+  return 1.0 / k[0] + 1.0 / k[1];
+}
+
+Expansion seriesExpansion(int order) {
+  const auto basis = springs(order);
+  return project(basis, tensorQuadrature(basis->variables(), order + 6), seriesDisplacement);
+}
+
+/// Exact, of the sum of two independent lognormal numbers.
+constexpr double springMean = 0.7325, springDeviation = 0.116782985169, springSkewness = 0.501476076602,
+                 springKurtosis = 3.463260496861, springMainIndex = 0.793062717606;
+
+TEST(Expansion, TwoRandomSpringsInSeries) {
+  const Expansion u = seriesExpansion(8);
+  EXPECT_NEAR(u.mean(), springMean, 1e-12);
+  EXPECT_NEAR(u.standardDeviation(), springDeviation, 1e-12);
+  EXPECT_NEAR(u.skewness(), springSkewness, 1e-10);
+  EXPECT_NEAR(u.kurtosis(), springKurtosis, 1e-9);
+  const auto indices = sobolIndices(u);
+  ASSERT_EQ(indices.size(), 3u);
+  EXPECT_NEAR(indices[0].main, springMainIndex, 1e-10);
+  EXPECT_NEAR(indices[0].main + indices[1].main, 1.0, 1e-12);
+  EXPECT_NEAR(indices[2].main, 0.0, 1e-12);
+  EXPECT_LT(u.lastDegreeShare(), 1e-12);
+  EXPECT_NEAR(u.evaluate({1.0, -0.5}), seriesDisplacement(u.basis().variables().values({1.0, -0.5})), 1e-6);
+}
+
+TEST(Expansion, TruncationAtOrderThreeCostsTheKnownShareOfTheVariance) {
+  const Expansion u = seriesExpansion(3);
+  EXPECT_NEAR(std::pow(u.standardDeviation() / springDeviation, 2), 0.999996143397, 1e-10);
+  // The last degree that is there tells of those that are not.
+  EXPECT_GT(u.lastDegreeShare(), 1.0 - 0.999996143397);
+}
+
+/// sin x1 + a sin^2 x2 + b x3^4 sin x1.
+TEST(Expansion, Ishigami) {
+  const double pi = std::acos(-1.0);
+  const auto x = std::make_shared<Uniform>(-pi, pi);
+  const auto basis = std::make_shared<Basis>(
+      std::make_shared<RandomVector>(std::vector<Variable>{{"x1", x}, {"x2", x}, {"x3", x}}), 12);
+  const Expansion y = project(basis, tensorQuadrature(basis->variables(), 14), [](const std::vector<double>& v) {
+    return std::sin(v[0]) * (1.0 + 0.1 * std::pow(v[2], 4)) + 7.0 * std::pow(std::sin(v[1]), 2);
+  });
+  EXPECT_NEAR(y.mean(), 3.5, 1e-4);
+  EXPECT_NEAR(std::pow(y.standardDeviation(), 2), 13.8445879407, 1e-3);
+  const auto indices = sobolIndices(y);
+  ASSERT_EQ(indices.size(), 7u);
+  EXPECT_NEAR(indices[0].main, 0.3139051911, 1e-4);
+  EXPECT_NEAR(indices[1].main, 0.4424111448, 1e-4);
+  EXPECT_NEAR(indices[2].main, 0.0, 1e-8);
+  EXPECT_EQ(indices[4].germs, (std::vector<int>{0, 2}));
+  EXPECT_NEAR(indices[4].main, 0.2436836641, 1e-4);
+  EXPECT_NEAR(indices[0].total, 0.3139051911 + 0.2436836641, 1e-4);
+  EXPECT_NEAR(indices[2].total, 0.2436836641, 1e-4);
+}
+
+/// The cube of a standard normal number: moments of order 12.
+TEST(Expansion, HigherMomentsOfAPolynomialAreExact) {
+  const auto basis = std::make_shared<Basis>(
+      std::make_shared<RandomVector>(std::vector<Variable>{{"x", std::make_shared<Normal>(0.0, 1.0)}}), 3);
+  const Expansion cube = project(basis, tensorQuadrature(basis->variables(), 4),
+                                 [](const std::vector<double>& x) { return x[0] * x[0] * x[0]; });
+  EXPECT_NEAR(cube.standardDeviation(), std::sqrt(15.0), 1e-12);
+  EXPECT_NEAR(cube.skewness(), 0.0, 1e-12);
+  EXPECT_NEAR(cube.kurtosis(), 10395.0 / 225.0, 1e-10);
+}
+
+/// The sum of independent standard normal numbers is normal however many there are; eight have the sparse rule.
+TEST(Expansion, HigherMomentsInManyGerms) {
+  const std::vector<Variable> variables(8, {"x", std::make_shared<Normal>(0.0, 1.0)});
+  const auto basis = std::make_shared<Basis>(std::make_shared<RandomVector>(variables), 2);
+  std::vector<double> coefficients(static_cast<std::size_t>(basis->size()), 0.0);
+  for (std::size_t i = 0; i < 8; ++i) coefficients[i + 1] = 1.0 + 0.1 * static_cast<double>(i);
+  const Expansion sum(basis, coefficients);
+  EXPECT_NEAR(sum.skewness(), 0.0, 1e-9);
+  EXPECT_NEAR(sum.kurtosis(), 3.0, 1e-9);
+}
+
+TEST(Expansion, OfAConstantHasNoSharesOfItsVariance) {
+  const auto basis = springs(2);
+  const Expansion constant(basis, {4.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+  EXPECT_EQ(constant.standardDeviation(), 0.0);
+  EXPECT_TRUE(std::isnan(constant.skewness()));
+  EXPECT_TRUE(std::isnan(constant.kurtosis()));
+  EXPECT_TRUE(std::isnan(constant.lastDegreeShare()));
+  for (const auto& index : sobolIndices(constant)) {
+    EXPECT_TRUE(std::isnan(index.main));
+    EXPECT_TRUE(std::isnan(index.total));
+  }
+}
+
+TEST(Expansion, NeedsOneCoefficientPerPolynomial) {
+  EXPECT_THROW(Expansion(springs(2), {1.0, 2.0}), base::Error);
+}
+
+}  // namespace
+}  // namespace harmos::chaos
