@@ -8,6 +8,7 @@ struct Perfect {
   static constexpr const char* name = "Perfect";
   static constexpr int historySize = 0;
   static constexpr Sides sides = Sides::two;
+  static constexpr bool isAffine = true;
 
   static void describe(base::ParameterSpec& p) {
     p.summary("Perfect joint: both sides move together, delta = 0.")

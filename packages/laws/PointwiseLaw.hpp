@@ -20,6 +20,7 @@ namespace harmos::laws {
 ///   static constexpr Frame frame = Frame::global;         default Frame::interface
 ///   static constexpr bool prescribesTraction = true;      default false
 ///   static constexpr bool dissipates = true;              default false
+///   static constexpr bool isAffine = true;                default false
 template <class L>
 class PointwiseLaw final : public InterfaceLaw {
  public:
@@ -32,6 +33,7 @@ class PointwiseLaw final : public InterfaceLaw {
   Frame frame() const override { return frameOf<L>(0); }
   bool prescribesTraction() const override { return prescribesTractionOf<L>(0); }
   bool dissipates() const override { return dissipatesOf<L>(0); }
+  bool isAffine() const override { return isAffineOf<L>(0); }
 
   void solve(int step, const NodeArrays& nodes) const override {
     for (int i = 0; i < nodes.count; ++i) {
@@ -65,6 +67,14 @@ class PointwiseLaw final : public InterfaceLaw {
   }
   template <class T>
   static constexpr bool dissipatesOf(long) {
+    return false;
+  }
+  template <class T>
+  static constexpr auto isAffineOf(int) -> decltype(T::isAffine) {
+    return T::isAffine;
+  }
+  template <class T>
+  static constexpr bool isAffineOf(long) {
     return false;
   }
 
