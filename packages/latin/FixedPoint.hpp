@@ -59,6 +59,7 @@ class FixedPoint {
   mesh::Point displacement(int body, int node, int column) const { return linear_.displacement(body, node, column); }
 
   const interface::Assembly& assembly() const { return assembly_; }
+  const interface::SearchDirection& searchDirection() const { return searchDirection_; }
   const TraceLayout& layout() const { return layout_; }
   const StateMetric& metric() const { return metric_; }
   const LinearStage& linearStage() const { return linear_; }
