@@ -36,7 +36,11 @@ void FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image) {
   linear_.solve(alpha, beta_);
   hasHattedTrace_ = false;
   const auto running = timers_.start("local");
-  local_.solve(beta_, hattedTraction_);
+  if (replacement_) {
+    replacement_(beta_, hattedTraction_);
+  } else {
+    local_.solve(beta_, hattedTraction_);
+  }
   for (int t = 0; t < alpha.numCols(); ++t) {
     for (int row = 0; row < alpha.numRows(); ++row) image[t][row] = 2.0 * hattedTraction_[t][row] - beta_[t][row];
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <harmos/latin/LinearStage.hpp>
 #include <harmos/latin/LocalStage.hpp>
 #include <harmos/latin/StateMetric.hpp>
@@ -33,6 +35,12 @@ class FixedPoint {
   /// on them, but loads do.
   void updateLaws() { linear_.updateLoads(); }
 
+  /// Puts another map from beta to f^ [stress] in the place of the local stage. Columns, histories and statuses are
+  /// then its own affair.
+  void replaceLocalStage(std::function<void(const base::Matrix& beta, base::Matrix& traction)> stage) {
+    replacement_ = std::move(stage);
+  }
+
   /// Collective. image = T(alpha) [stress]; the fields of the iteration are kept.
   void apply(const base::Matrix& alpha, base::Matrix& image);
 
@@ -51,6 +59,7 @@ class FixedPoint {
   mesh::Point displacement(int body, int node, int column) const { return linear_.displacement(body, node, column); }
 
   const interface::Assembly& assembly() const { return assembly_; }
+  const interface::SearchDirection& searchDirection() const { return searchDirection_; }
   const TraceLayout& layout() const { return layout_; }
   const StateMetric& metric() const { return metric_; }
   const LinearStage& linearStage() const { return linear_; }
@@ -70,6 +79,7 @@ class FixedPoint {
   StateMetric metric_;
   LinearStage linear_;
   LocalStage local_;
+  std::function<void(const base::Matrix&, base::Matrix&)> replacement_;  // of local_; empty: none
   base::Matrix beta_;
   base::Matrix hattedTraction_;
   mutable base::Matrix hattedTrace_;  // computed when asked for

@@ -40,6 +40,8 @@ class LinearStage {
 
   /// Work so far: columns solved over the number of load steps, so that a solve of all load steps counts as one.
   int stages() const { return static_cast<int>((columnsSolved_ + assembly_.steps() - 1) / assembly_.steps()); }
+  /// Columns solved so far.
+  long columns() const { return columnsSolved_; }
   const BodyOperators& operators() const { return operators_; }
   int macroUnknowns() const { return macro_ ? macro_->unknowns() : 0; }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
-#include <harmos/latin/TraceLayout.hpp>
+#include <harmos/latin/InterfaceLines.hpp>
 
 namespace harmos::latin {
 
@@ -15,10 +15,9 @@ enum class Formulation {
 
 /// Local stage: at every interface node, intersects the law's graph with the ascent search direction E+ (12).
 ///
-/// With beta = f - k w from the linear stage, E+ reads f^ - k w^ = beta, so the line of a node pair is
-///   delta_free = beta1/k - beta2/k,  H = 2/k   (outer boundary: delta_free = beta1/k, H = 1/k),
-/// and the new state is alpha = f^ + k w^ = 2 f^ - beta. In the velocity form w stands for the displacement increment
-/// of the load step (k = k_v / dt), and the line starts from the jump at the end of the previous step.
+/// The lines are those of InterfaceLines, and the new state is alpha = f^ + k w^ = 2 f^ - beta. In the velocity form w
+/// stands for the displacement increment of the load step (k = k_v / dt), and the line starts from the jump at the end
+/// of the previous step.
 class LocalStage {
  public:
   LocalStage(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
@@ -50,11 +49,6 @@ class LocalStage {
 
  private:
   struct Joint {
-    bool active = false;  // a side is owned here
-    int begin1 = -1;
-    int begin2 = -1;             // row blocks; -1: not owned here, or no such side
-    int neighbour = -1;          // rank that owns the other side; -1: none or this one
-    std::vector<double> remote;  // beta of the side owned elsewhere, pairs x dimension x columns
     std::vector<laws::LocalLine> line;
     std::vector<laws::LocalState> state;  // pairs x columns
     std::vector<double> start;            // history at the beginning of the first column
@@ -62,12 +56,10 @@ class LocalStage {
     std::vector<double> jump;  // velocity form: hatted jump of the previous step, law's frame
   };
 
-  void exchange(const base::Matrix& beta, int first, int count);
   void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
 
   const interface::Assembly& assembly_;
-  const interface::SearchDirection& searchDirection_;
-  const TraceLayout& layout_;
+  InterfaceLines lines_;
   Formulation formulation_;
   std::vector<int> steps_;  // load step of every column
   std::vector<Joint> joints_;

@@ -10,17 +10,16 @@ constexpr int maximumIterations = 100;
 // Residuals below this share of the state are round-off.
 constexpr double noise = 1e-13;
 
-/// The column of a load step from the two before it, linear in time.
-void extrapolate(const base::Matrix& alpha, int step, const std::vector<double>& times, base::Matrix& state) {
+}  // namespace
+
+void extrapolate(const base::Matrix& alpha, int step, const std::vector<double>& times, double* state) {
   const auto t = static_cast<std::size_t>(step);
   const double ratio = step < 2 ? 0.0 : (times[t] - times[t - 1]) / (times[t - 1] - times[t - 2]);
   for (int row = 0; row < alpha.numRows(); ++row) {
     const double last = step > 0 ? alpha[step - 1][row] : 0.0;
-    state[0][row] = step < 2 ? last : last + ratio * (last - alpha[step - 2][row]);
+    state[row] = step < 2 ? last : last + ratio * (last - alpha[step - 2][row]);
   }
 }
-
-}  // namespace
 
 March::March(FixedPoint& fixedPoint, int memory, double accuracy)
     : fixedPoint_(fixedPoint),
@@ -81,7 +80,7 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
   for (int t = 0; t < alpha.numCols(); ++t) {
     if (end == End::reached) {
       if (guess == Guess::extrapolation) {
-        extrapolate(alpha, t, fixedPoint_.assembly().times, state);
+        extrapolate(alpha, t, fixedPoint_.assembly().times, state[0]);
       } else {
         std::copy_n(alpha[t], rows, state[0]);
       }

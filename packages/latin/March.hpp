@@ -50,4 +50,7 @@ class March {
   double largestForce_ = 0.0;
 };
 
+/// The column of a load step from the two before it, linear in time; `state` has the rows of alpha.
+void extrapolate(const base::Matrix& alpha, int step, const std::vector<double>& times, double* state);
+
 }  // namespace harmos::latin

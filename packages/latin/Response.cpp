@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <harmos/latin/PairFields.hpp>
-
 namespace harmos::latin {
 namespace {
 
@@ -73,65 +71,57 @@ std::vector<double> ResultantResponse::evaluate(const FixedPoint& state) const {
   return values;
 }
 
-std::vector<double> DissipationResponse::evaluate(const FixedPoint& state) const {
+std::vector<double> PairResponse::evaluate(const FixedPoint& state) const {
   std::vector<double> values(static_cast<std::size_t>(state.assembly().steps()), 0.0);
   for (int i : interfaces_) {
-    const interface::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(i)];
-    if (!interface.law->dissipates()) continue;
-    const PairFields fields = pairFields(state, i);
-    double total = 0.0;
-    for (int t = 0; t < fields.steps; ++t) {
-      for (int p = 0; p < fields.pairs; ++p) {
-        const laws::Vector3& f = fields.traction[fields.at(t, p)];
-        const laws::Vector3& now = fields.jump[fields.at(t, p)];
-        const laws::Vector3 old = t > 0 ? fields.jump[fields.at(t - 1, p)] : laws::Vector3{};
-        total += interface.area[static_cast<std::size_t>(p)] * (f[1] * (now[1] - old[1]) + f[2] * (now[2] - old[2]));
-      }
-      values[static_cast<std::size_t>(t)] += total;
-    }
+    include(state.assembly().interfaces[static_cast<std::size_t>(i)], pairFields(state, i), values);
   }
   return values;
 }
 
-MaximumResponse::MaximumResponse(std::string name, std::vector<int> interfaces, Field field)
-    : Response(std::move(name),
-               field == Field::opening || field == Field::slip ? Quantity::displacement : Quantity::stress),
-      interfaces_(std::move(interfaces)),
-      field_(field) {}
+void DissipationResponse::include(const interface::Interface& interface, const PairFields& fields,
+                                  std::vector<double>& values) const {
+  if (!interface.law->dissipates()) return;
+  double total = 0.0;
+  for (int t = 0; t < fields.steps; ++t) {
+    for (int p = 0; p < fields.pairs; ++p) {
+      const laws::Vector3& f = fields.traction[fields.at(t, p)];
+      const laws::Vector3& now = fields.jump[fields.at(t, p)];
+      const laws::Vector3 old = t > 0 ? fields.jump[fields.at(t - 1, p)] : laws::Vector3{};
+      total += interface.area[static_cast<std::size_t>(p)] * (f[1] * (now[1] - old[1]) + f[2] * (now[2] - old[2]));
+    }
+    values[static_cast<std::size_t>(t)] += total;
+  }
+}
 
-std::vector<double> MaximumResponse::evaluate(const FixedPoint& state) const {
-  std::vector<double> values(static_cast<std::size_t>(state.assembly().steps()), 0.0);
-  for (int i : interfaces_) {
-    const PairFields fields = pairFields(state, i);
-    const auto& gap = state.assembly().interfaces[static_cast<std::size_t>(i)].gap;
-    for (int t = 0; t < fields.steps; ++t) {
-      double& largest = values[static_cast<std::size_t>(t)];
-      for (int p = 0; p < fields.pairs; ++p) {
-        const laws::Vector3& f = fields.traction[fields.at(t, p)];
-        const laws::Vector3& jump = fields.jump[fields.at(t, p)];
-        double value = 0.0;
-        switch (field_) {
-          case Field::contactPressure:
-            value = -f[0];
-            break;
-          case Field::normalTraction:
-            value = std::abs(f[0]);
-            break;
-          case Field::tangentialTraction:
-            value = laws::tangentialNorm(f);
-            break;
-          case Field::opening:
-            value = jump[0] + gap[static_cast<std::size_t>(p)];
-            break;
-          case Field::slip:
-            value = laws::tangentialNorm(jump);
-            break;
-        }
-        largest = std::max(largest, value);
+void MaximumResponse::include(const interface::Interface& interface, const PairFields& fields,
+                              std::vector<double>& values) const {
+  for (int t = 0; t < fields.steps; ++t) {
+    double& largest = values[static_cast<std::size_t>(t)];
+    for (int p = 0; p < fields.pairs; ++p) {
+      const laws::Vector3& f = fields.traction[fields.at(t, p)];
+      const laws::Vector3& jump = fields.jump[fields.at(t, p)];
+      double value = 0.0;
+      switch (field_) {
+        case Field::contactPressure:
+          value = -f[0];
+          break;
+        case Field::normalTraction:
+          value = std::abs(f[0]);
+          break;
+        case Field::tangentialTraction:
+          value = laws::tangentialNorm(f);
+          break;
+        case Field::opening:
+          value = jump[0] + interface.gap[static_cast<std::size_t>(p)];
+          break;
+        case Field::slip:
+          value = laws::tangentialNorm(jump);
+          break;
       }
+      largest = std::max(largest, value);
     }
   }
-  return values;
 }
 
 }  // namespace harmos::latin

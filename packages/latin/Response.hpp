@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/PairFields.hpp>
 
 namespace harmos::latin {
 
@@ -12,6 +12,8 @@ enum class Quantity { displacement, force, moment, stress, energy };
 
 /// A number per load step that the user asks for, read from the fields of an iteration. Its error is estimated and
 /// certified by name.
+///
+/// It is linear in the fields of the linear stage and in the prescribed tractions, or else a PairResponse.
 class Response {
  public:
   Response(std::string name, Quantity quantity) : name_(std::move(name)), quantity_(quantity) {}
@@ -65,26 +67,44 @@ class ResultantResponse : public Response {
   std::vector<mesh::Point> centre_;     // none or one
 };
 
-/// Energy [force length] lost in interfaces up to each load step: sum over steps and nodes of h t_t . (d_t - d_t,old).
-class DissipationResponse : public Response {
+/// A number that depends on the fields of interfaces, in whatever way.
+class PairResponse : public Response {
  public:
-  DissipationResponse(std::string name, std::vector<int> interfaces)
-      : Response(std::move(name), Quantity::energy), interfaces_(std::move(interfaces)) {}
-  std::vector<double> evaluate(const FixedPoint& state) const override;
+  PairResponse(std::string name, Quantity quantity, std::vector<int> interfaces)
+      : Response(std::move(name), quantity), interfaces_(std::move(interfaces)) {}
+  std::vector<double> evaluate(const FixedPoint& state) const final;
+  /// On which the number depends.
+  const std::vector<int>& interfaces() const { return interfaces_; }
+  /// Includes the share of one interface in `values`, one per load step and 0 before the first interface.
+  virtual void include(const interface::Interface& interface, const PairFields& fields,
+                       std::vector<double>& values) const = 0;
 
  private:
   std::vector<int> interfaces_;
 };
 
+/// Energy [force length] lost in interfaces up to each load step: sum over steps and nodes of h t_t . (d_t - d_t,old).
+class DissipationResponse : public PairResponse {
+ public:
+  DissipationResponse(std::string name, std::vector<int> interfaces)
+      : PairResponse(std::move(name), Quantity::energy, std::move(interfaces)) {}
+  void include(const interface::Interface& interface, const PairFields& fields,
+               std::vector<double>& values) const override;
+};
+
 /// Largest value over the nodes of an interface, of the local stage's fields (which obey the laws).
-class MaximumResponse : public Response {
+class MaximumResponse : public PairResponse {
  public:
   enum class Field { contactPressure, normalTraction, tangentialTraction, opening, slip };
-  MaximumResponse(std::string name, std::vector<int> interfaces, Field field);
-  std::vector<double> evaluate(const FixedPoint& state) const override;
+  MaximumResponse(std::string name, std::vector<int> interfaces, Field field)
+      : PairResponse(std::move(name),
+                     field == Field::opening || field == Field::slip ? Quantity::displacement : Quantity::stress,
+                     std::move(interfaces)),
+        field_(field) {}
+  void include(const interface::Interface& interface, const PairFields& fields,
+               std::vector<double>& values) const override;
 
  private:
-  std::vector<int> interfaces_;
   Field field_;
 };
 

@@ -3,31 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <harmos/latin/NodalForces.hpp>
+
 namespace harmos::latin {
 namespace {
-
-/// Sum of h f^ over the interfaces at every node, scaled so that a single interface gives sqrt(h) f^.
-base::Matrix nodalForces(const FixedPoint& state) {
-  const TraceLayout& layout = state.layout();
-  const int dimension = layout.dimension();
-  const base::Matrix& traction = state.hattedTraction();
-  std::vector<double> area(static_cast<std::size_t>(layout.nodes()), 0.0);
-  for (std::size_t i = 0; i < layout.nodeOf().size(); ++i) {
-    area[static_cast<std::size_t>(layout.nodeOf()[i])] += layout.area()[i * static_cast<std::size_t>(dimension)];
-  }
-  base::Matrix forces(layout.nodes() * dimension, traction.numCols());
-  for (int t = 0; t < traction.numCols(); ++t) {
-    for (std::size_t i = 0; i < layout.nodeOf().size(); ++i) {
-      const int node = layout.nodeOf()[i];
-      const double scale = 1.0 / std::sqrt(area[static_cast<std::size_t>(node)]);
-      for (int c = 0; c < dimension; ++c) {
-        const int row = static_cast<int>(i) * dimension + c;
-        forces[t][node * dimension + c] += scale * layout.area()[static_cast<std::size_t>(row)] * traction[t][row];
-      }
-    }
-  }
-  return forces;
-}
 
 base::Matrix scaledTrace(const FixedPoint& state) {
   base::Matrix trace(state.trace());
@@ -61,7 +40,10 @@ double fieldDistance(const base::Matrix& a, const base::Matrix& b, double floor,
 }  // namespace
 
 Snapshot::Snapshot(const FixedPoint& state, const std::vector<std::shared_ptr<const Response>>& responses)
-    : state_(&state), sizes_(state), force_(nodalForces(state)), displacement_(scaledTrace(state)) {
+    : state_(&state),
+      sizes_(state),
+      force_(nodalForces(state.layout(), state.hattedTraction())),
+      displacement_(scaledTrace(state)) {
   for (const auto& response : responses) {
     responses_.push_back(response->evaluate(state));
     floors_.push_back(sizes_.floor(response->quantity()));

@@ -11,9 +11,7 @@ namespace harmos::latin {
 
 /// The quantities whose accuracy is promised, at one state: all responses, and the fields of interface forces and
 /// displacements.
-///
-/// The forces are summed over the interfaces that meet at a node of a body: only these sums act on the body, and only
-/// they are determinate where three bodies, or two bodies and a fixed boundary, meet.
+/// The forces are those of nodalForces().
 class Snapshot {
  public:
   /// Collective. Reads the last FixedPoint::apply().

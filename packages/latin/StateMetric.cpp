@@ -6,9 +6,11 @@
 
 namespace harmos::latin {
 
-StateMetric::StateMetric(const TraceLayout& layout) : layout_(layout) {
-  for (std::size_t row = 0; row < layout.area().size(); ++row) {
-    scale_.push_back(std::sqrt(layout.area()[row] / layout.stiffness()[row]));
+StateMetric::StateMetric(const TraceLayout& layout, int copies) : layout_(layout) {
+  for (int copy = 0; copy < copies; ++copy) {
+    for (std::size_t row = 0; row < layout.area().size(); ++row) {
+      scale_.push_back(std::sqrt(layout.area()[row] / layout.stiffness()[row]));
+    }
   }
 }
 

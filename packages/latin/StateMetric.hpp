@@ -10,7 +10,9 @@ namespace harmos::latin {
 /// Inner product of states per load step: (a, b)_t = sum of (area/k) a b, an energy, so that units and k drop out.
 class StateMetric {
  public:
-  explicit StateMetric(const TraceLayout& layout);
+  /// `copies`: of the rows of the layout that stand below each other in a column, for states that are made of several
+  /// fields.
+  explicit StateMetric(const TraceLayout& layout, int copies = 1);
   /// sqrt(area/k) of every row.
   const std::vector<double>& scale() const { return scale_; }
   /// Squared norm of every column. Collective.

@@ -9,6 +9,7 @@ struct ElasticFoundation {
   static constexpr const char* name = "Elastic Foundation";
   static constexpr int historySize = 0;
   static constexpr Sides sides = Sides::one;
+  static constexpr bool isAffine = true;
 
   static void describe(base::ParameterSpec& p) {
     p.summary("Springs from an outer boundary to the ground: f_n = -k_n w_n, f_t = -k_t w_t.")

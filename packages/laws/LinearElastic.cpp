@@ -11,6 +11,7 @@ struct LinearElastic {
   static constexpr const char* name = "Linear Elastic";
   static constexpr int historySize = 0;
   static constexpr Sides sides = Sides::two;
+  static constexpr bool isAffine = true;
 
   static void describe(base::ParameterSpec& p) {
     p.summary("Linear elastic joint (glue): traction = stiffness times jump.")

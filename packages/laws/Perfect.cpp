@@ -9,6 +9,7 @@ struct Perfect {
   static constexpr int historySize = 0;
   static constexpr Sides sides = Sides::two;
   static constexpr bool bonds = true;
+  static constexpr bool isAffine = true;
 
   static void describe(base::ParameterSpec& p) {
     p.summary("Perfect joint: both sides move together, delta = 0.")

@@ -21,6 +21,7 @@ namespace harmos::laws {
 ///   static constexpr bool prescribesTraction = true;      default false
 ///   static constexpr bool dissipates = true;              default false
 ///   static constexpr bool bonds = true;                   default false
+///   static constexpr bool isAffine = true;                default false
 template <class L>
 class PointwiseLaw final : public InterfaceLaw {
  public:
@@ -34,6 +35,7 @@ class PointwiseLaw final : public InterfaceLaw {
   bool prescribesTraction() const override { return prescribesTractionOf<L>(0); }
   bool dissipates() const override { return dissipatesOf<L>(0); }
   bool bonds() const override { return bondsOf<L>(0); }
+  bool isAffine() const override { return isAffineOf<L>(0); }
 
   void solve(int step, const NodeArrays& nodes) const override {
     for (int i = 0; i < nodes.count; ++i) {
@@ -75,6 +77,14 @@ class PointwiseLaw final : public InterfaceLaw {
   }
   template <class T>
   static constexpr bool bondsOf(long) {
+    return false;
+  }
+  template <class T>
+  static constexpr auto isAffineOf(int) -> decltype(T::isAffine) {
+    return T::isAffine;
+  }
+  template <class T>
+  static constexpr bool isAffineOf(long) {
     return false;
   }
 

@@ -10,6 +10,7 @@ struct PreloadJump {
   static constexpr const char* name = "Preload Jump";
   static constexpr int historySize = 0;
   static constexpr Sides sides = Sides::two;
+  static constexpr bool isAffine = true;
 
   static void describe(base::ParameterSpec& p) {
     p.summary("Bolt preload: prescribed axial overlap of the two faces, joined perfectly otherwise.")

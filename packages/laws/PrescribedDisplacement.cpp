@@ -14,6 +14,7 @@ struct PrescribedDisplacement {
   static constexpr int historySize = 0;
   static constexpr Sides sides = Sides::one;
   static constexpr Frame frame = Frame::global;
+  static constexpr bool isAffine = true;
 
   static void describe(base::ParameterSpec& p) {
     p.summary("Prescribed displacement in global components; components that are not given are free.");

@@ -12,6 +12,7 @@ struct PrescribedTraction {
   static constexpr Sides sides = Sides::one;
   static constexpr Frame frame = Frame::global;
   static constexpr bool prescribesTraction = true;
+  static constexpr bool isAffine = true;
 
   static void describe(base::ParameterSpec& p) {
     p.summary("Prescribed traction (force per area) in global components.");

@@ -9,6 +9,7 @@ struct Pressure {
   static constexpr int historySize = 0;
   static constexpr Sides sides = Sides::one;
   static constexpr bool prescribesTraction = true;
+  static constexpr bool isAffine = true;
 
   static void describe(base::ParameterSpec& p) {
     p.summary("Prescribed pressure on an outer boundary, positive when it pushes on the body.");

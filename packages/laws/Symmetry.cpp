@@ -8,6 +8,7 @@ struct Symmetry {
   static constexpr const char* name = "Symmetry";
   static constexpr int historySize = 0;
   static constexpr Sides sides = Sides::one;
+  static constexpr bool isAffine = true;
 
   static void describe(base::ParameterSpec& p) {
     p.summary("Symmetry plane (rollers): no normal displacement, no tangential traction.");

@@ -113,6 +113,32 @@ TEST_P(Conformance, IsMonotoneWithoutMemory) {
   }
 }
 
+// t_i is an affine function of the free jump's component i alone, with one slope for all nodes.
+TEST_P(Conformance, IsAffineWhereItSaysSo) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    if (!law->isAffine()) return;
+    EXPECT_EQ(law->historySize(), 0);
+    LocalLine all = randomLine(random_), rest = all;
+    rest.freeJump = {};
+    const Vector3 offset = Node(*law).solve(rest).traction;
+    const LocalState together = Node(*law).solve(all);
+    for (std::size_t c = 0; c < 3; ++c) {
+      LocalLine axis = rest;
+      axis.freeJump[c] = all.freeJump[c];
+      const Vector3 change = Node(*law).solve(axis).traction - offset;
+      const Vector3 elsewhere = Node(*law, 0.3).solve(axis).traction - Node(*law, 0.3).solve(rest).traction;
+      const double error = tolerance(all, together, 0.3) + roundOff * norm(offset);
+      EXPECT_LE(norm(change - elsewhere), error);
+      Vector3 along{};
+      along[c] = together.traction[c] - offset[c];
+      EXPECT_LE(norm(change - along), error);
+      axis.freeJump[c] *= 3.0;
+      EXPECT_LE(norm(Node(*law).solve(axis).traction - offset - 3.0 * change), 3.0 * error);
+    }
+  }
+}
+
 // Through opening, closing, sticking, sliding: many small moves make small changes only.
 TEST_P(Conformance, IsContinuous) {
   constexpr int moves = 500;

@@ -1,0 +1,116 @@
+#include <harmos/latin/InterfaceLines.hpp>
+
+#include <Teuchos_CommHelpers.hpp>
+
+namespace harmos::latin {
+namespace {
+
+using laws::Vector3;
+
+Vector3 toFrame(const mesh::Frame& frame, const Vector3& v) {
+  return {frame[0][0] * v[0] + frame[0][1] * v[1] + frame[0][2] * v[2],
+          frame[1][0] * v[0] + frame[1][1] * v[1] + frame[1][2] * v[2],
+          frame[2][0] * v[0] + frame[2][1] * v[1] + frame[2][2] * v[2]};
+}
+
+Vector3 toGlobal(const mesh::Frame& frame, const Vector3& v) {
+  return {frame[0][0] * v[0] + frame[1][0] * v[1] + frame[2][0] * v[2],
+          frame[0][1] * v[0] + frame[1][1] * v[1] + frame[2][1] * v[2],
+          frame[0][2] * v[0] + frame[1][2] * v[1] + frame[2][2] * v[2]};
+}
+
+}  // namespace
+
+InterfaceLines::InterfaceLines(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+                               const TraceLayout& layout)
+    : assembly_(assembly), searchDirection_(searchDirection), layout_(layout) {
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const interface::Interface& interface = assembly.interfaces[i];
+    Joint joint;
+    joint.begin1 = layout.begin(static_cast<int>(i), 0);
+    joint.begin2 = layout.begin(static_cast<int>(i), 1);
+    joint.active = joint.begin1 >= 0 || joint.begin2 >= 0;
+    if (joint.active && interface.sides() == 2 && (joint.begin1 < 0 || joint.begin2 < 0)) {
+      joint.neighbour = assembly.ownerOf(joint.begin1 < 0 ? interface.body1 : interface.body2);
+    }
+    joints_.push_back(std::move(joint));
+  }
+}
+
+void InterfaceLines::reserve(int columns) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    if (joints_[i].neighbour < 0) continue;
+    joints_[i].remote.resize(static_cast<std::size_t>(of(static_cast<int>(i)).pairs() * layout_.dimension()) *
+                             static_cast<std::size_t>(columns));
+  }
+}
+
+void InterfaceLines::exchange(const base::Matrix& beta, int first, int count) {
+  if (layout_.comm().getSize() == 1) return;
+  // Every rank visits the interfaces in the same order, so the messages between two ranks match without tags.
+  std::vector<std::vector<double>> sent;
+  Teuchos::Array<Teuchos::RCP<Teuchos::CommRequest<int>>> requests;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    Joint& joint = joints_[i];
+    if (joint.neighbour < 0) continue;
+    const int begin = joint.begin1 >= 0 ? joint.begin1 : joint.begin2;
+    const int rows = of(static_cast<int>(i)).pairs() * layout_.dimension();
+    std::vector<double> buffer(static_cast<std::size_t>(rows) * static_cast<std::size_t>(count));
+    for (int t = 0; t < count; ++t) std::copy_n(beta[first + t] + begin, rows, buffer.begin() + t * rows);
+    sent.push_back(std::move(buffer));
+    const auto received = Teuchos::arrayViewFromVector(joint.remote).view(first * rows, count * rows);
+    requests.push_back(
+        Teuchos::ireceive<int, double>(layout_.comm(), Teuchos::arcpFromArrayView(received), joint.neighbour));
+    requests.push_back(Teuchos::isend<int, double>(
+        layout_.comm(), Teuchos::arcpFromArrayView(Teuchos::arrayViewFromVector(sent.back())), joint.neighbour));
+  }
+  Teuchos::waitAll(layout_.comm(), requests());
+}
+
+void InterfaceLines::fill(int interfaceIndex, int column, const base::Matrix& beta,
+                          std::vector<laws::LocalLine>& lines) const {
+  const interface::Interface& interface = of(interfaceIndex);
+  const Joint& joint = joints_[static_cast<std::size_t>(interfaceIndex)];
+  const std::vector<double>& k = searchDirection_.of(interfaceIndex);
+  const int dimension = layout_.dimension();
+  const int pairs = interface.pairs();
+  const bool local = interface.law->frame() == laws::Frame::interface;
+  const double* remote = joint.remote.data() + static_cast<std::size_t>(column) * pairs * dimension;
+  const double* beta1 = joint.begin1 >= 0 ? beta[column] + joint.begin1 : remote;
+  const double* beta2 = interface.sides() == 1 ? nullptr : joint.begin2 >= 0 ? beta[column] + joint.begin2 : remote;
+  const double sides = interface.sides();
+  lines.resize(static_cast<std::size_t>(pairs));
+  for (int p = 0; p < pairs; ++p) {
+    const double compliance = 1.0 / k[static_cast<std::size_t>(p)];
+    Vector3 free{};
+    for (int c = 0; c < dimension; ++c) {
+      const double b2 = beta2 != nullptr ? beta2[p * dimension + c] : 0.0;
+      free[static_cast<std::size_t>(c)] = compliance * (beta1[p * dimension + c] - b2);
+    }
+    laws::LocalLine& line = lines[static_cast<std::size_t>(p)];
+    line.compliance = sides * compliance;
+    line.freeJump = local ? toFrame(interface.frame[static_cast<std::size_t>(p)], free) : free;
+  }
+}
+
+double InterfaceLines::write(int interfaceIndex, int column, const laws::LocalState* states,
+                             base::Matrix& traction) const {
+  const interface::Interface& interface = of(interfaceIndex);
+  const Joint& joint = joints_[static_cast<std::size_t>(interfaceIndex)];
+  const int dimension = layout_.dimension();
+  const bool local = interface.law->frame() == laws::Frame::interface;
+  double check = 0.0;
+  for (int p = 0; p < interface.pairs(); ++p) {
+    const Vector3& f = states[p].traction;
+    check += f[0] + f[1] + f[2];
+    const Vector3 global = local ? toGlobal(interface.frame[static_cast<std::size_t>(p)], f) : f;
+    for (int c = 0; c < dimension; ++c) {
+      const double value = global[static_cast<std::size_t>(c)];
+      if (joint.begin1 >= 0) traction[column][joint.begin1 + p * dimension + c] = value;
+      if (joint.begin2 >= 0) traction[column][joint.begin2 + p * dimension + c] = -value;
+    }
+  }
+  return check;
+}
+
+}  // namespace harmos::latin

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/latin/TraceLayout.hpp>
+
+namespace harmos::latin {
+
+/// What both stages of a law's meeting with its line share: the free jumps of the node pairs from the fields of the
+/// linear stage, and the tractions of the law back on the rows of both sides.
+///
+/// With beta = f - k w from the linear stage, E+ reads f^ - k w^ = beta, so the line of a node pair is
+///   delta_free = beta1/k - beta2/k,  H = 2/k   (outer boundary: delta_free = beta1/k, H = 1/k).
+class InterfaceLines {
+ public:
+  InterfaceLines(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+                 const TraceLayout& layout);
+
+  /// A side of the interface is owned here and has unknowns.
+  bool isActive(int interfaceIndex) const { return joints_[static_cast<std::size_t>(interfaceIndex)].active; }
+  /// Largest number of columns of a field.
+  void reserve(int columns);
+  /// Collective. Gets the columns first .. first + count - 1 of sides that other ranks own.
+  void exchange(const base::Matrix& beta, int first, int count);
+  /// Lines [length, length/stress] of all pairs in the frame of the law, from one column that was exchanged.
+  void fill(int interfaceIndex, int column, const base::Matrix& beta, std::vector<laws::LocalLine>& lines) const;
+  /// Writes f^ [stress] of the sides owned here: t = f1^ = -f2^, given in the frame of the law. The sum of what was
+  /// written is not finite when one value is not.
+  double write(int interfaceIndex, int column, const laws::LocalState* states, base::Matrix& traction) const;
+
+ private:
+  struct Joint {
+    bool active = false;  // a side is owned here
+    int begin1 = -1;
+    int begin2 = -1;             // row blocks; -1: not owned here, or no such side
+    int neighbour = -1;          // rank that owns the other side; -1: none or this one
+    std::vector<double> remote;  // beta of the side owned elsewhere, pairs x dimension x columns
+  };
+
+  const interface::Interface& of(int interfaceIndex) const {
+    return assembly_.interfaces[static_cast<std::size_t>(interfaceIndex)];
+  }
+
+  const interface::Assembly& assembly_;
+  const interface::SearchDirection& searchDirection_;
+  const TraceLayout& layout_;
+  std::vector<Joint> joints_;
+};
+
+}  // namespace harmos::latin

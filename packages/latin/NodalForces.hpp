@@ -1,0 +1,15 @@
+#pragma once
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/latin/TraceLayout.hpp>
+
+namespace harmos::latin {
+
+/// Sum of h f over the interfaces at every node, over the square root of the sum of h: a single interface gives
+/// sqrt(h) f. Rows: the nodes of the layout x dimension.
+///
+/// Only these sums act on a body, and only they are determinate where three bodies, or two bodies and a fixed boundary,
+/// meet.
+base::Matrix nodalForces(const TraceLayout& layout, const base::Matrix& traction);
+
+}  // namespace harmos::latin

@@ -1,0 +1,124 @@
+#include <harmos/stochastic/ChaosLocalStage.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <harmos/base/Error.hpp>
+
+namespace harmos::stochastic {
+
+ChaosLocalStage::ChaosLocalStage(const interface::Assembly& modal, const interface::SearchDirection& searchDirection,
+                                 const latin::TraceLayout& layout, std::shared_ptr<const Projection> projection)
+    : modal_(modal),
+      searchDirection_(searchDirection),
+      projection_(std::move(projection)),
+      lines_(modal, searchDirection, layout),
+      joints_(modal.interfaces.size()) {
+  lines_.reserve(modal.steps());
+  select(0, steps());
+}
+
+void ChaosLocalStage::setLaws(const Realisations& laws, Method method) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const interface::Interface& interface = modal_.interfaces[i];
+    Joint& joint = joints_[i];
+    joint = {};
+    if (interface.law->prescribesTraction()) continue;
+    for (const auto& point : laws) joint.laws.push_back(point[i]);
+    if (method == Method::galerkin) {
+      // On every rank, so that all throw or none.
+      const double compliance = interface.sides() / searchDirection_.of(static_cast<int>(i))[0];
+      joint.springs.emplace(interface, joint.laws, *projection_, steps(), compliance);
+      if (!joint.springs->isRandom()) joint.springs.reset();
+    }
+    if (!lines_.isActive(static_cast<int>(i))) continue;
+    const auto size = static_cast<std::size_t>(interface.pairs() * interface.law->historySize());
+    const std::vector<double> zero(size, 0.0);
+    joint.histories.assign(joint.laws.size(), {zero, zero, zero});
+  }
+}
+
+void ChaosLocalStage::select(int first, int count) {
+  first_ = first;
+  count_ = count;
+}
+
+void ChaosLocalStage::startFromHere() {
+  for (Joint& joint : joints_) {
+    for (Histories& history : joint.histories) history.start = history.now;
+  }
+}
+
+void ChaosLocalStage::startUnloaded() {
+  for (Joint& joint : joints_) {
+    for (Histories& history : joint.histories) std::fill(history.start.begin(), history.start.end(), 0.0);
+  }
+}
+
+bool ChaosLocalStage::hasMemory() const {
+  return std::any_of(joints_.begin(), joints_.end(),
+                     [](const Joint& joint) { return !joint.laws.empty() && joint.laws[0]->historySize() > 0; });
+}
+
+void ChaosLocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
+  lines_.exchange(beta, 0, beta.numCols());
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    if (!lines_.isActive(static_cast<int>(i))) continue;
+    for (Histories& history : joints_[i].histories) history.now = history.start;
+    for (int t = 0; t < count_; ++t) solveJoint(static_cast<int>(i), joints_[i], t, beta, traction);
+  }
+}
+
+void ChaosLocalStage::solvePoints(const interface::Interface& interface, Joint& joint, int step) {
+  for (int q = 0; q < projection_->points(); ++q) {
+    Histories& history = joint.histories[static_cast<std::size_t>(q)];
+    const double* free = freeJumpsAtPoints_[q];
+    for (laws::LocalLine& line : line_) {
+      std::copy_n(free, 3, line.freeJump.begin());
+      free += 3;
+    }
+    joint.laws[static_cast<std::size_t>(q)]->solve(step, {interface.pairs(), line_.data(), interface.gap.data(),
+                                                          history.now.data(), history.next.data(), state_.data()});
+    history.now.swap(history.next);
+    double* traction = tractionsAtPoints_[q];
+    for (const laws::LocalState& state : state_) traction = std::copy_n(state.traction.begin(), 3, traction);
+  }
+}
+
+void ChaosLocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const base::Matrix& beta,
+                                 base::Matrix& traction) {
+  const interface::Interface& interface = modal_.interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const int terms = projection_->terms();
+  const int step = first_ + t;
+  freeJumps_.shapeUninitialized(3 * interface.pairs(), terms);
+  for (int a = 0; a < terms; ++a) {
+    lines_.fill(interfaceIndex, t * terms + a, beta, line_);
+    double* free = freeJumps_[a];
+    for (const laws::LocalLine& line : line_) free = std::copy_n(line.freeJump.begin(), 3, free);
+  }
+  state_.resize(line_.size());
+  if (joint.springs) {
+    joint.springs->solve(step, line_, freeJumps_, tractions_);
+  } else {
+    projection_->toPoints(freeJumps_, freeJumpsAtPoints_);
+    tractionsAtPoints_.shapeUninitialized(freeJumps_.numRows(), projection_->points());
+    solvePoints(interface, joint, step);
+    projection_->toCoefficients(tractionsAtPoints_, tractions_);
+  }
+  double check = 0.0;
+  for (int a = 0; a < terms; ++a) {
+    const double* from = tractions_[a];
+    for (laws::LocalState& state : state_) {
+      std::copy_n(from, 3, state.traction.begin());
+      from += 3;
+    }
+    check += lines_.write(interfaceIndex, t * terms + a, state_.data(), traction);
+  }
+  if (!std::isfinite(check)) {
+    throw base::Error("interface \"" + interface.name + "\", load step " + std::to_string(step + 1) + ": law \"" +
+                          interface.law->name() + "\" met or returned a value that is not finite (NaN or infinity)",
+                      base::ExitCode::notConverged);
+  }
+}
+
+}  // namespace harmos::stochastic

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <harmos/latin/InterfaceLines.hpp>
+#include <harmos/stochastic/GalerkinSprings.hpp>
+#include <harmos/stochastic/Realisations.hpp>
+
+namespace harmos::stochastic {
+
+/// How laws whose parameters are random meet fields that are expanded on polynomials.
+enum class Method {
+  galerkin,       ///< the residual of the law is orthogonal to the basis; affine laws only
+  pseudoSpectral  ///< each realisation of the law at a point meets the fields there; the tractions are projected back
+};
+
+/// Local stage on modal columns (see modalAssembly): from the coefficients of beta to those of f^.
+///
+/// Pseudo-spectral: beta_q = sum of psi_a(xi_q) beta_a, the local stage of realisation q, and f^_a = sum of w_q
+/// psi_a(xi_q) f^_q. Every realisation has its own history along the load steps. Galerkin: GalerkinSprings where a
+/// stiffness is random, and the points elsewhere, which is then the same.
+class ChaosLocalStage {
+ public:
+  /// `modal`, `searchDirection`, `layout` and `projection` must outlive this object.
+  ChaosLocalStage(const interface::Assembly& modal, const interface::SearchDirection& searchDirection,
+                  const latin::TraceLayout& layout, std::shared_ptr<const Projection> projection);
+
+  /// Throws base::Error (input) as GalerkinSprings.
+  void setLaws(const Realisations& laws, Method method);
+  /// The columns of fields are the load steps first .. first + count - 1; all load steps at first.
+  void select(int first, int count);
+  /// From now on the first column follows on the last one that was solved, or again on the unloaded state.
+  void startFromHere();
+  void startUnloaded();
+  /// A law remembers, so that its load steps depend on each other.
+  bool hasMemory() const;
+
+  /// Collective. Overwrites `traction` with f^ [stress] of every row, given `beta` [stress]; one column per load step
+  /// and polynomial. Throws base::Error naming interface and step when a law returns a value that is not finite.
+  void solve(const base::Matrix& beta, base::Matrix& traction);
+
+ private:
+  struct Histories {
+    std::vector<double> start, now, next;
+  };
+  struct Joint {
+    std::vector<std::shared_ptr<const laws::InterfaceLaw>> laws;  // at the points
+    std::vector<Histories> histories;                             // of the points
+    std::optional<GalerkinSprings> springs;  // when Galerkin's stage differs from that of the points
+  };
+
+  int steps() const { return modal_.steps() / projection_->terms(); }
+  void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
+  /// Tractions at the points from free jumps at the points.
+  void solvePoints(const interface::Interface& interface, Joint& joint, int step);
+
+  const interface::Assembly& modal_;
+  const interface::SearchDirection& searchDirection_;
+  std::shared_ptr<const Projection> projection_;
+  latin::InterfaceLines lines_;
+  std::vector<Joint> joints_;
+  int first_ = 0;
+  int count_ = 0;
+  // Of the interface in hand, (pairs x 3) x terms or points:
+  std::vector<laws::LocalLine> line_;
+  std::vector<laws::LocalState> state_;
+  base::Matrix freeJumps_, freeJumpsAtPoints_, tractions_, tractionsAtPoints_;
+};
+
+}  // namespace harmos::stochastic
