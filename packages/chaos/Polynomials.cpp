@@ -16,6 +16,7 @@ namespace harmos::chaos {
 namespace {
 
 constexpr int largestKnownDegree = 128;
+constexpr std::size_t mostDiscretePolynomials = 65;
 
 using Recurrence = std::pair<std::vector<double>, std::vector<double>>;
 
@@ -90,7 +91,7 @@ Polynomials Polynomials::discrete(const std::vector<double>& points, const std::
     std::vector<double> next(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) next[i] = x[i] * last[i];
     recurrence.first.push_back(dot(next, last));
-    if (vectors.size() == std::min(x.size(), static_cast<std::size_t>(largestKnownDegree) + 1)) break;
+    if (vectors.size() == std::min(x.size(), mostDiscretePolynomials)) break;
     for (int pass = 0; pass < 2; ++pass) {
       for (const auto& vector : vectors) {
         const double part = dot(next, vector);

@@ -24,7 +24,7 @@ class Polynomials {
   /// Of a germ on [-1, 1] with the density (1 - x)^alpha (1 + x)^beta, but for a factor (Jacobi); alpha, beta > -1.
   static Polynomials jacobi(double alpha, double beta);
   /// Of a germ that takes these values with these probabilities, which add up to 1 (Stieltjes' procedure). The largest
-  /// degree is one less than the number of different points, and at most 128. Throws base::Error when the two differ in
+  /// degree is one less than the number of different points, and at most 64. Throws base::Error when the two differ in
   /// length, a probability is negative or the sum is not 1.
   static Polynomials discrete(const std::vector<double>& points, const std::vector<double>& probabilities);
 
