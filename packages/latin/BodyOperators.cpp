@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-#include <harmos/latin/InterfaceMass.hpp>
+#include <harmos/latin/PrescribedForces.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -171,24 +171,11 @@ void BodyOperators::updateLoads(const interface::Assembly& assembly) {
   for (const interface::Interface& interface : assembly.interfaces) {
     if (!interface.law->prescribesTraction() || places_[static_cast<std::size_t>(interface.body1)].group < 0) continue;
     base::Matrix& loads = loads_[static_cast<std::size_t>(interface.body1)];
-    const auto pairs = static_cast<std::size_t>(interface.pairs());
-    const std::vector<laws::LocalLine> lines(pairs);
-    std::vector<laws::LocalState> states(pairs);
-    std::vector<double> traction(pairs * static_cast<std::size_t>(dimension_));
-    std::vector<double> force(traction.size());
     for (int t = 0; t < allSteps_; ++t) {
-      interface.law->solve(t, {interface.pairs(), lines.data(), interface.gap.data(), nullptr, nullptr, states.data()});
-      for (std::size_t p = 0; p < pairs; ++p) {
-        Vector3 f = states[p].traction;
-        if (interface.law->frame() == laws::Frame::interface) f = rotate(interface.frame[p], f, true);
-        std::copy_n(f.begin(), dimension_, traction.begin() + static_cast<std::ptrdiff_t>(p) * dimension_);
-      }
-      applyMass(interface, dimension_, traction.data(), force.data());
-      for (std::size_t p = 0; p < pairs; ++p) {
-        for (int c = 0; c < dimension_; ++c) {
-          loads(interface.node1[p] * dimension_ + c, t) +=
-              force[p * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(c)];
-        }
+      const std::vector<double> force = prescribedForces(interface, dimension_, t);
+      for (std::size_t i = 0; i < force.size(); ++i) {
+        const auto d = static_cast<std::size_t>(dimension_);
+        loads(interface.node1[i / d] * dimension_ + static_cast<int>(i % d), t) += force[i];
       }
     }
   }

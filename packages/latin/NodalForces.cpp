@@ -1,5 +1,6 @@
 #include <harmos/latin/NodalForces.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace harmos::latin {
@@ -10,7 +11,7 @@ base::Matrix nodalForces(const TraceLayout& layout, const base::Matrix& traction
   for (std::size_t i = 0; i < layout.nodeOf().size(); ++i) {
     area[static_cast<std::size_t>(layout.nodeOf()[i])] += layout.area()[i * static_cast<std::size_t>(dimension)];
   }
-  base::Matrix forces(layout.nodes() * dimension, traction.numCols());
+  base::Matrix forces(std::max(1, layout.nodes() * dimension), traction.numCols());
   for (int t = 0; t < traction.numCols(); ++t) {
     for (std::size_t i = 0; i < layout.nodeOf().size(); ++i) {
       const int node = layout.nodeOf()[i];

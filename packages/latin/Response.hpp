@@ -40,6 +40,8 @@ class DisplacementResponse : public Response {
   };
   DisplacementResponse(std::string name, std::vector<Node> nodes, mesh::Point direction)
       : Response(std::move(name), Quantity::displacement), nodes_(std::move(nodes)), direction_(direction) {}
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const mesh::Point& direction() const { return direction_; }
   std::vector<double> evaluate(const FixedPoint& state) const override;
 
  private:

@@ -43,7 +43,7 @@ class InterfaceLaw {
   /// The jump is 0 whatever the traction: the sides move as one.
   virtual bool bonds() const { return false; }
   /// Without memory, and every component by itself affine: at each load step t_i = k_i delta_i + c_i with 0 <= k_i <=
-  /// infinity the same at all nodes, in the law's frame.
+  /// infinity, in the law's frame; k_i and c_i are the same at all nodes, whatever their gap.
   virtual bool isAffine() const { return false; }
   /// Solves all nodes at one load step. With prescribesTraction() the lines are not read.
   virtual void solve(int step, const NodeArrays& nodes) const = 0;

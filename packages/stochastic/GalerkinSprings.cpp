@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Teuchos_LAPACK.hpp>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/chaos/GalerkinMatrix.hpp>
+#include <harmos/stochastic/AffineComponents.hpp>
 
 namespace harmos::stochastic {
 namespace {
 
 // Stiffnesses that differ by less are one and the same, probed with round-off.
 constexpr double same = 1e-12;
-// A line that the probe meets with more than all but this share of its stiffness meets a rigid law.
-constexpr double rigid = 1e-12;
 // Smallest eigenvalue of a positive definite matrix, relative to the largest.
 constexpr double positive = 1e-12;
 
@@ -28,33 +26,8 @@ bool isConstant(const std::vector<double>& values) {
 
 }  // namespace
 
-GalerkinSprings::Probe GalerkinSprings::probe(const interface::Interface& interface,
-                                              const std::vector<std::shared_ptr<const laws::InterfaceLaw>>& laws,
-                                              int step, double compliance) const {
-  Probe result;
-  const auto tractionOf = [&](const laws::InterfaceLaw& law, const laws::LocalLine& line) {
-    laws::LocalState state;
-    law.solve(step, {1, &line, interface.gap.data(), nullptr, nullptr, &state});
-    return state.traction;
-  };
-  for (const auto& law : laws) {
-    laws::LocalLine line;
-    line.compliance = compliance;
-    const laws::Vector3 atRest = tractionOf(*law, line);
-    for (std::size_t c = 0; c < 3; ++c) {
-      line.freeJump = {};
-      line.freeJump[c] = 1.0;
-      const double slope = tractionOf(*law, line)[c] - atRest[c];
-      const double rest = 1.0 - slope * compliance;
-      result.stiffness[c].push_back(std::abs(rest) <= rigid ? std::numeric_limits<double>::infinity() : slope / rest);
-      result.offset = std::max(result.offset, std::abs(atRest[c]));
-    }
-  }
-  return result;
-}
-
 GalerkinSprings::Decomposition GalerkinSprings::decompose(const std::string& name, std::vector<double> stiffness,
-                                                          const Projection& projection) const {
+                                                          const Projection& projection) {
   const int terms = projection.terms();
   Decomposition result;
   result.values.assign(static_cast<std::size_t>(terms), stiffness[0]);
@@ -88,34 +61,40 @@ GalerkinSprings::Decomposition GalerkinSprings::decompose(const std::string& nam
 GalerkinSprings::GalerkinSprings(const interface::Interface& interface,
                                  const std::vector<std::shared_ptr<const laws::InterfaceLaw>>& laws,
                                  const Projection& projection, int steps, double compliance) {
-  for (const auto& law : laws) {
-    if (law->isAffine()) continue;
-    throw base::Error("interface \"" + interface.name + "\": the law \"" + law->name() +
-                          "\" is not affine, and the Galerkin local stage treats affine laws only; choose the "
-                          "pseudo-spectral local stage",
-                      base::ExitCode::input);
-  }
+  for (const auto& law : laws) affineComponents(*law, 0, compliance, interface.name);
   const bool isShared = std::all_of(laws.begin(), laws.end(), [&](const auto& law) { return law == laws[0]; });
   if (isShared) return;
-  double offset = 0.0;
+  const auto points = laws.size();
+  const auto terms = static_cast<std::size_t>(projection.terms());
   for (int step = 0; step < steps; ++step) {
-    Probe found = probe(interface, laws, step, compliance);
-    offset = std::max(offset, found.offset);
-    for (auto& stiffness : found.stiffness) {
-      isRandom_ = isRandom_ || !isConstant(stiffness);
-      const auto known = std::find_if(decompositions_.begin(), decompositions_.end(),
-                                      [&](const Decomposition& one) { return one.stiffness == stiffness; });
-      which_.push_back(static_cast<std::size_t>(known - decompositions_.begin()));
-      if (known == decompositions_.end()) {
-        decompositions_.push_back(decompose(interface.name, std::move(stiffness), projection));
+    std::vector<double> stiffness[3], offset[3];
+    for (const auto& law : laws) {
+      const auto found = affineComponents(*law, step, compliance, interface.name);
+      for (std::size_t c = 0; c < 3; ++c) {
+        stiffness[c].push_back(found[c].stiffness);
+        offset[c].push_back(found[c].offset);
       }
     }
-  }
-  if (isRandom_ && offset > 0.0) {
-    throw base::Error("interface \"" + interface.name + "\": the law \"" + laws[0]->name() +
-                          "\" has a random stiffness and a traction without a jump, which the Galerkin local stage "
-                          "does not treat; choose the pseudo-spectral local stage",
-                      base::ExitCode::input);
+    for (std::size_t c = 0; c < 3; ++c) {
+      isRandom_ = isRandom_ || !isConstant(stiffness[c]);
+      const auto known = std::find_if(decompositions_.begin(), decompositions_.end(),
+                                      [&](const Decomposition& one) { return one.stiffness == stiffness[c]; });
+      const auto at = static_cast<std::size_t>(known - decompositions_.begin());
+      if (known == decompositions_.end()) {
+        decompositions_.push_back(decompose(interface.name, std::move(stiffness[c]), projection));
+      }
+      Component component{at, std::vector<double>(terms, 0.0)};
+      for (std::size_t j = 0; j < terms; ++j) {
+        for (std::size_t a = 0; a < terms; ++a) {
+          double coefficient = 0.0;
+          for (std::size_t q = 0; q < points; ++q) {
+            coefficient += projection.projector()(static_cast<int>(a), static_cast<int>(q)) * offset[c][q];
+          }
+          component.offset[j] += decompositions_[at].vectors(static_cast<int>(a), static_cast<int>(j)) * coefficient;
+        }
+      }
+      components_.push_back(std::move(component));
+    }
   }
 }
 
@@ -126,15 +105,21 @@ void GalerkinSprings::solve(int step, const std::vector<laws::LocalLine>& lines,
   tractions.shapeUninitialized(freeJumps.numRows(), terms);
   base::Matrix jumps(pairs, terms), rotated(pairs, terms);
   for (int c = 0; c < 3; ++c) {
-    const Decomposition& spring = decompositions_[which_[static_cast<std::size_t>(3 * step + c)]];
+    const Component& component = components_[static_cast<std::size_t>(3 * step + c)];
+    const Decomposition& spring = decompositions_[component.decomposition];
     for (int a = 0; a < terms; ++a) {
       for (int p = 0; p < pairs; ++p) jumps(p, a) = freeJumps(3 * p + c, a);
     }
     rotated.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, jumps, spring.vectors, 0.0);
     for (int j = 0; j < terms; ++j) {
-      // Finite also for a rigid component and for one that carries nothing.
-      const double softness = 1.0 / spring.values[static_cast<std::size_t>(j)];
-      for (int p = 0; p < pairs; ++p) rotated(p, j) /= softness + lines[static_cast<std::size_t>(p)].compliance;
+      const double lambda = spring.values[static_cast<std::size_t>(j)];
+      const double offset = component.offset[static_cast<std::size_t>(j)];
+      for (int p = 0; p < pairs; ++p) {
+        const double compliance = lines[static_cast<std::size_t>(p)].compliance;
+        double& value = rotated(p, j);
+        value = std::isinf(lambda) ? (value - offset) / compliance
+                                   : (lambda * value + offset) / (1.0 + lambda * compliance);
+      }
     }
     jumps.multiply(Teuchos::NO_TRANS, Teuchos::TRANS, 1.0, rotated, spring.vectors, 0.0);
     for (int a = 0; a < terms; ++a) {

@@ -125,6 +125,48 @@ TEST(GaussianSpring, IsRefusedWhenItIsNotPositive) {
   }
 }
 
+/// t = k delta + c.
+struct PrestressedSpring {
+  static constexpr const char* name = "Prestressed Spring";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::any;
+  static constexpr bool isAffine = true;
+
+  PrestressedSpring(double k, double c) : stiffness(k), prestress(c) {}
+
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext&, const double*, double*) const {
+    laws::LocalState state;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double c = i == 0 ? prestress : 0.0;
+      state.traction[i] = (stiffness * line.freeJump[i] + c) / (1.0 + stiffness * line.compliance);
+    }
+    return state;
+  }
+
+  double stiffness, prestress;
+};
+
+// The joint opens by (1 - c) / k; E[1/k] of a lognormal k of mean 10 and coefficient of variation .1 is 1.01 / 10.
+TEST_P(SeriesSprings, MayActWithoutAJump) {
+  const auto prestressed = [](const std::vector<double>& k) -> std::vector<Law> {
+    return {foundation(20.0), std::make_shared<laws::PointwiseLaw<PrestressedSpring>>(k[0], k[1]), pull(1.0)};
+  };
+  const auto projection = projectionOf(
+      randomVector({std::make_shared<chaos::Lognormal>(10.0, 1.0), std::make_shared<chaos::Normal>(0.3, 0.1)}), 6, 9);
+  const interface::Assembly assembly = springsInSeries(prestressed({1.0, 0.0}));
+  base::Timers timers;
+  StochasticSolver solver(assembly, projection, optionsOf(GetParam()), latin::self(), timers);
+  solver.setLaws(realisations(*projection, prestressed));
+  solver.addResponse(displacement("end", 1, 2));
+  const StochasticResult result = solver.solve();
+  ASSERT_EQ(result.outcome, latin::Outcome::certified) << result.reason;
+  const chaos::Expansion end = result.responses[0].at(0);
+  EXPECT_NEAR(end.mean() - elastic - 1.0 / 20.0, 0.7 * 0.101, 1e-8);
+  // E[(1 - c)^2] E[1/k^2] - mean^2, with E[1/k^2] = 1.01^3 / 100.
+  const double variance = (0.49 + 0.01) * std::pow(1.01, 3) / 100.0 - std::pow(0.7 * 0.101, 2);
+  EXPECT_NEAR(end.standardDeviation(), std::sqrt(variance), 1e-8);
+}
+
 TEST(StochasticSolver, RefusesOtherLawsThanAffineOnesInGalerkin) {
   const auto projection = projectionOf(randomVector({std::make_shared<chaos::Normal>(1.0, 0.1)}), 2);
   const interface::Assembly assembly =

@@ -1,0 +1,31 @@
+#include <harmos/latin/PrescribedForces.hpp>
+
+#include <algorithm>
+
+#include <harmos/latin/InterfaceMass.hpp>
+
+namespace harmos::latin {
+
+std::vector<double> prescribedForces(const interface::Interface& interface, int dimension, int step) {
+  const auto pairs = static_cast<std::size_t>(interface.pairs());
+  const std::vector<laws::LocalLine> lines(pairs);
+  std::vector<laws::LocalState> states(pairs);
+  interface.law->solve(step, {interface.pairs(), lines.data(), interface.gap.data(), nullptr, nullptr, states.data()});
+  std::vector<double> traction;
+  for (std::size_t p = 0; p < pairs; ++p) {
+    laws::Vector3 f = states[p].traction;
+    if (interface.law->frame() == laws::Frame::interface) {
+      const laws::Vector3 local = f;
+      f = {};
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) f[j] += interface.frame[p][i][j] * local[i];
+      }
+    }
+    traction.insert(traction.end(), f.begin(), f.begin() + dimension);
+  }
+  std::vector<double> force(traction.size());
+  applyMass(interface, dimension, traction.data(), force.data());
+  return force;
+}
+
+}  // namespace harmos::latin

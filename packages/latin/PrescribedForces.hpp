@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/interface/Interface.hpp>
+
+namespace harmos::latin {
+
+/// Nodal forces h f [force] of a boundary whose law prescribes its traction: pairs x dimension, global components.
+std::vector<double> prescribedForces(const interface::Interface& interface, int dimension, int step);
+
+}  // namespace harmos::latin

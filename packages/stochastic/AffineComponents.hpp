@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include <harmos/laws/InterfaceLaw.hpp>
+
+namespace harmos::stochastic {
+
+/// A component of an affine law: t = stiffness * delta + offset, or delta = offset when the stiffness is infinite.
+struct AffineComponent {
+  double stiffness = 0.0;  ///< [stress/length]
+  double offset = 0.0;     ///< [stress], or [length]
+};
+
+/// The components of a law in its frame, found by a probe on lines of the given compliance [length/stress].
+///
+/// Throws base::Error (input) naming the interface when the law is not affine.
+std::array<AffineComponent, 3> affineComponents(const laws::InterfaceLaw& law, int step, double compliance,
+                                                const std::string& interfaceName);
+
+}  // namespace harmos::stochastic
