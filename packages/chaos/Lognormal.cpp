@@ -12,9 +12,9 @@ Lognormal::Lognormal(double mean, double standardDeviation) : mean_(mean), devia
                                                  base::toText(mean) +
                                                  "; mean and standard deviation are those of the parameter itself, not "
                                                  "of its logarithm.");
-  require(standardDeviation > 0.0 && std::isfinite(standardDeviation),
-          "Lognormal distribution: the standard deviation must be above 0, not " + base::toText(standardDeviation) +
-              "; a parameter that does not vary is given by its value alone.");
+  require(standardDeviation >= 0.0 && std::isfinite(standardDeviation),
+          "Lognormal distribution: the standard deviation must be at least 0, not " + base::toText(standardDeviation) +
+              ".");
   const double ratio = standardDeviation / mean;
   logDeviation_ = std::sqrt(std::log1p(ratio * ratio));
   logMean_ = std::log(mean) - 0.5 * logDeviation_ * logDeviation_;
@@ -33,6 +33,7 @@ double Lognormal::germExceeded(double v) const {
 }
 
 double Lognormal::cumulative(double x) const {
+  if (logDeviation_ == 0.0) return x < mean_ ? 0.0 : 1.0;
   return x > 0.0 ? normalCumulative((std::log(x) - logMean_) / logDeviation_) : 0.0;
 }
 

@@ -9,7 +9,7 @@ namespace harmos::chaos {
 /// s^2 = ln(1 + (standard deviation / mean)^2), m = ln(mean) - s^2 / 2, mean and standard deviation being those of X.
 class Lognormal : public Distribution {
  public:
-  /// Both are positive.
+  /// The mean is positive, the standard deviation at least 0: X may be constant.
   Lognormal(double mean, double standardDeviation);
 
   const char* name() const override { return "Lognormal"; }

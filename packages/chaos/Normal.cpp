@@ -9,9 +9,9 @@ namespace harmos::chaos {
 
 Normal::Normal(double mean, double standardDeviation) : mean_(mean), deviation_(standardDeviation) {
   require(std::isfinite(mean), "Normal distribution: the mean must be a finite number.");
-  require(standardDeviation > 0.0 && std::isfinite(standardDeviation),
-          "Normal distribution: the standard deviation must be above 0, not " + base::toText(standardDeviation) +
-              "; a parameter that does not vary is given by its value alone.");
+  require(
+      standardDeviation >= 0.0 && std::isfinite(standardDeviation),
+      "Normal distribution: the standard deviation must be at least 0, not " + base::toText(standardDeviation) + ".");
 }
 
 double Normal::germ(double u) const {
@@ -23,6 +23,7 @@ double Normal::germExceeded(double v) const {
 }
 
 double Normal::cumulative(double x) const {
+  if (deviation_ == 0.0) return x < mean_ ? 0.0 : 1.0;
   return normalCumulative((x - mean_) / deviation_);
 }
 

@@ -8,7 +8,7 @@ namespace harmos::chaos {
 /// variance.
 class Normal : public Distribution {
  public:
-  /// The standard deviation is positive.
+  /// The standard deviation is at least 0: X may be constant.
   Normal(double mean, double standardDeviation);
 
   const char* name() const override { return "Normal"; }

@@ -6,6 +6,7 @@
 
 #include <harmos/output/AtomicFile.hpp>
 #include <harmos/output/Hdf5.hpp>
+#include <harmos/output/StochasticGroup.hpp>
 #include <harmos/output/StudyData.hpp>
 #include <harmos/output/Version.hpp>
 #include <harmos/study/StatusName.hpp>
@@ -30,6 +31,7 @@ class Writer {
     input.attribute("study", description_.studyInput);
     input.attribute("scene", description_.sceneInput);
     if (hasSurrogates_) writeSurrogates();
+    if (results_.statistics()) writeStatistics(group_.group("statistics"), *results_.statistics());
     const Hdf5Group notes = group_.group("notes");
     for (const auto& [name, text] : results_.notes()) notes.attribute(name, text);
     const Hdf5Group leftOut = group_.group("left_out");

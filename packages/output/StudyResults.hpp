@@ -1,12 +1,14 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <harmos/output/StudyDescription.hpp>
 #include <harmos/study/ConfigurationResult.hpp>
+#include <harmos/study/StochasticSummary.hpp>
 
 namespace harmos::output {
 
@@ -32,6 +34,11 @@ class StudyResults {
   std::vector<double> responses(int id) const;
   void note(const std::string& name, const std::string& text) { notes_[name] = text; }
   const std::map<std::string, std::string>& notes() const { return notes_; }
+  /// What a study with random parameters has come to; null before its end and in other studies.
+  void setStatistics(std::shared_ptr<const study::StochasticSummary> statistics) {
+    statistics_ = std::move(statistics);
+  }
+  const study::StochasticSummary* statistics() const { return statistics_.get(); }
   /// In the order of their ids.
   std::vector<study::ConfigurationResult> all() const;
 
@@ -41,6 +48,7 @@ class StudyResults {
   std::vector<std::optional<study::ConfigurationResult>> results_;  // by id - 1
   int count_ = 0;
   std::map<std::string, std::string> notes_;
+  std::shared_ptr<const study::StochasticSummary> statistics_;
 };
 
 }  // namespace harmos::output

@@ -23,13 +23,22 @@ void demandJournal(const StudyFiles& files, bool restart) {
                     base::ExitCode::input);
 }
 
+/// The tables that appear at the end of a study.
+std::vector<std::string> tablesOf(const StudyFiles& files) {
+  std::vector<std::string> tables = files.stochastic.all();
+  tables.insert(tables.end(), {files.table, files.dakota});
+  return tables;
+}
+
 /// What was being written when an earlier process was killed; it holds the journal no more.
 void removePartialFiles(const StudyFiles& files) {
   std::error_code error;
   const fs::path directory = fs::path(files.file).parent_path();
   for (const auto& entry : fs::directory_iterator(directory.empty() ? "." : directory, error)) {
     const std::string name = entry.path().filename().string();
-    for (const auto& path : {files.file, files.table, files.dakota}) {
+    std::vector<std::string> paths = tablesOf(files);
+    paths.push_back(files.file);
+    for (const auto& path : paths) {
       if (name.rfind(fs::path(path).filename().string() + ".partial.", 0) == 0) fs::remove(entry.path(), error);
     }
   }
@@ -37,7 +46,8 @@ void removePartialFiles(const StudyFiles& files) {
 
 }  // namespace
 
-StudyFiles::StudyFiles(const std::string& directory, const std::string& study) {
+StudyFiles::StudyFiles(const std::string& directory, const std::string& study)
+    : stochastic((fs::path(directory) / fs::path(study).stem()).string()) {
   const std::string base = (fs::path(directory) / fs::path(study).stem()).string();
   file = base + ".h5";
   journal = base + ".journal";
@@ -50,7 +60,7 @@ StudyWriter::StudyWriter(const StudyFiles& files, const StudyDescription& descri
       results_(description),
       journal_((demandJournal(files, restart), files.journal), description.identity, restart) {
   removePartialFiles(files_);
-  for (const auto& path : {files_.table, files_.dakota}) {
+  for (const auto& path : tablesOf(files_)) {
     std::error_code error;
     fs::remove(path, error);
     if (error) throw base::Error("Cannot remove the old result " + path + ": " + error.message() + ".");
@@ -81,6 +91,7 @@ void StudyWriter::finish(const std::string& state) {
   writeFile(state);
   writeStudyTable(files_.table, results_);
   writeDakotaTable(files_.dakota, results_);
+  if (results_.statistics()) writeStochasticTables(files_.stochastic, *results_.statistics());
 }
 
 void StudyWriter::writeFile(const std::string& state) {

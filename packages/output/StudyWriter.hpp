@@ -3,6 +3,7 @@
 #include <chrono>
 #include <string>
 
+#include <harmos/output/StochasticTables.hpp>
 #include <harmos/output/StudyJournal.hpp>
 #include <harmos/output/StudyResults.hpp>
 #include <harmos/study/ResultSink.hpp>
@@ -18,6 +19,7 @@ struct StudyFiles {
   std::string journal;  // STUDY.journal
   std::string table;    // STUDY.csv
   std::string dakota;   // STUDY_dakota.dat
+  StochasticFiles stochastic;
 };
 
 /// Writes the files of a study as results come. For one process; others learn the results by other ways.
@@ -32,6 +34,9 @@ class StudyWriter : public study::ResultSink {
   /// Appends to the journal, and brings the HDF5 file up to date every few seconds.
   void record(const study::ConfigurationResult& result) override;
   void note(const std::string& name, const std::string& text) override;
+  void setStatistics(std::shared_ptr<const study::StochasticSummary> statistics) {
+    results_.setStatistics(std::move(statistics));
+  }
   /// A configuration that an adaptive design has chosen.
   void add(const study::Configuration& configuration);
   /// Writes the HDF5 file and the tables; `state` as in writeStudyFile().

@@ -34,6 +34,7 @@ int study(const CommandLineArguments& arguments, const CommandEnvironment& envir
       environment.out << std::flush;
       progress.begin(results);
     };
+    request.message = [&](const std::string& sentence) { environment.out << sentence << "\n" << std::flush; };
     request.observer = [&](const output::StudyResults& results) { progress.report(results); };
   }
   const StudyRunResult result = runStudy(request, laws::builtInLaws(), environment.communicator);
@@ -42,6 +43,9 @@ int study(const CommandLineArguments& arguments, const CommandEnvironment& envir
     environment.out << result.state << ", ";
     printOutcome(environment.out, *result.results);
     environment.out << result.files.file << "\n" << result.files.table << "\n" << result.files.dakota << "\n";
+    if (result.results->statistics()) {
+      for (const std::string& path : result.files.stochastic.written()) environment.out << path << "\n";
+    }
   } else if (environment.isRoot() && result.exitCode != 0) {
     environment.err << result.state << ", ";
     printOutcome(environment.err, *result.results);
@@ -55,7 +59,7 @@ Command studyCommand() {
   return {
       "study",
       "STUDY.xml",
-      "Solve all configurations of a parametric study; the same command resumes it.",
+      "Solve a parametric or stochastic study; the same command resumes it.",
       {{"--points", "FILE.csv", "the rows of this table instead of the study's design"},
        {"--output", "DIR", "folder of the results (default: results)"},
        {"--set", "'LIST/NAME=VALUE'", "replace an entry of the study, or with Scene/ before it of its scene", true},
@@ -64,6 +68,7 @@ Command studyCommand() {
        {"--quiet", "", "print only errors"}},
       {"harmos study xml/bolted_joint_study.xml",
        "harmos study xml/bolted_joint_study.xml --set Accuracy=1e-3 --set Parameters/mu/Count=3 --output coarse",
+       "harmos study xml/glued_assembly_chaos.xml",
        "harmos study xml/bolted_joint_study.xml --points points.csv --set 'Scene/Solver/Interface Mass=Consistent'"},
       study};
 }

@@ -1,16 +1,12 @@
 #include <harmos/setup/FieldOutput.hpp>
 
 #include <cmath>
-#include <memory>
-#include <sstream>
-
-#include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/EffectiveInput.hpp>
 #include <harmos/elasticity/Stress.hpp>
 #include <harmos/latin/PairFields.hpp>
-#include <harmos/output/ExodusWriter.hpp>
 #include <harmos/output/ResultLayout.hpp>
+#include <harmos/setup/FieldFile.hpp>
 
 namespace harmos::setup {
 
@@ -26,56 +22,13 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-void addVector(std::vector<std::string>& names, const std::string& name, int dimension) {
-  for (const char* axis : {"_x", "_y", "_z"})
-    if (static_cast<int>(axis[1] - 'x') < dimension) names.push_back(name + axis);
-}
-
 /// Stress components that can differ from 0.
 std::vector<std::size_t> stressesOf(int dimension) {
   return dimension == 2 ? std::vector<std::size_t>{0, 1, 2, 3} : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
 }
 
-std::vector<std::string> lines(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> result;
-  for (std::string line; std::getline(stream, line);) result.push_back(line);
-  return result;
-}
-
-/// What both files have in common.
-struct Common {
-  std::string title;
-  std::vector<std::string> information;
-  std::vector<double> times;
-  const std::vector<GlobalVariable>& globals;
-  const Teuchos::Comm<int>& comm;
-
-  bool isRoot() const { return comm.getRank() == 0; }
-
-  std::unique_ptr<output::ExodusWriter> open(const std::string& path, const output::ResultMesh& mesh,
-                                             ResultVariables variables) const {
-    if (!isRoot()) return nullptr;
-    for (const auto& global : globals) variables.global.push_back(global.name);
-    auto writer = std::make_unique<output::ExodusWriter>(path, title, mesh, variables, information);
-    writer->write(output::zeroStep(mesh, variables));
-    return writer;
-  }
-
-  void fillGlobals(ResultStep& step, int number) const {
-    step.global.clear();
-    for (const auto& global : globals) step.global.push_back(global.values[at(number)]);
-  }
-
-  /// Adds up on rank 0 what each rank has filled in.
-  void gather(std::vector<double>& values) const {
-    std::vector<double> sum(values.size(), 0.0);
-    Teuchos::reduce(values.data(), sum.data(), static_cast<int>(values.size()), Teuchos::REDUCE_SUM, 0, comm);
-    values.swap(sum);
-  }
-};
-
-void writeParts(const Problem& problem, const latin::FixedPoint& state, const std::string& path, const Common& common) {
+void writeParts(const Problem& problem, const latin::FixedPoint& state, const std::string& path,
+                const FieldFile& file) {
   const auto layout = output::layOutParts(problem.mesh, problem.bodies.parts, problem.surfaces);
   const int dimension = problem.mesh.dimension, steps = problem.assembly.steps();
   const auto components = stressesOf(dimension);
@@ -99,9 +52,9 @@ void writeParts(const Problem& problem, const latin::FixedPoint& state, const st
                                              problem.model.kinematics, displacement);
   }
 
-  const auto writer = common.open(path, layout.mesh, variables);
+  const auto writer = file.open(path, layout.mesh, variables);
   for (int t = 0; t < steps; ++t) {
-    ResultStep step = output::zeroStep(layout.mesh, variables, common.times[at(t)]);
+    ResultStep step = output::zeroStep(layout.mesh, variables, file.time(t));
     for (std::size_t body = 0; body < stress.size(); ++body) {
       if (!state.layout().owns(static_cast<int>(body))) continue;
       const auto& part = problem.bodies.parts[body];
@@ -116,9 +69,9 @@ void writeParts(const Problem& problem, const latin::FixedPoint& state, const st
         step.element.back()[element] = elasticity::vonMises(values);
       }
     }
-    for (auto& values : step.nodal) common.gather(values);
-    for (auto& values : step.element) common.gather(values);
-    common.fillGlobals(step, t);
+    for (auto& values : step.nodal) file.gather(values);
+    for (auto& values : step.element) file.gather(values);
+    file.fillGlobals(step, t);
     if (writer) writer->write(step);
   }
   if (writer) writer->commit();
@@ -182,7 +135,7 @@ void addDissipation(const interface::Interface& interface, const latin::PairFiel
 }
 
 void writeInterfaces(const Problem& problem, const latin::FixedPoint& state, const std::string& path,
-                     const Common& common) {
+                     const FieldFile& file) {
   const auto layout = output::layOutInterfaces(problem.mesh, problem.bodies.parts, problem.surfaces);
   const int dimension = problem.mesh.dimension;
   const auto& interfaces = problem.assembly.interfaces;
@@ -193,9 +146,9 @@ void writeInterfaces(const Problem& problem, const latin::FixedPoint& state, con
     dissipation.emplace_back(at(interfaces[i].pairs()), 0.0);
   }
   const auto variables = InterfaceStep::variables(dimension);
-  const auto writer = common.open(path, layout.mesh, variables);
+  const auto writer = file.open(path, layout.mesh, variables);
   for (int t = 0; t < problem.assembly.steps(); ++t) {
-    ResultStep step = output::zeroStep(layout.mesh, variables, common.times[at(t)]);
+    ResultStep step = output::zeroStep(layout.mesh, variables, file.time(t));
     InterfaceStep filler(dimension, step);
     for (std::size_t i = 0; i < interfaces.size(); ++i) addDissipation(interfaces[i], fields[i], t, dissipation[i]);
     for (std::size_t s = 0; s < problem.surfaces.size(); ++s) {
@@ -215,9 +168,9 @@ void writeInterfaces(const Problem& problem, const latin::FixedPoint& state, con
         for (std::size_t p = 0; p < surface.node1.size(); ++p)
           values[at(layout.firstPair[s]) + p] = state.displacement(surface.part1, surface.node1[p], t)[at(c)];
       }
-      common.gather(values);
+      file.gather(values);
     }
-    common.fillGlobals(step, t);
+    file.fillGlobals(step, t);
     if (writer) writer->write(step);
   }
   if (writer) writer->commit();
@@ -230,9 +183,9 @@ void writeFields(const Scene& scene, const Problem& problem, const latin::FixedP
                  const Teuchos::Comm<int>& comm) {
   std::string title = scene.input.text("Title");
   if (title.empty()) title = scene.path;
-  const Common common{title, lines(base::effectiveInput(scene.input)), scene.times, globals, comm};
-  writeParts(problem, state, files.parts, common);
-  writeInterfaces(problem, state, files.interfaces, common);
+  const FieldFile file(title, base::effectiveInput(scene.input), scene.times, globals, comm);
+  writeParts(problem, state, files.parts, file);
+  writeInterfaces(problem, state, files.interfaces, file);
 }
 
 }  // namespace harmos::setup

@@ -5,16 +5,11 @@
 
 #include <harmos/latin/FixedPoint.hpp>
 #include <harmos/output/ResultFiles.hpp>
+#include <harmos/setup/FieldFile.hpp>
 #include <harmos/setup/Problem.hpp>
 #include <harmos/setup/Scene.hpp>
 
 namespace harmos::setup {
-
-/// A number per load step for the Exodus files.
-struct GlobalVariable {
-  std::string name;
-  std::vector<double> values;
-};
 
 /// Writes the files of parts and of interfaces, unloaded state included; collective, rank 0 writes.
 ///

@@ -12,6 +12,7 @@
 #include <harmos/base/Override.hpp>
 #include <harmos/setup/PointsFile.hpp>
 #include <harmos/setup/SceneSpec.hpp>
+#include <harmos/setup/StochasticTails.hpp>
 #include <harmos/setup/StudyDesign.hpp>
 #include <harmos/setup/StudyParameters.hpp>
 #include <harmos/setup/StudySpec.hpp>
@@ -76,7 +77,9 @@ class StudyReader {
       changeScene(sceneChanges);
     });
     if (isRead) readScene(path);
-    StudyParameterReader reader(study_.sceneTree, isSceneRead_ ? &study_.scene : nullptr, spec_, isListed(), errors_);
+    const std::string directory = fs::path(study_.path).parent_path().string();
+    StudyParameterReader reader(study_.sceneTree, isSceneRead_ ? &study_.scene : nullptr, spec_, directory, isListed(),
+                                errors_);
     for (const Parameters& parameter : input_.lists("Parameters")) reader.read(parameter);
     study_.parameters = reader.parameters();
     planned_ = reader.planned();
@@ -85,8 +88,10 @@ class StudyReader {
       for (const Parameters& response : input_.lists("Responses")) readResponse(response);
     }
     checkRecovery();
-    if (study_.isAdaptive()) checkAdaptive();
+    if (!isListed()) readRandomness();
+    if (study_.isAdaptive() && !study_.stochastic) checkAdaptive();
     makeConfigurations();
+    if (study_.stochastic && errors_.count() == 0) checkTails(study_, laws_, errors_);
     finish();
   }
 
@@ -120,8 +125,31 @@ class StudyReader {
     return !pointsFile_.empty() || (input_.hasList("Design") && input_.list("Design").type() == "List");
   }
 
+  void readRandomness() {
+    const bool isRandom = std::any_of(study_.parameters.begin(), study_.parameters.end(),
+                                      [](const StudyParameter& parameter) { return parameter.isRandom; });
+    if (isRandom) {
+      study_.stochastic = readStochasticPlan(input_, study_.parameters, errors_);
+      return;
+    }
+    const std::string design = input_.hasList("Design") ? input_.list("Design").type() : "";
+    if (design == "Chaos" || design == "Collocation" || design == "Adaptive Collocation") {
+      errors_.add(input_.list("Design").where(), "no parameter is random.",
+                  "Give at least one of the Parameters a Distribution.");
+    }
+    for (const char* kind : {"Correlations", "Sweep"}) {
+      if (input_.lists(kind).empty()) continue;
+      errors_.add(input_.lists(kind).front().where(), "no parameter is random.");
+    }
+  }
+
   /// Null when it cannot be made, which is then reported.
   std::unique_ptr<study::Design> readDesign() {
+    if (study_.stochastic) {
+      std::vector<std::vector<double>> points;
+      for (const auto& germs : study_.stochastic->germs) points.push_back(study_.stochastic->variables->values(germs));
+      return std::make_unique<study::ListDesign>(std::move(points));
+    }
     if (!isListed()) return makeDesign(input_);
     study_.pointsFile = pointsFile_.empty() ? besides(study_.path, input_.list("Design").text("File")) : pointsFile_;
     Names names;
@@ -156,10 +184,12 @@ class StudyReader {
   }
 
   void makeConfigurations() {
+    if (errors_.count() > 0) return;
     const std::unique_ptr<study::Design> design = readDesign();
-    if (!design || errors_.count() > 0) return;
+    if (!design) return;
     errors_.collect(input_.hasList("Design") ? input_.list("Design").where() : input_.where(), [&] {
       study_.plan = std::make_shared<study::Plan>(planned_, conditions_);
+      if (study_.stochastic && study_.stochastic->germs.empty()) return;
       study_.configurations = study_.plan->configurations(*design);
       study_.leftOut = study_.plan->leftOut();
     });
@@ -261,6 +291,7 @@ class StudyReader {
 }  // namespace
 
 bool Study::isAdaptive() const {
+  if (stochastic) return stochastic->method == StochasticPlan::Method::adaptive;
   return pointsFile.empty() && input.hasList("Design") && input.list("Design").type() == "Adaptive";
 }
 

@@ -8,6 +8,7 @@
 #include <harmos/base/InputTree.hpp>
 #include <harmos/base/Parameters.hpp>
 #include <harmos/setup/Scene.hpp>
+#include <harmos/setup/StochasticPlan.hpp>
 #include <harmos/setup/StudyParameters.hpp>
 #include <harmos/study/Plan.hpp>
 #include <harmos/study/ScalarResponse.hpp>
@@ -26,9 +27,13 @@ struct Study {
   std::vector<study::Configuration> configurations;
   std::vector<std::pair<std::string, int>> leftOut;  // by condition
   std::vector<study::ScalarResponse> responses;
-  std::shared_ptr<study::Plan> plan;  // completes further points
+  std::shared_ptr<study::Plan> plan;                 // completes further points
+  std::shared_ptr<const StochasticPlan> stochastic;  // null when no parameter is random, or points are listed
 
+  /// Whether the design chooses points as results come.
   bool isAdaptive() const;
+  /// Whether expansions are solved for, rather than configurations.
+  bool isChaos() const { return stochastic && stochastic->method == StochasticPlan::Method::chaos; }
   /// The scene for values of the parameters. Throws base::Error (input) when they are not admissible.
   Scene sceneFor(const std::vector<double>& values, const laws::LawRegistry& laws) const;
 };

@@ -4,6 +4,7 @@
 
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Override.hpp>
+#include <harmos/setup/DistributionSpec.hpp>
 
 namespace harmos::setup {
 
@@ -37,6 +38,10 @@ void StudyParameterReader::read(const Parameters& list) {
   planned.axis.name = list.name();
   if (list.has("Formula")) parameter.formula = planned.formula = list.text("Formula");
   readLevels(list, planned.axis);
+  if (list.hasList("Distribution")) {
+    parameter.isRandom = true;
+    parameter.distribution = readDistribution(list.list("Distribution"), list.name(), directory_, errors_);
+  }
   planned_.push_back(std::move(planned));
   parameters_.push_back(std::move(parameter));
 }
@@ -92,6 +97,7 @@ void StudyParameterReader::readLevels(const Parameters& list, study::Axis& axis)
     axis.upper = list.number("Upper");
     if (axis.upper < axis.lower) errors_.add(list.where("Upper"), "Upper is less than Lower.");
   }
+  if (list.hasList("Distribution")) given.emplace_back("a Distribution");
   if (allOf({"Formula"}) && given.size() > 1) {
     errors_.add(list.where("Formula"), "a derived parameter takes no values of its own.",
                 "Remove " + given.front() + ", or the formula.");
@@ -100,7 +106,8 @@ void StudyParameterReader::readLevels(const Parameters& list, study::Axis& axis)
                 "Give one of them.");
   }
   if (given.empty() && !isListed_) {
-    errors_.add(list.where(), "it has no values.", "Give Values; or From, To, Count; or Lower, Upper; or a Formula.");
+    errors_.add(list.where(), "it has no values.",
+                "Give Values; or From, To, Count; or Lower, Upper; or a Distribution; or a Formula.");
   }
   if (list.has("Values") && axis.levels.empty()) errors_.add(list.where("Values"), "there is no value.");
 }

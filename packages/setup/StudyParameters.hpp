@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <harmos/base/ErrorList.hpp>
 #include <harmos/base/InputTree.hpp>
 #include <harmos/base/Parameters.hpp>
+#include <harmos/chaos/Distribution.hpp>
 #include <harmos/setup/Scene.hpp>
 #include <harmos/setup/StudyPhase.hpp>
 #include <harmos/study/Plan.hpp>
@@ -21,6 +23,8 @@ struct StudyParameter {
   std::vector<std::string> entries;  // of the scene that it sets, "List/Sublist/Name"
   std::vector<std::string> effects;  // where these entries are used
   StudyPhase phase = StudyPhase::nothing;
+  bool isRandom = false;
+  std::shared_ptr<const chaos::Distribution> distribution;  // of a random parameter; null when it has errors
 };
 
 /// Reports a name that cannot head a column of the results or, of a parameter, stand in formulas.
@@ -29,11 +33,16 @@ void checkStudyName(const base::Parameters& list, base::ErrorList& errors);
 /// Reads the parameters of a study one after the other and holds them against its scene.
 class StudyParameterReader {
  public:
-  /// `scene` is made of `tree`; null when it has errors, then entries are not checked. `isListed`: values come from a
-  /// table, so that a parameter needs none. All must outlive the reader.
+  /// `scene` is made of `tree`; null when it has errors, then entries are not checked. `directory`: of the study's
+  /// file. `isListed`: values come from a table, so that a parameter needs none. All must outlive the reader.
   StudyParameterReader(const base::InputTree& tree, const Scene* scene, const base::ParameterSpec& sceneSpec,
-                       bool isListed, base::ErrorList& errors)
-      : tree_(tree), scene_(scene), spec_(sceneSpec), isListed_(isListed), errors_(errors) {}
+                       std::string directory, bool isListed, base::ErrorList& errors)
+      : tree_(tree),
+        scene_(scene),
+        spec_(sceneSpec),
+        directory_(std::move(directory)),
+        isListed_(isListed),
+        errors_(errors) {}
 
   void read(const base::Parameters& list);
   const std::vector<StudyParameter>& parameters() const { return parameters_; }
@@ -47,6 +56,7 @@ class StudyParameterReader {
   const base::InputTree& tree_;
   const Scene* scene_;
   const base::ParameterSpec& spec_;
+  std::string directory_;
   bool isListed_;
   base::ErrorList& errors_;
   std::vector<StudyParameter> parameters_;

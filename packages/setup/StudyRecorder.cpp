@@ -79,6 +79,11 @@ void StudyRecorder::add(const study::Configuration& configuration) {
   write([&](output::StudyWriter& writer) { writer.add(configuration); });
 }
 
+void StudyRecorder::setStatistics(std::shared_ptr<const study::StochasticSummary> statistics) {
+  results_.setStatistics(statistics);
+  write([&](output::StudyWriter& writer) { writer.setStatistics(statistics); });
+}
+
 void StudyRecorder::receive(const std::string& report) {
   const std::string text = report.substr(1);
   if (report.front() == ofResult) {

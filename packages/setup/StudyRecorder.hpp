@@ -24,6 +24,8 @@ class StudyRecorder : public study::ResultSink {
   void note(const std::string& name, const std::string& text) override;
   /// A configuration that an adaptive design has chosen.
   void add(const study::Configuration& configuration);
+  /// What a study with random parameters has come to; written by finish().
+  void setStatistics(std::shared_ptr<const study::StochasticSummary> statistics);
   /// What the leader of another team has reported.
   void receive(const std::string& report);
   /// Rank 0 of all: writes the files for the last time.

@@ -3,12 +3,22 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/setup/ChaosStudy.hpp>
+#include <harmos/setup/StochasticFields.hpp>
+#include <harmos/setup/StochasticStatistics.hpp>
 #include <harmos/setup/StudyIdentity.hpp>
 #include <harmos/setup/StudyRunner.hpp>
 
 namespace harmos::setup {
 
 namespace {
+
+/// Nothing was found wrong when all expansions are known.
+int exitCodeOf(latin::Outcome outcome) {
+  return outcome == latin::Outcome::certified       ? static_cast<int>(base::ExitCode::ok)
+         : outcome == latin::Outcome::noEquilibrium ? static_cast<int>(base::ExitCode::noEquilibrium)
+                                                    : static_cast<int>(base::ExitCode::notConverged);
+}
 
 int exitCodeOf(const output::StudyResults& results) {
   const auto count = [&](study::Status status) { return results.count(status); };
@@ -40,6 +50,8 @@ StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry&
   // What is wrong with the mesh is known before anything is written.
   const auto groups = groupByOperators(study.parameters, study.configurations);
   std::unique_ptr<StudyGroup> onlyGroup;
+  std::unique_ptr<ChaosStudy> chaos;
+  if (study.isChaos()) chaos = std::make_unique<ChaosStudy>(study, laws, comm, timers);
   if (groups.size() == 1) {
     onlyGroup = std::make_unique<StudyGroup>(study, groups.front(), laws, teams.team(), timers);
   } else {
@@ -50,7 +62,14 @@ StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry&
   if (request.started) request.started(study, *run.results, recorder.damaged());
 
   StudyRunner runner(study, laws, teams, recorder, request.interrupted, timers);
+  latin::Outcome outcome = latin::Outcome::certified;
   try {
+    if (chaos) {
+      chaos->setInterrupt(request.interrupted);
+      if (teams.ownsFiles() && request.message) chaos->setObserver(request.message);
+      outcome = chaos->solve();
+      if (teams.ownsFiles()) recorder.note("expansions", describe(*chaos, outcome));
+    }
     runner.run(std::move(onlyGroup));
   } catch (...) {
     recorder.finish("interrupted");
@@ -58,10 +77,15 @@ StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry&
   }
   const bool isAborted = runner.isAborted();
   run.state = isAborted ? "aborted" : runner.isStopped() ? "interrupted" : "complete";
+  if (study.stochastic && run.state == "complete" && outcome == latin::Outcome::certified) {
+    recorder.setStatistics(summarise(study, *run.results, chaos.get()));
+    if (chaos) writeStochasticFields(study, *chaos, run.files.stochastic, *comm);
+  }
   recorder.finish(run.state);
-  run.exitCode = isAborted                    ? static_cast<int>(base::ExitCode::failure)
-                 : run.state == "interrupted" ? 130
-                                              : exitCodeOf(*run.results);
+  run.exitCode = isAborted                              ? static_cast<int>(base::ExitCode::failure)
+                 : run.state == "interrupted"           ? 130
+                 : outcome != latin::Outcome::certified ? exitCodeOf(outcome)
+                                                        : exitCodeOf(*run.results);
   // Rank 0 alone knows all results.
   Teuchos::broadcast(*comm, 0, Teuchos::outArg(run.exitCode));
   return run;

@@ -27,6 +27,8 @@ struct StudyRunRequest {
   std::function<void(const Study&, const output::StudyResults&, int damaged)> started;
   /// After every result that a rank keeps (rank 0: all); may be empty.
   std::function<void(const output::StudyResults&)> observer;
+  /// On rank 0: what happens before configurations are solved, one sentence at a time; may be empty.
+  std::function<void(const std::string&)> message;
   std::function<bool()> interrupted;  // asked between iterations; may be empty
 };
 

@@ -7,6 +7,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/setup/Interpolation.hpp>
 #include <harmos/setup/StudyDesign.hpp>
 #include <harmos/study/StatusName.hpp>
 
@@ -79,7 +80,7 @@ void StudyRunner::run(std::unique_ptr<StudyGroup> ready) {
     if (piece.empty()) break;
     solvePiece(piece);
   }
-  if (study_.isAdaptive()) refine();
+  if (study_.isAdaptive()) study_.stochastic ? refineInterpolation() : refine();
   teams_.finish();
 }
 
@@ -184,15 +185,33 @@ void StudyRunner::refine() {
     recorder_.note("surface of " + responses[response].name,
                    (refinement.isReached() ? "reached: " : "not reached: ") + refinement.summary());
     if (batch.empty()) return;
-    std::vector<Configuration> added;
-    for (const auto& point : batch) {
-      const int id = static_cast<int>(results.configurations().size()) + 1;
-      added.push_back({id, *study_.plan->complete(point)});
-      recorder_.add(added.back());
-    }
-    alike_ = results.configurations();
-    solve(added);
+    solveAdded(batch);
   }
+}
+
+void StudyRunner::refineInterpolation() {
+  while (!mustStop()) {
+    const Interpolation interpolation(study_, recorder_.results());
+    if (interpolation.wanted().empty()) {
+      recorder_.note("interpolation", interpolation.summary());
+      return;
+    }
+    std::vector<std::vector<double>> points;
+    for (const auto& germs : interpolation.wanted()) points.push_back(study_.stochastic->variables->values(germs));
+    solveAdded(points);
+  }
+}
+
+void StudyRunner::solveAdded(const std::vector<std::vector<double>>& points) {
+  std::vector<Configuration> added;
+  for (const auto& point : points) {
+    const int id = static_cast<int>(recorder_.results().configurations().size()) + 1;
+    added.push_back({id, *study_.plan->complete(point)});
+    recorder_.add(added.back());
+  }
+  alike_ = recorder_.results().configurations();
+  if (!group_) group_ = std::make_unique<StudyGroup>(study_, added, laws_, teams_.team(), timers_);
+  solve(added);
 }
 
 void StudyRunner::retry(const Configuration& configuration, const ConfigurationResult& result) {

@@ -42,6 +42,10 @@ class StudyRunner {
   void solve(const std::vector<study::Configuration>& configurations);
   /// Adds points until the tolerance of an adaptive design is reached.
   void refine();
+  /// The same for an interpolation between values of random parameters.
+  void refineInterpolation();
+  /// Solves points that a design has chosen, as new configurations.
+  void solveAdded(const std::vector<std::vector<double>>& points);
   void retry(const study::Configuration& configuration, const study::ConfigurationResult& result);
   void walkTo(const study::Configuration& configuration, const study::ConfigurationResult& result);
   const study::Configuration* nearestSolved(const study::Configuration& configuration) const;

@@ -1,5 +1,7 @@
 #include <harmos/setup/StudySpec.hpp>
 
+#include <harmos/setup/DistributionSpec.hpp>
+
 namespace harmos::setup {
 
 namespace {
@@ -7,7 +9,8 @@ namespace {
 void describeParameter(base::ParameterSpec& spec) {
   spec.summary(
       "What varies. The names are yours and stand in formulas and tables: letters, digits and underscores. A parameter "
-      "is free, then the design chooses its values, or derived, then it has a Formula.");
+      "is free, then the design chooses its values; random, then it has a Distribution; or derived, then it has a "
+      "Formula.");
   spec.text("Entry").optional().doc("Entry of the scene that it sets, as for --set: Values/mu, or List/Sublist/Name.");
   spec.texts("Entries").optional().doc("Several entries that it sets, instead of Entry.");
   spec.text("Unit").defaultValue("").doc("For tables and pictures.");
@@ -18,11 +21,72 @@ void describeParameter(base::ParameterSpec& spec) {
   spec.number("Lower").optional().doc("Least value, for designs that choose any value in between.");
   spec.number("Upper").optional().doc("Largest value, for designs that choose any value in between.");
   spec.text("Formula").optional().doc("Of a derived parameter, such as 2 * preload_1.");
+  spec.alternatives("Distribution", distributionForms()).summary("Of a random parameter.");
 }
 
 base::ParameterSpec& addCount(base::ParameterSpec& spec) {
   spec.integer("Count").required().atLeast(1).doc("Number of points, those that conditions leave out included.");
   return spec;
+}
+
+/// What all methods for polynomial chaos have in common.
+base::ParameterSpec& addOrder(base::ParameterSpec& spec) {
+  spec.integer("Order").defaultValue(3).atLeast(0).atMost(20).doc("Highest total degree of the polynomials.");
+  spec.integer("Points").defaultValue(0).atLeast(0).atMost(64).doc(
+      "Gauss points per random parameter; 0: as many as the order and the distributions need.");
+  spec.integer("Hold-Out Count")
+      .defaultValue(5)
+      .atLeast(0)
+      .doc("Random configurations that are solved besides, only to see how far the expansion is off there.");
+  spec.integer("Seed").defaultValue(1).doc("Of the hold-out configurations.");
+  return spec;
+}
+
+std::vector<base::ParameterSpec> stochasticForms() {
+  base::ParameterSpec chaos("Chaos"), collocation("Collocation"), adaptive("Adaptive Collocation");
+  addOrder(chaos.summary(
+      "All fields expanded on orthonormal polynomials of the random parameters, and solved at once: the coefficients "
+      "are right-hand sides of the constant operators. Random parameters may set laws and loads only."));
+  chaos.source("Champaney, Blanze, Boucard (2004), section 4; Ghanem, Spanos (1991)");
+  chaos.text("Local Stage")
+      .defaultValue("Automatic")
+      .oneOf({"Automatic", "Galerkin", "Pseudo-Spectral"})
+      .doc(
+          "Galerkin: the residual of every law is orthogonal to the polynomials; affine laws only. Pseudo-Spectral: "
+          "laws at Gauss points, projected; any law. Automatic: Galerkin where all laws are affine.");
+  chaos.number("Tolerance")
+      .unit("-")
+      .optional()
+      .above(0.0)
+      .below(1.0)
+      .doc(
+          "Raise the order from 1 until the standard deviation of the Response changes by less, relative to itself; "
+          "Order is then the highest that is tried.");
+  chaos.text("Response").optional().doc("Which response chooses the order; absent: all of them.");
+  addOrder(collocation.summary(
+      "Solves the configurations at the points of a quadrature rule, and projects the responses on the polynomials."));
+  collocation.text("Points In")
+      .defaultValue("Tensor")
+      .oneOf({"Tensor", "Sparse"})
+      .doc("Tensor: all combinations of Gauss points. Sparse: Smolyak's sparse grid.");
+  adaptive.summary(
+      "Piecewise linear interpolation, refined where the response bends: for contact and friction, whose kinks no "
+      "polynomial follows. One to three random parameters.");
+  adaptive.source("Ma, Zabaras, J. Comput. Phys. 228 (2009)");
+  adaptive.text("Response").optional().doc("Which response chooses the points; absent: all of them.");
+  adaptive.number("Tolerance")
+      .unit("-")
+      .defaultValue(1e-3)
+      .above(0.0)
+      .below(1.0)
+      .doc("Error of mean and standard deviation to stop at, relative to the standard deviation.");
+  adaptive.integer("Maximum Count").defaultValue(500).atLeast(3).doc("Most configurations.");
+  adaptive.integer("Hold-Out Count")
+      .defaultValue(5)
+      .atLeast(0)
+      .doc("Random configurations that are solved besides, only to see how far the interpolation is off there.");
+  adaptive.integer("Seed").defaultValue(1).doc("Of the hold-out configurations.");
+  return {chaos, collocation, adaptive};
 }
 
 std::vector<base::ParameterSpec> designForms() {
@@ -32,7 +96,7 @@ std::vector<base::ParameterSpec> designForms() {
   list.summary("The rows of a table.");
   list.text("File").required().doc(
       "CSV, path relative to the study's file; its header names all free parameters, in any order.");
-  addCount(random.summary("Independent uniform values."));
+  addCount(random.summary("Independent values, uniform or of the parameters' distributions: Monte Carlo."));
   random.integer("Seed").defaultValue(1).doc("The same seed gives the same points everywhere.");
   addCount(cube.summary("Every parameter's range is cut into as many strata as there are points; each is hit once."));
   cube.source("McKay, Beckman, Conover, Technometrics 21 (1979)");
@@ -56,7 +120,9 @@ std::vector<base::ParameterSpec> designForms() {
       .doc("Points to begin with; 0: twice as many as a quadratic polynomial has terms.");
   adaptive.integer("Maximum Count").defaultValue(200).atLeast(1).doc("Most points.");
   adaptive.integer("Seed").defaultValue(0).doc("0: plain Sobol' sequences; else with a random digital shift.");
-  return {grid, list, random, cube, sobol, adaptive};
+  std::vector<base::ParameterSpec> forms = {grid, list, random, cube, sobol, adaptive};
+  for (base::ParameterSpec& form : stochasticForms()) forms.push_back(std::move(form));
+  return forms;
 }
 
 std::vector<base::ParameterSpec> policyForms() {
@@ -86,6 +152,29 @@ std::vector<base::ParameterSpec> functionalForms() {
   return {maximum, minimum, last, magnitude, time};
 }
 
+void describeRandomness(base::ParameterSpec& spec) {
+  base::ParameterSpec& correlation = spec.namedLists("Correlations");
+  correlation.summary("Pairs of random parameters that depend on each other (Gaussian copula).");
+  correlation.texts("Parameters").required().doc("Names of two random parameters.");
+  correlation.number("Coefficient")
+      .unit("-")
+      .required()
+      .above(-1.0)
+      .below(1.0)
+      .doc("Correlation of the standard Gaussian variables behind them; of normal parameters it is their own.");
+  base::ParameterSpec& sweep = spec.namedLists("Sweep");
+  sweep.summary(
+      "Coefficients of variation that are varied over all combinations, each started from the one before; Chaos only.");
+  sweep.text("Parameter").required().doc("Name of a random parameter of which mean and spread are given.");
+  sweep.numbers("Values").required().doc("Its coefficients of variation.");
+  base::ParameterSpec& statistics = spec.list("Statistics");
+  statistics.summary("What is computed from expansions and samples.");
+  statistics.numbers("Quantiles").optional().doc("Probabilities; absent: 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99.");
+  statistics.integer("Samples").defaultValue(20000).atLeast(100).doc(
+      "Points at which expansions are sampled for densities and quantiles; nothing is solved there.");
+  statistics.integer("Seed").defaultValue(2).doc("Of these points.");
+}
+
 }  // namespace
 
 base::ParameterSpec studySpec() {
@@ -109,6 +198,7 @@ base::ParameterSpec studySpec() {
       .required()
       .doc("True or false, such as preload_1 >= preload_2.");
   spec.alternatives("Design", designForms()).summary("Which values the free parameters take together; absent: a grid.");
+  describeRandomness(spec);
   spec.alternatives("Failure Policy", policyForms())
       .summary("What to do with a configuration that fails or does not reach the accuracy; absent: Retry.");
   spec.namedLists("Responses")

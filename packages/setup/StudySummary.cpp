@@ -5,8 +5,10 @@
 #include <iomanip>
 #include <limits>
 #include <ostream>
+#include <sstream>
 
 #include <harmos/base/Names.hpp>
+#include <harmos/setup/StochasticTails.hpp>
 #include <harmos/setup/StudyGroup.hpp>
 #include <harmos/study/StatusName.hpp>
 
@@ -47,7 +49,36 @@ void printPlan(std::ostream& out, const Study& study) {
     if (!parameter.effects.empty()) out << ": " << base::joinNames(parameter.effects, 3);
     out << "\n";
   }
+  if (!study.stochastic) return;
+  for (const std::string& sentence : describeTails(study)) out << "  " << sentence << "\n";
+  for (const std::string& remark : study.stochastic->remarks) out << "  " << remark << "\n";
 }
+
+namespace {
+
+void printStatistics(std::ostream& out, const study::StochasticSummary& summary) {
+  out << summary.method << "\n"
+      << "  " << std::left << std::setw(20) << "response" << std::right;
+  for (const char* head : {"mean", "std", "skewness", "kurtosis", "last degree", "hold-out"}) {
+    out << std::setw(13) << head;
+  }
+  out << "\n";
+  for (const study::ResponseStatistics& response : summary.responses) {
+    out << "  " << std::left << std::setw(20) << response.name << std::right;
+    for (const double value : {response.mean, response.standardDeviation, response.skewness, response.kurtosis,
+                               response.truncation, response.holdOutError}) {
+      std::ostringstream cell;
+      cell << std::setprecision(6) << value;
+      out << std::setw(13) << (std::isnan(value) ? "n/a" : cell.str());
+    }
+    out << "\n";
+  }
+  if (summary.inadmissible > 0) {
+    out << "  " << summary.inadmissible << " draws have values that the scene refuses and are left out\n";
+  }
+}
+
+}  // namespace
 
 void printOutcome(std::ostream& out, const output::StudyResults& results) {
   const output::StudyDescription& description = results.description();
@@ -79,6 +110,7 @@ void printOutcome(std::ostream& out, const output::StudyResults& results) {
     out << "  " << description.responses[r].name << " from " << std::setprecision(7) << least << " to " << most << "\n";
   }
   for (const auto& [name, text] : results.notes()) out << "  " << name << ": " << text << "\n";
+  if (results.statistics()) printStatistics(out, *results.statistics());
   if (all.empty()) return;
   out << std::setprecision(3) << "largest error estimate " << largestError << " (asked for " << description.accuracy
       << "), " << static_cast<double>(stages) / static_cast<double>(all.size()) << " linear stages and "

@@ -211,10 +211,11 @@ TEST(Distribution, RefusesParametersThatMakeNoSense) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
   const double nan = std::nan("");
-  says(messageOf([] { Normal(1.0, 0.0); }), "Normal distribution: the standard deviation must be above 0, not 0");
+  says(messageOf([] { Normal(1.0, -0.5); }),
+       "Normal distribution: the standard deviation must be at least 0, not -0.5");
   says(messageOf([&] { Normal(nan, 1.0); }), "mean must be a finite number");
   says(messageOf([] { Lognormal(-1.0, 0.5); }), "mean must be above 0, not -1");
-  says(messageOf([&] { Lognormal(1.0, nan); }), "standard deviation must be above 0");
+  says(messageOf([&] { Lognormal(1.0, nan); }), "standard deviation must be at least 0");
   says(messageOf([] { Uniform(2.0, 2.0); }), "lower bound, 2, must be below the upper bound, 2");
   says(messageOf([] { Beta(3.0, 2.0, 1.0, 1.0); }), "lower bound, 3, must be below");
   says(messageOf([] { Beta(0.0, 1.0, 0.0, 1.0); }), "shape alpha must be above 0, not 0");

@@ -1,0 +1,119 @@
+#include <harmos/setup/StochasticTails.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include <harmos/base/Error.hpp>
+
+namespace harmos::setup {
+
+namespace {
+
+using Method = StochasticPlan::Method;
+
+// What is left of the mean at the outermost Gauss point, below which a user is warned.
+constexpr double narrowMargin = 0.2;
+// Stiffness 0 is admissible by itself, but not as the edge of what is indefinite.
+constexpr double beyondTheEdge = 1.0 + 1e-9;
+
+bool usesGaussPoints(const StochasticPlan& plan) {
+  return plan.method == Method::chaos || plan.method == Method::collocation;
+}
+
+chaos::GaussRule ruleOf(const Study& study, const chaos::RandomVector& variables, int i) {
+  const StochasticPlan& plan = *study.stochastic;
+  return variables.polynomials(i).gauss(
+      gaussPoints(variables, plan.order, study.input.list("Design").integer("Points"), false));
+}
+
+std::string text(double value) {
+  std::ostringstream stream;
+  stream << std::setprecision(4) << value;
+  return stream.str();
+}
+
+std::string remedy(const chaos::Distribution& distribution, const chaos::GaussRule& rule) {
+  std::string text = "Take a distribution that admits only what the scene does (Lognormal for what is positive)";
+  if (distribution.name() == std::string("Normal")) {
+    std::ostringstream limit;
+    limit << std::setprecision(3) << 1.0 / rule.points.back();
+    text += ", a coefficient of variation well below " + limit.str();
+  }
+  return text + ", or a lower Order.";
+}
+
+void checkVariable(const Study& study, const laws::LawRegistry& laws, const chaos::RandomVector& variables, int i,
+                   const std::string& where, base::ErrorList& errors) {
+  const chaos::GaussRule rule = ruleOf(study, variables, i);
+  const chaos::Variable& variable = variables.variables()[static_cast<std::size_t>(i)];
+  std::vector<double> germs =
+      variables.germs(std::vector<double>(static_cast<std::size_t>(variables.dimension()), 0.5));
+  for (const double point : {rule.points.front(), rule.points.back()}) {
+    germs[static_cast<std::size_t>(i)] = point * beyondTheEdge;
+    const std::vector<double> values = variables.values(germs);
+    try {
+      study.sceneFor(*study.plan->complete(values), laws);
+    } catch (const base::Error& error) {
+      if (error.code() != base::ExitCode::input) throw;
+      const double value = values[static_cast<std::size_t>(i)];
+      errors.add(
+          where,
+          "an expansion of order " + std::to_string(study.stochastic->order) + " needs " + variable.name + " = " +
+              text(value) + ", " +
+              text(std::abs(value - variable.distribution->mean()) / variable.distribution->standardDeviation()) +
+              " standard deviations from its mean, which the scene refuses: " + error.what(),
+          remedy(*variable.distribution, rule));
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void checkTails(const Study& study, const laws::LawRegistry& laws, base::ErrorList& errors) {
+  const StochasticPlan& plan = *study.stochastic;
+  if (!usesGaussPoints(plan)) return;
+  for (int i = 0; i < plan.variables->dimension(); ++i) {
+    const StudyParameter& parameter = study.parameters[plan.places[static_cast<std::size_t>(i)]];
+    checkVariable(study, laws, *plan.variables, i, parameter.where + " / Distribution", errors);
+  }
+  std::vector<double> largest;
+  for (const auto& sweep : plan.sweeps) {
+    largest.push_back(*std::max_element(sweep.coefficients.begin(), sweep.coefficients.end()));
+  }
+  const auto widest = withSpread(plan, largest);
+  for (const auto& sweep : plan.sweeps) {
+    const auto& lists = study.input.lists("Sweep");
+    const auto list =
+        std::find_if(lists.begin(), lists.end(), [&](const auto& each) { return each.name() == sweep.name; });
+    checkVariable(study, laws, *widest, static_cast<int>(sweep.variable), list->where("Values"), errors);
+  }
+}
+
+std::vector<std::string> describeTails(const Study& study) {
+  const StochasticPlan& plan = *study.stochastic;
+  std::vector<std::string> sentences;
+  for (int i = 0; i < plan.variables->dimension(); ++i) {
+    const chaos::Variable& variable = plan.variables->variables()[static_cast<std::size_t>(i)];
+    const chaos::Distribution& distribution = *variable.distribution;
+    const double mean = distribution.mean(), deviation = distribution.standardDeviation();
+    std::string sentence = variable.name + ": " + distribution.name() + ", mean " + text(mean) +
+                           ", standard deviation " + text(deviation) + ", P(" + variable.name +
+                           " <= 0) = " + text(distribution.cumulative(0.0));
+    if (usesGaussPoints(plan) && distribution.isAffine() && mean != 0.0 && deviation > 0.0) {
+      const chaos::GaussRule rule = ruleOf(study, *plan.variables, i);
+      const double margin = 1.0 - deviation * std::abs(rule.points.front()) / std::abs(mean);
+      if (distribution.name() == std::string("Normal") && margin < narrowMargin) {
+        sentence += "; WARNING: at the outermost of " + std::to_string(rule.points.size()) + " Gauss points only " +
+                    text(100.0 * margin) +
+                    " % of the mean is left: what follows from the tail is an artefact of the normal distribution";
+      }
+    }
+    sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
+}  // namespace harmos::setup

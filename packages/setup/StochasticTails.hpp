@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/base/ErrorList.hpp>
+#include <harmos/setup/Study.hpp>
+
+namespace harmos::setup {
+
+/// Refuses distributions whose tails the scene does not admit where a quadrature needs them.
+///
+/// A stiffness kbar (1 + d xi) with a normal germ is negative with some probability. An expansion of order p is
+/// computed from Gauss points, the outermost of which is x_max: for d >= 1/x_max the stiffness is negative there, and
+/// the Galerkin system is not positive definite. Source: theory of Gauss-Hermite quadrature; x_max = 1.73, 2.33, 2.86
+/// for 3, 4, 5 points.
+void checkTails(const Study& study, const laws::LawRegistry& laws, base::ErrorList& errors);
+
+/// One sentence about every random parameter: its moments, P(parameter <= 0), and a warning when a Gauss point leaves
+/// less than a fifth of the mean.
+std::vector<std::string> describeTails(const Study& study);
+
+}  // namespace harmos::setup
