@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/chaos/Quadrature.hpp>
@@ -19,22 +20,89 @@ double varianceOf(const std::vector<double>& coefficients) {
   return std::inner_product(coefficients.begin() + 1, coefficients.end(), coefficients.begin() + 1, 0.0);
 }
 
-/// E[(Y - E[Y])^power] / standard deviation^power, power up to 4.
+using Coefficients = std::map<std::vector<int>, double>;
+
+/// E[p_i p_j p_k] of one germ at [i][j][k], i and j up to `order`, k up to i + j or the last degree that there is.
+std::vector<std::vector<std::vector<double>>> tripleProducts(const Polynomials& polynomials, int order) {
+  const int largest = std::min(2 * order, polynomials.largestDegree());
+  const GaussRule rule = polynomials.gauss(2 * order + 1);
+  const auto size = static_cast<std::size_t>(order) + 1;
+  std::vector<std::vector<std::vector<double>>> products(size, std::vector<std::vector<double>>(size));
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j)
+      products[i][j].assign(std::min(i + j, static_cast<std::size_t>(largest)) + 1, 0.0);
+  }
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    const std::vector<double> p = polynomials.evaluate(rule.points[q], largest);
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t j = 0; j < size; ++j) {
+        for (std::size_t k = 0; k < products[i][j].size(); ++k)
+          products[i][j][k] += rule.weights[q] * p[i] * p[j] * p[k];
+      }
+    }
+  }
+  return products;
+}
+
+/// Coefficients of (Y - E[Y])^2 by the degrees of their polynomials.
+Coefficients squareOf(const Expansion& expansion) {
+  const Basis& basis = expansion.basis();
+  std::vector<std::vector<std::vector<std::vector<double>>>> products;
+  for (int g = 0; g < basis.variables().dimension(); ++g)
+    products.push_back(tripleProducts(basis.variables().polynomials(g), basis.order()));
+  Coefficients square;
+  for (std::size_t a = 1; a < basis.indices().size(); ++a) {
+    for (std::size_t b = 1; b <= a; ++b) {
+      const double factor = (a == b ? 1.0 : 2.0) * expansion.coefficients()[a] * expansion.coefficients()[b];
+      if (factor == 0.0) continue;
+      std::vector<std::pair<std::vector<int>, double>> terms{{{}, factor}};
+      for (std::size_t g = 0; g < products.size(); ++g) {
+        const auto& product = products[g][static_cast<std::size_t>(basis.indices()[a][g])]
+                                      [static_cast<std::size_t>(basis.indices()[b][g])];
+        std::vector<std::pair<std::vector<int>, double>> longer;
+        for (const auto& [index, value] : terms) {
+          for (std::size_t k = 0; k < product.size(); ++k) {
+            constexpr double roundOff = 1e-13;
+            if (std::abs(product[k]) < roundOff) continue;
+            longer.emplace_back(index, value * product[k]);
+            longer.back().first.push_back(static_cast<int>(k));
+          }
+        }
+        terms = std::move(longer);
+      }
+      for (const auto& [index, value] : terms) square[index] += value;
+    }
+  }
+  return square;
+}
+
+/// E[(Y - E[Y])^power] / standard deviation^power, power 3 or 4.
 double standardisedMoment(const Expansion& expansion, int power) {
   const double deviation = expansion.standardDeviation();
   if (!(deviation > 0.0)) return notANumber;
-  constexpr double mostTensorPoints = 1e4;
   const Basis& basis = expansion.basis();
   const int points = power * basis.order() / 2 + 1;
-  const Quadrature quadrature = std::pow(points, basis.variables().dimension()) <= mostTensorPoints
-                                    ? tensorQuadrature(basis.variables(), points)
-                                    : sparseQuadrature(Basis(basis.variablesPointer(), 2 * basis.order()));
+  constexpr double mostPoints = 2e4;
   double moment = 0.0;
-  for (std::size_t q = 0; q < quadrature.weights.size(); ++q) {
-    const double distance = (expansion.evaluate(quadrature.points[q]) - expansion.mean()) / deviation;
-    moment += quadrature.weights[q] * std::pow(distance, power);
+  if (std::pow(points, basis.variables().dimension()) <= mostPoints) {
+    const Quadrature quadrature = tensorQuadrature(basis.variables(), points);
+    for (std::size_t q = 0; q < quadrature.weights.size(); ++q) {
+      const double distance = expansion.evaluate(quadrature.points[q]) - expansion.mean();
+      moment += quadrature.weights[q] * std::pow(distance / deviation, power);
+    }
+    return moment;
   }
-  return moment;
+  // In many germs a grid has far more points than the square of the expansion has terms.
+  const Coefficients square = squareOf(expansion);
+  if (power == 4) {
+    for (const auto& term : square) moment += term.second * term.second;
+  } else {
+    for (std::size_t a = 1; a < basis.indices().size(); ++a) {
+      const auto term = square.find(basis.indices()[a]);
+      if (term != square.end()) moment += expansion.coefficients()[a] * term->second;
+    }
+  }
+  return moment / std::pow(deviation, power);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ class Expansion {
 
   double mean() const { return coefficients_[0]; }
   double standardDeviation() const;
-  /// Standardised third and fourth moments, exact for the expansion (Gauss rules of sufficient degree); NaN at zero
+  /// Standardised third and fourth moments, exact for the expansion; NaN at zero
   /// variance.
   double skewness() const;
   double kurtosis() const;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/chaos/Expansion.hpp>
@@ -98,15 +100,40 @@ TEST(Expansion, HigherMomentsOfAPolynomialAreExact) {
   EXPECT_NEAR(cube.kurtosis(), 10395.0 / 225.0, 1e-10);
 }
 
-/// The sum of independent standard normal numbers is normal however many there are; eight have the sparse rule.
+/// Chi squared with eight degrees of freedom, less 4: the sum of the squares of eight standard normal numbers.
 TEST(Expansion, HigherMomentsInManyGerms) {
-  const std::vector<Variable> variables(8, {"x", std::make_shared<Normal>(0.0, 1.0)});
-  const auto basis = std::make_shared<Basis>(std::make_shared<RandomVector>(variables), 2);
+  constexpr std::size_t germs = 8;
+  const std::vector<Variable> variables(germs, {"x", std::make_shared<Normal>(0.0, 1.0)});
+  const auto basis = std::make_shared<Basis>(std::make_shared<RandomVector>(variables), 3);
   std::vector<double> coefficients(static_cast<std::size_t>(basis->size()), 0.0);
-  for (std::size_t i = 0; i < 8; ++i) coefficients[i + 1] = 1.0 + 0.1 * static_cast<double>(i);
+  coefficients[0] = 4.0;
+  for (std::size_t a = 1; a < coefficients.size(); ++a) {
+    const auto& index = basis->indices()[a];
+    if (std::count(index.begin(), index.end(), 2) == 1 && std::count(index.begin(), index.end(), 0) == germs - 1)
+      coefficients[a] = std::sqrt(2.0);
+  }
   const Expansion sum(basis, coefficients);
-  EXPECT_NEAR(sum.skewness(), 0.0, 1e-9);
-  EXPECT_NEAR(sum.kurtosis(), 3.0, 1e-9);
+  EXPECT_NEAR(sum.standardDeviation(), 4.0, 1e-12);
+  EXPECT_NEAR(sum.skewness(), 1.0, 1e-10);
+  EXPECT_NEAR(sum.kurtosis(), 3.0 + 12.0 / 8.0, 1e-10);
+}
+
+/// A response of one germ has the same moments whether the basis knows of five others or not.
+TEST(Expansion, HigherMomentsDoNotDependOnTheWayTheyAreComputed) {
+  const auto moments = [](std::size_t germs) {
+    const std::vector<Variable> variables(germs, {"k", std::make_shared<Uniform>(0.0, 1.0)});
+    const auto basis = std::make_shared<Basis>(std::make_shared<RandomVector>(variables), 4);
+    std::vector<double> coefficients(static_cast<std::size_t>(basis->size()), 0.0);
+    for (std::size_t a = 0; a < coefficients.size(); ++a) {
+      const auto& index = basis->indices()[a];
+      if (std::count(index.begin() + 1, index.end(), 0) == static_cast<std::ptrdiff_t>(germs) - 1)
+        coefficients[a] = 1.0 / (1.0 + index[0]);
+    }
+    const Expansion expansion(basis, coefficients);
+    return std::pair{expansion.skewness(), expansion.kurtosis()};
+  };
+  EXPECT_NEAR(moments(6).first, moments(1).first, 1e-10);
+  EXPECT_NEAR(moments(6).second, moments(1).second, 1e-10);
 }
 
 TEST(Expansion, OfAConstantHasNoSharesOfItsVariance) {
