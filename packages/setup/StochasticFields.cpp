@@ -1,5 +1,6 @@
 #include <harmos/setup/StochasticFields.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <harmos/base/EffectiveInput.hpp>
@@ -13,6 +14,9 @@ namespace {
 
 using output::ResultStep;
 using output::ResultVariables;
+
+// Of a standard deviation beside the largest mean of its field.
+constexpr double noise = 1e-10;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -53,6 +57,18 @@ class Moments {
     values[first + 1][entity] = std::sqrt(variance);
     for (std::size_t g = 0; g < shares.size(); ++g) {
       values[first + 2 + g][entity] = variance > 0.0 ? shares[g] / variance : 0.0;
+    }
+  }
+
+  /// Shares of a variance that is round-off beside the field are no shares.
+  void removeNoise(std::vector<std::vector<double>>& values) const {
+    for (std::size_t first = 0; first < values.size(); first += count()) {
+      double largest = 0.0;
+      for (const double mean : values[first]) largest = std::max(largest, std::abs(mean));
+      for (std::size_t entity = 0; entity < values[first].size(); ++entity) {
+        if (values[first + 1][entity] > noise * largest) continue;
+        for (std::size_t share = 2; share < count(); ++share) values[first + share][entity] = 0.0;
+      }
     }
   }
 
@@ -99,6 +115,7 @@ void writeParts(const ChaosStudy& chaos, const Moments& moments, const std::stri
       }
     }
     for (auto& values : step.nodal) file.gather(values);
+    moments.removeNoise(step.nodal);
     if (writer) writer->write(step);
   }
   if (writer) writer->commit();
@@ -142,6 +159,7 @@ void writeInterfaces(const ChaosStudy& chaos, const Moments& moments, const std:
         }
       }
     }
+    moments.removeNoise(step.nodal);
     writer->write(step);
   }
   if (writer) writer->commit();

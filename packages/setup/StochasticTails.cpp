@@ -18,6 +18,9 @@ constexpr double narrowMargin = 0.2;
 // Stiffness 0 is admissible by itself, but not as the edge of what is indefinite.
 constexpr double beyondTheEdge = 1.0 + 1e-9;
 
+// What chaos::PiecewiseLinear neglects on either side.
+constexpr double neglectedProbability = 3e-7;
+
 bool usesGaussPoints(const StochasticPlan& plan) {
   return plan.method == Method::chaos || plan.method == Method::collocation;
 }
@@ -34,23 +37,33 @@ std::string text(double value) {
   return stream.str();
 }
 
-std::string remedy(const chaos::Distribution& distribution, const chaos::GaussRule& rule) {
+/// The least and the largest germ at which the scene is asked for.
+std::pair<double, double> reachOf(const Study& study, const chaos::RandomVector& variables, int i) {
+  if (usesGaussPoints(*study.stochastic)) {
+    const chaos::GaussRule rule = ruleOf(study, variables, i);
+    return {rule.points.front(), rule.points.back()};
+  }
+  const chaos::Distribution& distribution = *variables.variables()[static_cast<std::size_t>(i)].distribution;
+  return {distribution.germ(neglectedProbability), distribution.germExceeded(neglectedProbability)};
+}
+
+std::string remedy(const Study& study, const chaos::Distribution& distribution, double largestGerm) {
   std::string text = "Take a distribution that admits only what the scene does (Lognormal for what is positive)";
   if (distribution.name() == std::string("Normal")) {
     std::ostringstream limit;
-    limit << std::setprecision(3) << 1.0 / rule.points.back();
+    limit << std::setprecision(3) << 1.0 / largestGerm;
     text += ", a coefficient of variation well below " + limit.str();
   }
-  return text + ", or a lower Order.";
+  return text + (usesGaussPoints(*study.stochastic) ? ", or a lower Order." : ".");
 }
 
 void checkVariable(const Study& study, const laws::LawRegistry& laws, const chaos::RandomVector& variables, int i,
                    const std::string& where, base::ErrorList& errors) {
-  const chaos::GaussRule rule = ruleOf(study, variables, i);
+  const auto [least, largest] = reachOf(study, variables, i);
   const chaos::Variable& variable = variables.variables()[static_cast<std::size_t>(i)];
   std::vector<double> germs =
       variables.germs(std::vector<double>(static_cast<std::size_t>(variables.dimension()), 0.5));
-  for (const double point : {rule.points.front(), rule.points.back()}) {
+  for (const double point : {least, largest}) {
     germs[static_cast<std::size_t>(i)] = point * beyondTheEdge;
     const std::vector<double> values = variables.values(germs);
     try {
@@ -60,11 +73,12 @@ void checkVariable(const Study& study, const laws::LawRegistry& laws, const chao
       const double value = values[static_cast<std::size_t>(i)];
       errors.add(
           where,
-          "an expansion of order " + std::to_string(study.stochastic->order) + " needs " + variable.name + " = " +
-              text(value) + ", " +
+          (usesGaussPoints(*study.stochastic) ? "an expansion of order " + std::to_string(study.stochastic->order)
+                                              : std::string("an interpolation over all but the rarest values")) +
+              " needs " + variable.name + " = " + text(value) + ", " +
               text(std::abs(value - variable.distribution->mean()) / variable.distribution->standardDeviation()) +
               " standard deviations from its mean, which the scene refuses: " + error.what(),
-          remedy(*variable.distribution, rule));
+          remedy(study, *variable.distribution, largest));
       return;
     }
   }
@@ -74,7 +88,7 @@ void checkVariable(const Study& study, const laws::LawRegistry& laws, const chao
 
 void checkTails(const Study& study, const laws::LawRegistry& laws, base::ErrorList& errors) {
   const StochasticPlan& plan = *study.stochastic;
-  if (!usesGaussPoints(plan)) return;
+  if (plan.method == Method::sampling) return;
   for (int i = 0; i < plan.variables->dimension(); ++i) {
     const StudyParameter& parameter = study.parameters[plan.places[static_cast<std::size_t>(i)]];
     checkVariable(study, laws, *plan.variables, i, parameter.where + " / Distribution", errors);
