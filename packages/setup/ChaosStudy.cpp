@@ -7,6 +7,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/LatinOptions.hpp>
+#include <harmos/setup/StochasticTails.hpp>
 
 namespace harmos::setup {
 
@@ -116,6 +117,11 @@ latin::Outcome ChaosStudy::raiseOrder(int largest) {
     return !design.has("Response") || design.text("Response") == study_.responses[r].name;
   };
   for (int order = 1; order <= largest; ++order) {
+    if (order > 2 && !admits(order)) {
+      reason_ = "the standard deviations still change by more than the tolerance at order " +
+                std::to_string(order - 1) + ", and the next order needs values that the scene refuses";
+      return latin::Outcome::iterationLimit;
+    }
     start(order);
     const latin::Outcome outcome = run(nullptr);
     if (outcome != latin::Outcome::certified) return outcome;
@@ -139,6 +145,12 @@ latin::Outcome ChaosStudy::raiseOrder(int largest) {
   return latin::Outcome::iterationLimit;
 }
 
+bool ChaosStudy::admits(int order) const {
+  base::ErrorList errors;
+  checkTails(study_, laws_, order, errors);
+  return errors.count() == 0;
+}
+
 latin::Outcome ChaosStudy::sweep() {
   const StochasticPlan& plan = *study_.stochastic;
   const std::vector<chaos::Expansion> own = expansions_;
@@ -146,12 +158,13 @@ latin::Outcome ChaosStudy::sweep() {
   const base::Matrix first = start;
   std::vector<std::size_t> at(plan.sweeps.size(), 0);
   latin::Outcome outcome = latin::Outcome::certified;
-  while (outcome == latin::Outcome::certified) {
+  while (true) {
     std::vector<double> coefficients;
     for (std::size_t s = 0; s < at.size(); ++s) coefficients.push_back(plan.sweeps[s].coefficients[at[s]]);
     solver_->setLaws(realise(*withSpread(plan, coefficients)));
     outcome = run(&start);
     start = solver_->alpha();
+    if (outcome != latin::Outcome::certified) break;
     const auto stage = stageOf(basis().order());
     points_.push_back({coefficients, stage.means, stage.deviations});
     std::size_t s = at.size();
@@ -159,8 +172,14 @@ latin::Outcome ChaosStudy::sweep() {
     if (s == 0) break;
   }
   // The fields and samples are those of the study's own distributions.
+  const std::string reason = reason_;
   solver_->setLaws(realise(*plan.variables));
-  if (outcome == latin::Outcome::certified) outcome = run(&first);
+  const latin::Outcome last = run(&first);
+  if (outcome == latin::Outcome::certified) {
+    outcome = last;
+  } else {
+    reason_ = "the sweep ended early: " + reason;
+  }
   expansions_ = own;
   return outcome;
 }

@@ -35,6 +35,8 @@ class ChaosStudy {
 
   /// Throws base::Error (input) when a law is not fit for Galerkin's local stage.
   latin::Outcome solve();
+  /// Whether there are expansions, though perhaps not all that was asked for.
+  bool isSolved() const { return result_.outcome == latin::Outcome::certified; }
   /// What ended solve().
   const std::string& reason() const { return reason_; }
 
@@ -56,6 +58,8 @@ class ChaosStudy {
   latin::Outcome run(const base::Matrix* start);
   stochastic::Realisations realise(const chaos::RandomVector& variables) const;
   latin::Outcome raiseOrder(int largest);
+  /// Whether the scene allows the values that an expansion of this order needs.
+  bool admits(int order) const;
   latin::Outcome sweep();
   std::vector<chaos::Expansion> expansions() const;
   study::StochasticSummary::Stage stageOf(int size) const;

@@ -25,10 +25,15 @@ bool usesGaussPoints(const StochasticPlan& plan) {
   return plan.method == Method::chaos || plan.method == Method::collocation;
 }
 
-chaos::GaussRule ruleOf(const Study& study, const chaos::RandomVector& variables, int i) {
-  const StochasticPlan& plan = *study.stochastic;
+/// The order that is certainly solved: with a tolerance it is raised from 1, and 2 is the first to be compared.
+int certainOrder(const Study& study) {
+  const int order = study.stochastic->order;
+  return study.isChaos() && study.input.list("Design").has("Tolerance") ? std::min(order, 2) : order;
+}
+
+chaos::GaussRule ruleOf(const Study& study, const chaos::RandomVector& variables, int i, int order) {
   return variables.polynomials(i).gauss(
-      gaussPoints(variables, plan.order, study.input.list("Design").integer("Points"), false));
+      gaussPoints(variables, order, study.input.list("Design").integer("Points"), false));
 }
 
 std::string text(double value) {
@@ -38,9 +43,9 @@ std::string text(double value) {
 }
 
 /// The least and the largest germ at which the scene is asked for.
-std::pair<double, double> reachOf(const Study& study, const chaos::RandomVector& variables, int i) {
+std::pair<double, double> reachOf(const Study& study, const chaos::RandomVector& variables, int i, int order) {
   if (usesGaussPoints(*study.stochastic)) {
-    const chaos::GaussRule rule = ruleOf(study, variables, i);
+    const chaos::GaussRule rule = ruleOf(study, variables, i, order);
     return {rule.points.front(), rule.points.back()};
   }
   const chaos::Distribution& distribution = *variables.variables()[static_cast<std::size_t>(i)].distribution;
@@ -58,8 +63,8 @@ std::string remedy(const Study& study, const chaos::Distribution& distribution, 
 }
 
 void checkVariable(const Study& study, const laws::LawRegistry& laws, const chaos::RandomVector& variables, int i,
-                   const std::string& where, base::ErrorList& errors) {
-  const auto [least, largest] = reachOf(study, variables, i);
+                   int order, const std::string& where, base::ErrorList& errors) {
+  const auto [least, largest] = reachOf(study, variables, i, order);
   const chaos::Variable& variable = variables.variables()[static_cast<std::size_t>(i)];
   std::vector<double> germs =
       variables.germs(std::vector<double>(static_cast<std::size_t>(variables.dimension()), 0.5));
@@ -73,7 +78,7 @@ void checkVariable(const Study& study, const laws::LawRegistry& laws, const chao
       const double value = values[static_cast<std::size_t>(i)];
       errors.add(
           where,
-          (usesGaussPoints(*study.stochastic) ? "an expansion of order " + std::to_string(study.stochastic->order)
+          (usesGaussPoints(*study.stochastic) ? "an expansion of order " + std::to_string(order)
                                               : std::string("an interpolation over all but the rarest values")) +
               " needs " + variable.name + " = " + text(value) + ", " +
               text(std::abs(value - variable.distribution->mean()) / variable.distribution->standardDeviation()) +
@@ -87,11 +92,15 @@ void checkVariable(const Study& study, const laws::LawRegistry& laws, const chao
 }  // namespace
 
 void checkTails(const Study& study, const laws::LawRegistry& laws, base::ErrorList& errors) {
+  checkTails(study, laws, certainOrder(study), errors);
+}
+
+void checkTails(const Study& study, const laws::LawRegistry& laws, int order, base::ErrorList& errors) {
   const StochasticPlan& plan = *study.stochastic;
   if (plan.method == Method::sampling) return;
   for (int i = 0; i < plan.variables->dimension(); ++i) {
     const StudyParameter& parameter = study.parameters[plan.places[static_cast<std::size_t>(i)]];
-    checkVariable(study, laws, *plan.variables, i, parameter.where + " / Distribution", errors);
+    checkVariable(study, laws, *plan.variables, i, order, parameter.where + " / Distribution", errors);
   }
   std::vector<double> largest;
   for (const auto& sweep : plan.sweeps) {
@@ -102,7 +111,7 @@ void checkTails(const Study& study, const laws::LawRegistry& laws, base::ErrorLi
     const auto& lists = study.input.lists("Sweep");
     const auto list =
         std::find_if(lists.begin(), lists.end(), [&](const auto& each) { return each.name() == sweep.name; });
-    checkVariable(study, laws, *widest, static_cast<int>(sweep.variable), list->where("Values"), errors);
+    checkVariable(study, laws, *widest, static_cast<int>(sweep.variable), order, list->where("Values"), errors);
   }
 }
 
@@ -117,7 +126,7 @@ std::vector<std::string> describeTails(const Study& study) {
                            ", standard deviation " + text(deviation) + ", P(" + variable.name +
                            " <= 0) = " + text(distribution.cumulative(0.0));
     if (usesGaussPoints(plan) && distribution.isAffine() && mean != 0.0 && deviation > 0.0) {
-      const chaos::GaussRule rule = ruleOf(study, *plan.variables, i);
+      const chaos::GaussRule rule = ruleOf(study, *plan.variables, i, certainOrder(study));
       const double margin = 1.0 - deviation * std::abs(rule.points.front()) / std::abs(mean);
       if (distribution.name() == std::string("Normal") && margin < narrowMargin) {
         sentence += "; WARNING: at the outermost of " + std::to_string(rule.points.size()) + " Gauss points only " +

@@ -77,7 +77,7 @@ StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry&
   }
   const bool isAborted = runner.isAborted();
   run.state = isAborted ? "aborted" : runner.isStopped() ? "interrupted" : "complete";
-  if (study.stochastic && run.state == "complete" && outcome == latin::Outcome::certified) {
+  if (study.stochastic && run.state == "complete" && (!chaos || chaos->isSolved())) {
     recorder.setStatistics(summarise(study, *run.results, chaos.get()));
     if (chaos) writeStochasticFields(study, *chaos, run.files.stochastic, *comm);
   }
