@@ -1,5 +1,6 @@
 #include <harmos/stochastic/AffineComponents.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,6 +11,8 @@ namespace {
 
 // A law that leaves less than this share of the line's own stiffness is rigid.
 constexpr double rigid = 1e-12;
+// Relative round-off of a probe.
+constexpr double roundOff = 1e-12;
 
 laws::Vector3 tractionOf(const laws::InterfaceLaw& law, int step, const laws::LocalLine& line) {
   laws::LocalState state;
@@ -45,6 +48,12 @@ std::array<AffineComponent, 3> affineComponents(const laws::InterfaceLaw& law, i
     }
   }
   return result;
+}
+
+bool areSame(const std::vector<double>& stiffnesses) {
+  const double first = stiffnesses[0];
+  return std::all_of(stiffnesses.begin(), stiffnesses.end(),
+                     [first](double k) { return k == first || std::abs(k - first) <= roundOff * std::abs(first); });
 }
 
 }  // namespace harmos::stochastic

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include <harmos/laws/InterfaceLaw.hpp>
 
@@ -18,5 +19,8 @@ struct AffineComponent {
 /// Throws base::Error (input) naming the interface when the law is not affine.
 std::array<AffineComponent, 3> affineComponents(const laws::InterfaceLaw& law, int step, double compliance,
                                                 const std::string& interfaceName);
+
+/// Stiffnesses that do not differ but for the round-off of the probe.
+bool areSame(const std::vector<double>& stiffnesses);
 
 }  // namespace harmos::stochastic

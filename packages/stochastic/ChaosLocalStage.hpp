@@ -19,8 +19,11 @@ enum class Method {
 /// Local stage on modal columns (see modalAssembly): from the coefficients of beta to those of f^.
 ///
 /// Pseudo-spectral: beta_q = sum of psi_a(xi_q) beta_a, the local stage of realisation q, and f^_a = sum of w_q
-/// psi_a(xi_q) f^_q. Every realisation has its own history along the load steps. Galerkin: GalerkinSprings where a
-/// stiffness is random, and the points elsewhere, which is then the same.
+/// psi_a(xi_q) f^_q. Every realisation has its own history along the load steps. What the projection cuts off lies on
+/// the line of the search direction, so that a truncated solution depends on it, within the error of truncation: from
+/// Galerkin's for stiffnesses (H to 0) to that for compliances (H to infinity). It does not where the points are as
+/// many as the polynomials and the projection interpolates. Galerkin: GalerkinSprings where a stiffness is random, and
+/// the points elsewhere, which is then the same.
 class ChaosLocalStage {
  public:
   /// `modal`, `searchDirection`, `layout` and `projection` must outlive this object.

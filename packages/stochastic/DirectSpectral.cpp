@@ -11,7 +11,6 @@
 #include <Tpetra_Operator.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/substructure/SubstructureSolver.hpp>
 
 namespace harmos::stochastic {
 namespace {
@@ -66,28 +65,32 @@ void DirectSpectral::solve(Solver solver, double tolerance) {
   }
 }
 
+substructure::SubstructureSolver DirectSpectral::factored(const Teuchos::RCP<base::CrsMatrix>& matrix,
+                                                          int dimension) const {
+  const auto running = timers_.start("factor");
+  substructure::BoundaryTerm none;
+  none.dimension = dimension;
+  return {matrix, none, solver_, "the assembly"};
+}
+
 void DirectSpectral::factor() {
-  const Teuchos::RCP<base::CrsMatrix> matrix = [&] {
-    const auto running = timers_.start("assemble");
-    return system_.wholeMatrix();
-  }();
-  const auto whole = [&] {
-    const auto running = timers_.start("factor");
-    substructure::BoundaryTerm none;
-    none.dimension = 1;
-    return substructure::SubstructureSolver(matrix, none, solver_, "the assembly");
-  }();
+  const auto whole = factored(
+      [&] {
+        const auto running = timers_.start("assemble");
+        return system_.wholeMatrix();
+      }(),
+      1);
   const auto running = timers_.start("solve");
   whole.solve(system_.right(), solution_);
 }
 
 void DirectSpectral::iterate(double tolerance) {
-  const auto mean = [&] {
-    const auto running = timers_.start("factor");
-    substructure::BoundaryTerm none;
-    none.dimension = 1;
-    return substructure::SubstructureSolver(system_.meanMatrix(), none, solver_, "the assembly");
-  }();
+  const auto mean = factored(
+      [&] {
+        const auto running = timers_.start("assemble");
+        return system_.meanMatrix();
+      }(),
+      system_.dimension());
   const auto running = timers_.start("solve");
   const int terms = projection_->terms();
   base::Matrix residual(system_.dofs(), terms), correction(system_.dofs(), terms);

@@ -9,6 +9,7 @@
 #include <harmos/stochastic/Projection.hpp>
 #include <harmos/stochastic/Realisations.hpp>
 #include <harmos/stochastic/SpectralSystem.hpp>
+#include <harmos/substructure/SubstructureSolver.hpp>
 
 namespace harmos::stochastic {
 
@@ -41,6 +42,7 @@ class DirectSpectral {
   int iterations() const { return iterations_; }
 
  private:
+  substructure::SubstructureSolver factored(const Teuchos::RCP<base::CrsMatrix>& matrix, int dimension) const;
   void iterate(double tolerance);
   void factor();
 

@@ -12,17 +12,8 @@
 namespace harmos::stochastic {
 namespace {
 
-// Stiffnesses that differ by less are one and the same, probed with round-off.
-constexpr double same = 1e-12;
 // Smallest eigenvalue of a positive definite matrix, relative to the largest.
 constexpr double positive = 1e-12;
-
-bool isConstant(const std::vector<double>& values) {
-  const double first = values[0];
-  return std::all_of(values.begin(), values.end(), [first](double value) {
-    return value == first || std::abs(value - first) <= same * std::abs(first);
-  });
-}
 
 }  // namespace
 
@@ -32,7 +23,7 @@ GalerkinSprings::Decomposition GalerkinSprings::decompose(const std::string& nam
   Decomposition result;
   result.values.assign(static_cast<std::size_t>(terms), stiffness[0]);
   result.vectors.shape(terms, terms);
-  if (isConstant(stiffness)) {
+  if (areSame(stiffness)) {
     for (int a = 0; a < terms; ++a) result.vectors(a, a) = 1.0;
     result.stiffness = std::move(stiffness);
     return result;
@@ -76,7 +67,7 @@ GalerkinSprings::GalerkinSprings(const interface::Interface& interface,
       }
     }
     for (std::size_t c = 0; c < 3; ++c) {
-      isRandom_ = isRandom_ || !isConstant(stiffness[c]);
+      isRandom_ = isRandom_ || !areSame(stiffness[c]);
       const auto known = std::find_if(decompositions_.begin(), decompositions_.end(),
                                       [&](const Decomposition& one) { return one.stiffness == stiffness[c]; });
       const auto at = static_cast<std::size_t>(known - decompositions_.begin());

@@ -15,8 +15,8 @@
 namespace harmos::stochastic {
 namespace {
 
-// Relative: numbers that differ by less are the same but for round-off.
-constexpr double same = 1e-12;
+// Entries of a Galerkin matrix below this share of its norm are zero but for round-off.
+constexpr double negligible = 1e-12;
 constexpr double straight = 1e-9;
 
 [[noreturn]] void refuse(const interface::Interface& interface, const std::string& why) {
@@ -36,12 +36,6 @@ std::vector<interface::MassEntry> massOf(const interface::Interface& interface) 
   std::vector<interface::MassEntry> lumped;
   for (int p = 0; p < interface.pairs(); ++p) lumped.push_back({p, p, interface.area[static_cast<std::size_t>(p)]});
   return lumped;
-}
-
-bool isConstant(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [&](double value) {
-    return value == values[0] || std::abs(value - values[0]) <= same * std::abs(values[0]);
-  });
 }
 
 }  // namespace
@@ -216,7 +210,7 @@ void SpectralSystem::addInterface(const interface::Interface& interface,
         const double k = components[c].stiffness;
         if (t == 0) {
           stiffness[c].push_back(k);
-        } else if (!isConstant({stiffness[c][q], k})) {
+        } else if (!areSame({stiffness[c][q], k})) {
           refuse(interface, "takes a stiffness that is constant in time");
         }
         for (int a = 0; a < terms_; ++a) {
@@ -227,7 +221,7 @@ void SpectralSystem::addInterface(const interface::Interface& interface,
     }
   }
   for (std::size_t c = 0; c < 3; ++c) {
-    const bool isRandom = !isConstant(stiffness[c]);
+    const bool isRandom = !areSame(stiffness[c]);
     if (!isRandom && std::isinf(stiffness[c][0])) {
       for (int t = 0; t < steps_; ++t) {
         std::vector<double> jump(static_cast<std::size_t>(terms_), 0.0);
@@ -314,7 +308,7 @@ Teuchos::RCP<base::CrsMatrix> SpectralSystem::wholeMatrix() const {
         for (int a = 0; a < terms_; ++a) {
           for (int b = 0; b < terms_; ++b) {
             const double factor = galerkin != nullptr ? (*galerkin)(a, b) : a == b ? 1.0 : 0.0;
-            if (std::abs(factor) <= same * (galerkin != nullptr ? galerkin->normInf() : 0.0)) continue;
+            if (std::abs(factor) <= negligible * (galerkin != nullptr ? galerkin->normInf() : 0.0)) continue;
             entries.push_back({rows.number[i] * terms_ + a, rows.column[k] * terms_ + b, factor * rows.value[k]});
           }
         }

@@ -173,9 +173,14 @@ void StochasticSolver::deliver(StochasticResult& result, const std::vector<doubl
   result.columns = fixedPoint_.linearStage().columns() - columnsBefore_;
   result.iterations = iterations();
   if (result.outcome != latin::Outcome::iterationLimit) return;
-  result.reason = iterations() >= options_.maximumIterations
-                      ? "limit of " + std::to_string(options_.maximumIterations) + " iterations"
-                      : "the residual no longer falls; the estimate stays above the accuracy asked for";
+  if (iterations() < options_.maximumIterations) {
+    result.reason = "the residual no longer falls; the estimate stays above the accuracy asked for";
+    return;
+  }
+  latin::Imbalance imbalance = latin::largestImbalance(fixedPoint_);
+  imbalance.step /= projection_->terms();
+  result.reason = "limit of " + std::to_string(options_.maximumIterations) + " iterations; worst coefficient: " +
+                  (imbalance.body < 0 ? "none" : latin::describe(imbalance, assembly_));
 }
 
 }  // namespace harmos::stochastic

@@ -182,5 +182,41 @@ TEST(StochasticSolver, RefusesOtherLawsThanAffineOnesInGalerkin) {
   }
 }
 
+// Nothing holds the right part: said so, not a number.
+TEST(StochasticSolver, SaysThatItDidNotConverge) {
+  const auto projection = projectionOf(randomVector({std::make_shared<chaos::Normal>(1.0, 0.1)}), 2);
+  const auto lawsOf = [](const std::vector<double>& x) -> std::vector<Law> {
+    return {foundation(1.0), laws::makeLaw("Unilateral Contact"), pull(x[0])};
+  };
+  const Realisations laws = realisations(*projection, lawsOf);
+  const interface::Assembly assembly = springsInSeries(laws[0]);
+  base::Timers timers;
+  StochasticOptions options;
+  options.maximumIterations = 60;
+  StochasticSolver solver(assembly, projection, options, latin::self(), timers);
+  solver.setLaws(laws);
+  solver.addResponse(displacement("end", 1, 2));
+  const StochasticResult result = solver.solve();
+  EXPECT_EQ(result.outcome, latin::Outcome::iterationLimit);
+  EXPECT_LE(result.iterations, 61);
+  EXPECT_NE(result.reason.find("right"), std::string::npos) << result.reason;
+  EXPECT_TRUE(std::isnan(result.responses[0].errorEstimate));
+
+  int asked = 0;
+  solver.setInterrupt([&asked] { return ++asked == 3; });
+  EXPECT_EQ(solver.solve().outcome, latin::Outcome::interrupted);
+  EXPECT_EQ(asked, 3);
+}
+
+TEST(StochasticSolver, RefusesLawsThatDoNotFit) {
+  const auto projection = projectionOf(randomVector({std::make_shared<chaos::Normal>(1.0, 0.1)}), 2);
+  const interface::Assembly assembly = springsInSeries({foundation(1.0), spring(1.0), pull(1.0)});
+  base::Timers timers;
+  StochasticSolver solver(assembly, projection, {}, latin::self(), timers);
+  EXPECT_THROW(solver.setLaws({}), base::Error);
+  EXPECT_THROW(solver.setLaws(Realisations(3, {foundation(1.0), laws::makeLaw("Unilateral Contact"), pull(1.0)})),
+               base::Error);
+}
+
 }  // namespace
 }  // namespace harmos::stochastic

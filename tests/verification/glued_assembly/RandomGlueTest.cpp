@@ -12,6 +12,7 @@
 #include <harmos/chaos/Lognormal.hpp>
 #include <harmos/chaos/Normal.hpp>
 #include <harmos/setup/Problem.hpp>
+#include <harmos/stochastic/DirectSpectral.hpp>
 #include <harmos/stochastic/StochasticSolver.hpp>
 
 #include "../../unit/laws/MakeLaw.hpp"
@@ -45,6 +46,15 @@ class RandomGlue {
   }
 
   stochastic::StochasticResult solve(double d1, double d2, const base::Matrix* start = nullptr) {
+    solver_->setLaws(lawsOf(d1, d2));
+    const double before = seconds();
+    auto result = solver_->solve(start);
+    std::cout << result.iterations << " iterations, " << result.columns << " columns, " << seconds() - before
+              << " s CPU, estimate " << result.errorEstimate << "\n";
+    return result;
+  }
+
+  stochastic::Realisations lawsOf(double d1, double d2) const {
     const auto randomVector = variables(d1, d2);
     stochastic::Realisations laws;
     for (const auto& germs : projection_->quadrature().points) {
@@ -61,12 +71,15 @@ class RandomGlue {
         }
       }
     }
-    solver_->setLaws(laws);
-    const double before = seconds();
-    auto result = solver_->solve(start);
-    std::cout << result.iterations << " iterations, " << result.columns << " columns, " << seconds() - before
-              << " s CPU, estimate " << result.errorEstimate << "\n";
-    return result;
+    return laws;
+  }
+
+  /// The same equations solved directly.
+  stochastic::DirectSpectral rival(double d1, double d2, base::Timers& timers) const {
+    return {problem_.assembly, projection_, lawsOf(d1, d2), substructure::SolverOptions(), timers};
+  }
+  const latin::DisplacementResponse& displacement(const std::string& name) const {
+    return dynamic_cast<const latin::DisplacementResponse&>(*problem_.responses[responseIndex(name)]);
   }
 
   static chaos::Expansion response(const stochastic::StochasticResult& result, const std::string& name) {
@@ -75,9 +88,9 @@ class RandomGlue {
     }
     throw std::invalid_argument("no response " + name);
   }
-  int responseIndex(const std::string& name) const {
+  std::size_t responseIndex(const std::string& name) const {
     for (std::size_t i = 0; i < problem_.responses.size(); ++i) {
-      if (problem_.responses[i]->name() == name) return static_cast<int>(i);
+      if (problem_.responses[i]->name() == name) return i;
     }
     throw std::invalid_argument("no response " + name);
   }
@@ -132,7 +145,7 @@ TEST(RandomGlue, GalerkinOfOrderThree) {
   const auto sampler = problem.solver().sampler();
   const double before = seconds();
   const auto momentsOf = [&](const std::string& name) {
-    const base::Matrix values = sampler.sample(problem.responseIndex(name), germs);
+    const base::Matrix values = sampler.sample(static_cast<int>(problem.responseIndex(name)), germs);
     double mean = 0.0, square = 0.0;
     for (int s = 0; s < values.numCols(); ++s) mean += values(0, s) / values.numCols();
     for (int s = 0; s < values.numCols(); ++s) square += std::pow(values(0, s) - mean, 2) / values.numCols();
@@ -148,6 +161,33 @@ TEST(RandomGlue, GalerkinOfOrderThree) {
   EXPECT_NEAR(normalDeviation, 2.273410, 0.05 * 2.27);
   EXPECT_NEAR(tangentialMean, 19.363325, 4 * 1.42 * 1.83 / 100.0);
   EXPECT_NEAR(tangentialDeviation, 1.825949, 0.05 * 1.83);
+}
+
+// The same Galerkin equations by the direct spectral method: conjugate gradients, then one factorisation.
+TEST(RandomGlue, AgreesWithTheDirectSpectralMethod) {
+  RandomGlue problem(Method::galerkin, 1e-6, false);
+  const auto result = problem.solve(0.2, 0.25);
+  ASSERT_EQ(result.outcome, latin::Outcome::certified) << result.reason;
+  base::Timers timers;
+  auto rival = problem.rival(0.2, 0.25, timers);
+  EXPECT_EQ(rival.unknowns(), 371740);
+  using Solver = stochastic::DirectSpectral::Solver;
+  for (const Solver solver : {Solver::conjugateGradients, Solver::factorisation}) {
+    rival.solve(solver, 1e-10);
+    for (const char* name : {"u_x", "u_y"}) {
+      const chaos::Expansion expected = RandomGlue::response(result, name);
+      const base::Matrix found = rival.coefficients(problem.displacement(name));
+      EXPECT_NEAR(found(0, 0), expected.mean(), 1e-6 * std::abs(expected.mean()));
+      for (int a = 1; a < found.numRows(); ++a) {
+        EXPECT_NEAR(found(a, 0), expected.coefficients()[static_cast<std::size_t>(a)],
+                    1e-6 * expected.standardDeviation())
+            << name << ", polynomial " << a;
+      }
+    }
+    std::cout << rival.iterations() << " conjugate gradients; so far";
+    for (const auto& phase : timers.phases()) std::cout << ", " << phase.name << " " << phase.cpuSeconds << " s CPU";
+    std::cout << "\n";
+  }
 }
 
 TEST(RandomGlue, LognormalMoments) {
