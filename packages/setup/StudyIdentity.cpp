@@ -67,6 +67,13 @@ output::Identity identityOf(const Study& study) {
     const fs::path file = fs::path(study.scene.path).parent_path() / mesh.text("File");
     identity.emplace_back("Checksum of the mesh", checksum(file.string()));
   }
+  for (const Parameters& parameter : study.input.lists("Parameters")) {
+    if (!parameter.hasList("Distribution")) continue;
+    const Parameters& distribution = parameter.list("Distribution");
+    if (distribution.type() != "Sample" || !distribution.has("File")) continue;
+    const fs::path file = fs::path(study.path).parent_path() / distribution.text("File");
+    identity.emplace_back("Checksum of the sample of " + parameter.name(), checksum(file.string()));
+  }
   if (!study.pointsFile.empty()) identity.emplace_back("Checksum of the points", checksum(study.pointsFile));
   return identity;
 }
