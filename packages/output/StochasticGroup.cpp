@@ -67,8 +67,7 @@ void writeResponse(const Hdf5Group& group, const ResponseStatistics& response, c
   std::vector<double> main, total;
   for (const chaos::SobolIndex& index : response.sobol) {
     std::string set;
-    for (const int germ : index.germs)
-      set += (set.empty() ? "" : "*") + summary.variables[static_cast<std::size_t>(germ)];
+    for (const int germ : index.germs) set += (set.empty() ? "" : "*") + summary.germName(germ);
     sets.push_back(set);
     main.push_back(index.main);
     total.push_back(index.total);

@@ -37,7 +37,7 @@ std::string sobol(const study::StochasticSummary& summary) {
     for (const chaos::SobolIndex& index : response.sobol) {
       text += response.name + ",";
       for (std::size_t g = 0; g < index.germs.size(); ++g) {
-        text += (g == 0 ? "" : "*") + summary.variables[static_cast<std::size_t>(index.germs[g])];
+        text += (g == 0 ? "" : "*") + summary.germName(index.germs[g]);
       }
       text += cell(index.main, "n/a") + cell(index.total, "n/a") + "\n";
     }
@@ -47,7 +47,7 @@ std::string sobol(const study::StochasticSummary& summary) {
 
 std::string coefficients(const study::StochasticSummary& summary) {
   std::string text = "response";
-  for (const std::string& variable : summary.variables) text += "," + variable;
+  for (std::size_t g = 0; g < summary.variables.size(); ++g) text += "," + summary.germName(static_cast<int>(g));
   text += ",coefficient\n";
   for (const study::ResponseStatistics& response : summary.responses) {
     if (!response.expansion) continue;

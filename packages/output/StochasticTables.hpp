@@ -30,6 +30,7 @@ struct StochasticFiles {
 ///   coefficients: response, a column of degrees per variable, coefficient; orthonormal polynomials in graded
 ///     lexicographic order
 ///   sweep: coefficients of variation, then mean and std of every response
+/// Of correlated variables the indices and degrees are those of the independent germs xi_1, xi_2, .. behind them.
 void writeStochasticTables(const StochasticFiles& files, const study::StochasticSummary& summary);
 
 }  // namespace harmos::output

@@ -33,8 +33,10 @@ class Moments {
     for (const std::string& field : fields) {
       names.push_back(field + "_mean");
       names.push_back(field + "_std");
-      for (const chaos::Variable& variable : basis_.variables().variables()) {
-        names.push_back(field + "_sobol_" + variable.name);
+      for (std::size_t g = 0; g < basis_.variables().variables().size(); ++g) {
+        const bool isIndependent = basis_.variables().isIndependent();
+        names.push_back(field + "_sobol_" +
+                        (isIndependent ? basis_.variables().variables()[g].name : "xi_" + std::to_string(g + 1)));
       }
     }
     return names;

@@ -42,14 +42,19 @@ struct StochasticSummary {
   std::string method;  // in words
   std::vector<std::string> variables;
   std::vector<std::string> distributions;  // in words, one per variable
-  bool hasIndependentVariables = true;     // else Sobol' indices are those of the germs
-  std::vector<double> levels;              // of quantiles
+  bool hasIndependentVariables = true;
+  std::vector<double> levels;  // of quantiles
   std::vector<ResponseStatistics> responses;
   std::vector<Stage> convergence;
   std::vector<std::string> sweepNames;
   std::vector<Point> sweep;
   int solved = 0;        // configurations behind the figures
   int inadmissible = 0;  // draws with values that the scene refuses, which are left out
+
+  /// What Sobol' indices and degrees belong to: the variables, or where these are correlated, independent germs.
+  std::string germName(int germ) const {
+    return hasIndependentVariables ? variables[static_cast<std::size_t>(germ)] : "xi_" + std::to_string(germ + 1);
+  }
 };
 
 }  // namespace harmos::study
