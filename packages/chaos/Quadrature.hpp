@@ -18,6 +18,8 @@ struct Quadrature {
 
 /// All combinations of the Gauss points of each germ, the last germ fastest.
 Quadrature tensorQuadrature(const RandomVector& variables, int pointsPerGerm);
+/// The same with a number of points for each germ.
+Quadrature tensorQuadrature(const RandomVector& variables, const std::vector<int>& points);
 
 /// Smolyak's sparse grid of Gauss rules, exact for products of two polynomials of the basis.
 Quadrature sparseQuadrature(const Basis& basis);

@@ -173,13 +173,13 @@ class Reader {
       if (design.text("Points In") == "Sparse") {
         plan.quadrature = chaos::sparseQuadrature(chaos::Basis(plan.variables, plan.order));
       } else {
-        const int count = gaussPoints(*plan.variables, plan.order, design.integer("Points"), false);
-        if (std::pow(count, plan.variables->dimension()) > mostPoints) {
+        const auto counts = gaussPoints(*plan.variables, plan.order, design.integer("Points"), false);
+        if (std::pow(counts.front(), plan.variables->dimension()) > mostPoints) {
           throw base::Error("the tensor grid has more than " + std::to_string(static_cast<int>(mostPoints)) +
                                 " points.\n  Set Points In to Sparse, or lower the Order.",
                             base::ExitCode::input);
         }
-        plan.quadrature = chaos::tensorQuadrature(*plan.variables, count);
+        plan.quadrature = chaos::tensorQuadrature(*plan.variables, counts);
       }
       plan.germs = plan.quadrature.points;
     }
@@ -218,13 +218,19 @@ std::shared_ptr<const chaos::RandomVector> withSpread(const StochasticPlan& plan
   return std::make_shared<chaos::RandomVector>(std::move(variables), plan.correlation);
 }
 
-int gaussPoints(const chaos::RandomVector& variables, int order, int asked, bool isGalerkin) {
-  if (asked > 0) return asked;
+std::vector<int> gaussPoints(const chaos::RandomVector& variables, int order, int asked, bool isGalerkin) {
   const auto& all = variables.variables();
-  const bool isAffine = variables.isIndependent() && std::all_of(all.begin(), all.end(), [](const auto& variable) {
-                          return variable.distribution->isAffine();
-                        });
-  return order + 1 + (isGalerkin && !isAffine ? pointsForNonlinearGerms : 0);
+  if (asked > 0) return std::vector<int>(all.size(), asked);
+  // Joined by a copula, one normal parameter is affine in all germs, and its tail forbids points far out.
+  const bool hasNormal = std::any_of(all.begin(), all.end(), [](const chaos::Variable& variable) {
+    return variable.distribution->name() == std::string("Normal");
+  });
+  std::vector<int> points;
+  for (const chaos::Variable& variable : all) {
+    const bool isAffine = variables.isIndependent() ? variable.distribution->isAffine() : hasNormal;
+    points.push_back(order + 1 + (isGalerkin && !isAffine ? pointsForNonlinearGerms : 0));
+  }
+  return points;
 }
 
 }  // namespace harmos::setup

@@ -320,9 +320,10 @@ std::shared_ptr<const StochasticSummary> summarise(const Study& study, const out
 
 std::string describe(const ChaosStudy& chaos, latin::Outcome outcome) {
   std::ostringstream text;
-  text << (outcome == latin::Outcome::certified ? "" : "NOT all that was asked for: ") << "order " << chaos.basis().order() << ", "
-       << chaos.basis().size() << " terms, " << (chaos.isGalerkin() ? "Galerkin" : "pseudo-spectral")
-       << " local stage, " << chaos.columns() << " columns solved";
+  text << (outcome == latin::Outcome::certified ? "" : "NOT all that was asked for: ") << "order "
+       << chaos.basis().order() << ", " << chaos.basis().size() << " terms, "
+       << (chaos.isGalerkin() ? "Galerkin" : "pseudo-spectral") << " local stage, " << chaos.columns()
+       << " columns solved";
   if (!chaos.reason().empty()) text << "; " << chaos.reason();
   return text.str();
 }

@@ -32,8 +32,8 @@ int certainOrder(const Study& study) {
 }
 
 chaos::GaussRule ruleOf(const Study& study, const chaos::RandomVector& variables, int i, int order) {
-  return variables.polynomials(i).gauss(
-      gaussPoints(variables, order, study.input.list("Design").integer("Points"), false));
+  const auto points = gaussPoints(variables, order, study.input.list("Design").integer("Points"), false);
+  return variables.polynomials(i).gauss(points[static_cast<std::size_t>(i)]);
 }
 
 std::string text(double value) {
@@ -48,8 +48,9 @@ std::pair<double, double> reachOf(const Study& study, const chaos::RandomVector&
     const chaos::GaussRule rule = ruleOf(study, variables, i, order);
     return {rule.points.front(), rule.points.back()};
   }
-  const chaos::Distribution& distribution = *variables.variables()[static_cast<std::size_t>(i)].distribution;
-  return {distribution.germ(neglectedProbability), distribution.germExceeded(neglectedProbability)};
+  const auto count = static_cast<std::size_t>(variables.dimension()), at = static_cast<std::size_t>(i);
+  return {variables.germs(std::vector<double>(count, neglectedProbability))[at],
+          variables.germs(std::vector<double>(count, 1.0 - neglectedProbability))[at]};
 }
 
 std::string remedy(const Study& study, const chaos::Distribution& distribution, double largestGerm) {
@@ -62,6 +63,24 @@ std::string remedy(const Study& study, const chaos::Distribution& distribution, 
   return text + (usesGaussPoints(*study.stochastic) ? ", or a lower Order." : ".");
 }
 
+/// What the scene says against the values at a point of germs; empty when it allows them.
+std::string refusal(const Study& study, const laws::LawRegistry& laws, const std::vector<double>& values) {
+  try {
+    study.sceneFor(*study.plan->complete(values), laws);
+  } catch (const base::Error& error) {
+    if (error.code() != base::ExitCode::input) throw;
+    return error.what();
+  }
+  return "";
+}
+
+std::string whoNeeds(const Study& study, int order) {
+  return (usesGaussPoints(*study.stochastic) ? "an expansion of order " + std::to_string(order)
+                                             : std::string("an interpolation over all but the rarest values")) +
+         " needs ";
+}
+
+/// Both ends of what is needed of one parameter, the others at their medians.
 void checkVariable(const Study& study, const laws::LawRegistry& laws, const chaos::RandomVector& variables, int i,
                    int order, const std::string& where, base::ErrorList& errors) {
   const auto [least, largest] = reachOf(study, variables, i, order);
@@ -71,21 +90,40 @@ void checkVariable(const Study& study, const laws::LawRegistry& laws, const chao
   for (const double point : {least, largest}) {
     germs[static_cast<std::size_t>(i)] = point * beyondTheEdge;
     const std::vector<double> values = variables.values(germs);
-    try {
-      study.sceneFor(*study.plan->complete(values), laws);
-    } catch (const base::Error& error) {
-      if (error.code() != base::ExitCode::input) throw;
-      const double value = values[static_cast<std::size_t>(i)];
-      errors.add(
-          where,
-          (usesGaussPoints(*study.stochastic) ? "an expansion of order " + std::to_string(order)
-                                              : std::string("an interpolation over all but the rarest values")) +
-              " needs " + variable.name + " = " + text(value) + ", " +
-              text(std::abs(value - variable.distribution->mean()) / variable.distribution->standardDeviation()) +
-              " standard deviations from its mean, which the scene refuses: " + error.what(),
-          remedy(study, *variable.distribution, largest));
-      return;
+    const std::string reason = refusal(study, laws, values);
+    if (reason.empty()) continue;
+    const double value = values[static_cast<std::size_t>(i)];
+    errors.add(where,
+               whoNeeds(study, order) + variable.name + " = " + text(value) + ", " +
+                   text(std::abs(value - variable.distribution->mean()) / variable.distribution->standardDeviation()) +
+                   " standard deviations from its mean, which the scene refuses: " + reason,
+               remedy(study, *variable.distribution, largest));
+    return;
+  }
+}
+
+/// All corners of what is needed of correlated parameters.
+void checkCorners(const Study& study, const laws::LawRegistry& laws, int order, base::ErrorList& errors) {
+  const chaos::RandomVector& variables = *study.stochastic->variables;
+  const std::size_t dimension = variables.variables().size();
+  for (std::size_t corner = 0; corner < (std::size_t{1} << dimension); ++corner) {
+    std::vector<double> germs;
+    for (std::size_t i = 0; i < dimension; ++i) {
+      const auto [least, largest] = reachOf(study, variables, static_cast<int>(i), order);
+      germs.push_back(beyondTheEdge * ((corner >> i) % 2 == 0 ? least : largest));
     }
+    const std::vector<double> values = variables.values(germs);
+    const std::string reason = refusal(study, laws, values);
+    if (reason.empty()) continue;
+    std::string point;
+    for (std::size_t i = 0; i < dimension; ++i) {
+      point += (point.empty() ? "" : ", ") + variables.variables()[i].name + " = " + text(values[i]);
+    }
+    errors.add(study.input.lists("Correlations").front().where(),
+               whoNeeds(study, order) + point + ", which the scene refuses: " + reason,
+               "Take distributions that admit only what the scene does (Lognormal for what is positive), less spread, "
+               "or a lower Order.");
+    return;
   }
 }
 
@@ -98,6 +136,10 @@ void checkTails(const Study& study, const laws::LawRegistry& laws, base::ErrorLi
 void checkTails(const Study& study, const laws::LawRegistry& laws, int order, base::ErrorList& errors) {
   const StochasticPlan& plan = *study.stochastic;
   if (plan.method == Method::sampling) return;
+  if (!plan.variables->isIndependent()) {
+    checkCorners(study, laws, order, errors);
+    return;
+  }
   for (int i = 0; i < plan.variables->dimension(); ++i) {
     const StudyParameter& parameter = study.parameters[plan.places[static_cast<std::size_t>(i)]];
     checkVariable(study, laws, *plan.variables, i, order, parameter.where + " / Distribution", errors);
