@@ -81,7 +81,7 @@ class Study:
     def free(self):
         """Names of the parameters that the design chooses, without those that never change."""
         return [name for name, values in self.parameters.items()
-                if not self.formulas[name] and values.min() < values.max()]
+                if not self.formulas[name] and len(numpy.unique(values)) > 1]
 
     def points(self, names=None):
         """Values of parameters (all free ones by default), [configuration, parameter]."""

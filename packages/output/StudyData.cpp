@@ -22,7 +22,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// A parameter without a second value spans no surface.
 void add(const std::string& name, const std::vector<double>& column, StudyData& data) {
   const auto [least, most] = std::minmax_element(column.begin(), column.end());
-  if (*least == *most) return;
+  if (column.empty() || *least == *most) return;
   data.parameters.push_back(name);
   data.points.resize(column.size());
   for (std::size_t i = 0; i < column.size(); ++i) data.points[i].push_back(column[i]);
