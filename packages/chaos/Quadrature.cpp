@@ -3,9 +3,13 @@
 namespace harmos::chaos {
 
 Quadrature tensorQuadrature(const RandomVector& variables, int pointsPerGerm) {
+  return tensorQuadrature(variables, std::vector<int>(static_cast<std::size_t>(variables.dimension()), pointsPerGerm));
+}
+
+Quadrature tensorQuadrature(const RandomVector& variables, const std::vector<int>& pointsOfGerms) {
   Quadrature quadrature{{{}}, {1.0}};
   for (int i = 0; i < variables.dimension(); ++i) {
-    const GaussRule rule = variables.polynomials(i).gauss(pointsPerGerm);
+    const GaussRule rule = variables.polynomials(i).gauss(pointsOfGerms[static_cast<std::size_t>(i)]);
     Quadrature product;
     for (std::size_t q = 0; q < quadrature.points.size(); ++q) {
       for (std::size_t k = 0; k < rule.points.size(); ++k) {

@@ -17,6 +17,7 @@ struct Quadrature {
 };
 
 /// All combinations of the Gauss points of each germ, the last germ fastest.
+Quadrature tensorQuadrature(const RandomVector& variables, const std::vector<int>& pointsOfGerms);
 Quadrature tensorQuadrature(const RandomVector& variables, int pointsPerGerm);
 
 /// Smolyak's sparse grid of Gauss rules, exact for products of two polynomials of the basis.

@@ -72,9 +72,9 @@ latin::Outcome ChaosStudy::solve() {
 
 void ChaosStudy::start(int order) {
   const chaos::RandomVector& variables = *study_.stochastic->variables;
-  const int count = gaussPoints(variables, order, study_.input.list("Design").integer("Points"), isGalerkin_);
+  const auto counts = gaussPoints(variables, order, study_.input.list("Design").integer("Points"), isGalerkin_);
   projection_ = std::make_shared<stochastic::Projection>(
-      std::make_shared<chaos::Basis>(study_.stochastic->variables, order), chaos::tensorQuadrature(variables, count));
+      std::make_shared<chaos::Basis>(study_.stochastic->variables, order), chaos::tensorQuadrature(variables, counts));
   const latin::LatinOptions latinOptions(scene_.input.list("Solver"));
   stochastic::StochasticOptions options;
   options.method = isGalerkin_ ? stochastic::Method::galerkin : stochastic::Method::pseudoSpectral;

@@ -173,13 +173,13 @@ class Reader {
       if (design.text("Points In") == "Sparse") {
         plan.quadrature = chaos::sparseQuadrature(chaos::Basis(plan.variables, plan.order));
       } else {
-        const int count = gaussPoints(*plan.variables, plan.order, design.integer("Points"), false);
-        if (std::pow(count, plan.variables->dimension()) > mostPoints) {
+        const auto counts = gaussPoints(*plan.variables, plan.order, design.integer("Points"), false);
+        if (std::pow(counts.front(), plan.variables->dimension()) > mostPoints) {
           throw base::Error("the tensor grid has more than " + std::to_string(static_cast<int>(mostPoints)) +
                                 " points.\n  Set Points In to Sparse, or lower the Order.",
                             base::ExitCode::input);
         }
-        plan.quadrature = chaos::tensorQuadrature(*plan.variables, count);
+        plan.quadrature = chaos::tensorQuadrature(*plan.variables, counts);
       }
       plan.germs = plan.quadrature.points;
     }
@@ -218,13 +218,20 @@ std::shared_ptr<const chaos::RandomVector> withSpread(const StochasticPlan& plan
   return std::make_shared<chaos::RandomVector>(std::move(variables), plan.correlation);
 }
 
-int gaussPoints(const chaos::RandomVector& variables, int order, int asked, bool isGalerkin) {
-  if (asked > 0) return asked;
+std::vector<int> gaussPoints(const chaos::RandomVector& variables, int order, int asked, bool isGalerkin) {
   const auto& all = variables.variables();
-  const bool isAffine = variables.isIndependent() && std::all_of(all.begin(), all.end(), [](const auto& variable) {
-                          return variable.distribution->isAffine();
-                        });
-  return order + 1 + (isGalerkin && !isAffine ? pointsForNonlinearGerms : 0);
+  if (asked > 0) return std::vector<int>(all.size(), asked);
+  std::vector<int> counts(all.size(), order + 1);
+  if (!isGalerkin) return counts;
+  // Correlated normal parameters are linear functions of their germs, others are not.
+  const bool allNormal = std::all_of(all.begin(), all.end(), [](const auto& variable) {
+    return variable.distribution->name() == std::string("Normal");
+  });
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool isLinear = variables.isIndependent() ? all[i].distribution->isAffine() : allNormal;
+    if (!isLinear) counts[i] += pointsForNonlinearGerms;
+  }
+  return counts;
 }
 
 }  // namespace harmos::setup

@@ -55,8 +55,8 @@ std::shared_ptr<const StochasticPlan> readStochasticPlan(const base::Parameters&
 std::shared_ptr<const chaos::RandomVector> withSpread(const StochasticPlan& plan,
                                                       const std::vector<double>& coefficients);
 
-/// Gauss points per germ with which an expansion of this order is computed; `asked`: the user's number, 0: none.
+/// Gauss points of each germ with which an expansion of this order is computed; `asked`: the user's number, 0: none.
 /// `isGalerkin`: stiffness times two polynomials is integrated, else fields times one.
-int gaussPoints(const chaos::RandomVector& variables, int order, int asked, bool isGalerkin);
+std::vector<int> gaussPoints(const chaos::RandomVector& variables, int order, int asked, bool isGalerkin);
 
 }  // namespace harmos::setup

@@ -22,10 +22,40 @@ bool usesGaussPoints(const StochasticPlan& plan) {
   return plan.method == Method::chaos || plan.method == Method::collocation;
 }
 
-chaos::GaussRule ruleOf(const Study& study, const chaos::RandomVector& variables, int i) {
+chaos::GaussRule ruleOf(const Study& study, const chaos::RandomVector& variables, int germ) {
   const StochasticPlan& plan = *study.stochastic;
-  return variables.polynomials(i).gauss(
-      gaussPoints(variables, plan.order, study.input.list("Design").integer("Points"), false));
+  const base::Parameters& design = study.input.list("Design");
+  const bool mayBeGalerkin = plan.method == Method::chaos && design.text("Local Stage") != "Pseudo-Spectral";
+  const auto counts = gaussPoints(variables, plan.order, design.integer("Points"), mayBeGalerkin);
+  return variables.polynomials(germ).gauss(counts[static_cast<std::size_t>(germ)]);
+}
+
+/// The combination of Gauss points at which a parameter has its least or largest value, with its other germs in the
+/// middle. A parameter grows or falls with each germ.
+std::vector<double> extremeGerms(const Study& study, const chaos::RandomVector& variables, int i, bool isLeast) {
+  const auto place = static_cast<std::size_t>(i);
+  const std::vector<double> middle =
+      variables.germs(std::vector<double>(static_cast<std::size_t>(variables.dimension()), 0.5));
+  std::vector<double> extreme = middle;
+  for (std::size_t g = 0; g < middle.size(); ++g) {
+    if (variables.isIndependent() && g != place) continue;
+    const chaos::GaussRule rule = ruleOf(study, variables, static_cast<int>(g));
+    const auto valueAt = [&](double germ) {
+      std::vector<double> germs = middle;
+      germs[g] = germ;
+      return variables.values(germs)[place];
+    };
+    const bool isFrontLower = valueAt(rule.points.front()) <= valueAt(rule.points.back());
+    extreme[g] = beyondTheEdge * (isFrontLower == isLeast ? rule.points.front() : rule.points.back());
+  }
+  return extreme;
+}
+
+/// How far a parameter is from its mean there, in standard deviations, of which it must have some.
+double reach(const chaos::RandomVector& variables, int i, const std::vector<double>& germs) {
+  const chaos::Distribution& distribution = *variables.variables()[static_cast<std::size_t>(i)].distribution;
+  const double value = variables.values(germs)[static_cast<std::size_t>(i)];
+  return std::abs(value - distribution.mean()) / distribution.standardDeviation();
 }
 
 std::string text(double value) {
@@ -34,11 +64,11 @@ std::string text(double value) {
   return stream.str();
 }
 
-std::string remedy(const chaos::Distribution& distribution, const chaos::GaussRule& rule) {
+std::string remedy(const chaos::Distribution& distribution, double deviations) {
   std::string text = "Take a distribution that admits only what the scene does (Lognormal for what is positive)";
   if (distribution.name() == std::string("Normal")) {
     std::ostringstream limit;
-    limit << std::setprecision(3) << 1.0 / rule.points.back();
+    limit << std::setprecision(3) << 1.0 / deviations;
     text += ", a coefficient of variation well below " + limit.str();
   }
   return text + ", or a lower Order.";
@@ -46,25 +76,20 @@ std::string remedy(const chaos::Distribution& distribution, const chaos::GaussRu
 
 void checkVariable(const Study& study, const laws::LawRegistry& laws, const chaos::RandomVector& variables, int i,
                    const std::string& where, base::ErrorList& errors) {
-  const chaos::GaussRule rule = ruleOf(study, variables, i);
   const chaos::Variable& variable = variables.variables()[static_cast<std::size_t>(i)];
-  std::vector<double> germs =
-      variables.germs(std::vector<double>(static_cast<std::size_t>(variables.dimension()), 0.5));
-  for (const double point : {rule.points.front(), rule.points.back()}) {
-    germs[static_cast<std::size_t>(i)] = point * beyondTheEdge;
+  for (const bool isLeast : {true, false}) {
+    const std::vector<double> germs = extremeGerms(study, variables, i, isLeast);
     const std::vector<double> values = variables.values(germs);
     try {
       study.sceneFor(*study.plan->complete(values), laws);
     } catch (const base::Error& error) {
       if (error.code() != base::ExitCode::input) throw;
-      const double value = values[static_cast<std::size_t>(i)];
-      errors.add(
-          where,
-          "an expansion of order " + std::to_string(study.stochastic->order) + " needs " + variable.name + " = " +
-              text(value) + ", " +
-              text(std::abs(value - variable.distribution->mean()) / variable.distribution->standardDeviation()) +
-              " standard deviations from its mean, which the scene refuses: " + error.what(),
-          remedy(*variable.distribution, rule));
+      const double deviations = reach(variables, i, germs);
+      errors.add(where,
+                 "an expansion of order " + std::to_string(study.stochastic->order) + " needs " + variable.name +
+                     " = " + text(values[static_cast<std::size_t>(i)]) + ", " + text(deviations) +
+                     " standard deviations from its mean, which the scene refuses: " + error.what(),
+                 remedy(*variable.distribution, deviations));
       return;
     }
   }
@@ -75,8 +100,12 @@ std::string warningOf(const Study& study, int i, double coefficient) {
   const StochasticPlan& plan = *study.stochastic;
   const chaos::Distribution& distribution = plan.distribution(static_cast<std::size_t>(i));
   if (!usesGaussPoints(plan) || distribution.name() != std::string("Normal")) return "";
-  const chaos::GaussRule rule = ruleOf(study, *plan.variables, i);
-  const double margin = 1.0 - coefficient * std::abs(rule.points.front());
+  const chaos::RandomVector& variables = *plan.variables;
+  const chaos::GaussRule rule = ruleOf(study, variables, i);
+  const double deviations = distribution.standardDeviation() > 0.0
+                                ? reach(variables, i, extremeGerms(study, variables, i, true))
+                                : std::abs(rule.points.front());
+  const double margin = 1.0 - coefficient * deviations;
   if (margin >= narrowMargin) return "";
   return "; WARNING: at the outermost of " + std::to_string(rule.points.size()) + " Gauss points only " +
          text(100.0 * margin) +
