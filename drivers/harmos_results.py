@@ -5,6 +5,7 @@
     study.parameters["mu"], study.responses["F_max"]    one number per configuration
     study.curves["reaction"]                            one row per configuration, one column per load step
     study.table()                                       everything as one structured array
+    study.statistics.responses["u_A_y"].mean            of a study with random parameters; see harmos_stochastic
     history = harmos_results.read_history("results/bolted_joint_history.csv")
     history["time"], history["reaction"]
 """
@@ -12,6 +13,8 @@ import csv
 
 import h5py
 import numpy
+
+import harmos_stochastic
 
 SCHEMA, SCHEMA_VERSION = "harmos-study", 1
 SOLVED = ("certified", "calibrated")
@@ -32,6 +35,7 @@ class Study:
     left_out                 how many points of the design each condition left out
     study_input, scene_input XML with all defaults
     surrogate_models         dictionaries by response: how its surface was fitted, once the study has ended
+    statistics               of a study with random parameters that has ended, else None; see harmos_stochastic
     """
 
     def __init__(self, path, name=None):
@@ -64,6 +68,7 @@ class Study:
             self.left_out = dict(group["left_out"].attrs)
             self.surrogate_models = {name: {**dict(model.attrs), **{key: model[key][()] for key in model}}
                                      for name, model in group.get("surrogates", {}).items()}
+            self.statistics = harmos_stochastic.Statistics(group["statistics"]) if "statistics" in group else None
             self.study_input = group["input"].attrs["study"]
             self.scene_input = group["input"].attrs["scene"]
 
@@ -76,7 +81,7 @@ class Study:
     def free(self):
         """Names of the parameters that the design chooses, without those that never change."""
         return [name for name, values in self.parameters.items()
-                if not self.formulas[name] and values.min() < values.max()]
+                if not self.formulas[name] and len(numpy.unique(values)) > 1]
 
     def points(self, names=None):
         """Values of parameters (all free ones by default), [configuration, parameter]."""

@@ -7,70 +7,24 @@ Works for any number of parameters and responses. On a grid the last two paramet
 are fixed, one picture for each of their combinations (nine at most); other designs are shown point by point.
 """
 import argparse
-import base64
 import html
-import io
 import itertools
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot
 import numpy
 from matplotlib.colors import ListedColormap
 from matplotlib.ticker import MaxNLocator
 
 import harmos_results
+import report_stochastic
+from report_page import STYLE, label, number, picture, table
 
 STATUS_COLOURS = {"certified": "#1b7837", "calibrated": "#7fbf7b", "not converged": "#fdae61",
                   "no equilibrium": "#2c7bb6", "failed": "#d7191c", "inadmissible": "#888888", "open": "#eeeeee"}
 MOST_PANELS = 9
 MOST_ROWS = 200
-
-STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; max-width: 1100px; margin: 2em auto; padding: 0 1em; color: #222; }
-h1 { margin-bottom: .2em; } h2 { margin-top: 2em; border-bottom: 1px solid #ccc; }
-table { border-collapse: collapse; margin: 1em 0; } td, th { padding: .2em .8em; text-align: right; }
-th { border-bottom: 1px solid #888; } td:first-child, th:first-child, td.text { text-align: left; }
-img { max-width: 100%; } pre { background: #f6f6f6; padding: 1em; overflow: auto; font-size: 12px; }
-.note { color: #555; }
-"""
-
-
-picture_folder = None  # also keeps the pictures there, if given
-
-
-def picture(figure, name):
-    """The figure as an image inside of the page."""
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=110, bbox_inches="tight")
-    pyplot.close(figure)
-    if picture_folder:
-        picture_folder.mkdir(parents=True, exist_ok=True)
-        (picture_folder / f"{name}.png").write_bytes(buffer.getvalue())
-    return f'<img alt="" src="data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}">'
-
-
-def table(header, rows, text_columns=()):
-    cells = "".join(f"<th>{html.escape(name)}</th>" for name in header)
-    lines = [f"<tr>{cells}</tr>"]
-    for row in rows:
-        cells = "".join(f'<td{" class=text" if i in text_columns else ""}>{html.escape(str(cell))}</td>'
-                        for i, cell in enumerate(row))
-        lines.append(f"<tr>{cells}</tr>")
-    return "<table>" + "".join(lines) + "</table>"
-
-
-def number(value):
-    return "" if numpy.isnan(value) else f"{value:.5g}"
-
-
-def label(study, name):
-    unit = study.units.get(name, "")
-    return f"{name} [{unit}]" if unit else name
-
 
 class Grid:
     """The free parameters of a study as the axes of a grid, and arrays of results on it."""
@@ -368,7 +322,8 @@ def overview(study):
                  ("started from another solution", f"{(study.starts[done, 0] != 0).sum()} of {done.sum()}")]
     rows += list(study.notes.items())
     rows += [("written by", f"Harmos {study.version}")]
-    parameters = [[label(study, name), number(values.min()), number(values.max()), len(numpy.unique(values)),
+    parameters = [[label(study, name), number(values.min()) if len(values) else "",
+                   number(values.max()) if len(values) else "", len(numpy.unique(values)),
                    study.formulas[name] or ", ".join(study.entries[name]), study.phases[name]]
                   for name, values in study.parameters.items()]
     return table(("", ""), rows, (1,)) + table(
@@ -379,13 +334,16 @@ def page(study, abscissa):
     grid = Grid(study)
     is_grid = grid.fits(len(study.id))
     title = study.title or study.name
-    sections = [("Response surfaces", response_section(study, grid, is_grid)),
-                ("Curves", curve_section(study, grid, is_grid, abscissa)),
-                ("Sensitivities", sensitivity_section(study)),
-                ("Effort", effort_section(study, grid, is_grid)),
-                ("Failures", failure_section(study)),
-                ("Input", "".join(f"<details><summary>{name}</summary><pre>{html.escape(text)}</pre></details>"
-                                  for name, text in (("study", study.study_input), ("scene", study.scene_input))))]
+    sections = report_stochastic.sections(study) if study.statistics else []
+    if len(study.id) and (not study.statistics or report_stochastic.is_sample(study)):
+        sections.append(("Response surfaces", response_section(study, grid, is_grid)))
+    if len(study.id):
+        sections.append(("Curves", curve_section(study, grid, is_grid, abscissa)))
+        if not study.statistics:
+            sections.append(("Sensitivities", sensitivity_section(study)))
+        sections += [("Effort", effort_section(study, grid, is_grid)), ("Failures", failure_section(study))]
+    sections.append(("Input", "".join(f"<details><summary>{name}</summary><pre>{html.escape(text)}</pre></details>"
+                                      for name, text in (("study", study.study_input), ("scene", study.scene_input)))))
     body = "".join(f"<h2>{name}</h2>{content}" for name, content in sections)
     return (f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}</title>'
             f"<style>{STYLE}</style></head><body><h1>{html.escape(title)}</h1>{overview(study)}{body}</body></html>\n")
@@ -398,8 +356,7 @@ def main():
     parser.add_argument("--abscissa", default="", help="curve to draw the other curves against (default: time)")
     parser.add_argument("--pictures", type=pathlib.Path, help="folder that also gets the pictures, as PNG files")
     arguments = parser.parse_args()
-    global picture_folder
-    picture_folder = arguments.pictures
+    picture.folder = arguments.pictures
     try:
         study = harmos_results.read_study(arguments.study)
         if arguments.abscissa and arguments.abscissa not in study.curves:

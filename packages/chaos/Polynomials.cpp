@@ -108,6 +108,13 @@ Polynomials Polynomials::discrete(const std::vector<double>& points, const std::
   return Polynomials(std::move(recurrence), isFinite);
 }
 
+Polynomials Polynomials::recurrence(std::vector<double> a, std::vector<double> b) {
+  const auto isPositive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  if (a.empty() || a.size() != b.size() || !std::all_of(b.begin(), b.end(), isPositive))
+    throw base::Error("these are no coefficients of orthonormal polynomials", base::ExitCode::input);
+  return Polynomials({std::move(a), std::move(b)});
+}
+
 std::vector<double> Polynomials::evaluate(double xi, int degree) const {
   if (degree < 0 || degree > largestDegree()) throw base::Error(degreeError(degree, largestDegree()));
   std::vector<double> p(static_cast<std::size_t>(degree) + 1, 1.0);

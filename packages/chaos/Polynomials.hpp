@@ -27,6 +27,9 @@ class Polynomials {
   /// degree is one less than the number of different points, and at most 64. Throws base::Error when the two differ in
   /// length, a probability is negative or the sum is not 1.
   static Polynomials discrete(const std::vector<double>& points, const std::vector<double>& probabilities);
+  /// From the coefficients of their recurrence, one of each for every degree. Throws base::Error (input) when their
+  /// numbers differ or a b is not positive.
+  static Polynomials recurrence(std::vector<double> a, std::vector<double> b);
 
   /// Highest degree that is known.
   int largestDegree() const { return static_cast<int>(a_.size()) - 1; }

@@ -10,6 +10,30 @@ namespace {
 using study::ResponseStatistics;
 using study::StochasticSummary;
 
+/// Quantiles of a germ, to draw it elsewhere: of even probabilities, and of a few in the tails.
+void writeGerm(const Hdf5Group& group, const chaos::RandomVector& variables, int i) {
+  const chaos::Distribution& distribution = *variables.variables()[static_cast<std::size_t>(i)].distribution;
+  const std::string name = distribution.name();
+  const bool isNormal = !variables.isIndependent() || name == "Normal" || name == "Lognormal";
+  group.attribute("germ", isNormal ? std::string("Normal") : name);
+  std::vector<double> levels, quantiles;
+  constexpr int count = 1000;
+  for (int k = 0; k < count; ++k) levels.push_back((k + 0.5) / count);
+  if (name != "Sample") {
+    for (const double tail : {1e-4, 1e-5, 1e-6, 1e-7}) {
+      levels.insert(levels.begin(), tail);
+      levels.push_back(1.0 - tail);
+    }
+  }
+  std::vector<double> point(static_cast<std::size_t>(variables.dimension()), 0.5);
+  for (const double level : levels) {
+    point[static_cast<std::size_t>(i)] = level;
+    quantiles.push_back(variables.germs(point)[static_cast<std::size_t>(i)]);
+  }
+  group.array("germ_levels", levels);
+  group.array("germ_quantiles", quantiles);
+}
+
 /// What is needed to evaluate the polynomials elsewhere: their recurrence, and how a parameter follows from its germ.
 void writeVariable(const Hdf5Group& group, const chaos::RandomVector& variables, int i) {
   const chaos::Distribution& distribution = *variables.variables()[static_cast<std::size_t>(i)].distribution;
@@ -43,6 +67,7 @@ void writeBasis(const Hdf5Group& group, const chaos::Basis& basis) {
   for (int i = 0; i < variables.dimension(); ++i) {
     const Hdf5Group germ = group.group(variables.variables()[static_cast<std::size_t>(i)].name);
     writeVariable(germ, variables, i);
+    writeGerm(germ, variables, i);
     const chaos::Polynomials& polynomials = variables.polynomials(i);
     germ.array("recurrence_a", firstOf(polynomials.a(), basis.order()));
     germ.array("recurrence_b", firstOf(polynomials.b(), basis.order()));

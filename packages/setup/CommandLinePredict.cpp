@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
 #include <harmos/output/AtomicFile.hpp>
+#include <harmos/output/StoredExpansions.hpp>
 #include <harmos/output/StudyData.hpp>
 #include <harmos/setup/CommandLineVerbs.hpp>
 #include <harmos/setup/PointsFile.hpp>
@@ -39,20 +41,38 @@ std::vector<double> pointOf(const std::vector<std::string>& assignments, const s
   return point;
 }
 
-int predict(const CommandLineArguments& arguments, const CommandEnvironment& environment) {
-  arguments.requireOperands({"STUDY.h5"});
-  if (!environment.isRoot()) return 0;
-  const output::StudyData data = output::readStudyData(arguments.operands()[0]);
-  if (arguments.has("--points") == arguments.has("--at")) {
-    throw base::Error("harmos predict wants either --points or --at. Try \"harmos predict --help\".",
-                      base::ExitCode::input);
-  }
-  const auto points = arguments.has("--points")
-                          ? readPoints(arguments.value("--points", ""), data.parameters)
-                          : std::vector<std::vector<double>>{pointOf(arguments.values("--at"), data.parameters)};
-  std::vector<study::Surrogate> surrogates;
+std::vector<std::vector<double>> pointsOf(const CommandLineArguments& arguments,
+                                          const std::vector<std::string>& parameters) {
+  if (arguments.has("--points")) return readPoints(arguments.value("--points", ""), parameters);
+  return {pointOf(arguments.values("--at"), parameters)};
+}
+
+/// A number that may be unknown as a cell of the table.
+std::string cell(double value) {
+  return (std::isnan(value) ? "" : base::toText(value)) + ",";
+}
+
+std::string header(const std::vector<std::string>& parameters, const std::vector<std::string>& responses) {
   std::string text;
-  for (const std::string& name : data.parameters) text += name + ",";
+  for (const std::string& name : parameters) text += name + ",";
+  for (const std::string& name : responses) text += name + "," + name + "_deviation,";
+  return text + "extrapolated\n";
+}
+
+std::string evaluate(const output::StoredExpansions& expansions, const CommandLineArguments& arguments) {
+  std::string text = header(expansions.parameters(), expansions.responses());
+  for (const auto& point : pointsOf(arguments, expansions.parameters())) {
+    for (const double value : point) text += cell(value);
+    const std::vector<double> values = expansions.evaluate(point);
+    for (std::size_t r = 0; r < values.size(); ++r) text += cell(values[r]) + cell(expansions.deviation(r));
+    text += expansions.isInside(point) ? "0\n" : "1\n";
+  }
+  return text;
+}
+
+std::string evaluate(const output::StudyData& data, const CommandLineArguments& arguments) {
+  const auto points = pointsOf(arguments, data.parameters);
+  std::vector<study::Surrogate> surrogates;
   for (std::size_t r = 0; r < data.responses.size(); ++r) {
     auto surrogate = data.surrogate(r);
     if (!surrogate) {
@@ -60,19 +80,32 @@ int predict(const CommandLineArguments& arguments, const CommandEnvironment& env
                         base::ExitCode::input);
     }
     surrogates.push_back(std::move(*surrogate));
-    text += data.responses[r] + "," + data.responses[r] + "_deviation,";
   }
-  text += "extrapolated\n";
+  std::string text = header(data.parameters, data.responses);
   for (const auto& point : points) {
     bool isInside = true;
-    for (const double value : point) text += base::toText(value) + ",";
+    for (const double value : point) text += cell(value);
     for (const study::Surrogate& surrogate : surrogates) {
       const auto prediction = surrogate.evaluate(point);
-      text += base::toText(prediction.value) + "," + base::toText(prediction.deviation) + ",";
+      text += cell(prediction.value) + cell(prediction.deviation);
       isInside = isInside && prediction.isInside;
     }
     text += isInside ? "0\n" : "1\n";
   }
+  return text;
+}
+
+int predict(const CommandLineArguments& arguments, const CommandEnvironment& environment) {
+  arguments.requireOperands({"STUDY.h5"});
+  if (!environment.isRoot()) return 0;
+  const std::string& path = arguments.operands()[0];
+  const output::StudyData data = output::readStudyData(path);
+  if (arguments.has("--points") == arguments.has("--at")) {
+    throw base::Error("harmos predict wants either --points or --at. Try \"harmos predict --help\".",
+                      base::ExitCode::input);
+  }
+  const auto expansions = output::StoredExpansions::read(path);
+  const std::string text = expansions ? evaluate(*expansions, arguments) : evaluate(data, arguments);
   if (arguments.has("--output")) {
     output::replaceFile(arguments.value("--output", ""), text);
   } else {
@@ -86,11 +119,12 @@ int predict(const CommandLineArguments& arguments, const CommandEnvironment& env
 Command predictCommand() {
   return {"predict",
           "STUDY.h5",
-          "Evaluate the response surfaces of a study, with error bars, without solving anything.",
+          "Evaluate the response surfaces or expansions of a study, with error bars, without solving anything.",
           {{"--at", "NAME=VALUE", "value of a parameter; once for each", true},
            {"--points", "FILE.csv", "a table of points instead; its header names the parameters"},
            {"--output", "FILE.csv", "write the table there (default: print it)"}},
-          {"harmos predict results/bolted_joint_study.h5 --at mu=0.22 --at preload_1=0.11 --at preload_2=0.08",
+          {"harmos predict results/glued_assembly_chaos.h5 --at E_1=550 --at E_2=900",
+           "harmos predict results/bolted_joint_study.h5 --at mu=0.22 --at preload_1=0.11 --at preload_2=0.08",
            "harmos predict results/bolted_joint_study.h5 --points points.csv --output surface.csv"},
           predict};
 }

@@ -127,6 +127,35 @@ void checkCorners(const Study& study, const laws::LawRegistry& laws, int order, 
   }
 }
 
+/// How far from its mean the outermost Gauss points of all germs take a normal parameter, in standard deviations.
+double reachInDeviations(const Study& study, int i) {
+  const chaos::RandomVector& variables = *study.stochastic->variables;
+  const auto place = static_cast<std::size_t>(i);
+  const double deviation = study.stochastic->distribution(place).standardDeviation();
+  const int order = certainOrder(study);
+  if (variables.isIndependent() || deviation == 0.0) return std::abs(ruleOf(study, variables, i, order).points.front());
+  const std::vector<double> middle(variables.variables().size(), 0.0);
+  double reach = 0.0;
+  for (std::size_t g = 0; g < middle.size(); ++g) {
+    std::vector<double> germs = middle;
+    germs[g] = ruleOf(study, variables, static_cast<int>(g), order).points.front();
+    reach += std::abs(variables.values(germs)[place] - variables.values(middle)[place]) / deviation;
+  }
+  return reach;
+}
+
+/// Of a normal parameter with this coefficient of variation; empty when its tail does not matter.
+std::string warningOf(const Study& study, int i, double coefficient) {
+  const StochasticPlan& plan = *study.stochastic;
+  if (!usesGaussPoints(plan)) return "";
+  if (plan.distribution(static_cast<std::size_t>(i)).name() != std::string("Normal")) return "";
+  const double margin = 1.0 - coefficient * reachInDeviations(study, i);
+  if (margin >= narrowMargin) return "";
+  const auto count = ruleOf(study, *plan.variables, i, certainOrder(study)).points.size();
+  return "; WARNING: at the outermost of " + std::to_string(count) + " Gauss points only " + text(100.0 * margin) +
+         " % of the mean is left: what follows from the tail is an artefact of the normal distribution";
+}
+
 }  // namespace
 
 void checkTails(const Study& study, const laws::LawRegistry& laws, base::ErrorList& errors) {
@@ -167,14 +196,25 @@ std::vector<std::string> describeTails(const Study& study) {
     std::string sentence = variable.name + ": " + distribution.name() + ", mean " + text(mean) +
                            ", standard deviation " + text(deviation) + ", P(" + variable.name +
                            " <= 0) = " + text(distribution.cumulative(0.0));
-    if (usesGaussPoints(plan) && distribution.isAffine() && mean != 0.0 && deviation > 0.0) {
-      const chaos::GaussRule rule = ruleOf(study, *plan.variables, i, certainOrder(study));
-      const double margin = 1.0 - deviation * std::abs(rule.points.front()) / std::abs(mean);
-      if (distribution.name() == std::string("Normal") && margin < narrowMargin) {
-        sentence += "; WARNING: at the outermost of " + std::to_string(rule.points.size()) + " Gauss points only " +
-                    text(100.0 * margin) +
-                    " % of the mean is left: what follows from the tail is an artefact of the normal distribution";
-      }
+    if (mean != 0.0) sentence += warningOf(study, i, deviation / std::abs(mean));
+    sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
+std::vector<std::string> describeSweeps(const Study& study) {
+  std::vector<std::string> sentences;
+  for (const StochasticPlan::Sweep& sweep : study.stochastic->sweeps) {
+    std::vector<double> coefficients = sweep.coefficients;
+    std::sort(coefficients.begin(), coefficients.end());
+    std::string sentence = sweep.name + ": coefficient of variation of " +
+                           study.parameters[study.stochastic->places[sweep.variable]].name + ", " +
+                           std::to_string(coefficients.size()) + " values up to " + text(coefficients.back());
+    for (const double coefficient : coefficients) {
+      const std::string warning = warningOf(study, static_cast<int>(sweep.variable), coefficient);
+      if (warning.empty()) continue;
+      sentence += ", of " + text(coefficient) + warning;
+      break;
     }
     sentences.push_back(std::move(sentence));
   }

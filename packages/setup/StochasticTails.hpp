@@ -25,4 +25,7 @@ void checkTails(const Study& study, const laws::LawRegistry& laws, int order, ba
 /// less than a fifth of the mean.
 std::vector<std::string> describeTails(const Study& study);
 
+/// One sentence per coefficient of variation that is swept, with a warning from where on the tail rules.
+std::vector<std::string> describeSweeps(const Study& study);
+
 }  // namespace harmos::setup

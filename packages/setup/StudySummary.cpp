@@ -51,6 +51,7 @@ void printPlan(std::ostream& out, const Study& study) {
   }
   if (!study.stochastic) return;
   for (const std::string& sentence : describeTails(study)) out << "  " << sentence << "\n";
+  for (const std::string& sentence : describeSweeps(study)) out << "  " << sentence << "\n";
   for (const std::string& remark : study.stochastic->remarks) out << "  " << remark << "\n";
 }
 

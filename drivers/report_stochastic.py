@@ -1,0 +1,202 @@
+"""The sections of a report on a study with random parameters."""
+import html
+
+import matplotlib.pyplot as pyplot
+import numpy
+from matplotlib.ticker import MaxNLocator
+
+from report_page import label, number, panel_grid, percent, picture, table
+
+BLUE, ORANGE = "#31688e", "#d95f02"
+
+
+def is_sample(study):
+    """Whether the figures are those of random configurations, not of an expansion or interpolation."""
+    return " sample of " in study.statistics.method
+
+
+def drawn(study):
+    """Responses that vary."""
+    return [name for name, each in study.statistics.responses.items()
+            if each.standard_deviation > 0 and not numpy.isnan(each.skewness)]
+
+
+def errors(response):
+    """What is known of the errors of a response, for the title of a picture."""
+    parts = [f"{what} {percent(value)}" for what, value in (("hold-out", response.hold_out_error),
+                                                             ("last degree", response.truncation))
+             if not numpy.isnan(value)]
+    if not parts and response.standard_deviation_error > 0:
+        parts = [f"standard error of the std {percent(response.standard_deviation_error / response.standard_deviation)}"]
+    return ", ".join(parts)
+
+
+def curves(study, which, ylabel):
+    names = drawn(study)
+    figure, axes = panel_grid(len(names))
+    for axis, name in zip(axes, names):
+        response = study.statistics.responses[name]
+        if which == "density" and is_sample(study):
+            values = study.responses[name][study.solved]
+            axis.hist(values, bins="auto", density=True, color="#c6dbef", edgecolor="white", linewidth=0.4)
+        axis.plot(response.values, getattr(response, which), color=BLUE)
+        axis.axvline(response.mean, color="#888", linewidth=0.8, linestyle="--")
+        axis.set_xlabel(name)
+        axis.set_ylabel(ylabel)
+        axis.set_ylim(bottom=0)
+        axis.xaxis.set_major_locator(MaxNLocator(6))
+        axis.set_title(errors(response), fontsize=8, color="#555")
+        axis.grid(alpha=0.3)
+    return figure
+
+
+def density_section(study):
+    if not drawn(study):
+        return '<p class="note">No response varies.</p>'
+    how = ("Bars: histogram of the configurations; line: kernel estimate." if is_sample(study) else
+           "From samples of the expansions or the interpolation; nothing was solved for them.")
+    return (picture(curves(study, "density", "probability density"), "densities") +
+            picture(curves(study, "cumulative", "probability"), "cumulative") +
+            f'<p class="note">{how} Dashed: mean. Above each picture: hold-out error (root mean square at random '
+            "configurations solved besides, over the standard deviation) and share of the variance in the last degree.</p>")
+
+
+def moment_section(study):
+    statistics = study.statistics
+    rows = []
+    for name, each in statistics.responses.items():
+        rows.append([name] + [number(value, "n/a") for value in (each.mean, each.standard_deviation, each.skewness,
+                                                                 each.kurtosis)] +
+                    [number(value) for value in (each.mean_error, each.standard_deviation_error)] +
+                    [percent(each.truncation), percent(each.hold_out_error)])
+    moments = table(["response", "mean", "std", "skewness", "kurtosis", "error of mean", "error of std", "last degree",
+                     "hold-out"], rows)
+    note = ('<p class="note">Kurtosis of a normal response: 3. Errors of mean and std: '
+            + ("standard errors of the sample" if is_sample(study) else
+               "what the iteration left, without truncation (last degree: share of the variance; hold-out: root mean "
+               "square error over the std)") + ".</p>")
+    quantiles = table(["response"] + [f"{level:g}" for level in statistics.levels],
+                      [[name] + [number(value) for value in each.quantiles]
+                       for name, each in statistics.responses.items()])
+    return moments + note + "<h3>Quantiles</h3>" + quantiles
+
+
+def sobol_section(study):
+    statistics = study.statistics
+    shown = [name for name in drawn(study) if statistics.responses[name].sobol]
+    if not shown:
+        return '<p class="note">There are no indices.</p>'
+    figure, axis = pyplot.subplots(figsize=(7, 0.5 + 0.55 * len(shown)), layout="constrained")
+    colours = pyplot.cm.viridis(numpy.linspace(0.1, 0.9, len(statistics.variables)))
+    rows = []
+    for place, name in enumerate(shown):
+        sobol = statistics.responses[name].sobol
+        left = 0.0
+        for variable, colour in zip(statistics.variables, colours):
+            main, total = sobol.get(variable, (0.0, 0.0))
+            axis.barh(place, main, left=left, color=colour, label=variable if place == 0 else None)
+            left += main
+        if left < 1:
+            axis.barh(place, 1 - left, left=left, color="#bbb", label="interaction" if place == 0 else None)
+        rows += [[name, variables, number(main), number(total)] for variables, (main, total) in sobol.items()]
+    axis.set_yticks(range(len(shown)), shown)
+    axis.invert_yaxis()
+    axis.set_xlim(0, 1)
+    axis.set_xlabel("share of the variance")
+    axis.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
+    note = "" if statistics.independent else (
+        '<p class="note">The parameters are correlated: the shares are those of the independent germs, the first of '
+        "which is the first parameter's own.</p>")
+    return picture(figure, "sobol") + note + table(["response", "variables", "main", "total"], rows, (1,))
+
+
+def coefficient_section(study):
+    basis = study.statistics.basis
+    if basis is None:
+        return '<p class="note">There are no expansions.</p>'
+    known = {name: each.coefficients for name, each in study.statistics.responses.items()
+             if each.coefficients is not None}
+    rows = [[" ".join(map(str, degrees))] + [f"{coefficients[a]:.6e}" for coefficients in known.values()]
+            for a, degrees in enumerate(basis.degrees)]
+    return (f'<p class="note">Order {basis.order}, {len(basis.degrees)} orthonormal polynomials; degrees in '
+            f'{html.escape(", ".join(basis.germs))}, graded lexicographic.</p><details open><summary>coefficients</summary>' +
+            table(["degrees"] + list(known), rows) + "</details>")
+
+
+def running_deviations(values):
+    """Standard deviation of the first n values, and n, about a hundred of them."""
+    counts = numpy.unique(numpy.geomspace(2, len(values), 100).astype(int))
+    return counts, numpy.array([values[:n].std(ddof=1) for n in counts])
+
+
+def convergence_section(study):
+    statistics = study.statistics
+    names = drawn(study)
+    if not names or (statistics.convergence is None and not is_sample(study)):
+        return '<p class="note">Nothing to show.</p>'
+    figure, axes = panel_grid(len(names))
+    for axis, name in zip(axes, names):
+        if is_sample(study):
+            counts, deviations = running_deviations(study.responses[name][study.solved])
+            axis.semilogx(counts, deviations, color=BLUE)
+            axis.set_xlabel("configurations")
+        else:
+            axis.plot(statistics.convergence.size, statistics.convergence.standard_deviation[name], "o-", color=BLUE)
+            axis.xaxis.set_major_locator(MaxNLocator(integer=True))
+            axis.set_xlabel("order")
+        axis.set_ylabel(f"std of {name}")
+        axis.grid(alpha=0.3)
+    return picture(figure, "convergence")
+
+
+def sweep_section(study):
+    """Mean and standard deviation over coefficients of variation: the last two span the pictures, others are largest."""
+    sweep, parts = study.statistics.sweep, []
+    names = sweep.names[-2:]
+    mask = (sweep.coefficients[:, :-2] == sweep.coefficients[:, :-2].max(axis=0, initial=-1)).all(axis=1)
+    axes_values = [numpy.unique(column) for column in sweep.coefficients[:, -len(names):].T]
+    shape = [len(values) for values in axes_values]
+    if numpy.prod(shape) != mask.sum():
+        return '<p class="note">The sweep is not complete.</p>'
+    for response in study.statistics.responses:
+        fields = [("mean", sweep.mean[response][mask]), ("std", sweep.standard_deviation[response][mask])]
+        is_surface = len(names) == 2 and min(shape) > 1
+        figure = pyplot.figure(figsize=(9.5, 3.9), layout="constrained")
+        for place, (what, values) in enumerate(fields, 1):
+            if is_surface:
+                axis = figure.add_subplot(1, 2, place, projection="3d")
+                y, x = numpy.meshgrid(*axes_values, indexing="ij")
+                axis.plot_surface(x, y, values.reshape(shape), cmap="viridis", rstride=1, cstride=1)
+                axis.set_ylabel(names[0])
+                axis.set_title(f"{what} of {response}")
+            else:
+                axis = figure.add_subplot(1, 2, place)
+                longest = int(numpy.argmax(shape))
+                lines = numpy.moveaxis(values.reshape(shape), longest, 0)
+                axis.plot(axes_values[longest], lines.reshape(len(lines), -1), "o-")
+                axis.set_ylabel(f"{what} of {response}")
+                axis.grid(alpha=0.3)
+            axis.set_xlabel(names[-1] if is_surface else names[longest])
+        parts.append(picture(figure, f"{response}_sweep"))
+    return ("".join(parts) +
+            f'<p class="note">Over the coefficients of variation {html.escape(", ".join(sweep.names))}.</p>')
+
+
+def parameter_table(study):
+    statistics = study.statistics
+    rows = [[sentence] for sentence in statistics.distributions]
+    text = f"<p>{html.escape(statistics.method)}</p>" + table(["random parameters"], rows)
+    if statistics.inadmissible:
+        text += (f"<p><b>{statistics.inadmissible} draws</b> have values that the scene refuses; they were not solved and "
+                 "are left out of all figures.</p>")
+    return text
+
+
+def sections(study):
+    """Names and contents."""
+    result = [("Random parameters", parameter_table(study)), ("Densities", density_section(study)),
+              ("Moments", moment_section(study)), ("Sobol' indices", sobol_section(study)),
+              ("Expansions", coefficient_section(study)), ("Convergence", convergence_section(study))]
+    if study.statistics.sweep is not None:
+        result.append(("Sweep", sweep_section(study)))
+    return result
