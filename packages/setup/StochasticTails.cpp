@@ -106,7 +106,8 @@ std::string warningOf(const Study& study, int i, double coefficient) {
                                 ? reach(variables, i, extremeGerms(study, variables, i, true))
                                 : std::abs(rule.points.front());
   const double margin = 1.0 - coefficient * deviations;
-  if (margin >= narrowMargin) return "";
+  // What the scene allows to be negative is no stiffness.
+  if (margin <= 0.0 || margin >= narrowMargin) return "";
   return "; WARNING: at the outermost of " + std::to_string(rule.points.size()) + " Gauss points only " +
          text(100.0 * margin) +
          " % of the mean is left: what follows from the tail is an artefact of the normal distribution";
