@@ -308,7 +308,10 @@ def monte_carlo():
         if name in rows:  # another sample of the same size
             mean, deviation = rows[name]
             near(values.mean(), mean, 4 * numpy.sqrt(2) * deviation / 100, f"Monte Carlo: mean of {name}")
-            near(values.std(), deviation, 0.05 * deviation, f"Monte Carlo: std of {name}")
+            # The displacement under a normal stiffness has no variance: that of a sample is whatever its extremes are.
+            if not name.startswith("u_"):
+                near(values.std(), deviation, 0.05 * deviation, f"Monte Carlo: std of {name}")
+                near(statistics.responses[name].standard_deviation, values.std(), 0.03 * deviation, f"std of {name}")
 
 
 shutil.rmtree(WORK, ignore_errors=True)
