@@ -27,7 +27,7 @@ def errors(response):
                                                              ("last degree", response.truncation))
              if not numpy.isnan(value)]
     if not parts and response.standard_deviation_error > 0:
-        parts = [f"standard error of the std {percent(response.standard_deviation_error / response.standard_deviation)}"]
+        parts = [f"error of the std {percent(response.standard_deviation_error / response.standard_deviation)}"]
     return ", ".join(parts)
 
 
@@ -58,7 +58,7 @@ def density_section(study):
     return (picture(curves(study, "density", "probability density"), "densities") +
             picture(curves(study, "cumulative", "probability"), "cumulative") +
             f'<p class="note">{how} Dashed: mean. Above each picture: hold-out error (root mean square at random '
-            "configurations solved besides, over the standard deviation) and share of the variance in the last degree.</p>")
+            "configurations solved besides, over the standard deviation), share of the variance in the last degree.</p>")
 
 
 def moment_section(study):
@@ -119,8 +119,7 @@ def coefficient_section(study):
     rows = [[" ".join(map(str, degrees))] + [f"{coefficients[a]:.6e}" for coefficients in known.values()]
             for a, degrees in enumerate(basis.degrees)]
     return (f'<p class="note">Order {basis.order}, {len(basis.degrees)} orthonormal polynomials; degrees in '
-            f'{html.escape(", ".join(basis.germs))}, graded lexicographic.</p><details open><summary>coefficients</summary>' +
-            table(["degrees"] + list(known), rows) + "</details>")
+            f'{html.escape(", ".join(basis.germs))}, graded lexicographic.</p>' + table(["degrees"] + list(known), rows))
 
 
 def running_deviations(values):
@@ -150,7 +149,7 @@ def convergence_section(study):
 
 
 def sweep_section(study):
-    """Mean and standard deviation over coefficients of variation: the last two span the pictures, others are largest."""
+    """Mean and standard deviation over coefficients of variation: the last two as axes, the others at their largest."""
     sweep, parts = study.statistics.sweep, []
     names = sweep.names[-2:]
     mask = (sweep.coefficients[:, :-2] == sweep.coefficients[:, :-2].max(axis=0, initial=-1)).all(axis=1)
@@ -187,8 +186,8 @@ def parameter_table(study):
     rows = [[sentence] for sentence in statistics.distributions]
     text = f"<p>{html.escape(statistics.method)}</p>" + table(["random parameters"], rows)
     if statistics.inadmissible:
-        text += (f"<p><b>{statistics.inadmissible} draws</b> have values that the scene refuses; they were not solved and "
-                 "are left out of all figures.</p>")
+        text += (f"<p><b>{statistics.inadmissible} draws</b> have values that the scene refuses; they were not solved "
+                 "and are left out of all figures.</p>")
     return text
 
 

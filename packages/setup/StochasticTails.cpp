@@ -150,7 +150,8 @@ std::string warningOf(const Study& study, int i, double coefficient) {
   if (!usesGaussPoints(plan)) return "";
   if (plan.distribution(static_cast<std::size_t>(i)).name() != std::string("Normal")) return "";
   const double margin = 1.0 - coefficient * reachInDeviations(study, i);
-  if (margin >= narrowMargin) return "";
+  // What the scene allows to be negative is no stiffness.
+  if (margin <= 0.0 || margin >= narrowMargin) return "";
   const auto count = ruleOf(study, *plan.variables, i, certainOrder(study)).points.size();
   return "; WARNING: at the outermost of " + std::to_string(count) + " Gauss points only " + text(100.0 * margin) +
          " % of the mean is left: what follows from the tail is an artefact of the normal distribution";

@@ -4,7 +4,7 @@
 chaos.py HARMOS STUDY.xml WORK_DIR [monte_carlo]
 
 STUDY is xml/glued_assembly_chaos.xml. References: an independent prototype's direct solutions of the same mesh (normal:
-Galerkin on orthonormal Hermite polynomials). With `monte_carlo`, instead of all that: 10 000 draws against the expansion.
+Galerkin on orthonormal Hermite polynomials). With `monte_carlo`, instead of all that: 10 000 draws and the expansion.
 """
 import csv
 import io
@@ -291,7 +291,7 @@ def distance(x, y):
 
 
 def monte_carlo():
-    """The same draws by Monte Carlo and by the expansion: what differs is truncation alone, not the noise of sampling."""
+    """The same draws by Monte Carlo and by the expansion: what differs is truncation alone, no noise of sampling."""
     run("expansion", NO_SWEEP)
     run("monte_carlo", ["Design/Type=Random", "Design/Count=10000", "Accuracy=1e-4"])
     study, statistics = results("monte_carlo"), results("expansion").statistics
@@ -308,18 +308,18 @@ def monte_carlo():
         if name in rows:  # another sample of the same size
             mean, deviation = rows[name]
             near(values.mean(), mean, 4 * numpy.sqrt(2) * deviation / 100, f"Monte Carlo: mean of {name}")
-            near(values.std(), deviation, 0.05 * deviation, f"Monte Carlo: std of {name}")
+            # The displacement under a normal stiffness has no variance: that of a sample is whatever its extremes are.
+            if not name.startswith("u_"):
+                near(values.std(), deviation, 0.05 * deviation, f"Monte Carlo: std of {name}")
+                near(statistics.responses[name].standard_deviation, values.std(), 0.03 * deviation, f"std of {name}")
 
 
 shutil.rmtree(WORK, ignore_errors=True)
 WORK.mkdir(parents=True)
 everything = (monte_carlo,) if sys.argv[4:] == ["monte_carlo"] else (
     normal_glue, resumed, from_python, lognormal_glue, guards, order_by_tolerance, other_methods, distributions)
-import time,resource
 for part in everything:
-    b=time.time(), resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     part()
-    print(part.__name__, time.time()-b[0], resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime-b[1])
 if not failures:
     print("all as promised")
 sys.exit(failures > 0)
