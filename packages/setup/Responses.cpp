@@ -66,7 +66,7 @@ class ResponseBuilder {
     mesh::Point point{};
     std::copy(given.begin(), given.end(), point.begin());
     if (normalise) {
-      const double length = std::sqrt(point[0] * point[0] + point[1] * point[1] + point[2] * point[2]);
+      const double length = std::hypot(point[0], point[1], point[2]);
       for (double& x : point) x /= length;
     }
     return point;

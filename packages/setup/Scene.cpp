@@ -1,12 +1,14 @@
 #include <harmos/setup/Scene.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <harmos/base/Check.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/base/ErrorList.hpp>
 #include <harmos/base/Names.hpp>
+#include <harmos/base/Numerals.hpp>
 #include <harmos/elasticity/Kinematics.hpp>
 #include <harmos/elasticity/Materials.hpp>
 #include <harmos/setup/Dimensions.hpp>
@@ -27,13 +29,25 @@ Names namesOf(const std::vector<Parameters>& lists) {
   return names;
 }
 
-std::vector<double> stepTimes(const std::vector<Parameters>& steps) {
+std::vector<double> stepTimes(const std::vector<Parameters>& steps, base::ErrorList& errors) {
   std::vector<double> times;
   double begin = 0.0;
   for (const Parameters& step : steps) {
     const int increments = step.integer("Increments");
     const double duration = step.number("Duration");
-    for (int i = 1; i <= increments; ++i) times.push_back(begin + duration * i / increments);
+    double last = begin;
+    bool isIncreasing = true;
+    for (int i = 1; i <= increments; ++i) {
+      times.push_back(begin + duration * (static_cast<double>(i) / increments));
+      isIncreasing = isIncreasing && times.back() > last && std::isfinite(times.back());
+      last = times.back();
+    }
+    if (!isIncreasing) {
+      errors.add(step.where("Duration"),
+                 "the time steps (" + std::to_string(increments) + " in " + base::toText(duration) +
+                     " after the time " + base::toText(begin) + ") cannot be told apart.",
+                 "Give durations of a like size; only rates depend on them.");
+    }
     begin += duration;
   }
   return times;
@@ -184,8 +198,8 @@ Scene makeScene(base::InputTree input, const std::string& path, const std::vecto
   Scene scene;
   scene.path = path;
   scene.input = base::check(std::move(input), sceneSpec(laws), overrides);
-  scene.times = stepTimes(scene.input.lists("Steps"));
   base::ErrorList errors;
+  scene.times = stepTimes(scene.input.lists("Steps"), errors);
   SceneChecker(laws, scene, errors).check();
   errors.throwIfAny();
   return scene;
