@@ -1,5 +1,6 @@
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include <mpi.h>
 #include <unistd.h>
@@ -39,7 +40,11 @@ int main(int argc, char** argv) {
     return harmos::setup::runCommandLine(
         {argv + 1, argv + argc}, {communicator, std::cout, std::cerr, isatty(STDERR_FILENO) != 0, wasInterrupted});
   } catch (const std::exception& error) {
-    std::cerr << "harmos, rank " << communicator->getRank() << ": " << error.what() << std::endl;
+    const bool isFull = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    std::cerr << "harmos, rank " << communicator->getRank() << ": "
+              << (isFull ? "there is not enough memory; \"harmos check\" tells what a scene of this kind takes"
+                         : error.what())
+              << std::endl;
     // The other ranks wait for this one; only an abort lets them end.
     if (communicator->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, 1);
     return 1;

@@ -7,13 +7,6 @@ namespace harmos::base {
 
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const char* blanks = " \t\r\n";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 template <class T>
 std::optional<T> parse(const std::string& text) {
   const std::string digits = trimmed(text);
@@ -28,6 +21,13 @@ std::optional<T> parse(const std::string& text) {
 }
 
 }  // namespace
+
+std::string trimmed(const std::string& text) {
+  const char* blanks = " \t\r\n";
+  const auto first = text.find_first_not_of(blanks);
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
 
 std::string toText(double value) {
   char buffer[32];

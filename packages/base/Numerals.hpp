@@ -8,6 +8,8 @@ namespace harmos::base {
 
 /// Shortest decimal text that reads back as exactly `value`.
 std::string toText(double value);
+/// Without blanks and line breaks at either end.
+std::string trimmed(const std::string& text);
 
 /// The finite number that the whole of `text` denotes in decimal notation; nothing for "abc", "1e3x", "", "nan",
 /// "1e999".

@@ -1,10 +1,21 @@
 #include <harmos/base/Override.hpp>
 
 #include <harmos/base/Names.hpp>
+#include <harmos/base/Numerals.hpp>
 
 namespace harmos::base {
 
 namespace {
+
+std::vector<std::string> namesIn(const std::string& path) {
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('/', begin), path.size());
+    names.push_back(path.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return names;
+}
 
 InputNode& add(InputNode& parent, const char* tag, const std::string& name, const std::string& location) {
   InputNode& node = parent.children.emplace_back();
@@ -44,23 +55,29 @@ void applyOverride(InputTree& input, const ParameterSpec& spec, const std::strin
     errors.add(where, "has no value.", "Write --set 'List/Sublist/Name=value'.");
     return;
   }
-  applyChange(input, spec, {assignment.substr(0, equals), assignment.substr(equals + 1), "--set"}, where, errors);
+  // Messages print paths with blanks around the slashes, so that users write them as well.
+  std::string path;
+  for (const std::string& name : namesIn(assignment.substr(0, equals)))
+    path += (path.empty() ? "" : "/") + trimmed(name);
+  if (path.empty()) {
+    errors.add(where, "names no entry.", "Write --set 'List/Sublist/Name=value'.");
+    return;
+  }
+  applyChange(input, spec, {path, trimmed(assignment.substr(equals + 1)), "--set"}, where, errors);
 }
 
 std::optional<ParameterType> applyChange(InputTree& input, const ParameterSpec& spec, const EntryChange& change,
                                          const std::string& where, ErrorList& errors) {
-  std::vector<std::string> path;
-  for (std::size_t begin = 0; begin <= change.path.size();) {
-    const std::size_t end = std::min(change.path.find('/', begin), change.path.size());
-    path.push_back(change.path.substr(begin, end - begin));
-    begin = end + 1;
-  }
-
+  const std::vector<std::string> path = namesIn(change.path);
   InputNode* node = &input.root;
   const ParameterSpec* at = &spec;
   std::string listName = spec.name();
   const auto noSuch = [&](const char* kind, const std::string& name, const std::vector<std::string>& known) {
     errors.add(where, listName + " has no " + kind + " \"" + name + "\".", suggestName(name, known, "It has"));
+    return std::nullopt;
+  };
+  const auto isList = [&](const std::string& name) {
+    errors.add(where, "\"" + name + "\" is a list.", "Name one of its entries: List/Sublist/Name=value.");
     return std::nullopt;
   };
   std::size_t i = 0;
@@ -84,10 +101,7 @@ std::optional<ParameterType> applyChange(InputTree& input, const ParameterSpec& 
       if (!child->isList()) return std::nullopt;
       node = child;
       listName = name;
-      if (i + 1 == path.size()) {
-        errors.add(where, "\"" + name + "\" is a list.", "Name one of its entries: List/Sublist/Name=value.");
-        return std::nullopt;
-      }
+      if (i + 1 == path.size()) return isList(name);
     } else if (next->kind == ParameterSpec::ListKind::numbers) {
       const std::string& name = path[i + 1];
       if (i + 2 != path.size() || !node->child(name)) return noSuch("entry", name, childNames(*node));
@@ -99,6 +113,9 @@ std::optional<ParameterType> applyChange(InputTree& input, const ParameterSpec& 
   for (const ParameterEntry& entry : at->entriesWith(formOf(*node, *at))) {
     if (entry.name == path.back()) return assign(*node, entry.name, entry.type, change);
     known.push_back(entry.name);
+  }
+  for (const ParameterSpec::Sublist& sublist : at->sublistsWith(formOf(*node, *at))) {
+    if (sublist.name == path.back()) return isList(path.back());
   }
   return noSuch("parameter", path.back(), known);
 }

@@ -131,7 +131,7 @@ Parameters& Parameters::addNamed(const std::string& listName, Parameters child) 
   return *this;
 }
 
-void Parameters::attach(std::shared_ptr<const Histories> histories) {
+void Parameters::attach(const std::shared_ptr<const Histories>& histories) {
   histories_ = histories;
   for (Sublist& sublist : sublists_) {
     for (Parameters& list : sublist.lists) list.attach(histories);

@@ -73,7 +73,7 @@ class Parameters {
   /// Adds a child to the user-named lists of `listName`.
   Parameters& addNamed(const std::string& listName, Parameters child);
   /// Gives this list and all below it the histories that schedule() looks up.
-  void attach(std::shared_ptr<const Histories> histories);
+  void attach(const std::shared_ptr<const Histories>& histories);
 
   const std::vector<Entry>& entries() const { return entries_; }
   const std::vector<Sublist>& sublists() const { return sublists_; }

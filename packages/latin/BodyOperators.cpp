@@ -52,7 +52,8 @@ substructure::BoundaryTerm boundaryTerm(const interface::Assembly& assembly,
       if (interface.mass.empty()) {
         for (std::size_t p = 0; p < nodes.size(); ++p) {
           for (int c = 0; c < dimension; ++c) {
-            term.diagonal[static_cast<std::size_t>(nodes[p] * dimension + c)] += k[p] * interface.area[p];
+            const int dof = nodes[p] * dimension + c;
+            term.diagonal[static_cast<std::size_t>(dof)] += k[p] * interface.area[p];
           }
         }
       }

@@ -5,7 +5,7 @@
 namespace harmos::latin {
 
 FixedPoint::FixedPoint(const interface::Assembly& assembly, const StageOptions& options,
-                       Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers)
+                       const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers)
     : assembly_(assembly),
       formulation_(options.formulation),
       searchDirectionScale_(options.searchDirectionScale),

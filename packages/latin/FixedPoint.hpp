@@ -21,7 +21,7 @@ class FixedPoint {
  public:
   /// Collective. Factors all operators. `assembly` and `timers` must outlive this object.
   FixedPoint(const interface::Assembly& assembly, const StageOptions& options,
-             Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+             const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
 
   /// Restricts the iteration to some load steps, in ascending order: the columns of a state are then these steps. All
   /// load steps after construction. Responses and pairFields() need all.

@@ -33,7 +33,7 @@ void LatinOptions::describe(base::ParameterSpec& spec) {
       .doc("Balance the resultants of every interface in the linear stage. Absent: only with the algorithm Default.");
   base::ParameterSpec& search = spec.list("Search Direction");
   search.summary("The parameter k of the search directions, found automatically at every node.");
-  search.number("Scale").unit("-").defaultValue(1.0).above(0.0).doc("Multiplies the automatic value.");
+  search.number("Scale").unit("-").defaultValue(1.0).atLeast(1e-9).atMost(1e9).doc("Multiplies the automatic value.");
   base::ParameterSpec& acceleration = spec.list("Acceleration");
   acceleration.summary("Anderson acceleration.");
   acceleration.integer("Memory").defaultValue(30).atLeast(1).doc("Iterations remembered; 10 when memory is short.");

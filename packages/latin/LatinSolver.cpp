@@ -53,11 +53,8 @@ double customaryIndicator(const FixedPoint& state) {
 }  // namespace
 
 LatinSolver::LatinSolver(const interface::Assembly& assembly, const LatinOptions& options,
-                         Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers)
-    : assembly_(assembly),
-      options_(options),
-      timers_(timers),
-      fixedPoint_(assembly, options.stages, std::move(comm), timers) {}
+                         const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers)
+    : assembly_(assembly), options_(options), timers_(timers), fixedPoint_(assembly, options.stages, comm, timers) {}
 
 bool LatinSolver::mustStop() const {
   const int here = interrupted_ && interrupted_() ? 1 : 0;

@@ -32,7 +32,7 @@ class LatinSolver {
   /// Factors all operators. `assembly` and `timers` must outlive the solver. Throws base::Error naming the part when an
   /// operator is singular or nothing holds the assembly.
   LatinSolver(const interface::Assembly& assembly, const LatinOptions& options,
-              Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+              const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
 
   void addResponse(std::shared_ptr<const Response> response) { responses_.push_back(std::move(response)); }
   /// Called on every rank after every iteration; after every load step of a march, when state() holds only that one.

@@ -20,6 +20,7 @@ void add(Matrix& to, double factor, const Matrix& x) {
   }
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): LAPACK overwrites it
 double smallestSingularValue(Matrix matrix) {
   const int n = matrix.numCols();
   if (n == 0) return 0.0;

@@ -69,7 +69,7 @@ PairFields pairFields(const FixedPoint& state, int interfaceIndex) {
   PairFields fields;
   fields.pairs = interface.pairs();
   fields.steps = state.assembly().steps();
-  const auto count = static_cast<std::size_t>(fields.pairs * fields.steps);
+  const std::size_t count = interface.node1.size() * static_cast<std::size_t>(fields.steps);
   std::vector<double> values(count * width, 0.0);
   if (interface.law->prescribesTraction()) {
     if (state.layout().owns(interface.body1)) fillPrescribed(state, interface, values);

@@ -14,7 +14,9 @@ struct PairFields {
   std::vector<laws::Vector3> jump;      ///< delta = w2 - w1 [length], steps x pairs; ground: -w1
   std::vector<laws::Status> status;     ///< steps x pairs
 
-  std::size_t at(int step, int pair) const { return static_cast<std::size_t>(step * pairs + pair); }
+  std::size_t at(int step, int pair) const {
+    return static_cast<std::size_t>(step) * static_cast<std::size_t>(pairs) + static_cast<std::size_t>(pair);
+  }
 };
 
 /// Collective. Reads the last FixedPoint::apply(). Boundaries with prescribed traction have the traction and no jump.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <harmos/base/Error.hpp>
 #include <harmos/latin/NodalForces.hpp>
 
 namespace harmos::latin {
@@ -46,6 +47,13 @@ Snapshot::Snapshot(const FixedPoint& state, const std::vector<std::shared_ptr<co
       displacement_(scaledTrace(state)) {
   for (const auto& response : responses) {
     responses_.push_back(response->evaluate(state));
+    const std::vector<double>& values = responses_.back();
+    const auto wrong = std::find_if_not(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+    if (wrong != values.end()) {
+      throw base::Error("response \"" + response->name() + "\", load step " +
+                            std::to_string(wrong - values.begin() + 1) + ": the value is not finite (NaN or infinity)",
+                        base::ExitCode::notConverged);
+    }
     floors_.push_back(sizes_.floor(response->quantity()));
   }
 }

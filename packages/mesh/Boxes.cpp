@@ -1,9 +1,11 @@
 #include <harmos/mesh/Boxes.hpp>
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
 #include <harmos/mesh/StructuredMesh.hpp>
 
 namespace harmos::mesh {
@@ -11,11 +13,27 @@ namespace {
 
 constexpr const char* corners[] = {"Lower Corner", "Upper Corner"};
 
-[[noreturn]] void refuse(const std::string& box, const std::string& what) {
-  throw base::Error("Boxes, box \"" + box + "\": " + what, base::ExitCode::input);
+constexpr double mostNodes = std::numeric_limits<int>::max();
+
+/// What is wrong with a box in a mesh of this many dimensions; empty when nothing is.
+std::string faultOf(const Box& box, int dimension) {
+  if (dimensionOf(box.element) != dimension) {
+    return std::string("its elements ") + exodusName(box.element) + " do not fit the first box, which has " +
+           std::to_string(dimension) + " dimensions; all boxes must be either in the plane or in space.";
+  }
+  double nodes = 1.0;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d) {
+    if (!(box.lower[d] < box.upper[d])) return "Lower Corner must lie below Upper Corner in every direction.";
+    if (box.cells[d] < 1) return "Cells must be at least 1 in every direction.";
+    nodes *= box.cells[d] + 1.0;
+  }
+  if (nodes > mostNodes) return "it has " + base::toText(nodes) + " nodes, but a mesh has at most 2147483647.";
+  return "";
 }
 
+/// Throws base::Error(input) when numbers are missing, or Element does not exist in so many dimensions.
 Box readBox(const base::Parameters& parameters) {
+  const auto refuse = [](const std::string& what) { throw base::Error(what, base::ExitCode::input); };
   Box box;
   box.name = parameters.name();
   const auto& lower = parameters.numbers(corners[0]);
@@ -23,14 +41,14 @@ Box readBox(const base::Parameters& parameters) {
   const auto& cells = parameters.numbers("Cells");
   const std::size_t dimension = lower.size();
   if (dimension < 2 || dimension > 3 || upper.size() != dimension || cells.size() != dimension) {
-    refuse(box.name, "Lower Corner, Upper Corner and Cells have " + std::to_string(dimension) + ", " +
-                         std::to_string(upper.size()) + " and " + std::to_string(cells.size()) +
-                         " numbers; give 2 of each in the plane or 3 in space.");
+    refuse("Lower Corner, Upper Corner and Cells have " + std::to_string(dimension) + ", " +
+           std::to_string(upper.size()) + " and " + std::to_string(cells.size()) +
+           " numbers; give 2 of each in the plane or 3 in space.");
   }
   for (std::size_t d = 0; d < dimension; ++d) {
     box.lower[d] = lower[d];
     box.upper[d] = upper[d];
-    if (cells[d] != std::floor(cells[d]) || cells[d] > 1e6) refuse(box.name, "Cells must be whole numbers up to 1e6.");
+    if (cells[d] != std::floor(cells[d]) || std::abs(cells[d]) > 1e6) refuse("Cells must be whole numbers up to 1e6.");
     box.cells[d] = static_cast<int>(cells[d]);
   }
   const int space = static_cast<int>(dimension);
@@ -38,7 +56,7 @@ Box readBox(const base::Parameters& parameters) {
   if (parameters.has("Element")) {
     const std::string& name = parameters.text("Element");
     const auto type = elementTypeFromExodus(name, space, std::stoi(name.substr(name.size() - 1)));
-    if (!type) refuse(box.name, "Element = " + name + " does not exist in " + std::to_string(space) + " dimensions.");
+    if (!type) refuse("Element = " + name + " does not exist in " + std::to_string(space) + " dimensions.");
     box.element = *type;
   }
   return box;
@@ -68,17 +86,11 @@ Mesh boxes(const std::vector<Box>& list) {
   StructuredMesh mesh(dimension);
   std::set<std::string> names;
   for (const Box& box : list) {
-    if (!names.insert(box.name).second) refuse(box.name, "there are two boxes of this name; rename one.");
-    if (dimensionOf(box.element) != dimension) {
-      refuse(box.name, "has elements " + std::string(exodusName(box.element)) + ", box \"" + list.front().name +
-                           "\" has " + exodusName(list.front().element) +
-                           "; all boxes must be either in the plane or in space.");
-    }
+    const std::string fault =
+        names.insert(box.name).second ? faultOf(box, dimension) : "there are two boxes of this name; rename one.";
+    if (!fault.empty()) throw base::Error("Boxes, box \"" + box.name + "\": " + fault, base::ExitCode::input);
     double size = 0.0;
     for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d) {
-      if (!(box.lower[d] < box.upper[d]))
-        refuse(box.name, "Lower Corner must lie below Upper Corner in every direction.");
-      if (box.cells[d] < 1) refuse(box.name, "Cells must be at least 1 in every direction.");
       size = std::max(size, box.upper[d] - box.lower[d]);
     }
     mesh.addBlock(box.name, box.element);
@@ -95,9 +107,22 @@ Mesh boxes(const std::vector<Box>& list) {
   return mesh.take();
 }
 
-Mesh boxes(const base::Parameters& parameters) {
+std::vector<Box> readBoxes(const base::Parameters& parameters, base::ErrorList& errors) {
   std::vector<Box> list;
-  for (const base::Parameters& box : parameters.lists("Boxes")) list.push_back(readBox(box));
+  for (const base::Parameters& box : parameters.lists("Boxes")) {
+    errors.collect(box.where(), [&] {
+      list.push_back(readBox(box));
+      const std::string fault = faultOf(list.back(), dimensionOf(list.front().element));
+      if (!fault.empty()) throw base::Error(fault, base::ExitCode::input);
+    });
+  }
+  return list;
+}
+
+Mesh boxes(const base::Parameters& parameters) {
+  base::ErrorList errors;
+  const std::vector<Box> list = readBoxes(parameters, errors);
+  errors.throwIfAny();
   return boxes(list);
 }
 

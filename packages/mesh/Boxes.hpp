@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <harmos/base/ErrorList.hpp>
 #include <harmos/base/ParameterSpec.hpp>
 #include <harmos/base/Parameters.hpp>
 #include <harmos/mesh/Mesh.hpp>
@@ -26,5 +27,8 @@ base::ParameterSpec describeBoxes();
 /// Throws base::Error(input) on boxes without extent or cells, of two dimensions, or of one name.
 Mesh boxes(const std::vector<Box>& list);
 Mesh boxes(const base::Parameters& parameters);
+
+/// The boxes of an input; reports those that boxes() would refuse to `errors`, each at its place.
+std::vector<Box> readBoxes(const base::Parameters& parameters, base::ErrorList& errors);
 
 }  // namespace harmos::mesh

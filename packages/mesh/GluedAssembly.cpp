@@ -33,7 +33,7 @@ base::ParameterSpec describeGluedAssembly() {
   spec.number("Cell Size")
       .unit("length")
       .defaultValue(0.5)
-      .above(0.0)
+      .atLeast(0.01)
       .atMost(1.0)
       .doc("Side of the cells, 1 mm divided by a whole number; 0.5 gives 17820 elements.");
   return spec;

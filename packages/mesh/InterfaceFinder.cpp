@@ -120,7 +120,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string
     return join(name, side1, side2, pairs, projection);
   }
   if (!projection) {
-    const auto surfaces = joinDifferentFaces(name, side1, side2);
+    auto surfaces = joinDifferentFaces(name, side1, side2);
     if (!surfaces.empty()) return surfaces;
   }
   const auto nodes1 = nodesOf(side1);

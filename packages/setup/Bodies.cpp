@@ -92,16 +92,7 @@ Model makeModel(const base::Parameters& parameters, const mesh::Mesh& mesh) {
   model.thickness = parameters.number("Thickness");
   model.kinematics =
       mesh.dimension == 3 ? elasticity::Kinematics::threeDimensional : elasticity::Kinematics::planeStrain;
-  if (!parameters.has("Kinematics")) return model;
-  model.kinematics = elasticity::kinematicsNamed(parameters.text("Kinematics"));
-  if (elasticity::dimensionOf(model.kinematics) != mesh.dimension) {
-    base::ErrorList errors;
-    errors.add(parameters.where("Kinematics"),
-               "\"" + parameters.text("Kinematics") + "\" does not fit the mesh, which has " +
-                   std::to_string(mesh.dimension) + " dimensions.",
-               mesh.dimension == 3 ? "Allowed: 3-D." : "Allowed: Plane Strain, Plane Stress.");
-    errors.throwIfAny();
-  }
+  if (parameters.has("Kinematics")) model.kinematics = elasticity::kinematicsNamed(parameters.text("Kinematics"));
   return model;
 }
 

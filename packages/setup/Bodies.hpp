@@ -21,7 +21,7 @@ struct Model {
   double thickness = 1.0;  // [length], 2-D only
 };
 
-/// Throws base::Error (input) when the kinematics asked for do not fit the mesh.
+/// The kinematics asked for, see checkDimensions(); else those that are usual for the mesh.
 Model makeModel(const base::Parameters& model, const mesh::Mesh& mesh);
 
 /// The elastic bodies of the assembly: the parts of the scene, or the pieces they were cut into. The lists are

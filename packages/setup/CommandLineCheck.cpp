@@ -51,7 +51,7 @@ void printCost(std::ostream& out, const CostEstimate& cost) {
       << std::fixed << std::setprecision(2) << "  " << std::left << std::setw(34) << "factorisation" << std::right
       << std::setw(10) << cost.factorSeconds << " s\n"
       << "  " << std::left << std::setw(34) << "one linear stage" << std::right << std::setw(10) << cost.stageSeconds
-      << " s; a certified solution takes 50 to 100\n"
+      << " s; a certified solution mostly takes 30 to 80\n"
       << std::defaultfloat;
 }
 

@@ -16,9 +16,8 @@ chaos::PiecewiseLinear makeFunction(const Study& study) {
   options.tolerance = design.number("Tolerance");
   options.largestCount = design.integer("Maximum Count");
   if (design.has("Response")) {
-    const auto found = std::find_if(study.responses.begin(), study.responses.end(), [&](const auto& response) {
-      return response.name == design.text("Response");
-    });
+    const auto found = std::find_if(study.responses.begin(), study.responses.end(),
+                                    [&](const auto& response) { return response.name == design.text("Response"); });
     options.response = static_cast<int>(found - study.responses.begin());
   }
   return {study.stochastic->variables, options};

@@ -14,12 +14,25 @@ namespace {
 struct Source {
   base::ParameterSpec form;
   mesh::Mesh (*make)(const base::Parameters&);
+  std::optional<int> (*dimension)(const base::Parameters&, base::ErrorList&);
 };
 
+template <int dimension>
+std::optional<int> always(const base::Parameters&, base::ErrorList&) {
+  return dimension;
+}
+
+std::optional<int> ofBoxes(const base::Parameters& source, base::ErrorList& errors) {
+  const int before = errors.count();
+  const std::vector<mesh::Box> boxes = mesh::readBoxes(source, errors);
+  if (errors.count() > before) return std::nullopt;
+  return mesh::dimensionOf(boxes.front().element);
+}
+
 std::vector<Source> generators() {
-  return {{mesh::describeBoltedJoint(), &mesh::boltedJoint},
-          {mesh::describeGluedAssembly(), &mesh::gluedAssembly},
-          {mesh::describeBoxes(), &mesh::boxes}};
+  return {{mesh::describeBoltedJoint(), &mesh::boltedJoint, &always<3>},
+          {mesh::describeGluedAssembly(), &mesh::gluedAssembly, &always<2>},
+          {mesh::describeBoxes(), &mesh::boxes, &ofBoxes}};
 }
 
 }  // namespace
@@ -33,6 +46,13 @@ std::vector<base::ParameterSpec> meshForms() {
   std::vector<base::ParameterSpec> forms{exodus};
   for (const Source& source : generators()) forms.push_back(source.form);
   return forms;
+}
+
+std::optional<int> meshDimension(const base::Parameters& source, base::ErrorList& errors) {
+  for (const Source& generator : generators()) {
+    if (generator.form.name() == source.type()) return generator.dimension(source, errors);
+  }
+  return std::nullopt;
 }
 
 mesh::Mesh makeMesh(const base::Parameters& source, const std::string& scenePath) {

@@ -5,6 +5,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/base/ErrorList.hpp>
 #include <harmos/mesh/InterfaceFinder.hpp>
+#include <harmos/setup/Dimensions.hpp>
 #include <harmos/setup/Joints.hpp>
 #include <harmos/setup/MeshSource.hpp>
 #include <harmos/setup/Responses.hpp>
@@ -36,6 +37,8 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
     const auto reading = timers.start("read");
     const base::Parameters& source = scene.input.list("Mesh");
     errors.collect(source.where(), [&] { problem.mesh = makeMesh(source, scene.path); });
+    throwTogether(errors, comm);
+    checkDimensions(scene.input, problem.mesh.dimension, errors);
     throwTogether(errors, comm);
   }
   const auto assembling = timers.start("assemble");

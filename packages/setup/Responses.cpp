@@ -61,18 +61,12 @@ class ResponseBuilder {
   }
 
  private:
-  /// A point or direction with as many numbers as the mesh has dimensions.
-  mesh::Point vector(const Parameters& r, const std::string& entry, bool normalise) const {
+  static mesh::Point vector(const Parameters& r, const std::string& entry, bool normalise) {
     const std::vector<double>& given = r.numbers(entry);
-    if (static_cast<int>(given.size()) != mesh_.dimension) {
-      throw base::Error(entry + " has " + std::to_string(given.size()) + " numbers, but the mesh has " +
-                            std::to_string(mesh_.dimension) + " dimensions.",
-                        base::ExitCode::input);
-    }
     mesh::Point point{};
     std::copy(given.begin(), given.end(), point.begin());
     if (normalise) {
-      const double length = std::sqrt(point[0] * point[0] + point[1] * point[1] + point[2] * point[2]);
+      const double length = std::hypot(point[0], point[1], point[2]);
       for (double& x : point) x /= length;
     }
     return point;
@@ -92,9 +86,6 @@ class ResponseBuilder {
 
   /// The nodes of a set with their shares of its area, which add up to 1.
   Nodes surfaceNodes(const Parameters& r) const {
-    if (r.has("Side Set") == r.has("Node Set")) {
-      throw base::Error("give either \"Side Set\" or \"Node Set\".", base::ExitCode::input);
-    }
     const auto surfaces = r.has("Side Set")
                               ? finder_.onSideSet(r.name(), r.text("Side Set"))
                               : finder_.onNodeSet(r.name(), r.text("Node Set"), r.has("Part") ? r.text("Part") : "");
@@ -111,9 +102,6 @@ class ResponseBuilder {
   }
 
   Nodes pointNodes(const Parameters& r) const {
-    if (r.has("Point") == r.has("Node Set")) {
-      throw base::Error("give either \"Point\" or \"Node Set\".", base::ExitCode::input);
-    }
     const std::string body = r.has("Part") ? r.text("Part") : "";
     const int node = r.has("Point") ? nodeAt(vector(r, "Point", false), body) : onlyNodeOf(r.text("Node Set"));
     Nodes nodes;

@@ -1,13 +1,19 @@
 #include <harmos/setup/Scene.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include <harmos/base/Check.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/base/ErrorList.hpp>
 #include <harmos/base/Names.hpp>
+#include <harmos/base/Numerals.hpp>
+#include <harmos/elasticity/Kinematics.hpp>
 #include <harmos/elasticity/Materials.hpp>
+#include <harmos/setup/Dimensions.hpp>
 #include <harmos/setup/History.hpp>
+#include <harmos/setup/MeshSource.hpp>
 #include <harmos/setup/SceneSpec.hpp>
 
 namespace harmos::setup {
@@ -23,13 +29,25 @@ Names namesOf(const std::vector<Parameters>& lists) {
   return names;
 }
 
-std::vector<double> stepTimes(const std::vector<Parameters>& steps) {
+std::vector<double> stepTimes(const std::vector<Parameters>& steps, base::ErrorList& errors) {
   std::vector<double> times;
   double begin = 0.0;
   for (const Parameters& step : steps) {
     const int increments = step.integer("Increments");
     const double duration = step.number("Duration");
-    for (int i = 1; i <= increments; ++i) times.push_back(begin + duration * i / increments);
+    double last = begin;
+    bool isIncreasing = true;
+    for (int i = 1; i <= increments; ++i) {
+      times.push_back(begin + duration * (static_cast<double>(i) / increments));
+      isIncreasing = isIncreasing && times.back() > last && std::isfinite(times.back());
+      last = times.back();
+    }
+    if (!isIncreasing) {
+      errors.add(step.where("Duration"),
+                 "the time steps (" + std::to_string(increments) + " in " + base::toText(duration) +
+                     " after the time " + base::toText(begin) + ") cannot be told apart.",
+                 "Give durations of a like size; only rates depend on them.");
+    }
     begin += duration;
   }
   return times;
@@ -55,9 +73,18 @@ class SceneChecker {
     for (const Parameters& interface : input_.lists("Interfaces")) checkInterface(interface);
     for (const Parameters& boundary : input_.lists("Boundaries")) checkBoundary(boundary);
     for (const Parameters& response : input_.lists("Responses")) checkResponse(response);
+    checkDimensions(input_, dimension(), errors_);
   }
 
  private:
+  /// As far as it is known without reading a mesh.
+  std::optional<int> dimension() {
+    const Parameters& model = input_.list("Model");
+    const std::optional<int> ofMesh = meshDimension(input_.list("Mesh"), errors_);
+    if (ofMesh || !model.has("Kinematics")) return ofMesh;
+    return elasticity::dimensionOf(elasticity::kinematicsNamed(model.text("Kinematics")));
+  }
+
   void attachHistories() {
     auto histories = std::make_shared<base::Histories>();
     for (const Parameters& history : input_.lists("Histories")) {
@@ -96,25 +123,15 @@ class SceneChecker {
                     "An interface joins two different parts; a condition on one part belongs in Boundaries.");
       }
     }
-    if (interface.has("Projection Direction")) {
-      const auto& direction = interface.numbers("Projection Direction");
-      checkDirection(interface, "Projection Direction", direction);
-      if (hasParts) {
-        errors_.add(interface.where("Projection Direction"), "a projection needs side sets.",
-                    "Give \"Side 1\" and \"Side 2\" instead of parts, or remove the direction.");
-      }
+    if (interface.has("Projection Direction") && hasParts) {
+      errors_.add(interface.where("Projection Direction"), "a projection needs side sets.",
+                  "Give \"Side 1\" and \"Side 2\" instead of parts, or remove the direction.");
     }
     makeLaw(interface, 2);
   }
 
   void checkBoundary(const Parameters& boundary) {
-    if (boundary.has("Side Set") == boundary.has("Node Set")) {
-      errors_.add(boundary.where(), "it is not clear where the boundary is.",
-                  "Give either \"Side Set\" or \"Node Set\".");
-    }
-    if (boundary.has("Part") && boundary.has("Side Set")) {
-      errors_.add(boundary.where("Part"), "a side set belongs to its part already.", "Remove \"Part\".");
-    }
+    checkPlace(boundary, "boundary", "Side Set");
     knownName(boundary, "Part", namesOf(input_.lists("Parts")), "Parts");
     const auto& interfaces = input_.lists("Interfaces");
     const auto same = std::find_if(interfaces.begin(), interfaces.end(),
@@ -142,11 +159,14 @@ class SceneChecker {
     scene_.laws[interface.name()] = law;
   }
 
-  void checkDirection(const Parameters& parameters, const std::string& entry, const std::vector<double>& direction) {
-    const bool isZero = std::all_of(direction.begin(), direction.end(), [](double d) { return d == 0.0; });
-    if (direction.size() < 2 || direction.size() > 3 || isZero) {
-      errors_.add(parameters.where(entry), "is not a direction.",
-                  "Give 2 numbers in the plane or 3 in space, not all 0; the length does not matter.");
+  /// A place is either a node set or something else, of which a side set belongs to its part already.
+  void checkPlace(const Parameters& parameters, const std::string& what, const std::string& other) {
+    if (parameters.has(other) == parameters.has("Node Set")) {
+      errors_.add(parameters.where(), "it is not clear where the " + what + " is.",
+                  "Give either \"" + other + "\" or \"Node Set\".");
+    }
+    if (parameters.has("Part") && other == "Side Set" && parameters.has(other)) {
+      errors_.add(parameters.where("Part"), "a side set belongs to its part already.", "Remove \"Part\".");
     }
   }
 
@@ -161,9 +181,8 @@ class SceneChecker {
         knownName(response.where("Interfaces"), name, joints, "Interfaces or Boundaries");
       }
     }
-    for (const char* entry : {"Direction", "Axis"}) {
-      if (response.has(entry)) checkDirection(response, entry, response.numbers(entry));
-    }
+    if (response.type() == "Mean Displacement") checkPlace(response, "surface", "Side Set");
+    if (response.type() == "Point Displacement") checkPlace(response, "node", "Point");
   }
 
   const laws::LawRegistry& laws_;
@@ -179,8 +198,8 @@ Scene makeScene(base::InputTree input, const std::string& path, const std::vecto
   Scene scene;
   scene.path = path;
   scene.input = base::check(std::move(input), sceneSpec(laws), overrides);
-  scene.times = stepTimes(scene.input.lists("Steps"));
   base::ErrorList errors;
+  scene.times = stepTimes(scene.input.lists("Steps"), errors);
   SceneChecker(laws, scene, errors).check();
   errors.throwIfAny();
   return scene;

@@ -59,7 +59,7 @@ void describeBoundary(base::ParameterSpec& spec, const laws::LawRegistry& laws) 
 void describeStep(base::ParameterSpec& spec) {
   spec.summary("Load steps, in their order. Time 0 is unloaded and not a step.");
   spec.number("Duration").unit("time").defaultValue(1.0).above(0.0).doc("Time that the step takes.");
-  spec.integer("Increments").defaultValue(1).atLeast(1).doc("Number of equal time steps in it.");
+  spec.integer("Increments").defaultValue(1).atLeast(1).atMost(1000000).doc("Number of equal time steps in it.");
 }
 
 }  // namespace

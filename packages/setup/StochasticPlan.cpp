@@ -38,7 +38,7 @@ class Reader {
     auto plan = std::make_shared<StochasticPlan>();
     const Names names = readVariables(*plan);
     readMethod(*plan);
-    if (study_.lists("Conditions").size() > 0) {
+    if (!study_.lists("Conditions").empty()) {
       errors_.add(study_.lists("Conditions").front().where(),
                   "conditions would change the distributions of the random parameters.",
                   "Remove them; a Truncated Normal distribution has bounds.");

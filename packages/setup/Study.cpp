@@ -74,6 +74,9 @@ class StudyReader {
     const std::string path = besides(study_.path, input_.text("Scene"));
     const bool isRead = errors_.collect(input_.where("Scene"), [&] {
       study_.sceneTree = base::InputTree::fromFile(path);
+      if (study_.sceneTree.root.name() == studySpec().name()) {
+        throw base::Error(path + " is a study itself, but a scene is wanted.", base::ExitCode::input);
+      }
       changeScene(sceneChanges);
     });
     if (isRead) readScene(path);
@@ -333,7 +336,11 @@ Study readStudy(const std::string& path, const std::vector<std::string>& overrid
   demandPrefix(ofStudy, laws);
   Study study;
   study.path = path;
-  study.input = base::check(base::InputTree::fromFile(path), studySpec(), ofStudy);
+  base::InputTree tree = base::InputTree::fromFile(path);
+  if (tree.root.name() == sceneSpec(laws).name()) {
+    throw base::Error(path + " is a scene.\n  Write: harmos run " + path, base::ExitCode::input);
+  }
+  study.input = base::check(std::move(tree), studySpec(), ofStudy);
   StudyReader(study, pointsFile, laws).read(ofScene);
   return study;
 }

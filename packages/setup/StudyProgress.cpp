@@ -1,5 +1,6 @@
 #include <harmos/setup/StudyProgress.hpp>
 
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
@@ -11,9 +12,9 @@ namespace {
 std::string duration(double seconds) {
   std::ostringstream text;
   if (seconds < 90.0) {
-    text << static_cast<int>(seconds + 0.5) << " s";
+    text << std::lround(seconds) << " s";
   } else if (seconds < 5400.0) {
-    text << static_cast<int>(seconds / 60.0 + 0.5) << " min";
+    text << std::lround(seconds / 60.0) << " min";
   } else {
     text << std::fixed << std::setprecision(1) << seconds / 3600.0 << " h";
   }

@@ -1,6 +1,7 @@
 #include <harmos/setup/StudySpec.hpp>
 
 #include <harmos/setup/DistributionSpec.hpp>
+#include <harmos/study/Configuration.hpp>
 
 namespace harmos::setup {
 
@@ -17,7 +18,7 @@ void describeParameter(base::ParameterSpec& spec) {
   spec.numbers("Values").optional().doc("Its levels.");
   spec.number("From").optional().doc("First of evenly spaced levels.");
   spec.number("To").optional().doc("Last of evenly spaced levels.");
-  spec.integer("Count").optional().atLeast(1).doc("Number of evenly spaced levels.");
+  spec.integer("Count").optional().atLeast(1).atMost(study::mostConfigurations).doc("Number of evenly spaced levels.");
   spec.number("Lower").optional().doc("Least value, for designs that choose any value in between.");
   spec.number("Upper").optional().doc("Largest value, for designs that choose any value in between.");
   spec.text("Formula").optional().doc("Of a derived parameter, such as 2 * preload_1.");
@@ -25,7 +26,11 @@ void describeParameter(base::ParameterSpec& spec) {
 }
 
 base::ParameterSpec& addCount(base::ParameterSpec& spec) {
-  spec.integer("Count").required().atLeast(1).doc("Number of points, those that conditions leave out included.");
+  spec.integer("Count")
+      .required()
+      .atLeast(1)
+      .atMost(study::mostConfigurations)
+      .doc("Number of points, those that conditions leave out included.");
   return spec;
 }
 

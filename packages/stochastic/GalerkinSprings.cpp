@@ -96,7 +96,7 @@ void GalerkinSprings::solve(int step, const std::vector<laws::LocalLine>& lines,
   tractions.shapeUninitialized(freeJumps.numRows(), terms);
   base::Matrix jumps(pairs, terms), rotated(pairs, terms);
   for (int c = 0; c < 3; ++c) {
-    const Component& component = components_[static_cast<std::size_t>(3 * step + c)];
+    const Component& component = components_[3 * static_cast<std::size_t>(step) + static_cast<std::size_t>(c)];
     const Decomposition& spring = decompositions_[component.decomposition];
     for (int a = 0; a < terms; ++a) {
       for (int p = 0; p < pairs; ++p) jumps(p, a) = freeJumps(3 * p + c, a);

@@ -135,7 +135,7 @@ void SpectralSystem::addLoads(const interface::Interface& boundary) {
     for (int p = 0; p < boundary.pairs(); ++p) {
       for (int c = 0; c < dimension_; ++c) {
         at(right_, dofOf(boundary.body1, boundary.node1[static_cast<std::size_t>(p)]) + c, column) +=
-            force[static_cast<std::size_t>(p * dimension_ + c)];
+            force[static_cast<std::size_t>(p) * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(c)];
       }
     }
   }

@@ -4,6 +4,9 @@
 
 namespace harmos::study {
 
+/// Of one study; all of them are held in memory before the first is solved.
+constexpr int mostConfigurations = 1000000;
+
 /// One point of a design.
 struct Configuration {
   int id = 0;                  // 1, 2, .. in the order of the design: the row of the study file

@@ -1,8 +1,8 @@
 #include <harmos/study/GridDesign.hpp>
 
-#include <limits>
-
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
+#include <harmos/study/Configuration.hpp>
 
 namespace harmos::study {
 
@@ -15,8 +15,10 @@ std::vector<std::vector<double>> GridDesign::points(const std::vector<Axis>& axe
     }
     count *= static_cast<double>(axis.levels.size());
   }
-  if (count > std::numeric_limits<int>::max()) {
-    throw base::Error("the grid has too many points.\n  Take fewer levels or another design.", base::ExitCode::input);
+  if (count > mostConfigurations) {
+    throw base::Error("the grid has " + base::toText(count) + " points, but a study has at most " +
+                          std::to_string(mostConfigurations) + ".\n  Take fewer levels or another design.",
+                      base::ExitCode::input);
   }
   std::vector<std::vector<double>> points = {{}};
   for (const Axis& axis : axes) {

@@ -85,12 +85,12 @@ std::pair<double, double> errorsAgainst(const latin::Snapshot& reference, const 
 
 ParametricStudy::ParametricStudy(interface::Assembly& assembly, Install install,
                                  std::vector<std::shared_ptr<const latin::Response>> responses,
-                                 const latin::LatinOptions& options, Teuchos::RCP<const Teuchos::Comm<int>> comm,
+                                 const latin::LatinOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                                  base::Timers& timers)
     : install_(std::move(install)),
       responses_(std::move(responses)),
       options_(options),
-      solver_(assembly, options, std::move(comm), timers),
+      solver_(assembly, options, comm, timers),
       fixedPoint_(solver_.fixedPoint()),
       iteration_(fixedPoint_, responses_, options.accuracy < demanding ? neighboursWhenDemanding : neighbours,
                  options.memory, timers),

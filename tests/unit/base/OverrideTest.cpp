@@ -56,9 +56,22 @@ TEST(Override, WrongPaths) {
             "  Did you mean \"mu\"? It has: mu.\n"
             "--set 'Solver/Accuracy': has no value.\n"
             "  Write --set 'List/Sublist/Name=value'.\n"
-            "--set 'Solver=1': Sample has no parameter \"Solver\".\n"
-            "  It has: Title.\n"
+            "--set 'Solver=1': \"Solver\" is a list.\n"
+            "  Name one of its entries: List/Sublist/Name=value.\n"
             "7 errors; nothing was run.");
+}
+
+TEST(Override, MayHaveBlanksAroundNames) {
+  const Parameters p = with({" Values / mu = 0.5 ", "Solver / Method = Relaxed"});
+  EXPECT_EQ(p.lists("Joints")[0].list("Law").number("Coefficient"), 0.5);
+  EXPECT_EQ(p.list("Solver").text("Method"), "Relaxed");
+}
+
+TEST(Override, NamesAnEntry) {
+  EXPECT_EQ(messageOf([] { with({" =1"}); }),
+            "--set ' =1': names no entry.\n"
+            "  Write --set 'List/Sublist/Name=value'.\n"
+            "1 error; nothing was run.");
 }
 
 }  // namespace

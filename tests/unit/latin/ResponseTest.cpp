@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <harmos/base/Error.hpp>
 #include <harmos/latin/LatinSolver.hpp>
 #include <harmos/latin/PairFields.hpp>
 
@@ -154,6 +155,27 @@ TEST(PairFields, SayWhatEachNodeDoes) {
     const laws::Status status = fields.status[fields.at(2, p)];
     const bool isLoaded = fields.traction[fields.at(2, p)][0] < 0.0;
     EXPECT_EQ(status, isLoaded ? laws::Status::slip : laws::Status::open);
+  }
+}
+
+/// 1, then nothing that can be told, as of a host that divides by zero.
+class Undefined : public Response {
+ public:
+  Undefined() : Response("undefined", Quantity::force) {}
+  std::vector<double> evaluate(const FixedPoint&) const override { return {1.0, std::nan("")}; }
+};
+
+// Comparisons with NaN are false: the error estimate would pass it over and certify it.
+TEST(Response, ThatIsNotFiniteIsNeverCertified) {
+  BoxAssembly cubes = pulled();
+  base::Timers timers;
+  LatinSolver solver(cubes.assembly(), Solved::options(), self(), timers);
+  solver.addResponse(std::make_shared<Undefined>());
+  try {
+    solver.solve();
+    FAIL() << "no error";
+  } catch (const base::Error& error) {
+    EXPECT_STREQ(error.what(), "response \"undefined\", load step 2: the value is not finite (NaN or infinity)");
   }
 }
 
