@@ -24,6 +24,9 @@ constexpr double rung = 0.3;
 constexpr double tightForce = 0.01;
 constexpr double tightResponse = 0.05;
 constexpr double tightChange = 0.03;
+// An audit may end before, with an estimate below this share of the accuracy, which is added to the error that it
+// finds.
+constexpr double referenceShare = 0.2;
 constexpr int tightLimit = 100;
 
 /// Calibrations that a study should have after so many configurations: numbers 1, 2, 4, 8 and 16 are.
@@ -110,27 +113,55 @@ bool CalibratedSchedule::tighten(Purpose purpose, ConfigurationResult& result) {
   do {
     target = {rung * std::min(target.force, indicators_.force), rung * std::min(target.response, indicators_.response)};
     if (!march(target, true, result)) return false;
-  } while (!isTight() && solver_.iteration().stages() - before < tightLimit);
-  if (isTight()) calibrate(purpose, claimed);
+  } while (!isTight() && !(purpose == Purpose::audit && isReference()) &&
+           solver_.iteration().stages() - before < tightLimit);
+  if (isTight()) calibrate(purpose);
+  if (purpose != Purpose::audit) return true;
+  if (isTight() || isReference()) {
+    record(*snapshots_.back(), calibration_.estimate(indicators_), *snapshots_[claimed]);
+    return true;
+  }
+  return refer(*snapshots_[claimed], result);
+}
+
+bool CalibratedSchedule::isReference() const {
+  return calibration_.estimate(indicators_) <= referenceShare * solver_.options().accuracy;
+}
+
+void CalibratedSchedule::record(const latin::Snapshot& reference, double uncertainty, const latin::Snapshot& claimed) {
+  const auto [responseError, forceError] = errorsAgainst(reference, claimed);
+  const double error = (std::max(responseError, forceError) + uncertainty) / solver_.options().accuracy;
+  StudySummary& summary = solver_.summary();
+  ++summary.audits;
+  if (error > 1.0) ++summary.falseClaims;
+  summary.largestAudit = std::max(summary.largestAudit, error);
+}
+
+bool CalibratedSchedule::refer(const latin::Snapshot& claimed, ConfigurationResult& result) {
+  const base::Matrix tight(solver_.iteration().alpha());
+  const int stages = solver_.iteration().stages();
+  ConfigurationResult certified;
+  const int certificates = solver_.summary().certificates;
+  const bool goesOn = solver_.certify(&tight, certified);
+  solver_.summary().certificates = certificates;  // it is not what is delivered
+  if (!goesOn) return false;
+  if (certified.status == Status::certified) {
+    record(latin::Snapshot(solver_.fixedPoint(), solver_.responses()), certified.errorEstimate, claimed);
+  } else {
+    ++solver_.summary().openAudits;
+  }
+  result.linearStages += stages + certified.linearStages;
+  indicators_ = solver_.iteration().beginAt(tight);
   return true;
 }
 
-void CalibratedSchedule::calibrate(Purpose purpose, std::size_t claimed) {
-  const latin::Snapshot& tight = *snapshots_.back();
+void CalibratedSchedule::calibrate(Purpose purpose) {
   std::vector<Calibration::Observation> run;
   for (std::size_t i = 0; i + 1 < snapshots_.size(); ++i) {
-    const auto [responseError, forceError] = errorsAgainst(tight, *snapshots_[i]);
+    const auto [responseError, forceError] = errorsAgainst(*snapshots_.back(), *snapshots_[i]);
     run.push_back({way_[i], forceError, responseError});
   }
-  StudySummary& summary = solver_.summary();
-  if (purpose == Purpose::audit) {
-    const double error = std::max(run[claimed].responseError, run[claimed].forceError) / solver_.options().accuracy;
-    ++summary.audits;
-    if (error > 1.0) ++summary.falseClaims;
-    summary.largestAudit = std::max(summary.largestAudit, error);
-  } else {
-    ++summary.calibrations;
-  }
+  if (purpose == Purpose::calibration) ++solver_.summary().calibrations;
   if (calibration_.add(run)) ratioFell_ = true;
 }
 
@@ -152,11 +183,10 @@ bool CalibratedSchedule::iterate(const Configuration& configuration, Purpose pur
   }
   if (isAccepted && purpose == Purpose::result && !result.starts.empty())
     stagesOfAccepted_.push_back(iteration.stages());
-  const int before = solver_.summary().calibrations + solver_.summary().audits;
+  const int before = calibration_.runs();
   if (isAccepted && purpose != Purpose::result && !tighten(purpose, result)) return false;
   result.linearStages += iteration.stages();
-  const bool hasCalibrated = solver_.summary().calibrations + solver_.summary().audits > before;
-  if (isAccepted && !hasCalibrated && purpose == Purpose::audit) ++solver_.summary().openAudits;
+  const bool hasCalibrated = calibration_.runs() > before;
   if (!isAccepted || (!hasCalibrated && !calibration_.accepts(indicators_))) return true;
   if (hasCalibrated && solver_.summary().certificates == 0 && purpose == Purpose::calibration) {
     if (!confirm(result)) return false;

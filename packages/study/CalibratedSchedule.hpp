@@ -40,10 +40,15 @@ class CalibratedSchedule {
   bool attempt(const Configuration& configuration, Purpose purpose, ConfigurationResult& result);
   bool iterate(const Configuration& configuration, Purpose purpose, const SolvedStates& states,
                ConfigurationResult& result);
-  /// Iterates on from the present state, whose way so far is in `snapshots_`, to a tight stop and calibrates.
+  /// Iterates on from the present state, whose way so far is in `snapshots_`, to a tight stop and calibrates; audits.
   bool tighten(Purpose purpose, ConfigurationResult& result);
   bool isTight() const;
-  void calibrate(Purpose purpose, std::size_t claimed);
+  /// Whether the present state is good enough to audit with.
+  bool isReference() const;
+  void calibrate(Purpose purpose);
+  /// Audits with the solution of a certificate, where the iteration has come to no tight stop.
+  bool refer(const latin::Snapshot& claimed, ConfigurationResult& result);
+  void record(const latin::Snapshot& reference, double uncertainty, const latin::Snapshot& claimed);
   /// Certifies the present tight state; what calibrates must not contradict a certificate.
   bool confirm(ConfigurationResult& result);
   bool reopen(ResultSink& sink);

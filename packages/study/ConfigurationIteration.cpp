@@ -18,7 +18,7 @@ constexpr double noise = 1e-13;
 constexpr std::size_t patience = 4;
 constexpr double slow = 0.5;
 // Differences across many changes of status mislead as well.
-constexpr std::size_t latePatience = 20;
+constexpr std::size_t latePatience = 8;
 
 }  // namespace
 
