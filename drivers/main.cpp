@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <Tpetra_Core.hpp>
 
+#include <harmos/base/BlasKernels.hpp>
 #include <harmos/setup/CommandLine.hpp>
 
 #include "Interrupt.hpp"
@@ -27,6 +28,7 @@ void useOneThread() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  harmos::base::useFittingBlasKernels(argv);
   useOneThread();
   // Kokkos and MPI get no arguments: Kokkos would answer --help itself.
   char* program[] = {argv[0], nullptr};

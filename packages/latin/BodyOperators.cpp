@@ -256,6 +256,8 @@ void BodyOperators::solveGroup(Group& group, int first, int count) {
   const auto solveBlock = [&](const base::Matrix& right, base::Matrix& solution) {
     if (group.trace.empty()) {
       group.solver->solve(right, solution);
+    } else if (columns == 1 && allSteps_ > 1) {
+      group.solver->solveTraceRoughly(right, solution);
     } else {
       group.solver->solveTrace(right, solution);
     }

@@ -55,7 +55,6 @@ Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::
     const double gap = fieldGap(fixedPoint_);
     if (fixedPoint_.linearStage().stages() + maximumVectors + smoothingIterations + 2 > stageLimit) return result;
     const NewtonCorrection::Result step = newton.solve(state, next, krylovTarget);
-    result.smallestSingularValue = step.smallestSingularValue;
     if (step.reduction > krylovLimit) return result;
     base::Matrix corrected(state);
     corrected += step.step;

@@ -77,13 +77,13 @@ void StudyGroup::solve(const std::vector<study::Configuration>& configurations,
     if (known.count(configuration.id) == 0) open.push_back(configuration);
   }
   if (open.empty()) return;
-  if (!engine_) engine_ = makeEngine();
+  if (!engine_) engine_ = makeEngine(open.size());
   engine_->run(open, sink);
   noteTrust(engine_->summary(), sink);
 }
 
 void StudyGroup::solveAlone(const study::Configuration& configuration, study::ResultSink& sink) {
-  makeEngine()->run({configuration}, sink);
+  makeEngine(1)->run({configuration}, sink);
 }
 
 void StudyGroup::walk(const study::Configuration& from, const study::Configuration& to, int steps,
@@ -99,13 +99,13 @@ void StudyGroup::walk(const study::Configuration& from, const study::Configurati
   }
   path.push_back(to);
   OnlyOne last(to.id, sink);
-  makeEngine()->run(path, last);
+  makeEngine(path.size())->run(path, last);
 }
 
-std::unique_ptr<study::ParametricStudy> StudyGroup::makeEngine() {
+std::unique_ptr<study::ParametricStudy> StudyGroup::makeEngine(std::size_t configurations) {
   auto engine = std::make_unique<study::ParametricStudy>(
       problem_.assembly, [this](const std::vector<double>& values) { install(values); }, problem_.responses,
-      latin::LatinOptions(scene_.input.list("Solver")), comm_, timers_);
+      study::optionsForStudy(latin::LatinOptions(scene_.input.list("Solver")), configurations), comm_, timers_);
   if (interrupted_) engine->setInterrupt(interrupted_);
   return engine;
 }

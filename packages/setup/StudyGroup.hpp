@@ -41,7 +41,7 @@ class StudyGroup {
   void walk(const study::Configuration& from, const study::Configuration& to, int steps, study::ResultSink& sink);
 
  private:
-  std::unique_ptr<study::ParametricStudy> makeEngine();
+  std::unique_ptr<study::ParametricStudy> makeEngine(std::size_t configurations);
   void install(const std::vector<double>& values);
 
   const Study& study_;

@@ -39,6 +39,11 @@ double Calibration::estimate(const Indicators& indicators) const {
   return std::max(error(indicators.force, forceRatio_), error(indicators.response, responseRatio_));
 }
 
+Indicators Calibration::target() const {
+  const double share = accuracy_ / (runs_ < runsOfExperience ? safetyAtFirst : safety);
+  return {share * forceRatio_, share * responseRatio_};
+}
+
 bool Calibration::accepts(const Indicators& indicators) const {
   return (runs_ < runsOfExperience ? safetyAtFirst : safety) * estimate(indicators) <= accuracy_;
 }

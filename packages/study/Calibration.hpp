@@ -35,6 +35,8 @@ class Calibration {
   double estimate(const Indicators& indicators) const;
   /// True when E with its factor of safety, 1.5, or 2 before the fifth run, meets the accuracy.
   bool accepts(const Indicators& indicators) const;
+  /// The largest indicators that it accepts.
+  Indicators target() const;
 
  private:
   double accuracy_;

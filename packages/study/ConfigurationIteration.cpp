@@ -1,21 +1,24 @@
 #include <harmos/study/ConfigurationIteration.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <Teuchos_CommHelpers.hpp>
 
 namespace harmos::study {
 namespace {
 
+// Fewer solved states are worth less than a cold start: the iteration first has to get rid of their contact status.
+constexpr int fewestStates = 3;
+constexpr int maximumIterations = 100;
+// Residuals below this share of the state are round-off.
+constexpr double noise = 1e-13;
 // Tangents of the start mislead when the contact status has moved on: without them when the residual has not fallen to
-// this share over so many stages.
+// this share over so many iterations.
 constexpr std::size_t patience = 4;
 constexpr double slow = 0.5;
 // Differences across many changes of status mislead as well.
-constexpr std::size_t latePatience = 20;
-constexpr int neighboursInTime = 2;
-// Fewer solved states are worth less than a cold start: the iteration first has to get rid of their contact status.
-constexpr int fewestStates = 8;
+constexpr std::size_t latePatience = 8;
 
 }  // namespace
 
@@ -23,11 +26,17 @@ ConfigurationIteration::ConfigurationIteration(latin::FixedPoint& fixedPoint,
                                                const std::vector<std::shared_ptr<const latin::Response>>& responses,
                                                int neighbours, int memory, base::Timers& timers)
     : fixedPoint_(fixedPoint),
-      responses_(responses),
       neighbours_(neighbours),
       timers_(timers),
+      gauge_(fixedPoint, responses),
       start_(fixedPoint),
-      acceleration_(fixedPoint.metric(), neighbours + neighboursInTime + memory) {}
+      accelerations_(
+          static_cast<std::size_t>(fixedPoint.assembly().steps()),
+          latin::AndersonAcceleration(fixedPoint.metric(), neighbours + ReducedBasisStart::furtherColumns + memory)) {}
+
+int ConfigurationIteration::stages() const {
+  return fixedPoint_.linearStage().stages() - stagesBefore_;
+}
 
 void ConfigurationIteration::updateOffset() {
   const latin::BodyOperators& operators = fixedPoint_.linearStage().operators();
@@ -47,22 +56,22 @@ void ConfigurationIteration::updateOffset() {
   std::vector<int> mine{here & 1, here & 2}, all(2);
   Teuchos::reduceAll(fixedPoint_.layout().comm(), Teuchos::REDUCE_MAX, 2, mine.data(), all.data());
   if (all[0] == 0) return;
+  gauge_.forgetLoads();
   offset_.shape(fixedPoint_.layout().rows(), fixedPoint_.assembly().steps());
   if (all[1] == 0) return;
   fixedPoint_.apply(offset_, image_);
   offset_.assign(fixedPoint_.beta());
-  ++stages_;
 }
 
 void ConfigurationIteration::prepare() {
-  for (base::Matrix* field : {&alpha_, &next_, &image_}) {
-    field->shape(fixedPoint_.layout().rows(), fixedPoint_.assembly().steps());
-  }
-  stages_ = 0;
+  const int rows = fixedPoint_.layout().rows();
+  for (base::Matrix* field : {&alpha_, &next_, &image_, &beta_}) field->shape(rows, fixedPoint_.assembly().steps());
+  for (base::Matrix* field : {&column_, &columnImage_, &columnBeta_, &columnTraction_}) field->shape(rows, 1);
+  stagesBefore_ = fixedPoint_.linearStage().stages();
   starts_.clear();
-  residuals_.clear();
-  hasRestarted_ = false;
-  acceleration_.restart();
+  isFirstMarch_ = true;
+  traction_ = force_ = 0.0;
+  for (auto& acceleration : accelerations_) acceleration.restart();
   updateOffset();
 }
 
@@ -70,43 +79,161 @@ void ConfigurationIteration::begin(const SolvedStates& states, const std::vector
   prepare();
   if (states.count() < fewestStates) return;
   const auto running = timers_.start("start");
-  start_.find(states, values, neighbours_, offset_);
+  start_.begin(states, values, neighbours_, offset_);
   starts_ = start_.starts();
-  acceleration_.seed(start_.residualTangents(), start_.imageTangents());
-  next_.assign(start_.state());
-  acceleration_.advance(next_, start_.image());
+  traction_ = start_.traction();
+  force_ = start_.force();
 }
 
-void ConfigurationIteration::beginAt(const base::Matrix& alpha) {
+Indicators ConfigurationIteration::beginAt(const base::Matrix& alpha) {
   prepare();
   next_.assign(alpha);
+  isFirstMarch_ = false;
+  return applyAll();
 }
 
-Indicators ConfigurationIteration::iterate() {
+Indicators ConfigurationIteration::applyAll() {
   alpha_.assign(next_);
   fixedPoint_.apply(alpha_, image_);
-  ++stages_;
-  const Indicators indicators = measure();
-  residuals_.push_back(indicators.force);
-  const std::size_t n = residuals_.size();
-  const std::size_t back = hasRestarted_ ? latePatience : patience;
-  if (n > back && residuals_[n - 1] > slow * residuals_[n - 1 - back]) {
-    acceleration_.restart();
-    hasRestarted_ = true;
-    residuals_.clear();
-  }
-  const auto running = timers_.start("acceleration");
-  acceleration_.advance(next_, image_);
+  beta_.assign(fixedPoint_.beta());
+  const auto running = timers_.start("indicators");
+  const Indicators indicators = gauge_.measure(alpha_, image_);
+  force_ = gauge_.force();
+  traction_ = fixedPoint_.metric().norm(fixedPoint_.hattedTraction()) / std::sqrt(alpha_.numCols());
   return indicators;
 }
 
-Indicators ConfigurationIteration::measure() {
-  const auto running = timers_.start("indicators");
-  return indicatorsOf(fixedPoint_, alpha_, image_, responses_);
+void ConfigurationIteration::applyLaws() {
+  fixedPoint_.localStage().begin();
+  fixedPoint_.localStage().solveColumn(0, columnBeta_, columnTraction_);
+  for (int row = 0; row < column_.numRows(); ++row) {
+    columnImage_[0][row] = 2.0 * columnTraction_[0][row] - columnBeta_[0][row];
+  }
+}
+
+bool ConfigurationIteration::meets(int step, const Indicators& target) {
+  const std::vector<double>& scale = fixedPoint_.metric().scale();
+  std::vector<double> sums(3, 0.0);
+  for (std::size_t row = 0; row < scale.size(); ++row) {
+    const double residual = scale[row] * (columnImage_[0][row] - column_[0][row]);
+    const double traction = scale[row] * columnTraction_[0][row];
+    const double image = scale[row] * columnImage_[0][row];
+    sums[0] += residual * residual;
+    sums[1] += traction * traction;
+    sums[2] += image * image;
+  }
+  fixedPoint_.metric().sum(sums);
+  residual_ = std::sqrt(sums[0]);
+  if (residual_ <= noise * std::sqrt(sums[2])) return true;
+  const bool isCold = isFirstMarch_ && starts_.empty();
+  const double traction = isCold ? std::sqrt((traction_ * traction_ * step + sums[1]) / (step + 1.0)) : traction_;
+  if (residual_ > target.force * traction) return false;
+  return force_ == 0.0 || gauge_.imbalance(step, columnTraction_) <= target.response * force_;
+}
+
+void ConfigurationIteration::findStart(int step, const Indicators& target) {
+  const auto running = timers_.start("start");
+  start_.find(step, target.force * traction_);
+  column_.assign(start_.state());
+  columnBeta_.assign(start_.beta());
+  applyLaws();
+  if (meets(step, target)) return;
+  if (!start_.hasTangents()) start_.differentiate();
+  accelerations_[static_cast<std::size_t>(step)].seed({start_.residualTangents()}, {start_.imageTangents()});
+  applyLaws();
+}
+
+void ConfigurationIteration::extrapolate(int step) {
+  const std::vector<double>& times = fixedPoint_.assembly().times;
+  const auto t = static_cast<std::size_t>(step);
+  column_.putScalar(0.0);
+  columnBeta_.putScalar(0.0);
+  const auto add = [&](int from, double share) {
+    for (int row = 0; row < column_.numRows(); ++row) {
+      column_[0][row] += share * alpha_[from][row];
+      columnBeta_[0][row] += share * (beta_[from][row] - offset_[from][row]);
+    }
+  };
+  const double ratio = step < 2 ? 0.0 : (times[t] - times[t - 1]) / (times[t - 1] - times[t - 2]);
+  if (step > 0) add(step - 1, 1.0 + ratio);
+  if (step > 1) add(step - 2, -ratio);
+  for (int row = 0; row < column_.numRows(); ++row) columnBeta_[0][row] += offset_[step][row];
+  applyLaws();
+}
+
+void ConfigurationIteration::iterate(int step, const Indicators& target) {
+  latin::AndersonAcceleration& acceleration = accelerations_[static_cast<std::size_t>(step)];
+  const int rows = column_.numRows();
+  base::Matrix change(rows, 1), unused(rows, 1);
+  std::vector<double> residuals;  // since the last restart of the acceleration
+  std::size_t back = patience;
+  int iterations = 0;
+  for (; !meets(step, target) && iterations < maximumIterations; ++iterations) {
+    residuals.push_back(residual_);
+    if (residuals.size() > back && residual_ > slow * residuals[residuals.size() - 1 - back]) {
+      acceleration.restart();
+      residuals.clear();
+      back = latePatience;
+    }
+    for (int row = 0; row < rows; ++row) change[0][row] = -column_[0][row];
+    acceleration.advance(column_, columnImage_);
+    change += column_;
+    fixedPoint_.apply(change, unused);
+    for (int row = 0; row < rows; ++row) columnBeta_[0][row] += fixedPoint_.beta()[0][row] - offset_[step][row];
+    applyLaws();
+  }
+  std::copy_n(column_[0], rows, alpha_[step]);
+  std::copy_n(columnBeta_[0], rows, beta_[step]);
+  if (isFirstMarch_ && !starts_.empty()) start_.settle(step, column_, columnBeta_);
+  // The stage of all load steps is one more iteration, where it is known how.
+  if (iterations > 0) acceleration.advance(column_, columnImage_);
+  std::copy_n(column_[0], rows, next_[step]);
+}
+
+void ConfigurationIteration::settle(int step, const Indicators& target) {
+  const auto running = timers_.start("acceleration");
+  if (!isFirstMarch_) {
+    std::copy_n(alpha_[step], column_.numRows(), column_[0]);
+    std::copy_n(beta_[step], column_.numRows(), columnBeta_[0]);
+    accelerations_[static_cast<std::size_t>(step)].resume();
+    applyLaws();
+  } else if (starts_.empty()) {
+    extrapolate(step);
+  } else {
+    findStart(step, target);
+  }
+  iterate(step, target);
+  if (isFirstMarch_ && starts_.empty()) {
+    const double here = fixedPoint_.metric().norm(columnTraction_);
+    traction_ = std::sqrt((traction_ * traction_ * step + here * here) / (step + 1.0));
+  }
+}
+
+Indicators ConfigurationIteration::march(const Indicators& target) {
+  {
+    // All load steps are selected again at the end, also when a law throws.
+    const struct Restore {
+      latin::FixedPoint& fixedPoint;
+      ~Restore() {
+        fixedPoint.startUnloaded();
+        fixedPoint.selectAll();
+      }
+    } restore{fixedPoint_};
+    fixedPoint_.startUnloaded();
+    for (int t = 0; t < alpha_.numCols(); ++t) {
+      if (mustStop_ && mustStop_()) break;
+      fixedPoint_.select({t});
+      settle(t, target);
+      fixedPoint_.localStage().accept();
+      fixedPoint_.startFromHere();
+    }
+  }
+  isFirstMarch_ = false;
+  return applyAll();
 }
 
 base::Matrix ConfigurationIteration::linear() const {
-  base::Matrix linear(fixedPoint_.beta());
+  base::Matrix linear(beta_);
   linear -= offset_;
   return linear;
 }

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
-#include <harmos/latin/FixedPoint.hpp>
-#include <harmos/latin/Response.hpp>
-
 namespace harmos::study {
 
 /// What an iteration shows of its own error for nothing; see Calibration for what it takes to read it.
@@ -20,9 +14,5 @@ struct Indicators {
   /// of an interface: goes with the error of the responses.
   double response = 0.0;
 };
-
-/// Collective. Reads the last FixedPoint::apply(), which made `image` of `alpha`.
-Indicators indicatorsOf(const latin::FixedPoint& state, const base::Matrix& alpha, const base::Matrix& image,
-                        const std::vector<std::shared_ptr<const latin::Response>>& responses);
 
 }  // namespace harmos::study

@@ -41,12 +41,12 @@ double SolvedStates::squaredDistance(const std::vector<double>& a, const std::ve
   return square;
 }
 
-void SolvedStates::add(int id, const std::vector<double>& values, const base::Matrix& alpha,
-                       const base::Matrix& linear) {
+void SolvedStates::add(int id, const std::vector<double>& values, const base::Matrix& alpha, const base::Matrix& linear,
+                       double force) {
   const auto same = std::find_if(states_.begin(), states_.end(), [id](const State& state) { return state.id == id; });
   if (same != states_.end()) states_.erase(same);
   if (states_.size() == largest_) dropOne();
-  states_.push_back({id, values, packed(alpha), packed(linear)});
+  states_.push_back({id, values, packed(alpha), packed(linear), force, alpha.numRows()});
 }
 
 void SolvedStates::dropOne() {

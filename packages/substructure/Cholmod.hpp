@@ -33,10 +33,11 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
  public:
   static constexpr const char* name = "Cholmod";
 
-  /// `trace`: rows, ascending; empty: all.
+  /// `trace`: rows, ascending; empty: all. `entries`: of the square of the trace that are worth as much as one of the
+  /// sparse factor.
   Cholmod(Teuchos::RCP<const Matrix> a, Teuchos::RCP<Vector> x, Teuchos::RCP<const Vector> b,
-          std::vector<int> trace = {})
-      : Core(a, x, b), trace_(std::move(trace)) {
+          std::vector<int> trace = {}, double entries = 2.0)
+      : Core(a, x, b), trace_(std::move(trace)), entries_(entries) {
     cholmod_start(&common_);
     common_.print = 0;
     common_.supernodal = CHOLMOD_SUPERNODAL;
@@ -102,7 +103,7 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
     const Rows rows(*this->matrixA_);
     NestedDissection dissection(rows.rows(), rows.pointers.data(), rows.columns.data());
     const double traceSize = static_cast<double>(trace_.size());
-    traceIsLast_ = !trace_.empty() && traceSize * traceSize < 2.0 * dissection.factorSize().nonzeros;
+    traceIsLast_ = !trace_.empty() && traceSize * traceSize < entries_ * dissection.factorSize().nonzeros;
     if (traceIsLast_) {
       dissection = NestedDissection(rows.rows(), rows.pointers.data(), rows.columns.data(), trace_);
     }
@@ -184,6 +185,7 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
   }
 
   std::vector<int> trace_;
+  double entries_;
   bool traceIsLast_ = false;
   mutable cholmod_common common_{};
   mutable cholmod_factor* factor_ = nullptr;

@@ -60,7 +60,10 @@ Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teucho
   Teuchos::RCP<DirectSolver> solver;
 #ifdef HARMOS_CHOLMOD
   if (name == "cholmod") {
-    solver = Teuchos::rcp(new Cholmod<base::CrsMatrix, base::MultiVector>(matrix, none, none, trace));
+    // A triangular solve reads every entry of a factor twice, in double precision; the inverse half of its entries once
+    // in single precision.
+    const double entries = options.invertTrace ? 8.0 : 2.0;
+    solver = Teuchos::rcp(new Cholmod<base::CrsMatrix, base::MultiVector>(matrix, none, none, trace, entries));
   }
 #endif
   if (name == "tacho") {

@@ -21,6 +21,8 @@ struct SolverOptions {
 
   std::string name;                                   ///< default: cholmod, or tacho where CHOLMOD is not built in
   Teuchos::RCP<Teuchos::ParameterList> parameters{};  ///< handed to Amesos2 as they are; null: its defaults
+  /// A dense trace is inverted too, in single precision, which pays when single load steps are solved many times.
+  bool invertTrace = false;
 };
 
 /// Names that SolverOptions may have in this build: Harmos' own solvers, then those of the installed Amesos2.

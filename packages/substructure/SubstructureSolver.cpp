@@ -117,6 +117,10 @@ SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>
   factor(sum);
   checkSolution(*sum);
   trace_ = traceFactor(*solver_);
+  if (trace_ && options.invertTrace) {
+    inverse_ = std::make_unique<TraceInverse>(*trace_);
+    trace_.reset();
+  }
   // Frees the values of the sum where the solver is known to need its factors only.
   if (solver_->name() == "Cholmod" || solver_->name() == "Tacho") solver_->setA(stiffness_, Amesos2::NUMFACT);
 }

@@ -12,6 +12,7 @@
 #include <harmos/substructure/NestedDissection.hpp>
 #include <harmos/substructure/SolverFactory.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
+#include <harmos/substructure/TraceInverse.hpp>
 
 namespace harmos::substructure {
 
@@ -38,10 +39,16 @@ class SubstructureSolver {
   void solve(const base::Matrix& b, base::Matrix& x) const;
 
   /// True when solveTrace() exists because it is cheaper than solve().
-  bool solvesTrace() const { return trace_ != nullptr; }
+  bool solvesTrace() const { return trace_ || inverse_; }
   /// x = B A^-1 B^T b with B the restriction to the trace: rows as in `trace`, any number of columns, different
   /// objects. x is reshaped when it does not have the shape of b.
-  void solveTrace(const base::Matrix& b, base::Matrix& x) const { trace_->solve(b, x); }
+  void solveTrace(const base::Matrix& b, base::Matrix& x) const {
+    inverse_ ? inverse_->solve(b, x) : trace_->solve(b, x);
+  }
+  /// The same, to about six digits where the options ask for the inverse of the trace; for few columns.
+  void solveTraceRoughly(const base::Matrix& b, base::Matrix& x) const {
+    inverse_ ? inverse_->solveRoughly(b, x) : trace_->solve(b, x);
+  }
 
   int dofs() const { return dofs_; }
   /// Entries of the factors, zeros stored for speed included; 0 when the solver does not say.
@@ -65,6 +72,7 @@ class SubstructureSolver {
   Teuchos::RCP<const base::CrsMatrix> stiffness_;
   Teuchos::RCP<DirectSolver> solver_;
   std::unique_ptr<TraceFactor> trace_;
+  std::unique_ptr<TraceInverse> inverse_;  // instead of trace_
 };
 
 }  // namespace harmos::substructure

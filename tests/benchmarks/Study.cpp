@@ -7,6 +7,7 @@
 
 #include <Tpetra_Core.hpp>
 
+#include <harmos/base/BlasKernels.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 
@@ -27,6 +28,7 @@ double optionOf(std::vector<std::string>& arguments, const std::string& option, 
 }
 
 int runProgram(int argc, char** argv, const std::function<int(std::vector<std::string>)>& program) {
+  base::useFittingBlasKernels(argv);
   Tpetra::ScopeGuard scope(&argc, &argv);
   try {
     return program({argv + 1, argv + argc});

@@ -168,7 +168,7 @@ int measure(std::vector<std::string> arguments) {
   const auto comm = Tpetra::getDefaultComm();
   study::ParametricStudy engine(
       joint.problem.assembly, [&](const auto& values) { joint.install(values); }, joint.problem.responses,
-      joint.options, comm, timers);
+      study::optionsForStudy(joint.options, open.size()), comm, timers);
   engine.setObserver([&](const study::Configuration& configuration, const latin::FixedPoint& state) {
     const auto found = checked.find(configuration.id);
     if (found != checked.end()) found->second = state.hattedTraction();
@@ -202,7 +202,7 @@ int measure(std::vector<std::string> arguments) {
   double certifiedSeconds = 0.0, sameStopSeconds = 0.0;
   {
     base::Timers unused;
-    latin::LatinSolver solver(joint.problem.assembly, joint.options, comm, unused);
+    latin::LatinSolver solver(joint.problem.assembly, study::optionsForStudy(joint.options, open.size()), comm, unused);
     for (const auto& response : joint.problem.responses) solver.addResponse(response);
     study::ConfigurationIteration iteration(solver.fixedPoint(), joint.problem.responses, 0, joint.options.memory,
                                             unused);
@@ -214,9 +214,11 @@ int measure(std::vector<std::string> arguments) {
       certifiedSeconds += cpuSeconds() - start;
       start = cpuSeconds();
       iteration.begin(study::SolvedStates(1), configuration.values);
+      study::Indicators target = {accuracy / 1.5 * summary.forceRatio, accuracy / 1.5 * summary.responseRatio};
       for (double estimate = 1.0; estimate > accuracy && iteration.stages() < 300;) {
-        const study::Indicators indicators = iteration.iterate();
+        const study::Indicators indicators = iteration.march(target);
         estimate = 1.5 * std::max(indicators.force / summary.forceRatio, indicators.response / summary.responseRatio);
+        target = {0.5 * target.force, 0.5 * target.response};
       }
       sameStopStages.push_back(iteration.stages());
       sameStopSeconds += cpuSeconds() - start;

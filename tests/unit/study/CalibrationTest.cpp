@@ -22,6 +22,12 @@ TEST(Calibration, TakesTheSmallestRatios) {
   EXPECT_DOUBLE_EQ(calibration.estimate({3e-4, 1e-3}), 3e-3);
   EXPECT_DOUBLE_EQ(calibration.estimate({1e-4, 2e-3}), 4e-3);
   EXPECT_FALSE(calibration.add({observation(4e-3, 2e-2, 3e-2, 3e-2)}));
+  const Indicators target = calibration.target();  // half the accuracy before the fifth run
+  EXPECT_DOUBLE_EQ(target.force, 0.5e-3);
+  EXPECT_DOUBLE_EQ(target.response, 2.5e-3);
+  EXPECT_TRUE(calibration.accepts({0.99 * target.force, 0.99 * target.response}));
+  EXPECT_FALSE(calibration.accepts({1.01 * target.force, 0.0}));
+  EXPECT_FALSE(calibration.accepts({0.0, 1.01 * target.response}));
 }
 
 TEST(Calibration, HasRatiosOfAtMostOneAndLooksOnlyNearTheAccuracy) {

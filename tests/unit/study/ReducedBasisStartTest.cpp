@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <harmos/study/Indicators.hpp>
-#include <harmos/study/ReducedBasisStart.hpp>
+#include <harmos/study/ConfigurationIteration.hpp>
 
 #include "../latin/Chains.hpp"
 
@@ -47,6 +46,29 @@ class Dragged : public testing::Test {
     return alpha;
   }
 
+  /// What the reduced basis gives for all load steps without a solve; expects the states that it is made of.
+  base::Matrix startOf(const std::vector<int>& states, double value, int neighbours) {
+    const base::Matrix offset(zero());
+    base::Matrix alpha(zero());
+    ReducedBasisStart start(fixedPoint_);
+    start.begin(states_, {value}, neighbours, offset);
+    EXPECT_EQ(start.starts(), states);
+    for (int t = 0; t < steps; ++t) {
+      fixedPoint_.select({t});
+      start.find(t, 0.0);
+      std::copy_n(start.state()[0], alpha.numRows(), alpha[t]);
+      base::Matrix traction(alpha.numRows(), 1);
+      start.settle(t, start.state(), start.beta());
+      fixedPoint_.localStage().begin();
+      fixedPoint_.localStage().solveColumn(0, start.beta(), traction);
+      fixedPoint_.localStage().accept();
+      fixedPoint_.startFromHere();
+    }
+    fixedPoint_.startUnloaded();
+    fixedPoint_.selectAll();
+    return alpha;
+  }
+
   base::Timers timers_;
   interface::Assembly assembly_;
   latin::FixedPoint fixedPoint_;
@@ -60,15 +82,11 @@ TEST_F(Dragged, AreFoundInTheSpanOfTwo) {
   assembly_.interfaces[2].law = drag(0.02);
   solve(2, 0.02);
   assembly_.interfaces[2].law = drag(0.04);
-  ReducedBasisStart start(fixedPoint_);
-  start.find(states_, {0.04}, 5, zero());
-  EXPECT_EQ(start.starts(), (std::vector<int>{2, 1}));
-  const double size = fixedPoint_.metric().norm(start.state());
-  EXPECT_LT(start.residual(), 1e-5 * size);  // states are kept in single precision
-  EXPECT_NEAR(residualAt(start.state()), start.residual(), 1e-5 * size);
+  const base::Matrix start = startOf({2, 1}, 0.04, 5);
+  EXPECT_LT(residualAt(start), 1e-5 * fixedPoint_.metric().norm(start));  // states are kept in single precision
 }
 
-// With slip to and fro it is not; the start is no worse than the nearest state and its image is what a stage gives.
+// With slip to and fro it is not; the start is no worse than the nearest state.
 TEST_F(Dragged, HaveAStartBetterThanTheNearestState) {
   std::vector<base::Matrix> solutions;
   for (int id = 1; id <= 3; ++id) {
@@ -76,14 +94,67 @@ TEST_F(Dragged, HaveAStartBetterThanTheNearestState) {
     solutions.push_back(solve(id, 0.1 * id));
   }
   assembly_.interfaces[1].law = friction(0.24);
-  ReducedBasisStart start(fixedPoint_);
-  start.find(states_, {0.24}, 3, zero());
-  EXPECT_EQ(start.starts().size(), 3u);
-  EXPECT_LT(start.residual(), 0.5 * residualAt(solutions[1]));
-  base::Matrix image(zero());
-  fixedPoint_.apply(start.state(), image);
-  image -= start.image();
-  EXPECT_LT(fixedPoint_.metric().norm(image), 1e-5 * fixedPoint_.metric().norm(start.image()));
+  EXPECT_LT(residualAt(startOf({2, 3, 1}, 0.24, 3)), 0.5 * residualAt(solutions[1]));
+}
+
+// The way of the iteration: the error of an estimated response goes to 0 with its indicator, from a start or without.
+TEST_F(Dragged, AreSolvedByAMarch) {
+  for (int id = 1; id <= 3; ++id) {
+    assembly_.interfaces[1].law = friction(0.1 * id);
+    solve(id, 0.1 * id);
+  }
+  assembly_.interfaces[1].law = friction(0.24);
+  const base::Matrix exact = solve(4, 0.24);
+  const std::vector<std::shared_ptr<const latin::Response>> none;
+  SolvedStates three(3), empty(1);
+  three.widen({0.1});
+  three.widen({0.3});
+  base::Matrix alpha(zero()), linear(zero());
+  for (int i = 0; i < 3; ++i) {
+    states_.copy(i, alpha, linear);
+    three.add(i + 1, {0.1 * (i + 1)}, alpha, linear);
+  }
+  ConfigurationIteration iteration(fixedPoint_, none, 3, 10, timers_);
+  int stages[2];
+  for (const bool isWarm : {false, true}) {
+    iteration.begin(isWarm ? three : empty, {0.24});
+    EXPECT_EQ(iteration.starts().size(), isWarm ? 3u : 0u);
+    Indicators indicators;
+    for (int i = 0; i < 5; ++i) indicators = iteration.march({1e-9, 1e-9});
+    EXPECT_LT(indicators.force, 1e-8);
+    EXPECT_LT(indicators.response, 1e-8);
+    base::Matrix error(iteration.alpha());
+    error -= exact;
+    EXPECT_LT(fixedPoint_.metric().norm(error), 1e-6 * fixedPoint_.metric().norm(exact));
+    base::Matrix image(zero());
+    fixedPoint_.apply(iteration.alpha(), image);
+    base::Matrix linearError(iteration.linear());
+    linearError -= fixedPoint_.beta();
+    EXPECT_LT(linearError.normInf(), 1e-9 * fixedPoint_.beta().normInf());
+    iteration.begin(isWarm ? three : empty, {0.24});
+    iteration.march({1e-3, 1e-3});
+    stages[isWarm] = iteration.stages();
+  }
+  EXPECT_LT(stages[1], stages[0]);
+}
+
+// A gauge knows the imbalance of a load step alone from what f balanced before.
+TEST_F(Dragged, ShowTheImbalanceOfASingleStep) {
+  const std::vector<std::shared_ptr<const latin::Response>> none;
+  Gauge gauge(fixedPoint_, none);
+  base::Matrix alpha = solve(1, 0.3), image(zero());
+  EXPECT_EQ(gauge.imbalance(0, base::Matrix(alpha.numRows(), 1)), 0.0);
+  alpha.scale(1.1);
+  fixedPoint_.apply(alpha, image);
+  const Indicators disturbed = gauge.measure(alpha, image);
+  double largest = 0.0;
+  for (int t = 0; t < steps; ++t) {
+    base::Matrix one(Teuchos::Copy, fixedPoint_.hattedTraction(), alpha.numRows(), 1, 0, t);
+    largest = std::max(largest, gauge.imbalance(t, one));
+  }
+  EXPECT_NEAR(largest, disturbed.response * gauge.force(), 1e-12 * gauge.force());
+  gauge.forgetLoads();
+  EXPECT_EQ(gauge.imbalance(0, base::Matrix(alpha.numRows(), 1)), 0.0);
 }
 
 // The gap between f and f^ at a point: body "left" carries what the joint does not balance.
@@ -92,12 +163,13 @@ TEST_F(Dragged, ShowTheirImbalance) {
       std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<mesh::Point>{})};
   base::Matrix alpha = solve(1, 0.3), image(zero());
   fixedPoint_.apply(alpha, image);
-  const Indicators solved = indicatorsOf(fixedPoint_, alpha, image, responses);
+  Gauge gauge(fixedPoint_, responses);
+  const Indicators solved = gauge.measure(alpha, image);
   EXPECT_LT(solved.force, 1e-8);
   EXPECT_LT(solved.response, 1e-8);
   alpha.scale(1.1);
   fixedPoint_.apply(alpha, image);
-  const Indicators disturbed = indicatorsOf(fixedPoint_, alpha, image, responses);
+  const Indicators disturbed = gauge.measure(alpha, image);
   EXPECT_GT(disturbed.force, 1e-3);
   double largest = 0.0;
   for (int t = 0; t < steps; ++t) {

@@ -154,28 +154,35 @@ TEST(SubstructureSolver, findsIndefiniteOperators) {
 }
 
 TEST(SubstructureSolver, solvesTheTraceLikeTheWhole) {
+  if (availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD gives its factor";
   const Lattice lattice{8};
   const BoundaryTerm boundary = onOneFace(lattice, 0.3);
   // Rows of nodes in two corners and of one component inside, so that trace and other rows alternate.
   std::vector<int> trace{1, 2, 3, 7, 8, 300};
   for (int dof = lattice.dofs() - 60; dof < lattice.dofs(); ++dof) trace.push_back(dof);
-  const SubstructureSolver solver(lattice.matrix(), boundary, {}, "part", trace);
-  if (availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD gives its factor";
-  ASSERT_TRUE(solver.solvesTrace());
-  const base::Matrix b = loads(static_cast<int>(trace.size()), 3);
-  base::Matrix x, whole, wholeLoads(lattice.dofs(), 3);
-  for (int j = 0; j < 3; ++j) {
-    for (int i = 0; i < b.numRows(); ++i) wholeLoads(trace[static_cast<std::size_t>(i)], j) = b(i, j);
-  }
-  solver.solve(wholeLoads, whole);
-  solver.solveTrace(b, x);
-  const double size = whole.normInf();
-  for (int j = 0; j < 3; ++j) {
-    for (int i = 0; i < b.numRows(); ++i) {
-      EXPECT_NEAR(x(i, j), whole(trace[static_cast<std::size_t>(i)], j), 1e-12 * size);  // rounding times condition 1e3
+  for (const bool invert : {false, true}) {
+    SolverOptions options;
+    options.invertTrace = invert;
+    const SubstructureSolver solver(lattice.matrix(), boundary, options, "part", trace);
+    ASSERT_TRUE(solver.solvesTrace());
+    const base::Matrix b = loads(static_cast<int>(trace.size()), 3);
+    base::Matrix x, rough, whole, wholeLoads(lattice.dofs(), 3);
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < b.numRows(); ++i) wholeLoads(trace[static_cast<std::size_t>(i)], j) = b(i, j);
     }
+    solver.solve(wholeLoads, whole);
+    solver.solveTrace(b, x);
+    solver.solveTraceRoughly(b, rough);
+    const double size = whole.normInf();
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < b.numRows(); ++i) {
+        const double exact = whole(trace[static_cast<std::size_t>(i)], j);
+        EXPECT_NEAR(x(i, j), exact, 1e-12 * size);  // rounding times condition 1e3
+        EXPECT_NEAR(rough(i, j), exact, (invert ? 1e-6 : 1e-12) * size);
+      }
+    }
+    EXPECT_LT(residual(*lattice.matrix(), boundary, wholeLoads, whole), 1e-12);
   }
-  EXPECT_LT(residual(*lattice.matrix(), boundary, wholeLoads, whole), 1e-12);
 }
 
 TEST(SubstructureSolver, keepsToTheSparseFactorWhereItIsCheaper) {

@@ -1,0 +1,37 @@
+#include <harmos/study/CertifiedSchedule.hpp>
+
+#include <harmos/base/Error.hpp>
+
+namespace harmos::study {
+
+bool CertifiedSchedule::solve(const Configuration& configuration, ConfigurationResult& result) {
+  const std::vector<int> nearest = solver_.states().nearest(configuration.values, 1);
+  if (!nearest.empty()) {
+    try {
+      const latin::FixedPoint& fixedPoint = solver_.fixedPoint();
+      base::Matrix start(fixedPoint.layout().rows(), fixedPoint.assembly().steps()), unused(start);
+      solver_.states().copy(nearest[0], start, unused);
+      result.starts.push_back(solver_.states().id(nearest[0]));
+      if (!solver_.certify(&start, result)) return false;
+      if (result.status == Status::certified) {
+        solver_.rememberCertified(configuration, result);
+        return true;
+      }
+    } catch (const base::Error&) {
+      // The cold start below tells whether it was the start.
+    }
+  }
+  return solver_.certifyAnew(configuration, result);
+}
+
+void CertifiedSchedule::run(const std::vector<Configuration>& open, ResultSink& sink) {
+  for (const Configuration& configuration : open) {
+    const double begin = cpuSeconds();
+    ConfigurationResult result;
+    if (solver_.install(configuration, result) && !solve(configuration, result)) return;
+    result.cpuSeconds = cpuSeconds() - begin;
+    sink.record(result);
+  }
+}
+
+}  // namespace harmos::study

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Teuchos_SerialDenseMatrix.hpp>
+
+#include <harmos/substructure/TraceFactor.hpp>
+
+namespace harmos::substructure {
+
+/// B A^-1 B^T of a TraceFactor as a dense matrix: faster to apply than the factor, and dearer to make than it.
+class TraceInverse {
+ public:
+  /// Throws base::Error when the factor is singular.
+  explicit TraceInverse(const TraceFactor& factor);
+
+  /// x = B A^-1 B^T b, as TraceFactor::solve().
+  void solve(const base::Matrix& b, base::Matrix& x) const;
+  /// The same in single precision, to about six digits, one column after the other: each is bound by the memory that is
+  /// read, a quarter of that of solve().
+  void solveRoughly(const base::Matrix& b, base::Matrix& x) const;
+
+ private:
+  base::Matrix inverse_;                          // rows in the order of the trace
+  Teuchos::SerialDenseMatrix<int, float> rough_;  // its lower triangle
+};
+
+}  // namespace harmos::substructure
