@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include <harmos/interface/Interface.hpp>
@@ -18,6 +19,10 @@ struct Assembly {
   std::vector<int> owner;     ///< rank that owns each body; empty: rank 0 owns all
 
   int steps() const { return static_cast<int>(times.size()); }
+  /// Every law is, so that both stages are affine maps.
+  bool isAffine() const {
+    return std::all_of(interfaces.begin(), interfaces.end(), [](const Interface& one) { return one.law->isAffine(); });
+  }
   int ownerOf(int body) const { return owner.empty() ? 0 : owner[static_cast<std::size_t>(body)]; }
 };
 

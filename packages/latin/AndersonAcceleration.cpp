@@ -24,7 +24,8 @@ constexpr double longestStretch = 1048576.0;
 
 }  // namespace
 
-AndersonAcceleration::AndersonAcceleration(const StateMetric& metric, int memory) : metric_(metric), memory_(memory) {}
+AndersonAcceleration::AndersonAcceleration(const StateMetric& metric, int memory, bool isAffine)
+    : metric_(metric), memory_(memory), isAffine_(isAffine) {}
 
 void AndersonAcceleration::restart() {
   stored_ = 0;
@@ -151,8 +152,8 @@ void AndersonAcceleration::judge(const base::Matrix& alpha, const base::Matrix& 
   for (std::size_t t = 0; t < steps_.size(); ++t) {
     Step& step = steps_[t];
     const double residual = std::sqrt(sizes[t].residual);
-    const bool isWorse =
-        step.accepted >= 0.0 && residual > growth * step.accepted && residual > noise * std::sqrt(sizes[t].image);
+    const bool isWorse = !isAffine_ && step.accepted >= 0.0 && residual > growth * step.accepted &&
+                         residual > noise * std::sqrt(sizes[t].image);
     // Not twice in a row: an earlier load step may have changed what this one must do.
     step.isGivenUp = isWorse && !step.isGivenUp;
     if (step.isGivenUp) {
@@ -224,8 +225,8 @@ void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& imag
     const bool isConstant = sizes[t].change <= constantChange * constantChange * residual;
     // What should have reduced the residual and has not changed it is no model of T.
     const bool wasWrong = steps_[t].predicted < irreducible * irreducible * residual;
-    const bool isUseless =
-        wasWrong || remaining[t] > irreducible * irreducible * residual || lengths[t] > reach * reach * residual;
+    const bool isDoubtful = !isAffine_ && (wasWrong || lengths[t] > reach * reach * residual);
+    const bool isUseless = isDoubtful || remaining[t] > irreducible * irreducible * residual;
     const bool isDrifting = isConstant && isUseless && residual > noise * noise * sizes[t].image;
     if (isDrifting) forget(steps_[t]);
     steps_[t].predicted = isDrifting ? residual : remaining[t];

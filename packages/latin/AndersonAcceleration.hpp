@@ -21,10 +21,12 @@ namespace harmos::latin {
 ///  - Where the residual is constant and no combination of differences reduces it, or only one that leads more than 20
 ///    times as far as the residual, a body flies or slides freely under a constant force: alpha_{n+1} = T(alpha_n) + (s
 ///    - 1) f_n with a stretch s that doubles until something is met.
+/// The differences of an affine T do not mislead: then the first guard is left out, and the second one believes every
+/// combination that reduces the residual, however far it leads.
 class AndersonAcceleration {
  public:
-  /// `memory`: differences kept, >= 1.
-  AndersonAcceleration(const StateMetric& metric, int memory);
+  /// `memory`: differences kept, >= 1. `isAffine`: T is, in all that it is used for.
+  AndersonAcceleration(const StateMetric& metric, int memory, bool isAffine = false);
 
   /// Collective. Replaces `alpha` by the next iterate, given image = T(alpha).
   void advance(base::Matrix& alpha, const base::Matrix& image);
@@ -68,6 +70,7 @@ class AndersonAcceleration {
 
   const StateMetric& metric_;
   int memory_;
+  bool isAffine_;
   int stored_ = 0;
   int next_ = 0;  // column to overwrite
   std::vector<Step> steps_;

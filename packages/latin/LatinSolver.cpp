@@ -142,7 +142,9 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
 
 void LatinSolver::iterate(LatinResult& result) {
   std::optional<AndersonAcceleration> acceleration;
-  if (options_.algorithm == Algorithm::accelerated) acceleration.emplace(fixedPoint_.metric(), options_.memory);
+  if (options_.algorithm == Algorithm::accelerated) {
+    acceleration.emplace(fixedPoint_.metric(), options_.memory, fixedPoint_.assembly().isAffine());
+  }
   EquilibriumWatch watch(options_.accuracy);
   double trigger = triggerFactor * options_.accuracy;
   int nextAttempt = 0;  // linear stages before which a failed certificate is not tried again

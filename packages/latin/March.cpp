@@ -25,7 +25,7 @@ March::March(FixedPoint& fixedPoint, int memory, double accuracy)
     : fixedPoint_(fixedPoint),
       accuracy_(accuracy),
       accelerations_(static_cast<std::size_t>(fixedPoint.assembly().steps()),
-                     AndersonAcceleration(fixedPoint.metric(), memory)) {}
+                     AndersonAcceleration(fixedPoint.metric(), memory, fixedPoint.assembly().isAffine())) {}
 
 March::End March::iterate(int step, base::Matrix& state, double tolerance) {
   const StateMetric& metric = fixedPoint_.metric();

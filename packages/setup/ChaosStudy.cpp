@@ -41,11 +41,6 @@ std::vector<bool> randomInterfaces(const Study& study, const interface::Assembly
   return isRandom;
 }
 
-bool allAffine(const interface::Assembly& assembly) {
-  return std::all_of(assembly.interfaces.begin(), assembly.interfaces.end(),
-                     [](const interface::Interface& joint) { return joint.law->isAffine(); });
-}
-
 }  // namespace
 
 ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
@@ -58,7 +53,7 @@ ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teucho
       problem_(makeProblem(scene_, *comm_, timers)),
       isRandom_(randomInterfaces(study, problem_.assembly)) {
   const std::string& stage = study.input.list("Design").text("Local Stage");
-  isGalerkin_ = stage == "Galerkin" || (stage == "Automatic" && allAffine(problem_.assembly));
+  isGalerkin_ = stage == "Galerkin" || (stage == "Automatic" && problem_.assembly.isAffine());
 }
 
 ChaosStudy::~ChaosStudy() = default;

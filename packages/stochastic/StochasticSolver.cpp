@@ -129,7 +129,7 @@ StochasticResult StochasticSolver::solve(const base::Matrix* start) {
   columnsBefore_ = fixedPoint_.linearStage().columns();
   largestForce_ = 0.0;
   const auto blocks = static_cast<std::size_t>(local_.hasMemory() ? assembly_.steps() : 1);
-  accelerations_ = std::vector(blocks, latin::AndersonAcceleration(metric_, options_.memory));
+  accelerations_ = std::vector(blocks, latin::AndersonAcceleration(metric_, options_.memory, modal_.isAffine()));
 
   StochasticResult result;
   std::vector<double> estimates;
