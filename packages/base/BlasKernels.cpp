@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 #include <unistd.h>
 
@@ -36,7 +38,9 @@ void useFittingBlasKernels(char** argv) {
   const std::string kernels = fittingBlasKernels(openblas_get_corename(), hasAvx2, hasAvx512);
   if (kernels.empty()) return;
   setenv(variable, kernels.c_str(), 0);
-  execv("/proc/self/exe", argv);  // comes back only where it cannot; then the kernels stay as they are
+  // By its own path, so that it keeps its name. Comes back only where it cannot; then the kernels stay as they are.
+  std::error_code error;
+  execv(std::filesystem::read_symlink("/proc/self/exe", error).c_str(), argv);
 #else
   static_cast<void>(argv);
 #endif
