@@ -60,7 +60,8 @@ TEST(SearchDirection, IsTheMeanOverTheComponents) {
   Assembly assembly = twoBodies(30.0, 60.0);
   assembly.bodies[0].stiffness = substructure::makeCrsMatrix({0, 1, 2, 3}, {0, 1, 2}, {1.0, 2.0, 6.0});
   assembly.bodies[0].nodes.resize(1);
-  EXPECT_NEAR(k(assembly, 1), factor * 3.0 / 0.25, 1e-12);
+  assembly.interfaces.erase(assembly.interfaces.begin());  // the joint is at a node that is gone
+  EXPECT_NEAR(k(assembly, 0), factor * 3.0 / 0.25, 1e-12);
 }
 
 TEST(SearchDirection, TakesTheScaleAsAFactor) {
