@@ -68,6 +68,19 @@ TEST_F(Anderson, SolvesAffineMapsInAsManyStepsAsRows) {
   }
 }
 
+// Where T throws apart what it maps, residuals grow until the differences span everything.
+TEST_F(Anderson, KeepsTheDifferencesOfAnAffineMap) {
+  const int rows = layout_.rows();
+  const AffineMap map(rows, 1, 5.0);
+  for (const bool isAffine : {false, true}) {
+    AndersonAcceleration acceleration(metric_, rows, isAffine);
+    base::Matrix alpha(rows, 1);
+    const double first = map.residual(alpha);
+    for (int n = 0; n < rows + 1; ++n) acceleration.advance(alpha, map(alpha));
+    EXPECT_EQ(map.residual(alpha) < 1e-6 * first, isAffine) << map.residual(alpha) / first;
+  }
+}
+
 TEST_F(Anderson, StartsPlain) {
   const AffineMap map(layout_.rows(), 3, 0.5);
   AndersonAcceleration acceleration(metric_, 5);
