@@ -38,7 +38,7 @@ std::vector<double> extremeGerms(const Study& study, const chaos::RandomVector& 
       variables.germs(std::vector<double>(static_cast<std::size_t>(variables.dimension()), 0.5));
   std::vector<double> extreme = middle;
   for (std::size_t g = 0; g < middle.size(); ++g) {
-    if (variables.isIndependent() && g != place) continue;
+    if (variables.isIndependent() ? g != place : g > place) continue;
     const chaos::GaussRule rule = ruleOf(study, variables, static_cast<int>(g));
     const auto valueAt = [&](double germ) {
       std::vector<double> germs = middle;
