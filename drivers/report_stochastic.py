@@ -58,7 +58,7 @@ def density_section(study):
     return (picture(curves(study, "density", "probability density"), "densities") +
             picture(curves(study, "cumulative", "probability"), "cumulative") +
             f'<p class="note">{how} Dashed: mean. Above each picture: hold-out error (root mean square at random '
-            "configurations solved besides, over the standard deviation), share of the variance in the last degree.</p>")
+            "configurations solved besides, over the standard deviation), variance share of the last degree.</p>")
 
 
 def moment_section(study):
@@ -119,7 +119,8 @@ def coefficient_section(study):
     rows = [[" ".join(map(str, degrees))] + [f"{coefficients[a]:.6e}" for coefficients in known.values()]
             for a, degrees in enumerate(basis.degrees)]
     return (f'<p class="note">Order {basis.order}, {len(basis.degrees)} orthonormal polynomials; degrees in '
-            f'{html.escape(", ".join(basis.germs))}, graded lexicographic.</p>' + table(["degrees"] + list(known), rows))
+            f'{html.escape(", ".join(basis.germs))}, graded lexicographic.</p>' +
+            table(["degrees"] + list(known), rows))
 
 
 def running_deviations(values):

@@ -167,6 +167,9 @@ def guards():
     check(not (WORK / "refused").exists(), "a refused study leaves files")
     printed = run("refused", ["Sweep/d_1/Values={0.2, 0.45}"], 2)
     check("Sweep / d_1 / Values" in printed, f"sweep beyond the guard: {printed}")
+    # A lognormal parameter needs more Gauss points, but none at which the other one would be negative.
+    run("mixed", NO_SWEEP + LOGNORMAL[:1] + ["Design/Hold-Out Count=0"])
+    near(float(table("mixed", "moments")[2]["std"]), 2.23917, 1e-4, "mixed: std of F_N_max_I, which is E_1's alone")
     printed = run("wide", NO_SWEEP + ["Parameters/E_1/Distribution/Coefficient of Variation=0.36",
                                       "Design/Hold-Out Count=0"])
     check("WARNING: at the outermost of 4 Gauss points only 15.96 % of the mean is left" in printed, printed)
@@ -276,6 +279,11 @@ def distributions():
     expected = numpy.sqrt(1 + 2 * 0.5 * numpy.sqrt(main["E_1"][0] * main["E_2"][0]))
     ratio = statistics.responses["u_A_y"].standard_deviation / alone.responses["u_A_y"].standard_deviation
     near(ratio, expected, 0.05, "correlated: ratio of standard deviations")
+    # Together the germs reach further than each alone: 3.2 standard deviations at the corner of four by four points.
+    printed = run("together", ["Parameters/E_2/Distribution/Coefficient of Variation=0.32"], 2, study=study)
+    check("E_2 = -20.44, 3.189 standard deviations from its mean" in printed, f"corner of correlated germs: {printed}")
+    check("needs E_1" not in printed, f"the other parameter is blamed: {printed}")
+    check(not (WORK / "together").exists(), "a refused study leaves files")
     done = subprocess.run([HARMOS, "predict", str(path), "--at", "E_1=550", "--at", "E_2=900"], capture_output=True,
                           text=True)
     check(done.returncode == 2 and "Evaluate them in germs from Python" in done.stderr, f"correlated: {done.stderr}")

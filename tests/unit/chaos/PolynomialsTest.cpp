@@ -83,6 +83,16 @@ TEST(Polynomials, OfManyEvenlySpacedValuesStayOrthonormal) {
   }
 }
 
+TEST(Polynomials, FollowFromTheirRecurrence) {
+  const Polynomials jacobi = Polynomials::jacobi(1.5, 0.5);
+  const Polynomials again = Polynomials::recurrence(jacobi.a(), jacobi.b());
+  EXPECT_EQ(again.largestDegree(), jacobi.largestDegree());
+  EXPECT_EQ(again.evaluate(0.3, 7), jacobi.evaluate(0.3, 7));
+  EXPECT_THROW(Polynomials::recurrence({}, {}), base::Error);
+  EXPECT_THROW(Polynomials::recurrence({0.0, 0.0}, {1.0}), base::Error);
+  EXPECT_THROW(Polynomials::recurrence({0.0, 0.0}, {1.0, -1.0}), base::Error);
+}
+
 TEST(Polynomials, RefuseWhatTheyDoNotKnow) {
   const Polynomials coin = Polynomials::discrete({0.0, 1.0}, {0.5, 0.5});
   EXPECT_THROW(coin.evaluate(0.5, 2), base::Error);
