@@ -14,7 +14,7 @@ mkdir -p "$work"
 
 expect 0 'Latin Hypercube' "$harmos" doc Design
 expect 0 '27 configurations' "$harmos" check "$study"
-expect 2 'It must be <ParameterList name="Harmos Study">' "$harmos" study "$(dirname "$study")/../regression/sliding_blocks/sliding_blocks.xml"
+expect 2 'sliding_blocks.xml is a scene' "$harmos" study "$(dirname "$study")/../regression/sliding_blocks/sliding_blocks.xml"
 
 expect 2 'is a study' "$harmos" run "$study"
 expect 2 "Write --set 'Scene/Materials/steel/Poisson's Ratio=0'" "$harmos" study "$study" --output "$work/none" \
