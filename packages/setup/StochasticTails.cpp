@@ -15,6 +15,8 @@ using Method = StochasticPlan::Method;
 
 // What is left of the mean at the outermost Gauss point, below which a user is warned.
 constexpr double narrowMargin = 0.2;
+// Parameters whose combinations are all looked at.
+constexpr int mostForCorners = 6;
 // Stiffness 0 is admissible by itself, but not as the edge of what is indefinite.
 constexpr double beyondTheEdge = 1.0 + 1e-9;
 
@@ -102,7 +104,7 @@ void checkVariable(const Study& study, const laws::LawRegistry& laws, const chao
   }
 }
 
-/// All corners of what is needed of correlated parameters.
+/// All corners of what is needed: where parameters are correlated, or meet in a formula.
 void checkCorners(const Study& study, const laws::LawRegistry& laws, int order, base::ErrorList& errors) {
   const chaos::RandomVector& variables = *study.stochastic->variables;
   const std::size_t dimension = variables.variables().size();
@@ -119,7 +121,8 @@ void checkCorners(const Study& study, const laws::LawRegistry& laws, int order, 
     for (std::size_t i = 0; i < dimension; ++i) {
       point += (point.empty() ? "" : ", ") + variables.variables()[i].name + " = " + text(values[i]);
     }
-    errors.add(study.input.lists("Correlations").front().where(),
+    const auto& correlations = study.input.lists("Correlations");
+    errors.add(correlations.empty() ? study.input.list("Design").where() : correlations.front().where(),
                whoNeeds(study, order) + point + ", which the scene refuses: " + reason,
                "Take distributions that admit only what the scene does (Lognormal for what is positive), less spread, "
                "or a lower Order.");
@@ -170,9 +173,13 @@ void checkTails(const Study& study, const laws::LawRegistry& laws, int order, ba
     checkCorners(study, laws, order, errors);
     return;
   }
+  const int before = errors.count();
   for (int i = 0; i < plan.variables->dimension(); ++i) {
     const StudyParameter& parameter = study.parameters[plan.places[static_cast<std::size_t>(i)]];
     checkVariable(study, laws, *plan.variables, i, order, parameter.where + " / Distribution", errors);
+  }
+  if (errors.count() == before && plan.variables->dimension() <= mostForCorners) {
+    checkCorners(study, laws, order, errors);
   }
   std::vector<double> largest;
   for (const auto& sweep : plan.sweeps) {
