@@ -26,7 +26,7 @@ class Certificate {
     bool conclusive = false;        ///< both corrections could be computed; `estimates` holds E
     std::vector<double> estimates;  ///< as Snapshot::distance: responses, force field, displacement field
     base::Matrix state;             ///< the state that the estimates belong to, or the best one to go on from
-    double contraction = 1.0;  ///< kappa
+    double contraction = 1.0;       ///< kappa
   };
 
   Certificate(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses, double accuracy)
