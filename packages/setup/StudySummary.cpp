@@ -19,7 +19,7 @@ namespace {
 const char* consequenceOf(StudyPhase phase) {
   switch (phase) {
     case StudyPhase::nothing:
-      return "nothing to do in the scene";
+      return "stands in formulas";
     case StudyPhase::localStage:
       return "local stage only, all operators stay";
     case StudyPhase::loads:
