@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/chaos/Quadrature.hpp>
 
 namespace harmos::chaos {
 
@@ -139,6 +138,16 @@ double Expansion::lastDegreeShare() const {
     if (std::accumulate(index.begin(), index.end(), 0) == basis_->order()) share += coefficients_[a] * coefficients_[a];
   }
   return share / variance;
+}
+
+Expansion project(std::shared_ptr<const Basis> basis, const Quadrature& quadrature, const std::vector<double>& values) {
+  const base::Matrix toCoefficients = projector(*basis, quadrature);
+  std::vector<double> coefficients(static_cast<std::size_t>(basis->size()), 0.0);
+  for (int q = 0; q < quadrature.size(); ++q) {
+    const double value = values[static_cast<std::size_t>(q)];
+    for (int a = 0; a < basis->size(); ++a) coefficients[static_cast<std::size_t>(a)] += toCoefficients(a, q) * value;
+  }
+  return {std::move(basis), std::move(coefficients)};
 }
 
 std::vector<SobolIndex> sobolIndices(const Expansion& expansion) {

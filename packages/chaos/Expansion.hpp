@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include <harmos/chaos/Basis.hpp>
+#include <harmos/chaos/Quadrature.hpp>
 
 namespace harmos::chaos {
 
@@ -19,8 +19,7 @@ class Expansion {
 
   double mean() const { return coefficients_[0]; }
   double standardDeviation() const;
-  /// Standardised third and fourth moments, exact for the expansion; NaN at zero
-  /// variance.
+  /// Standardised third and fourth moments, exact for the expansion; NaN at zero variance.
   double skewness() const;
   double kurtosis() const;
   /// Share of the variance that is in the polynomials of the highest degree: what tells of truncation. NaN at zero
@@ -31,6 +30,9 @@ class Expansion {
   std::shared_ptr<const Basis> basis_;
   std::vector<double> coefficients_;
 };
+
+/// The expansion of a random number by its values at the points of a quadrature: y_a = sum of w_q psi_a(xi_q) values_q.
+Expansion project(std::shared_ptr<const Basis> basis, const Quadrature& quadrature, const std::vector<double>& values);
 
 /// Sobol' indices of an expansion: shares of its variance. Source: Sudret, Reliab. Eng. Syst. Saf. 93 (2008).
 struct SobolIndex {

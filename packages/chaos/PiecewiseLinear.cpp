@@ -21,6 +21,10 @@ int levelOf(int node) {
 
 }  // namespace
 
+double PiecewiseLinear::omittedProbability() {
+  return normalCumulative(-5.0);
+}
+
 PiecewiseLinear::PiecewiseLinear(std::shared_ptr<const RandomVector> variables, const Options& options)
     : variables_(std::move(variables)), options_(options), error_(std::numeric_limits<double>::infinity()) {
   constexpr int mostGerms = 3;
@@ -29,7 +33,7 @@ PiecewiseLinear::PiecewiseLinear(std::shared_ptr<const RandomVector> variables, 
                                       std::to_string(dimension) + "; with more use a chaos expansion or samples.");
   require(options_.tolerance > 0.0, "Piecewise-linear interpolation needs a tolerance above 0.");
   require(options_.largestCount > 0, "Piecewise-linear interpolation needs a largest number of points above 0.");
-  const double omitted = normalCumulative(-5.0);
+  const double omitted = omittedProbability();
   const auto size = static_cast<std::size_t>(dimension);
   const std::vector<double> from = variables_->germs(std::vector<double>(size, omitted));
   const std::vector<double> to = variables_->germs(std::vector<double>(size, 1.0 - omitted));

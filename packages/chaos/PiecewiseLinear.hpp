@@ -28,6 +28,9 @@ class PiecewiseLinear {
     std::optional<int> response;
   };
 
+  /// Of a germ, on either side, beyond the range that is interpolated: 2.9e-7.
+  static double omittedProbability();
+
   /// Throws base::Error (input) unless there are one to three germs, a positive tolerance and a positive count.
   PiecewiseLinear(std::shared_ptr<const RandomVector> variables, const Options& options);
 

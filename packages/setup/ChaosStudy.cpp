@@ -56,8 +56,6 @@ ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teucho
   isGalerkin_ = stage == "Galerkin" || (stage == "Automatic" && problem_.assembly.isAffine());
 }
 
-ChaosStudy::~ChaosStudy() = default;
-
 latin::Outcome ChaosStudy::solve() {
   const base::Parameters& design = study_.input.list("Design");
   const latin::Outcome outcome =
@@ -201,16 +199,9 @@ std::vector<chaos::Expansion> ChaosStudy::expansions() const {
   const int count = projection_->basis()->order() + pointsBeyondTheOrder;
   const bool isFine = std::pow(count, variables.dimension()) <= mostResponsePoints;
   const chaos::Quadrature quadrature = isFine ? chaos::tensorQuadrature(variables, count) : projection_->quadrature();
-  const base::Matrix projector = chaos::projector(basis(), quadrature);
   std::vector<chaos::Expansion> expansions;
   for (const auto& values : sample(quadrature.points)) {
-    std::vector<double> coefficients(static_cast<std::size_t>(projector.numRows()), 0.0);
-    for (int q = 0; q < projector.numCols(); ++q) {
-      for (int a = 0; a < projector.numRows(); ++a) {
-        coefficients[static_cast<std::size_t>(a)] += projector(a, q) * values[static_cast<std::size_t>(q)];
-      }
-    }
-    expansions.emplace_back(projection_->basis(), std::move(coefficients));
+    expansions.push_back(chaos::project(projection_->basis(), quadrature, values));
   }
   return expansions;
 }

@@ -24,7 +24,6 @@ class ChaosStudy {
   /// Builds mesh and bodies. All arguments must outlive it. Throws as makeProblem().
   ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
              base::Timers& timers);
-  ~ChaosStudy();
 
   ChaosStudy(const ChaosStudy&) = delete;  // the problem refers to the scene
   ChaosStudy& operator=(const ChaosStudy&) = delete;

@@ -174,19 +174,29 @@ class Reader {
         plan.quadrature = chaos::sparseQuadrature(chaos::Basis(plan.variables, plan.order));
       } else {
         const auto counts = gaussPoints(*plan.variables, plan.order, design.integer("Points"), false);
-        if (std::pow(counts.front(), plan.variables->dimension()) > mostPoints) {
-          throw base::Error("the tensor grid has more than " + std::to_string(static_cast<int>(mostPoints)) +
-                                " points.\n  Set Points In to Sparse, or lower the Order.",
-                            base::ExitCode::input);
-        }
+        demandFewPoints(counts, "Set Points In to Sparse, or lower the Order.");
         plan.quadrature = chaos::tensorQuadrature(*plan.variables, counts);
       }
       plan.germs = plan.quadrature.points;
+    }
+    if (plan.method == Method::chaos) {
+      const bool isGalerkin = design.text("Local Stage") == "Galerkin";
+      demandFewPoints(gaussPoints(*plan.variables, plan.order, design.integer("Points"), isGalerkin),
+                      "Take Collocation with Points In set to Sparse, or a lower Order.");
     }
     plan.holdOuts = design.integer("Hold-Out Count");
     if (plan.holdOuts == 0) return;
     const study::RandomDesign held(plan.holdOuts, design.integer("Seed"));
     for (auto& germ : study::germsOf(held, plan.holdOuts, *plan.variables)) plan.germs.push_back(std::move(germ));
+  }
+
+  static void demandFewPoints(const std::vector<int>& counts, const std::string& repair) {
+    double points = 1.0;
+    for (const int count : counts) points *= count;
+    if (points <= mostPoints) return;
+    throw base::Error(
+        "the tensor grid has more than " + std::to_string(static_cast<int>(mostPoints)) + " points.\n  " + repair,
+        base::ExitCode::input);
   }
 
   const Parameters& study_;

@@ -1,12 +1,11 @@
 #include <harmos/setup/StochasticStatistics.hpp>
 
 #include <cmath>
-#include <iomanip>
-#include <limits>
 #include <sstream>
 
 #include <harmos/chaos/LeastSquares.hpp>
 #include <harmos/chaos/SampleStatistics.hpp>
+#include <harmos/chaos/SampledSobolIndices.hpp>
 #include <harmos/setup/Interpolation.hpp>
 #include <harmos/setup/StochasticTails.hpp>
 #include <harmos/study/GermDesign.hpp>
@@ -63,20 +62,16 @@ class Summariser {
   std::shared_ptr<const StochasticSummary> ofCollocation() {
     const chaos::Quadrature& quadrature = plan_.quadrature;
     const auto basis = std::make_shared<chaos::Basis>(plan_.variables, plan_.order);
-    const base::Matrix projector = chaos::projector(*basis, quadrature);
-    std::vector<std::vector<double>> coefficients(summary_->responses.size(),
-                                                  std::vector<double>(static_cast<std::size_t>(basis->size()), 0.0));
+    Points values(summary_->responses.size());
     for (int q = 0; q < quadrature.size(); ++q) {
       const int id = q + 1;
       if (!isSolved(id)) return nullptr;
-      const std::vector<double> values = results_.responses(id);
-      for (std::size_t r = 0; r < values.size(); ++r) {
-        for (int a = 0; a < basis->size(); ++a)
-          coefficients[r][static_cast<std::size_t>(a)] += projector(a, q) * values[r];
-      }
+      const std::vector<double> responses = results_.responses(id);
+      for (std::size_t r = 0; r < responses.size(); ++r) values[r].push_back(responses[r]);
     }
-    for (std::size_t r = 0; r < coefficients.size(); ++r) {
-      summary_->responses[r].expansion = std::make_shared<chaos::Expansion>(basis, coefficients[r]);
+    for (std::size_t r = 0; r < values.size(); ++r) {
+      summary_->responses[r].expansion =
+          std::make_shared<chaos::Expansion>(chaos::project(basis, quadrature, values[r]));
     }
     summary_->method =
         "collocation at " + std::to_string(quadrature.size()) + " points, order " + std::to_string(plan_.order);
@@ -112,7 +107,10 @@ class Summariser {
       response.kurtosis = statistics.kurtosis();
     }
     judge(evaluate(heldOutGerms()));
-    pickAndFreeze(evaluate);
+    const Points all = sampleGerms(2);
+    const auto half = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    const auto indices = chaos::sobolIndices(evaluate, {all.begin(), half}, {half, all.end()});
+    for (std::size_t r = 0; r < indices.size(); ++r) summary_->responses[r].sobol = indices[r];
     return summary_;
   }
 
@@ -167,44 +165,15 @@ class Summariser {
     summary_->method += ", Sobol' indices by least squares of order " + std::to_string(order);
   }
 
-  /// Sobol' indices of single germs from a function that is cheap to evaluate: two samples, and those in which one germ
-  /// is taken from the other. Source: Saltelli et al., Comput. Phys. Commun. 181 (2010), table 2 (b) and (f).
-  template <class Evaluate>
-  void pickAndFreeze(const Evaluate& evaluate) {
-    const base::Parameters& statistics = study_.input.list("Statistics");
-    const int count = statistics.integer("Samples"), dimension = plan_.variables->dimension();
-    const Points all =
-        study::germsOf(study::RandomDesign(2 * count, statistics.integer("Seed")), 2 * count, *plan_.variables);
-    const Points a(all.begin(), all.begin() + count), b(all.begin() + count, all.end());
-    const Points ofA = evaluate(a), ofB = evaluate(b);
-    for (int germ = 0; germ < dimension; ++germ) {
-      Points mixed = a;
-      for (std::size_t i = 0; i < mixed.size(); ++i) {
-        mixed[i][static_cast<std::size_t>(germ)] = b[i][static_cast<std::size_t>(germ)];
-      }
-      const Points ofMixed = evaluate(mixed);
-      for (std::size_t r = 0; r < ofA.size(); ++r) {
-        const double mean = summary_->responses[r].mean;
-        double main = 0.0, total = 0.0;
-        for (std::size_t i = 0; i < mixed.size(); ++i) {
-          main += (ofB[r][i] - mean) * (ofMixed[r][i] - ofA[r][i]);
-          total += 0.5 * std::pow(ofA[r][i] - ofMixed[r][i], 2);
-        }
-        ResponseStatistics& response = summary_->responses[r];
-        const double variance = std::pow(response.standardDeviation, 2) * count;
-        response.sobol.push_back({{germ}, main / variance, total / variance});
-      }
-    }
-  }
-
   bool isSolved(int id) const {
     const study::ConfigurationResult* result = results_.find(id);
     return result && study::isSolved(result->status);
   }
 
-  Points sampleGerms() const {
+  /// `times` as many as the user wants.
+  Points sampleGerms(int times = 1) const {
     const base::Parameters& statistics = study_.input.list("Statistics");
-    const int count = statistics.integer("Samples");
+    const int count = times * statistics.integer("Samples");
     return study::germsOf(study::RandomDesign(count, statistics.integer("Seed")), count, *plan_.variables);
   }
 

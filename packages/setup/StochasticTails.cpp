@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/chaos/PiecewiseLinear.hpp>
 
 namespace harmos::setup {
 
@@ -19,9 +20,6 @@ constexpr double narrowMargin = 0.2;
 constexpr int mostForCorners = 6;
 // Stiffness 0 is admissible by itself, but not as the edge of what is indefinite.
 constexpr double beyondTheEdge = 1.0 + 1e-9;
-
-// What chaos::PiecewiseLinear neglects on either side.
-constexpr double neglectedProbability = 3e-7;
 
 bool usesGaussPoints(const StochasticPlan& plan) {
   return plan.method == Method::chaos || plan.method == Method::collocation;
@@ -51,8 +49,9 @@ std::pair<double, double> reachOf(const Study& study, const chaos::RandomVector&
     return {rule.points.front(), rule.points.back()};
   }
   const auto count = static_cast<std::size_t>(variables.dimension()), at = static_cast<std::size_t>(i);
-  return {variables.germs(std::vector<double>(count, neglectedProbability))[at],
-          variables.germs(std::vector<double>(count, 1.0 - neglectedProbability))[at]};
+  const double omitted = chaos::PiecewiseLinear::omittedProbability();
+  return {variables.germs(std::vector<double>(count, omitted))[at],
+          variables.germs(std::vector<double>(count, 1.0 - omitted))[at]};
 }
 
 std::string remedy(const Study& study, const chaos::Distribution& distribution, double largestGerm) {
@@ -105,8 +104,8 @@ void checkVariable(const Study& study, const laws::LawRegistry& laws, const chao
 }
 
 /// All corners of what is needed: where parameters are correlated, or meet in a formula.
-void checkCorners(const Study& study, const laws::LawRegistry& laws, int order, base::ErrorList& errors) {
-  const chaos::RandomVector& variables = *study.stochastic->variables;
+void checkCorners(const Study& study, const laws::LawRegistry& laws, const chaos::RandomVector& variables, int order,
+                  base::ErrorList& errors) {
   const std::size_t dimension = variables.variables().size();
   for (std::size_t corner = 0; corner < (std::size_t{1} << dimension); ++corner) {
     std::vector<double> germs;
@@ -169,29 +168,27 @@ void checkTails(const Study& study, const laws::LawRegistry& laws, base::ErrorLi
 void checkTails(const Study& study, const laws::LawRegistry& laws, int order, base::ErrorList& errors) {
   const StochasticPlan& plan = *study.stochastic;
   if (plan.method == Method::sampling) return;
-  if (!plan.variables->isIndependent()) {
-    checkCorners(study, laws, order, errors);
-    return;
-  }
-  const int before = errors.count();
-  for (int i = 0; i < plan.variables->dimension(); ++i) {
-    const StudyParameter& parameter = study.parameters[plan.places[static_cast<std::size_t>(i)]];
-    checkVariable(study, laws, *plan.variables, i, order, parameter.where + " / Distribution", errors);
-  }
-  if (errors.count() == before && plan.variables->dimension() <= mostForCorners) {
-    checkCorners(study, laws, order, errors);
-  }
   std::vector<double> largest;
   for (const auto& sweep : plan.sweeps) {
     largest.push_back(*std::max_element(sweep.coefficients.begin(), sweep.coefficients.end()));
   }
   const auto widest = withSpread(plan, largest);
-  for (const auto& sweep : plan.sweeps) {
-    const auto& lists = study.input.lists("Sweep");
-    const auto list =
-        std::find_if(lists.begin(), lists.end(), [&](const auto& each) { return each.name() == sweep.name; });
-    checkVariable(study, laws, *widest, static_cast<int>(sweep.variable), order, list->where("Values"), errors);
+  const int before = errors.count();
+  if (plan.variables->isIndependent()) {
+    for (int i = 0; i < plan.variables->dimension(); ++i) {
+      const StudyParameter& parameter = study.parameters[plan.places[static_cast<std::size_t>(i)]];
+      checkVariable(study, laws, *plan.variables, i, order, parameter.where + " / Distribution", errors);
+    }
+    for (const auto& sweep : plan.sweeps) {
+      const auto& lists = study.input.lists("Sweep");
+      const auto list =
+          std::find_if(lists.begin(), lists.end(), [&](const auto& each) { return each.name() == sweep.name; });
+      checkVariable(study, laws, *widest, static_cast<int>(sweep.variable), order, list->where("Values"), errors);
+    }
+    if (plan.variables->dimension() > mostForCorners) return;
   }
+  if (errors.count() == before) checkCorners(study, laws, *plan.variables, order, errors);
+  if (errors.count() == before && !plan.sweeps.empty()) checkCorners(study, laws, *widest, order, errors);
 }
 
 std::vector<std::string> describeTails(const Study& study) {

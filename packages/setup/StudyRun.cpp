@@ -4,6 +4,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/setup/ChaosStudy.hpp>
+#include <harmos/setup/SceneRun.hpp>
 #include <harmos/setup/StochasticFields.hpp>
 #include <harmos/setup/StochasticStatistics.hpp>
 #include <harmos/setup/StudyIdentity.hpp>
@@ -12,13 +13,6 @@
 namespace harmos::setup {
 
 namespace {
-
-/// Nothing was found wrong when all expansions are known.
-int exitCodeOf(latin::Outcome outcome) {
-  return outcome == latin::Outcome::certified       ? static_cast<int>(base::ExitCode::ok)
-         : outcome == latin::Outcome::noEquilibrium ? static_cast<int>(base::ExitCode::noEquilibrium)
-                                                    : static_cast<int>(base::ExitCode::notConverged);
-}
 
 int exitCodeOf(const output::StudyResults& results) {
   const auto count = [&](study::Status status) { return results.count(status); };

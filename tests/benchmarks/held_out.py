@@ -7,12 +7,12 @@ Prints the true error of every response of these configurations, relative to its
 accuracy that was asked for. Exit code 1 when one is larger.
 """
 import argparse
-import csv
 import pathlib
 import subprocess
 import sys
 import tempfile
-import xml.etree.ElementTree as xml
+
+import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "drivers"))
 import harmos_results
@@ -20,14 +20,7 @@ import harmos_results
 
 def solve(harmos, study, folder, arguments):
     subprocess.run([harmos, "study", study, "--output", folder, "--quiet", *arguments], check=True)
-    with open(folder / f"{pathlib.Path(study).stem}.csv", newline="") as stream:
-        return list(csv.DictReader(stream))
-
-
-def names(study, kind, derived=True):
-    lists = xml.parse(study).getroot().find(f"ParameterList[@name='{kind}']")
-    found = lists.findall("ParameterList") if lists is not None else []
-    return [each.get("name") for each in found if derived or each.find("Parameter[@name='Formula']") is None]
+    return harmos_results.read_study(folder / f"{pathlib.Path(study).stem}.h5")
 
 
 def main():
@@ -38,34 +31,27 @@ def main():
     options, further = parser.parse_known_args()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        rows = solve(options.harmos, options.study, folder / "study", further)
-        stem = pathlib.Path(options.study).stem
-        accuracy = harmos_results.read_study(folder / "study" / f"{stem}.h5").accuracy
-        accepted = [row for row in rows if row["status"] == "calibrated"]
-        step = max(1, len(accepted) // options.count)
-        chosen = accepted[::step][:options.count]
-        parameters = names(options.study, "Parameters", derived=False)
-        points = folder / "points.csv"
-        points.write_text("\n".join([",".join(parameters)] + [",".join(row[p] for p in parameters) for row in chosen]))
-        exact = []
+        study = solve(options.harmos, options.study, folder / "study", further)
+        accepted = numpy.flatnonzero(study.status == "calibrated")
+        chosen = accepted[::max(1, len(accepted) // options.count)][:options.count]
+        points = study.points()
+        exact = {response: numpy.array([]) for response in study.responses}
         for start in range(0, len(chosen), 9):  # fewer than ten are certified one by one
-            part = folder / f"points_{start}.csv"
-            lines = points.read_text().splitlines()
-            part.write_text("\n".join(lines[:1] + lines[1 + start:10 + start]))
-            exact += solve(options.harmos, options.study, folder / f"exact_{start}",
-                           [*further, "--points", part, "--set", f"Accuracy={accuracy / 1000}"])
-    responses = names(options.study, "Responses")
-    sizes = {r: max(abs(float(row[r])) for row in exact) for r in responses}
-    print("| configuration | estimate | " + " | ".join(f"error of {r}" for r in responses) + " |")
-    print("|---" * (2 + len(responses)) + "|")
-    worst, false = 0.0, 0
-    for row, truth in zip(chosen, exact):
-        errors = [abs(float(row[r]) - float(truth[r])) / sizes[r] for r in responses]
-        worst = max(worst, *errors)
-        false += max(errors) > accuracy
-        print(f"| {row['id']} | {float(row['error_estimate']):.1e} | " + " | ".join(f"{e:.1e}" for e in errors) + " |")
-    print(f"{len(rows)} configurations, {len(accepted)} calibrated; {false} of {len(chosen)} false, "
-          f"largest error {worst:.1e} for {accuracy:g}")
+            table = folder / f"points_{start}.csv"
+            rows = [",".join(f"{value:.17g}" for value in points[row]) for row in chosen[start:start + 9]]
+            table.write_text("\n".join([",".join(study.free)] + rows))
+            part = solve(options.harmos, options.study, folder / f"exact_{start}",
+                         [*further, "--points", table, "--set", f"Accuracy={study.accuracy / 1000}"])
+            exact = {response: numpy.append(values, part.responses[response]) for response, values in exact.items()}
+    errors = numpy.array([abs(study.responses[response][chosen] - values) / abs(values).max()
+                          for response, values in exact.items()])
+    print("| configuration | estimate | " + " | ".join(f"error of {response}" for response in exact) + " |")
+    print("|---" * (2 + len(exact)) + "|")
+    for row, of_row in zip(chosen, errors.T):
+        print(f"| {study.id[row]} | {study.error_estimate[row]:.1e} | " + " | ".join(f"{e:.1e}" for e in of_row) + " |")
+    false = int((errors.max(axis=0) > study.accuracy).sum())
+    print(f"{len(study.id)} configurations, {len(accepted)} calibrated; {false} of {len(chosen)} false, "
+          f"largest error {errors.max():.1e} for {study.accuracy:g}")
     return 1 if false else 0
 
 

@@ -46,7 +46,7 @@ TEST_P(SearchDirectionScale, OfTheJointLong) {
 }
 
 TEST_P(SearchDirectionScale, OfVerificationScenes) {
-  for (const char* scene : {"bars/gap", "bolt_diagram/bolt", "contact_patch/plane", "contact_patch/space",
+  for (const char* scene : {"../../xml/gap", "bolt_diagram/bolt", "contact_patch/plane", "contact_patch/space",
                             "jenkins/jenkins", "perfect/beam", "volkersen/volkersen", "wedge/wedge"}) {
     SCOPED_TRACE(scene);
     expectHonestScale(SceneInput::fromFile(std::string("../verification/") + scene + ".xml"), GetParam(),

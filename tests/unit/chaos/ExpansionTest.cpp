@@ -15,14 +15,10 @@ namespace harmos::chaos {
 namespace {
 
 template <class Function>
-Expansion project(std::shared_ptr<const Basis> basis, const Quadrature& quadrature, const Function& function) {
-  const base::Matrix projection = projector(*basis, quadrature);
-  std::vector<double> coefficients(static_cast<std::size_t>(basis->size()), 0.0);
-  for (int q = 0; q < quadrature.size(); ++q) {
-    const double value = function(basis->variables().values(quadrature.points[static_cast<std::size_t>(q)]));
-    for (int a = 0; a < basis->size(); ++a) coefficients[static_cast<std::size_t>(a)] += projection(a, q) * value;
-  }
-  return Expansion(std::move(basis), std::move(coefficients));
+Expansion project(const std::shared_ptr<const Basis>& basis, const Quadrature& quadrature, const Function& function) {
+  std::vector<double> values;
+  for (const auto& germs : quadrature.points) values.push_back(function(basis->variables().values(germs)));
+  return project(basis, quadrature, values);
 }
 
 std::shared_ptr<const Basis> springs(int order) {

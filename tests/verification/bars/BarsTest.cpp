@@ -66,14 +66,14 @@ void expectForceOfGap(const SolvedScene& run, double push, double gap) {
 
 TEST_P(TwoBarsAndAGap, ObeysTheLawsGap) {
   const GapCase& data = GetParam();
-  SceneInput scene = SceneInput::fromFile("bars/gap.xml");
+  SceneInput scene = SceneInput::fromFile("../../xml/gap.xml");
   scene.set(assignment("Values/push", data.push)).set(assignment("Values/gap", data.gap));
   expectForceOfGap(SolvedScene(scene), data.push, data.gap);
 }
 
 TEST_P(TwoBarsAndAGap, ObeysTheGapOfTheGeometry) {
   const GapCase& data = GetParam();
-  SceneInput scene = SceneInput::fromFile("bars/gap.xml");
+  SceneInput scene = SceneInput::fromFile("../../xml/gap.xml");
   scene.set(assignment("Values/push", data.push)).set("Values/gap=0");
   scene.add("Interfaces/gap", xmlNumbers("Projection Direction", {1.0, 0.0, 0.0}));
   scene.changeMesh([&](mesh::Mesh& mesh) {
@@ -93,7 +93,7 @@ TEST_P(TwoBarsAndAGap, ObeysTheGapOfTheGeometry) {
 
 TEST_P(TwoBarsAndAGap, PushesAgainstARigidWall) {
   const GapCase& data = GetParam();
-  SceneInput scene = SceneInput::fromFile("bars/gap.xml");
+  SceneInput scene = SceneInput::fromFile("../../xml/gap.xml");
   scene.set(assignment("Values/push", data.push));
   for (const char* list : {"Mesh/Boxes/second", "Parts/second", "Interfaces/gap", "Boundaries/fixed", "Responses/u2"}) {
     scene.remove(list);
