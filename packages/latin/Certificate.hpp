@@ -13,9 +13,9 @@ namespace harmos::latin {
 /// From alpha, a first correction d1 moves to a1 = alpha + d1, smoothed by relaxed iterations (a fresh correction
 /// leaves a rough residual). A second one, with the tangent rebuilt, estimates the error of a1: e2 = |q(a1) - q(a1 +
 /// d2)| for every promised quantity q. With kappa = max e2 / max e1 the estimate is E = e2 / (1 - kappa). It is claimed
-/// when E <= accuracy, kappa <= 1/2, both Krylov solves reduced their residual to 0.3, and the gap between the two
-/// fields of the iteration is below ten times the accuracy. If E is too large the state moves on to a1 + d2 and the
-/// next correction is compared with this one.
+/// when E <= accuracy, e1 <= 0.3, kappa <= 1 (or e2 is a tenth of the accuracy), both Krylov solves reduced their
+/// residual to 0.15, and the gap between the two fields of the iteration is below ten times the accuracy. If E is too
+/// large the state moves on to a1 + d2 and the next correction is compared with this one.
 ///
 /// The gap is max(|f - f^| / |f^|, |w - w^| / |w|): with f - f^ = -k (w - w^) one of them is large for any k far from
 /// the stiffness of the bodies, so an absurd k cannot hide behind small changes.

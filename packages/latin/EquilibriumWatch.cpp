@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <harmos/latin/FreeMotion.hpp>
 #include <harmos/mesh/Vector.hpp>
 
 namespace harmos::latin {
@@ -31,11 +30,17 @@ bool EquilibriumWatch::persists() const {
   });
 }
 
-bool EquilibriumWatch::findsNoEquilibrium(FixedPoint& fixedPoint, const base::Matrix& alpha, base::Matrix& image) {
+EquilibriumWatch::Finding EquilibriumWatch::look(FixedPoint& fixedPoint, base::Matrix& alpha, base::Matrix& image) {
   // With a k far too small the interfaces have not felt their forces yet.
-  if (++iterations_ % lookEvery != 0 || fixedPoint.searchDirectionScale() < smallestScale) return false;
+  if (++iterations_ % lookEvery != 0 || fixedPoint.searchDirectionScale() < smallestScale) return Finding::nothing;
   history_.push_back(largestImbalance(fixedPoint));
-  return persists() && movesFreely(history_.back(), fixedPoint, alpha, image);
+  if (!persists()) return Finding::nothing;
+  const FreeMotion motion = followImbalance(history_.back(), fixedPoint, alpha, image);
+  if (motion.isFree) return Finding::noEquilibrium;
+  if (!motion.landing) return Finding::nothing;
+  history_.clear();
+  alpha.assign(*motion.landing);
+  return Finding::landing;
 }
 
 }  // namespace harmos::latin

@@ -2,21 +2,24 @@
 
 #include <vector>
 
-#include <harmos/latin/EquilibriumCheck.hpp>
+#include <harmos/latin/FreeMotion.hpp>
 
 namespace harmos::latin {
 
-/// Notices during an iteration that the interface laws cannot carry the loads.
+/// Notices during an iteration that the interface laws cannot carry the loads, or not yet.
 ///
 /// Looks at every ninth iteration. When a body has lacked the same reaction under the same forces four times in a row,
-/// to within 5 %, it is pushed along; see movesFreely().
+/// to within 5 %, it is followed along; see followImbalance().
 class EquilibriumWatch {
  public:
   /// Imbalances below `accuracy` (relative, see Imbalance) do not count.
   explicit EquilibriumWatch(double accuracy) : accuracy_(accuracy) {}
 
-  /// Collective; to be asked after every iteration, with image = T(alpha).
-  bool findsNoEquilibrium(FixedPoint& fixedPoint, const base::Matrix& alpha, base::Matrix& image);
+  enum class Finding { nothing, noEquilibrium, landing };
+
+  /// Collective; to be asked after every iteration, with image = T(alpha). After `landing`, alpha has been moved to
+  /// where something stops the body.
+  Finding look(FixedPoint& fixedPoint, base::Matrix& alpha, base::Matrix& image);
   /// The last one looked at.
   const Imbalance& imbalance() const { return history_.back(); }
 

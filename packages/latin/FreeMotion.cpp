@@ -19,12 +19,17 @@ using mesh::operator*;
 constexpr double farAhead = 1e6;
 // An iterate may have thrown the body far away: what it should meet lies back within so many times its state.
 constexpr double farBack = 100.0;
+// Nor is a gap wider than so many times the body.
+constexpr double widestGap = 100.0;
 // Whoever answers with more than this share of the imbalance resists.
 constexpr double resistance = 0.1;
 // Sine of the largest angle between the way and an interface that counts as sliding along it: the direction of the
 // imbalance is not exact.
 constexpr double grazing = 0.2;
 constexpr int maximumTries = 20;
+// The body has landed when it is answered with the imbalance, and at most so many times of it.
+constexpr double landed = 2.0;
+constexpr int maximumLooks = 40;
 
 /// A rigid motion: translation, and rotation about a centre.
 struct Motion {
@@ -32,6 +37,7 @@ struct Motion {
   mesh::Point rotation{};
   mesh::Point centre{};
   mesh::Point at(const mesh::Point& x) const { return translation + mesh::cross(rotation, x - centre); }
+  Motion scaled(double share) const { return {share * translation, share * rotation, centre}; }
 };
 
 /// Moves bodies at one load step and asks the interfaces.
@@ -66,8 +72,8 @@ class Push {
     return sum[0];
   }
 
-  /// Change of the resultant on side 1 of every interface [force] when `bodies` make this motion.
-  std::vector<mesh::Point> answers(const std::set<int>& bodies, const Motion& motion) {
+  /// alpha after this motion of `bodies`.
+  base::Matrix moved(const std::set<int>& bodies, const Motion& motion) const {
     base::Matrix moved(alpha_);
     visit([&](const TraceLayout::Block& block, int row, int pair) {
       if (bodies.count(block.body) == 0) return;
@@ -77,7 +83,12 @@ class Push {
                                  way[static_cast<std::size_t>(c)];
       }
     });
-    fixedPoint_.apply(moved, image_);
+    return moved;
+  }
+
+  /// Change of the resultant on side 1 of every interface [force] when `bodies` make this motion.
+  std::vector<mesh::Point> answers(const std::set<int>& bodies, const Motion& motion) {
+    fixedPoint_.apply(moved(bodies, motion), image_);
     const std::size_t interfaces = fixedPoint_.assembly().interfaces.size();
     std::vector<double> sums(3 * interfaces, 0.0);
     visit([&](const TraceLayout::Block& block, int row, int) {
@@ -92,6 +103,23 @@ class Push {
     std::vector<mesh::Point> result;
     for (std::size_t i = 0; i < interfaces; ++i) result.push_back({sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]});
     return result;
+  }
+
+  /// Against this motion of `bodies` after a share of it: minus the sum of h (f^ - f^ before) . motion [force length].
+  double workAgainst(const std::set<int>& bodies, const Motion& motion, double share) {
+    fixedPoint_.apply(moved(bodies, motion.scaled(share)), image_);
+    std::vector<double> sum(1, 0.0);
+    visit([&](const TraceLayout::Block& block, int row, int pair) {
+      if (bodies.count(block.body) == 0) return;
+      const mesh::Point way = motion.at(node(block, pair));
+      for (int c = 0; c < layout().dimension(); ++c) {
+        sum[0] -= layout().area()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
+                  (fixedPoint_.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]) *
+                  way[static_cast<std::size_t>(c)];
+      }
+    });
+    fixedPoint_.metric().sum(sum);
+    return sum[0];
   }
 
  private:
@@ -129,9 +157,33 @@ bool slideAlong(Motion& motion, const interface::Interface& interface) {
   return true;
 }
 
+/// The share of `motion` after which `work` is answered. Secants from beyond meet the place at the first go where the
+/// answer is linear, and never pass it where the answer grows ever faster, as that of contacts does.
+std::optional<double> findLanding(Push& push, const std::set<int>& bodies, const Motion& motion, double work) {
+  double before = 1.0, workBefore = push.workAgainst(bodies, motion, before);
+  if (workBefore < work) return std::nullopt;
+  double beyond = 0.5, tooShort = 0.0;
+  for (int look = 0; look < maximumLooks; ++look) {
+    const double here = push.workAgainst(bodies, motion, beyond);
+    double next = 0.0;
+    if (here < work) {
+      tooShort = beyond;
+      beyond = before;
+    } else {
+      if (here <= landed * work) return beyond;
+      next = beyond - (here - work) * (before - beyond) / (workBefore - here);
+      before = beyond;
+      workBefore = here;
+    }
+    beyond = tooShort < next && next < before ? next : 0.5 * (tooShort + before);
+  }
+  return before;
+}
+
 }  // namespace
 
-bool movesFreely(const Imbalance& imbalance, FixedPoint& fixedPoint, const base::Matrix& alpha, base::Matrix& image) {
+FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, const base::Matrix& alpha,
+                           base::Matrix& image) {
   const interface::Assembly& assembly = fixedPoint.assembly();
   const double force = mesh::norm(imbalance.force);
   const double moment = mesh::norm(imbalance.moment) / imbalance.arm;
@@ -145,14 +197,13 @@ bool movesFreely(const Imbalance& imbalance, FixedPoint& fixedPoint, const base:
     motion.rotation = (-1.0 / mesh::norm(imbalance.moment)) * imbalance.moment;
   }
   Push push(fixedPoint, alpha, image, imbalance.step);
-  const double far = std::max(farAhead * size, farBack * push.stateOf(imbalance.body)) /
-                     (push.stiffnessAlong(imbalance.body, motion) / fixedPoint.searchDirectionScale());
-  motion.translation = far * motion.translation;
-  motion.rotation = far * motion.rotation;
+  const double reach = std::max(farAhead * size, farBack * push.stateOf(imbalance.body)) /
+                       (push.stiffnessAlong(imbalance.body, motion) / fixedPoint.searchDirectionScale());
+  motion = motion.scaled(force >= moment ? std::max(reach, widestGap * imbalance.arm) : reach);
 
+  FreeMotion result;
   std::set<int> bodies{imbalance.body};
-  bool isHeld = true;
-  for (int attempt = 0; attempt < maximumTries; ++attempt) {
+  for (int attempt = 0; attempt < maximumTries && !result.isFree; ++attempt) {
     const std::vector<mesh::Point> answers = push.answers(bodies, motion);
     std::vector<const interface::Interface*> resisting;
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -164,17 +215,19 @@ bool movesFreely(const Imbalance& imbalance, FixedPoint& fixedPoint, const base:
     }
     if (std::any_of(resisting.begin(), resisting.end(),
                     [](const interface::Interface* one) { return one->sides() == 1; })) {
+      const double work =
+          -mesh::dot(imbalance.force, motion.translation) - mesh::dot(imbalance.moment, motion.rotation);
+      // Those that it pushes along must move by themselves.
+      const auto share = findLanding(push, {imbalance.body}, motion, work);
+      if (share) result.landing = push.moved({imbalance.body}, motion.scaled(*share));
       break;
     }
     const std::size_t before = bodies.size();
     for (const interface::Interface* one : resisting) bodies.insert({one->body1, one->body2});
-    if (bodies.size() == before) {
-      isHeld = false;
-      break;
-    }
+    result.isFree = bodies.size() == before;
   }
   fixedPoint.apply(alpha, image);
-  return !isHeld;
+  return result;
 }
 
 }  // namespace harmos::latin

@@ -1,16 +1,28 @@
 #pragma once
 
+#include <optional>
+
 #include <harmos/latin/EquilibriumCheck.hpp>
 
 namespace harmos::latin {
 
-/// True when nothing stops the body of `imbalance` on its way along the force (or about the moment) that is not
-/// balanced: then the interface laws cannot carry the load, whatever the iteration does. Collective.
+/// What a body that lacks a reaction meets on its way.
+struct FreeMotion {
+  /// Nothing stops it: the interface laws cannot carry the load, whatever the iteration does.
+  bool isFree = false;
+  /// Where it is stopped: the state in which it has moved on until the answer is one to two times what it lacks. None
+  /// when it is free, or held by less than that.
+  std::optional<base::Matrix> landing;
+};
+
+/// Follows the body of `imbalance` along the force (or about the moment) that is not balanced. Collective.
 ///
 /// The body is moved so far that interfaces as stiff as the search direction would answer with a million times the
-/// imbalance, and the local stage tells what they answer. A contact that the way meets at a grazing angle is slid
-/// along; bodies that resist are moved as well; where the ground resists, the body is held. `image` must be T(alpha)
-/// and is so again afterwards; costs one linear stage per body or turn, and one.
-bool movesFreely(const Imbalance& imbalance, FixedPoint& fixedPoint, const base::Matrix& alpha, base::Matrix& image);
+/// imbalance, and a hundred times its own size at least; the local stage tells what they answer. A contact that the way
+/// meets at a grazing angle is slid along; bodies that resist are moved as well; where the ground resists, the body is
+/// held, and the way is searched for the place. `image` must be T(alpha) and is so again afterwards; costs one linear
+/// stage per body, turn and place that is looked at, and one.
+FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, const base::Matrix& alpha,
+                           base::Matrix& image);
 
 }  // namespace harmos::latin

@@ -169,7 +169,13 @@ void LatinSolver::iterate(LatinResult& result) {
       result.reason = "interrupted";
       return;
     }
-    if (watch.findsNoEquilibrium(fixedPoint_, alpha_, image_)) {
+    const EquilibriumWatch::Finding finding = watch.look(fixedPoint_, alpha_, image_);
+    if (finding == EquilibriumWatch::Finding::landing) {
+      if (acceleration) acceleration->restart();
+      snapshots_.clear();
+      continue;
+    }
+    if (finding == EquilibriumWatch::Finding::noEquilibrium) {
       result.outcome = Outcome::noEquilibrium;
       result.reason = "the interface laws cannot carry the loads; " + describe(watch.imbalance(), assembly_);
       return;

@@ -51,7 +51,12 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
       end = End::stopped;
       break;
     }
-    if (watch.findsNoEquilibrium(fixedPoint_, state, image)) {
+    const EquilibriumWatch::Finding finding = watch.look(fixedPoint_, state, image);
+    if (finding == EquilibriumWatch::Finding::landing) {
+      acceleration.restart();
+      continue;
+    }
+    if (finding == EquilibriumWatch::Finding::noEquilibrium) {
       imbalance_ = watch.imbalance();
       imbalance_.step = step;
       end = End::noEquilibrium;

@@ -5,7 +5,7 @@ namespace harmos::laws {
 namespace {
 
 /// From this relative distance to the cone on, a node counts as slipping.
-constexpr double onTheCone = 1e-5;
+constexpr double onTheCone = 2e-6;
 
 /// Unilateral contact with isotropic Coulomb friction, small sliding, implicit in the load step.
 ///

@@ -149,6 +149,21 @@ TEST(Gap, IsCrossedByABodyThatFalls) {
   EXPECT_NEAR(run->value("normal", 3), 7680.0, 8.0);
 }
 
+// Clearances that the load would have to press together a million times over, and ones six times as large as the block;
+// 384 mm2 are pressed.
+TEST(Gap, IsCrossedUnderAnyLoad) {
+  for (const double gap : {1e-3, 0.1, 3.0, 100.0}) {
+    for (const double pressure : {1e-3, 0.1, 500.0}) {
+      SCOPED_TRACE(std::to_string(gap) + " mm, " + std::to_string(pressure) + " MPa");
+      SceneInput scene = pressedBlocks();
+      scene.set(assignment("Values/pressure", pressure)).set(assignment("Values/pull", 0.2 * pressure));
+      scene.add("Interfaces/contact/Law", xmlNumber("Gap", gap));
+      const auto run = solveSurely(scene);
+      EXPECT_NEAR(run->value("normal", 3), 384.0 * pressure, 2e-3 * 384.0 * pressure);
+    }
+  }
+}
+
 // Pressed first, then lifted: a body that is free of stress hangs on its drive, with every contact open.
 TEST(Opening, OfAllContacts) {
   SceneInput scene = drivenBlocks(0.02, "to and fro");

@@ -32,7 +32,7 @@ struct Watched {
       fixedPoint.apply(alpha, image);
       ++iterations;
       const base::Matrix before(image);
-      if (watch.findsNoEquilibrium(fixedPoint, alpha, image)) foundAt = iterations;
+      if (watch.look(fixedPoint, alpha, image) == EquilibriumWatch::Finding::noEquilibrium) foundAt = iterations;
       EXPECT_EQ(image, before);
       image -= alpha;
       image.scale(0.5);

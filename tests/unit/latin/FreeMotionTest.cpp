@@ -41,16 +41,22 @@ struct Finding {
     fixedPoint.apply(alpha, image);
     imbalance = largestImbalance(fixedPoint);
     const base::Matrix before(image), forces(fixedPoint.hattedTraction());
-    isFree = movesFreely(imbalance, fixedPoint, alpha, image);
+    const FreeMotion motion = followImbalance(imbalance, fixedPoint, alpha, image);
+    isFree = motion.isFree;
     for (int t = 0; t < steps; ++t) {
       for (int row = 0; row < rows; ++row) {
         EXPECT_EQ(image(row, t), before(row, t));
         EXPECT_EQ(fixedPoint.hattedTraction()(row, t), forces(row, t));
       }
     }
+    hasLanded = motion.landing.has_value();
+    if (!hasLanded) return;
+    fixedPoint.apply(*motion.landing, image);
+    afterLanding = largestImbalance(fixedPoint);
   }
 
-  Imbalance imbalance;
+  Imbalance imbalance, afterLanding;
+  bool hasLanded = false;
   bool isFree = false;
 
  private:
@@ -111,6 +117,26 @@ TEST(FreeMotion, IsStoppedByAContactFarAhead) {
   BoxAssembly cubes = twoCubes(frictionless(), push(0.25, -2.0));
   cubes.hold("wall", "upper_xmax", laws::makeLaw("Unilateral Contact", {{"Gap", 0.5}}));
   EXPECT_FALSE(Finding(std::move(cubes), few).isFree);
+}
+
+// The cube is set down where the wall answers with one to two times the force that is lacking: what remains is not
+// larger, and turned round.
+TEST(FreeMotion, LandsOnAContactFarAhead) {
+  for (double gap : {0.5, 5.0, 50.0}) {
+    for (double scale : {0.1, 1.0, 10.0}) {
+      BoxAssembly cubes = twoCubes(frictionless(), push(0.25, -2.0));
+      cubes.hold("wall", "upper_xmax", laws::makeLaw("Unilateral Contact", {{"Gap", gap}}));
+      const Finding finding(std::move(cubes), many, scale);
+      ASSERT_TRUE(finding.hasLanded) << gap << " " << scale;
+      const double lack = finding.imbalance.force[0], rest = finding.afterLanding.force[0];
+      EXPECT_LE(rest / lack, 0.01) << gap << " " << scale;
+      EXPECT_GE(rest / lack, -1.05) << gap << " " << scale;
+    }
+  }
+}
+
+TEST(FreeMotion, LandsNowhereWhenFree) {
+  EXPECT_FALSE(Finding(twoCubes(frictionless(), push(0.0, 2.0)), many).hasLanded);
 }
 
 // The same contact behind the body does not hold it.

@@ -124,13 +124,15 @@ TEST_P(DrivenBoltedJoint, ReferenceAtThousandth) {
 }
 
 TEST_P(LongDrivenBoltedJoint, ReferenceAtMillionth) {
-  const SolvedScene run(driven(GetParam(), "1e-6"));
-  expectDriven(run, GetParam(), 1e-6);
-  // On the plateau some nodes have come to rest on the cone, where round-off tells stick from slip.
-  const auto counts = countsOf(run, 10);
-  EXPECT_EQ(counts[0], GetParam().counts[0]);
-  EXPECT_NEAR(counts[1], GetParam().counts[1], 20);
-  EXPECT_NEAR(counts[2], GetParam().counts[2], 20);
+  expectDriven(SolvedScene(driven(GetParam(), "1e-6")), GetParam(), 1e-6);
+}
+
+// On the plateau nodes come to rest on the cone; at 1e-6 of the largest tractions those of light pressure are not there
+// yet.
+TEST_P(LongDrivenBoltedJoint, ContactStatus) {
+  const SolvedScene run(driven(GetParam(), "1e-8"));
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  EXPECT_EQ(countsOf(run, 10), GetParam().counts);
 }
 
 const std::array<Driven, 3> drivenCases = {{{"First",
