@@ -15,8 +15,24 @@ constexpr int smoothingIterations = 4;
 constexpr int maximumCorrections = 5;
 // Corrections below this share of the accuracy may be round-off, which does not contract.
 constexpr double settledShare = 0.1;
+// Slower contraction, or none, is that of round-off.
+constexpr double steadyContraction = 0.8;
 // From an error above this one a tangent can land anywhere; the next correction tells nothing of it.
 constexpr double farAway = 0.3;
+
+// A state so many times larger than the image of nothing, in which bodies are beyond reach, was not asked for.
+constexpr double thrownSize = 1e4;
+
+/// An iterate has thrown a body so far away that forces are lost beside k w and everything is small beside its way. The
+/// image of nothing tells ways that are prescribed. Leaves `image` and the fields of the iteration as they were.
+bool isThrown(FixedPoint& fixedPoint, const base::Matrix& alpha, base::Matrix& image) {
+  if (!NaturalSizes(fixedPoint).isBeyondReach()) return false;
+  const base::Matrix nothing(alpha.numRows(), alpha.numCols());
+  fixedPoint.apply(nothing, image);
+  const double size = fixedPoint.metric().norm(image);
+  fixedPoint.apply(alpha, image);
+  return fixedPoint.metric().norm(alpha) > thrownSize * size;
+}
 
 double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
@@ -70,11 +86,12 @@ Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::
     if (correction > 0) {
       result.contraction = error == 0.0 ? 0.0 : error / previous;
       if (result.contraction > 1.0 && error > settledShare * accuracy_) return result;
-      for (double& e : errors) e /= 1.0 - std::min(result.contraction, 0.9);
+      for (double& e : errors) e /= 1.0 - std::min(result.contraction, steadyContraction);
       result.conclusive = true;
       result.estimates = errors;
       result.state = state;
-      if (previous <= farAway && largest(errors) <= accuracy_ && gap <= 10.0 * accuracy_) {
+      if (previous <= farAway && largest(errors) <= accuracy_ && gap <= 10.0 * accuracy_ &&
+          !isThrown(fixedPoint_, corrected, next)) {
         result.claimed = true;
         return result;
       }

@@ -29,6 +29,8 @@ constexpr double grazing = 0.2;
 constexpr int maximumTries = 20;
 // The body has landed when it is answered with the imbalance, and at most so many times of it.
 constexpr double landed = 2.0;
+// Far behind the place it is answered with much more.
+constexpr double stop = 100.0;
 constexpr int maximumLooks = 40;
 
 /// A rigid motion: translation, and rotation about a centre.
@@ -157,27 +159,27 @@ bool slideAlong(Motion& motion, const interface::Interface& interface) {
   return true;
 }
 
-/// The share of `motion` after which `work` is answered. Secants from beyond meet the place at the first go where the
-/// answer is linear, and never pass it where the answer grows ever faster, as that of contacts does.
+/// The share of `motion` after which `work` is answered; none when what is met at its end is no stop, such as friction
+/// that slides. Secants from beyond meet the place at the first go where the answer is linear, and never pass it where
+/// the answer grows ever faster, as that of contacts does.
 std::optional<double> findLanding(Push& push, const std::set<int>& bodies, const Motion& motion, double work) {
-  double before = 1.0, workBefore = push.workAgainst(bodies, motion, before);
-  if (workBefore < work) return std::nullopt;
-  double beyond = 0.5, tooShort = 0.0;
+  double tooFar = 1.0, workTooFar = push.workAgainst(bodies, motion, tooFar);
+  if (!(workTooFar > stop * work)) return std::nullopt;
+  double tooShort = 0.0, share = 0.5;
   for (int look = 0; look < maximumLooks; ++look) {
-    const double here = push.workAgainst(bodies, motion, beyond);
+    const double answer = push.workAgainst(bodies, motion, share);
     double next = 0.0;
-    if (here < work) {
-      tooShort = beyond;
-      beyond = before;
+    if (answer < work) {
+      tooShort = share;
     } else {
-      if (here <= landed * work) return beyond;
-      next = beyond - (here - work) * (before - beyond) / (workBefore - here);
-      before = beyond;
-      workBefore = here;
+      if (answer <= landed * work) return share;
+      next = share - (answer - work) * (tooFar - share) / (workTooFar - answer);
+      tooFar = share;
+      workTooFar = answer;
     }
-    beyond = tooShort < next && next < before ? next : 0.5 * (tooShort + before);
+    share = tooShort < next && next < tooFar ? next : 0.5 * (tooShort + tooFar);
   }
-  return before;
+  return std::nullopt;
 }
 
 }  // namespace

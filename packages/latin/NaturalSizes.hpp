@@ -19,6 +19,9 @@ class NaturalSizes {
   /// Of interface displacements: least sum of h w^2.
   double squaredDisplacementFloor() const { return squaredDisplacement_; }
 
+  /// True when something is a hundred times as far from its place as the assembly is large.
+  bool isBeyondReach() const { return displacement_ > 100.0 * length_; }
+
  private:
   double displacement_ = 0.0;
   double force_ = 0.0;
