@@ -6,9 +6,11 @@
 namespace harmos::latin {
 namespace {
 
-constexpr int maximumVectors = 40;
+constexpr int leastVectors = 40;  // that must be affordable
+constexpr int maximumVectors = 150;
 constexpr double krylovTarget = 0.1;
 constexpr double krylovLimit = 0.15;
+constexpr double hiddenLimit = 1.0;
 // Of corrections that start close to the fixed point: what is left is in modes that hardly show in the residual.
 constexpr double closeTarget = 0.02;
 constexpr int smoothingIterations = 4;
@@ -68,14 +70,15 @@ Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::
   result.state = alpha;
   base::Matrix state(alpha);
   base::Matrix next(image);
-  NewtonCorrection newton(fixedPoint_, maximumVectors);
   auto before = std::make_unique<Snapshot>(fixedPoint_, responses_);
   double previous = 0.0;
   for (int correction = 0; correction < maximumCorrections; ++correction) {
     const double gap = fieldGap(fixedPoint_);
-    if (fixedPoint_.linearStage().stages() + maximumVectors + smoothingIterations + 2 > stageLimit) return result;
+    const int vectors =
+        std::min(maximumVectors, stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2);
+    if (vectors < leastVectors) return result;
     const bool isClose = correction > 0 && previous <= settledShare * accuracy_;
-    const NewtonCorrection::Result step = newton.solve(state, next, isClose ? closeTarget : krylovTarget);
+    const NewtonCorrection::Result step = newton_.solve(state, next, isClose ? closeTarget : krylovTarget, vectors);
     if (step.reduction > krylovLimit) return result;
     base::Matrix corrected(state);
     corrected += step.step;
@@ -90,8 +93,8 @@ Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::
       result.conclusive = true;
       result.estimates = errors;
       result.state = state;
-      if (previous <= farAway && largest(errors) <= accuracy_ && gap <= 10.0 * accuracy_ &&
-          !isThrown(fixedPoint_, corrected, next)) {
+      if (step.hidden <= hiddenLimit && previous <= farAway && largest(errors) <= accuracy_ &&
+          gap <= 10.0 * accuracy_ && !isThrown(fixedPoint_, corrected, next)) {
         result.claimed = true;
         return result;
       }

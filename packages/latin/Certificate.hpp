@@ -14,8 +14,9 @@ namespace harmos::latin {
 /// leaves a rough residual). A second one, with the tangent rebuilt, estimates the error of a1: e2 = |q(a1) - q(a1 +
 /// d2)| for every promised quantity q. With kappa = max e2 / max e1 the estimate is E = e2 / (1 - kappa). It is claimed
 /// when E <= accuracy, e1 <= 0.3, kappa <= 1 (or e2 is a tenth of the accuracy), both Krylov solves reduced their
-/// residual to 0.15, and the gap between the two fields of the iteration is below ten times the accuracy. If E is too
-/// large the state moves on to a1 + d2 and the next correction is compared with this one.
+/// residual to 0.15 and hide no more than their step in it (NewtonCorrection::Result::hidden), the gap between the two
+/// fields of the iteration is below ten times the accuracy, and no body was thrown far away. If E is too large the
+/// state moves on to a1 + d2 and the next correction is compared with this one.
 ///
 /// The gap is max(|f - f^| / |f^|, |w - w^| / |w|): with f - f^ = -k (w - w^) one of them is large for any k far from
 /// the stiffness of the bodies, so an absurd k cannot hide behind small changes.
@@ -30,7 +31,7 @@ class Certificate {
   };
 
   Certificate(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses, double accuracy)
-      : fixedPoint_(fixedPoint), responses_(responses), accuracy_(accuracy) {}
+      : fixedPoint_(fixedPoint), responses_(responses), accuracy_(accuracy), newton_(fixedPoint) {}
 
   /// Collective. `image` = T(alpha), and the fields of fixedPoint are those of alpha. Leaves at most at `stageLimit`
   /// linear stages in all.
@@ -40,6 +41,7 @@ class Certificate {
   FixedPoint& fixedPoint_;
   const std::vector<std::shared_ptr<const Response>>& responses_;
   double accuracy_;
+  NewtonCorrection newton_;
 };
 
 /// The gap of the last FixedPoint::apply(), see Certificate. Collective.

@@ -87,6 +87,7 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   startSize_ = 0.0;
   snapshots_.clear();
   estimates_.clear();
+  certificate_.reset();
   LatinResult result;
   if (options_.algorithm == Algorithm::accelerated && fixedPoint_.formulation() == Formulation::displacement) {
     march(result, start != nullptr ? March::Guess::state : March::Guess::extrapolation);
@@ -101,8 +102,8 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
 bool LatinSolver::certify(LatinResult& result) {
   const int before = stages();
   const auto running = timers_.start("certificate");
-  Certificate certificate(fixedPoint_, responses_, options_.accuracy);
-  const Certificate::Result attempt = certificate.attempt(alpha_, image_, stagesBefore_ + options_.maximumIterations);
+  if (!certificate_) certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
+  const Certificate::Result attempt = certificate_->attempt(alpha_, image_, stagesBefore_ + options_.maximumIterations);
   if (attempt.conclusive) estimates_ = attempt.estimates;
   alpha_.assign(attempt.state);
   stagesOfCertificates_ += stages() - before;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <harmos/latin/Certificate.hpp>
@@ -70,6 +71,7 @@ class LatinSolver {
   FixedPoint fixedPoint_;
   std::vector<std::shared_ptr<const Response>> responses_;
   std::vector<std::function<void(const IterationReport&)>> observers_;
+  std::optional<Certificate> certificate_;  // remembers slow modes from one attempt to the next
   std::function<bool()> interrupted_;
   base::Matrix alpha_;
   base::Matrix image_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include <Teuchos_LAPACK.hpp>
@@ -14,42 +15,48 @@ using base::Matrix;
 // A residual below this share of the state is that of a fixed point.
 constexpr double roundOff = 1e-14;
 
+// Share of the step.
+constexpr double allowedToHide = 0.5;
+// Of the largest singular value: less is noise.
+constexpr double singular = 1e-7;
+
+double norm(const std::vector<double>& y) {
+  return std::sqrt(std::inner_product(y.begin(), y.end(), y.begin(), 0.0));
+}
+
 void add(Matrix& to, double factor, const Matrix& x) {
   for (int t = 0; t < to.numCols(); ++t) {
     for (int row = 0; row < to.numRows(); ++row) to[t][row] += factor * x[t][row];
   }
 }
 
-// NOLINTNEXTLINE(performance-unnecessary-value-param): LAPACK overwrites it
-double smallestSingularValue(Matrix matrix) {
-  const int n = matrix.numCols();
-  if (n == 0) return 0.0;
-  std::vector<double> values(static_cast<std::size_t>(n));
-  std::vector<double> work(static_cast<std::size_t>(10 * (n + 2)));
-  double unused = 0.0;
-  int info = 0;
-  Teuchos::LAPACK<int, double>().GESVD('N', 'N', matrix.numRows(), n, matrix.values(), matrix.stride(), values.data(),
-                                       &unused, 1, &unused, 1, work.data(), static_cast<int>(work.size()), nullptr,
-                                       &info);
-  return info == 0 ? values.back() : 0.0;
-}
-
-/// Least squares min |beta e1 - H y|; returns the residual's norm.
-double solveHessenberg(const Matrix& hessenberg, int columns, double beta, std::vector<double>& y) {
+/// Least squares min |beta e1 - H y| without what is singular but for the noise of the differences; returns the
+/// residual's norm and the smallest singular value that is none.
+std::pair<double, double> solveHessenberg(const Matrix& hessenberg, int columns, double beta, std::vector<double>& y) {
   Matrix h(Teuchos::Copy, hessenberg, columns + 1, columns);
-  std::vector<double> right(static_cast<std::size_t>(columns) + 1, 0.0);
+  std::vector<double> right(static_cast<std::size_t>(columns) + 1, 0.0), values(static_cast<std::size_t>(columns));
   right[0] = beta;
   std::vector<double> work(static_cast<std::size_t>(64 * (columns + 1)));
-  int info = 0;
-  Teuchos::LAPACK<int, double>().GELS('N', columns + 1, columns, 1, h.values(), h.stride(), right.data(), columns + 1,
-                                      work.data(), static_cast<int>(work.size()), &info);
+  int info = 0, rank = 0;
+  double unused = 0.0;
+  Teuchos::LAPACK<int, double>().GELSS(columns + 1, columns, 1, h.values(), h.stride(), right.data(), columns + 1,
+                                       values.data(), singular, &rank, work.data(), static_cast<int>(work.size()),
+                                       &unused, &info);
   y.assign(right.begin(), right.begin() + columns);
-  return std::abs(right[static_cast<std::size_t>(columns)]);
+  std::vector<double> residual(static_cast<std::size_t>(columns) + 1, 0.0);
+  residual[0] = beta;
+  for (int j = 0; j < columns; ++j) {
+    for (int i = 0; i <= columns; ++i) {
+      residual[static_cast<std::size_t>(i)] -= hessenberg(i, j) * y[static_cast<std::size_t>(j)];
+    }
+  }
+  return {norm(residual), rank > 0 ? values[static_cast<std::size_t>(rank) - 1] : 0.0};
 }
 
 }  // namespace
 
-NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matrix& image, double target) {
+NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matrix& image, double target,
+                                                 int maximumVectors) {
   const StateMetric& metric = fixedPoint_.metric();
   Result result;
   result.step.shape(alpha.numRows(), alpha.numCols());
@@ -61,18 +68,19 @@ NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matr
     result.reduction = 0.0;
     return result;
   }
-  // Small enough for the tangent, large enough for the round-off of T.
-  const double difference = 1e-6 * size;
+  // Small beside the forces, for the tangent; large beside the round-off of T, which is that of k w.
+  const double forces = metric.norm(fixedPoint_.hattedTraction());
+  const double difference = std::clamp(1e-6 * forces, 1e-9 * size, 1e-6 * size);
 
   std::vector<Matrix> basis;
-  Matrix hessenberg(maximum_ + 1, maximum_);
+  Matrix hessenberg(maximumVectors + 1, maximumVectors);
   residual.scale(1.0 / beta);
   basis.push_back(residual);
   std::vector<double> y;
   Matrix shifted(alpha.numRows(), alpha.numCols());
   Matrix moved(alpha.numRows(), alpha.numCols());
   int n = 0;
-  while (n < maximum_) {
+  while (n < maximumVectors) {
     shifted.assign(alpha);
     add(shifted, difference, basis[static_cast<std::size_t>(n)]);
     fixedPoint_.apply(shifted, moved);
@@ -89,14 +97,17 @@ NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matr
     const double length = metric.norm(next);
     hessenberg(n + 1, n) = length;
     ++n;
-    result.reduction = solveHessenberg(hessenberg, n, beta, y) / beta;
-    if (result.reduction <= target || length <= 1e-14) break;
+    const auto [left, smallest] = solveHessenberg(hessenberg, n, beta, y);
+    result.reduction = left / beta;
+    result.smallestSingularValue = smallest;
+    slowest_ = std::min(slowest_, result.smallestSingularValue);
+    result.hidden = result.reduction * beta / (slowest_ * norm(y));
+    if (length <= 1e-14 || (result.reduction <= target && result.hidden <= allowedToHide)) break;
     next.scale(1.0 / length);
     basis.push_back(next);
   }
   for (int j = 0; j < n; ++j) add(result.step, y[static_cast<std::size_t>(j)], basis[static_cast<std::size_t>(j)]);
   result.vectors = n;
-  result.smallestSingularValue = smallestSingularValue(Matrix(Teuchos::Copy, hessenberg, n + 1, n));
   return result;
 }
 

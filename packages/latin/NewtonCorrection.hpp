@@ -14,17 +14,21 @@ class NewtonCorrection {
     base::Matrix step;                 ///< d [stress]
     double reduction = 1.0;            ///< |(I - J) d - r| / |r|
     double smallestSingularValue = 0;  ///< of the Hessenberg matrix of I - J; near 0 when there is no equilibrium
+    /// What the remaining residual can hide: |(I - J) d - r| over the smallest singular value met so far, over |d|.
+    /// Slow modes are all but absent from the residual.
+    double hidden = 0.0;
     int vectors = 0;
   };
 
-  NewtonCorrection(FixedPoint& fixedPoint, int maximumVectors) : fixedPoint_(fixedPoint), maximum_(maximumVectors) {}
+  explicit NewtonCorrection(FixedPoint& fixedPoint) : fixedPoint_(fixedPoint) {}
 
-  /// Collective. `image` = T(alpha). Stops at the relative residual `target` or at the largest number of vectors.
-  Result solve(const base::Matrix& alpha, const base::Matrix& image, double target);
+  /// Collective. `image` = T(alpha). Stops at the relative residual `target` when no more than half of the step can be
+  /// hidden, or at the largest number of vectors.
+  Result solve(const base::Matrix& alpha, const base::Matrix& image, double target, int maximumVectors);
 
  private:
   FixedPoint& fixedPoint_;
-  int maximum_;
+  double slowest_ = 1.0;  // smallest singular value met so far
 };
 
 }  // namespace harmos::latin

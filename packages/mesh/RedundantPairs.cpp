@@ -25,16 +25,28 @@ double& areaOf(std::vector<InterfaceSurface>& surfaces, const PairCarrier& pair)
   return surfaces[static_cast<std::size_t>(pair.surface)].area[static_cast<std::size_t>(pair.pair)];
 }
 
-/// All pairs of one interface that join the same mesh nodes have one carrier.
+/// What makes pairs copies of each other: bodies may share mesh nodes as well, but not their displacements.
+struct Place {
+  std::string interface, body1, body2;
+  int meshNode1, meshNode2;
+  bool operator<(const Place& other) const {
+    return std::tie(interface, body1, body2, meshNode1, meshNode2) <
+           std::tie(other.interface, other.body1, other.body2, other.meshNode1, other.meshNode2);
+  }
+};
+
+/// All pairs of one interface that join the same nodes of the same bodies have one carrier.
 void mergeCopies(const std::vector<Part>& parts, std::vector<InterfaceSurface>& surfaces, Carriers& carriers) {
-  std::map<std::tuple<std::string, int, int>, std::vector<PairCarrier>> copies;
+  std::map<Place, std::vector<PairCarrier>> copies;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const InterfaceSurface& surface = surfaces[s];
     if (isCut(parts, surface)) continue;
+    const bool hasTwoSides = surface.part2 >= 0;
+    Place place{surface.name, at(parts, surface.part1).body, hasTwoSides ? at(parts, surface.part2).body : "", -1, -1};
     for (std::size_t p = 0; p < surface.node1.size(); ++p) {
-      const int node1 = meshNode(parts, surface.part1, surface.node1[p]);
-      const int node2 = surface.part2 < 0 ? -1 : meshNode(parts, surface.part2, surface.node2[p]);
-      copies[{surface.name, node1, node2}].push_back({static_cast<int>(s), static_cast<int>(p)});
+      place.meshNode1 = meshNode(parts, surface.part1, surface.node1[p]);
+      if (hasTwoSides) place.meshNode2 = meshNode(parts, surface.part2, surface.node2[p]);
+      copies[place].push_back({static_cast<int>(s), static_cast<int>(p)});
     }
   }
   for (const auto& [key, pairs] : copies) {

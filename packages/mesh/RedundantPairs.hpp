@@ -15,10 +15,11 @@ struct PairCarrier {
 
 /// Leaves every joint of pieces of cut bodies as many node pairs as it needs, so that interface forces are determinate.
 ///
-/// Where a cut meets an interface or a boundary, the same mesh nodes are paired once for every piece: the pair with the
-/// largest area keeps the sum of the areas and carries them all. Where several pieces share a node, only pairs that tie
-/// pieces not yet tied keep theirs (a spanning tree, largest areas first). The result is the joint of the uncut bodies.
-/// `surfaces` keeps all pairs and faces; the areas of carriers change. Returns one entry per pair of every surface.
+/// Where a cut meets an interface or a boundary, the same nodes of a body are paired once for every piece: the pair
+/// with the largest area keeps the sum of the areas and carries them all. Where several pieces share a node, only pairs
+/// that tie pieces not yet tied keep theirs (a spanning tree, largest areas first). The result is the joint of the
+/// uncut bodies. `surfaces` keeps all pairs and faces; the areas of carriers change. Returns one entry per pair of
+/// every surface.
 std::vector<std::vector<PairCarrier>> mergeRedundantPairs(const std::vector<Part>& parts,
                                                           std::vector<InterfaceSurface>& surfaces);
 

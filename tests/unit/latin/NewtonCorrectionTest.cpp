@@ -43,7 +43,7 @@ TEST(NewtonCorrection, IsExactForAffineMaps) {
   randomize(glued.alpha);
   const double before = glued.residual(glued.alpha);
   glued.fixedPoint.apply(glued.alpha, glued.image);
-  const auto result = NewtonCorrection(glued.fixedPoint, 200).solve(glued.alpha, glued.image, 1e-9);
+  const auto result = NewtonCorrection(glued.fixedPoint).solve(glued.alpha, glued.image, 1e-9, 200);
   EXPECT_LE(result.reduction, 1e-9);
   EXPECT_GT(result.smallestSingularValue, 0.0);
   EXPECT_LT(glued.residual(glued.plus(result.step)), 1e-8 * before);
@@ -56,7 +56,7 @@ TEST(NewtonCorrection, SaysHowFarItReducedTheResidual) {
   double last = 1.0;
   for (int vectors : {1, 3, 6, 12}) {
     glued.fixedPoint.apply(glued.alpha, glued.image);
-    const auto result = NewtonCorrection(glued.fixedPoint, vectors).solve(glued.alpha, glued.image, 0.0);
+    const auto result = NewtonCorrection(glued.fixedPoint).solve(glued.alpha, glued.image, 0.0, vectors);
     EXPECT_EQ(result.vectors, vectors);
     EXPECT_LT(result.reduction, last);
     // For an affine map the linear residual is the residual of the corrected state.
@@ -69,7 +69,7 @@ TEST(NewtonCorrection, StopsAtTheTarget) {
   Glued glued;
   randomize(glued.alpha);
   glued.fixedPoint.apply(glued.alpha, glued.image);
-  const auto result = NewtonCorrection(glued.fixedPoint, 200).solve(glued.alpha, glued.image, 0.3);
+  const auto result = NewtonCorrection(glued.fixedPoint).solve(glued.alpha, glued.image, 0.3, 200);
   EXPECT_LE(result.reduction, 0.3);
   EXPECT_LT(result.vectors, 60);
 }
@@ -78,13 +78,13 @@ TEST(NewtonCorrection, StartsFromNothing) {
   Glued glued;
   const double before = glued.residual(glued.alpha);
   glued.fixedPoint.apply(glued.alpha, glued.image);
-  const auto result = NewtonCorrection(glued.fixedPoint, 200).solve(glued.alpha, glued.image, 1e-9);
+  const auto result = NewtonCorrection(glued.fixedPoint).solve(glued.alpha, glued.image, 1e-9, 200);
   EXPECT_LT(glued.residual(glued.plus(result.step)), 1e-8 * before);
 }
 
 TEST(NewtonCorrection, IsNothingAtAFixedPoint) {
   Glued glued;
-  const auto result = NewtonCorrection(glued.fixedPoint, 10).solve(glued.alpha, glued.alpha, 0.1);
+  const auto result = NewtonCorrection(glued.fixedPoint).solve(glued.alpha, glued.alpha, 0.1, 10);
   EXPECT_EQ(result.reduction, 0.0);
   EXPECT_EQ(result.vectors, 0);
   EXPECT_EQ(result.step.normInf(), 0.0);

@@ -73,5 +73,31 @@ TEST_F(CutBoxes, PiecesThatShareANodeAreTiedOnce) {
   EXPECT_TRUE(meetsThree);
 }
 
+/// A box whose halves are parts of their own that share the nodes between them.
+TEST(RedundantPairs, PartsThatShareNodesBothHaveTheirs) {
+  Mesh mesh = boxes({{"left", {0, 0, 0}, {4, 4, 2}, {4, 4, 2}}});
+  ElementBlock right = mesh.blocks[0];
+  const auto half = static_cast<std::ptrdiff_t>(right.connectivity.size() / 2);
+  right.name = "right";
+  right.id = 2;
+  right.connectivity.erase(right.connectivity.begin(), right.connectivity.begin() + half);
+  mesh.blocks[0].connectivity.resize(static_cast<std::size_t>(half));
+  mesh.blocks.push_back(right);
+  const std::vector<Part> parts{makePart(mesh, "left", {"left"}), makePart(mesh, "right", {"right"})};
+  const InterfaceFinder finder(mesh, parts);
+  std::vector<InterfaceSurface> surfaces = finder.onSideSet("held", "left_xmin");
+  ASSERT_EQ(surfaces.size(), 2u) << "the halves are above each other";
+  const auto shared = surfaces;
+  const auto carriers = mergeRedundantPairs(parts, surfaces);
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    EXPECT_EQ(surfaces[s].node1.size(), 10u);
+    EXPECT_EQ(surfaces[s].area, shared[s].area);
+    for (std::size_t p = 0; p < carriers[s].size(); ++p) {
+      EXPECT_EQ(carriers[s][p].surface, static_cast<int>(s));
+      EXPECT_EQ(carriers[s][p].pair, static_cast<int>(p));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace harmos::mesh
