@@ -6,7 +6,12 @@
 namespace harmos::latin {
 namespace {
 
-constexpr int maximumIterations = 100;
+constexpr int maximumIterations = 100;  // without landing
+constexpr int maximumLandings = 20;
+// When so many have not removed a relative imbalance of this size, a body may be flying: the acceleration is left out,
+// so that the bodies that it flies among come to rest and the watch sees what is lacking.
+constexpr int patience = 36;
+constexpr double flying = 0.1;
 // Residuals below this share of the state are round-off.
 constexpr double noise = 1e-13;
 
@@ -34,11 +39,13 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
   EquilibriumWatch watch(accuracy_);
   base::Matrix image(state.numRows(), 1);
   base::Matrix residual(state.numRows(), 1);
-  int iteration = 0;
+  int iteration = 0, sinceLanding = 0, landings = 0;
+  bool isListening = false;
   End end = End::reached;
-  while (iteration < maximumIterations) {
+  while (sinceLanding < maximumIterations && landings < maximumLandings) {
     fixedPoint_.apply(state, image);
     ++iteration;
+    ++sinceLanding;
     residual.assign(image);
     residual -= state;
     const double size = metric.norm(residual);
@@ -54,6 +61,9 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
     const EquilibriumWatch::Finding finding = watch.look(fixedPoint_, state, image);
     if (finding == EquilibriumWatch::Finding::landing) {
       acceleration.restart();
+      sinceLanding = 0;
+      ++landings;
+      isListening = false;
       continue;
     }
     if (finding == EquilibriumWatch::Finding::noEquilibrium) {
@@ -62,7 +72,12 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
       end = End::noEquilibrium;
       break;
     }
-    acceleration.advance(state, image);
+    if (sinceLanding == patience) isListening = largestImbalance(fixedPoint_).relative > flying;
+    if (!isListening) {
+      acceleration.advance(state, image);
+      continue;
+    }
+    for (int row = 0; row < state.numRows(); ++row) state(row, 0) = 0.5 * (state(row, 0) + image(row, 0));
   }
   state.assign(image);
   if (observer_) observer_(step, iteration);
