@@ -32,6 +32,8 @@ TEST(NoEquilibrium, OfAPullBeyondSliding) {
 
 TEST(NoEquilibrium, OfABodyPulledOff) {
   expectNoEquilibrium(pressedBlocks().set("Values/pressure=-1"), {"upper"});
+  // Plainly lifted, from the first load step on.
+  expectNoEquilibrium(pressedBlocks().set("Values/pressure=-20").set("Values/pull=0"), {"upper"});
 }
 
 /// What is said when the scene cannot even be started; "" when it can.

@@ -164,6 +164,14 @@ TEST(Gap, IsCrossedUnderAnyLoad) {
   }
 }
 
+// The upper block falls upon the lower one, and both upon the ground.
+TEST(Gap, IsClosedByAStackOfLooseBlocks) {
+  const auto run = solveSurely(SceneInput::fromFile("loose_blocks.xml"));
+  for (const char* contact : {"upper contact", "lower contact"}) {
+    EXPECT_NEAR(run->value(contact), 10.0, 2e-2) << contact;
+  }
+}
+
 // Pressed first, then lifted: a body that is free of stress hangs on its drive, with every contact open.
 TEST(Opening, OfAllContacts) {
   SceneInput scene = drivenBlocks(0.02, "to and fro");

@@ -53,6 +53,21 @@ TEST(StiffnessRatio, BoltsOfRubberDoNotHoldThePull) {
   expectNoEquilibrium(remake(scene, bolts, 1e-3 * jointModulus), {"centre", "bolt_1", "bolt_2", "head_1", "head_2"});
 }
 
+// The bending of both together is all but absent from the residual. What a plate does alone under half of the pressure
+// needs no contact.
+TEST(ThinPlates, InContactShareThePressure) {
+  const SceneInput both = SceneInput::fromFile("plates_in_contact.xml");
+  SceneInput one = both;
+  for (const char* list : {"Interfaces", "Parts/lower", "Mesh/Boxes/lower", "Boundaries/clamp of lower"})
+    one.remove(list);
+  const SolvedRun alone(one.set("Boundaries/top/Law/Pressure=0.0005").set("Solver/Accuracy=1e-6"));
+  ASSERT_TRUE(alone.isCertified()) << alone.result().reason;
+  const SolvedRun run(both);
+  ASSERT_TRUE(run.isCertified()) << run.result().reason;
+  // Besides the accuracy: the upper plate is pressed together by 1e-6 of the deflection.
+  EXPECT_NEAR(run.value("deflection"), alone.value("deflection"), 2e-3 * alone.value("deflection"));
+}
+
 class ThinPlates : public testing::TestWithParam<const char*> {};
 
 TEST_P(ThinPlates, BendOneElementThick) {
