@@ -1,23 +1,31 @@
 #include <harmos/elasticity/ElementIntegrals.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace harmos::elasticity {
 namespace {
 
+// Of the longest: an element has no extent where the difference of its coordinates is rounding.
+constexpr double shortest = 1e-10;
+
 /// Determinant of J and its cofactors, J^-t = cofactor / determinant. False: not positive beyond rounding.
 bool invert(const double (&j)[3][3], double (&cofactor)[3][3], double& determinant) {
-  double lengths = 1.0;
+  double lengths = 1.0, smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
   for (int i = 0; i < 3; ++i) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     for (int k = 0; k < 3; ++k) {
       const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
       cofactor[i][k] = j[i1][k1] * j[i2][k2] - j[i1][k2] * j[i2][k1];
     }
+    const double length = std::hypot(j[i][0], j[i][1], j[i][2]);
+    smallest = std::min(smallest, length);
+    largest = std::max(largest, length);
     lengths *= std::sqrt(j[0][i] * j[0][i] + j[1][i] * j[1][i] + j[2][i] * j[2][i]);
   }
   determinant = j[0][0] * cofactor[0][0] + j[0][1] * cofactor[0][1] + j[0][2] * cofactor[0][2];
-  return determinant > 1e-14 * lengths && std::isfinite(determinant);
+  return determinant > 1e-14 * lengths && smallest > shortest * largest && std::isfinite(determinant);
 }
 
 bool invert(const double (&j)[2][2], double (&cofactor)[2][2], double& determinant) {
@@ -27,7 +35,8 @@ bool invert(const double (&j)[2][2], double (&cofactor)[2][2], double& determina
   cofactor[1][1] = j[0][0];
   determinant = j[0][0] * j[1][1] - j[0][1] * j[1][0];
   const double lengths = std::hypot(j[0][0], j[1][0]) * std::hypot(j[0][1], j[1][1]);
-  return determinant > 1e-14 * lengths && std::isfinite(determinant);
+  const auto [smallest, largest] = std::minmax({std::hypot(j[0][0], j[0][1]), std::hypot(j[1][0], j[1][1])});
+  return determinant > 1e-14 * lengths && smallest > shortest * largest && std::isfinite(determinant);
 }
 
 template <int D>
