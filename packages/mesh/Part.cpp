@@ -1,12 +1,32 @@
 #include <harmos/mesh/Part.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
 #include <harmos/mesh/Elements.hpp>
 
 namespace harmos::mesh {
+
+namespace {
+
+/// Two of `elements` that have the same nodes, by their numbers; the second is -1 when there are none.
+std::pair<int, int> copies(const Elements& all, const std::vector<int>& elements) {
+  std::vector<std::pair<std::vector<int>, int>> nodes;
+  for (const int element : elements) {
+    nodes.emplace_back(std::vector<int>(all.nodes(element), all.nodes(element) + nodesPerElement(all.type(element))),
+                       element);
+    std::sort(nodes.back().first.begin(), nodes.back().first.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  const auto found =
+      std::adjacent_find(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+  return found == nodes.end() ? std::pair(-1, -1) : std::pair(found->second, std::next(found)->second);
+}
+
+}  // namespace
 
 Part makePart(const Mesh& mesh, const std::string& name, const std::vector<std::string>& blocks) {
   const auto refuse = [&](const std::string& what) {
@@ -28,6 +48,11 @@ Part makePart(const Mesh& mesh, const std::string& name, const std::vector<std::
   std::sort(elements.begin(), elements.end());
   if (std::adjacent_find(elements.begin(), elements.end()) != elements.end()) refuse("names a block twice.");
   if (elements.empty()) refuse("has no elements; name a block that has some.");
+  const auto [first, second] = copies(all, elements);
+  if (second >= 0) {
+    refuse("elements " + std::to_string(first + 1) + " and " + std::to_string(second + 1) +
+           " of the mesh have the same nodes; remove one of them.");
+  }
   return makePart(mesh, name, name, std::move(elements));
 }
 

@@ -15,8 +15,8 @@ struct Part {
   std::string body;           // name of the part before it was cut; the name itself if it is whole
 };
 
-/// The part that consists of the named blocks. Throws base::Error(input) if a block does not exist, is named twice or
-/// there are no elements.
+/// The part that consists of the named blocks. Throws base::Error(input) if a block does not exist, is named twice,
+/// there are no elements, or two of them have the same nodes.
 Part makePart(const Mesh& mesh, const std::string& name, const std::vector<std::string>& blocks);
 
 /// A part of the given elements, ascending.

@@ -320,5 +320,18 @@ TEST(InterfaceFinder, SaysWhatIsWrong) {
   expect(messageOf([&] { InterfaceFinder(mesh, {parts[0], parts[0]}); }), {"both have elements of block \"a\""});
 }
 
+TEST(Part, refusesAnElementThatIsThereTwice) {
+  Mesh mesh = boxes({{"box", {0, 0, 0}, {2, 1, 1}, {2, 1, 1}}});
+  std::vector<int>& nodes = mesh.blocks[0].connectivity;
+  const std::vector<int> first(nodes.begin(), nodes.begin() + 8);
+  nodes.insert(nodes.end(), first.begin(), first.end());
+  try {
+    makePart(mesh, "box", {"box"});
+    FAIL() << "accepted";
+  } catch (const base::Error& error) {
+    EXPECT_STREQ(error.what(), "Part \"box\": elements 1 and 3 of the mesh have the same nodes; remove one of them.");
+  }
+}
+
 }  // namespace
 }  // namespace harmos::mesh
