@@ -6,6 +6,13 @@
 #include <harmos/base/Error.hpp>
 
 namespace harmos::elasticity {
+namespace {
+
+// Beyond, bulk and shear modulus differ by more than the digits that an estimate of errors needs.
+constexpr double smallestRatio = -0.999;
+constexpr double largestRatio = 0.4999999;
+
+}  // namespace
 
 void Isotropic::describe(base::ParameterSpec& spec) {
   spec.summary("Isotropic linear elasticity: stress = lambda tr(eps) I + 2 mu eps.");
@@ -17,16 +24,17 @@ void Isotropic::describe(base::ParameterSpec& spec) {
   spec.number("Poisson's Ratio")
       .unit("-")
       .required()
-      .above(-1.0)
-      .below(0.5)
+      .atLeast(smallestRatio)
+      .atMost(largestRatio)
       .doc("nu, contraction over extension in uniaxial tension. Above about 0.45 use the part's formulation B-Bar.");
 }
 
 Isotropic::Isotropic(double youngsModulus, double poissonsRatio)
     : youngsModulus_(youngsModulus), poissonsRatio_(poissonsRatio) {
-  if (!(youngsModulus > 0.0 && std::isfinite(youngsModulus) && poissonsRatio > -1.0 && poissonsRatio < 0.5)) {
+  if (!(youngsModulus > 0.0 && std::isfinite(youngsModulus) && poissonsRatio >= smallestRatio &&
+        poissonsRatio <= largestRatio)) {
     throw base::Error(
-        "An isotropic material needs a Young's modulus above 0 and a Poisson's ratio between -1 and 0.5; "
+        "An isotropic material needs a Young's modulus above 0 and a Poisson's ratio from -0.999 to 0.4999999; "
         "given are " +
             std::to_string(youngsModulus) + " and " + std::to_string(poissonsRatio) + ".",
         base::ExitCode::input);

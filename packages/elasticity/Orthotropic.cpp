@@ -42,6 +42,9 @@ Matrix3 frameOf(Vector axis1, Vector axis2) {
                  axis1[0] * axis2[1] - axis1[1] * axis2[0]}};
 }
 
+// Below, the stiffness has too few digits.
+constexpr double leastRelative = 1e-7;
+
 /// Normal stresses from normal strains: the inverse of the compliance, which must be positive definite.
 Matrix3 normalStiffness(const Orthotropic::Constants& c) {
   const Vector& e = c.youngsModulus;
@@ -65,11 +68,11 @@ Matrix3 normalStiffness(const Orthotropic::Constants& c) {
   }
   const double determinant = s[0][0] * inverse[0][0] + s[0][1] * inverse[1][0] + s[0][2] * inverse[2][0];
   const double relative = determinant * e[0] * e[1] * e[2];
-  if (!(relative > 0.0)) {
+  if (!(relative > leastRelative)) {
     fail(
         "the three Poisson's ratios together give negative energy: 1 - nu12 nu21 - nu23 nu32 - nu13 nu31 - 2 nu21 nu32 "
         "nu13 = " +
-        std::to_string(relative) + " must be positive (nu_ji = nu_ij E_j / E_i). Reduce them.");
+        std::to_string(relative) + " must be above 1e-7 (nu_ji = nu_ij E_j / E_i). Reduce them.");
   }
   for (Vector& row : inverse) {
     for (double& entry : row) entry /= determinant;

@@ -116,6 +116,8 @@ TEST(Isotropic, refusesConstantsOutsideItsRange) {
   EXPECT_THROW(Isotropic(0.0, 0.3), base::Error);
   EXPECT_THROW(Isotropic(1.0, 0.5), base::Error);
   EXPECT_THROW(Isotropic(1.0, -1.0), base::Error);
+  EXPECT_THROW(Isotropic(1.0, 0.4999999999), base::Error);
+  EXPECT_THROW(Isotropic(1.0, -0.9999999999), base::Error);
   EXPECT_THROW(Isotropic(std::nan(""), 0.3), base::Error);
 }
 
