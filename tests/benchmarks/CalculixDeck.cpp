@@ -68,7 +68,8 @@ class Writer {
       out_ << "*ELEMENT, TYPE=C3D8, ELSET=" << block.name << "\n";
       for (int e = 0; e < block.elements(); ++e) {
         out_ << ++element;
-        for (int n = 0; n < 8; ++n) out_ << ", " << block.connectivity[static_cast<std::size_t>(8 * e + n)] + 1;
+        for (int n = 0; n < 8; ++n)
+          out_ << ", " << block.connectivity[8 * static_cast<std::size_t>(e) + static_cast<std::size_t>(n)] + 1;
         out_ << "\n";
       }
     }

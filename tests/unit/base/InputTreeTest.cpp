@@ -22,7 +22,7 @@ TEST(InputTree, MalformedXmlHasItsLine) {
 }
 
 TEST(InputTree, DeepNestingIsRefused) {
-  std::string xml = "";
+  std::string xml;
   for (int i = 0; i < 100000; ++i) xml += "<a>";
   EXPECT_EQ(messageOf([&] { InputTree::fromText(xml, "s.xml"); }),
             "s.xml:1: lists are nested more than 100 deep.\n1 error; nothing was run.");

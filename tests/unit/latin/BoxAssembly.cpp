@@ -63,12 +63,12 @@ void BoxAssembly::add(const std::vector<mesh::InterfaceSurface>& surfaces,
 }
 
 void BoxAssembly::join(const std::string& name, const std::string& sideSet1, const std::string& sideSet2,
-                       std::shared_ptr<const laws::InterfaceLaw> law, bool isConsistent) {
+                       const std::shared_ptr<const laws::InterfaceLaw>& law, bool isConsistent) {
   add(mesh::InterfaceFinder(mesh_, parts_).betweenSideSets(name, sideSet1, sideSet2), law, isConsistent);
 }
 
 void BoxAssembly::hold(const std::string& name, const std::string& sideSet,
-                       std::shared_ptr<const laws::InterfaceLaw> law, bool isConsistent) {
+                       const std::shared_ptr<const laws::InterfaceLaw>& law, bool isConsistent) {
   add(mesh::InterfaceFinder(mesh_, parts_).onSideSet(name, sideSet), law, isConsistent);
 }
 

@@ -21,8 +21,8 @@ class BoxAssembly {
   /// Moves the nodes of one box; before interfaces are made.
   void deform(const std::string& box, const std::function<mesh::Point(const mesh::Point&)>& motion);
   void join(const std::string& name, const std::string& sideSet1, const std::string& sideSet2,
-            std::shared_ptr<const laws::InterfaceLaw> law, bool isConsistent = false);
-  void hold(const std::string& name, const std::string& sideSet, std::shared_ptr<const laws::InterfaceLaw> law,
+            const std::shared_ptr<const laws::InterfaceLaw>& law, bool isConsistent = false);
+  void hold(const std::string& name, const std::string& sideSet, const std::shared_ptr<const laws::InterfaceLaw>& law,
             bool isConsistent = false);
   /// Makes the later of two equal bodies share the matrix of the earlier one.
   void share(int representative, int body);

@@ -185,7 +185,7 @@ TEST(LatinSolver, SaysThatTheLimitWasReached) {
   const LatinResult result = solve(
       twoChains(laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}}), move(-0.15, {1.0}), 1), options);
   EXPECT_EQ(result.outcome, Outcome::iterationLimit);
-  EXPECT_NE(result.reason.find("3"), std::string::npos) << result.reason;
+  EXPECT_NE(result.reason.find('3'), std::string::npos) << result.reason;
   EXPECT_TRUE(std::isnan(result.errorEstimate));
 }
 

@@ -41,7 +41,7 @@ struct Stage {
         for (int p = 0; p < block.pairs; ++p) {
           for (int c = 0; c < 3; ++c) {
             forces(3 * joint.nodes(block.side)[static_cast<std::size_t>(p)] + c, t) +=
-                force[static_cast<std::size_t>(3 * p + c)];
+                force[3 * static_cast<std::size_t>(p) + static_cast<std::size_t>(c)];
           }
         }
       }

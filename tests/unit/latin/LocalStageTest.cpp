@@ -115,7 +115,11 @@ TEST(LocalStage, ObeysCoulombsLawInTheFrameOfTheNodes) {
       const double tangential = std::hypot(f[1], f[2]), limit = -mu * f[0];
       EXPECT_LE(tangential, limit + roundOff);
       const mesh::Point slip{0.0, jump[1] - old[1], jump[2] - old[2]};
-      const auto status = stage.local.states(1)[static_cast<std::size_t>(t * stage.cubes_().pairs() + p)].status;
+      const auto status =
+          stage.local
+              .states(1)[static_cast<std::size_t>(t) * static_cast<std::size_t>(stage.cubes_().pairs()) +
+                         static_cast<std::size_t>(p)]
+              .status;
       ++statuses[static_cast<int>(status)];
       if (status == laws::Status::stick) {
         EXPECT_NEAR(k * std::hypot(slip[1], slip[2]), 0.0, roundOff);

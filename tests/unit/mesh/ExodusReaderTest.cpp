@@ -34,7 +34,7 @@ class ExodusReader : public ::testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   std::string write(const Mesh& mesh, int mode, const std::string& type = "") {
-    const std::string path = (folder_ / "mesh.e").string();
+    std::string path = (folder_ / "mesh.e").string();
     int computeWordSize = 8;
     int fileWordSize = 8;
     const int id = ex_create(path.c_str(), EX_CLOBBER | mode, &computeWordSize, &fileWordSize);
@@ -71,7 +71,7 @@ class ExodusReader : public ::testing::Test {
   }
 
   std::string writeText(const std::string& content) {
-    const std::string path = (folder_ / "text.e").string();
+    std::string path = (folder_ / "text.e").string();
     std::ofstream(path, std::ios::binary) << content;
     return path;
   }

@@ -14,7 +14,7 @@ using namespace harmos::output;
 namespace {
 
 int hexahedron(const ResultMesh::Block& block, int element, int corner) {
-  return block.connectivity[static_cast<std::size_t>(8 * element + corner)];
+  return block.connectivity[8 * static_cast<std::size_t>(element) + static_cast<std::size_t>(corner)];
 }
 
 void addBox(ResultMesh& mesh, const std::string& name, double bottom, bool shuffled) {
