@@ -28,8 +28,8 @@ base::Matrix stiffness(const Basis& basis, int points, std::size_t i) {
 }
 
 /// Coefficients of u in k u = 1; empty when k is not positive definite.
-std::vector<double> solve(const base::Matrix& matrix) {
-  base::Matrix k(matrix);
+// NOLINTNEXTLINE(performance-unnecessary-value-param): LAPACK overwrites it
+std::vector<double> solve(base::Matrix k) {
   std::vector<double> u(static_cast<std::size_t>(k.numRows()), 0.0);
   u[0] = 1.0;
   int info = 0;

@@ -58,7 +58,7 @@ void BoxAssembly::add(const std::vector<mesh::InterfaceSurface>& surfaces,
     if (isConsistent) {
       for (const auto& entry : surface.mass) joint.mass.push_back({entry.row, entry.column, entry.value});
     }
-    assembly_.interfaces.push_back(std::move(joint));
+    assembly_.interfaces.push_back(joint);
   }
 }
 
@@ -84,13 +84,13 @@ void BoxAssembly::share(int representative, int body) {
   shared.stiffness = Teuchos::null;
 }
 
-BoxAssembly twoCubes(std::shared_ptr<const laws::InterfaceLaw> joint, std::shared_ptr<const laws::InterfaceLaw> top,
-                     int steps, bool isConsistent) {
+BoxAssembly twoCubes(const std::shared_ptr<const laws::InterfaceLaw>& joint,
+                     const std::shared_ptr<const laws::InterfaceLaw>& top, int steps, bool isConsistent) {
   BoxAssembly cubes({{"lower", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {"upper", {0, 0, 1}, {1, 1, 2}, {2, 2, 2}}}, steps);
   cubes.hold("bottom", "lower_zmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}),
              isConsistent);
-  cubes.join("joint", "lower_zmax", "upper_zmin", std::move(joint), isConsistent);
-  cubes.hold("top", "upper_zmax", std::move(top), isConsistent);
+  cubes.join("joint", "lower_zmax", "upper_zmin", joint, isConsistent);
+  cubes.hold("top", "upper_zmax", top, isConsistent);
   return cubes;
 }
 

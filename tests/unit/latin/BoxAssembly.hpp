@@ -43,8 +43,8 @@ class BoxAssembly {
 };
 
 /// Two cubes of 2^3 elements, one above the other, the lower one clamped at the bottom.
-BoxAssembly twoCubes(std::shared_ptr<const laws::InterfaceLaw> joint, std::shared_ptr<const laws::InterfaceLaw> top,
-                     int steps = 1, bool isConsistent = false);
+BoxAssembly twoCubes(const std::shared_ptr<const laws::InterfaceLaw>& joint,
+                     const std::shared_ptr<const laws::InterfaceLaw>& top, int steps = 1, bool isConsistent = false);
 
 /// K u of one body, for its u in columns.
 base::Matrix product(const base::CrsMatrix& stiffness, const base::Matrix& u);
