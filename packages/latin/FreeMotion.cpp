@@ -29,8 +29,8 @@ constexpr double grazing = 0.2;
 constexpr int maximumTries = 20;
 // The body has landed when it is answered with the imbalance, and at most so many times of it.
 constexpr double landed = 2.0;
-// Far behind the place it is answered with much more.
-constexpr double stop = 100.0;
+// What stops it answers with more and more; friction that slides does not.
+constexpr double growing = 0.75;
 constexpr int maximumLooks = 40;
 
 /// A rigid motion: translation, and rotation about a centre.
@@ -164,11 +164,12 @@ bool slideAlong(Motion& motion, const interface::Interface& interface) {
 /// the answer grows ever faster, as that of contacts does.
 std::optional<double> findLanding(Push& push, const std::set<int>& bodies, const Motion& motion, double work) {
   double tooFar = 1.0, workTooFar = push.workAgainst(bodies, motion, tooFar);
-  if (!(workTooFar > stop * work)) return std::nullopt;
+  if (!(workTooFar > work)) return std::nullopt;
   double tooShort = 0.0, share = 0.5;
   for (int look = 0; look < maximumLooks; ++look) {
     const double answer = push.workAgainst(bodies, motion, share);
     double next = 0.0;
+    if (look == 0 && !(answer < growing * workTooFar)) return std::nullopt;
     if (answer < work) {
       tooShort = share;
     } else {
