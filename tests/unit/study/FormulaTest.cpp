@@ -32,6 +32,20 @@ TEST(Formula, SaysWhatIsWrong) {
   EXPECT_NE(messageOf("").find("is not a formula"), std::string::npos);
 }
 
+TEST(Formula, RefusesAssignments) {
+  EXPECT_EQ(messageOf("mu = 0.3"), "the formula \"mu = 0.3\" assigns a value.\n  Write == to compare.");
+  EXPECT_NE(messageOf("mu += 1").find("assigns a value"), std::string::npos);
+  EXPECT_EQ(messageOf("mu == 0.3 && mu <= 1 && mu >= 0 && mu != 2"), "accepted");
+}
+
+TEST(Formula, RefusesDecimalCommas) {
+  const std::string rest =
+      "\" has a comma outside of a function, which makes a list.\n  Write a decimal point, such as 0.5.";
+  EXPECT_EQ(messageOf("mu > 0,25"), "the formula \"mu > 0,25" + rest);
+  EXPECT_EQ(messageOf("-100,5 * mu"), "the formula \"-100,5 * mu" + rest);
+  EXPECT_EQ(Formula("min(mu, preload) + max(1, 2)", {"mu", "preload"}).evaluate({3.0, 4.0}), 5.0);
+}
+
 TEST(Formula, NamesAreIdentifiers) {
   EXPECT_TRUE(isFormulaName("preload_1"));
   EXPECT_FALSE(isFormulaName(""));
