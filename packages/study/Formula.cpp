@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cfenv>
 #include <cmath>
 #include <string_view>
 
@@ -9,6 +10,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
+#include <harmos/base/Numerals.hpp>
 
 namespace harmos::study {
 
@@ -78,16 +80,28 @@ std::vector<std::string> Formula::variables() const {
 
 double Formula::evaluate(const std::vector<double>& values) const {
   parser_->values.assign(values.begin(), values.end());
+  // A comparison with NaN is false, so that the result does not tell of operations without a value.
+  std::feclearexcept(FE_INVALID);
   double result = 0.0;
   try {
     result = parser_->engine.Eval();
   } catch (const mu::Parser::exception_type& error) {
     throw base::Error("the formula " + base::quoted(text_) + " has no value: " + error.GetMsg(), base::ExitCode::input);
   }
-  if (!std::isfinite(result)) {
-    throw base::Error("the formula " + base::quoted(text_) + " has no finite value.", base::ExitCode::input);
+  const bool isInvalid = std::fetestexcept(FE_INVALID) != 0;
+  if (!isInvalid && std::isfinite(result)) return result;
+  std::vector<std::string> given;
+  for (const std::string& name : variables()) {
+    const auto at = std::find(parser_->names.begin(), parser_->names.end(), name) - parser_->names.begin();
+    given.push_back(name + " = " + base::toText(values[static_cast<std::size_t>(at)]));
   }
-  return result;
+  const std::string place = given.empty() ? "" : " at " + base::joinNames(given);
+  if (!isInvalid) {
+    throw base::Error("the formula " + base::quoted(text_) + " has no finite value" + place + ".",
+                      base::ExitCode::input);
+  }
+  refuse(text_, "has no value" + place + ": it takes a root, a logarithm or the like where there is none.",
+         "Write for example \"mu > 1 ? sqrt(mu - 1) < 2 : 0\"; && and || compute both sides always.");
 }
 
 bool isFormulaName(const std::string& name) {
