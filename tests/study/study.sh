@@ -153,5 +153,11 @@ expect 0 "$work/all/$name.html" "$harmos" report "$work/all/$name.h5" --abscissa
 expect 0 'u_max_effects.png' ls "$work/pictures"
 expect 2 'there is no curve' "$harmos" report "$work/all/$name.h5" --abscissa u
 
+# HDF5 itself would crash on some damages.
+cp "$work/all/$name.h5" "$work/damaged.h5"
+printf 'damage' | dd of="$work/damaged.h5" bs=1 seek=9000 conv=notrunc status=none
+expect 2 'damaged.h5 is no file of a study, or was damaged or changed' "$harmos" report "$work/damaged.h5"
+expect 2 'damaged.h5 is no file of a study, or was damaged or changed' "$harmos" predict "$work/damaged.h5" "${at[@]}"
+
 [ $failures -eq 0 ] && echo "all as promised"
 exit $((failures > 0))
