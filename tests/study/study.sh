@@ -23,6 +23,8 @@ expect 2 "Write --set 'Scene/Materials/steel/Poisson's Ratio=0'" "$harmos" study
 # The whole study, and a single configuration against the same scene solved by itself.
 expect 0 'complete, 27 of 27 configurations: ' "$harmos" study "$study" --output "$work/all"
 expect 0 '3 more are left out by the condition "not too tight"' "$harmos" check "$study"
+expect 2 '^--set: Conditions / not too tight / Formula: the formula "log(mu - 9) < 1" has no value at mu = ' \
+  "$harmos" check "$study" --set 'Conditions/not too tight/Formula=log(mu - 9) < 1'
 expect 0 '^id,mu,pressure,push,status,iterations,error_estimate,start,u_max,lost,u_2$' head -n 1 "$work/all/$name.csv"
 expect 0 '^28$' sh -c "wc -l <'$work/all/$name.csv'"
 expect 0 '^%eval_id interface mu pressure push u_max lost u_2$' head -n 1 "$work/all/${name}_dakota.dat"
