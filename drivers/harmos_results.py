@@ -10,6 +10,7 @@
     history["time"], history["reaction"]
 """
 import csv
+import zlib
 
 import h5py
 import numpy
@@ -17,6 +18,7 @@ import numpy
 import harmos_stochastic
 
 SCHEMA, SCHEMA_VERSION = "harmos-study", 1
+SEAL_LENGTH = 16
 SOLVED = ("certified", "calibrated")
 MOST_SURROGATE_POINTS = 2000  # as Harmos takes
 
@@ -39,6 +41,8 @@ class Study:
     """
 
     def __init__(self, path, name=None):
+        if name is None:
+            _demand_seal(path)
         with h5py.File(path, "r") as file:
             if file.attrs.get("schema") != SCHEMA:
                 raise ValueError(f"{path} is not a study of Harmos")
@@ -172,7 +176,10 @@ class Surrogate:
 
 
 def read_study(path, name=None):
-    """Reads STUDY.h5, also while the study is running. `name` chooses among several studies in one file."""
+    """Reads STUDY.h5, also while the study is running; ValueError when it has changed since Harmos wrote it.
+
+    `name` chooses among several studies in one file that somebody else has put together.
+    """
     return Study(path, name)
 
 
@@ -182,6 +189,15 @@ def read_history(path):
         rows = list(csv.reader(file))
     values = [tuple(map(float, row)) for row in rows[1:]]
     return numpy.array(values, [(name, float) for name in rows[0]])
+
+
+def _demand_seal(path):
+    """HDF5 crashes on some damages and returns others as values: Harmos writes a checksum behind what HDF5 reads."""
+    with open(path, "rb") as file:
+        content = file.read()
+    if content[-SEAL_LENGTH:] != b"harmos:%08x\n" % zlib.crc32(content[:-SEAL_LENGTH]):
+        raise ValueError(f"{path} is no file of a study, or was damaged or changed since. "
+                         "Run the study again to restore it.")
 
 
 def _arrays(group):

@@ -17,7 +17,7 @@ bool ErrorList::collect(const std::string& where, const std::function<void()>& a
   } catch (const Error& error) {
     if (error.code() != ExitCode::input) throw;
     const std::string message = error.what();
-    if (message.rfind(where.substr(0, where.find(':') + 1), 0) == 0) {
+    if (message.rfind(where.substr(0, where.find(':') + 1), 0) == 0 || message.rfind("--set", 0) == 0) {
       text_ += message + "\n";
       ++count_;
     } else {

@@ -56,6 +56,11 @@ struct Reader {
     open.back()->strayText = given.substr(first, given.find_last_not_of(blanks) - first + 1);
     open.back()->strayLocation = location();
   }
+
+  /// The handler that calls this then returns XML_STATUS_ERROR.
+  void refuse(const std::string& what, const std::string& repair) {
+    problem = location() + ": " + what + "\n  " + repair;
+  }
 };
 
 template <class T>
@@ -171,6 +176,19 @@ InputTree InputTree::fromText(const std::string& xml, const std::string& source)
       [](void* data, const char*) { static_cast<Reader*>(data)->open.pop_back(); });
   XML_SetCharacterDataHandler(parser.get(), [](void* data, const char* characters, int length) {
     static_cast<Reader*>(data)->text(characters, length);
+  });
+  // What stands in other files is never read, and expat would pass over it in silence.
+  XML_SetExternalEntityRefHandler(
+      parser.get(), [](XML_Parser parsing, const char*, const char*, const char* file, const char*) -> int {
+        static_cast<Reader*>(XML_GetUserData(parsing))
+            ->refuse("the external entity \"" + std::string(file ? file : "") + "\" is not read.",
+                     "Write its content into the file.");
+        return XML_STATUS_ERROR;
+      });
+  XML_SetNotStandaloneHandler(parser.get(), [](void* data) -> int {
+    static_cast<Reader*>(data)->refuse("the declarations of the DOCTYPE that stand elsewhere are not read.",
+                                       "Remove the DOCTYPE and write what its entities stand for.");
+    return XML_STATUS_ERROR;
   });
   if (XML_Parse(parser.get(), xml.data(), static_cast<int>(xml.size()), XML_TRUE) == XML_STATUS_ERROR) {
     if (reader.problem.empty()) {

@@ -36,7 +36,7 @@ struct InputNode {
 /// A parameter list in the XML of Teuchos, read but not checked: every element with its file and line.
 class InputTree {
  public:
-  /// Throws base::Error (input) when the file cannot be read or is not well-formed XML.
+  /// Throws base::Error (input) when the file cannot be read, is not well-formed XML or refers to other files.
   static InputTree fromFile(const std::string& path);
   /// `source` stands for the file name in messages.
   static InputTree fromText(const std::string& xml, const std::string& source);

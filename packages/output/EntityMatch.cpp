@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
+#include <harmos/mesh/ElementType.hpp>
 #include <harmos/mesh/PointSearch.hpp>
 
 namespace harmos::output {
@@ -38,6 +40,23 @@ std::vector<Point> centres(const ResultMesh& mesh, const ResultMesh::Block& bloc
       for (std::size_t d = 0; d < 3; ++d) centre[d] += position(mesh, nodesOf(block, e)[k])[d] / block.nodesPerElement;
     result.push_back(centre);
   }
+  return result;
+}
+
+/// How the nodes of an element are connected, whichever of them it starts with: the nodes around each side of a volume,
+/// around the whole of another element.
+std::vector<std::vector<int>> loops(const std::string& type, const std::vector<int>& nodes) {
+  std::vector<std::vector<int>> result;
+  if (const auto known = mesh::elementTypeFromExodus(type, 3, static_cast<int>(nodes.size()))) {
+    for (int side = 0; side < mesh::sidesPerElement(*known); ++side) {
+      auto& loop = result.emplace_back();
+      for (const int k : mesh::sideNodes(*known, side)) loop.push_back(nodes[static_cast<std::size_t>(k)]);
+    }
+  } else {
+    result.push_back(nodes);
+  }
+  for (auto& loop : result) std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+  std::sort(result.begin(), result.end());
   return result;
 }
 
@@ -85,6 +104,7 @@ class BlockMatch {
       }
       if (partner[static_cast<std::size_t>(i)] < 0) return false;
     }
+    if (loops(blockA.type, partner) != loops(blockB.type, {nodesB, nodesB + count})) return false;
     for (int i = 0; i < count; ++i)
       match_.node[static_cast<std::size_t>(nodesA[i])] = partner[static_cast<std::size_t>(i)];
     return true;
@@ -112,6 +132,70 @@ void compareSets(const std::vector<Set>& a, const std::vector<Set>& b, const std
       match.mismatch.push_back("the second file has no " + kind + " " + set.name);
     else
       requireSameCount(size(set), size(*partner), "members of " + kind + " " + set.name, match);
+  }
+}
+
+/// Tells the faces of a side set apart: by element and nodes, because elements may start with another node in the other
+/// file; by element and number where the sides of the element are not known.
+std::vector<int> faceKey(const ResultMesh& mesh, int element, int side) {
+  int first = 0;
+  auto block = mesh.blocks.begin();
+  for (; element >= first + block->elements(); ++block) first += block->elements();
+  const auto known = mesh::elementTypeFromExodus(block->type, mesh.dimension, block->nodesPerElement);
+  if (!known || side < 0 || side >= mesh::sidesPerElement(*known)) return {element, side};
+  std::vector<int> key{element, -1};
+  for (const int k : mesh::sideNodes(*known, side)) key.push_back(nodesOf(*block, element - first)[k]);
+  return key;
+}
+
+/// The key of a face of A in the numbers of B.
+std::vector<int> inB(std::vector<int> key, const EntityMatch& match) {
+  key[0] = match.element[static_cast<std::size_t>(key[0])];
+  for (std::size_t i = 2; i < key.size(); ++i) key[i] = match.node[static_cast<std::size_t>(key[i])];
+  return key;
+}
+
+template <typename Set>
+const Set& named(const std::string& name, const std::vector<Set>& sets) {
+  return *std::find_if(sets.begin(), sets.end(), [&](const Set& set) { return set.name == name; });
+}
+
+/// Compares the members of sets that are equally large, of meshes that are equal otherwise.
+void compareMembers(const ResultMesh& a, const ResultMesh& b, EntityMatch& match) {
+  const auto sorted = [](std::vector<int> key) {
+    std::sort(key.begin() + 2, key.end());
+    return key;
+  };
+  for (const auto& set : a.sideSets) {
+    const auto& partner = named(set.name, b.sideSets);
+    std::multiset<std::vector<int>> faces;
+    for (std::size_t i = 0; i < partner.element.size(); ++i)
+      faces.insert(sorted(faceKey(b, partner.element[i], partner.side[i])));
+    for (std::size_t i = 0; i < set.element.size(); ++i) {
+      const auto found = faces.find(sorted(inB(faceKey(a, set.element[i], set.side[i]), match)));
+      if (found == faces.end()) {
+        match.mismatch.push_back("side set " + set.name + " of the second file lacks side " +
+                                 std::to_string(set.side[i] + 1) + " of element " + std::to_string(set.element[i] + 1) +
+                                 " of the first");
+        break;
+      }
+      faces.erase(found);
+    }
+  }
+  for (const auto& set : a.nodeSets) {
+    const auto& partner = named(set.name, b.nodeSets);
+    std::multiset<int> nodes(partner.node.begin(), partner.node.end());
+    for (const int node : set.node) {
+      const int other = match.node[static_cast<std::size_t>(node)];
+      if (other < 0) continue;  // of no element
+      const auto found = nodes.find(other);
+      if (found == nodes.end()) {
+        match.mismatch.push_back("node set " + set.name + " of the second file lacks node " + std::to_string(node + 1) +
+                                 " of the first");
+        break;
+      }
+      nodes.erase(found);
+    }
   }
 }
 
@@ -151,6 +235,7 @@ EntityMatch matchEntities(const ResultMesh& a, const ResultMesh& b, double toler
     }
     firstA += blockA.elements();
   }
+  if (match.mismatch.empty()) compareMembers(a, b, match);
   return match;
 }
 

@@ -2,11 +2,13 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include <exodusII.h>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/mesh/CompleteSize.hpp>
 
 namespace harmos::output {
 
@@ -25,6 +27,9 @@ std::string lastMessage() {
 ExodusHandle ExodusHandle::open(const std::string& path) {
   if (!std::filesystem::is_regular_file(path))
     throw base::Error("Cannot read " + path + ": there is no such file.", base::ExitCode::input);
+  std::ifstream bytes(path, std::ios::binary);
+  if (std::filesystem::file_size(path) < mesh::completeSize(bytes))
+    throw base::Error("Cannot read " + path + ": it is truncated: its end is missing.", base::ExitCode::input);
   int computeWordSize = sizeof(double), fileWordSize = 0;
   float version = 0;
   const int id = ex_open(path.c_str(), EX_READ, &computeWordSize, &fileWordSize, &version);

@@ -8,7 +8,8 @@ namespace harmos::output {
 /// An open Exodus file, closed by the destructor; not copyable.
 class ExodusHandle {
  public:
-  /// Opens for reading; throws base::Error(ExitCode::input) when that is not an Exodus file.
+  /// Opens for reading; throws base::Error(ExitCode::input) when that is not an Exodus file or a truncated one.
+  /// What is missing of time steps is not noticed.
   static ExodusHandle open(const std::string& path);
   /// Creates a file in 64-bit offset format (EX_LARGE_MODEL) for names up to `nameLength` characters.
   static ExodusHandle create(const std::string& path, int nameLength);

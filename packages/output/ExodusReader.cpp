@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
 
 #include <exodusII.h>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/mesh/CompleteSize.hpp>
 
 namespace harmos::output {
 
@@ -68,6 +71,24 @@ ExodusReader::ExodusReader(const std::string& path) : path_(path), file_(ExodusH
                 "read the truth table");
   times_.resize(static_cast<std::size_t>(ex_inquire_int(file_.id(), EX_INQ_TIME)));
   if (!times_.empty()) file_.check(ex_get_all_times(file_.id(), times_.data()), "read the times");
+  checkSize();
+}
+
+/// The missing values of a truncated classic file would be read as zeros.
+void ExodusReader::checkSize() const {
+  std::ifstream bytes(path_, std::ios::binary);
+  std::string start(3, '\0');
+  bytes.read(start.data(), 3);
+  if (start != "CDF") return;  // HDF5 knows the size of the whole file
+  std::uint64_t numbers = 1 + variables_.global.size() + variables_.nodal.size() * mesh_.nodes.size();
+  for (std::size_t i = 0; i < truth_.size(); ++i) {
+    if (truth_[i] == 0) continue;
+    numbers += static_cast<std::uint64_t>(mesh_.blocks[i / variables_.element.size()].elements());
+  }
+  const auto bytesPerNumber = static_cast<std::uint64_t>(ex_inquire_int(file_.id(), EX_INQ_DB_FLOAT_SIZE));
+  const std::uint64_t wanted = mesh::completeSize(bytes) + times_.size() * numbers * bytesPerNumber;
+  if (std::filesystem::file_size(path_) >= wanted) return;
+  throw base::Error("Cannot read " + path_ + ": it is truncated: time steps are missing.", base::ExitCode::input);
 }
 
 void ExodusReader::readBlocks() {

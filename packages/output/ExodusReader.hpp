@@ -11,7 +11,7 @@ namespace harmos::output {
 /// Reads a result file: mesh, names and times at once, values on request. Any element type is accepted.
 class ExodusReader {
  public:
-  /// Throws base::Error(ExitCode::input) when `path` is not an Exodus file.
+  /// Throws base::Error(ExitCode::input) when `path` is not an Exodus file or a truncated one.
   explicit ExodusReader(const std::string& path);
 
   const std::string& path() const { return path_; }
@@ -30,6 +30,7 @@ class ExodusReader {
  private:
   void readBlocks();
   void readSets();
+  void checkSize() const;
 
   std::string path_;
   ExodusHandle file_;

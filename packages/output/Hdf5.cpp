@@ -1,15 +1,25 @@
 #include <harmos/output/Hdf5.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <functional>
+#include <sstream>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/output/Checksum.hpp>
 
 namespace harmos::output {
 
 namespace {
 
 constexpr hsize_t chunkRows = 512;
+
+/// What stands behind the bytes of HDF5, which does not look there.
+std::string seal(const std::string& bytes) {
+  return "harmos:" + checksum(bytes) + "\n";
+}
 
 void demand(herr_t status, const std::string& what) {
   if (status < 0) throw base::Error("Cannot write " + what + " of the study file.");
@@ -109,7 +119,7 @@ std::string Hdf5Group::image() const {
   const ::ssize_t size = H5Fget_file_image(handle_, nullptr, 0);
   std::string bytes(static_cast<std::size_t>(std::max<::ssize_t>(size, 0)), '\0');
   demand(H5Fget_file_image(handle_, bytes.data(), bytes.size()) > 0 ? 0 : -1, "the end");
-  return bytes;
+  return bytes + seal(bytes);
 }
 
 Hdf5Group Hdf5Group::write(const std::string& name, hid_t type, const void* values, std::size_t count,
@@ -155,8 +165,19 @@ std::vector<std::string> readTexts(const Hdf5Handle& space, const std::function<
 }  // namespace
 
 Hdf5Source Hdf5Source::open(const std::string& path) {
-  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (file < 0) throw base::Error("Cannot read " + path + " as HDF5.", base::ExitCode::input);
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw base::Error("Cannot read " + path + ": " + std::strerror(errno) + ".", base::ExitCode::input);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  const std::string bytes = content.str();
+  const std::string end = bytes.substr(bytes.size() - std::min(bytes.size(), seal("").size()));
+  const bool isWhole = end == seal(bytes.substr(0, bytes.size() - end.size()));
+  const hid_t file = isWhole ? H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : -1;
+  if (file < 0) {
+    throw base::Error(
+        path + " is no file of a study, or was damaged or changed since. Run the study again to restore it.",
+        base::ExitCode::input);
+  }
   return Hdf5Source({file, H5Fclose, path});
 }
 

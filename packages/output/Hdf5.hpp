@@ -56,7 +56,8 @@ class Hdf5Group {
   Hdf5Group array(const std::string& name, const std::vector<double>& values, std::size_t columns = 0) const;
   Hdf5Group array(const std::string& name, const std::vector<int>& values, std::size_t columns = 0) const;
   Hdf5Group array(const std::string& name, const std::vector<std::string>& values) const;
-  /// Of the root, when all other groups and arrays are gone: the bytes of the file.
+  /// Of the root, when all other groups and arrays are gone: the bytes of the file. Behind what HDF5 reads stands a
+  /// checksum of it, because HDF5 crashes on some damages and returns others as values.
   std::string image() const;
 
  private:
@@ -71,6 +72,7 @@ class Hdf5Group {
 /// not there or cannot be read.
 class Hdf5Source {
  public:
+  /// Only of a file that Hdf5Group::image() made and nothing has changed since.
   static Hdf5Source open(const std::string& path);
   /// Of a group or an array.
   Hdf5Source group(const std::string& name) const;

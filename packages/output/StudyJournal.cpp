@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
@@ -15,10 +14,10 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <boost/crc.hpp>
 #include <nlohmann/json.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/output/Checksum.hpp>
 #include <harmos/output/Version.hpp>
 #include <harmos/study/StatusName.hpp>
 
@@ -31,14 +30,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char* format = "harmos study journal";
 constexpr int formatVersion = 1;
 constexpr std::size_t checksumLength = 8;
-
-std::string checksum(const std::string& text) {
-  boost::crc_32_type crc;
-  crc.process_bytes(text.data(), text.size());
-  char digits[checksumLength + 1];
-  std::snprintf(digits, sizeof digits, "%08x", crc.checksum());
-  return digits;
-}
 
 /// The JSON of a line, or nothing when the line is damaged.
 std::optional<Json> parseLine(const std::string& line) {

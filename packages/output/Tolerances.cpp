@@ -103,6 +103,7 @@ Tolerances Tolerances::parse(const std::string& text, const std::string& nameInM
   for (auto& s : result.sections_) s = Section{};
   Tolerance standard;
   Section* current = nullptr;
+  bool comparesSomething = false;
   std::istringstream stream(text);
   Place place{nameInMessages, 0};
   for (std::string line; std::getline(stream, line);) {
@@ -133,6 +134,7 @@ Tolerances Tolerances::parse(const std::string& text, const std::string& nameInM
       result.times_ = parseTolerance(standard, after(), place);
     } else if (first == "default" && second == "tolerance") {
       standard = parseTolerance(standard, after(), place);
+      continue;
     } else if (second == "variables" && (first == "global" || first == "nodal" || first == "element")) {
       current = &result.section(first == "global"  ? VariableKind::global
                                 : first == "nodal" ? VariableKind::nodal
@@ -149,6 +151,11 @@ Tolerances Tolerances::parse(const std::string& text, const std::string& nameInM
                  "\". Known are DEFAULT TOLERANCE, COORDINATES, TIME STEPS, GLOBAL VARIABLES, NODAL VARIABLES, ELEMENT "
                  "VARIABLES; the lines of variables are indented.");
     }
+    comparesSomething = true;
+  }
+  if (!comparesSomething) {
+    throw base::Error(nameInMessages + " names nothing to compare.\n  Write for example NODAL VARIABLES relative 1e-6.",
+                      base::ExitCode::input);
   }
   return result;
 }

@@ -43,7 +43,7 @@ class Tolerances {
  public:
   /// Everything relative 1e-6, without a floor.
   Tolerances();
-  /// Throws base::Error(ExitCode::input) naming file, line and what is allowed.
+  /// Throws base::Error(ExitCode::input) naming file, line and what is allowed, also when nothing is to be compared.
   static Tolerances read(const std::string& path);
   static Tolerances parse(const std::string& text, const std::string& nameInMessages);
 

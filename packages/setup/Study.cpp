@@ -180,7 +180,9 @@ class StudyReader {
           const auto variables = study::Formula(list.text("Formula"), names).variables();
           used.insert(used.end(), variables.begin(), variables.end());
         });
-        if (std::string(kind) == "Conditions") conditions_.push_back({list.name(), list.text("Formula")});
+        if (std::string(kind) == "Conditions") {
+          conditions_.push_back({list.name(), list.text("Formula"), list.where("Formula")});
+        }
       }
     }
     return used;

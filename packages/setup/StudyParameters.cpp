@@ -37,6 +37,7 @@ void StudyParameterReader::read(const Parameters& list) {
   study::PlannedParameter planned;
   planned.axis.name = list.name();
   if (list.has("Formula")) parameter.formula = planned.formula = list.text("Formula");
+  planned.where = list.where("Formula");
   readLevels(list, planned.axis);
   if (list.hasList("Distribution")) {
     parameter.isRandom = true;

@@ -19,7 +19,8 @@ class Formula {
   const std::string& text() const { return text_; }
   /// Those of the names that occur in it, in their order.
   std::vector<std::string> variables() const;
-  /// `values` of the names, in their order. Throws base::Error (input) when the result is not a finite number.
+  /// `values` of the names, in their order. Throws base::Error (input) when the result, or what it is computed from, is
+  /// no number or the result is infinite.
   double evaluate(const std::vector<double>& values) const;
 
  private:

@@ -9,13 +9,13 @@ namespace harmos::study {
 
 namespace {
 
-/// Runs `action`; what it throws begins with the name of the parameter or condition.
+/// Runs `action`; what it throws begins with the place of the parameter or condition.
 template <class Action>
-auto naming(const std::string& name, Action action) {
+auto placing(const std::string& where, Action action) {
   try {
     return action();
   } catch (const base::Error& error) {
-    throw base::Error(name + ": " + error.what(), error.code());
+    throw base::Error(where + ": " + error.what(), error.code());
   }
 }
 
@@ -32,10 +32,10 @@ Plan::Plan(std::vector<PlannedParameter> parameters, const std::vector<Condition
   std::vector<Derived> waiting;
   for (std::size_t p = 0; p < parameters_.size(); ++p) {
     if (isKnown[p]) continue;
-    naming(names[p], [&] { waiting.push_back({p, Formula(parameters_[p].formula, names)}); });
+    placing(parameters_[p].where, [&] { waiting.push_back({p, Formula(parameters_[p].formula, names)}); });
   }
   for (const Condition& condition : conditions) {
-    naming(condition.name, [&] { conditions_.emplace_back(condition.formula, names); });
+    placing(condition.where, [&] { conditions_.push_back({condition.where, Formula(condition.formula, names)}); });
     leftOut_.emplace_back(condition.name, 0);
   }
   while (!waiting.empty()) {
@@ -48,9 +48,9 @@ Plan::Plan(std::vector<PlannedParameter> parameters, const std::vector<Condition
     if (ready == waiting.end()) {
       std::vector<std::string> circle;
       for (const Derived& derived : waiting) circle.push_back(names[derived.parameter]);
-      throw base::Error(
-          circle.front() + ": the formulas refer to each other in a circle: " + base::joinNames(circle) + ".",
-          base::ExitCode::input);
+      throw base::Error(parameters_[waiting.front().parameter].where +
+                            ": the formulas refer to each other in a circle: " + base::joinNames(circle) + ".",
+                        base::ExitCode::input);
     }
     isKnown[ready->parameter] = true;
     derived_.push_back(std::move(*ready));
@@ -73,11 +73,11 @@ std::optional<std::vector<double>> Plan::complete(const std::vector<double>& poi
     if (parameters_[p].formula.empty()) values[p] = *next++;
   }
   for (const Derived& derived : derived_) {
-    naming(parameters_[derived.parameter].axis.name,
-           [&] { values[derived.parameter] = derived.formula.evaluate(values); });
+    placing(parameters_[derived.parameter].where,
+            [&] { values[derived.parameter] = derived.formula.evaluate(values); });
   }
   for (std::size_t c = 0; c < conditions_.size(); ++c) {
-    if (naming(leftOut_[c].first, [&] { return conditions_[c].evaluate(values) != 0.0; })) continue;
+    if (placing(conditions_[c].where, [&] { return conditions_[c].formula.evaluate(values) != 0.0; })) continue;
     ++leftOut_[c].second;
     return std::nullopt;
   }
@@ -87,11 +87,25 @@ std::optional<std::vector<double>> Plan::complete(const std::vector<double>& poi
 std::vector<Configuration> Plan::configurations(const Design& design) {
   for (auto& count : leftOut_) count.second = 0;
   std::vector<Configuration> result;
-  for (const auto& point : design.points(axes())) {
+  const auto points = design.points(axes());
+  for (const auto& point : points) {
     if (auto values = complete(point)) result.push_back({static_cast<int>(result.size()) + 1, std::move(*values)});
   }
-  if (result.empty()) throw base::Error("the study has no configuration.", base::ExitCode::input);
+  if (result.empty()) throw base::Error(whyNoneIsLeft(points.size()), base::ExitCode::input);
   return result;
+}
+
+std::string Plan::whyNoneIsLeft(std::size_t points) const {
+  if (points == 0) return "the study has no configuration.";
+  std::vector<std::string> causes;
+  std::size_t strictest = 0;
+  for (std::size_t c = 0; c < conditions_.size(); ++c) {
+    const auto& [name, count] = leftOut_[c];
+    if (count > 0) causes.push_back(base::quoted(name) + " leaves out " + std::to_string(count));
+    if (count > leftOut_[strictest].second) strictest = c;
+  }
+  return conditions_[strictest].where + ": the study has no configuration: of the " + std::to_string(points) +
+         " points of its design " + base::joinNames(causes) + ".";
 }
 
 }  // namespace harmos::study

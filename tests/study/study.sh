@@ -23,6 +23,8 @@ expect 2 "Write --set 'Scene/Materials/steel/Poisson's Ratio=0'" "$harmos" study
 # The whole study, and a single configuration against the same scene solved by itself.
 expect 0 'complete, 27 of 27 configurations: ' "$harmos" study "$study" --output "$work/all"
 expect 0 '3 more are left out by the condition "not too tight"' "$harmos" check "$study"
+expect 2 '^--set: Conditions / not too tight / Formula: the formula "log(mu - 9) < 1" has no value at mu = ' \
+  "$harmos" check "$study" --set 'Conditions/not too tight/Formula=log(mu - 9) < 1'
 expect 0 '^id,mu,pressure,push,status,iterations,error_estimate,start,u_max,lost,u_2$' head -n 1 "$work/all/$name.csv"
 expect 0 '^28$' sh -c "wc -l <'$work/all/$name.csv'"
 expect 0 '^%eval_id interface mu pressure push u_max lost u_2$' head -n 1 "$work/all/${name}_dakota.dat"
@@ -152,6 +154,12 @@ expect 2 'no_such.h5' "$harmos" report no_such.h5
 expect 0 "$work/all/$name.html" "$harmos" report "$work/all/$name.h5" --abscissa friction_force --pictures "$work/pictures"
 expect 0 'u_max_effects.png' ls "$work/pictures"
 expect 2 'there is no curve' "$harmos" report "$work/all/$name.h5" --abscissa u
+
+# HDF5 itself would crash on some damages.
+cp "$work/all/$name.h5" "$work/damaged.h5"
+printf 'damage' | dd of="$work/damaged.h5" bs=1 seek=9000 conv=notrunc status=none
+expect 2 'damaged.h5 is no file of a study, or was damaged or changed' "$harmos" report "$work/damaged.h5"
+expect 2 'damaged.h5 is no file of a study, or was damaged or changed' "$harmos" predict "$work/damaged.h5" "${at[@]}"
 
 [ $failures -eq 0 ] && echo "all as promised"
 exit $((failures > 0))

@@ -1,8 +1,10 @@
+#include <filesystem>
 #include <limits>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
+#include <harmos/base/Error.hpp>
 #include <harmos/output/ExodusComparison.hpp>
 #include <harmos/output/ExodusWriter.hpp>
 
@@ -101,4 +103,46 @@ TEST(Comparison, SeesAnotherMeshTimeOrSet) {
                          m.sideSets[0].side.pop_back();
                        }),
                        "4 members of side set contact_1 in the first file, 3"));
+  EXPECT_TRUE(contains(differs([](ResultMesh& m) { m.sideSets[0].side[2] = 0; }),
+                       "side set contact_1 of the second file lacks side 6 of element 3 of the first"));
+  EXPECT_TRUE(contains(differs([](ResultMesh& m) { m.sideSets[0].element[2] = 1; }),
+                       "side set contact_1 of the second file lacks side 6 of element 3 of the first"));
+  EXPECT_TRUE(
+      contains(differs([](ResultMesh& m) { std::swap(m.blocks[0].connectivity[8], m.blocks[0].connectivity[9]); }),
+               "block lower: no element of the second file fits element 2 of the first"));
+  const auto mirrored = [](ResultMesh& m) {
+    std::swap(m.blocks[0].connectivity[1], m.blocks[0].connectivity[3]);
+    std::swap(m.blocks[0].connectivity[5], m.blocks[0].connectivity[7]);
+  };
+  EXPECT_TRUE(contains(differs(mirrored), "block lower: no element of the second file fits element 1 of the first"));
+}
+
+TEST(Comparison, SeesOtherNodesOfASet) {
+  const auto a = temporaryFile("a.e"), b = temporaryFile("b.e");
+  for (const auto& [path, last] : {std::pair(a, 8), std::pair(b, 7)}) {
+    auto mesh = twoBoxes();
+    mesh.nodeSets = {{"corners", 0, {0, 2, last}}};
+    ExodusWriter writer(path, "", mesh, boxVariables());
+    writer.write(zeroStep(mesh, boxVariables(), 0.0));
+    writer.commit();
+  }
+  const auto text = report(compareExodus(a, b, Tolerances()));
+  EXPECT_NE(text.find("node set corners of the second file lacks node 9 of the first"), std::string::npos) << text;
+}
+
+TEST(Comparison, RefusesTruncatedFiles) {
+  const auto a = temporaryFile("a.e"), b = temporaryFile("b.e");
+  writeBoxes(a, false);
+  const auto size = std::filesystem::file_size(a);
+  for (const std::uintmax_t missing : {std::uintmax_t(8), size / 4, size / 2, size - 100}) {
+    std::filesystem::copy_file(a, b, std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::resize_file(b, size - missing);
+    try {
+      compareExodus(a, b, Tolerances());
+      ADD_FAILURE() << missing << " bytes of " << size << " are missing";
+    } catch (const harmos::base::Error& error) {
+      EXPECT_EQ(error.code(), harmos::base::ExitCode::input);
+      EXPECT_NE(std::string(error.what()).find("it is truncated: "), std::string::npos) << error.what();
+    }
+  }
 }

@@ -247,7 +247,24 @@ TEST_F(StudyFilesTest, ResponseSurfacesAreMadeOfWhatIsSolved) {
 TEST_F(StudyFilesTest, WhatIsNoStudyIsRefused) {
   std::filesystem::create_directories(directory);
   std::ofstream(files.file) << "no HDF5";
-  EXPECT_EQ(messageOf([&] { readStudyData(files.file); }), "Cannot read " + files.file + " as HDF5.");
+  const std::string refusal = files.file +
+                              " is no file of a study, or was damaged or changed since. Run the study again to restore "
+                              "it.";
+  const auto message = [&] { return messageOf([&] { readStudyData(files.file); }); };
+  EXPECT_EQ(message(), refusal);
+  std::filesystem::remove(files.file);
+  EXPECT_EQ(message(), "Cannot read " + files.file + ": No such file or directory.");
+  writeStudyFile(files.file, StudyResults(description), "complete");
+  EXPECT_EQ(message(), "accepted");
+  const std::string whole = contentOf(files.file);
+  for (std::size_t at = 0; at < whole.size(); at += whole.size() / 20) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
+    std::ofstream(files.file, std::ios::binary) << damaged;
+    EXPECT_EQ(message(), refusal) << at;
+    std::ofstream(files.file, std::ios::binary) << whole.substr(0, at);
+    EXPECT_EQ(message(), refusal) << at;
+  }
 }
 
 TEST_F(StudyFilesTest, WriterResumes) {

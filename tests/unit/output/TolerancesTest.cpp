@@ -57,6 +57,14 @@ TEST(Tolerances, DefaultIsRelativeOneMillionth) {
   EXPECT_DOUBLE_EQ(Tolerances().distance(100.0), 1e-4);
 }
 
+TEST(Tolerances, RefusesToCompareNothing) {
+  for (const std::string text : {"", "# only a comment\n", "DEFAULT TOLERANCE relative 1e-3\n"}) {
+    EXPECT_EQ(messageOf(text),
+              "case.cmp names nothing to compare.\n  Write for example NODAL VARIABLES relative 1e-6.");
+  }
+  EXPECT_EQ(messageOf("COORDINATES absolute 1e-8"), "accepted");
+}
+
 TEST(Tolerances, MeasuresDifferences) {
   Tolerance t;
   t.floor = 1e-3;

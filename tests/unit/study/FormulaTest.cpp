@@ -27,9 +27,28 @@ TEST(Formula, SaysWhatIsWrong) {
   EXPECT_EQ(messageOf("2 * prelaod"),
             "the formula \"2 * prelaod\" uses \"prelaod\", which is no parameter.\n  Did you mean \"preload\"? "
             "Parameters: mu, preload.");
-  EXPECT_EQ(messageOf("preload / mu"), "the formula \"preload / mu\" has no finite value.");
+  EXPECT_EQ(messageOf("preload / mu"), "the formula \"preload / mu\" has no finite value at mu = 0, preload = 1.");
+  EXPECT_EQ(messageOf("sqrt(mu - 1) > 0"),
+            "the formula \"sqrt(mu - 1) > 0\" has no value at mu = 0: it takes a root, a logarithm or the like where "
+            "there is none.\n  Write for example \"mu > 1 ? sqrt(mu - 1) < 2 : 0\"; && and || compute both sides "
+            "always.");
+  EXPECT_NE(messageOf("min(1, log(mu - 1))").find("has no value"), std::string::npos);
   EXPECT_NE(messageOf("2 *").find("\"2 *\" is not a formula: "), std::string::npos);
   EXPECT_NE(messageOf("").find("is not a formula"), std::string::npos);
+}
+
+TEST(Formula, RefusesAssignments) {
+  EXPECT_EQ(messageOf("mu = 0.3"), "the formula \"mu = 0.3\" assigns a value.\n  Write == to compare.");
+  EXPECT_NE(messageOf("mu += 1").find("assigns a value"), std::string::npos);
+  EXPECT_EQ(messageOf("mu == 0.3 && mu <= 1 && mu >= 0 && mu != 2"), "accepted");
+}
+
+TEST(Formula, RefusesDecimalCommas) {
+  const std::string rest =
+      "\" has a comma outside of a function, which makes a list.\n  Write a decimal point, such as 0.5.";
+  EXPECT_EQ(messageOf("mu > 0,25"), "the formula \"mu > 0,25" + rest);
+  EXPECT_EQ(messageOf("-100,5 * mu"), "the formula \"-100,5 * mu" + rest);
+  EXPECT_EQ(Formula("min(mu, preload) + max(1, 2)", {"mu", "preload"}).evaluate({3.0, 4.0}), 5.0);
 }
 
 TEST(Formula, NamesAreIdentifiers) {
