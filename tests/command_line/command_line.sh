@@ -44,6 +44,13 @@ expect 0 '^step,time,' head -n 1 "$work/first/${name}_history.csv"
 expect 0 '' "$harmos" run "$scene" --output "$work/second" --quiet
 expect 0 'are the same' "$harmos" compare "$work/first/$name.e" "$work/second/$name.e"
 
+# A solver that does not exist is bad input like any other: what is there stays.
+bad_solver=(--set 'Solver/Linear Solver/Name=choldmo')
+expect 2 'Solver / Linear Solver / Name: there is no direct solver "choldmo"' "$harmos" check "$scene" "${bad_solver[@]}"
+cp -r "$work/first" "$work/kept"
+expect 2 'Solver / Linear Solver / Name: ' "$harmos" run "$scene" --output "$work/kept" "${bad_solver[@]}"
+expect 0 '^$' diff -r "$work/first" "$work/kept"
+
 # The effective input is a scene that gives the same results again.
 expect 0 '' "$harmos" run "$work/first/${name}_effective.xml" --output "$work/again" --quiet
 expect 0 'are the same' "$harmos" compare "$work/first/$name.e" "$work/again/${name}_effective.e"
