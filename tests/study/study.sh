@@ -75,6 +75,16 @@ printf 'pressure,mu\n20,0.3\n20,-1\n20,0.31\n' >"$work/range.csv"
 expect 3 '2 certified, 1 inadmissible\|1 inadmissible' "$harmos" study "$study" --output "$work/range" --points "$work/range.csv"
 expect 0 '^2,-1,20,16,inadmissible,0,,0,,,$' grep '^2,' "$work/range/$name.csv"
 
+# Where none is admissible there is nothing to solve, and nothing is written; check says so, too.
+nowhere=(--set Parameters/mu/From=-2 --set Parameters/mu/To=-1)
+expect 2 'no configuration is admissible' "$harmos" check "$study" "${nowhere[@]}"
+expect 2 'no configuration is admissible' "$harmos" study "$study" --output "$work/nowhere" "${nowhere[@]}"
+expect 1 '' test -e "$work/nowhere"
+
+# A sample of two values has few polynomials; Sobol' indices take those that there are.
+expect 0 "by least squares of order 1" "$harmos" study "$(dirname "$0")/two_values_study.xml" --output "$work/two"
+expect 0 '^complete$' "$(dirname "$0")/state.py" "$work/two/two_values_study.h5"
+
 # One that does not converge is tried again, recorded, replaced, or ends the study, as the policy says.
 hopeless=(--points "$work/hopeless.csv" --set 'Scene/Solver/Maximum Iterations=2')
 printf 'pressure,mu\n20,0.3\n20,0.31\n' >"$work/hopeless.csv"
