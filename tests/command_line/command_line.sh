@@ -60,6 +60,14 @@ expect 3 'iteration' "$harmos" run "$scene" --output "$work/limit" --set 'Solver
 expect 0 '"status": "not converged"' cat "$work/limit/${name}_result.json"
 expect 0 '' test -s "$work/limit/$name.e"
 
+# However many ranks meet it, one message tells that there is no equilibrium, with numbers that mean something.
+floating=$(dirname "$0")/floating_blocks.xml
+for ranks in 1 2; do
+  expect 4 'smallest eigenvalue of the macro problem [-0-9.]*[1-9][0-9.]*e-[0-9]*, largest [0-9.]*[1-9]' \
+    mpirun -np $ranks "$harmos" run "$floating" --output "$work/floating"
+  expect 0 '^1$' sh -c "mpirun -np $ranks '$harmos' run '$floating' --output '$work/floating' 2>&1 | grep -c 'nothing holds'"
+done
+
 # Interrupted after some iterations: says so, and the files of the last state are readable.
 name=$(basename "$large_scene" .xml)
 "$harmos" run "$large_scene" --output "$work/interrupted" --quiet --set Solver/Accuracy=1e-10 \
