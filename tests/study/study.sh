@@ -131,6 +131,11 @@ done
 expect 2 '3 ranks cannot be split into teams of 2' mpirun -np 3 "$harmos" study "$study" --output "$work/ranks" \
   --ranks-per-configuration 2
 
+for count in x 0 -1 1.5; do
+  expect 2 "--ranks-per-configuration $count: write a whole number above 0" "$harmos" study "$study" \
+    --output "$work/ranks" --ranks-per-configuration=$count
+done
+
 # An interrupted study on several teams leaves readable files, too.
 mpirun -np 2 "$harmos" study "$study" --output "$work/teams" --quiet --set Parameters/mu/Count=400 --set Accuracy=1e-6 &
 first=$!
@@ -150,6 +155,7 @@ expect 0 '^mu,pressure,u_max,u_max_deviation,lost,lost_deviation,u_2,u_2_deviati
   "$harmos" predict "$work/all/$name.h5" "${at[@]}"
 expect 0 '^same$' "$(dirname "$0")/surface.py" "$harmos" "$work/all/$name.h5"
 expect 2 'there is no value of "pressure"' "$harmos" predict "$work/all/$name.h5" --at mu=0.37
+expect 2 'the value of "mu" is given twice' "$harmos" predict "$work/all/$name.h5" "${at[@]}" --at mu=0.3
 expect 2 'the study varies no "nu".' "$harmos" predict "$work/all/$name.h5" --at nu=0.37
 expect 2 'too few solutions' "$harmos" predict "$work/retry/$name.h5" --at mu=0.3
 
