@@ -258,7 +258,6 @@ void StudyRunner::recordFailure(const Configuration& configuration, const base::
   result.id = configuration.id;
   result.status = error.code() == base::ExitCode::input ? study::Status::inadmissible : study::Status::failed;
   result.reason = error.what();
-  result.errorEstimate = std::numeric_limits<double>::quiet_NaN();
   recorder_.record(result);
 }
 

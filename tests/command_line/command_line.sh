@@ -68,6 +68,8 @@ for ranks in 1 2; do
   expect 0 '^1$' sh -c "mpirun -np $ranks '$harmos' run '$floating' --output '$work/floating' 2>&1 | grep -c 'nothing holds'"
 done
 
+expect 0 '"error_estimate": null' cat "$work/floating/floating_blocks_result.json"
+
 # Interrupted after some iterations: says so, and the files of the last state are readable.
 name=$(basename "$large_scene" .xml)
 "$harmos" run "$large_scene" --output "$work/interrupted" --quiet --set Solver/Accuracy=1e-10 \
