@@ -20,7 +20,7 @@ using base::Parameters;
 
 // Beyond these a beta distribution is all but one value, or two, and neither its polynomials nor its quantiles are
 // found.
-constexpr double leastShape = 1e-6, mostShape = 1e6;
+constexpr double leastShape = 1e-6, mostShape = 1e8;
 
 void addSpread(base::ParameterSpec& spec, const char* ofWhat) {
   const std::string what = ofWhat;
