@@ -36,7 +36,8 @@ void LatinOptions::describe(base::ParameterSpec& spec) {
   search.number("Scale").unit("-").defaultValue(1.0).atLeast(1e-9).atMost(1e9).doc("Multiplies the automatic value.");
   base::ParameterSpec& acceleration = spec.list("Acceleration");
   acceleration.summary("Anderson acceleration.");
-  acceleration.integer("Memory").defaultValue(30).atLeast(1).doc("Iterations remembered; 10 when memory is short.");
+  acceleration.integer("Memory").defaultValue(30).atLeast(1).atMost(1000).doc(
+      "Iterations remembered; 10 when memory is short.");
   base::ParameterSpec& solver = spec.list("Linear Solver");
   solver.summary("Direct solver that factors the substructures.");
   substructure::SolverOptions::describe(solver);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <set>
+#include <sstream>
 
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -277,13 +279,12 @@ void MacroProblem::reportFloating(const interface::Assembly& assembly, const Mat
   }
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "\"" : ", \"") + name + "\"";
-  throw base::Error(
-      "nothing holds part(s) " + list +
-          ": they can move as rigid bodies without deforming any part (smallest eigenvalue of the macro "
-          "problem " +
-          std::to_string(values.front()) + " of " + std::to_string(values.back()) +
-          "); add a boundary with prescribed displacement, symmetry or foundation, or join them to a held part",
-      base::ExitCode::noEquilibrium);
+  std::ostringstream message;
+  message << "nothing holds part(s) " << list
+          << ": they can move as rigid bodies without deforming any part (smallest eigenvalue of the macro problem "
+          << std::setprecision(3) << values.front() << ", largest " << values.back()
+          << "); add a boundary with prescribed displacement, symmetry or foundation, or join them to a held part";
+  throw base::Error(message.str(), base::ExitCode::noEquilibrium);
 }
 
 void MacroProblem::correct(Matrix& alpha, Matrix& forces, int first, const std::vector<int>& steps) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,9 +16,9 @@ struct RunRecord {
   std::string status;  // running, certified, not converged, no equilibrium, interrupted, failed
   std::string reason;  // why it stopped, one sentence
   int exitCode = 0;
-  double accuracy = 0.0;                                       // asked for
-  double errorEstimate = 0.0;                                  // relative, of the whole solution
-  std::vector<std::pair<std::string, double>> responseErrors;  // relative estimate per response
+  double accuracy = 0.0;                                            // asked for
+  double errorEstimate = std::numeric_limits<double>::quiet_NaN();  // relative, of the whole solution; NaN: none
+  std::vector<std::pair<std::string, double>> responseErrors;       // relative estimate per response
   int iterations = 0;
   int linearStages = 0;
   int ranks = 1;

@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <ostream>
 
-#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
 #include <harmos/output/Version.hpp>
 #include <harmos/setup/CommandLineVerbs.hpp>
+#include <harmos/setup/Rendezvous.hpp>
 
 namespace harmos::setup {
 
 namespace {
+
+// Seconds between the first and the last rank that meet the same error.
+constexpr double patience = 5.0;
 
 const char* const exitCodes =
     "Exit codes:\n"
@@ -89,13 +93,18 @@ std::vector<Command> commands() {
 }
 
 int runCommandLine(const std::vector<std::string>& words, const CommandEnvironment& environment) {
+  const Rendezvous rendezvous(*environment.communicator);
   try {
     return dispatch(words, environment);
   } catch (const base::Error& error) {
+    int code = static_cast<int>(error.code());
     // Input is read by every rank, so that every rank arrives here with the same error.
-    if (environment.communicator->getSize() > 1 && error.code() != base::ExitCode::input) throw;
+    if (error.code() != base::ExitCode::input) {
+      if (!rendezvous.allCome(patience)) throw;
+      Teuchos::broadcast(*environment.communicator, 0, Teuchos::outArg(code));
+    }
     if (environment.isRoot()) environment.err << error.what() << "\n";
-    return static_cast<int>(error.code());
+    return code;
   }
 }
 

@@ -43,7 +43,7 @@ std::vector<Command> commands();
 
 /// Does what `harmos <words...>` does and returns its exit code; --help and --version included. Collective over the
 /// communicator, whose rank 0 does all printing. Errors end up as one message on `err`; an error that only some ranks
-/// meet leaves as base::Error, because the others wait.
+/// meet leaves as base::Error after some seconds, because the others wait.
 int runCommandLine(const std::vector<std::string>& words, const CommandEnvironment& environment);
 
 }  // namespace harmos::setup

@@ -41,6 +41,8 @@ CommandLineArguments::CommandLineArguments(const std::string& command, const std
       if (i + 1 == words.size()) fail("the option " + name + " wants " + option->value + " after it.");
       value = words[++i];
     }
+    // An empty word is a variable of the shell that was not set, hardly ever the wish for a default.
+    if (!option->value.empty() && value.empty()) fail("the option " + name + " wants " + option->value + ", not \"\".");
     given_.push_back({name, value});
   }
 }

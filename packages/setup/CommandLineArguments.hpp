@@ -18,7 +18,7 @@ struct CommandOption {
 class CommandLineArguments {
  public:
   /// `command` stands in messages. Throws base::Error(ExitCode::input) for an unknown option, with the nearest known
-  /// one, for a missing value, for a value after a switch, and for a second use of what is not repeatable.
+  /// one, for a missing or empty value, for a value after a switch, and for a second use of what is not repeatable.
   CommandLineArguments(const std::string& command, const std::vector<std::string>& words,
                        const std::vector<CommandOption>& options);
 

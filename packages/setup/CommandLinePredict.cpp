@@ -32,6 +32,7 @@ std::vector<double> pointOf(const std::vector<std::string>& assignments, const s
     const auto value = equals == std::string::npos ? std::nullopt : base::parseNumber(assignment.substr(equals + 1));
     if (!value) fail("--at " + assignment + ": write NAME=NUMBER.");
     const auto p = static_cast<std::size_t>(found - parameters.begin());
+    if (isGiven[p]) fail("--at " + assignment + ": the value of \"" + name + "\" is given twice.");
     point[p] = *value;
     isGiven[p] = true;
   }

@@ -1,5 +1,6 @@
 #include <ostream>
 
+#include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>
 #include <harmos/setup/CommandLineVerbs.hpp>
 #include <harmos/setup/StudyProgress.hpp>
@@ -9,6 +10,14 @@
 namespace harmos::setup {
 
 namespace {
+
+/// The number of ranks that the option gives.
+int countOf(const std::string& text) {
+  const auto count = base::parseInteger(text);
+  if (count && *count > 0) return *count;
+  throw base::Error("harmos study: --ranks-per-configuration " + text + ": write a whole number above 0.",
+                    base::ExitCode::input);
+}
 
 int study(const CommandLineArguments& arguments, const CommandEnvironment& environment) {
   arguments.requireOperands({"STUDY.xml"});
@@ -22,7 +31,7 @@ int study(const CommandLineArguments& arguments, const CommandEnvironment& envir
   request.directory = arguments.value("--output", "results");
   request.restart = arguments.has("--restart");
   if (arguments.has("--ranks-per-configuration")) {
-    request.ranksPerConfiguration = base::parseInteger(arguments.value("--ranks-per-configuration", "")).value_or(0);
+    request.ranksPerConfiguration = countOf(arguments.value("--ranks-per-configuration", ""));
   }
   request.interrupted = environment.interrupted;
   StudyProgress progress(environment.err, environment.terminal);

@@ -18,6 +18,10 @@ namespace {
 
 using base::Parameters;
 
+// Beyond these a beta distribution is all but one value, or two, and neither its polynomials nor its quantiles are
+// found.
+constexpr double leastShape = 1e-6, mostShape = 1e8;
+
 void addSpread(base::ParameterSpec& spec, const char* ofWhat) {
   const std::string what = ofWhat;
   spec.number("Mean").required().doc("Mean of " + what + ".");
@@ -95,8 +99,18 @@ std::vector<base::ParameterSpec> distributionForms() {
   beta.summary("Density (x - Lower)^(Alpha - 1) (Upper - x)^(Beta - 1), but for a factor.");
   beta.number("Lower").required().doc("Least value.");
   beta.number("Upper").required().doc("Largest value.");
-  beta.number("Alpha").unit("-").required().above(0.0).doc("Shape at the lower end; 1: finite there.");
-  beta.number("Beta").unit("-").required().above(0.0).doc("Shape at the upper end; 1: finite there.");
+  beta.number("Alpha")
+      .unit("-")
+      .required()
+      .atLeast(leastShape)
+      .atMost(mostShape)
+      .doc("Shape at the lower end; 1: finite there.");
+  beta.number("Beta")
+      .unit("-")
+      .required()
+      .atLeast(leastShape)
+      .atMost(mostShape)
+      .doc("Shape at the upper end; 1: finite there.");
   sample.summary("Observed values, each as likely as the others.");
   sample.text("File").optional().doc("CSV with a column headed by the name of the parameter, relative to the study.");
   sample.numbers("Values").optional().doc("The values themselves.");

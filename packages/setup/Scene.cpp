@@ -15,6 +15,7 @@
 #include <harmos/setup/History.hpp>
 #include <harmos/setup/MeshSource.hpp>
 #include <harmos/setup/SceneSpec.hpp>
+#include <harmos/substructure/SolverOptions.hpp>
 
 namespace harmos::setup {
 
@@ -73,6 +74,8 @@ class SceneChecker {
     for (const Parameters& interface : input_.lists("Interfaces")) checkInterface(interface);
     for (const Parameters& boundary : input_.lists("Boundaries")) checkBoundary(boundary);
     for (const Parameters& response : input_.lists("Responses")) checkResponse(response);
+    const Parameters& solver = input_.list("Solver").list("Linear Solver");
+    errors_.collect(solver.where("Name"), [&] { substructure::requireSolver(solver.text("Name")); });
     checkDimensions(input_, dimension(), errors_);
   }
 

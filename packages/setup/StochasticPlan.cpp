@@ -175,6 +175,7 @@ class Reader {
       } else {
         const auto counts = gaussPoints(*plan.variables, plan.order, design.integer("Points"), false);
         demandFewPoints(counts, "Set Points In to Sparse, or lower the Order.");
+        demandPolynomials(plan);
         plan.quadrature = chaos::tensorQuadrature(*plan.variables, counts);
       }
       plan.germs = plan.quadrature.points;
@@ -183,12 +184,16 @@ class Reader {
       const bool isGalerkin = design.text("Local Stage") == "Galerkin";
       demandFewPoints(gaussPoints(*plan.variables, plan.order, design.integer("Points"), isGalerkin),
                       "Take Collocation with Points In set to Sparse, or a lower Order.");
+      demandPolynomials(plan);
     }
     plan.holdOuts = design.integer("Hold-Out Count");
     if (plan.holdOuts == 0) return;
     const study::RandomDesign held(plan.holdOuts, design.integer("Seed"));
     for (auto& germ : study::germsOf(held, plan.holdOuts, *plan.variables)) plan.germs.push_back(std::move(germ));
   }
+
+  /// There are as many orthogonal polynomials of every random parameter as an expansion of the order needs.
+  static void demandPolynomials(const StochasticPlan& plan) { chaos::Basis(plan.variables, plan.order); }
 
   static void demandFewPoints(const std::vector<int>& counts, const std::string& repair) {
     double points = 1.0;

@@ -1,8 +1,10 @@
 #include <harmos/setup/StochasticStatistics.hpp>
 
 #include <cmath>
+#include <memory>
 #include <sstream>
 
+#include <harmos/base/Error.hpp>
 #include <harmos/chaos/LeastSquares.hpp>
 #include <harmos/chaos/SampleStatistics.hpp>
 #include <harmos/chaos/SampledSobolIndices.hpp>
@@ -147,14 +149,16 @@ class Summariser {
   /// Expansions through a sample, for Sobol' indices and for others to evaluate. Kept where they explain the values.
   void fit(const Points& germs, const Points& values) {
     int order = 0;
-    while (order < highestFittedOrder &&
-           samplesPerTerm * chaos::Basis(plan_.variables, order + 1).size() <= summary_->solved) {
+    std::unique_ptr<const chaos::LeastSquares> squares;
+    while (order < highestFittedOrder) {
+      auto next = leastSquares(order + 1, germs);
+      if (!next) break;
+      squares = std::move(next);
       ++order;
     }
-    if (order == 0) return;
-    const chaos::LeastSquares squares(std::make_shared<chaos::Basis>(plan_.variables, order), germs);
+    if (!squares) return;
     for (std::size_t r = 0; r < values.size(); ++r) {
-      const chaos::LeastSquares::Fit fit = squares.fit(values[r]);
+      const chaos::LeastSquares::Fit fit = squares->fit(values[r]);
       if (!(fit.leaveOneOutError < worstFit)) continue;
       ResponseStatistics& response = summary_->responses[r];
       response.expansion = std::make_shared<chaos::Expansion>(fit.expansion);
@@ -163,6 +167,19 @@ class Summariser {
       response.holdOutError = fit.leaveOneOutError;
     }
     summary_->method += ", Sobol' indices by least squares of order " + std::to_string(order);
+  }
+
+  /// Null when the sample does not tell all polynomials of this order apart.
+  std::unique_ptr<const chaos::LeastSquares> leastSquares(int order, const Points& germs) const {
+    try {
+      auto basis = std::make_shared<chaos::Basis>(plan_.variables, order);
+      if (samplesPerTerm * basis->size() > summary_->solved) return nullptr;
+      return std::make_unique<const chaos::LeastSquares>(std::move(basis), germs);
+    } catch (const base::Error& error) {
+      // A parameter of few different values has few polynomials, and the user has asked for no order.
+      if (error.code() != base::ExitCode::input) throw;
+      return nullptr;
+    }
   }
 
   bool isSolved(int id) const {

@@ -93,7 +93,9 @@ class StudyReader {
     checkRecovery();
     if (!isListed()) readRandomness();
     if (study_.isAdaptive() && !study_.stochastic) checkAdaptive();
+    if (isSceneRead_ && study_.isChaos()) checkChaos();
     makeConfigurations();
+    if (errors_.count() == 0) demandAdmissible();
     if (study_.stochastic && errors_.count() == 0) checkTails(study_, laws_, errors_);
     finish();
   }
@@ -261,6 +263,43 @@ class StudyReader {
         errors_.add(study_.parameters[p].where, "an adaptive design needs two different values at least.");
       }
     }
+  }
+
+  /// What the solver of expansions wants of the scene.
+  void checkChaos() {
+    const Parameters& solver = study_.scene.input.list("Solver");
+    if (solver.text("Formulation") != "Displacement") {
+      errors_.add(solver.where("Formulation"), "Chaos wants displacements as the unknowns of the interfaces.",
+                  "Take Displacement, or a design of the type Collocation.");
+    }
+    const Parameters& design = input_.list("Design");
+    if (design.text("Local Stage") != "Galerkin") return;
+    for (const char* kind : {"Interfaces", "Boundaries"}) {
+      for (const Parameters& joint : study_.scene.input.lists(kind)) {
+        if (study_.scene.laws.at(joint.name())->isAffine()) continue;
+        errors_.add(
+            design.where("Local Stage"),
+            "Galerkin wants affine laws, but that of \"" + joint.name() + "\" is " + joint.list("Law").type() + ".",
+            "Take Pseudo-Spectral, or Automatic.");
+      }
+    }
+  }
+
+  /// One configuration at least must give a scene: of the others the results tell, and without any there are none.
+  void demandAdmissible() {
+    std::string first;
+    for (const study::Configuration& configuration : study_.configurations) {
+      try {
+        study_.sceneFor(configuration.values, laws_);
+        return;
+      } catch (const base::Error& error) {
+        if (error.code() != base::ExitCode::input) throw;
+        if (first.empty()) first = "configuration " + std::to_string(configuration.id) + ": " + error.what();
+      }
+    }
+    if (first.empty()) return;
+    errors_.add(input_.hasList("Design") ? input_.list("Design").where() : input_.where(),
+                "no configuration is admissible; the first is " + first);
   }
 
   void checkRecovery() {

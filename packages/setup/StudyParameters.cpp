@@ -1,6 +1,7 @@
 #include <harmos/setup/StudyParameters.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Override.hpp>
@@ -90,10 +91,17 @@ void StudyParameterReader::readLevels(const Parameters& list, study::Axis& axis)
     return false;
   };
   if (allOf({"Values"})) axis.levels = list.numbers("Values");
+  // Values in between are found from the difference.
+  const auto demandDifference = [&](const char* first, const char* last) {
+    if (std::isfinite(list.number(last) - list.number(first))) return;
+    errors_.add(list.where(last), std::string(first) + " and " + last + " are too far apart to be told by a number.");
+  };
   if (allOf({"From", "To", "Count"})) {
+    demandDifference("From", "To");
     axis.levels = study::evenLevels(list.number("From"), list.number("To"), list.integer("Count"));
   }
   if (allOf({"Lower", "Upper"})) {
+    demandDifference("Lower", "Upper");
     axis.lower = list.number("Lower");
     axis.upper = list.number("Upper");
     if (axis.upper < axis.lower) errors_.add(list.where("Upper"), "Upper is less than Lower.");

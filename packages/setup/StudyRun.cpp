@@ -65,18 +65,17 @@ StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry&
       if (teams.ownsFiles()) recorder.note("expansions", describe(*chaos, outcome));
     }
     runner.run(std::move(onlyGroup));
+    run.state = runner.isAborted() ? "aborted" : runner.isStopped() ? "interrupted" : "complete";
+    if (study.stochastic && run.state == "complete" && (!chaos || chaos->isSolved())) {
+      recorder.setStatistics(summarise(study, *run.results, chaos.get()));
+      if (chaos) writeStochasticFields(study, *chaos, run.files.stochastic, *comm);
+    }
   } catch (...) {
     recorder.finish("interrupted");
     throw;
   }
-  const bool isAborted = runner.isAborted();
-  run.state = isAborted ? "aborted" : runner.isStopped() ? "interrupted" : "complete";
-  if (study.stochastic && run.state == "complete" && (!chaos || chaos->isSolved())) {
-    recorder.setStatistics(summarise(study, *run.results, chaos.get()));
-    if (chaos) writeStochasticFields(study, *chaos, run.files.stochastic, *comm);
-  }
   recorder.finish(run.state);
-  run.exitCode = isAborted                              ? static_cast<int>(base::ExitCode::failure)
+  run.exitCode = run.state == "aborted"                 ? static_cast<int>(base::ExitCode::failure)
                  : run.state == "interrupted"           ? 130
                  : outcome != latin::Outcome::certified ? exitCodeOf(outcome)
                                                         : exitCodeOf(*run.results);

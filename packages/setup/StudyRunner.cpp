@@ -142,8 +142,8 @@ void StudyRunner::solve(const std::vector<Configuration>& configurations) {
   try {
     group_->solve(configurations, done, recorder_);
   } catch (const base::Error& error) {
-    // An operator that cannot be factored, on one rank perhaps: the others wait for it.
-    if (teams_.all()->getSize() > 1 && error.code() != base::ExitCode::input) throw;
+    // An operator that cannot be factored, on one rank of the team perhaps: the others wait for it.
+    if (teams_.team()->getSize() > 1 && error.code() != base::ExitCode::input) throw;
     if (recorder_.cannotWrite()) throw;
     for (const Configuration& configuration : configurations) {
       if (!recorder_.results().find(configuration.id)) recordFailure(configuration, error);
@@ -258,7 +258,6 @@ void StudyRunner::recordFailure(const Configuration& configuration, const base::
   result.id = configuration.id;
   result.status = error.code() == base::ExitCode::input ? study::Status::inadmissible : study::Status::failed;
   result.reason = error.what();
-  result.errorEstimate = std::numeric_limits<double>::quiet_NaN();
   recorder_.record(result);
 }
 

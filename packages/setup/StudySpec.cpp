@@ -7,6 +7,9 @@ namespace harmos::setup {
 
 namespace {
 
+// All of them are held in memory, for every response.
+constexpr int mostSamples = 1000000;
+
 void describeParameter(base::ParameterSpec& spec) {
   spec.summary(
       "What varies. The names are yours and stand in formulas and tables: letters, digits and underscores. A parameter "
@@ -42,6 +45,7 @@ base::ParameterSpec& addOrder(base::ParameterSpec& spec) {
   spec.integer("Hold-Out Count")
       .defaultValue(5)
       .atLeast(0)
+      .atMost(study::mostConfigurations)
       .doc("Random configurations that are solved besides, only to see how far the expansion is off there.");
   spec.integer("Seed").defaultValue(1).doc("Of the hold-out configurations.");
   return spec;
@@ -85,10 +89,15 @@ std::vector<base::ParameterSpec> stochasticForms() {
       .above(0.0)
       .below(1.0)
       .doc("Error of mean and standard deviation to stop at, relative to the standard deviation.");
-  adaptive.integer("Maximum Count").defaultValue(500).atLeast(3).doc("Most configurations.");
+  adaptive.integer("Maximum Count")
+      .defaultValue(500)
+      .atLeast(3)
+      .atMost(study::mostConfigurations)
+      .doc("Most configurations.");
   adaptive.integer("Hold-Out Count")
       .defaultValue(5)
       .atLeast(0)
+      .atMost(study::mostConfigurations)
       .doc("Random configurations that are solved besides, only to see how far the interpolation is off there.");
   adaptive.integer("Seed").defaultValue(1).doc("Of the hold-out configurations.");
   return {chaos, collocation, adaptive};
@@ -122,8 +131,9 @@ std::vector<base::ParameterSpec> designForms() {
   adaptive.integer("Initial Count")
       .defaultValue(0)
       .atLeast(0)
+      .atMost(study::mostConfigurations)
       .doc("Points to begin with; 0: twice as many as a quadratic polynomial has terms.");
-  adaptive.integer("Maximum Count").defaultValue(200).atLeast(1).doc("Most points.");
+  adaptive.integer("Maximum Count").defaultValue(200).atLeast(1).atMost(study::mostConfigurations).doc("Most points.");
   adaptive.integer("Seed").defaultValue(0).doc("0: plain Sobol' sequences; else with a random digital shift.");
   std::vector<base::ParameterSpec> forms = {grid, list, random, cube, sobol, adaptive};
   for (base::ParameterSpec& form : stochasticForms()) forms.push_back(std::move(form));
@@ -174,9 +184,16 @@ void describeRandomness(base::ParameterSpec& spec) {
   sweep.numbers("Values").required().doc("Its coefficients of variation.");
   base::ParameterSpec& statistics = spec.list("Statistics");
   statistics.summary("What is computed from expansions and samples.");
-  statistics.numbers("Quantiles").optional().doc("Probabilities; absent: 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99.");
-  statistics.integer("Samples").defaultValue(20000).atLeast(100).doc(
-      "Points at which expansions are sampled for densities and quantiles; nothing is solved there.");
+  statistics.numbers("Quantiles")
+      .optional()
+      .above(0.0)
+      .below(1.0)
+      .doc("Probabilities; absent: 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99.");
+  statistics.integer("Samples")
+      .defaultValue(20000)
+      .atLeast(100)
+      .atMost(mostSamples)
+      .doc("Points at which expansions are sampled for densities and quantiles; nothing is solved there.");
   statistics.integer("Seed").defaultValue(2).doc("Of these points.");
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <sstream>
 
@@ -92,12 +93,13 @@ void printOutcome(std::ostream& out, const output::StudyResults& results) {
   }
   out << "\n";
   const auto all = results.all();
-  double seconds = 0.0, largestError = 0.0;
+  double seconds = 0.0;
+  std::optional<double> largestError;  // of what is solved
   long stages = 0;
   for (const study::ConfigurationResult& result : all) {
     seconds += result.cpuSeconds;
     stages += result.linearStages;
-    if (study::isSolved(result.status)) largestError = std::max(largestError, result.errorEstimate);
+    if (study::isSolved(result.status)) largestError = std::max(largestError.value_or(0.0), result.errorEstimate);
   }
   for (std::size_t r = 0; r < description.responses.size(); ++r) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -113,8 +115,14 @@ void printOutcome(std::ostream& out, const output::StudyResults& results) {
   for (const auto& [name, text] : results.notes()) out << "  " << name << ": " << text << "\n";
   if (results.statistics()) printStatistics(out, *results.statistics());
   if (all.empty()) return;
-  out << std::setprecision(3) << "largest error estimate " << largestError << " (asked for " << description.accuracy
-      << "), " << static_cast<double>(stages) / static_cast<double>(all.size()) << " linear stages and "
+  out << std::setprecision(3);
+  if (largestError) {
+    out << "largest error estimate " << *largestError;
+  } else {
+    out << "no error estimate";
+  }
+  out << " (asked for " << description.accuracy << "), "
+      << static_cast<double>(stages) / static_cast<double>(all.size()) << " linear stages and "
       << seconds / static_cast<double>(all.size()) << " CPU seconds per configuration\n";
 }
 

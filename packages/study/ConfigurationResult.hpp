@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct ConfigurationResult {
   std::vector<double> curveErrors;          // per response, estimate of the relative error; NaN: none
   // Largest of the responses and of the field of interface forces; only a certificate also covers the field of
   // displacements. NaN: none.
-  double errorEstimate = 0.0;
+  double errorEstimate = std::numeric_limits<double>::quiet_NaN();
   int iterations = 0;
   int linearStages = 0;
   std::vector<int> starts;  // ids of the configurations whose solutions it started from; empty: cold

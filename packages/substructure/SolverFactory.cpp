@@ -53,6 +53,16 @@ std::vector<std::string> availableSolvers() {
   return names;
 }
 
+void requireSolver(const std::string& name) {
+  const std::string asked = lowerCase(name);
+  const std::vector<std::string> known = availableSolvers();
+  // Amesos2 knows some of its solvers by several names.
+  if (std::find(known.begin(), known.end(), asked) != known.end() || Amesos2::query(asked)) return;
+  throw base::Error(
+      "there is no direct solver \"" + name + "\" in this build.\n  " + base::suggestName(asked, known, "Available"),
+      base::ExitCode::input);
+}
+
 Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teuchos::RCP<const base::CrsMatrix>& matrix,
                                       [[maybe_unused]] const std::vector<int>& trace) {
   const Teuchos::RCP<base::MultiVector> none;
@@ -70,11 +80,7 @@ Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teucho
     solver = Teuchos::rcp(new TachoDirect<base::CrsMatrix, base::MultiVector>(matrix, none, none));
   }
   if (solver.is_null()) {
-    if (!Amesos2::query(name)) {
-      throw base::Error("There is no direct solver \"" + options.name + "\" in this build.\n  " +
-                            base::suggestName(name, availableSolvers(), "Available"),
-                        base::ExitCode::input);
-    }
+    requireSolver(options.name);
     solver = Amesos2::create<base::CrsMatrix, base::MultiVector>(name, matrix, none, none);
   }
   if (!options.parameters.is_null()) solver->setParameters(options.parameters);

@@ -16,8 +16,8 @@ namespace harmos::substructure {
 
 using DirectSolver = Amesos2::Solver<base::CrsMatrix, base::MultiVector>;
 
-/// The solver that the options name, nothing factored yet. Throws base::Error, listing availableSolvers(), when there
-/// is none of this name. `trace`: the rows, ascending, that solves with traceFactor() will be about; empty: none.
+/// The solver that the options name, nothing factored yet. Throws as requireSolver(). `trace`: the rows, ascending,
+/// that solves with traceFactor() will be about; empty: none.
 Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teuchos::RCP<const base::CrsMatrix>& matrix,
                                       const std::vector<int>& trace);
 

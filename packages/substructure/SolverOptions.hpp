@@ -28,4 +28,8 @@ struct SolverOptions {
 /// Names that SolverOptions may have in this build: Harmos' own solvers, then those of the installed Amesos2.
 std::vector<std::string> availableSolvers();
 
+/// Throws base::Error (input), listing availableSolvers(), unless SolverOptions may have this name, to which all other
+/// names by which Amesos2 knows its solvers belong.
+void requireSolver(const std::string& name);
+
 }  // namespace harmos::substructure

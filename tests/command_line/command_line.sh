@@ -44,6 +44,13 @@ expect 0 '^step,time,' head -n 1 "$work/first/${name}_history.csv"
 expect 0 '' "$harmos" run "$scene" --output "$work/second" --quiet
 expect 0 'are the same' "$harmos" compare "$work/first/$name.e" "$work/second/$name.e"
 
+# A solver that does not exist is bad input like any other: what is there stays.
+bad_solver=(--set 'Solver/Linear Solver/Name=choldmo')
+expect 2 'Solver / Linear Solver / Name: there is no direct solver "choldmo"' "$harmos" check "$scene" "${bad_solver[@]}"
+cp -r "$work/first" "$work/kept"
+expect 2 'Solver / Linear Solver / Name: ' "$harmos" run "$scene" --output "$work/kept" "${bad_solver[@]}"
+expect 0 '^$' diff -r "$work/first" "$work/kept"
+
 # The effective input is a scene that gives the same results again.
 expect 0 '' "$harmos" run "$work/first/${name}_effective.xml" --output "$work/again" --quiet
 expect 0 'are the same' "$harmos" compare "$work/first/$name.e" "$work/again/${name}_effective.e"
@@ -52,6 +59,16 @@ expect 0 'are the same' "$harmos" compare "$work/first/$name.e" "$work/again/${n
 expect 3 'iteration' "$harmos" run "$scene" --output "$work/limit" --set 'Solver/Maximum Iterations=2'
 expect 0 '"status": "not converged"' cat "$work/limit/${name}_result.json"
 expect 0 '' test -s "$work/limit/$name.e"
+
+# However many ranks meet it, one message tells that there is no equilibrium, with numbers that mean something.
+floating=$(dirname "$0")/floating_blocks.xml
+for ranks in 1 2; do
+  expect 4 'smallest eigenvalue of the macro problem [-0-9.]*[1-9][0-9.]*e-[0-9]*, largest [0-9.]*[1-9]' \
+    mpirun -np $ranks "$harmos" run "$floating" --output "$work/floating"
+  expect 0 '^1$' sh -c "mpirun -np $ranks '$harmos' run '$floating' --output '$work/floating' 2>&1 | grep -c 'nothing holds'"
+done
+
+expect 0 '"error_estimate": null' cat "$work/floating/floating_blocks_result.json"
 
 # Interrupted after some iterations: says so, and the files of the last state are readable.
 name=$(basename "$large_scene" .xml)

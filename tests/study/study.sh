@@ -77,10 +77,21 @@ printf 'pressure,mu\n20,0.3\n20,-1\n20,0.31\n' >"$work/range.csv"
 expect 3 '2 certified, 1 inadmissible\|1 inadmissible' "$harmos" study "$study" --output "$work/range" --points "$work/range.csv"
 expect 0 '^2,-1,20,16,inadmissible,0,,0,,,$' grep '^2,' "$work/range/$name.csv"
 
+# Where none is admissible there is nothing to solve, and nothing is written; check says so, too.
+nowhere=(--set Parameters/mu/From=-2 --set Parameters/mu/To=-1)
+expect 2 'no configuration is admissible' "$harmos" check "$study" "${nowhere[@]}"
+expect 2 'no configuration is admissible' "$harmos" study "$study" --output "$work/nowhere" "${nowhere[@]}"
+expect 1 '' test -e "$work/nowhere"
+
+# A sample of two values has few polynomials; Sobol' indices take those that there are.
+expect 0 "by least squares of order 1" "$harmos" study "$(dirname "$0")/two_values_study.xml" --output "$work/two"
+expect 0 '^complete$' "$(dirname "$0")/state.py" "$work/two/two_values_study.h5"
+
 # One that does not converge is tried again, recorded, replaced, or ends the study, as the policy says.
 hopeless=(--points "$work/hopeless.csv" --set 'Scene/Solver/Maximum Iterations=2')
 printf 'pressure,mu\n20,0.3\n20,0.31\n' >"$work/hopeless.csv"
 expect 3 '2 not converged' "$harmos" study "$study" --output "$work/retry" "${hopeless[@]}"
+expect 3 '^no error estimate (asked for ' "$harmos" study "$study" --output "$work/retry" "${hopeless[@]}"
 expect 0 'Again from a cold start' cat "$work/retry/$name.journal"
 expect 1 '^aborted, ' "$harmos" study "$study" --output "$work/abort" "${hopeless[@]}" \
   --set 'Failure Policy/Type=Abort'
@@ -123,6 +134,11 @@ done
 expect 2 '3 ranks cannot be split into teams of 2' mpirun -np 3 "$harmos" study "$study" --output "$work/ranks" \
   --ranks-per-configuration 2
 
+for count in x 0 -1 1.5; do
+  expect 2 "--ranks-per-configuration $count: write a whole number above 0" "$harmos" study "$study" \
+    --output "$work/ranks" --ranks-per-configuration=$count
+done
+
 # An interrupted study on several teams leaves readable files, too.
 mpirun -np 2 "$harmos" study "$study" --output "$work/teams" --quiet --set Parameters/mu/Count=400 --set Accuracy=1e-6 &
 first=$!
@@ -142,6 +158,7 @@ expect 0 '^mu,pressure,u_max,u_max_deviation,lost,lost_deviation,u_2,u_2_deviati
   "$harmos" predict "$work/all/$name.h5" "${at[@]}"
 expect 0 '^same$' "$(dirname "$0")/surface.py" "$harmos" "$work/all/$name.h5"
 expect 2 'there is no value of "pressure"' "$harmos" predict "$work/all/$name.h5" --at mu=0.37
+expect 2 'the value of "mu" is given twice' "$harmos" predict "$work/all/$name.h5" "${at[@]}" --at mu=0.3
 expect 2 'the study varies no "nu".' "$harmos" predict "$work/all/$name.h5" --at nu=0.37
 expect 2 'too few solutions' "$harmos" predict "$work/retry/$name.h5" --at mu=0.3
 

@@ -39,6 +39,9 @@ TEST(CommandLineArguments, SaysWhatIsWrong) {
             "\"harmos run --help\".");
   EXPECT_EQ(messageOf({"a.xml", "--output"}),
             "harmos run: the option --output wants DIR after it. Try \"harmos run --help\".");
+  for (const std::vector<std::string>& empty : {std::vector<std::string>{"--output", ""}, {"--output="}}) {
+    EXPECT_EQ(messageOf(empty), "harmos run: the option --output wants DIR, not \"\". Try \"harmos run --help\".");
+  }
   EXPECT_EQ(messageOf({"--quiet=yes"}), "harmos run: the option --quiet takes no value. Try \"harmos run --help\".");
   EXPECT_EQ(messageOf({"--output", "a", "--output", "b"}),
             "harmos run: the option --output is given twice. Try \"harmos run --help\".");

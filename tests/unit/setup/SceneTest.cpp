@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <harmos/base/EffectiveInput.hpp>
+#include <harmos/base/Error.hpp>
 #include <harmos/setup/SceneSpec.hpp>
 
 #include "Sample.hpp"
@@ -26,6 +27,23 @@ TEST(Scene, HasALawPerInterfaceAndBoundary) {
   EXPECT_STREQ(scene.laws.at("pressed")->name(), "Pressure");
   EXPECT_EQ(scene.cutLaw, nullptr);
   EXPECT_STREQ(sample({"Parts/lower/Pieces=2"}).cutLaw->name(), "Perfect");
+}
+
+TEST(Scene, ItsDirectSolverExists) {
+  EXPECT_NO_THROW(sample({"Solver/Linear Solver/Name=KLU2"}));
+  EXPECT_NO_THROW(sample({"Solver/Linear Solver/Name=amesos2_klu2"}));
+  try {
+    sample({"Solver/Linear Solver/Name=tachho"});
+    FAIL();
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+    const std::string message = error.what();
+    EXPECT_EQ(message.rfind("--set: Solver / Linear Solver / Name: there is no "
+                            "direct solver \"tachho\" in this build.\n  Did you mean \"tacho\"? Available: ",
+                            0),
+              0u)
+        << message;
+  }
 }
 
 TEST(Scene, EffectiveInputIsTheSameScene) {
