@@ -60,7 +60,7 @@ TEST(DirectSpectral, RefusesWhatItDoesNotTreat) {
       return {foundation(k[0]), laws::makeLaw(joint), pull(1.0)};
     });
     try {
-      DirectSpectral(assembly, projection, laws, {}, timers);
+      const DirectSpectral direct(assembly, projection, laws, {}, timers);
       FAIL();
     } catch (const base::Error& error) {
       EXPECT_EQ(error.code(), base::ExitCode::input);

@@ -117,7 +117,7 @@ TEST(GaussianSpring, IsThatOfGalerkin) {
 
 TEST(GaussianSpring, IsRefusedWhenItIsNotPositive) {
   try {
-    GaussianSpring(0.25, 8);
+    const GaussianSpring spring(0.25, 8);
     FAIL();
   } catch (const base::Error& error) {
     EXPECT_EQ(error.code(), base::ExitCode::input);
