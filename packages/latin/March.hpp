@@ -11,7 +11,8 @@ namespace harmos::latin {
 ///
 /// What a step does then depends on nothing that is still moving, which is faster and far surer along paths with
 /// friction than to iterate all load steps at once. Each step iterates with Anderson acceleration until |T(alpha) -
-/// alpha| <= tolerance |f^| in the state metric, |f^| the largest of the steps so far. Displacement form only.
+/// alpha| <= tolerance |f^| in the state metric, |f^| the largest of the steps so far. Bodies that fly freely are set
+/// down on what stops them (EquilibriumWatch), relaxed iterations help to find them. Displacement form only.
 class March {
  public:
   enum class End {
@@ -34,7 +35,7 @@ class March {
   void setObserver(std::function<void(int, int)> observer) { observer_ = std::move(observer); }
 
   /// Collective. Replaces the columns of `alpha`, one per load step. A step that does not get there in 100 iterations
-  /// is left as it is. After an early end the remaining columns hold the last state.
+  /// after its last landing is left as it is. After an early end the remaining columns hold the last state.
   End run(base::Matrix& alpha, double tolerance, Guess guess);
   const Imbalance& imbalance() const { return imbalance_; }
 
