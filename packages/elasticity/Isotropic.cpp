@@ -4,6 +4,7 @@
 #include <string>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
 
 namespace harmos::elasticity {
 namespace {
@@ -33,11 +34,10 @@ Isotropic::Isotropic(double youngsModulus, double poissonsRatio)
     : youngsModulus_(youngsModulus), poissonsRatio_(poissonsRatio) {
   if (!(youngsModulus > 0.0 && std::isfinite(youngsModulus) && poissonsRatio >= smallestRatio &&
         poissonsRatio <= largestRatio)) {
-    throw base::Error(
-        "An isotropic material needs a Young's modulus above 0 and a Poisson's ratio from -0.999 to 0.4999999; "
-        "given are " +
-            std::to_string(youngsModulus) + " and " + std::to_string(poissonsRatio) + ".",
-        base::ExitCode::input);
+    throw base::Error("An isotropic material needs a Young's modulus above 0 and a Poisson's ratio from " +
+                          base::toText(smallestRatio) + " to " + base::toText(largestRatio) + "; given are " +
+                          base::toText(youngsModulus) + " and " + base::toText(poissonsRatio) + ".",
+                      base::ExitCode::input);
   }
 }
 

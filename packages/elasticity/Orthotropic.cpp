@@ -4,6 +4,7 @@
 #include <string>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
 
 namespace harmos::elasticity {
 namespace {
@@ -70,9 +71,11 @@ Matrix3 normalStiffness(const Orthotropic::Constants& c) {
   const double relative = determinant * e[0] * e[1] * e[2];
   if (!(relative > leastRelative)) {
     fail(
-        "the three Poisson's ratios together give negative energy: 1 - nu12 nu21 - nu23 nu32 - nu13 nu31 - 2 nu21 nu32 "
+        "the three Poisson's ratios together leave no energy, or next to none: 1 - nu12 nu21 - nu23 nu32 - nu13 nu31 - "
+        "2 nu21 nu32 "
         "nu13 = " +
-        std::to_string(relative) + " must be above 1e-7 (nu_ji = nu_ij E_j / E_i). Reduce them.");
+        base::toText(relative) + " must be above " + base::toText(leastRelative) +
+        " (nu_ji = nu_ij E_j / E_i). Reduce them.");
   }
   for (Vector& row : inverse) {
     for (double& entry : row) entry /= determinant;

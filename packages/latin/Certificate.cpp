@@ -10,7 +10,7 @@ constexpr int leastVectors = 40;  // that must be affordable
 constexpr int maximumVectors = 150;
 constexpr double krylovTarget = 0.1;
 constexpr double krylovLimit = 0.15;
-constexpr double hiddenLimit = 1.0;
+constexpr double hiddenLimit = 1.0;  // NewtonCorrection::Result::hidden
 // Of corrections that start close to the fixed point: what is left is in modes that hardly show in the residual.
 constexpr double closeTarget = 0.02;
 constexpr int smoothingIterations = 4;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <Teuchos_LAPACK.hpp>
@@ -15,7 +16,7 @@ using base::Matrix;
 // A residual below this share of the state is that of a fixed point.
 constexpr double roundOff = 1e-14;
 
-// Share of the step.
+// Share of the step that the residual may hide.
 constexpr double allowedToHide = 0.5;
 // Of the largest singular value: less is noise.
 constexpr double singular = 1e-7;
@@ -100,8 +101,8 @@ NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matr
     const auto [left, smallest] = solveHessenberg(hessenberg, n, beta, y);
     result.reduction = left / beta;
     result.smallestSingularValue = smallest;
-    slowest_ = std::min(slowest_, result.smallestSingularValue);
-    result.hidden = result.reduction * beta / (slowest_ * norm(y));
+    slowest_ = std::min(slowest_, smallest);
+    result.hidden = left / (slowest_ * norm(y));
     if (length <= 1e-14 || (result.reduction <= target && result.hidden <= allowedToHide)) break;
     next.scale(1.0 / length);
     basis.push_back(next);
