@@ -1,9 +1,9 @@
 # One package = one folder, one library target Harmos::<name>, one namespace harmos::<name>.
-#   harmos_package(<name> SOURCES a.cpp ... PUBLIC <targets> PRIVATE <targets>)
-# Headers are reached as <harmos/<name>/Header.hpp>, in the build tree and when installed.
-file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
-file(CREATE_LINK ${PROJECT_SOURCE_DIR}/packages ${PROJECT_BINARY_DIR}/include/harmos SYMBOLIC)
-
+#   harmos_package(<name> [USES <packages>] [PUBLIC <targets>] [PRIVATE <targets>] [SOURCES <generated files>])
+# USES is the package's row in docs/develop/architecture.md: an include of a package that is not in it does not compile,
+# neither by itself nor through the headers of others. Every .cpp of the folder belongs to the library. The headers of
+# the folder are reached as <harmos/<name>/Header.hpp>, in the build tree and when installed; those in detail/, as
+# <harmos/<name>/detail/Header.hpp>, only by the package itself and by tests, and are not installed.
 add_library(harmos_warnings INTERFACE)
 target_compile_options(harmos_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
                        $<$<BOOL:${HARMOS_WERROR}>:-Werror>)
@@ -12,16 +12,40 @@ if(HARMOS_SANITIZE)
   add_link_options(-fsanitize=${HARMOS_SANITIZE})
 endif()
 
+# A folder for each package, so that each can be given or withheld; the links are made anew, none outlives its header.
+set(HARMOS_HEADERS ${PROJECT_BINARY_DIR}/include)
+set(HARMOS_DETAILS ${PROJECT_BINARY_DIR}/detail)
+file(REMOVE_RECURSE ${HARMOS_HEADERS} ${HARMOS_DETAILS})
+
 function(harmos_package name)
-  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  add_library(harmos_${name} STATIC ${arg_SOURCES})
+  cmake_parse_arguments(arg "" "" "USES;PUBLIC;PRIVATE;SOURCES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
+
+  set(folder ${HARMOS_HEADERS}/${name}/harmos/${name})
+  file(MAKE_DIRECTORY ${folder} ${HARMOS_DETAILS}/${name}/harmos/${name})
+  foreach(header IN LISTS headers)
+    file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/${header} ${folder}/${header} SYMBOLIC)
+  endforeach()
+  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/detail)
+    file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/detail ${HARMOS_DETAILS}/${name}/harmos/${name}/detail SYMBOLIC)
+  endif()
+
+  add_library(harmos_${name} STATIC ${sources} ${arg_SOURCES})
   add_library(Harmos::${name} ALIAS harmos_${name})
-  set_target_properties(harmos_${name} PROPERTIES EXPORT_NAME ${name})
-  target_include_directories(harmos_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
-                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  target_link_libraries(harmos_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:harmos_warnings>)
+  set_target_properties(harmos_${name} PROPERTIES EXPORT_NAME ${name} HARMOS_PACKAGE ON)
+  list(TRANSFORM arg_USES PREPEND Harmos:: OUTPUT_VARIABLE used)
+  target_link_libraries(harmos_${name} PUBLIC ${used} ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:harmos_warnings>)
   target_compile_features(harmos_${name} PUBLIC cxx_std_17)
+
+  # The package sees its row and nothing else; programs, tests and hosts see whatever they link.
+  list(TRANSFORM arg_USES PREPEND ${HARMOS_HEADERS}/ OUTPUT_VARIABLE row)
+  set(isHost $<NOT:$<BOOL:$<TARGET_PROPERTY:HARMOS_PACKAGE>>>)
+  target_include_directories(harmos_${name} PRIVATE ${HARMOS_HEADERS}/${name} ${HARMOS_DETAILS}/${name} ${row}
+                             INTERFACE $<BUILD_INTERFACE:$<${isHost}:${HARMOS_HEADERS}/${name}>>
+                                       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+
   install(TARGETS harmos_${name} EXPORT HarmosTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/harmos/${name}
-          FILES_MATCHING PATTERN "*.hpp")
+  list(TRANSFORM headers PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/harmos/${name})
 endfunction()

@@ -10,10 +10,14 @@ endif()
 add_library(harmos_test_main STATIC ${PROJECT_SOURCE_DIR}/tests/unit/main.cpp)
 target_link_libraries(harmos_test_main PUBLIC GTest::gtest Harmos::trilinos)
 
+# A test may look into the packages.
+list(TRANSFORM HARMOS_PACKAGES PREPEND ${HARMOS_DETAILS}/ OUTPUT_VARIABLE HARMOS_DETAIL_FOLDERS)
+
 function(harmos_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LIBRARIES;RANKS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} harmos_test_main harmos_warnings)
+  target_include_directories(${name} PRIVATE ${HARMOS_DETAIL_FOLDERS})
   if(NOT arg_RANKS)
     set(arg_RANKS 1)
   endif()

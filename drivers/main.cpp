@@ -7,7 +7,7 @@
 #include <Tpetra_Core.hpp>
 
 #include <harmos/base/BlasKernels.hpp>
-#include <harmos/setup/CommandLine.hpp>
+#include <harmos/cli/CommandLine.hpp>
 
 #include "Interrupt.hpp"
 
@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
   // After MPI's start, which sets handlers of its own.
   catchInterrupts();
   try {
-    return harmos::setup::runCommandLine(
+    return harmos::cli::runCommandLine(
         {argv + 1, argv + argc}, {communicator, std::cout, std::cerr, isatty(STDERR_FILENO) != 0, wasInterrupted});
   } catch (const std::exception& error) {
     const bool isFull = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;

@@ -1,4 +1,4 @@
-#include <harmos/elasticity/ElementIntegrals.hpp>
+#include <harmos/elasticity/detail/ElementIntegrals.hpp>
 
 #include <algorithm>
 #include <cmath>

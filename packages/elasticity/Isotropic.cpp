@@ -1,4 +1,4 @@
-#include <harmos/elasticity/Isotropic.hpp>
+#include <harmos/elasticity/detail/Isotropic.hpp>
 
 #include <cmath>
 #include <string>
@@ -15,7 +15,7 @@ constexpr double largestRatio = 0.4999999;
 
 }  // namespace
 
-void Isotropic::describe(base::ParameterSpec& spec) {
+void Isotropic::describe(input::ParameterSpec& spec) {
   spec.summary("Isotropic linear elasticity: stress = lambda tr(eps) I + 2 mu eps.");
   spec.number("Young's Modulus")
       .unit("stress")
@@ -41,7 +41,7 @@ Isotropic::Isotropic(double youngsModulus, double poissonsRatio)
   }
 }
 
-Isotropic::Isotropic(const base::Parameters& parameters)
+Isotropic::Isotropic(const input::Parameters& parameters)
     : Isotropic(parameters.number("Young's Modulus"), parameters.number("Poisson's Ratio")) {}
 
 ElasticityMatrix Isotropic::elasticity() const {

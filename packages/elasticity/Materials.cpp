@@ -1,17 +1,17 @@
 #include <harmos/elasticity/Materials.hpp>
 
-#include <harmos/elasticity/Isotropic.hpp>
-#include <harmos/elasticity/Orthotropic.hpp>
+#include <harmos/elasticity/detail/Isotropic.hpp>
+#include <harmos/elasticity/detail/Orthotropic.hpp>
 
 namespace harmos::elasticity {
 namespace {
 
 template <class M>
 void add(MaterialRegistry& materials) {
-  base::ParameterSpec spec(M::name);
+  input::ParameterSpec spec(M::name);
   M::describe(spec);
   materials.add(std::move(spec),
-                [](const base::Parameters& p) -> std::unique_ptr<Material> { return std::make_unique<M>(p); });
+                [](const input::Parameters& p) -> std::unique_ptr<Material> { return std::make_unique<M>(p); });
 }
 
 }  // namespace

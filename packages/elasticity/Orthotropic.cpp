@@ -1,4 +1,4 @@
-#include <harmos/elasticity/Orthotropic.hpp>
+#include <harmos/elasticity/detail/Orthotropic.hpp>
 
 #include <cmath>
 #include <string>
@@ -109,7 +109,7 @@ ElasticityMatrix rotated(const ElasticityMatrix& c, const Matrix3& axes) {
   return result;
 }
 
-Orthotropic::Constants constantsOf(const base::Parameters& parameters) {
+Orthotropic::Constants constantsOf(const input::Parameters& parameters) {
   Orthotropic::Constants c;
   for (std::size_t i = 0; i < 3; ++i) {
     c.youngsModulus[i] = parameters.number("Young's Modulus " + std::to_string(i + 1));
@@ -133,7 +133,7 @@ Orthotropic::Constants constantsOf(const base::Parameters& parameters) {
 
 }  // namespace
 
-void Orthotropic::describe(base::ParameterSpec& spec) {
+void Orthotropic::describe(input::ParameterSpec& spec) {
   spec.summary("Orthotropic linear elasticity: nine constants in the material axes 1, 2, 3.")
       .source("Jones, Mechanics of Composite Materials (1999), section 2.3");
   for (const char* axis : {"1", "2", "3"}) {
@@ -177,7 +177,7 @@ Orthotropic::Orthotropic(const Constants& constants) : elasticity_{} {
   elasticity_ = rotated(c, frameOf(constants.axis1, constants.axis2));
 }
 
-Orthotropic::Orthotropic(const base::Parameters& parameters) try : Orthotropic(constantsOf(parameters)) {
+Orthotropic::Orthotropic(const input::Parameters& parameters) try : Orthotropic(constantsOf(parameters)) {
 } catch (const base::Error& error) {
   const std::string message = error.what();
   throw base::Error(

@@ -1,4 +1,4 @@
-#include <harmos/elasticity/PartElements.hpp>
+#include <harmos/elasticity/detail/PartElements.hpp>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <harmos/elasticity/ReferenceElement.hpp>
+#include <harmos/elasticity/detail/ReferenceElement.hpp>
 
 #include <Intrepid2_DefaultCubatureFactory.hpp>
 #include <Intrepid2_HGRAD_HEX_C1_FEM.hpp>

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/elasticity/ElementLoop.hpp>
+#include <harmos/elasticity/detail/ElementLoop.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
 
 namespace harmos::elasticity {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <harmos/elasticity/ElementLoop.hpp>
+#include <harmos/elasticity/detail/ElementLoop.hpp>
 
 namespace harmos::elasticity {
 

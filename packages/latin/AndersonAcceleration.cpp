@@ -6,7 +6,7 @@
 
 #include <Teuchos_BLAS.hpp>
 
-#include <harmos/latin/LeastSquares.hpp>
+#include <harmos/latin/NormalEquations.hpp>
 
 namespace harmos::latin {
 namespace {

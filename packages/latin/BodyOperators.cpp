@@ -31,8 +31,8 @@ void addRotated(const mesh::Frame& q, bool transposed, int dimension, const doub
 
 /// What the interfaces add to a body's operator, in the numbering of its representative (toMaster empty: its own).
 /// Every entry is a multiple of the identity over the components, so a rotation of the axes does not change it.
-substructure::BoundaryTerm boundaryTerm(const interface::Assembly& assembly,
-                                        const interface::SearchDirection& searchDirection, int body,
+substructure::BoundaryTerm boundaryTerm(const assembly::Assembly& assembly,
+                                        const assembly::SearchDirection& searchDirection, int body,
                                         const std::vector<int>& toMaster) {
   const int dimension = assembly.dimension;
   substructure::BoundaryTerm term;
@@ -40,7 +40,7 @@ substructure::BoundaryTerm boundaryTerm(const interface::Assembly& assembly,
   term.diagonal.assign(
       assembly.bodies[static_cast<std::size_t>(body)].nodes.size() * static_cast<std::size_t>(dimension), 0.0);
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    const interface::Interface& interface = assembly.interfaces[i];
+    const assembly::Interface& interface = assembly.interfaces[i];
     if (interface.law->prescribesTraction()) continue;
     const std::vector<double>& k = searchDirection.of(static_cast<int>(i));
     for (int side = 0; side < interface.sides(); ++side) {
@@ -57,7 +57,7 @@ substructure::BoundaryTerm boundaryTerm(const interface::Assembly& assembly,
           }
         }
       }
-      for (const interface::MassEntry& entry : interface.mass) {
+      for (const assembly::MassEntry& entry : interface.mass) {
         const auto row = static_cast<std::size_t>(entry.row);
         term.entries.push_back({nodes[row], nodes[static_cast<std::size_t>(entry.column)], k[row] * entry.value});
       }
@@ -102,7 +102,7 @@ std::vector<int> traceOf(const substructure::BoundaryTerm& term) {
 
 }  // namespace
 
-BodyOperators::BodyOperators(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+BodyOperators::BodyOperators(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                              const TraceLayout& layout, const substructure::SolverOptions& options,
                              base::Timers& timers)
     : dimension_(assembly.dimension),
@@ -148,7 +148,7 @@ BodyOperators::BodyOperators(const interface::Assembly& assembly, const interfac
   updateLoads(assembly);
 }
 
-void BodyOperators::mapBlocks(const interface::Assembly& assembly, const TraceLayout& layout) {
+void BodyOperators::mapBlocks(const assembly::Assembly& assembly, const TraceLayout& layout) {
   for (const TraceLayout::Block& block : layout.blocks()) {
     const Place& place = places_[static_cast<std::size_t>(block.body)];
     const std::vector<int>& trace = groups_[static_cast<std::size_t>(place.group)].trace;
@@ -162,14 +162,14 @@ void BodyOperators::mapBlocks(const interface::Assembly& assembly, const TraceLa
   }
 }
 
-void BodyOperators::updateLoads(const interface::Assembly& assembly) {
+void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     if (places_[b].group < 0) continue;
     const substructure::Substructure& body = assembly.bodies[b];
     loads_[b].shape(static_cast<int>(body.nodes.size()) * dimension_, allSteps_);
     if (body.loads.numRows() > 0) loads_[b] += body.loads;
   }
-  for (const interface::Interface& interface : assembly.interfaces) {
+  for (const assembly::Interface& interface : assembly.interfaces) {
     if (!interface.law->prescribesTraction() || places_[static_cast<std::size_t>(interface.body1)].group < 0) continue;
     base::Matrix& loads = loads_[static_cast<std::size_t>(interface.body1)];
     for (int t = 0; t < allSteps_; ++t) {

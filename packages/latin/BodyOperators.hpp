@@ -19,13 +19,13 @@ class BodyOperators {
  public:
   /// Factors the operators, which is charged to the phase "factor". Throws base::Error naming the body when one is
   /// singular or indefinite.
-  BodyOperators(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+  BodyOperators(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                 const TraceLayout& layout, const substructure::SolverOptions& options, base::Timers& timers);
 
   /// Sets which load step each column of a field is; to be called before the first solve().
   void select(const std::vector<int>& steps);
   /// Reads body forces and prescribed tractions anew from the assembly, of which nothing else may have changed.
-  void updateLoads(const interface::Assembly& assembly);
+  void updateLoads(const assembly::Assembly& assembly);
   /// Solves S u = B^T r + l for all owned bodies and the columns first .. first + count - 1, where r are the nodal
   /// forces [force] on the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement().
   void solve(const base::Matrix& forces, int first, int count);
@@ -69,7 +69,7 @@ class BodyOperators {
     std::vector<int> row;  // of the first component of each node of the block in the vectors of its group
   };
 
-  void mapBlocks(const interface::Assembly& assembly, const TraceLayout& layout);
+  void mapBlocks(const assembly::Assembly& assembly, const TraceLayout& layout);
   void solveGroup(Group& group, int first, int count);
   const base::Matrix& wholeSolution(const Group& group) const;
   int masterDof(const Place& place, int node) const {

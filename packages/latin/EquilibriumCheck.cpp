@@ -61,7 +61,7 @@ struct StepSums {
 }  // namespace
 
 Imbalance largestImbalance(const FixedPoint& state) {
-  const interface::Assembly& assembly = state.assembly();
+  const assembly::Assembly& assembly = state.assembly();
   const auto steps = static_cast<std::size_t>(state.traction().numCols());
   const auto dimension = static_cast<std::size_t>(state.layout().dimension());
   std::vector<std::pair<mesh::Point, double>> extents;
@@ -69,7 +69,7 @@ Imbalance largestImbalance(const FixedPoint& state) {
 
   std::vector<StepSums> sums(assembly.bodies.size() * steps);
   for (const TraceLayout::Block& block : state.layout().blocks()) {
-    const interface::Interface& interface = assembly.interfaces[static_cast<std::size_t>(block.interface)];
+    const assembly::Interface& interface = assembly.interfaces[static_cast<std::size_t>(block.interface)];
     const auto body = static_cast<std::size_t>(block.body);
     for (std::size_t pair = 0; pair < static_cast<std::size_t>(block.pairs); ++pair) {
       const auto row = static_cast<std::size_t>(block.begin) + pair * dimension;
@@ -111,7 +111,7 @@ Imbalance largestImbalance(const FixedPoint& state) {
   return worstOfAllRanks(worst, state.layout().comm());
 }
 
-std::string describe(const Imbalance& imbalance, const interface::Assembly& assembly) {
+std::string describe(const Imbalance& imbalance, const assembly::Assembly& assembly) {
   std::ostringstream text;
   text.precision(4);
   text << "part \"" << assembly.bodies[static_cast<std::size_t>(imbalance.body)].name << "\", load step "

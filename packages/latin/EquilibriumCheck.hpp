@@ -27,6 +27,6 @@ struct Imbalance {
 Imbalance largestImbalance(const FixedPoint& state);
 
 /// One line for the user: part, step, resultant in N and N mm (the scene's units).
-std::string describe(const Imbalance& imbalance, const interface::Assembly& assembly);
+std::string describe(const Imbalance& imbalance, const assembly::Assembly& assembly);
 
 }  // namespace harmos::latin

@@ -4,7 +4,7 @@
 
 namespace harmos::latin {
 
-FixedPoint::FixedPoint(const interface::Assembly& assembly, const StageOptions& options,
+FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& options,
                        const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers)
     : assembly_(assembly),
       formulation_(options.formulation),

@@ -20,7 +20,7 @@ struct StageOptions {
 class FixedPoint {
  public:
   /// Collective. Factors all operators. `assembly` and `timers` must outlive this object.
-  FixedPoint(const interface::Assembly& assembly, const StageOptions& options,
+  FixedPoint(const assembly::Assembly& assembly, const StageOptions& options,
              const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
 
   /// Restricts the iteration to some load steps, in ascending order: the columns of a state are then these steps. All
@@ -58,8 +58,8 @@ class FixedPoint {
   /// u [length] of a node of an owned body, linear stage.
   mesh::Point displacement(int body, int node, int column) const { return linear_.displacement(body, node, column); }
 
-  const interface::Assembly& assembly() const { return assembly_; }
-  const interface::SearchDirection& searchDirection() const { return searchDirection_; }
+  const assembly::Assembly& assembly() const { return assembly_; }
+  const assembly::SearchDirection& searchDirection() const { return searchDirection_; }
   const TraceLayout& layout() const { return layout_; }
   const StateMetric& metric() const { return metric_; }
   const LinearStage& linearStage() const { return linear_; }
@@ -70,11 +70,11 @@ class FixedPoint {
   double searchDirectionScale() const { return searchDirectionScale_; }
 
  private:
-  const interface::Assembly& assembly_;
+  const assembly::Assembly& assembly_;
   Formulation formulation_;
   double searchDirectionScale_;
   base::Timers& timers_;
-  interface::SearchDirection searchDirection_;
+  assembly::SearchDirection searchDirection_;
   TraceLayout layout_;
   StateMetric metric_;
   LinearStage linear_;

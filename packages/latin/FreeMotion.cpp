@@ -147,7 +147,7 @@ class Push {
 
 /// Turns a translation that meets an interface at a grazing angle into the mean plane of the interface; false when it
 /// lies there already, or goes against it.
-bool slideAlong(Motion& motion, const interface::Interface& interface) {
+bool slideAlong(Motion& motion, const assembly::Interface& interface) {
   mesh::Point normal{};
   for (const mesh::Frame& frame : interface.frame) normal = normal + frame[0];
   if (mesh::norm(normal) == 0.0) return false;
@@ -187,7 +187,7 @@ std::optional<double> findLanding(Push& push, const std::set<int>& bodies, const
 
 FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, const base::Matrix& alpha,
                            base::Matrix& image) {
-  const interface::Assembly& assembly = fixedPoint.assembly();
+  const assembly::Assembly& assembly = fixedPoint.assembly();
   const double force = mesh::norm(imbalance.force);
   const double moment = mesh::norm(imbalance.moment) / imbalance.arm;
   const double size = std::max(force, moment);
@@ -208,16 +208,16 @@ FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, c
   std::set<int> bodies{imbalance.body};
   for (int attempt = 0; attempt < maximumTries && !result.isFree; ++attempt) {
     const std::vector<mesh::Point> answers = push.answers(bodies, motion);
-    std::vector<const interface::Interface*> resisting;
+    std::vector<const assembly::Interface*> resisting;
     for (std::size_t i = 0; i < answers.size(); ++i) {
       if (mesh::norm(answers[i]) > resistance * size) resisting.push_back(&assembly.interfaces[i]);
     }
     if (std::any_of(resisting.begin(), resisting.end(),
-                    [&](const interface::Interface* one) { return slideAlong(motion, *one); })) {
+                    [&](const assembly::Interface* one) { return slideAlong(motion, *one); })) {
       continue;
     }
     if (std::any_of(resisting.begin(), resisting.end(),
-                    [](const interface::Interface* one) { return one->sides() == 1; })) {
+                    [](const assembly::Interface* one) { return one->sides() == 1; })) {
       const double work =
           -mesh::dot(imbalance.force, motion.translation) - mesh::dot(imbalance.moment, motion.rotation);
       // Those that it pushes along must move by themselves.
@@ -226,7 +226,7 @@ FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, c
       break;
     }
     const std::size_t before = bodies.size();
-    for (const interface::Interface* one : resisting) bodies.insert({one->body1, one->body2});
+    for (const assembly::Interface* one : resisting) bodies.insert({one->body1, one->body2});
     result.isFree = bodies.size() == before;
   }
   fixedPoint.apply(alpha, image);

@@ -21,11 +21,11 @@ Vector3 toGlobal(const mesh::Frame& frame, const Vector3& v) {
 
 }  // namespace
 
-InterfaceLines::InterfaceLines(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+InterfaceLines::InterfaceLines(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                                const TraceLayout& layout)
     : assembly_(assembly), searchDirection_(searchDirection), layout_(layout) {
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    const interface::Interface& interface = assembly.interfaces[i];
+    const assembly::Interface& interface = assembly.interfaces[i];
     Joint joint;
     joint.begin1 = layout.begin(static_cast<int>(i), 0);
     joint.begin2 = layout.begin(static_cast<int>(i), 1);
@@ -69,7 +69,7 @@ void InterfaceLines::exchange(const base::Matrix& beta, int first, int count) {
 
 void InterfaceLines::fill(int interfaceIndex, int column, const base::Matrix& beta,
                           std::vector<laws::LocalLine>& lines) const {
-  const interface::Interface& interface = of(interfaceIndex);
+  const assembly::Interface& interface = of(interfaceIndex);
   const Joint& joint = joints_[static_cast<std::size_t>(interfaceIndex)];
   const std::vector<double>& k = searchDirection_.of(interfaceIndex);
   const int dimension = layout_.dimension();
@@ -95,7 +95,7 @@ void InterfaceLines::fill(int interfaceIndex, int column, const base::Matrix& be
 
 double InterfaceLines::write(int interfaceIndex, int column, const laws::LocalState* states,
                              base::Matrix& traction) const {
-  const interface::Interface& interface = of(interfaceIndex);
+  const assembly::Interface& interface = of(interfaceIndex);
   const Joint& joint = joints_[static_cast<std::size_t>(interfaceIndex)];
   const int dimension = layout_.dimension();
   const bool local = interface.law->frame() == laws::Frame::interface;

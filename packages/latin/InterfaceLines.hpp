@@ -14,7 +14,7 @@ namespace harmos::latin {
 ///   delta_free = beta1/k - beta2/k,  H = 2/k   (outer boundary: delta_free = beta1/k, H = 1/k).
 class InterfaceLines {
  public:
-  InterfaceLines(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+  InterfaceLines(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                  const TraceLayout& layout);
 
   /// A side of the interface is owned here and has unknowns.
@@ -38,12 +38,12 @@ class InterfaceLines {
     std::vector<double> remote;  // beta of the side owned elsewhere, pairs x dimension x columns
   };
 
-  const interface::Interface& of(int interfaceIndex) const {
+  const assembly::Interface& of(int interfaceIndex) const {
     return assembly_.interfaces[static_cast<std::size_t>(interfaceIndex)];
   }
 
-  const interface::Assembly& assembly_;
-  const interface::SearchDirection& searchDirection_;
+  const assembly::Assembly& assembly_;
+  const assembly::SearchDirection& searchDirection_;
   const TraceLayout& layout_;
   std::vector<Joint> joints_;
 };

@@ -2,7 +2,7 @@
 
 namespace harmos::latin {
 
-void applyMass(const interface::Interface& interface, int dimension, const double* x, double* y) {
+void applyMass(const assembly::Interface& interface, int dimension, const double* x, double* y) {
   if (interface.mass.empty()) {
     for (int p = 0; p < interface.pairs(); ++p) {
       for (int c = 0; c < dimension; ++c) {
@@ -12,7 +12,7 @@ void applyMass(const interface::Interface& interface, int dimension, const doubl
     return;
   }
   std::fill(y, y + interface.pairs() * dimension, 0.0);
-  for (const interface::MassEntry& entry : interface.mass) {
+  for (const assembly::MassEntry& entry : interface.mass) {
     for (int c = 0; c < dimension; ++c) y[entry.row * dimension + c] += entry.value * x[entry.column * dimension + c];
   }
 }

@@ -1,8 +1,11 @@
 #include <harmos/latin/LatinOptions.hpp>
 
+#include <harmos/input/ParameterSpec.hpp>
+#include <harmos/input/Parameters.hpp>
+
 namespace harmos::latin {
 
-void LatinOptions::describe(base::ParameterSpec& spec) {
+void LatinOptions::describe(input::ParameterSpec& spec) {
   spec.summary("The LATIN solver. Only the accuracy should need a thought.");
   spec.number("Accuracy")
       .unit("-")
@@ -31,19 +34,19 @@ void LatinOptions::describe(base::ParameterSpec& spec) {
   spec.flag("Macro Problem")
       .optional()
       .doc("Balance the resultants of every interface in the linear stage. Absent: only with the algorithm Default.");
-  base::ParameterSpec& search = spec.list("Search Direction");
+  input::ParameterSpec& search = spec.list("Search Direction");
   search.summary("The parameter k of the search directions, found automatically at every node.");
   search.number("Scale").unit("-").defaultValue(1.0).atLeast(1e-9).atMost(1e9).doc("Multiplies the automatic value.");
-  base::ParameterSpec& acceleration = spec.list("Acceleration");
+  input::ParameterSpec& acceleration = spec.list("Acceleration");
   acceleration.summary("Anderson acceleration.");
   acceleration.integer("Memory").defaultValue(30).atLeast(1).atMost(1000).doc(
       "Iterations remembered; 10 when memory is short.");
-  base::ParameterSpec& solver = spec.list("Linear Solver");
+  input::ParameterSpec& solver = spec.list("Linear Solver");
   solver.summary("Direct solver that factors the substructures.");
   substructure::SolverOptions::describe(solver);
 }
 
-LatinOptions::LatinOptions(const base::Parameters& parameters)
+LatinOptions::LatinOptions(const input::Parameters& parameters)
     : accuracy(parameters.number("Accuracy")),
       maximumIterations(parameters.integer("Maximum Iterations")),
       relaxation(parameters.number("Relaxation")),

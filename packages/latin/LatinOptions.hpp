@@ -1,8 +1,11 @@
 #pragma once
 
-#include <harmos/base/ParameterSpec.hpp>
-#include <harmos/base/Parameters.hpp>
 #include <harmos/latin/FixedPoint.hpp>
+
+namespace harmos::input {
+class ParameterSpec;
+class Parameters;
+}  // namespace harmos::input
 
 namespace harmos::latin {
 
@@ -23,8 +26,8 @@ struct LatinOptions {
   StageOptions stages;
 
   LatinOptions() = default;
-  explicit LatinOptions(const base::Parameters& parameters);
-  static void describe(base::ParameterSpec& spec);
+  explicit LatinOptions(const input::Parameters& parameters);
+  static void describe(input::ParameterSpec& spec);
 };
 
 }  // namespace harmos::latin

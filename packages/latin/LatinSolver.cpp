@@ -52,7 +52,7 @@ double customaryIndicator(const FixedPoint& state) {
 
 }  // namespace
 
-LatinSolver::LatinSolver(const interface::Assembly& assembly, const LatinOptions& options,
+LatinSolver::LatinSolver(const assembly::Assembly& assembly, const LatinOptions& options,
                          const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers)
     : assembly_(assembly), options_(options), timers_(timers), fixedPoint_(assembly, options.stages, comm, timers) {}
 

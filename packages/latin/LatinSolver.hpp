@@ -32,7 +32,7 @@ class LatinSolver {
  public:
   /// Factors all operators. `assembly` and `timers` must outlive the solver. Throws base::Error naming the part when an
   /// operator is singular or nothing holds the assembly.
-  LatinSolver(const interface::Assembly& assembly, const LatinOptions& options,
+  LatinSolver(const assembly::Assembly& assembly, const LatinOptions& options,
               const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
 
   void addResponse(std::shared_ptr<const Response> response) { responses_.push_back(std::move(response)); }
@@ -65,7 +65,7 @@ class LatinSolver {
   bool certify(LatinResult& result);
   int stages() const { return fixedPoint_.linearStage().stages() - stagesBefore_; }
 
-  const interface::Assembly& assembly_;
+  const assembly::Assembly& assembly_;
   LatinOptions options_;
   base::Timers& timers_;
   FixedPoint fixedPoint_;

@@ -4,7 +4,7 @@
 
 namespace harmos::latin {
 
-LinearStage::LinearStage(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+LinearStage::LinearStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                          const TraceLayout& layout, Formulation formulation, bool withMacroProblem,
                          const substructure::SolverOptions& options, base::Timers& timers)
     : assembly_(assembly),
@@ -33,7 +33,7 @@ void LinearStage::updateLoads() {
 
 void LinearStage::applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const {
   for (const TraceLayout::Block& block : layout_.blocks()) {
-    const interface::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(block.interface)];
+    const assembly::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(block.interface)];
     for (int t = first; t < first + count; ++t) {
       latin::applyMass(interface, layout_.dimension(), traction[t] + block.begin, forces[t] + block.begin);
     }

@@ -18,7 +18,7 @@ namespace harmos::latin {
 /// l_t, step after step.
 class LinearStage {
  public:
-  LinearStage(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+  LinearStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
               const TraceLayout& layout, Formulation formulation, bool withMacroProblem,
               const substructure::SolverOptions& options, base::Timers& timers);
 
@@ -49,7 +49,7 @@ class LinearStage {
   void applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const;
   void solveSteps(base::Matrix& alpha, int first, int count);
 
-  const interface::Assembly& assembly_;
+  const assembly::Assembly& assembly_;
   const TraceLayout& layout_;
   Formulation formulation_;
   std::vector<int> steps_;  // load step of every column

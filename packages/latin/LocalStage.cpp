@@ -6,7 +6,7 @@
 
 namespace harmos::latin {
 
-LocalStage::LocalStage(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+LocalStage::LocalStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                        const TraceLayout& layout, Formulation formulation)
     : assembly_(assembly),
       lines_(assembly, searchDirection, layout),
@@ -14,7 +14,7 @@ LocalStage::LocalStage(const interface::Assembly& assembly, const interface::Sea
       joints_(assembly.interfaces.size()) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (!lines_.isActive(static_cast<int>(i))) continue;
-    const interface::Interface& interface = assembly.interfaces[i];
+    const assembly::Interface& interface = assembly.interfaces[i];
     const auto pairs = static_cast<std::size_t>(interface.pairs());
     Joint& joint = joints_[i];
     joint.line.resize(pairs);
@@ -69,7 +69,7 @@ void LocalStage::accept() {
 }
 
 void LocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const base::Matrix& beta, base::Matrix& traction) {
-  const interface::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(interfaceIndex)];
   lines_.fill(interfaceIndex, t, beta, joint.line);
   for (std::size_t i = 0; i < joint.jump.size(); ++i) joint.line[i / 3].freeJump[i % 3] += joint.jump[i];
 

@@ -20,7 +20,7 @@ enum class Formulation {
 /// of the previous step.
 class LocalStage {
  public:
-  LocalStage(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+  LocalStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
              const TraceLayout& layout, Formulation formulation);
 
   /// Sets which load step each column of a field is, in ascending order; to be called before the first solve().
@@ -58,7 +58,7 @@ class LocalStage {
 
   void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
 
-  const interface::Assembly& assembly_;
+  const assembly::Assembly& assembly_;
   InterfaceLines lines_;
   Formulation formulation_;
   std::vector<int> steps_;  // load step of every column

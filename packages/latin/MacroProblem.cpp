@@ -32,7 +32,7 @@ std::vector<double> symmetricEigenvalues(Matrix& matrix) {
 }
 
 /// y = k h x for one side, k taken at the row.
-Matrix weighted(const interface::Interface& interface, int dimension, const std::vector<double>& k, const Matrix& x) {
+Matrix weighted(const assembly::Interface& interface, int dimension, const std::vector<double>& k, const Matrix& x) {
   Matrix y(x.numRows(), x.numCols());
   for (int j = 0; j < x.numCols(); ++j) {
     applyMass(interface, dimension, x[j], y[j]);
@@ -42,7 +42,7 @@ Matrix weighted(const interface::Interface& interface, int dimension, const std:
 }
 
 /// Rigid motions of an interface about its centre, rotations scaled by its size, so that all columns are lengths alike.
-Matrix rigidMotions(const interface::Interface& interface, const std::vector<mesh::Point>& nodes, int dimension) {
+Matrix rigidMotions(const assembly::Interface& interface, const std::vector<mesh::Point>& nodes, int dimension) {
   const int pairs = interface.pairs();
   mesh::Point centre{};
   double total = 0.0;
@@ -79,7 +79,7 @@ Matrix rigidMotions(const interface::Interface& interface, const std::vector<mes
 }
 
 /// Columns spanning the motions that the interface can feel, orthonormal in the product x^T k h y.
-Matrix orthonormal(const interface::Interface& interface, int dimension, const std::vector<double>& k,
+Matrix orthonormal(const assembly::Interface& interface, int dimension, const std::vector<double>& k,
                    const Matrix& motions) {
   Matrix gram(motions.numCols(), motions.numCols());
   gram.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, motions, weighted(interface, dimension, k, motions), 0.0);
@@ -101,7 +101,7 @@ Matrix orthonormal(const interface::Interface& interface, int dimension, const s
 
 }  // namespace
 
-MacroProblem::MacroProblem(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                            const TraceLayout& layout, const BodyOperators& operators,
                            const substructure::SolverOptions& options)
     : layout_(layout) {
@@ -195,9 +195,9 @@ void MacroProblem::updateLoads(const BodyOperators& operators) {
   }
 }
 
-void MacroProblem::buildModes(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection) {
+void MacroProblem::buildModes(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection) {
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    const interface::Interface& interface = assembly.interfaces[i];
+    const assembly::Interface& interface = assembly.interfaces[i];
     firstMode_.push_back(unknowns_);
     if (interface.sides() == 1) {
       modes_.emplace_back(interface.pairs() * layout_.dimension(), 0, false);
@@ -210,7 +210,7 @@ void MacroProblem::buildModes(const interface::Assembly& assembly, const interfa
   }
 }
 
-void MacroProblem::factor(const interface::Assembly& assembly, const substructure::SolverOptions& options,
+void MacroProblem::factor(const assembly::Assembly& assembly, const substructure::SolverOptions& options,
                           const std::vector<Matrix>& contributions) {
   if (unknowns_ == 0) return;
   // Two interfaces are coupled when they meet at a body; every rank knows that pattern.
@@ -265,7 +265,7 @@ void MacroProblem::factor(const interface::Assembly& assembly, const substructur
   }
 }
 
-void MacroProblem::reportFloating(const interface::Assembly& assembly, const Matrix& matrix) const {
+void MacroProblem::reportFloating(const assembly::Assembly& assembly, const Matrix& matrix) const {
   Matrix vectors(matrix);
   const std::vector<double> values = symmetricEigenvalues(vectors);
   std::set<std::string> names;

@@ -20,7 +20,7 @@ namespace harmos::latin {
 class MacroProblem {
  public:
   /// Collective. Throws base::Error (no equilibrium) naming the bodies that nothing holds.
-  MacroProblem(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+  MacroProblem(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                const TraceLayout& layout, const BodyOperators& operators, const substructure::SolverOptions& options);
 
   /// Reads the loads of the bodies anew.
@@ -49,10 +49,10 @@ class MacroProblem {
     base::Matrix loads;         // X^T l, unknowns x steps
   };
 
-  void buildModes(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection);
-  void factor(const interface::Assembly& assembly, const substructure::SolverOptions& options,
+  void buildModes(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection);
+  void factor(const assembly::Assembly& assembly, const substructure::SolverOptions& options,
               const std::vector<base::Matrix>& contributions);
-  [[noreturn]] void reportFloating(const interface::Assembly& assembly, const base::Matrix& matrix) const;
+  [[noreturn]] void reportFloating(const assembly::Assembly& assembly, const base::Matrix& matrix) const;
 
   const TraceLayout& layout_;
   int unknowns_ = 0;

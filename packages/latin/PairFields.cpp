@@ -14,7 +14,7 @@ laws::Vector3 toFrame(const mesh::Frame& frame, const double* global) {
 }
 
 /// Tractions are data here: asks the law, and takes the displacement from the body.
-void fillPrescribed(const FixedPoint& state, const interface::Interface& interface, std::vector<double>& values) {
+void fillPrescribed(const FixedPoint& state, const assembly::Interface& interface, std::vector<double>& values) {
   const auto pairs = static_cast<std::size_t>(interface.pairs());
   const std::vector<laws::LocalLine> lines(pairs);
   std::vector<laws::LocalState> states(pairs);
@@ -36,7 +36,7 @@ void fillPrescribed(const FixedPoint& state, const interface::Interface& interfa
 }
 
 void fillSide(const FixedPoint& state, int interfaceIndex, int side, std::vector<double>& values) {
-  const interface::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
   const int begin = state.layout().begin(interfaceIndex, side);
   if (begin < 0) return;
   const int dimension = state.layout().dimension();
@@ -65,7 +65,7 @@ void fillSide(const FixedPoint& state, int interfaceIndex, int side, std::vector
 }  // namespace
 
 PairFields pairFields(const FixedPoint& state, int interfaceIndex) {
-  const interface::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
   PairFields fields;
   fields.pairs = interface.pairs();
   fields.steps = state.assembly().steps();

@@ -6,7 +6,7 @@
 
 namespace harmos::latin {
 
-std::vector<double> prescribedForces(const interface::Interface& interface, int dimension, int step) {
+std::vector<double> prescribedForces(const assembly::Interface& interface, int dimension, int step) {
   const auto pairs = static_cast<std::size_t>(interface.pairs());
   const std::vector<laws::LocalLine> lines(pairs);
   std::vector<laws::LocalState> states(pairs);

@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include <harmos/interface/Interface.hpp>
+#include <harmos/assembly/Interface.hpp>
 
 namespace harmos::latin {
 
 /// Nodal forces h f [force] of a boundary whose law prescribes its traction: pairs x dimension, global components.
-std::vector<double> prescribedForces(const interface::Interface& interface, int dimension, int step);
+std::vector<double> prescribedForces(const assembly::Interface& interface, int dimension, int step);
 
 }  // namespace harmos::latin

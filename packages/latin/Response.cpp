@@ -21,7 +21,7 @@ mesh::Point tractionOf(const FixedPoint& state, int interfaceIndex, int begin, i
     std::copy_n(state.traction()[t] + begin + p * dimension, dimension, f.begin());
     return f;
   }
-  const interface::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
   const laws::LocalLine line;
   laws::LocalState local;
   interface.law->solve(t, {1, &line, interface.gap.data() + p, nullptr, nullptr, &local});
@@ -50,7 +50,7 @@ std::vector<double> DisplacementResponse::evaluate(const FixedPoint& state) cons
 std::vector<double> ResultantResponse::evaluate(const FixedPoint& state) const {
   std::vector<double> values(static_cast<std::size_t>(state.assembly().steps()), 0.0);
   for (int i : interfaces_) {
-    const interface::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(i)];
+    const assembly::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(i)];
     if (!state.layout().owns(interface.body1)) continue;
     const int begin = state.layout().begin(i, 0);
     const auto& nodes = state.assembly().bodies[static_cast<std::size_t>(interface.body1)].nodes;
@@ -79,7 +79,7 @@ std::vector<double> PairResponse::evaluate(const FixedPoint& state) const {
   return values;
 }
 
-void DissipationResponse::include(const interface::Interface& interface, const PairFields& fields,
+void DissipationResponse::include(const assembly::Interface& interface, const PairFields& fields,
                                   std::vector<double>& values) const {
   if (!interface.law->dissipates()) return;
   double total = 0.0;
@@ -94,7 +94,7 @@ void DissipationResponse::include(const interface::Interface& interface, const P
   }
 }
 
-void MaximumResponse::include(const interface::Interface& interface, const PairFields& fields,
+void MaximumResponse::include(const assembly::Interface& interface, const PairFields& fields,
                               std::vector<double>& values) const {
   for (int t = 0; t < fields.steps; ++t) {
     double& largest = values[static_cast<std::size_t>(t)];

@@ -78,7 +78,7 @@ class PairResponse : public Response {
   /// On which the number depends.
   const std::vector<int>& interfaces() const { return interfaces_; }
   /// Includes the share of one interface in `values`, one per load step and 0 before the first interface.
-  virtual void include(const interface::Interface& interface, const PairFields& fields,
+  virtual void include(const assembly::Interface& interface, const PairFields& fields,
                        std::vector<double>& values) const = 0;
 
  private:
@@ -90,7 +90,7 @@ class DissipationResponse : public PairResponse {
  public:
   DissipationResponse(std::string name, std::vector<int> interfaces)
       : PairResponse(std::move(name), Quantity::energy, std::move(interfaces)) {}
-  void include(const interface::Interface& interface, const PairFields& fields,
+  void include(const assembly::Interface& interface, const PairFields& fields,
                std::vector<double>& values) const override;
 };
 
@@ -103,7 +103,7 @@ class MaximumResponse : public PairResponse {
                      field == Field::opening || field == Field::slip ? Quantity::displacement : Quantity::stress,
                      std::move(interfaces)),
         field_(field) {}
-  void include(const interface::Interface& interface, const PairFields& fields,
+  void include(const assembly::Interface& interface, const PairFields& fields,
                std::vector<double>& values) const override;
 
  private:

@@ -5,7 +5,7 @@
 
 namespace harmos::latin {
 
-TraceLayout::TraceLayout(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+TraceLayout::TraceLayout(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                          Teuchos::RCP<const Teuchos::Comm<int>> comm)
     : dimension_(assembly.dimension), comm_(std::move(comm)) {
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
@@ -13,7 +13,7 @@ TraceLayout::TraceLayout(const interface::Assembly& assembly, const interface::S
   }
   std::map<std::pair<int, int>, int> number;  // of (body, node)
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    const interface::Interface& joint = assembly.interfaces[i];
+    const assembly::Interface& joint = assembly.interfaces[i];
     const std::vector<double>& k = searchDirection.of(static_cast<int>(i));
     begin_.push_back({-1, -1});
     if (joint.law->prescribesTraction()) continue;

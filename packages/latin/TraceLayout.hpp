@@ -5,8 +5,8 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_RCP.hpp>
 
-#include <harmos/interface/Assembly.hpp>
-#include <harmos/interface/SearchDirection.hpp>
+#include <harmos/assembly/Assembly.hpp>
+#include <harmos/assembly/SearchDirection.hpp>
 
 namespace harmos::latin {
 
@@ -26,7 +26,7 @@ class TraceLayout {
     int pairs = 0;
   };
 
-  TraceLayout(const interface::Assembly& assembly, const interface::SearchDirection& searchDirection,
+  TraceLayout(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
               Teuchos::RCP<const Teuchos::Comm<int>> comm);
 
   int dimension() const { return dimension_; }

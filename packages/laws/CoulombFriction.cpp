@@ -1,5 +1,5 @@
-#include <harmos/laws/BuiltIn.hpp>
-#include <harmos/laws/ContactTraction.hpp>
+#include <harmos/laws/detail/BuiltIn.hpp>
+#include <harmos/laws/detail/ContactTraction.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -19,7 +19,7 @@ struct CoulombFriction {
   static constexpr Sides sides = Sides::any;
   static constexpr bool dissipates = true;
 
-  static void describe(base::ParameterSpec& p) {
+  static void describe(input::ParameterSpec& p) {
     p.summary("Unilateral contact with isotropic Coulomb friction: |t_t| <= mu |t_n|, sliding along t_t.")
         .source("Champaney, Blanze, Boucard (2004), section 2.2");
     p.number("Friction Coefficient")
@@ -32,7 +32,7 @@ struct CoulombFriction {
         "Opening of the undeformed surfaces beyond their geometric distance; negative is interference.");
   }
 
-  explicit CoulombFriction(const base::Parameters& p)
+  explicit CoulombFriction(const input::Parameters& p)
       : friction(p.schedule("Friction Coefficient")), gap(p.schedule("Gap")) {}
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
@@ -60,8 +60,8 @@ struct CoulombFriction {
     return state;
   }
 
-  base::Schedule friction;
-  base::Schedule gap;
+  input::Schedule friction;
+  input::Schedule gap;
 };
 
 }  // namespace

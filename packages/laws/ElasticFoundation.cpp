@@ -1,5 +1,5 @@
-#include <harmos/laws/BuiltIn.hpp>
-#include <harmos/laws/SpringTraction.hpp>
+#include <harmos/laws/detail/BuiltIn.hpp>
+#include <harmos/laws/detail/SpringTraction.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -11,7 +11,7 @@ struct ElasticFoundation {
   static constexpr Sides sides = Sides::one;
   static constexpr bool isAffine = true;
 
-  static void describe(base::ParameterSpec& p) {
+  static void describe(input::ParameterSpec& p) {
     p.summary("Springs from an outer boundary to the ground: f_n = -k_n w_n, f_t = -k_t w_t.")
         .source("Winkler's foundation");
     p.number("Normal Stiffness").unit("stress/length").required().atLeast(0.0).varying().doc("k_n per area.");
@@ -23,15 +23,15 @@ struct ElasticFoundation {
         .doc("k_t per area.");
   }
 
-  explicit ElasticFoundation(const base::Parameters& p)
+  explicit ElasticFoundation(const input::Parameters& p)
       : normal(p.schedule("Normal Stiffness")), tangential(p.schedule("Tangential Stiffness")) {}
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double*, double*) const {
     return springTraction(line, normal[at.step], tangential[at.step]);
   }
 
-  base::Schedule normal;
-  base::Schedule tangential;
+  input::Schedule normal;
+  input::Schedule tangential;
 };
 
 }  // namespace

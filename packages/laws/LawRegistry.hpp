@@ -2,22 +2,22 @@
 
 #include <memory>
 
-#include <harmos/base/ParameterSpec.hpp>
-#include <harmos/base/Parameters.hpp>
-#include <harmos/base/Registry.hpp>
+#include <harmos/input/ParameterSpec.hpp>
+#include <harmos/input/Parameters.hpp>
+#include <harmos/input/Registry.hpp>
 #include <harmos/laws/PointwiseLaw.hpp>
 
 namespace harmos::laws {
 
 /// The laws that a scene may name; an object, so that a host can add its own.
-using LawRegistry = base::Registry<InterfaceLaw>;
+using LawRegistry = input::Registry<InterfaceLaw>;
 
 /// Adds the law written as struct L (see PointwiseLaw) under L::name.
 template <class L>
 void addLaw(LawRegistry& laws) {
-  base::ParameterSpec spec(L::name);
+  input::ParameterSpec spec(L::name);
   L::describe(spec);
-  laws.add(std::move(spec), [](const base::Parameters& p) -> std::unique_ptr<InterfaceLaw> {
+  laws.add(std::move(spec), [](const input::Parameters& p) -> std::unique_ptr<InterfaceLaw> {
     return std::make_unique<PointwiseLaw<L>>(p);
   });
 }

@@ -1,5 +1,5 @@
-#include <harmos/laws/BuiltIn.hpp>
-#include <harmos/laws/SpringTraction.hpp>
+#include <harmos/laws/detail/BuiltIn.hpp>
+#include <harmos/laws/detail/SpringTraction.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -13,7 +13,7 @@ struct LinearElastic {
   static constexpr Sides sides = Sides::two;
   static constexpr bool isAffine = true;
 
-  static void describe(base::ParameterSpec& p) {
+  static void describe(input::ParameterSpec& p) {
     p.summary("Linear elastic joint (glue): traction = stiffness times jump.")
         .source("Champaney, Blanze, Boucard (2004), section 4.2");
     p.number("Normal Stiffness")
@@ -30,15 +30,15 @@ struct LinearElastic {
         .doc("k_t; a glue layer has E / (2 (1 + nu) e).");
   }
 
-  explicit LinearElastic(const base::Parameters& p)
+  explicit LinearElastic(const input::Parameters& p)
       : normal(p.schedule("Normal Stiffness")), tangential(p.schedule("Tangential Stiffness")) {}
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double*, double*) const {
     return springTraction(line, normal[at.step], tangential[at.step]);
   }
 
-  base::Schedule normal;
-  base::Schedule tangential;
+  input::Schedule normal;
+  input::Schedule tangential;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <harmos/laws/BuiltIn.hpp>
+#include <harmos/laws/detail/BuiltIn.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -11,12 +11,12 @@ struct Perfect {
   static constexpr bool bonds = true;
   static constexpr bool isAffine = true;
 
-  static void describe(base::ParameterSpec& p) {
+  static void describe(input::ParameterSpec& p) {
     p.summary("Perfect joint: both sides move together, delta = 0.")
         .source("Champaney, Blanze, Boucard (2004), eq. (7)");
   }
 
-  explicit Perfect(const base::Parameters&) {}
+  explicit Perfect(const input::Parameters&) {}
 
   LocalState solve(const LocalLine& line, const NodeContext&, const double*, double*) const {
     const double s = 1.0 / line.compliance;

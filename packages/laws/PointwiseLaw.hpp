@@ -13,8 +13,8 @@ namespace harmos::laws {
 ///   static constexpr const char* name;                    as written in XML
 ///   static constexpr int historySize;                     numbers kept per node between load steps
 ///   static constexpr Sides sides;                         two bodies, one body and the ground, or any
-///   static void describe(base::ParameterSpec&);           its parameters (only for laws built from XML)
-///   explicit L(const base::Parameters&);                  copies constants (only for laws built from XML)
+///   static void describe(input::ParameterSpec&);           its parameters (only for laws built from XML)
+///   explicit L(const input::Parameters&);                  copies constants (only for laws built from XML)
 ///   LocalState solve(const LocalLine&, const NodeContext&, const double* old, double* now) const;
 /// and may give
 ///   static constexpr Frame frame = Frame::global;         default Frame::interface

@@ -1,4 +1,4 @@
-#include <harmos/laws/BuiltIn.hpp>
+#include <harmos/laws/detail/BuiltIn.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -12,21 +12,21 @@ struct PreloadJump {
   static constexpr Sides sides = Sides::two;
   static constexpr bool isAffine = true;
 
-  static void describe(base::ParameterSpec& p) {
+  static void describe(input::ParameterSpec& p) {
     p.summary("Bolt preload: prescribed axial overlap of the two faces, joined perfectly otherwise.")
         .source("Champaney, Blanze, Boucard (2004), section 3.2");
     p.number("Jump").unit("length").required().varying().doc(
         "Prescribed relative displacement of the faces along the normal; positive tightens the bolt.");
   }
 
-  explicit PreloadJump(const base::Parameters& p) : jump(p.schedule("Jump")) {}
+  explicit PreloadJump(const input::Parameters& p) : jump(p.schedule("Jump")) {}
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double*, double*) const {
     const double s = 1.0 / line.compliance;
     return {{s * (line.freeJump[0] + jump[at.step]), s * line.freeJump[1], s * line.freeJump[2]}, Status::bonded};
   }
 
-  base::Schedule jump;
+  input::Schedule jump;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <array>
 
-#include <harmos/laws/BuiltIn.hpp>
+#include <harmos/laws/detail/BuiltIn.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -16,14 +16,14 @@ struct PrescribedDisplacement {
   static constexpr Frame frame = Frame::global;
   static constexpr bool isAffine = true;
 
-  static void describe(base::ParameterSpec& p) {
+  static void describe(input::ParameterSpec& p) {
     p.summary("Prescribed displacement in global components; components that are not given are free.");
     for (const char* component : components) {
       p.number(component).unit("length").optional().varying().doc("Displacement along this axis; absent: free.");
     }
   }
 
-  explicit PrescribedDisplacement(const base::Parameters& p) {
+  explicit PrescribedDisplacement(const input::Parameters& p) {
     for (std::size_t i = 0; i < 3; ++i) {
       fixed[i] = p.has(components[i]);
       if (fixed[i]) value[i] = p.schedule(components[i]);
@@ -40,7 +40,7 @@ struct PrescribedDisplacement {
   }
 
   std::array<bool, 3> fixed{};
-  std::array<base::Schedule, 3> value;
+  std::array<input::Schedule, 3> value;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <array>
 
-#include <harmos/laws/BuiltIn.hpp>
+#include <harmos/laws/detail/BuiltIn.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -14,20 +14,20 @@ struct PrescribedTraction {
   static constexpr bool prescribesTraction = true;
   static constexpr bool isAffine = true;
 
-  static void describe(base::ParameterSpec& p) {
+  static void describe(input::ParameterSpec& p) {
     p.summary("Prescribed traction (force per area) in global components.");
     for (const char* component : {"X", "Y", "Z"}) {
       p.number(component).unit("stress").defaultValue(0.0).varying().doc("Traction along this axis.");
     }
   }
 
-  explicit PrescribedTraction(const base::Parameters& p) : value{p.schedule("X"), p.schedule("Y"), p.schedule("Z")} {}
+  explicit PrescribedTraction(const input::Parameters& p) : value{p.schedule("X"), p.schedule("Y"), p.schedule("Z")} {}
 
   LocalState solve(const LocalLine&, const NodeContext& at, const double*, double*) const {
     return {{value[0][at.step], value[1][at.step], value[2][at.step]}, Status::bonded};
   }
 
-  std::array<base::Schedule, 3> value;
+  std::array<input::Schedule, 3> value;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <harmos/laws/BuiltIn.hpp>
+#include <harmos/laws/detail/BuiltIn.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -11,18 +11,18 @@ struct Pressure {
   static constexpr bool prescribesTraction = true;
   static constexpr bool isAffine = true;
 
-  static void describe(base::ParameterSpec& p) {
+  static void describe(input::ParameterSpec& p) {
     p.summary("Prescribed pressure on an outer boundary, positive when it pushes on the body.");
     p.number("Pressure").unit("stress").required().varying().doc("Force per area against the outward normal.");
   }
 
-  explicit Pressure(const base::Parameters& p) : value(p.schedule("Pressure")) {}
+  explicit Pressure(const input::Parameters& p) : value(p.schedule("Pressure")) {}
 
   LocalState solve(const LocalLine&, const NodeContext& at, const double*, double*) const {
     return {{-value[at.step], 0.0, 0.0}, Status::bonded};
   }
 
-  base::Schedule value;
+  input::Schedule value;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <harmos/laws/BuiltIn.hpp>
+#include <harmos/laws/detail/BuiltIn.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -10,11 +10,11 @@ struct Symmetry {
   static constexpr Sides sides = Sides::one;
   static constexpr bool isAffine = true;
 
-  static void describe(base::ParameterSpec& p) {
+  static void describe(input::ParameterSpec& p) {
     p.summary("Symmetry plane (rollers): no normal displacement, no tangential traction.");
   }
 
-  explicit Symmetry(const base::Parameters&) {}
+  explicit Symmetry(const input::Parameters&) {}
 
   LocalState solve(const LocalLine& line, const NodeContext&, const double*, double*) const {
     return {{line.freeJump[0] / line.compliance, 0.0, 0.0}, Status::bonded};

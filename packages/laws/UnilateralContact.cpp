@@ -1,5 +1,5 @@
-#include <harmos/laws/BuiltIn.hpp>
-#include <harmos/laws/ContactTraction.hpp>
+#include <harmos/laws/detail/BuiltIn.hpp>
+#include <harmos/laws/detail/ContactTraction.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -11,21 +11,21 @@ struct UnilateralContact {
   static constexpr int historySize = 0;
   static constexpr Sides sides = Sides::any;
 
-  static void describe(base::ParameterSpec& p) {
+  static void describe(input::ParameterSpec& p) {
     p.summary("Frictionless unilateral contact: opening >= 0, pressure >= 0, their product 0.")
         .source("Signorini's conditions; Champaney, Blanze, Boucard (2004), section 2.2");
     p.number("Gap").unit("length").defaultValue(0.0).varying().doc(
         "Opening of the undeformed surfaces beyond their geometric distance; negative is interference.");
   }
 
-  explicit UnilateralContact(const base::Parameters& p) : gap(p.schedule("Gap")) {}
+  explicit UnilateralContact(const input::Parameters& p) : gap(p.schedule("Gap")) {}
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double*, double*) const {
     const double opening = line.freeJump[0] + at.gap + gap[at.step];
     return {{contactTraction(opening, line.compliance), 0.0, 0.0}, opening >= 0.0 ? Status::open : Status::slip};
   }
 
-  base::Schedule gap;
+  input::Schedule gap;
 };
 
 }  // namespace

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <harmos/mesh/StructuredMesh.hpp>
+#include <harmos/input/ParameterSpec.hpp>
+#include <harmos/input/Parameters.hpp>
 #include <harmos/mesh/Vector.hpp>
+#include <harmos/mesh/detail/StructuredMesh.hpp>
 
 namespace harmos::mesh {
 namespace {
@@ -151,8 +153,8 @@ class Joint {
 
 }  // namespace
 
-base::ParameterSpec describeBoltedJoint() {
-  base::ParameterSpec spec("Bolted Joint");
+input::ParameterSpec describeBoltedJoint() {
+  input::ParameterSpec spec("Bolted Joint");
   spec.summary("Three plates, two preloaded bolts with their nuts, two heads; hexahedra, lengths in mm.")
       .source("after the first example of Champaney, Blanze, Boucard (2004)");
   spec.number("Refinement")
@@ -167,7 +169,7 @@ Mesh boltedJoint(double refinement) {
   return Joint(refinement).build();
 }
 
-Mesh boltedJoint(const base::Parameters& parameters) {
+Mesh boltedJoint(const input::Parameters& parameters) {
   return boltedJoint(parameters.number("Refinement"));
 }
 

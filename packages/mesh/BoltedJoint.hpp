@@ -1,12 +1,15 @@
 #pragma once
 
-#include <harmos/base/ParameterSpec.hpp>
-#include <harmos/base/Parameters.hpp>
 #include <harmos/mesh/Mesh.hpp>
+
+namespace harmos::input {
+class ParameterSpec;
+class Parameters;
+}  // namespace harmos::input
 
 namespace harmos::mesh {
 
-base::ParameterSpec describeBoltedJoint();
+input::ParameterSpec describeBoltedJoint();
 
 /// Three plates held by two bolts, in hexahedra with conforming nodes at every interface; lengths in mm.
 ///
@@ -16,6 +19,6 @@ base::ParameterSpec describeBoltedJoint();
 /// at least 1; at 1 the mesh has 8516 nodes and 5796 elements. Source: after the first example of Champaney, Blanze,
 /// Boucard (2004), dimensions our own.
 Mesh boltedJoint(double refinement = 1.0);
-Mesh boltedJoint(const base::Parameters& parameters);
+Mesh boltedJoint(const input::Parameters& parameters);
 
 }  // namespace harmos::mesh

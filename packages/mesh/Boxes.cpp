@@ -6,7 +6,10 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>
-#include <harmos/mesh/StructuredMesh.hpp>
+#include <harmos/input/ErrorList.hpp>
+#include <harmos/input/ParameterSpec.hpp>
+#include <harmos/input/Parameters.hpp>
+#include <harmos/mesh/detail/StructuredMesh.hpp>
 
 namespace harmos::mesh {
 namespace {
@@ -32,7 +35,7 @@ std::string faultOf(const Box& box, int dimension) {
 }
 
 /// Throws base::Error(input) when numbers are missing, or Element does not exist in so many dimensions.
-Box readBox(const base::Parameters& parameters) {
+Box readBox(const input::Parameters& parameters) {
   const auto refuse = [](const std::string& what) { throw base::Error(what, base::ExitCode::input); };
   Box box;
   box.name = parameters.name();
@@ -64,12 +67,12 @@ Box readBox(const base::Parameters& parameters) {
 
 }  // namespace
 
-base::ParameterSpec describeBoxes() {
-  base::ParameterSpec spec("Boxes");
+input::ParameterSpec describeBoxes() {
+  input::ParameterSpec spec("Boxes");
   spec.summary(
       "Any number of boxes of equal cells. Each is a block of its own name with side sets <name>_xmin, "
       "<name>_xmax and so on; boxes share no nodes.");
-  base::ParameterSpec& box = spec.namedLists("Boxes", true);
+  input::ParameterSpec& box = spec.namedLists("Boxes", true);
   box.numbers(corners[0]).unit("length").doc("Lowest coordinates, 2 numbers in the plane or 3 in space.");
   box.numbers(corners[1]).unit("length").doc("Highest coordinates.");
   box.numbers("Cells").doc("Number of cells in each direction.");
@@ -107,9 +110,9 @@ Mesh boxes(const std::vector<Box>& list) {
   return mesh.take();
 }
 
-std::vector<Box> readBoxes(const base::Parameters& parameters, base::ErrorList& errors) {
+std::vector<Box> readBoxes(const input::Parameters& parameters, input::ErrorList& errors) {
   std::vector<Box> list;
-  for (const base::Parameters& box : parameters.lists("Boxes")) {
+  for (const input::Parameters& box : parameters.lists("Boxes")) {
     errors.collect(box.where(), [&] {
       list.push_back(readBox(box));
       const std::string fault = faultOf(list.back(), dimensionOf(list.front().element));
@@ -119,8 +122,8 @@ std::vector<Box> readBoxes(const base::Parameters& parameters, base::ErrorList& 
   return list;
 }
 
-Mesh boxes(const base::Parameters& parameters) {
-  base::ErrorList errors;
+Mesh boxes(const input::Parameters& parameters) {
+  input::ErrorList errors;
   const std::vector<Box> list = readBoxes(parameters, errors);
   errors.throwIfAny();
   return boxes(list);

@@ -4,7 +4,9 @@
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/mesh/StructuredMesh.hpp>
+#include <harmos/input/ParameterSpec.hpp>
+#include <harmos/input/Parameters.hpp>
+#include <harmos/mesh/detail/StructuredMesh.hpp>
 
 namespace harmos::mesh {
 namespace {
@@ -26,8 +28,8 @@ StructuredMesh::Region box(double x1, double x2, double y1, double y2) {
 
 }  // namespace
 
-base::ParameterSpec describeGluedAssembly() {
-  base::ParameterSpec spec("Glued Assembly");
+input::ParameterSpec describeGluedAssembly() {
+  input::ParameterSpec spec("Glued Assembly");
   spec.summary("Three plane parts joined by two glue lines; square quadrilaterals, lengths in mm.")
       .source("after the second example of Champaney, Blanze, Boucard (2004)");
   spec.number("Cell Size")
@@ -64,7 +66,7 @@ Mesh gluedAssembly(double cellSize) {
   return mesh.take();
 }
 
-Mesh gluedAssembly(const base::Parameters& parameters) {
+Mesh gluedAssembly(const input::Parameters& parameters) {
   return gluedAssembly(parameters.number("Cell Size"));
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
-#include <harmos/base/ParameterSpec.hpp>
-#include <harmos/base/Parameters.hpp>
 #include <harmos/mesh/Mesh.hpp>
+
+namespace harmos::input {
+class ParameterSpec;
+class Parameters;
+}  // namespace harmos::input
 
 namespace harmos::mesh {
 
-base::ParameterSpec describeGluedAssembly();
+input::ParameterSpec describeGluedAssembly();
 
 /// Three plane parts joined by two glue lines, in square quadrilaterals with conforming nodes; lengths in mm.
 ///
@@ -15,6 +18,6 @@ base::ParameterSpec describeGluedAssembly();
 /// whole millimetres: throws base::Error(input) unless a whole number of cells makes 1 mm.
 /// Source: after the second example of Champaney, Blanze, Boucard (2004), dimensions our own.
 Mesh gluedAssembly(double cellSize = 0.5);
-Mesh gluedAssembly(const base::Parameters& parameters);
+Mesh gluedAssembly(const input::Parameters& parameters);
 
 }  // namespace harmos::mesh

@@ -8,9 +8,9 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
-#include <harmos/mesh/NodalWeights.hpp>
-#include <harmos/mesh/SurfaceBuilder.hpp>
 #include <harmos/mesh/Vector.hpp>
+#include <harmos/mesh/detail/NodalWeights.hpp>
+#include <harmos/mesh/detail/SurfaceBuilder.hpp>
 
 namespace harmos::mesh {
 namespace {

@@ -1,4 +1,4 @@
-#include <harmos/mesh/NodalWeights.hpp>
+#include <harmos/mesh/detail/NodalWeights.hpp>
 
 #include <algorithm>
 #include <cmath>

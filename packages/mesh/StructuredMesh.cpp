@@ -1,4 +1,4 @@
-#include <harmos/mesh/StructuredMesh.hpp>
+#include <harmos/mesh/detail/StructuredMesh.hpp>
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include <harmos/mesh/SurfaceBuilder.hpp>
+#include <harmos/mesh/detail/SurfaceBuilder.hpp>
 
 #include <cmath>
 #include <sstream>

@@ -7,7 +7,7 @@
 
 namespace harmos::stochastic {
 
-ChaosLocalStage::ChaosLocalStage(const interface::Assembly& modal, const interface::SearchDirection& searchDirection,
+ChaosLocalStage::ChaosLocalStage(const assembly::Assembly& modal, const assembly::SearchDirection& searchDirection,
                                  const latin::TraceLayout& layout, std::shared_ptr<const Projection> projection)
     : modal_(modal),
       searchDirection_(searchDirection),
@@ -20,7 +20,7 @@ ChaosLocalStage::ChaosLocalStage(const interface::Assembly& modal, const interfa
 
 void ChaosLocalStage::setLaws(const Realisations& laws, Method method) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const interface::Interface& interface = modal_.interfaces[i];
+    const assembly::Interface& interface = modal_.interfaces[i];
     Joint& joint = joints_[i];
     joint = {};
     if (interface.law->prescribesTraction()) continue;
@@ -69,7 +69,7 @@ void ChaosLocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
   }
 }
 
-void ChaosLocalStage::solvePoints(const interface::Interface& interface, Joint& joint, int step) {
+void ChaosLocalStage::solvePoints(const assembly::Interface& interface, Joint& joint, int step) {
   for (int q = 0; q < projection_->points(); ++q) {
     Histories& history = joint.histories[static_cast<std::size_t>(q)];
     const double* free = freeJumpsAtPoints_[q];
@@ -87,7 +87,7 @@ void ChaosLocalStage::solvePoints(const interface::Interface& interface, Joint& 
 
 void ChaosLocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const base::Matrix& beta,
                                  base::Matrix& traction) {
-  const interface::Interface& interface = modal_.interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& interface = modal_.interfaces[static_cast<std::size_t>(interfaceIndex)];
   const int terms = projection_->terms();
   const int step = first_ + t;
   freeJumps_.shapeUninitialized(3 * interface.pairs(), terms);

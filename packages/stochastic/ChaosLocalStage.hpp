@@ -27,7 +27,7 @@ enum class Method {
 class ChaosLocalStage {
  public:
   /// `modal`, `searchDirection`, `layout` and `projection` must outlive this object.
-  ChaosLocalStage(const interface::Assembly& modal, const interface::SearchDirection& searchDirection,
+  ChaosLocalStage(const assembly::Assembly& modal, const assembly::SearchDirection& searchDirection,
                   const latin::TraceLayout& layout, std::shared_ptr<const Projection> projection);
 
   /// Throws base::Error (input) as GalerkinSprings.
@@ -57,10 +57,10 @@ class ChaosLocalStage {
   int steps() const { return modal_.steps() / projection_->terms(); }
   void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
   /// Tractions at the points from free jumps at the points.
-  void solvePoints(const interface::Interface& interface, Joint& joint, int step);
+  void solvePoints(const assembly::Interface& interface, Joint& joint, int step);
 
-  const interface::Assembly& modal_;
-  const interface::SearchDirection& searchDirection_;
+  const assembly::Assembly& modal_;
+  const assembly::SearchDirection& searchDirection_;
   std::shared_ptr<const Projection> projection_;
   latin::InterfaceLines lines_;
   std::vector<Joint> joints_;

@@ -47,7 +47,7 @@ class ColumnOperator final : public Operator {
 
 }  // namespace
 
-DirectSpectral::DirectSpectral(const interface::Assembly& assembly, std::shared_ptr<const Projection> projection,
+DirectSpectral::DirectSpectral(const assembly::Assembly& assembly, std::shared_ptr<const Projection> projection,
                                const Realisations& laws, const substructure::SolverOptions& solver,
                                base::Timers& timers)
     : projection_(std::move(projection)), solver_(solver), timers_(timers), system_([&] {

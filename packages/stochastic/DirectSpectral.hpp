@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include <harmos/assembly/Assembly.hpp>
 #include <harmos/base/Timers.hpp>
-#include <harmos/interface/Assembly.hpp>
 #include <harmos/latin/Response.hpp>
 #include <harmos/stochastic/Projection.hpp>
 #include <harmos/stochastic/Realisations.hpp>
@@ -27,7 +27,7 @@ class DirectSpectral {
 
   /// On one process, which owns all bodies. `assembly` must outlive this object. Throws base::Error (input) as
   /// SpectralSystem. Time is charged to "assemble".
-  DirectSpectral(const interface::Assembly& assembly, std::shared_ptr<const Projection> projection,
+  DirectSpectral(const assembly::Assembly& assembly, std::shared_ptr<const Projection> projection,
                  const Realisations& laws, const substructure::SolverOptions& solver, base::Timers& timers);
 
   /// Solves for all load steps; `tolerance` is the relative residual of the conjugate gradients. Time is charged to

@@ -6,7 +6,7 @@
 #include <Teuchos_LAPACK.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/chaos/GalerkinMatrix.hpp>
+#include <harmos/probability/GalerkinMatrix.hpp>
 #include <harmos/stochastic/AffineComponents.hpp>
 
 namespace harmos::stochastic {
@@ -32,7 +32,7 @@ GalerkinSprings::Decomposition GalerkinSprings::decompose(const std::string& nam
     throw base::Error("interface \"" + name + "\": its stiffness is infinite in some realisations and not in others",
                       base::ExitCode::input);
   }
-  result.vectors = chaos::galerkinMatrix(*projection.basis(), projection.quadrature(), stiffness);
+  result.vectors = probability::galerkinMatrix(*projection.basis(), projection.quadrature(), stiffness);
   std::vector<double> work(static_cast<std::size_t>(4 * terms));
   int info = 0;
   Teuchos::LAPACK<int, double>().SYEV('V', 'U', terms, result.vectors.values(), result.vectors.stride(),
@@ -49,7 +49,7 @@ GalerkinSprings::Decomposition GalerkinSprings::decompose(const std::string& nam
   return result;
 }
 
-GalerkinSprings::GalerkinSprings(const interface::Interface& interface,
+GalerkinSprings::GalerkinSprings(const assembly::Interface& interface,
                                  const std::vector<std::shared_ptr<const laws::InterfaceLaw>>& laws,
                                  const Projection& projection, int steps, double compliance) {
   for (const auto& law : laws) affineComponents(*law, 0, compliance, interface.name);

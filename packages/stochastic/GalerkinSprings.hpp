@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include <harmos/assembly/Interface.hpp>
 #include <harmos/base/Matrix.hpp>
-#include <harmos/interface/Interface.hpp>
 #include <harmos/stochastic/Projection.hpp>
 
 namespace harmos::stochastic {
@@ -19,7 +19,7 @@ class GalerkinSprings {
  public:
   /// `laws`: at the points. Their stiffness is found by a probe on lines of the given compliance [length/stress].
   /// Throws base::Error (input) naming the interface when a law is not affine or a matrix G not positive definite.
-  GalerkinSprings(const interface::Interface& interface,
+  GalerkinSprings(const assembly::Interface& interface,
                   const std::vector<std::shared_ptr<const laws::InterfaceLaw>>& laws, const Projection& projection,
                   int steps, double compliance);
 

@@ -1,7 +1,7 @@
-#include <harmos/stochastic/ModalAssembly.hpp>
+#include <harmos/stochastic/detail/ModalAssembly.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/stochastic/ProjectedLaw.hpp>
+#include <harmos/stochastic/detail/ProjectedLaw.hpp>
 
 namespace harmos::stochastic {
 namespace {
@@ -13,16 +13,16 @@ bool areOfOneKind(const laws::InterfaceLaw& a, const laws::InterfaceLaw& b) {
 
 }  // namespace
 
-Realisations constantLaws(const interface::Assembly& assembly, const Projection& projection) {
+Realisations constantLaws(const assembly::Assembly& assembly, const Projection& projection) {
   std::vector<std::shared_ptr<const laws::InterfaceLaw>> laws;
-  for (const interface::Interface& interface : assembly.interfaces) laws.push_back(interface.law);
+  for (const assembly::Interface& interface : assembly.interfaces) laws.push_back(interface.law);
   return Realisations(static_cast<std::size_t>(projection.points()), laws);
 }
 
-interface::Assembly modalAssembly(const interface::Assembly& assembly,
-                                  const std::shared_ptr<const Projection>& projection) {
+assembly::Assembly modalAssembly(const assembly::Assembly& assembly,
+                                 const std::shared_ptr<const Projection>& projection) {
   const int terms = projection->terms();
-  interface::Assembly modal = assembly;
+  assembly::Assembly modal = assembly;
   modal.times.clear();
   for (const double time : assembly.times) modal.times.insert(modal.times.end(), static_cast<std::size_t>(terms), time);
   for (substructure::Substructure& body : modal.bodies) {
@@ -35,8 +35,7 @@ interface::Assembly modalAssembly(const interface::Assembly& assembly,
   return modal;
 }
 
-void setLaws(interface::Assembly& modal, const Realisations& laws,
-             const std::shared_ptr<const Projection>& projection) {
+void setLaws(assembly::Assembly& modal, const Realisations& laws, const std::shared_ptr<const Projection>& projection) {
   const std::size_t interfaces = modal.interfaces.size();
   bool fits = static_cast<int>(laws.size()) == projection->points();
   for (const auto& point : laws) fits = fits && point.size() == interfaces;
@@ -46,7 +45,7 @@ void setLaws(interface::Assembly& modal, const Realisations& laws,
                       base::ExitCode::input);
   }
   for (std::size_t i = 0; i < interfaces; ++i) {
-    interface::Interface& interface = modal.interfaces[i];
+    assembly::Interface& interface = modal.interfaces[i];
     std::vector<std::shared_ptr<const laws::InterfaceLaw>> realisations;
     for (const auto& point : laws) {
       realisations.push_back(point[i]);

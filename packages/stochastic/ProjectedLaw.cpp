@@ -1,4 +1,4 @@
-#include <harmos/stochastic/ProjectedLaw.hpp>
+#include <harmos/stochastic/detail/ProjectedLaw.hpp>
 
 namespace harmos::stochastic {
 

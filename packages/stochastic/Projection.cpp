@@ -4,11 +4,11 @@
 
 namespace harmos::stochastic {
 
-Projection::Projection(std::shared_ptr<const chaos::Basis> basis, chaos::Quadrature quadrature)
+Projection::Projection(std::shared_ptr<const probability::Basis> basis, probability::Quadrature quadrature)
     : basis_(std::move(basis)),
       quadrature_(std::move(quadrature)),
-      values_(chaos::valuesAt(*basis_, quadrature_)),
-      projector_(chaos::projector(*basis_, quadrature_)) {}
+      values_(probability::valuesAt(*basis_, quadrature_)),
+      projector_(probability::projector(*basis_, quadrature_)) {}
 
 void Projection::toPoints(const base::Matrix& coefficients, base::Matrix& values) const {
   values.shapeUninitialized(coefficients.numRows(), points());

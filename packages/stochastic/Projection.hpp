@@ -3,18 +3,18 @@
 #include <memory>
 
 #include <harmos/base/Matrix.hpp>
-#include <harmos/chaos/Basis.hpp>
-#include <harmos/chaos/Quadrature.hpp>
+#include <harmos/probability/Basis.hpp>
+#include <harmos/probability/Quadrature.hpp>
 
 namespace harmos::stochastic {
 
 /// The way between the coefficients of random numbers on a basis and their values at the points of a quadrature.
 class Projection {
  public:
-  Projection(std::shared_ptr<const chaos::Basis> basis, chaos::Quadrature quadrature);
+  Projection(std::shared_ptr<const probability::Basis> basis, probability::Quadrature quadrature);
 
-  const std::shared_ptr<const chaos::Basis>& basis() const { return basis_; }
-  const chaos::Quadrature& quadrature() const { return quadrature_; }
+  const std::shared_ptr<const probability::Basis>& basis() const { return basis_; }
+  const probability::Quadrature& quadrature() const { return quadrature_; }
   int terms() const { return basis_->size(); }
   int points() const { return quadrature_.size(); }
   /// psi_a(xi_q), points x terms.
@@ -28,8 +28,8 @@ class Projection {
   void toCoefficients(const base::Matrix& values, base::Matrix& coefficients) const;
 
  private:
-  std::shared_ptr<const chaos::Basis> basis_;
-  chaos::Quadrature quadrature_;
+  std::shared_ptr<const probability::Basis> basis_;
+  probability::Quadrature quadrature_;
   base::Matrix values_;
   base::Matrix projector_;
 };

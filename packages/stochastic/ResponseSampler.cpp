@@ -38,7 +38,7 @@ base::Matrix product(const base::Matrix& coefficients, const base::Matrix& polyn
 
 }  // namespace
 
-ResponseSampler::ResponseSampler(const interface::Assembly& assembly, const latin::FixedPoint& state,
+ResponseSampler::ResponseSampler(const assembly::Assembly& assembly, const latin::FixedPoint& state,
                                  std::shared_ptr<const Projection> projection,
                                  std::vector<std::shared_ptr<const latin::Response>> responses)
     : assembly_(assembly), projection_(std::move(projection)), responses_(std::move(responses)) {
@@ -81,7 +81,7 @@ base::Matrix ResponseSampler::evaluate(int response, const base::Matrix& polynom
     std::vector<std::vector<double>> values(static_cast<std::size_t>(count),
                                             std::vector<double>(static_cast<std::size_t>(steps), 0.0));
     for (const int i : onPairs.interfaces()) {
-      const interface::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(i)];
+      const assembly::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(i)];
       const PairExpansion& expansion = expansionOf(i);
       const base::Matrix tractions = product(expansion.traction, polynomials, first, count);
       const base::Matrix jumps = product(expansion.jump, polynomials, first, count);

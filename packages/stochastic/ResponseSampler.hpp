@@ -16,7 +16,7 @@ class ResponseSampler {
  public:
   /// Collective. Reads the last FixedPoint::apply() on all modal columns; `assembly` is the one of the load steps and
   /// must outlive this object.
-  ResponseSampler(const interface::Assembly& assembly, const latin::FixedPoint& state,
+  ResponseSampler(const assembly::Assembly& assembly, const latin::FixedPoint& state,
                   std::shared_ptr<const Projection> projection,
                   std::vector<std::shared_ptr<const latin::Response>> responses);
 
@@ -35,7 +35,7 @@ class ResponseSampler {
   base::Matrix evaluate(int response, const base::Matrix& polynomials) const;
   const PairExpansion& expansionOf(int interfaceIndex) const;
 
-  const interface::Assembly& assembly_;
+  const assembly::Assembly& assembly_;
   std::shared_ptr<const Projection> projection_;
   std::vector<std::shared_ptr<const latin::Response>> responses_;
   std::vector<base::Matrix> linear_;  // coefficients, terms x load steps; empty when the response is not linear

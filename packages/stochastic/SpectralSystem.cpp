@@ -5,11 +5,11 @@
 #include <tuple>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/chaos/GalerkinMatrix.hpp>
 #include <harmos/latin/InterfaceMass.hpp>
 #include <harmos/latin/PrescribedForces.hpp>
+#include <harmos/probability/GalerkinMatrix.hpp>
 #include <harmos/stochastic/AffineComponents.hpp>
-#include <harmos/stochastic/ProjectedLaw.hpp>
+#include <harmos/stochastic/detail/ProjectedLaw.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
 
 namespace harmos::stochastic {
@@ -19,28 +19,28 @@ namespace {
 constexpr double negligible = 1e-12;
 constexpr double straight = 1e-9;
 
-[[noreturn]] void refuse(const interface::Interface& interface, const std::string& why) {
+[[noreturn]] void refuse(const assembly::Interface& interface, const std::string& why) {
   throw base::Error("interface \"" + interface.name + "\": the direct spectral method " + why, base::ExitCode::input);
 }
 
 /// Direction of a component of the law at a pair, global components.
-mesh::Point axisOf(const interface::Interface& interface, std::size_t component, std::size_t pair) {
+mesh::Point axisOf(const assembly::Interface& interface, std::size_t component, std::size_t pair) {
   if (interface.law->frame() == laws::Frame::interface) return interface.frame[pair][component];
   mesh::Point axis{};
   axis[component] = 1.0;
   return axis;
 }
 
-std::vector<interface::MassEntry> massOf(const interface::Interface& interface) {
+std::vector<assembly::MassEntry> massOf(const assembly::Interface& interface) {
   if (!interface.mass.empty()) return interface.mass;
-  std::vector<interface::MassEntry> lumped;
+  std::vector<assembly::MassEntry> lumped;
   for (int p = 0; p < interface.pairs(); ++p) lumped.push_back({p, p, interface.area[static_cast<std::size_t>(p)]});
   return lumped;
 }
 
 }  // namespace
 
-SpectralSystem::SpectralSystem(const interface::Assembly& assembly, const std::shared_ptr<const Projection>& projection,
+SpectralSystem::SpectralSystem(const assembly::Assembly& assembly, const std::shared_ptr<const Projection>& projection,
                                const Realisations& laws)
     : dimension_(assembly.dimension), terms_(projection->terms()), steps_(assembly.steps()) {
   for (const substructure::Substructure& body : assembly.bodies) {
@@ -53,11 +53,11 @@ SpectralSystem::SpectralSystem(const interface::Assembly& assembly, const std::s
   std::vector<Entry> entries;
   addBodies(assembly, entries);
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    const interface::Interface& interface = assembly.interfaces[i];
+    const assembly::Interface& interface = assembly.interfaces[i];
     std::vector<std::shared_ptr<const laws::InterfaceLaw>> realisations;
     for (const auto& point : laws) realisations.push_back(point[i]);
     if (interface.law->prescribesTraction()) {
-      interface::Interface boundary = interface;
+      assembly::Interface boundary = interface;
       boundary.law = std::make_shared<ProjectedLaw>(std::move(realisations), projection);
       addLoads(boundary);
     } else {
@@ -108,7 +108,7 @@ Teuchos::RCP<base::CrsMatrix> SpectralSystem::crsMatrix(std::vector<Entry> entri
   return substructure::makeCrsMatrix(rows.begin, rows.column, rows.value);
 }
 
-void SpectralSystem::addBodies(const interface::Assembly& assembly, std::vector<Entry>& entries) {
+void SpectralSystem::addBodies(const assembly::Assembly& assembly, std::vector<Entry>& entries) {
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     const substructure::Substructure& body = assembly.bodies[b];
     if (body.stiffness.is_null()) {
@@ -129,7 +129,7 @@ void SpectralSystem::addBodies(const interface::Assembly& assembly, std::vector<
   }
 }
 
-void SpectralSystem::addLoads(const interface::Interface& boundary) {
+void SpectralSystem::addLoads(const assembly::Interface& boundary) {
   for (int column = 0; column < steps_ * terms_; ++column) {
     const std::vector<double> force = latin::prescribedForces(boundary, dimension_, column);
     for (int p = 0; p < boundary.pairs(); ++p) {
@@ -141,10 +141,10 @@ void SpectralSystem::addLoads(const interface::Interface& boundary) {
   }
 }
 
-std::vector<SpectralSystem::Entry> SpectralSystem::springs(const interface::Interface& interface,
+std::vector<SpectralSystem::Entry> SpectralSystem::springs(const assembly::Interface& interface,
                                                            std::size_t component) const {
   std::vector<Entry> entries;
-  for (const interface::MassEntry& mass : massOf(interface)) {
+  for (const assembly::MassEntry& mass : massOf(interface)) {
     const auto r = static_cast<std::size_t>(mass.row), s = static_cast<std::size_t>(mass.column);
     const mesh::Point rowAxis = axisOf(interface, component, r), columnAxis = axisOf(interface, component, s);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -167,9 +167,9 @@ std::vector<SpectralSystem::Entry> SpectralSystem::springs(const interface::Inte
   return entries;
 }
 
-void SpectralSystem::addOffset(const interface::Interface& interface, std::size_t component, int column,
+void SpectralSystem::addOffset(const assembly::Interface& interface, std::size_t component, int column,
                                double traction) {
-  for (const interface::MassEntry& mass : massOf(interface)) {
+  for (const assembly::MassEntry& mass : massOf(interface)) {
     const mesh::Point axis = axisOf(interface, component, static_cast<std::size_t>(mass.column));
     for (int side = 0; side < interface.sides(); ++side) {
       const int dof = dofOf(interface.body(side), interface.nodes(side)[static_cast<std::size_t>(mass.row)]);
@@ -181,7 +181,7 @@ void SpectralSystem::addOffset(const interface::Interface& interface, std::size_
   }
 }
 
-void SpectralSystem::hold(const interface::Interface& interface, std::size_t component, int column, double jump) {
+void SpectralSystem::hold(const assembly::Interface& interface, std::size_t component, int column, double jump) {
   if (interface.sides() != 1) refuse(interface, "does not treat rigid joints of two bodies");
   for (std::size_t p = 0; p < interface.node1.size(); ++p) {
     const mesh::Point axis = axisOf(interface, component, p);
@@ -197,7 +197,7 @@ void SpectralSystem::hold(const interface::Interface& interface, std::size_t com
   }
 }
 
-void SpectralSystem::addInterface(const interface::Interface& interface,
+void SpectralSystem::addInterface(const assembly::Interface& interface,
                                   const std::vector<std::shared_ptr<const laws::InterfaceLaw>>& laws,
                                   const Projection& projection, std::vector<Entry>& entries) {
   // Any length: the law's stiffness does not depend on the line.
@@ -238,7 +238,7 @@ void SpectralSystem::addInterface(const interface::Interface& interface,
     std::vector<Entry> unit = springs(interface, c);
     if (isRandom) {
       random_.push_back({compressed(std::move(unit)),
-                         chaos::galerkinMatrix(*projection.basis(), projection.quadrature(), stiffness[c])});
+                         probability::galerkinMatrix(*projection.basis(), projection.quadrature(), stiffness[c])});
     } else {
       for (const Entry& entry : unit) entries.push_back({entry.row, entry.column, stiffness[c][0] * entry.value});
     }

@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include <harmos/assembly/Assembly.hpp>
 #include <harmos/base/Matrix.hpp>
 #include <harmos/base/Tpetra.hpp>
-#include <harmos/interface/Assembly.hpp>
 #include <harmos/stochastic/Projection.hpp>
 #include <harmos/stochastic/Realisations.hpp>
 
@@ -23,7 +23,7 @@ namespace harmos::stochastic {
 /// naming the part when this process does not hold its own stiffness matrix.
 class SpectralSystem {
  public:
-  SpectralSystem(const interface::Assembly& assembly, const std::shared_ptr<const Projection>& projection,
+  SpectralSystem(const assembly::Assembly& assembly, const std::shared_ptr<const Projection>& projection,
                  const Realisations& laws);
 
   int dimension() const { return dimension_; }
@@ -57,14 +57,14 @@ class SpectralSystem {
 
   static Rows compressed(std::vector<Entry> entries);
   static Teuchos::RCP<base::CrsMatrix> crsMatrix(std::vector<Entry> entries);
-  void addBodies(const interface::Assembly& assembly, std::vector<Entry>& entries);
-  void addLoads(const interface::Interface& boundary);
-  void addInterface(const interface::Interface& interface,
+  void addBodies(const assembly::Assembly& assembly, std::vector<Entry>& entries);
+  void addLoads(const assembly::Interface& boundary);
+  void addInterface(const assembly::Interface& interface,
                     const std::vector<std::shared_ptr<const laws::InterfaceLaw>>& laws, const Projection& projection,
                     std::vector<Entry>& entries);
-  std::vector<Entry> springs(const interface::Interface& interface, std::size_t component) const;
-  void addOffset(const interface::Interface& interface, std::size_t component, int column, double traction);
-  void hold(const interface::Interface& interface, std::size_t component, int column, double jump);
+  std::vector<Entry> springs(const assembly::Interface& interface, std::size_t component) const;
+  void addOffset(const assembly::Interface& interface, std::size_t component, int column, double traction);
+  void hold(const assembly::Interface& interface, std::size_t component, int column, double jump);
   /// y = A x as if no dof were held.
   void applyFree(const double* x, double* y) const;
   double& at(base::Matrix& vectors, int dof, int column) const;

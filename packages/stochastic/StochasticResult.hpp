@@ -4,19 +4,19 @@
 #include <string>
 #include <vector>
 
-#include <harmos/chaos/Expansion.hpp>
 #include <harmos/latin/LatinResult.hpp>
+#include <harmos/probability/Expansion.hpp>
 
 namespace harmos::stochastic {
 
 /// One response at every load step as an expansion, with the estimate of its relative error.
 struct ResponseExpansion {
   std::string name;
-  std::shared_ptr<const chaos::Basis> basis;
+  std::shared_ptr<const probability::Basis> basis;
   base::Matrix coefficients;   ///< terms x load steps, in the unit of the response
   double errorEstimate = 0.0;  ///< see ChaosSnapshot; not a number when there is none
 
-  chaos::Expansion at(int step) const {
+  probability::Expansion at(int step) const {
     const double* values = coefficients[step];
     return {basis, {values, values + coefficients.numRows()}};
   }

@@ -7,7 +7,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/stochastic/ModalAssembly.hpp>
+#include <harmos/stochastic/detail/ModalAssembly.hpp>
 
 namespace harmos::stochastic {
 namespace {
@@ -23,7 +23,7 @@ constexpr double gapFactor = 10.0;
 
 }  // namespace
 
-StochasticSolver::StochasticSolver(const interface::Assembly& assembly, std::shared_ptr<const Projection> projection,
+StochasticSolver::StochasticSolver(const assembly::Assembly& assembly, std::shared_ptr<const Projection> projection,
                                    const StochasticOptions& options, Teuchos::RCP<const Teuchos::Comm<int>> comm,
                                    base::Timers& timers)
     : assembly_(assembly),

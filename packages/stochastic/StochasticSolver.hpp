@@ -27,7 +27,7 @@ class StochasticSolver {
  public:
   /// Collective. Factors all operators. The laws of `assembly` are not random; `assembly` and `timers` must outlive the
   /// solver. Throws base::Error as latin::LatinSolver, and (input) for the velocity form.
-  StochasticSolver(const interface::Assembly& assembly, std::shared_ptr<const Projection> projection,
+  StochasticSolver(const assembly::Assembly& assembly, std::shared_ptr<const Projection> projection,
                    const StochasticOptions& options, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
 
   StochasticSolver(const StochasticSolver&) = delete;
@@ -67,10 +67,10 @@ class StochasticSolver {
   int iterations() const;
   void deliver(StochasticResult& result, const std::vector<double>& estimates);
 
-  const interface::Assembly& assembly_;
+  const assembly::Assembly& assembly_;
   std::shared_ptr<const Projection> projection_;
   StochasticOptions options_;
-  interface::Assembly modal_;
+  assembly::Assembly modal_;
   latin::FixedPoint fixedPoint_;
   latin::StateMetric metric_;  // of states with all polynomials
   ChaosLocalStage local_;

@@ -7,10 +7,12 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
+#include <harmos/input/ParameterSpec.hpp>
+#include <harmos/input/Parameters.hpp>
 #ifdef HARMOS_CHOLMOD
-#include <harmos/substructure/Cholmod.hpp>
+#include <harmos/substructure/detail/Cholmod.hpp>
 #endif
-#include <harmos/substructure/TachoDirect.hpp>
+#include <harmos/substructure/detail/TachoDirect.hpp>
 
 namespace harmos::substructure {
 namespace {
@@ -30,7 +32,9 @@ std::string lowerCase(std::string text) {
 
 SolverOptions::SolverOptions() : name(defaultSolver) {}
 
-void SolverOptions::describe(base::ParameterSpec& spec) {
+SolverOptions::SolverOptions(const input::Parameters& given) : name(given.text("Name")) {}
+
+void SolverOptions::describe(input::ParameterSpec& spec) {
   spec.summary("Direct solver that factors every substructure once.");
   spec.text("Name")
       .defaultValue(defaultSolver)

@@ -7,8 +7,10 @@
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>
 
-#include <harmos/base/ParameterSpec.hpp>
-#include <harmos/base/Parameters.hpp>
+namespace harmos::input {
+class ParameterSpec;
+class Parameters;
+}  // namespace harmos::input
 
 namespace harmos::substructure {
 
@@ -16,8 +18,8 @@ namespace harmos::substructure {
 struct SolverOptions {
   SolverOptions();
   explicit SolverOptions(std::string solverName) : name(std::move(solverName)) {}
-  explicit SolverOptions(const base::Parameters& given) : name(given.text("Name")) {}
-  static void describe(base::ParameterSpec& spec);
+  explicit SolverOptions(const input::Parameters& given);
+  static void describe(input::ParameterSpec& spec);
 
   std::string name;                                   ///< default: cholmod, or tacho where CHOLMOD is not built in
   Teuchos::RCP<Teuchos::ParameterList> parameters{};  ///< handed to Amesos2 as they are; null: its defaults

@@ -13,7 +13,7 @@
 namespace harmos::benchmarks {
 namespace {
 
-using base::Parameters;
+using input::Parameters;
 
 // Faces 1..6 of CalculiX's C3D8 by side 0..5 of Exodus' hex8; the nodes have the same order.
 constexpr std::array<int, 6> calculixFace{3, 4, 5, 6, 1, 2};
@@ -25,7 +25,7 @@ constexpr std::array<const char*, 3> axes{"X", "Y", "Z"};
 
 class Writer {
  public:
-  Writer(std::ostream& out, const setup::Scene& scene, const setup::Problem& problem)
+  Writer(std::ostream& out, const scene::Scene& scene, const scene::Problem& problem)
       : out_(out), scene_(scene), problem_(problem), elements_(problem.mesh) {
     out_.precision(16);
   }
@@ -222,8 +222,8 @@ class Writer {
   }
 
   std::ostream& out_;
-  const setup::Scene& scene_;
-  const setup::Problem& problem_;
+  const scene::Scene& scene_;
+  const scene::Problem& problem_;
   mesh::Elements elements_;
   std::vector<Reference> references_;  // of the preloads
   std::vector<std::string> printed_;   // node sets
@@ -231,7 +231,7 @@ class Writer {
 
 }  // namespace
 
-void writeCalculixDeck(std::ostream& out, const setup::Scene& scene, const setup::Problem& problem,
+void writeCalculixDeck(std::ostream& out, const scene::Scene& scene, const scene::Problem& problem,
                        const ContactPenalty& contact) {
   Writer(out, scene, problem).write(contact);
 }

@@ -2,8 +2,8 @@
 
 #include <iosfwd>
 
-#include <harmos/setup/Problem.hpp>
-#include <harmos/setup/Scene.hpp>
+#include <harmos/scene/Problem.hpp>
+#include <harmos/scene/Scene.hpp>
 
 namespace harmos::benchmarks {
 
@@ -22,7 +22,7 @@ struct ContactPenalty {
 /// printed at every increment, as are the reaction forces of the reference nodes. Limits, thrown as base::Error naming
 /// the entry: hex8, isotropic materials, uncut parts, Coulomb Friction and Preload Jump between side sets, Prescribed
 /// Displacement, and Prescribed Traction normal to its faces.
-void writeCalculixDeck(std::ostream& out, const setup::Scene& scene, const setup::Problem& problem,
+void writeCalculixDeck(std::ostream& out, const scene::Scene& scene, const scene::Problem& problem,
                        const ContactPenalty& contact);
 
 }  // namespace harmos::benchmarks

@@ -30,12 +30,11 @@ void check(int info, const char* routine) {
 
 /// Consistent or lumped mass of an interface times its mean stiffness, on the jumps pair by pair, as L of L L^T.
 base::Matrix factoredStiffness(const RandomGlue& glue, std::size_t number) {
-  const interface::Interface& interface =
-      glue.assembly().interfaces[static_cast<std::size_t>(glue.interfaceOf(number))];
+  const assembly::Interface& interface = glue.assembly().interfaces[static_cast<std::size_t>(glue.interfaceOf(number))];
   const auto [normal, tangential] = glue.stiffness(number);
   const mesh::Point& n = interface.frame[0][0];
   base::Matrix lower(2 * interface.pairs(), 2 * interface.pairs());
-  for (const interface::MassEntry& entry : interface.mass) {
+  for (const assembly::MassEntry& entry : interface.mass) {
     for (int a = 0; a < 2; ++a) {
       for (int b = 0; b < 2; ++b) {
         const double projector = n[static_cast<std::size_t>(a)] * n[static_cast<std::size_t>(b)];
@@ -129,7 +128,7 @@ CondensedMonteCarlo::CondensedMonteCarlo(const RandomGlue& glue, const GluedMatr
   // J as pairs of dofs: jump = u(second) - u(first).
   std::vector<std::pair<int, int>> jumps;
   for (std::size_t g = 0; g < 2; ++g) {
-    const interface::Interface& interface = glue.assembly().interfaces[static_cast<std::size_t>(glue.interfaceOf(g))];
+    const assembly::Interface& interface = glue.assembly().interfaces[static_cast<std::size_t>(glue.interfaceOf(g))];
     for (std::size_t p = 0; p < interface.node1.size(); ++p) {
       for (int c = 0; c < 2; ++c) {
         jumps.emplace_back(matrices.system().dofOf(interface.body1, interface.node1[p]) + c,

@@ -3,8 +3,8 @@
 #include <Tpetra_Core.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/chaos/Normal.hpp>
 #include <harmos/latin/LatinOptions.hpp>
+#include <harmos/probability/Normal.hpp>
 #include <harmos/stochastic/AffineComponents.hpp>
 
 #include "../unit/laws/MakeLaw.hpp"
@@ -12,20 +12,21 @@
 namespace harmos::benchmarks {
 namespace {
 
-setup::Problem make(const setup::Scene& scene) {
+scene::Problem make(const scene::Scene& scene) {
   base::Timers timers;
-  return setup::makeProblem(scene, *Tpetra::getDefaultComm(), timers);
+  return scene::makeProblem(scene, *Tpetra::getDefaultComm(), timers);
 }
 
-std::shared_ptr<const chaos::RandomVector> variables() {
-  return std::make_shared<chaos::RandomVector>(std::vector<chaos::Variable>{
-      {"I", std::make_shared<chaos::Normal>(1.0, 0.2)}, {"II", std::make_shared<chaos::Normal>(1.0, 0.25)}});
+std::shared_ptr<const probability::RandomVector> variables() {
+  return std::make_shared<probability::RandomVector>(
+      std::vector<probability::Variable>{{"I", std::make_shared<probability::Normal>(1.0, 0.2)},
+                                         {"II", std::make_shared<probability::Normal>(1.0, 0.25)}});
 }
 
 }  // namespace
 
 RandomGlue::RandomGlue(const std::string& path)
-    : scene_(setup::readScene(path, {}, laws::builtInLaws())),
+    : scene_(scene::readScene(path, {}, laws::builtInLaws())),
       problem_(make(scene_)),
       stages_(latin::LatinOptions(scene_.input.list("Solver")).stages),
       variables_(variables()) {
@@ -36,7 +37,7 @@ RandomGlue::RandomGlue(const std::string& path)
   }
   for (const char* name : {"glue_1", "glue_2"}) {
     for (std::size_t i = 0; i < assembly().interfaces.size(); ++i) {
-      const interface::Interface& interface = assembly().interfaces[i];
+      const assembly::Interface& interface = assembly().interfaces[i];
       if (interface.name != name) continue;
       const auto components = stochastic::affineComponents(*interface.law, 0, 1.0, name);
       glues_.push_back({static_cast<int>(i), components[0].stiffness, components[1].stiffness});
@@ -48,13 +49,13 @@ RandomGlue::RandomGlue(const std::string& path)
 }
 
 std::shared_ptr<const stochastic::Projection> RandomGlue::projection(int order, int points) const {
-  return std::make_shared<stochastic::Projection>(std::make_shared<chaos::Basis>(variables_, order),
-                                                  chaos::tensorQuadrature(*variables_, points));
+  return std::make_shared<stochastic::Projection>(std::make_shared<probability::Basis>(variables_, order),
+                                                  probability::tensorQuadrature(*variables_, points));
 }
 
 std::vector<std::shared_ptr<const laws::InterfaceLaw>> RandomGlue::laws(const std::vector<double>& factors) const {
   std::vector<std::shared_ptr<const laws::InterfaceLaw>> result;
-  for (const interface::Interface& interface : assembly().interfaces) result.push_back(interface.law);
+  for (const assembly::Interface& interface : assembly().interfaces) result.push_back(interface.law);
   for (std::size_t g = 0; g < glues_.size(); ++g) {
     result[static_cast<std::size_t>(glues_[g].interface)] =
         laws::makeLaw("Linear Elastic", {{"Normal Stiffness", factors[g] * glues_[g].normal},

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <harmos/setup/Problem.hpp>
+#include <harmos/scene/Problem.hpp>
 #include <harmos/stochastic/Projection.hpp>
 #include <harmos/stochastic/Realisations.hpp>
 
@@ -20,7 +20,7 @@ class RandomGlue {
   RandomGlue(const RandomGlue&) = delete;
   RandomGlue& operator=(const RandomGlue&) = delete;
 
-  const interface::Assembly& assembly() const { return problem_.assembly; }
+  const assembly::Assembly& assembly() const { return problem_.assembly; }
   /// Displacement of A along x and y.
   const std::vector<std::shared_ptr<const latin::Response>>& responses() const { return responses_; }
   const latin::DisplacementResponse& displacement(std::size_t i) const {
@@ -45,12 +45,12 @@ class RandomGlue {
     double normal = 0.0, tangential = 0.0;
   };
 
-  setup::Scene scene_;
-  setup::Problem problem_;
+  scene::Scene scene_;
+  scene::Problem problem_;
   latin::StageOptions stages_;
   std::vector<std::shared_ptr<const latin::Response>> responses_;
   std::vector<Glue> glues_;
-  std::shared_ptr<const chaos::RandomVector> variables_;
+  std::shared_ptr<const probability::RandomVector> variables_;
 };
 
 }  // namespace harmos::benchmarks

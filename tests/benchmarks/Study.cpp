@@ -39,13 +39,13 @@ int runProgram(int argc, char** argv, const std::function<int(std::vector<std::s
 }
 
 Study::Study(const std::string& path, const Overrides& overrides)
-    : scene(setup::readScene(path, overrides, laws::builtInLaws())),
+    : scene(scene::readScene(path, overrides, laws::builtInLaws())),
       problem(make(scene)),
       options(scene.input.list("Solver")) {}
 
-setup::Problem Study::make(const setup::Scene& scene) {
+scene::Problem Study::make(const scene::Scene& scene) {
   base::Timers timers;
-  return setup::makeProblem(scene, *Tpetra::getDefaultComm(), timers);
+  return scene::makeProblem(scene, *Tpetra::getDefaultComm(), timers);
 }
 
 ConvergedSolution::ConvergedSolution(const Study& study)
@@ -78,7 +78,7 @@ double ConvergedSolution::contactForceError(const latin::FixedPoint& state) cons
     double error = 0.0;
     double size = 0.0;
     for (const latin::TraceLayout::Block& block : layout.blocks()) {
-      const interface::Interface& interface =
+      const assembly::Interface& interface =
           study_.problem.assembly.interfaces[static_cast<std::size_t>(block.interface)];
       if (!interface.law->dissipates()) continue;
       for (int row = block.begin; row < block.begin + layout.dimension() * block.pairs; ++row) {

@@ -10,7 +10,7 @@
 
 #include <harmos/latin/LatinSolver.hpp>
 #include <harmos/latin/Snapshot.hpp>
-#include <harmos/setup/Problem.hpp>
+#include <harmos/scene/Problem.hpp>
 
 namespace harmos::benchmarks {
 
@@ -32,12 +32,12 @@ class Study {
   Study(const Study&) = delete;
   Study& operator=(const Study&) = delete;
 
-  const setup::Scene scene;
-  const setup::Problem problem;
+  const scene::Scene scene;
+  const scene::Problem problem;
   const latin::LatinOptions options;  // as the scene has them
 
  private:
-  static setup::Problem make(const setup::Scene& scene);
+  static scene::Problem make(const scene::Scene& scene);
 };
 
 /// A solution of a study iterated until the residual |T(alpha) - alpha| / |T(alpha)| is 1e-11 or stagnates.

@@ -15,9 +15,9 @@ int main(int argc, char** argv) {
   }
   Tpetra::ScopeGuard scope(&argc, &argv);
   try {
-    const harmos::setup::Scene scene = harmos::setup::readScene(argv[1], {}, harmos::laws::builtInLaws());
+    const harmos::scene::Scene scene = harmos::scene::readScene(argv[1], {}, harmos::laws::builtInLaws());
     harmos::base::Timers timers;
-    const harmos::setup::Problem problem = harmos::setup::makeProblem(scene, *Tpetra::getDefaultComm(), timers);
+    const harmos::scene::Problem problem = harmos::scene::makeProblem(scene, *Tpetra::getDefaultComm(), timers);
     harmos::benchmarks::writeCalculixDeck(std::cout, scene, problem, {std::atof(argv[2]), std::atof(argv[3])});
     return 0;
   } catch (const std::exception& error) {

@@ -15,9 +15,9 @@
 
 #include <Tpetra_Core.hpp>
 
+#include <harmos/parametric/ParametricStudy.hpp>
 #include <harmos/stochastic/DirectSpectral.hpp>
 #include <harmos/stochastic/StochasticSolver.hpp>
-#include <harmos/study/ParametricStudy.hpp>
 
 #include "DirectMonteCarlo.hpp"
 #include "PeakMemory.hpp"
@@ -178,20 +178,20 @@ std::vector<Run> inTurns(int times, const std::vector<std::function<Run()>>& met
 }
 
 /// The study engine on moduli over their means, from warm starts.
-class StudiedDraws : public study::ResultSink {
+class StudiedDraws : public results::ResultSink {
  public:
   StudiedDraws(const RandomGlue& glue, double accuracy, std::vector<std::vector<double>> factors)
       : factors_(std::move(factors)), values_(factors_.size()), stages_(factors_.size()) {
-    interface::Assembly assembly = glue.assembly();
+    assembly::Assembly assembly = glue.assembly();
     latin::LatinOptions options;
     options.accuracy = accuracy;
     options.stages = glue.stages();
-    std::vector<study::Configuration> open;
+    std::vector<design::Configuration> open;
     for (std::size_t i = 0; i < factors_.size(); ++i) open.push_back({static_cast<int>(i) + 1, factors_[i]});
     base::Timers timers;
     const benchmarks::PeakMemory memory;
     const double begin = cpuSeconds();
-    study::ParametricStudy engine(
+    parametric::ParametricStudy engine(
         assembly,
         [&](const std::vector<double>& values) {
           const auto laws = glue.laws(values);
@@ -204,7 +204,7 @@ class StudiedDraws : public study::ResultSink {
     megabytes = memory.megabytes();
   }
 
-  void record(const study::ConfigurationResult& result) override {
+  void record(const results::ConfigurationResult& result) override {
     if (result.curves.empty()) throw base::Error("a draw was not solved: " + result.reason);
     auto& value = values_[static_cast<std::size_t>(result.id) - 1];
     for (std::size_t c = 0; c < 2; ++c) value[c] = result.curves[c].back();

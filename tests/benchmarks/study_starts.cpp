@@ -14,8 +14,8 @@
 #include <Tpetra_Core.hpp>
 
 #include <harmos/latin/AndersonAcceleration.hpp>
-#include <harmos/laws/BuiltIn.hpp>
-#include <harmos/study/ParametricStudy.hpp>
+#include <harmos/laws/LawRegistry.hpp>
+#include <harmos/parametric/ParametricStudy.hpp>
 
 #include "Study.hpp"
 
@@ -29,8 +29,8 @@ double cpuSeconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-std::vector<study::Configuration> grid() {
-  std::vector<study::Configuration> all;
+std::vector<design::Configuration> grid() {
+  std::vector<design::Configuration> all;
   for (int mu = 0; mu < 9; ++mu) {
     for (int one = 0; one < 12; ++one) {
       for (int two = 0; two < 12; ++two) {
@@ -55,46 +55,46 @@ class Joint {
  public:
   explicit Joint(const std::string& path) : path_(path), scene_(read({0.3, 0.1, 0.1})) {
     base::Timers timers;
-    problem = setup::makeProblem(scene_, *Tpetra::getDefaultComm(), timers);
+    problem = scene::makeProblem(scene_, *Tpetra::getDefaultComm(), timers);
     options = latin::LatinOptions(scene_.input.list("Solver"));
   }
   Joint(const Joint&) = delete;
   Joint& operator=(const Joint&) = delete;
 
   void install(const std::vector<double>& values) {
-    const setup::Scene scene = read(values);
-    for (interface::Interface& interface : problem.assembly.interfaces) {
+    const scene::Scene scene = read(values);
+    for (assembly::Interface& interface : problem.assembly.interfaces) {
       interface.law = scene.laws.at(interface.name);
     }
   }
 
-  setup::Problem problem;
+  scene::Problem problem;
   latin::LatinOptions options;
 
  private:
-  setup::Scene read(const std::vector<double>& values) const {
+  scene::Scene read(const std::vector<double>& values) const {
     benchmarks::Overrides overrides = benchmarks::displacementDriven();
     overrides.resize(2);
     const char* const names[] = {"mu", "preload_1", "preload_2"};
     for (std::size_t p = 0; p < values.size(); ++p) {
       overrides.push_back("Values/" + std::string(names[p]) + "=" + std::to_string(values[p]));
     }
-    return setup::readScene(path_, overrides, laws::builtInLaws());
+    return scene::readScene(path_, overrides, laws::builtInLaws());
   }
 
   std::string path_;
-  setup::Scene scene_;
+  scene::Scene scene_;
 };
 
-class Results : public study::ResultSink {
+class Results : public results::ResultSink {
  public:
-  void record(const study::ConfigurationResult& result) override {
+  void record(const results::ConfigurationResult& result) override {
     if (all.emplace(result.id, result).second && all.size() % 50 == 0) {
       std::fprintf(stderr, "%zu configurations, %.0f s CPU\n", all.size(), cpuSeconds());
     }
     all[result.id] = result;
   }
-  std::map<int, study::ConfigurationResult> all;
+  std::map<int, results::ConfigurationResult> all;
 };
 
 double largest(const std::vector<double>& values) {
@@ -156,8 +156,8 @@ int measure(std::vector<std::string> arguments) {
   }
   Joint joint(arguments[0]);
   joint.options.accuracy = accuracy;
-  const std::vector<study::Configuration> all = grid();
-  std::vector<study::Configuration> open;
+  const std::vector<design::Configuration> all = grid();
+  std::vector<design::Configuration> open;
   std::vector<int> chosen = sample(static_cast<int>(all.size()), count, 1);
   std::sort(chosen.begin(), chosen.end());
   for (int i : chosen) open.push_back(all[static_cast<std::size_t>(i)]);
@@ -166,10 +166,10 @@ int measure(std::vector<std::string> arguments) {
 
   base::Timers timers;
   const auto comm = Tpetra::getDefaultComm();
-  study::ParametricStudy engine(
+  parametric::ParametricStudy engine(
       joint.problem.assembly, [&](const auto& values) { joint.install(values); }, joint.problem.responses,
-      study::optionsForStudy(joint.options, open.size()), comm, timers);
-  engine.setObserver([&](const study::Configuration& configuration, const latin::FixedPoint& state) {
+      parametric::optionsForStudy(joint.options, open.size()), comm, timers);
+  engine.setObserver([&](const design::Configuration& configuration, const latin::FixedPoint& state) {
     const auto found = checked.find(configuration.id);
     if (found != checked.end()) found->second = state.hattedTraction();
   });
@@ -179,17 +179,17 @@ int measure(std::vector<std::string> arguments) {
   const double studySeconds = cpuSeconds() - begin;
 
   std::vector<int> stages;
-  std::map<study::Status, int> ends;
+  std::map<results::Status, int> ends;
   for (const auto& [id, result] : results.all) {
     stages.push_back(result.linearStages);
     ++ends[result.status];
   }
   std::sort(stages.begin(), stages.end());
   const double mean = std::accumulate(stages.begin(), stages.end(), 0.0) / static_cast<double>(stages.size());
-  const study::StudySummary& summary = engine.summary();
+  const parametric::Trust& summary = engine.summary();
   std::printf("accuracy %g, %zu configurations: %d calibrated, %d certified, %d others\n", accuracy, stages.size(),
-              ends[study::Status::calibrated], ends[study::Status::certified],
-              static_cast<int>(stages.size()) - ends[study::Status::calibrated] - ends[study::Status::certified]);
+              ends[results::Status::calibrated], ends[results::Status::certified],
+              static_cast<int>(stages.size()) - ends[results::Status::calibrated] - ends[results::Status::certified]);
   std::printf(
       "kf %.3g, kc %.3g from %d calibrations; %d audits, %d without end, %d false, largest error %.2f of the accuracy; "
       "at most "
@@ -202,21 +202,22 @@ int measure(std::vector<std::string> arguments) {
   double certifiedSeconds = 0.0, sameStopSeconds = 0.0;
   {
     base::Timers unused;
-    latin::LatinSolver solver(joint.problem.assembly, study::optionsForStudy(joint.options, open.size()), comm, unused);
+    latin::LatinSolver solver(joint.problem.assembly, parametric::optionsForStudy(joint.options, open.size()), comm,
+                              unused);
     for (const auto& response : joint.problem.responses) solver.addResponse(response);
-    study::ConfigurationIteration iteration(solver.fixedPoint(), joint.problem.responses, 0, joint.options.memory,
-                                            unused);
+    parametric::ConfigurationIteration iteration(solver.fixedPoint(), joint.problem.responses, 0, joint.options.memory,
+                                                 unused);
     for (int i : sample(static_cast<int>(open.size()), coldRuns, 3)) {
-      const study::Configuration& configuration = open[static_cast<std::size_t>(i)];
+      const design::Configuration& configuration = open[static_cast<std::size_t>(i)];
       joint.install(configuration.values);
       double start = cpuSeconds();
       certifiedStages.push_back(solver.solve().linearStages);
       certifiedSeconds += cpuSeconds() - start;
       start = cpuSeconds();
-      iteration.begin(study::SolvedStates(1), configuration.values);
-      study::Indicators target = {accuracy / 1.5 * summary.forceRatio, accuracy / 1.5 * summary.responseRatio};
+      iteration.begin(parametric::SolvedStates(1), configuration.values);
+      parametric::Indicators target = {accuracy / 1.5 * summary.forceRatio, accuracy / 1.5 * summary.responseRatio};
       for (double estimate = 1.0; estimate > accuracy && iteration.stages() < 300;) {
-        const study::Indicators indicators = iteration.march(target);
+        const parametric::Indicators indicators = iteration.march(target);
         estimate = 1.5 * std::max(indicators.force / summary.forceRatio, indicators.response / summary.responseRatio);
         target = {0.5 * target.force, 0.5 * target.response};
       }
@@ -242,7 +243,7 @@ int measure(std::vector<std::string> arguments) {
   double worst = 0.0, leastRatio = 1e9, largestRatio = 0.0;
   latin::FixedPoint exact(joint.problem.assembly, joint.options.stages, comm, timers);
   for (const auto& [id, traction] : checked) {
-    const study::ConfigurationResult& result = results.all[id];
+    const results::ConfigurationResult& result = results.all[id];
     if (traction.numRows() == 0) continue;
     joint.install(all[static_cast<std::size_t>(id) - 1].values);
     exact.updateLaws();
@@ -259,7 +260,7 @@ int measure(std::vector<std::string> arguments) {
   const std::vector<std::pair<std::vector<double>, double>> references = {
       {{0.25, 0.1, 0.1}, 3259.2102}, {{0.25, 0.125, 0.1}, 3668.9484}, {{0.30, 0.15, 0.125}, 5388.7439}};
   for (const auto& [values, force] : references) {
-    for (const study::Configuration& configuration : open) {
+    for (const design::Configuration& configuration : open) {
       double distance = 0.0;
       for (std::size_t p = 0; p < 3; ++p) distance += std::abs(configuration.values[p] - values[p]);
       if (distance > 1e-9) continue;

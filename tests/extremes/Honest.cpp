@@ -9,7 +9,7 @@
 #include <Tpetra_Core.hpp>
 
 #include <harmos/latin/Snapshot.hpp>
-#include <harmos/setup/SceneRun.hpp>
+#include <harmos/scene/SceneRun.hpp>
 
 namespace harmos::verification {
 namespace {
@@ -33,9 +33,9 @@ SolvedRun::SolvedRun(const SceneInput& input)
   result_ = solver_.solve();
 }
 
-setup::Problem SolvedRun::make(const setup::Scene& scene) {
+scene::Problem SolvedRun::make(const scene::Scene& scene) {
   base::Timers timers;
-  return setup::makeProblem(scene, *Tpetra::getDefaultComm(), timers);
+  return scene::makeProblem(scene, *Tpetra::getDefaultComm(), timers);
 }
 
 const std::vector<double>& SolvedRun::values(const std::string& response) const {
@@ -100,7 +100,7 @@ void expectNoEquilibrium(const SceneInput& scene, const std::vector<std::string>
   const SolvedRun run(scene);
   report("asked", run);
   const std::string& reason = run.result().reason;
-  EXPECT_EQ(setup::exitCodeOf(run.result().outcome), 4) << reason;
+  EXPECT_EQ(scene::exitCodeOf(run.result().outcome), 4) << reason;
   EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
     return reason.find("\"" + part + "\"") != std::string::npos;
   })) << reason;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <harmos/latin/LatinSolver.hpp>
-#include <harmos/setup/Problem.hpp>
+#include <harmos/scene/Problem.hpp>
 
 #include "SceneInput.hpp"
 
@@ -32,11 +32,11 @@ class SolvedRun {
   std::vector<Error> errorsOf(const SolvedRun& run) const;
 
  private:
-  static setup::Problem make(const setup::Scene& scene);
+  static scene::Problem make(const scene::Scene& scene);
 
-  setup::Scene scene_;
+  scene::Scene scene_;
   base::Timers timers_;
-  setup::Problem problem_;
+  scene::Problem problem_;
   latin::LatinSolver solver_;
   latin::LatinResult result_;
 };

@@ -7,8 +7,8 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/LatinSolver.hpp>
-#include <harmos/setup/Problem.hpp>
-#include <harmos/setup/SceneRun.hpp>
+#include <harmos/scene/Problem.hpp>
+#include <harmos/scene/SceneRun.hpp>
 
 #include "Honest.hpp"
 
@@ -41,7 +41,7 @@ std::string refusal(const SceneInput& scene, int& exitCode) {
   exitCode = 0;
   try {
     const SolvedRun run(scene);
-    exitCode = setup::exitCodeOf(run.result().outcome);
+    exitCode = scene::exitCodeOf(run.result().outcome);
     return run.result().reason;
   } catch (const base::Error& error) {
     exitCode = static_cast<int>(error.code());
@@ -92,11 +92,11 @@ struct Broken {
   static constexpr const char* name = "Broken";
   static constexpr int historySize = 0;
   static constexpr laws::Sides sides = laws::Sides::two;
-  static void describe(base::ParameterSpec& p) {
+  static void describe(input::ParameterSpec& p) {
     p.summary("Returns what is not a number.");
     p.number("Friction Coefficient").unit("-").doc("Not used.");
   }
-  explicit Broken(const base::Parameters&) {}
+  explicit Broken(const input::Parameters&) {}
   laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext& at, const double*, double*) const {
     laws::LocalState state;
     for (std::size_t c = 0; c < 3; ++c) state.traction[c] = line.freeJump[c] / line.compliance;
@@ -108,11 +108,11 @@ struct Broken {
 TEST(HostLaw, ThatReturnsNoNumberIsNamed) {
   laws::LawRegistry laws = laws::builtInLaws();
   laws::addLaw<Broken>(laws);
-  const setup::Scene scene = setup::readScene(std::string(HARMOS_VERIFICATION_DIR) + "/pressed_blocks.xml",
+  const scene::Scene scene = scene::readScene(std::string(HARMOS_VERIFICATION_DIR) + "/pressed_blocks.xml",
                                               {"Interfaces/contact/Law/Type=Broken"}, laws);
   const auto comm = Tpetra::getDefaultComm();
   base::Timers timers;
-  const setup::Problem problem = setup::makeProblem(scene, *comm, timers);
+  const scene::Problem problem = scene::makeProblem(scene, *comm, timers);
   latin::LatinSolver solver(problem.assembly, latin::LatinOptions(scene.input.list("Solver")), comm, timers);
   try {
     solver.solve();

@@ -8,11 +8,11 @@
 #include <Tpetra_Core.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/setup/Problem.hpp>
-#include <harmos/setup/Scene.hpp>
-#include <harmos/setup/Study.hpp>
+#include <harmos/scene/Problem.hpp>
+#include <harmos/scene/Scene.hpp>
+#include <harmos/study/Study.hpp>
 
-namespace harmos::setup {
+namespace harmos {
 namespace {
 
 std::vector<std::string> cases() {
@@ -26,13 +26,13 @@ std::vector<std::string> cases() {
 
 std::string messageOf(const std::string& scenePath) {
   try {
-    if (isStudyFile(scenePath)) {
-      readStudy(scenePath, {}, "", laws::builtInLaws());
+    if (study::isStudyFile(scenePath)) {
+      study::readStudy(scenePath, {}, "", laws::builtInLaws());
       return "no error\n";
     }
-    const Scene scene = readScene(scenePath, {}, laws::builtInLaws());
+    const scene::Scene scene = scene::readScene(scenePath, {}, laws::builtInLaws());
     base::Timers timers;
-    makeProblem(scene, *Tpetra::getDefaultComm(), timers);
+    scene::makeProblem(scene, *Tpetra::getDefaultComm(), timers);
   } catch (const base::Error& error) {
     EXPECT_EQ(error.code(), base::ExitCode::input);
     return std::string(error.what()) + "\n";
@@ -52,4 +52,4 @@ TEST_P(Input, IsRefusedWithItsMessage) {
 INSTANTIATE_TEST_SUITE_P(Cases, Input, ::testing::ValuesIn(cases()), [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace harmos::setup
+}  // namespace harmos

@@ -9,8 +9,8 @@
 #include <Tpetra_Core.hpp>
 
 #include <harmos/base/Numerals.hpp>
-#include <harmos/output/ExodusWriter.hpp>
-#include <harmos/setup/MeshSource.hpp>
+#include <harmos/files/ExodusWriter.hpp>
+#include <harmos/scene/MeshSource.hpp>
 
 namespace harmos::verification {
 
@@ -38,7 +38,7 @@ struct MeshFiles {
 SceneInput SceneInput::fromFile(const std::string& path) {
   SceneInput scene;
   scene.path_ = (std::filesystem::path(HARMOS_VERIFICATION_DIR) / path).string();
-  scene.input_ = base::InputTree::fromFile(scene.path_);
+  scene.input_ = input::InputTree::fromFile(scene.path_);
   return scene;
 }
 
@@ -47,13 +47,13 @@ SceneInput& SceneInput::set(const std::string& assignment) {
   return *this;
 }
 
-base::InputNode& SceneInput::list(const std::string& path) {
-  base::InputNode* node = &input_.root;
+input::InputNode& SceneInput::list(const std::string& path) {
+  input::InputNode* node = &input_.root;
   for (const auto& name : std::filesystem::path(path)) {
-    base::InputNode* child = node->child(name.string());
+    input::InputNode* child = node->child(name.string());
     if (child == nullptr) {
       child = &node->children.emplace_back();
-      child->tag = base::InputNode::listTag;
+      child->tag = input::InputNode::listTag;
       child->location = "verification test";
       child->setAttribute("name", name.string());
     }
@@ -64,11 +64,11 @@ base::InputNode& SceneInput::list(const std::string& path) {
 
 SceneInput& SceneInput::add(const std::string& path, const std::string& xml) {
   const std::string wrapped = "<ParameterList name=\"added\">" + xml + "</ParameterList>";
-  const base::InputTree added = base::InputTree::fromText(wrapped, "verification test");
+  const input::InputTree added = input::InputTree::fromText(wrapped, "verification test");
   auto& children = list(path).children;
-  for (const base::InputNode& node : added.root.children) {
+  for (const input::InputNode& node : added.root.children) {
     children.erase(std::remove_if(children.begin(), children.end(),
-                                  [&](const base::InputNode& old) { return old.name() == node.name(); }),
+                                  [&](const input::InputNode& old) { return old.name() == node.name(); }),
                    children.end());
     children.push_back(node);
   }
@@ -80,7 +80,7 @@ SceneInput& SceneInput::remove(const std::string& path) {
   auto& children = list(whole.parent_path().string()).children;
   const std::string name = whole.filename().string();
   children.erase(
-      std::remove_if(children.begin(), children.end(), [&](const base::InputNode& old) { return old.name() == name; }),
+      std::remove_if(children.begin(), children.end(), [&](const input::InputNode& old) { return old.name() == name; }),
       children.end());
   return *this;
 }
@@ -88,12 +88,12 @@ SceneInput& SceneInput::remove(const std::string& path) {
 SceneInput& SceneInput::changeMesh(const std::function<void(mesh::Mesh&)>& change) {
   static MeshFiles files;
   const auto comm = Tpetra::getDefaultComm();
-  mesh::Mesh mesh = setup::makeMesh(scene().input.list("Mesh"), path_);
+  mesh::Mesh mesh = scene::makeMesh(scene().input.list("Mesh"), path_);
   change(mesh);
   const std::string file = newMeshFile(*comm);
   if (comm->getRank() == 0) {
     files.paths.push_back(file);
-    output::ExodusWriter writer(file, "Verification", output::resultMesh(mesh), {});
+    files::ExodusWriter writer(file, "Verification", files::resultMesh(mesh), {});
     writer.commit();
   }
   comm->barrier();
@@ -107,8 +107,8 @@ SceneInput& SceneInput::changeMesh(const std::function<void(mesh::Mesh&)>& chang
                  file + "\"/>");
 }
 
-setup::Scene SceneInput::scene() const {
-  return setup::makeScene(input_, path_, overrides_, laws::builtInLaws());
+scene::Scene SceneInput::scene() const {
+  return scene::makeScene(input_, path_, overrides_, laws::builtInLaws());
 }
 
 namespace {

@@ -6,9 +6,9 @@
 
 #include <Teuchos_Comm.hpp>
 
-#include <harmos/base/InputTree.hpp>
+#include <harmos/input/InputTree.hpp>
 #include <harmos/mesh/Mesh.hpp>
-#include <harmos/setup/Scene.hpp>
+#include <harmos/scene/Scene.hpp>
 
 namespace harmos::verification {
 
@@ -27,13 +27,13 @@ class SceneInput {
   /// Replaces the mesh by what `change` makes of it, through an Exodus file. Collective over all processes.
   SceneInput& changeMesh(const std::function<void(mesh::Mesh&)>& change);
 
-  setup::Scene scene() const;
+  scene::Scene scene() const;
 
  private:
-  base::InputNode& list(const std::string& path);
+  input::InputNode& list(const std::string& path);
 
   std::string path_;
-  base::InputTree input_;
+  input::InputTree input_;
   std::vector<std::string> overrides_;
 };
 

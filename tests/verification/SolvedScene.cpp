@@ -9,7 +9,7 @@
 
 #include <harmos/latin/LatinSolver.hpp>
 #include <harmos/latin/PairFields.hpp>
-#include <harmos/setup/Problem.hpp>
+#include <harmos/scene/Problem.hpp>
 
 namespace harmos::verification {
 
@@ -17,16 +17,16 @@ SolvedScene::SolvedScene(const SceneInput& input) : SolvedScene(input, Tpetra::g
 
 SolvedScene::SolvedScene(const SceneInput& input, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   base::Timers timers;
-  const setup::Scene scene = input.scene();
-  const setup::Problem problem = setup::makeProblem(scene, *comm, timers);
+  const scene::Scene scene = input.scene();
+  const scene::Problem problem = scene::makeProblem(scene, *comm, timers);
   latin::LatinSolver solver(problem.assembly, latin::LatinOptions(scene.input.list("Solver")), comm, timers);
   for (const auto& response : problem.responses) solver.addResponse(response);
   result = solver.solve();
 
-  const interface::Assembly& assembly = problem.assembly;
+  const assembly::Assembly& assembly = problem.assembly;
   pairs_.resize(static_cast<std::size_t>(assembly.steps()));
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    const interface::Interface& interface = assembly.interfaces[i];
+    const assembly::Interface& interface = assembly.interfaces[i];
     auto name = std::find(names_.begin(), names_.end(), interface.name);
     if (name == names_.end()) name = names_.insert(name, interface.name);
     const latin::PairFields fields = latin::pairFields(solver.state(), static_cast<int>(i));

@@ -111,9 +111,9 @@ substructure::Substructure lattice(const std::string& name, double start, bool i
 }
 
 /// An interface over a whole cross-section of unit areas.
-interface::Interface section(const std::string& name, std::shared_ptr<const laws::InterfaceLaw> law, int body1,
-                             bool atEnd, int body2 = -1) {
-  interface::Interface joint;
+assembly::Interface section(const std::string& name, std::shared_ptr<const laws::InterfaceLaw> law, int body1,
+                            bool atEnd, int body2 = -1) {
+  assembly::Interface joint;
   joint.name = name;
   joint.law = std::move(law);
   joint.body1 = body1;
@@ -143,7 +143,7 @@ std::vector<double> exactEnd() {
 
 bool solve(const Teuchos::RCP<const Teuchos::Comm<int>>& communicator) {
   const int rank = communicator->getRank(), second = communicator->getSize() - 1;
-  interface::Assembly assembly;
+  assembly::Assembly assembly;
   assembly.owner = {0, second};
   assembly.bodies = {lattice("A", 0.0, rank == 0), lattice("B", length - 1.0, rank == second)};
   assembly.interfaces = {section("clamp", std::make_shared<laws::PointwiseLaw<Clamp>>(), 0, false),

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <harmos/elasticity/Isotropic.hpp>
 #include <harmos/elasticity/Stiffness.hpp>
 #include <harmos/elasticity/Stress.hpp>
+#include <harmos/elasticity/detail/Isotropic.hpp>
 #include <harmos/substructure/SubstructureSolver.hpp>
 
 #include "Patches.hpp"

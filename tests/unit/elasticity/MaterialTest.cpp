@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/elasticity/Isotropic.hpp>
 #include <harmos/elasticity/Kinematics.hpp>
-#include <harmos/elasticity/Orthotropic.hpp>
+#include <harmos/elasticity/detail/Isotropic.hpp>
+#include <harmos/elasticity/detail/Orthotropic.hpp>
 
 namespace harmos::elasticity {
 namespace {
@@ -133,10 +133,10 @@ TEST(PlaneStress, leavesYoungsModulusInTension) {
 
 TEST(Materials, areBuiltFromTheirParameters) {
   const MaterialRegistry materials = builtInMaterials();
-  base::Parameters steel("steel");
+  input::Parameters steel("steel");
   steel.set("Type", std::string("Isotropic")).set("Young's Modulus", 210e3).set("Poisson's Ratio", 0.3);
   expectEqual(materials.create(steel)->elasticity(), Isotropic(210e3, 0.3).elasticity());
-  base::Parameters ply("ply");
+  input::Parameters ply("ply");
   ply.set("Type", std::string("Orthotropic"));
   const Orthotropic::Constants c = wood();
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <harmos/elasticity/Isotropic.hpp>
 #include <harmos/elasticity/Stiffness.hpp>
 #include <harmos/elasticity/Stress.hpp>
+#include <harmos/elasticity/detail/Isotropic.hpp>
 
 #include "Patches.hpp"
 

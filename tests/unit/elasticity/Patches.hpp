@@ -6,7 +6,7 @@
 
 #include <harmos/base/Matrix.hpp>
 #include <harmos/elasticity/Kinematics.hpp>
-#include <harmos/elasticity/Orthotropic.hpp>
+#include <harmos/elasticity/detail/Orthotropic.hpp>
 #include <harmos/mesh/Boxes.hpp>
 #include <harmos/mesh/Part.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>

@@ -5,7 +5,7 @@
 #include <Teuchos_LAPACK.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/elasticity/Isotropic.hpp>
+#include <harmos/elasticity/detail/Isotropic.hpp>
 
 #include "Patches.hpp"
 

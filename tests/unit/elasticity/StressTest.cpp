@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/elasticity/Isotropic.hpp>
+#include <harmos/elasticity/detail/Isotropic.hpp>
 
 #include "Patches.hpp"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <harmos/latin/AndersonAcceleration.hpp>
-#include <harmos/latin/LeastSquares.hpp>
+#include <harmos/latin/NormalEquations.hpp>
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
@@ -48,8 +48,8 @@ class Anderson : public testing::Test {
         layout_(assembly_, k_, self()),
         metric_(layout_) {}
 
-  interface::Assembly assembly_;
-  interface::SearchDirection k_;
+  assembly::Assembly assembly_;
+  assembly::SearchDirection k_;
   TraceLayout layout_;
   StateMetric metric_;
 };

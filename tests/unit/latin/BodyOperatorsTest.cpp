@@ -49,16 +49,16 @@ BoxAssembly wedges(const Motion& motion, bool isShared, bool isConsistent = fals
 }
 
 struct Operators {
-  explicit Operators(const interface::Assembly& given)
+  explicit Operators(const assembly::Assembly& given)
       : assembly(given),
         k(assembly, 1.0, *self()),
         layout(assembly, k, self()),
         bodies(assembly, k, layout, {}, timers) {
     bodies.select(allSteps(steps));
   }
-  interface::Assembly assembly;
+  assembly::Assembly assembly;
   base::Timers timers;
-  interface::SearchDirection k;
+  assembly::SearchDirection k;
   TraceLayout layout;
   BodyOperators bodies;
 };
@@ -123,7 +123,7 @@ TEST(BodyOperators, SolveAPartOfTheColumns) {
 
 // A pressure p on an area A pushes with p A, half of it at each load step asked for.
 TEST(BodyOperators, TurnPrescribedTractionsIntoLoads) {
-  interface::Assembly assembly = wedges(translated, false).assembly();
+  assembly::Assembly assembly = wedges(translated, false).assembly();
   const Operators operators(assembly);
   double force = 0.0, area = 0.0;
   for (double a : assembly.interfaces[2].area) area += a;
@@ -139,8 +139,7 @@ TEST(BodyOperators, TurnPrescribedTractionsIntoLoads) {
 }
 
 TEST(BodyOperators, NameABodyThatNothingHolds) {
-  interface::Assembly assembly =
-      twoChains(laws::makeLaw("Perfect"), laws::makeLaw("Prescribed Traction", {{"X", 1.0}}));
+  assembly::Assembly assembly = twoChains(laws::makeLaw("Perfect"), laws::makeLaw("Prescribed Traction", {{"X", 1.0}}));
   assembly.interfaces.erase(assembly.interfaces.begin() + 1);
   assembly.times = {1.0, 2.0};
   try {

@@ -2,8 +2,8 @@
 
 #include <random>
 
-#include <harmos/elasticity/Isotropic.hpp>
 #include <harmos/elasticity/Stiffness.hpp>
+#include <harmos/elasticity/detail/Isotropic.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
 
 namespace harmos::latin {
@@ -45,7 +45,7 @@ void BoxAssembly::deform(const std::string& box, const std::function<mesh::Point
 void BoxAssembly::add(const std::vector<mesh::InterfaceSurface>& surfaces,
                       const std::shared_ptr<const laws::InterfaceLaw>& law, bool isConsistent) {
   for (const mesh::InterfaceSurface& surface : surfaces) {
-    interface::Interface joint;
+    assembly::Interface joint;
     joint.name = surface.name;
     joint.law = law;
     joint.body1 = surface.part1;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <harmos/interface/Assembly.hpp>
+#include <harmos/assembly/Assembly.hpp>
 #include <harmos/mesh/Boxes.hpp>
 #include <harmos/mesh/InterfaceFinder.hpp>
 
@@ -27,9 +27,7 @@ class BoxAssembly {
   /// Makes the later of two equal bodies share the matrix of the earlier one.
   void share(int representative, int body);
 
-  interface::Assembly& assembly() {
-    return assembly_;
-  }
+  assembly::Assembly& assembly() { return assembly_; }
   const std::vector<mesh::Part>& parts() const { return parts_; }
 
  private:
@@ -39,7 +37,7 @@ class BoxAssembly {
 
   mesh::Mesh mesh_;
   std::vector<mesh::Part> parts_;
-  interface::Assembly assembly_;
+  assembly::Assembly assembly_;
 };
 
 /// Two cubes of 2^3 elements, one above the other, the lower one clamped at the bottom.

@@ -7,7 +7,7 @@
 
 #include <Teuchos_DefaultSerialComm.hpp>
 
-#include <harmos/interface/Assembly.hpp>
+#include <harmos/assembly/Assembly.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
 
 #include "../laws/MakeLaw.hpp"
@@ -47,10 +47,10 @@ inline substructure::Substructure chain(const std::string& name, double first, i
 }
 
 /// Interface of one node pair with the normal along x (or against it).
-inline interface::Interface pointInterface(const std::string& name, std::shared_ptr<const laws::InterfaceLaw> law,
-                                           int body1, int node1, int body2 = -1, int node2 = 0, double area = 1.0,
-                                           double gap = 0.0, double normal = 1.0) {
-  interface::Interface joint;
+inline assembly::Interface pointInterface(const std::string& name, std::shared_ptr<const laws::InterfaceLaw> law,
+                                          int body1, int node1, int body2 = -1, int node2 = 0, double area = 1.0,
+                                          double gap = 0.0, double normal = 1.0) {
+  assembly::Interface joint;
   joint.name = name;
   joint.law = std::move(law);
   joint.body1 = body1;
@@ -80,9 +80,9 @@ inline std::shared_ptr<const laws::InterfaceLaw> clamp() {
 }
 
 /// wall |--- left (3 springs of 30) ---| joint |--- right (2 springs of 40) ---> traction: the ends give 10 and 20.
-inline interface::Assembly twoChains(std::shared_ptr<const laws::InterfaceLaw> joint,
-                                     std::shared_ptr<const laws::InterfaceLaw> end, int steps = 1, double gap = 0.0) {
-  interface::Assembly assembly;
+inline assembly::Assembly twoChains(std::shared_ptr<const laws::InterfaceLaw> joint,
+                                    std::shared_ptr<const laws::InterfaceLaw> end, int steps = 1, double gap = 0.0) {
+  assembly::Assembly assembly;
   assembly.bodies = {chain("left", 0.0, 4, 30.0), chain("right", 3.0, 3, 40.0)};
   assembly.interfaces = {pointInterface("wall", clamp(), 0, 0, -1, 0, 1.0, 0.0, -1.0),
                          pointInterface("joint", std::move(joint), 0, 3, 1, 0, 1.0, gap),

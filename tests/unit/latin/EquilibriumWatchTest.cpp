@@ -21,7 +21,7 @@ Law traction(double x) {
 
 /// The relaxed iteration on two chains, watched.
 struct Watched {
-  explicit Watched(interface::Assembly chains, double ignored = accuracy, double scale = 1.0)
+  explicit Watched(assembly::Assembly chains, double ignored = accuracy, double scale = 1.0)
       : assembly(std::move(chains)), watch(ignored) {
     StageOptions options;
     options.searchDirectionScale = scale;
@@ -40,7 +40,7 @@ struct Watched {
     }
   }
 
-  interface::Assembly assembly;
+  assembly::Assembly assembly;
   EquilibriumWatch watch;
   int iterations = 0;
   int foundAt = 0;  // 0: never

@@ -14,17 +14,17 @@ namespace {
 // The side owned by another rank is fetched from it: every rank finds what one rank finds.
 TEST(LocalStage, FindsTheSameOnSeveralRanks) {
   const auto comm = Tpetra::getDefaultComm();
-  interface::Assembly alone =
+  assembly::Assembly alone =
       twoChains(laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}}), laws::makeLaw("Symmetry"), 2);
   alone.owner = {comm->getRank(), comm->getRank()};
-  interface::Assembly shared = alone;
+  assembly::Assembly shared = alone;
   shared.owner = {0, comm->getSize() - 1};
   std::vector<base::Matrix> results;
-  for (const interface::Assembly* assembly : {&alone, &shared}) {
+  for (const assembly::Assembly* assembly : {&alone, &shared}) {
     // All stiffnesses are known everywhere here, so that the search direction needs no communication.
-    interface::Assembly onOne = *assembly;
+    assembly::Assembly onOne = *assembly;
     onOne.owner.clear();
-    const interface::SearchDirection k(onOne, 1.0, *comm);
+    const assembly::SearchDirection k(onOne, 1.0, *comm);
     const TraceLayout layout(*assembly, k, comm);
     LocalStage local(*assembly, k, layout, Formulation::displacement);
     local.select(allSteps(2));

@@ -27,7 +27,7 @@ LatinOptions accurate(double accuracy = 1e-8) {
   return options;
 }
 
-LatinResult solve(const interface::Assembly& assembly, const LatinOptions& options = accurate()) {
+LatinResult solve(const assembly::Assembly& assembly, const LatinOptions& options = accurate()) {
   base::Timers timers;
   LatinSolver solver(assembly, options, self(), timers);
   solver.addResponse(endDisplacement());
@@ -83,7 +83,7 @@ TEST(LatinSolver, SolvesGlue) {
 // A node pressed by 1 and dragged to and fro, as a Jenkins element: friction 0.3 behind a spring of left + right.
 TEST(LatinSolver, SolvesFrictionOnTheWayBack) {
   constexpr double friction = 0.3;
-  interface::Assembly assembly =
+  assembly::Assembly assembly =
       twoChains(laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", friction}}),
                 laws::makeLaw("Prescribed Displacement", {{"X", -1.0 / both}, {"Y", 0.1}, {"Z", 0.0}},
                               {{"Y", {0.2, 1.0, 0.8, -1.0}}}),
@@ -125,9 +125,9 @@ TEST(LatinSolver, AgreesWithItselfInEveryFormAndAlgorithm) {
 }
 
 TEST(LatinSolver, DoesNotCareWhichSideIsOne) {
-  interface::Assembly swapped =
+  assembly::Assembly swapped =
       twoChains(laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}}), move(-0.15, {1.0}), 1);
-  interface::Interface& joint = swapped.interfaces[1];
+  assembly::Interface& joint = swapped.interfaces[1];
   std::swap(joint.body1, joint.body2);
   std::swap(joint.node1, joint.node2);
   joint.frame[0] = {{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}};
@@ -137,7 +137,7 @@ TEST(LatinSolver, DoesNotCareWhichSideIsOne) {
 TEST(LatinSolver, KnowsNoUnits) {
   const auto joint = [](double gap) { return laws::makeLaw("Unilateral Contact", {{"Gap", gap}}); };
   const LatinResult millimetres = solve(twoChains(joint(0.05), move(-0.15, {1.0}), 1));
-  interface::Assembly assembly = twoChains(joint(0.05e-3), move(-0.15e-3, {1.0}), 1);
+  assembly::Assembly assembly = twoChains(joint(0.05e-3), move(-0.15e-3, {1.0}), 1);
   assembly.bodies = {chain("left", 0.0, 4, 30e3), chain("right", 3.0, 3, 40e3)};
   for (auto& body : assembly.bodies) {
     for (auto& node : body.nodes) node[0] *= 1e-3;
@@ -150,7 +150,7 @@ TEST(LatinSolver, KnowsNoUnits) {
 }
 
 TEST(LatinSolver, StartsFromAnEarlierState) {
-  const interface::Assembly assembly =
+  const assembly::Assembly assembly =
       twoChains(laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}}), move(-0.15, {0.5, 1.0}), 2);
   base::Timers timers;
   LatinSolver cold(assembly, accurate(), self(), timers);
@@ -168,7 +168,7 @@ TEST(LatinSolver, StartsFromAnEarlierState) {
 }
 
 TEST(LatinSolver, StopsWhenAsked) {
-  const interface::Assembly assembly = twoChains(laws::makeLaw("Perfect"), pull(1.0, {1}), 1);
+  const assembly::Assembly assembly = twoChains(laws::makeLaw("Perfect"), pull(1.0, {1}), 1);
   base::Timers timers;
   LatinSolver solver(assembly, accurate(), self(), timers);
   int calls = 0;

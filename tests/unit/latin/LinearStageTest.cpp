@@ -17,7 +17,7 @@ constexpr double roundOff = 1e-10;
 constexpr int steps = 4;
 
 struct Stage {
-  explicit Stage(interface::Assembly given, bool withMacroProblem = true,
+  explicit Stage(assembly::Assembly given, bool withMacroProblem = true,
                  Formulation formulation = Formulation::displacement)
       : assembly(std::move(given)),
         k(assembly, 1.0, *self()),
@@ -34,7 +34,7 @@ struct Stage {
     base::Matrix forces = linear.operators().loads(body);
     for (const TraceLayout::Block& block : layout.blocks()) {
       if (block.body != body) continue;
-      const interface::Interface& joint = assembly.interfaces[static_cast<std::size_t>(block.interface)];
+      const assembly::Interface& joint = assembly.interfaces[static_cast<std::size_t>(block.interface)];
       std::vector<double> force(static_cast<std::size_t>(3 * block.pairs));
       for (int t = 0; t < steps; ++t) {
         applyMass(joint, 3, linear.traction()[t] + block.begin, force.data());
@@ -61,16 +61,16 @@ struct Stage {
     return u;
   }
 
-  interface::Assembly assembly;
+  assembly::Assembly assembly;
   base::Timers timers;
-  interface::SearchDirection k;
+  assembly::SearchDirection k;
   TraceLayout layout;
   LinearStage linear;
   base::Matrix alpha, beta;
 };
 
 /// Loaded by pressure, by forces of the bodies' own, and with interfaces of every kind.
-interface::Assembly loadedCubes(bool isConsistent = false) {
+assembly::Assembly loadedCubes(bool isConsistent = false) {
   BoxAssembly cubes =
       twoCubes(laws::makeLaw("Perfect"), laws::makeLaw("Pressure", {{"Pressure", 2.0}}, {{"Pressure", {1, 2, 3, 4}}}),
                steps, isConsistent);
@@ -147,7 +147,7 @@ TEST(LinearStage, StaysOnTheSearchDirectionOfIncrements) {
 // With the macro problem f + k w = alpha + k P c: the shift is a rigid motion of the interface, the same on both sides.
 TEST(LinearStage, ShiftsTheSearchDirectionOfAnInterfaceRigidly) {
   const Stage stage(loadedCubes());
-  const interface::Interface& joint = stage.assembly.interfaces[1];
+  const assembly::Interface& joint = stage.assembly.interfaces[1];
   const auto& nodes = stage.assembly.bodies[0].nodes;
   const auto shift = [&](int interfaceIndex, int side, int pair, int t) {
     mesh::Point d{};
@@ -182,7 +182,7 @@ TEST(LinearStage, ShiftsTheSearchDirectionOfAnInterfaceRigidly) {
 
 /// Force and moment of f1 + f2 about the origin.
 std::array<double, 6> resultant(const Stage& stage, int interfaceIndex, int t) {
-  const interface::Interface& joint = stage.assembly.interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& joint = stage.assembly.interfaces[static_cast<std::size_t>(interfaceIndex)];
   std::array<double, 6> sum{};
   std::vector<double> force(static_cast<std::size_t>(3 * joint.pairs()));
   for (int side = 0; side < 2; ++side) {
@@ -236,9 +236,9 @@ TEST(LinearStage, SolvesAChoiceOfLoadSteps) {
 // Laws that prescribe tractions may be replaced: as if the stage had been built with the new ones.
 TEST(LinearStage, TakesNewLoads) {
   Stage stage(loadedCubes());
-  interface::Assembly other = loadedCubes();
-  for (interface::Assembly* assembly : {&stage.assembly, &other}) {
-    for (interface::Interface& joint : assembly->interfaces) {
+  assembly::Assembly other = loadedCubes();
+  for (assembly::Assembly* assembly : {&stage.assembly, &other}) {
+    for (assembly::Interface& joint : assembly->interfaces) {
       if (joint.law->prescribesTraction())
         joint.law = laws::makeLaw("Pressure", {{"Pressure", -3.0}}, {{"Pressure", {4, 1, 2, 1}}});
     }

@@ -31,7 +31,7 @@ struct Stage {
     local.select(allSteps(steps));
   }
 
-  const interface::Assembly& prepared() {
+  const assembly::Assembly& prepared() {
     const double a = 0.6, b = 0.8;
     for (auto& frame : cubes.assembly().interfaces[1].frame) frame = {{{0, b, a}, {1, 0, 0}, {0, a, -b}}};
     return cubes.assembly();
@@ -48,7 +48,7 @@ struct Stage {
     }
     return components;
   }
-  const interface::Interface& cubes_() const { return const_cast<BoxAssembly&>(cubes).assembly().interfaces[1]; }
+  const assembly::Interface& cubes_() const { return const_cast<BoxAssembly&>(cubes).assembly().interfaces[1]; }
 
   mesh::Point at(const base::Matrix& field, int side, int pair, int column) const {
     const double* from = field[column] + layout.begin(1, side) + 3 * pair;
@@ -69,7 +69,7 @@ struct Stage {
   }
 
   BoxAssembly cubes;
-  interface::SearchDirection k;
+  assembly::SearchDirection k;
   TraceLayout layout;
   LocalStage local;
   base::Matrix beta, traction;

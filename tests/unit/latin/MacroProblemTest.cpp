@@ -13,9 +13,9 @@ namespace {
 
 /// Keeps the pairs of the joint for which `keep` is true.
 template <class Keep>
-void restrictJoint(interface::Assembly& assembly, int index, const Keep& keep) {
-  interface::Interface& joint = assembly.interfaces[static_cast<std::size_t>(index)];
-  interface::Interface kept = joint;
+void restrictJoint(assembly::Assembly& assembly, int index, const Keep& keep) {
+  assembly::Interface& joint = assembly.interfaces[static_cast<std::size_t>(index)];
+  assembly::Interface kept = joint;
   kept.node1.clear(), kept.node2.clear(), kept.frame.clear(), kept.area.clear(), kept.gap.clear();
   for (std::size_t p = 0; p < joint.node1.size(); ++p) {
     if (!keep(assembly.bodies[static_cast<std::size_t>(joint.body1)].nodes[static_cast<std::size_t>(joint.node1[p])]))
@@ -33,7 +33,7 @@ void restrictJoint(interface::Assembly& assembly, int index, const Keep& keep) {
 template <class Keep>
 int unknowns(const Keep& keep) {
   BoxAssembly cubes = twoCubes(laws::makeLaw("Perfect"), laws::makeLaw("Symmetry"));
-  interface::Assembly& assembly = cubes.assembly();
+  assembly::Assembly& assembly = cubes.assembly();
   restrictJoint(assembly, 1, keep);
   base::Timers timers;
   FixedPoint fixedPoint(assembly, {}, self(), timers);

@@ -16,8 +16,8 @@ namespace {
 constexpr int steps = 5;
 
 /// Five chains in a row, joined by everything there is.
-interface::Assembly fiveChains() {
-  interface::Assembly assembly;
+assembly::Assembly fiveChains() {
+  assembly::Assembly assembly;
   for (int b = 0; b < 5; ++b)
     assembly.bodies.push_back(chain("chain " + std::to_string(b), 3.0 * b, 4, 10.0 * (b + 1)));
   for (int t = 0; t < steps; ++t) assembly.times.push_back(t + 1.0);
@@ -43,7 +43,7 @@ struct Answer {
   std::vector<PairFields> fields;
 };
 
-Answer solve(interface::Assembly assembly, const std::vector<int>& owner,
+Answer solve(assembly::Assembly assembly, const std::vector<int>& owner,
              const Teuchos::RCP<const Teuchos::Comm<int>>& comm, Formulation formulation) {
   assembly.owner = owner;
   for (std::size_t b = 0; b < owner.size(); ++b) {
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Formulations, Ranks, testing::Values(Formulation::displ
 // Whichever rank sees it, all know of it.
 TEST(RanksTogether, SayThatNothingCarriesTheLoad) {
   const auto comm = Tpetra::getDefaultComm();
-  interface::Assembly assembly =
+  assembly::Assembly assembly =
       twoChains(laws::makeLaw("Unilateral Contact"), laws::makeLaw("Prescribed Traction", {{"X", 3.0}}), 1);
   assembly.owner = {0, comm->getSize() - 1};
   base::Timers timers;
@@ -117,7 +117,7 @@ TEST(RanksTogether, SayThatNothingCarriesTheLoad) {
 
 TEST(RanksTogether, StopWhenOneAsks) {
   const auto comm = Tpetra::getDefaultComm();
-  interface::Assembly assembly =
+  assembly::Assembly assembly =
       twoChains(laws::makeLaw("Perfect"), laws::makeLaw("Prescribed Traction", {{"X", 3.0}}), 1);
   base::Timers timers;
   LatinSolver solver(assembly, {}, comm, timers);

@@ -93,7 +93,7 @@ BoxAssembly dragged() {
   BoxAssembly cubes =
       twoCubes(laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", friction}}),
                laws::makeLaw("Prescribed Displacement", {{"X", 1.0}, {"Y", 0.0}}, {{"X", {0, 1, 2, 1}}}), 4);
-  const interface::Interface& top = cubes.assembly().interfaces[2];
+  const assembly::Interface& top = cubes.assembly().interfaces[2];
   base::Matrix& loads = cubes.assembly().bodies[1].loads;
   loads.shape(3 * static_cast<int>(cubes.assembly().bodies[1].nodes.size()), 4);
   for (std::size_t p = 0; p < top.node1.size(); ++p) {

@@ -12,11 +12,11 @@ namespace {
 TEST(TraceLayout, HasABlockOfRowsForEverySideOwnedHere) {
   const auto comm = Tpetra::getDefaultComm();
   const auto pull = std::shared_ptr<const laws::InterfaceLaw>(laws::makeLaw("Prescribed Traction", {{"X", 1.0}}));
-  interface::Assembly assembly = twoChains(laws::makeLaw("Perfect"), pull);
+  assembly::Assembly assembly = twoChains(laws::makeLaw("Perfect"), pull);
   assembly.interfaces[1].area[0] = 2.5;
   const int second = comm->getSize() - 1;
   assembly.owner = {0, second};
-  const interface::SearchDirection k(assembly, 1.0, *comm);
+  const assembly::SearchDirection k(assembly, 1.0, *comm);
   const TraceLayout layout(assembly, k, comm);
   const bool ownsLeft = comm->getRank() == 0, ownsRight = comm->getRank() == second;
 

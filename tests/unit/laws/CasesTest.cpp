@@ -250,7 +250,7 @@ TEST(PointwiseLaw, HandsEachNodeWhatBelongsToIt) {
 
 TEST(LawRegistry, RefusesANameTwice) {
   LawRegistry laws = builtInLaws();
-  EXPECT_THROW(laws.add(base::ParameterSpec("Perfect"), nullptr), base::Error);
+  EXPECT_THROW(laws.add(input::ParameterSpec("Perfect"), nullptr), base::Error);
 }
 
 }  // namespace

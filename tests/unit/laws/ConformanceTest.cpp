@@ -31,7 +31,7 @@ class Conformance : public testing::TestWithParam<std::string> {
   double largestParameter() const {
     double largest = 1.0;
     for (const auto& entry : spec_->entries()) {
-      if (entry->type == base::ParameterType::number)
+      if (entry->type == input::ParameterType::number)
         largest = std::max(largest, std::abs(parameters_.number(entry->name)));
     }
     return largest;
@@ -44,16 +44,16 @@ class Conformance : public testing::TestWithParam<std::string> {
   }
 
   LawRegistry registry_;
-  const base::ParameterSpec* spec_ = nullptr;
+  const input::ParameterSpec* spec_ = nullptr;
   Random random_{20240405};
-  base::Parameters parameters_;
+  input::Parameters parameters_;
 };
 
 TEST_P(Conformance, DeclaresItself) {
   EXPECT_FALSE(spec_->summary().empty());
   for (const auto& entry : spec_->entries()) {
     EXPECT_FALSE(entry->description.empty()) << entry->name;
-    if (entry->type == base::ParameterType::number) {
+    if (entry->type == input::ParameterType::number) {
       EXPECT_FALSE(entry->unitName.empty()) << entry->name;
     }
   }
@@ -314,15 +314,15 @@ TEST_P(Conformance, FollowsSchedules) {
     for (int i = 0; i < samples; ++i) {
       draw();
       const double value = parameters_.number(entry->name);
-      base::Histories histories;
+      input::Histories histories;
       histories.add("ramp", multipliers);
-      base::Parameters varying = parameters_;
+      input::Parameters varying = parameters_;
       varying.set(entry->name + " History", std::string("ramp"));
-      varying.attach(std::make_shared<base::Histories>(histories));
+      varying.attach(std::make_shared<input::Histories>(histories));
       const auto law = registry_.create(varying);
       for (std::size_t step = 0; step < multipliers.size(); ++step) {
         if (!entry->allows(multipliers[step] * value)) continue;
-        base::Parameters constant = parameters_;
+        input::Parameters constant = parameters_;
         constant.set(entry->name, multipliers[step] * value);
         const auto expected = registry_.create(constant);
         const LocalLine line = randomLine(random_);
@@ -368,7 +368,9 @@ TEST_P(Conformance, KnowsNoUnits) {
   for (const auto& [l, s] : {std::pair{10, 20}, std::pair{-10, -20}, std::pair{40, 0}, std::pair{0, -40}}) {
     for (int i = 0; i < samples; ++i) {
       const auto law = draw();
-      const auto scale = [l = l, s = s](const base::ParameterEntry& entry) { return unitFactor(entry.unitName, l, s); };
+      const auto scale = [l = l, s = s](const input::ParameterEntry& entry) {
+        return unitFactor(entry.unitName, l, s);
+      };
       const auto other = registry_.create(scaled(*spec_, parameters_, scale));
       const double length = std::ldexp(1.0, l), stress = std::ldexp(1.0, s);
       const double gap = uniform(random_, -1.0, 1.0);
@@ -393,7 +395,7 @@ TEST_P(Conformance, SurvivesExtremeRatios) {
     for (double compliance : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
       for (int i = 0; i < 10; ++i) {
         parameters_ = randomParameters(*spec_, random_);
-        const auto law = registry_.create(scaled(*spec_, parameters_, [&](const base::ParameterEntry& entry) {
+        const auto law = registry_.create(scaled(*spec_, parameters_, [&](const input::ParameterEntry& entry) {
           return entry.allows(hardness * parameters_.number(entry.name)) ? hardness : 1.0;
         }));
         Node node(*law);
@@ -420,7 +422,7 @@ TEST_P(Conformance, SurvivesExtremeRatios) {
 TEST_P(Conformance, SurvivesZeros) {
   parameters_ = randomParameters(*spec_, random_);
   const auto law = registry_.create(
-      scaled(*spec_, parameters_, [](const base::ParameterEntry& entry) { return entry.allows(0.0) ? 0.0 : 1.0; }));
+      scaled(*spec_, parameters_, [](const input::ParameterEntry& entry) { return entry.allows(0.0) ? 0.0 : 1.0; }));
   for (double gap : {0.0, -1.0, 1.0}) {
     for (const Vector3& jump : {Vector3{}, Vector3{1.0, 0.0, 0.0}, Vector3{-1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}}) {
       Node node(*law, gap);

@@ -7,7 +7,7 @@ namespace harmos::laws {
 namespace {
 
 /// A number of the order of one in the range of a declared parameter.
-double draw(const base::ParameterEntry& entry, Random& random) {
+double draw(const input::ParameterEntry& entry, Random& random) {
   const bool hasMinimum = std::isfinite(entry.minimum), hasMaximum = std::isfinite(entry.maximum);
   if (hasMinimum && hasMaximum) return uniform(random, entry.minimum, entry.maximum);
   if (hasMinimum) return entry.minimum + magnitude(random);
@@ -36,27 +36,27 @@ LocalLine randomLine(Random& random) {
   return {randomVector(random), magnitude(random)};
 }
 
-base::Parameters randomParameters(const base::ParameterSpec& spec, Random& random) {
-  base::Parameters parameters("law");
+input::Parameters randomParameters(const input::ParameterSpec& spec, Random& random) {
+  input::Parameters parameters("law");
   parameters.set("Type", spec.name());
   for (const auto& entry : spec.entries()) {
     switch (entry->type) {
-      case base::ParameterType::number:
+      case input::ParameterType::number:
         parameters.set(entry->name, draw(*entry, random));
         break;
-      case base::ParameterType::integer:
+      case input::ParameterType::integer:
         parameters.set(entry->name, static_cast<int>(std::ceil(draw(*entry, random))));
         break;
-      case base::ParameterType::flag:
+      case input::ParameterType::flag:
         parameters.set(entry->name, std::uniform_int_distribution<int>(0, 1)(random) == 0);
         break;
-      case base::ParameterType::text:
+      case input::ParameterType::text:
         parameters.set(entry->name, entry->choices.at(random() % entry->choices.size()));
         break;
-      case base::ParameterType::numbers:
+      case input::ParameterType::numbers:
         parameters.set(entry->name, std::vector<double>{draw(*entry, random)});
         break;
-      case base::ParameterType::texts:
+      case input::ParameterType::texts:
         parameters.set(entry->name, entry->choices);
         break;
     }
@@ -64,11 +64,11 @@ base::Parameters randomParameters(const base::ParameterSpec& spec, Random& rando
   return parameters;
 }
 
-base::Parameters scaled(const base::ParameterSpec& spec, const base::Parameters& parameters,
-                        const std::function<double(const base::ParameterEntry&)>& factor) {
-  base::Parameters result = parameters;
+input::Parameters scaled(const input::ParameterSpec& spec, const input::Parameters& parameters,
+                         const std::function<double(const input::ParameterEntry&)>& factor) {
+  input::Parameters result = parameters;
   for (const auto& entry : spec.entries()) {
-    if (entry->type == base::ParameterType::number)
+    if (entry->type == input::ParameterType::number)
       result.set(entry->name, factor(*entry) * parameters.number(entry->name));
   }
   return result;

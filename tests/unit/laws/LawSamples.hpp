@@ -23,10 +23,10 @@ LocalLine randomLine(Random& random);
 
 /// What a law declares, as parameters for it: random within the declared ranges, of the order of one. Parameters that
 /// need not be given are given.
-base::Parameters randomParameters(const base::ParameterSpec& spec, Random& random);
+input::Parameters randomParameters(const input::ParameterSpec& spec, Random& random);
 /// The same values with every number multiplied by factor(its declaration).
-base::Parameters scaled(const base::ParameterSpec& spec, const base::Parameters& parameters,
-                        const std::function<double(const base::ParameterEntry&)>& factor);
+input::Parameters scaled(const input::ParameterSpec& spec, const input::Parameters& parameters,
+                         const std::function<double(const input::ParameterEntry&)>& factor);
 
 /// One node of an interface, led from load step to load step.
 class Node {

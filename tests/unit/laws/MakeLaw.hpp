@@ -13,16 +13,16 @@ namespace harmos::laws {
 inline std::unique_ptr<InterfaceLaw> makeLaw(const std::string& law, const std::map<std::string, double>& values = {},
                                              const std::map<std::string, std::vector<double>>& histories = {}) {
   const LawRegistry laws = builtInLaws();
-  base::Parameters parameters("law");
+  input::Parameters parameters("law");
   parameters.set("Type", law);
-  for (const base::ParameterSpec& form : laws.forms()) {
+  for (const input::ParameterSpec& form : laws.forms()) {
     if (form.name() != law) continue;
     for (const auto& entry : form.entries()) {
       if (entry->defaultText) parameters.set(entry->name, std::stod(*entry->defaultText));
     }
   }
   for (const auto& [name, value] : values) parameters.set(name, value);
-  auto known = std::make_shared<base::Histories>();
+  auto known = std::make_shared<input::Histories>();
   for (const auto& [name, perStep] : histories) {
     known->add(name, perStep);
     parameters.set(name + " History", name);

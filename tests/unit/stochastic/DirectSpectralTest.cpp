@@ -19,10 +19,11 @@ std::vector<Law> lawsOf(const std::vector<double>& x) {
 
 // The equations are those of Galerkin's LATIN, solved in another way.
 TEST(DirectSpectral, AgreesWithGalerkin) {
-  const auto projection = projectionOf(
-      randomVector({std::make_shared<chaos::Lognormal>(10.0, 3.0), std::make_shared<chaos::Normal>(2.0, 0.2)}), 3);
+  const auto projection = projectionOf(randomVector({std::make_shared<probability::Lognormal>(10.0, 3.0),
+                                                     std::make_shared<probability::Normal>(2.0, 0.2)}),
+                                       3);
   const Realisations laws = realisations(*projection, lawsOf);
-  const interface::Assembly assembly = springsInSeries(laws[0], steps);
+  const assembly::Assembly assembly = springsInSeries(laws[0], steps);
   const std::vector<std::shared_ptr<const latin::Response>> responses = {displacement("end", 1, 2),
                                                                          displacement("side", 1, 0, {0.0, 1.0, 0.0})};
   base::Timers timers;
@@ -52,10 +53,10 @@ TEST(DirectSpectral, AgreesWithGalerkin) {
 }
 
 TEST(DirectSpectral, RefusesWhatItDoesNotTreat) {
-  const auto projection = projectionOf(randomVector({std::make_shared<chaos::Normal>(1.0, 0.1)}), 1);
+  const auto projection = projectionOf(randomVector({std::make_shared<probability::Normal>(1.0, 0.1)}), 1);
   base::Timers timers;
   for (const char* joint : {"Perfect", "Unilateral Contact"}) {
-    const interface::Assembly assembly = springsInSeries({foundation(1.0), laws::makeLaw(joint), pull(1.0)});
+    const assembly::Assembly assembly = springsInSeries({foundation(1.0), laws::makeLaw(joint), pull(1.0)});
     const Realisations laws = realisations(*projection, [&](const std::vector<double>& k) -> std::vector<Law> {
       return {foundation(k[0]), laws::makeLaw(joint), pull(1.0)};
     });

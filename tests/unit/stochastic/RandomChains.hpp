@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include <harmos/chaos/Lognormal.hpp>
-#include <harmos/chaos/Normal.hpp>
+#include <harmos/probability/Lognormal.hpp>
+#include <harmos/probability/Normal.hpp>
 #include <harmos/stochastic/StochasticSolver.hpp>
 
 #include "../latin/Chains.hpp"
@@ -14,20 +14,20 @@ namespace harmos::stochastic {
 
 using Law = std::shared_ptr<const laws::InterfaceLaw>;
 
-inline std::shared_ptr<const chaos::RandomVector> randomVector(
-    const std::vector<std::shared_ptr<const chaos::Distribution>>& distributions) {
-  std::vector<chaos::Variable> variables;
+inline std::shared_ptr<const probability::RandomVector> randomVector(
+    const std::vector<std::shared_ptr<const probability::Distribution>>& distributions) {
+  std::vector<probability::Variable> variables;
   for (const auto& distribution : distributions) {
     variables.push_back({"x" + std::to_string(variables.size()), distribution});
   }
-  return std::make_shared<chaos::RandomVector>(variables);
+  return std::make_shared<probability::RandomVector>(variables);
 }
 
 /// Gauss points in all germs, `points` of each; 0: one more than the order.
-inline std::shared_ptr<const Projection> projectionOf(const std::shared_ptr<const chaos::RandomVector>& variables,
+inline std::shared_ptr<const Projection> projectionOf(const std::shared_ptr<const probability::RandomVector>& variables,
                                                       int order, int points = 0) {
-  return std::make_shared<Projection>(std::make_shared<chaos::Basis>(variables, order),
-                                      chaos::tensorQuadrature(*variables, points > 0 ? points : order + 1));
+  return std::make_shared<Projection>(std::make_shared<probability::Basis>(variables, order),
+                                      probability::tensorQuadrature(*variables, points > 0 ? points : order + 1));
 }
 
 /// Laws at the points from those of one realisation of the random parameters.
@@ -53,8 +53,8 @@ inline Law pull(double x, double y = 0.0, const std::map<std::string, std::vecto
 }
 
 /// ground |- spring 1 -|--- left: 10 ---|- spring 2 -|--- right: 20 ---> traction.
-inline interface::Assembly springsInSeries(std::vector<Law> laws, int steps = 1) {
-  interface::Assembly assembly = latin::twoChains(std::move(laws[1]), std::move(laws[2]), steps);
+inline assembly::Assembly springsInSeries(std::vector<Law> laws, int steps = 1) {
+  assembly::Assembly assembly = latin::twoChains(std::move(laws[1]), std::move(laws[2]), steps);
   assembly.interfaces[0].law = std::move(laws[0]);
   return assembly;
 }

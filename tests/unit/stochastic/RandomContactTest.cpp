@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <harmos/chaos/Uniform.hpp>
 #include <harmos/latin/LatinSolver.hpp>
+#include <harmos/probability/Uniform.hpp>
 
 #include "RandomChains.hpp"
 
@@ -30,7 +30,7 @@ struct FrictionChain {
             std::make_shared<latin::DissipationResponse>("loss", std::vector<int>{1})};
   }
   static latin::LatinResult solve(const std::vector<double>& x, double accuracy) {
-    const interface::Assembly assembly = springsInSeries(lawsOf(x), steps);
+    const assembly::Assembly assembly = springsInSeries(lawsOf(x), steps);
     latin::LatinOptions options;
     options.accuracy = accuracy;
     base::Timers timers;
@@ -43,7 +43,7 @@ struct FrictionChain {
 using LawsOf = std::function<std::vector<Law>(const std::vector<double>&)>;
 
 struct RandomFriction {
-  RandomFriction(const std::shared_ptr<const chaos::RandomVector>& variables, const LawsOf& lawsOf, int order,
+  RandomFriction(const std::shared_ptr<const probability::RandomVector>& variables, const LawsOf& lawsOf, int order,
                  int points, double accuracy)
       : projection(projectionOf(variables, order, points)),
         laws(realisations(*projection, lawsOf)),
@@ -61,14 +61,14 @@ struct RandomFriction {
 
   std::shared_ptr<const Projection> projection;
   Realisations laws;
-  interface::Assembly assembly;
+  assembly::Assembly assembly;
   base::Timers timers;
   StochasticSolver solver;
   StochasticResult result;
 };
 
-const auto friction = std::make_shared<chaos::Uniform>(0.1, 0.5);
-const auto gap = std::make_shared<chaos::Uniform>(0.0, 0.02);
+const auto friction = std::make_shared<probability::Uniform>(0.1, 0.5);
+const auto gap = std::make_shared<probability::Uniform>(0.0, 0.02);
 
 // With as many points as polynomials the projection interpolates: at each point stands the solution of that
 // realisation, with its own history.
@@ -118,7 +118,7 @@ TEST(RandomContact, HasTheMomentsOfMonteCarlo) {
     }
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    const chaos::Expansion found = problem.result.responses[i].at(steps - 1);
+    const probability::Expansion found = problem.result.responses[i].at(steps - 1);
     const double deviation = std::sqrt(square[i] - mean[i] * mean[i]);
     EXPECT_NEAR(found.mean(), mean[i], 4.0 * deviation / std::sqrt(draws)) << problem.result.responses[i].name;
     EXPECT_NEAR(found.standardDeviation(), deviation, 0.08 * deviation) << problem.result.responses[i].name;

@@ -25,10 +25,11 @@ Answer solve(Method method, const std::vector<int>& owner, const Teuchos::RCP<co
     return {foundation(20.0, 15.0), joint, pull(-x[1], 0.3, {{"Y", {0.5, 1.0, -1.0}}}), spring(30.0, 20.0),
             foundation(2.0, 3.0)};
   };
-  const auto projection = projectionOf(
-      randomVector({std::make_shared<chaos::Lognormal>(10.0, 1.0), std::make_shared<chaos::Normal>(2.0, 0.2)}), 3);
+  const auto projection = projectionOf(randomVector({std::make_shared<probability::Lognormal>(10.0, 1.0),
+                                                     std::make_shared<probability::Normal>(2.0, 0.2)}),
+                                       3);
   const Realisations laws = realisations(*projection, lawsOf);
-  interface::Assembly assembly = springsInSeries(laws[0], steps);
+  assembly::Assembly assembly = springsInSeries(laws[0], steps);
   assembly.bodies.push_back(latin::chain("third", 5.0, 3, 50.0));
   assembly.interfaces.push_back(latin::pointInterface("glue", laws[0][3], 1, 2, 2, 0));
   assembly.interfaces.push_back(latin::pointInterface("far end", laws[0][4], 2, 2));

@@ -41,10 +41,10 @@ class RandomElasticChain : public testing::TestWithParam<Method> {
     return options;
   }
 
-  std::shared_ptr<const chaos::RandomVector> variables_ =
-      randomVector({std::make_shared<chaos::Lognormal>(10.0, 1.0), std::make_shared<chaos::Normal>(2.0, 0.2)});
+  std::shared_ptr<const probability::RandomVector> variables_ = randomVector(
+      {std::make_shared<probability::Lognormal>(10.0, 1.0), std::make_shared<probability::Normal>(2.0, 0.2)});
   std::shared_ptr<const Projection> projection_;
-  interface::Assembly assembly_;
+  assembly::Assembly assembly_;
   base::Timers timers_;
   StochasticSolver solver_;
   StochasticResult result_;
@@ -55,7 +55,7 @@ TEST_P(RandomElasticChain, SamplesAreSolutions) {
   const std::vector<std::vector<double>> germs = {{0.0, 0.0}, {1.0, -1.0}, {-1.5, 0.5}};
   const ResponseSampler sampler = solver_.sampler();
   for (std::size_t s = 0; s < germs.size(); ++s) {
-    const interface::Assembly one = springsInSeries(lawsOf(variables_->values(germs[s])), steps);
+    const assembly::Assembly one = springsInSeries(lawsOf(variables_->values(germs[s])), steps);
     latin::LatinOptions options;
     options.accuracy = 1e-9;
     latin::LatinSolver solver(one, options, latin::self(), timers_);

@@ -25,7 +25,7 @@ class SeriesSprings : public testing::TestWithParam<Method> {
 
   StochasticResult solve(int order, int points, double accuracy = 1e-9) {
     const auto projection = projectionOf(variables_, order, points);
-    const interface::Assembly assembly = springsInSeries(lawsOf({2.0, 5.0}));
+    const assembly::Assembly assembly = springsInSeries(lawsOf({2.0, 5.0}));
     base::Timers timers;
     StochasticSolver solver(assembly, projection, optionsOf(GetParam(), accuracy), latin::self(), timers);
     solver.setLaws(realisations(*projection, lawsOf));
@@ -33,19 +33,19 @@ class SeriesSprings : public testing::TestWithParam<Method> {
     return solver.solve();
   }
 
-  std::shared_ptr<const chaos::RandomVector> variables_ =
-      randomVector({std::make_shared<chaos::Lognormal>(2.0, 0.4), std::make_shared<chaos::Lognormal>(5.0, 1.25)});
+  std::shared_ptr<const probability::RandomVector> variables_ = randomVector(
+      {std::make_shared<probability::Lognormal>(2.0, 0.4), std::make_shared<probability::Lognormal>(5.0, 1.25)});
 };
 
 TEST_P(SeriesSprings, HaveTheMomentsOfTheClosedForm) {
   const StochasticResult result = solve(8, 12);
   ASSERT_EQ(result.outcome, latin::Outcome::certified) << result.reason;
-  const chaos::Expansion end = result.responses[0].at(0);
+  const probability::Expansion end = result.responses[0].at(0);
   EXPECT_NEAR(end.mean() - elastic, 0.7325, 1e-8);
   EXPECT_NEAR(end.standardDeviation(), 0.116782985169, 1e-8);
   EXPECT_NEAR(end.skewness(), 0.501476076602, 1e-6);
   EXPECT_NEAR(end.kurtosis(), 3.463260496861, 1e-5);
-  EXPECT_NEAR(chaos::sobolIndices(end)[0].main, 0.793062717606, 1e-8);
+  EXPECT_NEAR(probability::sobolIndices(end)[0].main, 0.793062717606, 1e-8);
 }
 
 TEST_P(SeriesSprings, AreTruncatedAtOrderThree) {
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, SeriesSprings, testing::Values(Method::galerki
 /// (1 + d xi) u = 1 with a standard normal xi.
 struct GaussianSpring {
   GaussianSpring(double deviation, int order)
-      : projection(projectionOf(randomVector({std::make_shared<chaos::Normal>(1.0, deviation)}), order)),
+      : projection(projectionOf(randomVector({std::make_shared<probability::Normal>(1.0, deviation)}), order)),
         assembly(springsInSeries(lawsOf({1.0}))),
         solver(assembly, projection, optionsOf(Method::galerkin), latin::self(), timers) {
     solver.setLaws(realisations(*projection, lawsOf));
@@ -97,7 +97,7 @@ struct GaussianSpring {
   }
 
   std::shared_ptr<const Projection> projection;
-  interface::Assembly assembly;
+  assembly::Assembly assembly;
   base::Timers timers;
   StochasticSolver solver;
 };
@@ -109,7 +109,7 @@ TEST(GaussianSpring, IsThatOfGalerkin) {
     GaussianSpring problem(0.2, order);
     const StochasticResult result = problem.solver.solve();
     ASSERT_EQ(result.outcome, latin::Outcome::certified) << result.reason;
-    const chaos::Expansion end = result.responses[0].at(0);
+    const probability::Expansion end = result.responses[0].at(0);
     EXPECT_NEAR(end.mean() - elastic, mean[order - 1], 1e-8);
     EXPECT_NEAR(end.standardDeviation(), deviation[order - 1], 1e-8);
   }
@@ -151,16 +151,17 @@ TEST_P(SeriesSprings, MayActWithoutAJump) {
   const auto prestressed = [](const std::vector<double>& k) -> std::vector<Law> {
     return {foundation(20.0), std::make_shared<laws::PointwiseLaw<PrestressedSpring>>(k[0], k[1]), pull(1.0)};
   };
-  const auto projection = projectionOf(
-      randomVector({std::make_shared<chaos::Lognormal>(10.0, 1.0), std::make_shared<chaos::Normal>(0.3, 0.1)}), 6, 9);
-  const interface::Assembly assembly = springsInSeries(prestressed({1.0, 0.0}));
+  const auto projection = projectionOf(randomVector({std::make_shared<probability::Lognormal>(10.0, 1.0),
+                                                     std::make_shared<probability::Normal>(0.3, 0.1)}),
+                                       6, 9);
+  const assembly::Assembly assembly = springsInSeries(prestressed({1.0, 0.0}));
   base::Timers timers;
   StochasticSolver solver(assembly, projection, optionsOf(GetParam()), latin::self(), timers);
   solver.setLaws(realisations(*projection, prestressed));
   solver.addResponse(displacement("end", 1, 2));
   const StochasticResult result = solver.solve();
   ASSERT_EQ(result.outcome, latin::Outcome::certified) << result.reason;
-  const chaos::Expansion end = result.responses[0].at(0);
+  const probability::Expansion end = result.responses[0].at(0);
   EXPECT_NEAR(end.mean() - elastic - 1.0 / 20.0, 0.7 * 0.101, 1e-8);
   // E[(1 - c)^2] E[1/k^2] - mean^2, with E[1/k^2] = 1.01^3 / 100.
   const double variance = (0.49 + 0.01) * std::pow(1.01, 3) / 100.0 - std::pow(0.7 * 0.101, 2);
@@ -168,8 +169,8 @@ TEST_P(SeriesSprings, MayActWithoutAJump) {
 }
 
 TEST(StochasticSolver, RefusesOtherLawsThanAffineOnesInGalerkin) {
-  const auto projection = projectionOf(randomVector({std::make_shared<chaos::Normal>(1.0, 0.1)}), 2);
-  const interface::Assembly assembly =
+  const auto projection = projectionOf(randomVector({std::make_shared<probability::Normal>(1.0, 0.1)}), 2);
+  const assembly::Assembly assembly =
       springsInSeries({foundation(1.0), laws::makeLaw("Unilateral Contact"), pull(-1.0)});
   base::Timers timers;
   try {
@@ -184,12 +185,12 @@ TEST(StochasticSolver, RefusesOtherLawsThanAffineOnesInGalerkin) {
 
 // Nothing holds the right part: said so, not a number.
 TEST(StochasticSolver, SaysThatItDidNotConverge) {
-  const auto projection = projectionOf(randomVector({std::make_shared<chaos::Normal>(1.0, 0.1)}), 2);
+  const auto projection = projectionOf(randomVector({std::make_shared<probability::Normal>(1.0, 0.1)}), 2);
   const auto lawsOf = [](const std::vector<double>& x) -> std::vector<Law> {
     return {foundation(1.0), laws::makeLaw("Unilateral Contact"), pull(x[0])};
   };
   const Realisations laws = realisations(*projection, lawsOf);
-  const interface::Assembly assembly = springsInSeries(laws[0]);
+  const assembly::Assembly assembly = springsInSeries(laws[0]);
   base::Timers timers;
   StochasticOptions options;
   options.maximumIterations = 60;
@@ -209,8 +210,8 @@ TEST(StochasticSolver, SaysThatItDidNotConverge) {
 }
 
 TEST(StochasticSolver, RefusesLawsThatDoNotFit) {
-  const auto projection = projectionOf(randomVector({std::make_shared<chaos::Normal>(1.0, 0.1)}), 2);
-  const interface::Assembly assembly = springsInSeries({foundation(1.0), spring(1.0), pull(1.0)});
+  const auto projection = projectionOf(randomVector({std::make_shared<probability::Normal>(1.0, 0.1)}), 2);
+  const assembly::Assembly assembly = springsInSeries({foundation(1.0), spring(1.0), pull(1.0)});
   base::Timers timers;
   StochasticSolver solver(assembly, projection, {}, latin::self(), timers);
   EXPECT_THROW(solver.setLaws({}), base::Error);

@@ -9,9 +9,9 @@
 
 #include <Teuchos_DefaultSerialComm.hpp>
 
-#include <harmos/chaos/Lognormal.hpp>
-#include <harmos/chaos/Normal.hpp>
-#include <harmos/setup/Problem.hpp>
+#include <harmos/probability/Lognormal.hpp>
+#include <harmos/probability/Normal.hpp>
+#include <harmos/scene/Problem.hpp>
 #include <harmos/stochastic/DirectSpectral.hpp>
 #include <harmos/stochastic/StochasticSolver.hpp>
 
@@ -33,9 +33,10 @@ class RandomGlue {
   RandomGlue(Method method, double accuracy, bool isNormal, int points = 4)
       : isNormal_(isNormal),
         scene_(SceneInput::fromFile("../../xml/glued_assembly.xml").scene()),
-        problem_(setup::makeProblem(scene_, *comm_, timers_)) {
-    const auto basis = std::make_shared<chaos::Basis>(variables(0.2, 0.25), 3);
-    projection_ = std::make_shared<stochastic::Projection>(basis, chaos::tensorQuadrature(basis->variables(), points));
+        problem_(scene::makeProblem(scene_, *comm_, timers_)) {
+    const auto basis = std::make_shared<probability::Basis>(variables(0.2, 0.25), 3);
+    projection_ =
+        std::make_shared<stochastic::Projection>(basis, probability::tensorQuadrature(basis->variables(), points));
     stochastic::StochasticOptions options;
     options.method = method;
     options.accuracy = accuracy;
@@ -60,7 +61,7 @@ class RandomGlue {
     for (const auto& germs : projection_->quadrature().points) {
       const std::vector<double> factor = randomVector->values(germs);
       laws.emplace_back();
-      for (const interface::Interface& interface : problem_.assembly.interfaces) {
+      for (const assembly::Interface& interface : problem_.assembly.interfaces) {
         const bool isFirst = interface.name == "glue_1";
         if (isFirst || interface.name == "glue_2") {
           const double normal = isFirst ? 500.0 / 0.3 * factor[0] : 1000.0 / 0.3 * factor[1];
@@ -82,7 +83,7 @@ class RandomGlue {
     return dynamic_cast<const latin::DisplacementResponse&>(*problem_.responses[responseIndex(name)]);
   }
 
-  static chaos::Expansion response(const stochastic::StochasticResult& result, const std::string& name) {
+  static probability::Expansion response(const stochastic::StochasticResult& result, const std::string& name) {
     for (const auto& one : result.responses) {
       if (one.name == name) return one.at(0);
     }
@@ -98,19 +99,20 @@ class RandomGlue {
 
  private:
   /// The two stiffnesses over their means.
-  std::shared_ptr<const chaos::RandomVector> variables(double d1, double d2) const {
-    const auto factor = [&](double d) -> std::shared_ptr<const chaos::Distribution> {
-      if (isNormal_) return std::make_shared<chaos::Normal>(1.0, d);
-      return std::make_shared<chaos::Lognormal>(1.0, d);
+  std::shared_ptr<const probability::RandomVector> variables(double d1, double d2) const {
+    const auto factor = [&](double d) -> std::shared_ptr<const probability::Distribution> {
+      if (isNormal_) return std::make_shared<probability::Normal>(1.0, d);
+      return std::make_shared<probability::Lognormal>(1.0, d);
     };
-    return std::make_shared<chaos::RandomVector>(std::vector<chaos::Variable>{{"I", factor(d1)}, {"II", factor(d2)}});
+    return std::make_shared<probability::RandomVector>(
+        std::vector<probability::Variable>{{"I", factor(d1)}, {"II", factor(d2)}});
   }
 
   bool isNormal_;
   Teuchos::RCP<const Teuchos::Comm<int>> comm_ = Teuchos::rcp(new Teuchos::SerialComm<int>());
   base::Timers timers_;
-  setup::Scene scene_;
-  setup::Problem problem_;
+  scene::Scene scene_;
+  scene::Problem problem_;
   std::shared_ptr<const stochastic::Projection> projection_;
   std::unique_ptr<stochastic::StochasticSolver> solver_;
 };
@@ -119,7 +121,7 @@ TEST(RandomGlue, GalerkinOfOrderThree) {
   RandomGlue problem(Method::galerkin, 1e-6, true);
   const auto result = problem.solve(0.2, 0.25);
   ASSERT_EQ(result.outcome, latin::Outcome::certified) << result.reason;
-  const chaos::Expansion y = RandomGlue::response(result, "u_y");
+  const probability::Expansion y = RandomGlue::response(result, "u_y");
   const double deviation = 0.0070238;
   // Orders (00), (10), (01), (20), (11), (02), (30), (21), (12), (03).
   const std::vector<double> expected = {0.3371276,   -6.193249e-3, -2.592768e-3, 1.639562e-3, 0.0,
@@ -131,7 +133,7 @@ TEST(RandomGlue, GalerkinOfOrderThree) {
   EXPECT_NEAR(y.standardDeviation(), 0.0070239, 1e-7);
   EXPECT_NEAR(y.skewness(), 1.1256079, 1e-4);
   EXPECT_NEAR(y.kurtosis(), 5.4753599, 1e-3);
-  const chaos::Expansion x = RandomGlue::response(result, "u_x");
+  const probability::Expansion x = RandomGlue::response(result, "u_x");
   EXPECT_NEAR(x.mean(), -2.0976499, 1e-7);
   EXPECT_NEAR(x.standardDeviation(), 0.0301836, 1e-7);
   EXPECT_NEAR(x.skewness(), -0.9351555, 1e-4);
@@ -175,7 +177,7 @@ TEST(RandomGlue, AgreesWithTheDirectSpectralMethod) {
   for (const Solver solver : {Solver::conjugateGradients, Solver::factorisation}) {
     rival.solve(solver, 1e-10);
     for (const char* name : {"u_x", "u_y"}) {
-      const chaos::Expansion expected = RandomGlue::response(result, name);
+      const probability::Expansion expected = RandomGlue::response(result, name);
       const base::Matrix found = rival.coefficients(problem.displacement(name));
       EXPECT_NEAR(found(0, 0), expected.mean(), 1e-6 * std::abs(expected.mean()));
       for (int a = 1; a < found.numRows(); ++a) {
@@ -195,13 +197,13 @@ TEST(RandomGlue, LognormalMoments) {
     RandomGlue problem(method, 1e-5, false, 6);
     const auto result = problem.solve(0.2, 0.25);
     ASSERT_EQ(result.outcome, latin::Outcome::certified) << result.reason;
-    const chaos::Expansion y = RandomGlue::response(result, "u_y");
+    const probability::Expansion y = RandomGlue::response(result, "u_y");
     EXPECT_NEAR(y.mean(), 0.336874291, 1e-6);
     EXPECT_NEAR(y.standardDeviation(), 0.006079107, 2e-4 * 0.006079107);
     EXPECT_NEAR(y.skewness(), 0.346159375, 2e-3);
     EXPECT_NEAR(y.kurtosis(), 3.256657337, 1e-2);  // truncated at order three
-    EXPECT_NEAR(chaos::sobolIndices(y)[0].main, 0.870854, 1e-4);
-    const chaos::Expansion x = RandomGlue::response(result, "u_x");
+    EXPECT_NEAR(probability::sobolIndices(y)[0].main, 0.870854, 1e-4);
+    const probability::Expansion x = RandomGlue::response(result, "u_x");
     EXPECT_NEAR(x.mean(), -2.097056445, 5e-6);
     EXPECT_NEAR(x.standardDeviation(), 0.027329686, 2e-4 * 0.027329686);
   }
@@ -231,7 +233,7 @@ TEST(RandomGlue, EstimateCoversTheError) {
     ASSERT_EQ(result.outcome, latin::Outcome::certified) << result.reason;
     EXPECT_LE(result.errorEstimate, accuracy);
     for (std::size_t i = 0; i < exact.responses.size(); ++i) {
-      const chaos::Expansion truth = exact.responses[i].at(0), found = result.responses[i].at(0);
+      const probability::Expansion truth = exact.responses[i].at(0), found = result.responses[i].at(0);
       double difference = 0.0;
       for (std::size_t a = 1; a < truth.coefficients().size(); ++a) {
         difference += std::pow(truth.coefficients()[a] - found.coefficients()[a], 2);

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <set>
 
-#include <harmos/mesh/ExodusReader.hpp>
+#include <harmos/files/ExodusMesh.hpp>
 
 #include "SolvedScene.hpp"
 
@@ -45,7 +45,7 @@ SceneInput sceneOf(const File& file) {
 
 /// Every block a part of its own; perfect interfaces between all that share nodes.
 SceneInput divided(const File& file) {
-  const mesh::Mesh mesh = mesh::readExodus(pathOf(file));
+  const mesh::Mesh mesh = files::readExodus(pathOf(file));
   SceneInput scene = sceneOf(file);
   std::vector<std::set<int>> nodes;
   for (const auto& block : mesh.blocks) {
@@ -65,7 +65,7 @@ SceneInput divided(const File& file) {
 }
 
 SceneInput whole(const File& file) {
-  const mesh::Mesh mesh = mesh::readExodus(pathOf(file));
+  const mesh::Mesh mesh = files::readExodus(pathOf(file));
   std::string names;
   for (const auto& block : mesh.blocks) names += (names.empty() ? "" : ", ") + block.name;
   return sceneOf(file).add("Parts", xmlList("body", "<Parameter name=\"Blocks\" type=\"Array(string)\" value=\"{" +

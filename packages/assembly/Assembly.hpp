@@ -1,0 +1,29 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <harmos/assembly/Interface.hpp>
+#include <harmos/substructure/Substructure.hpp>
+
+namespace harmos::assembly {
+
+/// Elastic bodies joined by interfaces, and the times of the load steps: all that LATIN needs to know.
+///
+/// The lists are the same on every rank; a rank holds the stiffness matrices of the bodies that it owns.
+struct Assembly {
+  int dimension = 3;
+  std::vector<substructure::Substructure> bodies;
+  std::vector<Interface> interfaces;
+  std::vector<double> times;  ///< end of each load step; the unloaded start at time 0 is not listed
+  std::vector<int> owner;     ///< rank that owns each body; empty: rank 0 owns all
+
+  int steps() const { return static_cast<int>(times.size()); }
+  /// Every law is, so that both stages are affine maps.
+  bool isAffine() const {
+    return std::all_of(interfaces.begin(), interfaces.end(), [](const Interface& one) { return one.law->isAffine(); });
+  }
+  int ownerOf(int body) const { return owner.empty() ? 0 : owner[static_cast<std::size_t>(body)]; }
+};
+
+}  // namespace harmos::assembly

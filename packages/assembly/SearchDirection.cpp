@@ -1,0 +1,83 @@
+#include <harmos/assembly/SearchDirection.hpp>
+
+#include <cmath>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/substructure/CrsMatrix.hpp>
+
+namespace harmos::assembly {
+namespace {
+
+// Measured to be near the optimum on bolted and glued assemblies; the exact value matters little.
+constexpr double factor = 0.15;
+// Where nothing can part, a stiffer one carries information faster: it matters where METIS has cut a part.
+constexpr double factorOfBonds = 3.0;
+
+/// Mean diagonal stiffness [force/length] of every node of every body, known on all ranks.
+std::vector<std::vector<double>> nodalDiagonals(const Assembly& assembly, const Teuchos::Comm<int>& comm) {
+  std::vector<int> offset{0};
+  for (const auto& body : assembly.bodies) offset.push_back(offset.back() + static_cast<int>(body.nodes.size()));
+  std::vector<double> local(static_cast<std::size_t>(offset.back()), 0.0);
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+    const auto& body = assembly.bodies[b];
+    if (body.stiffness.is_null() || assembly.ownerOf(static_cast<int>(b)) != comm.getRank()) continue;
+    const std::vector<double> diagonal = substructure::nodalStiffnessDiagonal(*body.stiffness, body.dimension);
+    std::copy(diagonal.begin(), diagonal.end(), local.begin() + offset[b]);
+  }
+  std::vector<double> all(local.size());
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(local.size()), local.data(), all.data());
+
+  std::vector<std::vector<double>> result(assembly.bodies.size());
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+    const auto& body = assembly.bodies[b];
+    result[b].assign(all.begin() + offset[b], all.begin() + offset[b + 1]);
+    if (!body.congruence) continue;
+    // The trace of a node's diagonal block does not change under a rigid motion.
+    const int from = offset[static_cast<std::size_t>(body.congruence->representative)];
+    for (std::size_t a = 0; a < body.congruence->node.size(); ++a) {
+      result[b][static_cast<std::size_t>(body.congruence->node[a])] = all[static_cast<std::size_t>(from) + a];
+    }
+  }
+  return result;
+}
+
+void makeConstant(const std::vector<double>& area, std::vector<double>& k) {
+  double sum = 0.0;
+  double total = 0.0;
+  for (std::size_t p = 0; p < k.size(); ++p) {
+    sum += area[p] * std::log(k[p]);
+    total += area[p];
+  }
+  std::fill(k.begin(), k.end(), std::exp(sum / total));
+}
+
+}  // namespace
+
+SearchDirection::SearchDirection(const Assembly& assembly, double scale, const Teuchos::Comm<int>& comm) {
+  const auto diagonals = nodalDiagonals(assembly, comm);
+  for (const Interface& interface : assembly.interfaces) {
+    const double weight = scale * factor * (interface.law->bonds() ? factorOfBonds : 1.0);
+    std::vector<double> k(static_cast<std::size_t>(interface.pairs()));
+    for (std::size_t p = 0; p < k.size(); ++p) {
+      double softness = 0.0;
+      for (int side = 0; side < interface.sides(); ++side) {
+        const auto body = static_cast<std::size_t>(interface.body(side));
+        const double stiffness = diagonals[body][static_cast<std::size_t>(interface.nodes(side)[p])];
+        if (!(stiffness > 0.0)) {
+          throw base::Error("part \"" + assembly.bodies[body].name +
+                            "\": the stiffness matrix has the diagonal entry " + std::to_string(stiffness) +
+                            " at a node of interface \"" + interface.name +
+                            "\"; elastic bodies have positive diagonals");
+        }
+        softness += interface.area[p] / stiffness;
+      }
+      k[p] = weight * interface.sides() / softness;
+    }
+    if (!interface.mass.empty()) makeConstant(interface.area, k);
+    k_.push_back(std::move(k));
+  }
+}
+
+}  // namespace harmos::assembly

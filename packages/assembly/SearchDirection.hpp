@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+
+#include <harmos/assembly/Assembly.hpp>
+
+namespace harmos::assembly {
+
+/// Search direction k > 0 [stress/length] of every interface node pair, the same on both sides.
+///
+/// Automatic: k = scale * 0.15 * harmonic mean over the sides of diag(K)/h, with diag(K) the mean over the components
+/// of the node's diagonal entries, so that k does not depend on the frame and friction's cone keeps its shape; three
+/// times that where the law bonds. A boundary uses its own side. With a consistent interface mass k is constant over an
+/// interface (its area-weighted geometric mean), because only then the operator stays symmetric and the discrete
+/// solution independent of k.
+class SearchDirection {
+ public:
+  /// Collective over comm. `scale` multiplies the automatic value, > 0. Throws base::Error when a body has a
+  /// non-positive diagonal.
+  SearchDirection(const Assembly& assembly, double scale, const Teuchos::Comm<int>& comm);
+  const std::vector<double>& of(int interfaceIndex) const { return k_[static_cast<std::size_t>(interfaceIndex)]; }
+
+ private:
+  std::vector<std::vector<double>> k_;
+};
+
+}  // namespace harmos::assembly

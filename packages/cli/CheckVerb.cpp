@@ -1,0 +1,115 @@
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/cli/detail/StudyText.hpp>
+#include <harmos/cli/detail/Verbs.hpp>
+#include <harmos/scene/CostEstimate.hpp>
+#include <harmos/study/Study.hpp>
+
+namespace harmos::cli {
+
+namespace {
+
+void printBytes(std::ostream& out, const char* what, double bytes) {
+  out << "  " << std::left << std::setw(34) << what << std::right << std::setw(10) << std::fixed
+      << std::setprecision(bytes < 1e8 ? 1 : 0) << bytes / 1e6 << " MB\n";
+}
+
+void printProblem(std::ostream& out, const scene::Problem& problem) {
+  const assembly::Assembly& assembly = problem.assembly;
+  out << assembly.bodies.size() << " substructures:\n";
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b)
+    out << "  " << std::left << std::setw(34) << assembly.bodies[b].name << std::right << std::setw(10)
+        << assembly.bodies[b].nodes.size() << " nodes " << std::setw(10) << problem.bodies.parts[b].elements.size()
+        << " elements, rank " << assembly.ownerOf(static_cast<int>(b)) << "\n";
+  out << assembly.interfaces.size() << " interfaces and boundaries:\n";
+  for (const auto& joint : assembly.interfaces) {
+    // Users must see clearances and overclosures before the solution, not guess them from it.
+    double least = 0.0, largest = 0.0;
+    for (double gap : joint.gap) {
+      least = std::min(least, gap);
+      largest = std::max(largest, gap);
+    }
+    out << "  " << std::left << std::setw(34) << joint.name << std::right << std::setw(10) << joint.pairs()
+        << (joint.sides() == 2 ? " node pairs, " : " nodes, ") << joint.law->name();
+    if (joint.sides() == 2 && (least != 0.0 || largest != 0.0))
+      out << ", initial opening " << std::defaultfloat << std::setprecision(3) << least << " to " << largest;
+    out << "\n";
+  }
+  out << assembly.steps() << " time steps, " << problem.responses.size() << " responses\n";
+}
+
+void printCost(std::ostream& out, const scene::CostEstimate& cost) {
+  out << cost.unknowns << " displacement and " << cost.interfaceUnknowns << " interface unknowns\n"
+      << "Memory, roughly:\n";
+  printBytes(out, "stiffness matrices", cost.matrixBytes);
+  printBytes(out, "factors", cost.factorBytes);
+  printBytes(out, "fields of the iteration", cost.fieldBytes);
+  out << "CPU time, roughly:\n"
+      << std::fixed << std::setprecision(2) << "  " << std::left << std::setw(34) << "factorisation" << std::right
+      << std::setw(10) << cost.factorSeconds << " s\n"
+      << "  " << std::left << std::setw(34) << "one linear stage" << std::right << std::setw(10) << cost.stageSeconds
+      << " s; a certified solution mostly takes 30 to 80\n"
+      << std::defaultfloat;
+}
+
+int checkScene(const scene::Scene& scene, const Arguments& arguments, const CommandEnvironment& environment) {
+  base::Timers timers;
+  const scene::Problem problem = scene::makeProblem(scene, *environment.communicator, timers);
+  const scene::CostEstimate cost = scene::estimateCost(problem, *environment.communicator);
+  if (!environment.isRoot()) return 0;
+  if (!arguments.has("--quiet")) {
+    printProblem(environment.out, problem);
+    printCost(environment.out, cost);
+  }
+  environment.out << scene.path << " is valid.\n";
+  return 0;
+}
+
+/// Every configuration is made, so that values outside of a range show before anything is solved.
+int checkStudy(const study::Study& study, const Arguments& arguments, const CommandEnvironment& environment) {
+  const laws::LawRegistry laws = laws::builtInLaws();
+  if (environment.isRoot() && !arguments.has("--quiet")) printPlan(environment.out, study);
+  int inadmissible = 0;
+  std::string reason;
+  for (const design::Configuration& configuration : study.configurations) {
+    try {
+      study.sceneFor(configuration.values, laws);
+    } catch (const base::Error& error) {
+      if (inadmissible++ == 0) reason = "configuration " + std::to_string(configuration.id) + ": " + error.what();
+    }
+  }
+  checkScene(study.scene, arguments, environment);
+  if (!environment.isRoot()) return 0;
+  if (inadmissible > 0) {
+    environment.out << inadmissible << " configurations are not admissible; the first is " << reason << "\n";
+  }
+  environment.out << study.path << " is valid.\n";
+  return 0;
+}
+
+int check(const Arguments& arguments, const CommandEnvironment& environment) {
+  arguments.requireOperands({"SCENE.xml"});
+  const std::string& path = arguments.operands()[0];
+  const laws::LawRegistry laws = laws::builtInLaws();
+  if (study::isStudyFile(path))
+    return checkStudy(study::readStudy(path, arguments.values("--set"), "", laws), arguments, environment);
+  return checkScene(scene::readScene(path, arguments.values("--set"), laws), arguments, environment);
+}
+
+}  // namespace
+
+Command checkCommand() {
+  return {"check",
+          "SCENE.xml",
+          "Validate a scene or a study, say what it will allocate and roughly cost; nothing is solved.",
+          {{"--set", "'LIST/NAME=VALUE'", "replace an entry of the scene; may be repeated", true},
+           {"--quiet", "", "only say whether it is valid"}},
+          {"harmos check xml/bolted_joint.xml", "harmos check xml/bolted_joint.xml --set 'Parts/cover_bottom/Pieces=4'",
+           "harmos check xml/bolted_joint_study.xml"},
+          check};
+}
+
+}  // namespace harmos::cli

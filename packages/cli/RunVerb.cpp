@@ -1,0 +1,78 @@
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/cli/detail/Progress.hpp>
+#include <harmos/cli/detail/Verbs.hpp>
+#include <harmos/scene/SceneRun.hpp>
+#include <harmos/study/Study.hpp>
+
+namespace harmos::cli {
+
+namespace {
+
+void printEstimate(std::ostream& out, double estimate) {
+  if (std::isfinite(estimate)) {
+    out << "error estimate " << estimate;
+  } else {
+    out << "error not estimated";
+  }
+}
+
+void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
+  const auto& record = result.record;
+  out << record.status << ": " << record.reason << "\n" << std::setprecision(3);
+  printEstimate(out, record.errorEstimate);
+  out << " (asked for " << record.accuracy << "), " << record.iterations << " iterations, " << record.linearStages
+      << " linear stages, " << record.wallSeconds << " s\n";
+  for (const auto& response : result.solution.responses) {
+    out << "  " << std::left << std::setw(24) << response.name << std::right << std::setprecision(7) << std::setw(15)
+        << response.values.back() << std::setprecision(2) << "  ";
+    printEstimate(out, response.errorEstimate);
+    out << "\n";
+  }
+  out << result.files.parts << "\n" << result.files.interfaces << "\n" << result.files.history << "\n";
+}
+
+int run(const Arguments& arguments, const CommandEnvironment& environment) {
+  arguments.requireOperands({"SCENE.xml"});
+  const std::string& path = arguments.operands()[0];
+  if (study::isStudyFile(path)) {
+    throw base::Error(path + " is a study.\n  Write: harmos study " + path, base::ExitCode::input);
+  }
+  const bool isQuiet = arguments.has("--quiet");
+  auto detail = arguments.has("--verbose") ? Progress::Detail::everyIteration : Progress::Detail::sparse;
+  if (isQuiet || !environment.isRoot()) detail = Progress::Detail::none;
+
+  scene::SceneRunRequest request;
+  request.scene = path;
+  request.overrides = arguments.values("--set");
+  request.directory = arguments.value("--output", "results");
+  request.interrupted = environment.interrupted;
+  Progress progress(environment.err, detail, environment.terminal);
+  request.observer = [&progress](const latin::IterationReport& report) { progress.report(report); };
+  const scene::SceneRunResult result = scene::runScene(request, laws::builtInLaws(), environment.communicator);
+  progress.finish();
+  if (environment.isRoot() && !isQuiet) printSummary(environment.out, result);
+  if (environment.isRoot() && isQuiet && result.record.exitCode != 0)
+    environment.err << result.record.status << ": " << result.record.reason << "\n";
+  return result.record.exitCode;
+}
+
+}  // namespace
+
+Command runCommand() {
+  return {"run",
+          "SCENE.xml",
+          "Solve a scene and write its results.",
+          {{"--output", "DIR", "folder of the results (default: results)"},
+           {"--set", "'LIST/NAME=VALUE'", "replace an entry of the scene; may be repeated", true},
+           {"--verbose", "", "one line per iteration"},
+           {"--quiet", "", "print only errors"}},
+          {"harmos run xml/bolted_joint.xml",
+           "harmos run xml/bolted_joint.xml --set 'Solver/Accuracy=1e-5' --set 'Values/mu=0.2' --output fine"},
+          run};
+}
+
+}  // namespace harmos::cli

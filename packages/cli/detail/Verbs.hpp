@@ -1,0 +1,17 @@
+#pragma once
+
+#include <harmos/cli/CommandLine.hpp>
+
+namespace harmos::cli {
+
+/// Each verb stands in a file of its own, CommandLine<Verb>.cpp.
+Command runCommand();
+Command checkCommand();
+Command docCommand();
+Command meshCommand();
+Command compareCommand();
+Command studyCommand();
+Command reportCommand();
+Command predictCommand();
+
+}  // namespace harmos::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/design/Axis.hpp>
+
+namespace harmos::design {
+
+/// Chooses the points of a study in the space of its free parameters.
+class Design {
+ public:
+  virtual ~Design() = default;
+  /// One row per point, one column per axis. The same axes give the same points, on every machine and rank.
+  virtual std::vector<std::vector<double>> points(const std::vector<Axis>& axes) const = 0;
+};
+
+}  // namespace harmos::design

@@ -1,0 +1,219 @@
+#include <harmos/files/ExodusMesh.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <set>
+
+#include <exodusII.h>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/files/detail/CompleteSize.hpp>
+#include <harmos/mesh/Elements.hpp>
+
+namespace harmos::files {
+namespace {
+
+using Integers = std::vector<std::int64_t>;
+
+/// The sets of one kind and how unnamed ones are called.
+struct Kind {
+  ex_entity_type type;
+  ex_inquiry count;
+  const char* words;
+  const char* unnamed;
+};
+constexpr Kind elementBlocks = {EX_ELEM_BLOCK, EX_INQ_ELEM_BLK, "element block", "block_"};
+constexpr Kind sideSets = {EX_SIDE_SET, EX_INQ_SIDE_SETS, "side set", "sideset_"};
+constexpr Kind nodeSets = {EX_NODE_SET, EX_INQ_NODE_SETS, "node set", "nodeset_"};
+
+class Reader {
+ public:
+  explicit Reader(const std::string& path) : path_(path) {
+    checkFile();
+    int computeWordSize = sizeof(double);
+    int fileWordSize = 0;
+    float version = 0.0F;
+    id_ = ex_open(path.c_str(), EX_READ, &computeWordSize, &fileWordSize, &version);
+    if (id_ < 0) refuse("it is damaged or no Exodus file.");
+    ex_set_int64_status(id_, EX_ALL_INT64_API);
+    nameLength_ = std::max<std::int64_t>(32, ex_inquire_int(id_, EX_INQ_DB_MAX_USED_NAME_LENGTH));
+    ex_set_max_name_length(id_, static_cast<int>(nameLength_));
+  }
+  ~Reader() {
+    if (id_ >= 0) ex_close(id_);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  mesh::Mesh read() {
+    readNodes();
+    readBlocks();
+    const mesh::Elements elements(mesh_);
+    for (const auto& [id, name] : entities(sideSets)) readSideSet(elements, id, name);
+    for (const auto& [id, name] : entities(nodeSets)) {
+      const auto [nodes, none] = readSet(nodeSets, id, name, false);
+      mesh::NodeSet set{name, id, {}};
+      for (const std::int64_t node : nodes)
+        set.node.push_back(fromOne(node, mesh_.nodes.size(), "node", nodeSets, name));
+      mesh_.nodeSets.push_back(std::move(set));
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw base::Error("Cannot read the mesh file \"" + path_ + "\": " + what, base::ExitCode::input);
+  }
+
+  void check(int status, const std::string& what) const {
+    if (status >= 0) return;
+    const char* message = nullptr;
+    const char* function = nullptr;
+    int code = 0;
+    ex_get_err(&message, &function, &code);
+    refuse("reading " + what + " failed; it is damaged or truncated" +
+           (message != nullptr && *message != '\0' ? std::string(" (Exodus: ") + message + ")." : "."));
+  }
+
+  /// Finds out what Exodus would not say.
+  void checkFile() const {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    if (!fs::exists(path_, error)) refuse("there is no such file.");
+    if (!fs::is_regular_file(path_, error)) refuse("it is not a file.");
+    std::ifstream file(path_, std::ios::binary);
+    if (!file) refuse(std::string(std::strerror(errno)) + ".");
+    std::array<char, 8> start{};
+    file.read(start.data(), start.size());
+    const std::string_view begins(start.data(), static_cast<std::size_t>(file.gcount()));
+    if (begins.empty()) refuse("it is empty.");
+    if (begins.substr(0, 3) != "CDF" && begins != "\x89HDF\r\n\x1a\n") {
+      refuse("it is no Exodus file (it is neither in netCDF nor in HDF5 format).");
+    }
+    const std::uint64_t size = fs::file_size(path_, error);
+    if (size < completeSize(file)) refuse("it is truncated: its end is missing.");
+  }
+
+  /// Number, counted from 0, of a node, element or side counted from 1 in the file.
+  int fromOne(std::int64_t number, std::size_t count, const char* what, const Kind& kind,
+              const std::string& name) const {
+    if (number < 1 || static_cast<std::size_t>(number) > count) {
+      refuse(std::string(kind.words) + " \"" + name + "\" refers to " + what + " " + std::to_string(number) +
+             ", there are " + std::to_string(count) + "; it is damaged or truncated.");
+    }
+    return static_cast<int>(number - 1);
+  }
+
+  void readNodes() {
+    ex_init_params sizes{};
+    check(ex_get_init_ext(id_, &sizes), "its sizes");
+    if (sizes.num_dim != 2 && sizes.num_dim != 3) {
+      refuse("its mesh has " + std::to_string(sizes.num_dim) + " dimensions; 2 and 3 are supported.");
+    }
+    if (sizes.num_nodes < 1 || sizes.num_elem < 1) refuse("it has no mesh.");
+    if (std::max(sizes.num_nodes, sizes.num_elem) > std::numeric_limits<int>::max() / 8)
+      refuse("its mesh is too large.");
+    mesh_.dimension = static_cast<int>(sizes.num_dim);
+    std::array<std::vector<double>, 3> coordinates;
+    for (auto& axis : coordinates) axis.assign(static_cast<std::size_t>(sizes.num_nodes), 0.0);
+    check(ex_get_coord(id_, coordinates[0].data(), coordinates[1].data(), coordinates[2].data()), "its coordinates");
+    for (std::size_t i = 0; i < coordinates[0].size(); ++i) {
+      mesh_.nodes.push_back({coordinates[0][i], coordinates[1][i], coordinates[2][i]});
+      for (const double x : mesh_.nodes.back()) {
+        if (!std::isfinite(x)) refuse("node " + std::to_string(i + 1) + " has a coordinate that is not a number.");
+      }
+    }
+  }
+
+  std::vector<std::pair<std::int64_t, std::string>> entities(const Kind& kind) const {
+    Integers ids(static_cast<std::size_t>(ex_inquire_int(id_, kind.count)));
+    if (!ids.empty()) check(ex_get_ids(id_, kind.type, ids.data()), std::string("the ids of its ") + kind.words + "s");
+    std::vector<std::pair<std::int64_t, std::string>> result;
+    std::set<std::string> names;
+    for (const std::int64_t id : ids) {
+      std::vector<char> buffer(static_cast<std::size_t>(nameLength_) + 1, '\0');
+      check(ex_get_name(id_, kind.type, id, buffer.data()), std::string("the names of its ") + kind.words + "s");
+      std::string name = buffer.data();
+      name.erase(name.find_last_not_of(" \t") + 1);
+      if (name.empty()) name = kind.unnamed + std::to_string(id);
+      if (!names.insert(name).second) {
+        refuse(std::string("two ") + kind.words + "s are named \"" + name + "\"; rename one.");
+      }
+      result.emplace_back(id, std::move(name));
+    }
+    return result;
+  }
+
+  void readBlocks() {
+    std::string unsupported;
+    for (const auto& [id, name] : entities(elementBlocks)) {
+      ex_block block{};
+      block.id = id;
+      block.type = EX_ELEM_BLOCK;
+      check(ex_get_block_param(id_, &block), "element block \"" + name + "\"");
+      if (block.num_entry == 0) continue;
+      const auto type =
+          mesh::elementTypeFromExodus(block.topology, mesh_.dimension, static_cast<int>(block.num_nodes_per_entry));
+      if (!type) {
+        unsupported += (unsupported.empty() ? "" : ", ") + ("\"" + name) + "\" " + block.topology + " (" +
+                       std::to_string(block.num_nodes_per_entry) + " nodes)";
+        continue;
+      }
+      Integers nodes(static_cast<std::size_t>(block.num_entry * block.num_nodes_per_entry));
+      check(ex_get_conn(id_, EX_ELEM_BLOCK, id, nodes.data(), nullptr, nullptr), "element block \"" + name + "\"");
+      mesh::ElementBlock result{name, id, *type, {}};
+      for (const std::int64_t node : nodes) {
+        result.connectivity.push_back(fromOne(node, mesh_.nodes.size(), "node", elementBlocks, name));
+      }
+      mesh_.blocks.push_back(std::move(result));
+    }
+    if (unsupported.empty()) return;
+    refuse("these element blocks have elements that are not supported in " + std::to_string(mesh_.dimension) +
+           " dimensions: " + unsupported + ". Supported are the linear elements " +
+           (mesh_.dimension == 3 ? "HEX8, WEDGE6, PYRAMID5 and TET4" : "QUAD4 and TRI3") + "; mesh these blocks anew.");
+  }
+
+  std::pair<Integers, Integers> readSet(const Kind& kind, std::int64_t id, const std::string& name,
+                                        bool hasSides) const {
+    ex_set set{};
+    set.id = id;
+    set.type = kind.type;
+    const std::string what = std::string(kind.words) + " \"" + name + "\"";
+    check(ex_get_sets(id_, 1, &set), what);
+    Integers entries(static_cast<std::size_t>(set.num_entry));
+    Integers sides(hasSides ? entries.size() : 0);
+    if (!entries.empty())
+      check(ex_get_set(id_, kind.type, id, entries.data(), hasSides ? sides.data() : nullptr), what);
+    return {std::move(entries), std::move(sides)};
+  }
+
+  void readSideSet(const mesh::Elements& elements, std::int64_t id, const std::string& name) {
+    const auto [entries, sides] = readSet(sideSets, id, name, true);
+    mesh::SideSet set{name, id, {}, {}};
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      set.element.push_back(fromOne(entries[i], static_cast<std::size_t>(elements.count()), "element", sideSets, name));
+      const auto sideCount = static_cast<std::size_t>(mesh::sidesPerElement(elements.type(set.element.back())));
+      set.side.push_back(fromOne(sides[i], sideCount, "side", sideSets, name));
+    }
+    mesh_.sideSets.push_back(std::move(set));
+  }
+
+  std::string path_;
+  int id_ = -1;
+  std::int64_t nameLength_ = 32;
+  mesh::Mesh mesh_;
+};
+
+}  // namespace
+
+mesh::Mesh readExodus(const std::string& path) {
+  return Reader(path).read();
+}
+
+}  // namespace harmos::files

@@ -1,0 +1,222 @@
+#include <harmos/files/ExodusWriter.hpp>
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <set>
+
+#include <exodusII.h>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/files/AtomicFile.hpp>
+#include <harmos/files/Version.hpp>
+#include <harmos/files/detail/ExodusHandle.hpp>
+
+namespace harmos::files {
+
+namespace {
+
+template <typename List>
+void collectNames(const List& list, std::vector<std::string>& names) {
+  for (const auto& item : list) names.push_back(item.name);
+}
+
+std::vector<std::string> setNames(const ResultMesh& mesh) {
+  std::vector<std::string> names;
+  collectNames(mesh.blocks, names);
+  collectNames(mesh.sideSets, names);
+  collectNames(mesh.nodeSets, names);
+  return names;
+}
+
+void requireUnique(const std::vector<std::string>& names, const std::string& path) {
+  std::set<std::string> seen;
+  for (const auto& name : names)
+    if (!seen.insert(name).second)
+      throw base::Error(path + ": the name \"" + name +
+                        "\" is used for two of its blocks, side sets and node sets, which readers of Exodus files do "
+                        "not tell apart. Rename a part, an interface or a boundary.");
+}
+
+int longestName(const std::vector<std::string>& names, const ResultVariables& variables) {
+  std::size_t longest = 0;
+  for (const auto* list : {&names, &variables.nodal, &variables.element, &variables.global})
+    for (const auto& name : *list) longest = std::max(longest, name.size());
+  return static_cast<int>(longest);
+}
+
+std::vector<std::string> informationRecords(const std::vector<std::string>& lines) {
+  std::vector<std::string> records;
+  for (std::string line : lines) {
+    while (line.size() > MAX_LINE_LENGTH) {
+      records.push_back(line.substr(0, MAX_LINE_LENGTH - 1) + "\\");
+      line.erase(0, MAX_LINE_LENGTH - 1);
+    }
+    records.push_back(line);
+  }
+  return records;
+}
+
+std::vector<int> fromOne(std::vector<int> numbers) {
+  for (int& number : numbers) ++number;
+  return numbers;
+}
+
+void putProvenance(const ExodusHandle& file, const std::vector<std::string>& information) {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::array<char, 16> date{}, time{};
+  std::strftime(date.data(), date.size(), "%Y%m%d", &local);
+  std::strftime(time.data(), time.size(), "%H:%M:%S", &local);
+  std::string code = "Harmos", version = files::version();
+  char* record[1][4] = {{code.data(), version.data(), date.data(), time.data()}};
+  file.check(ex_put_qa(file.id(), 1, record), "write the QA record");
+
+  const auto records = informationRecords(information);
+  if (!records.empty())
+    file.check(ex_put_info(file.id(), static_cast<int>(records.size()), pointers(records).data()),
+               "write the information records");
+}
+
+void putMesh(const ExodusHandle& file, const std::string& title, const ResultMesh& mesh) {
+  const int id = file.id();
+  file.check(
+      ex_put_init(id, title.substr(0, MAX_LINE_LENGTH).c_str(), mesh.dimension, static_cast<int64_t>(mesh.nodes.size()),
+                  mesh.elements(), static_cast<int64_t>(mesh.blocks.size()), static_cast<int64_t>(mesh.nodeSets.size()),
+                  static_cast<int64_t>(mesh.sideSets.size())),
+      "write the sizes");
+
+  std::array<std::vector<double>, 3> coordinates;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const auto& point : mesh.nodes) coordinates[axis].push_back(point[axis]);
+  file.check(ex_put_coord(id, coordinates[0].data(), coordinates[1].data(), coordinates[2].data()),
+             "write the coordinates");
+  const std::vector<std::string> axes{"x", "y", "z"};
+  file.check(ex_put_coord_names(id, pointers(axes).data()), "write the names of the axes");
+
+  int64_t number = 0;
+  for (const auto& block : mesh.blocks) {
+    ++number;
+    file.check(
+        ex_put_block(id, EX_ELEM_BLOCK, number, block.type.c_str(), block.elements(), block.nodesPerElement, 0, 0, 0),
+        "write block " + block.name);
+    file.check(ex_put_name(id, EX_ELEM_BLOCK, number, block.name.c_str()), "name block " + block.name);
+    if (block.elements() > 0)
+      file.check(ex_put_conn(id, EX_ELEM_BLOCK, number, fromOne(block.connectivity).data(), nullptr, nullptr),
+                 "write block " + block.name);
+  }
+  number = 0;
+  for (const auto& set : mesh.sideSets) {
+    ++number;
+    file.check(ex_put_set_param(id, EX_SIDE_SET, number, static_cast<int64_t>(set.element.size()), 0),
+               "write side set " + set.name);
+    file.check(ex_put_name(id, EX_SIDE_SET, number, set.name.c_str()), "name side set " + set.name);
+    if (!set.element.empty())
+      file.check(ex_put_set(id, EX_SIDE_SET, number, fromOne(set.element).data(), fromOne(set.side).data()),
+                 "write side set " + set.name);
+  }
+  number = 0;
+  for (const auto& set : mesh.nodeSets) {
+    ++number;
+    file.check(ex_put_set_param(id, EX_NODE_SET, number, static_cast<int64_t>(set.node.size()), 0),
+               "write node set " + set.name);
+    file.check(ex_put_name(id, EX_NODE_SET, number, set.name.c_str()), "name node set " + set.name);
+    if (!set.node.empty())
+      file.check(ex_put_set(id, EX_NODE_SET, number, fromOne(set.node).data(), nullptr), "write node set " + set.name);
+  }
+}
+
+void putVariableNames(const ExodusHandle& file, ex_entity_type kind, const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  const int count = static_cast<int>(names.size());
+  file.check(ex_put_variable_param(file.id(), kind, count), "declare variables");
+  file.check(ex_put_variable_names(file.id(), kind, count, pointers(names).data()), "name variables");
+}
+
+}  // namespace
+
+struct ExodusWriter::State {
+  State(const std::string& path, ResultMesh resultMesh, ResultVariables resultVariables)
+      : target(path),
+        mesh(std::move(resultMesh)),
+        variables(std::move(resultVariables)),
+        file(ExodusHandle::create(target.temporaryPath(), longestName(setNames(mesh), variables))) {}
+
+  AtomicFile target;
+  ResultMesh mesh;
+  ResultVariables variables;
+  ExodusHandle file;
+  int steps = 0;
+
+  void requireSize(std::size_t given, std::size_t expected, const std::string& what) const {
+    if (given != expected)
+      throw base::Error(target.path() + ": " + std::to_string(given) + " values were given for " + what + ", " +
+                        std::to_string(expected) + " are needed.");
+  }
+};
+
+ExodusWriter::ExodusWriter(const std::string& path, const std::string& title, ResultMesh mesh,
+                           ResultVariables variables, const std::vector<std::string>& information) {
+  requireUnique(setNames(mesh), path);
+  state_ = std::make_unique<State>(path, std::move(mesh), std::move(variables));
+  putMesh(state_->file, title, state_->mesh);
+  putProvenance(state_->file, information);
+  putVariableNames(state_->file, EX_GLOBAL, state_->variables.global);
+  putVariableNames(state_->file, EX_NODAL, state_->variables.nodal);
+  putVariableNames(state_->file, EX_ELEM_BLOCK, state_->variables.element);
+  if (!state_->variables.element.empty() && !state_->mesh.blocks.empty()) {
+    std::vector<int> truth(state_->mesh.blocks.size() * state_->variables.element.size(), 1);
+    state_->file.check(
+        ex_put_truth_table(state_->file.id(), EX_ELEM_BLOCK, static_cast<int>(state_->mesh.blocks.size()),
+                           static_cast<int>(state_->variables.element.size()), truth.data()),
+        "declare element variables");
+  }
+}
+
+ExodusWriter::~ExodusWriter() = default;
+
+const ResultMesh& ExodusWriter::mesh() const {
+  return state_->mesh;
+}
+const ResultVariables& ExodusWriter::variables() const {
+  return state_->variables;
+}
+
+void ExodusWriter::write(const ResultStep& step) {
+  State& s = *state_;
+  s.requireSize(step.global.size(), s.variables.global.size(), "the global variables");
+  s.requireSize(step.nodal.size(), s.variables.nodal.size(), "the list of nodal variables");
+  s.requireSize(step.element.size(), s.variables.element.size(), "the list of element variables");
+  const int id = s.file.id(), number = ++s.steps;
+  s.file.check(ex_put_time(id, number, &step.time), "write the time");
+  if (!step.global.empty())
+    s.file.check(ex_put_var(id, number, EX_GLOBAL, 1, 0, static_cast<int64_t>(step.global.size()), step.global.data()),
+                 "write the global variables");
+  for (std::size_t v = 0; v < step.nodal.size(); ++v) {
+    s.requireSize(step.nodal[v].size(), s.mesh.nodes.size(), s.variables.nodal[v]);
+    if (!s.mesh.nodes.empty())
+      s.file.check(ex_put_var(id, number, EX_NODAL, static_cast<int>(v) + 1, 1,
+                              static_cast<int64_t>(step.nodal[v].size()), step.nodal[v].data()),
+                   "write " + s.variables.nodal[v]);
+  }
+  for (std::size_t v = 0; v < step.element.size(); ++v) {
+    s.requireSize(step.element[v].size(), static_cast<std::size_t>(s.mesh.elements()), s.variables.element[v]);
+    const double* values = step.element[v].data();
+    for (std::size_t b = 0; b < s.mesh.blocks.size(); ++b) {
+      const int elements = s.mesh.blocks[b].elements();
+      if (elements > 0)
+        s.file.check(ex_put_var(id, number, EX_ELEM_BLOCK, static_cast<int>(v) + 1, static_cast<int64_t>(b) + 1,
+                                elements, values),
+                     "write " + s.variables.element[v]);
+      values += elements;
+    }
+  }
+}
+
+void ExodusWriter::commit() {
+  state_->file.close();
+  state_->target.commit();
+}
+
+}  // namespace harmos::files

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <harmos/files/ResultMesh.hpp>
+
+namespace harmos::files {
+
+/// Writes results to one Exodus II file (EX_LARGE_MODEL), to be called on one rank only.
+///
+/// Every element variable exists on every block (truth table all ones), because readers such as meshio require it; what
+/// a block does not have is 0. A QA record names Harmos and its version; information lines longer than 80 characters
+/// are continued after a backslash. Block, side set and node set names must be unique among all of them.
+/// The file appears under its name with commit(); a writer destroyed before leaves no trace.
+class ExodusWriter {
+ public:
+  /// Throws base::Error when a name occurs twice or the file cannot be written.
+  ExodusWriter(const std::string& path, const std::string& title, ResultMesh mesh, ResultVariables variables,
+               const std::vector<std::string>& information = {});
+  ~ExodusWriter();
+
+  const ResultMesh& mesh() const;
+  const ResultVariables& variables() const;
+  /// Appends one time; throws base::Error when the sizes do not fit the mesh and the variables.
+  void write(const ResultStep& step);
+  void commit();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace harmos::files

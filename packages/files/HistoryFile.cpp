@@ -1,0 +1,32 @@
+#include <harmos/files/HistoryFile.hpp>
+
+#include <harmos/base/Numerals.hpp>
+#include <harmos/files/AtomicFile.hpp>
+
+namespace harmos::files {
+
+namespace {
+
+// As RFC 4180 wants it.
+std::string quoted(const std::string& name) {
+  if (name.find_first_of(",\"\n") == std::string::npos) return name;
+  std::string result = "\"";
+  for (char c : name) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+}  // namespace
+
+void writeHistory(const std::string& path, const History& history) {
+  std::string text = "step,time";
+  for (const auto& name : history.responses) text += "," + quoted(name);
+  text += "\n";
+  for (std::size_t row = 0; row < history.times.size(); ++row) {
+    text += std::to_string(row) + "," + base::toText(history.times[row]);
+    for (double value : history.values[row]) text += "," + base::toText(value);
+    text += "\n";
+  }
+  replaceFile(path, text);
+}
+
+}  // namespace harmos::files

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace harmos::files {
+
+/// The responses over the time steps.
+struct History {
+  std::vector<std::string> responses;       // names
+  std::vector<double> times;                // one per row; row 0 is the unloaded start
+  std::vector<std::vector<double>> values;  // [row][response]
+};
+
+/// Writes a CSV file "step,time,<response>,..." with one row per time step; numbers read back exactly. Replaces an
+/// older file in one step; throws base::Error when it cannot.
+void writeHistory(const std::string& path, const History& history);
+
+}  // namespace harmos::files

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace harmos::files {
+
+/// Where the results of a scene lie: DIR/SCENE.e and its companions.
+struct ResultFiles {
+  /// `scene` is the path of the scene's file; its name without folder and ending names the results.
+  ResultFiles(const std::string& directory, const std::string& scene);
+
+  std::string parts;           // SCENE.e
+  std::string interfaces;      // SCENE_interfaces.e
+  std::string history;         // SCENE_history.csv
+  std::string effectiveInput;  // SCENE_effective.xml
+  std::string record;          // SCENE_result.json
+
+  std::vector<std::string> all() const { return {parts, interfaces, history, effectiveInput, record}; }
+  /// Removes the files of an earlier run, so that nobody reads them as results of this one; creates the directory.
+  /// Throws base::Error when one of them cannot be removed.
+  void removeOld() const;
+};
+
+}  // namespace harmos::files

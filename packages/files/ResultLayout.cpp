@@ -1,0 +1,166 @@
+#include <harmos/files/ResultLayout.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include <harmos/mesh/Elements.hpp>
+#include <harmos/mesh/Skin.hpp>
+
+namespace harmos::files {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+std::vector<int> sorted(std::vector<int> nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+/// Hands out every name once.
+class Names {
+ public:
+  std::string take(std::string name) {
+    while (!used_.insert(name).second) name += "_set";
+    return name;
+  }
+
+ private:
+  std::set<std::string> used_;
+};
+
+void addBlocks(const mesh::Mesh& mesh, const mesh::Elements& elements, const mesh::Part& part, int firstNode,
+               Names& names, PartsLayout& layout) {
+  std::map<mesh::ElementType, std::vector<std::size_t>> byType;  // positions in part.elements
+  for (std::size_t i = 0; i < part.elements.size(); ++i) byType[elements.type(part.elements[i])].push_back(i);
+  std::vector<int> local(mesh.nodes.size(), -1);
+  for (std::size_t i = 0; i < part.nodes.size(); ++i) local[at(part.nodes[i])] = firstNode + static_cast<int>(i);
+
+  int next = layout.mesh.elements();
+  std::vector<int> position(part.elements.size());
+  for (const auto& [type, members] : byType) {
+    const std::string typeName = mesh::exodusName(type);
+    ResultMesh::Block block;
+    block.name = names.take(byType.size() == 1 ? part.name : part.name + "_" + lowerCase(typeName));
+    block.type = typeName;
+    block.nodesPerElement = mesh::nodesPerElement(type);
+    for (std::size_t i : members) {
+      const int* nodes = elements.nodes(part.elements[i]);
+      for (int k = 0; k < block.nodesPerElement; ++k) block.connectivity.push_back(local[at(nodes[k])]);
+      position[i] = next++;
+    }
+    layout.mesh.blocks.push_back(std::move(block));
+  }
+  layout.element.push_back(std::move(position));
+}
+
+/// Outer sides of a part by their mesh nodes.
+std::map<std::vector<int>, mesh::Face> skinByNodes(const mesh::Elements& elements, const mesh::Part& part) {
+  std::map<std::vector<int>, mesh::Face> result;
+  for (auto& face : mesh::skin(elements, part.elements)) {
+    auto key = sorted(face.nodes);
+    result.emplace(std::move(key), std::move(face));
+  }
+  return result;
+}
+
+}  // namespace
+
+PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Part>& parts,
+                        const std::vector<mesh::InterfaceSurface>& surfaces) {
+  const mesh::Elements elements(mesh);
+  PartsLayout layout;
+  layout.mesh.dimension = mesh.dimension;
+  Names names;
+  std::vector<std::map<std::vector<int>, mesh::Face>> skins;
+  for (const auto& part : parts) {
+    const int first = static_cast<int>(layout.mesh.nodes.size());
+    layout.firstNode.push_back(first);
+    for (int node : part.nodes) layout.mesh.nodes.push_back(mesh.nodes[at(node)]);
+    addBlocks(mesh, elements, part, first, names, layout);
+    skins.push_back(skinByNodes(elements, part));
+  }
+
+  // Pieces of one interface between cut parts share its name and go into one set.
+  std::map<std::string, mesh::SideSet> sideSets;
+  std::map<std::string, mesh::NodeSet> nodeSets;
+  std::vector<std::string> order;
+  for (const auto& surface : surfaces) {
+    for (const int side : {0, 1}) {
+      const int p = side == 0 ? surface.part1 : surface.part2;
+      if (p < 0) continue;
+      const auto& part = parts[at(p)];
+      const auto& nodes = side == 0 ? surface.node1 : surface.node2;
+      const std::string name = surface.part2 < 0 ? surface.name : surface.name + (side == 0 ? "_1" : "_2");
+      if (std::find(order.begin(), order.end(), name) == order.end()) order.push_back(name);
+      if (surface.face.empty()) {
+        for (int node : nodes) nodeSets[name].node.push_back(layout.firstNode[at(p)] + node);
+        continue;
+      }
+      for (const auto& face : surface.face) {
+        std::vector<int> key;
+        for (int pair : face) key.push_back(part.nodes[at(nodes[at(pair)])]);
+        const auto found = skins[at(p)].find(sorted(std::move(key)));
+        if (found == skins[at(p)].end()) continue;  // a face of the other side that this mesh does not have
+        const auto position =
+            std::lower_bound(part.elements.begin(), part.elements.end(), found->second.element) - part.elements.begin();
+        sideSets[name].element.push_back(layout.element[at(p)][static_cast<std::size_t>(position)]);
+        sideSets[name].side.push_back(found->second.side);
+      }
+    }
+  }
+  for (const auto& name : order) {
+    if (const auto set = sideSets.find(name); set != sideSets.end()) {
+      layout.mesh.sideSets.push_back(set->second);
+      layout.mesh.sideSets.back().name = names.take(name);
+    }
+    if (const auto set = nodeSets.find(name); set != nodeSets.end()) {
+      layout.mesh.nodeSets.push_back(set->second);
+      layout.mesh.nodeSets.back().name = names.take(name);
+    }
+  }
+  return layout;
+}
+
+InterfacesLayout layOutInterfaces(const mesh::Mesh& mesh, const std::vector<mesh::Part>& parts,
+                                  const std::vector<mesh::InterfaceSurface>& surfaces) {
+  InterfacesLayout layout;
+  layout.mesh.dimension = mesh.dimension;
+  const std::map<std::size_t, const char*> types{{1, "SPHERE"}, {2, "BAR2"}, {3, "TRI3"}, {4, "SHELL4"}};
+  std::vector<std::pair<std::string, std::size_t>> order;  // interface and nodes per face
+  std::map<std::pair<std::string, std::size_t>, std::vector<int>> faces;
+  for (const auto& surface : surfaces) {
+    const int first = static_cast<int>(layout.mesh.nodes.size());
+    layout.firstPair.push_back(first);
+    for (int node : surface.node1)
+      layout.mesh.nodes.push_back(mesh.nodes[at(parts[at(surface.part1)].nodes[at(node)])]);
+    const auto add = [&](const std::vector<int>& face) {
+      const std::pair<std::string, std::size_t> key{surface.name, face.size()};
+      if (faces.find(key) == faces.end()) order.push_back(key);
+      for (int pair : face) faces[key].push_back(first + pair);
+    };
+    for (const auto& face : surface.face) add(face);
+    if (surface.face.empty())
+      for (int pair = 0; pair < static_cast<int>(surface.node1.size()); ++pair) add({pair});
+  }
+  Names names;
+  for (const auto& key : order) {
+    const std::string type = types.at(key.second);
+    const auto sameName =
+        std::count_if(order.begin(), order.end(), [&](const auto& o) { return o.first == key.first; });
+    layout.mesh.blocks.push_back({names.take(sameName == 1 ? key.first : key.first + "_" + lowerCase(type)), type,
+                                  static_cast<int>(key.second), std::move(faces[key])});
+  }
+  return layout;
+}
+
+}  // namespace harmos::files

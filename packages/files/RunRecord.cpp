@@ -1,0 +1,37 @@
+#include <harmos/files/RunRecord.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <harmos/files/AtomicFile.hpp>
+#include <harmos/files/Version.hpp>
+
+namespace harmos::files {
+
+void writeRunRecord(const std::string& path, const RunRecord& record) {
+  using Json = nlohmann::ordered_json;
+  Json errors = Json::object();
+  for (const auto& [name, value] : record.responseErrors) errors[name] = value;
+  Json phases = Json::object();
+  for (const auto& phase : record.phases)
+    phases[phase.name] = {{"wall_seconds", phase.wallSeconds}, {"cpu_seconds", phase.cpuSeconds}};
+  const Json json = {{"program", "Harmos"},
+                     {"version", version()},
+                     {"scene", record.scene},
+                     {"status", record.status},
+                     {"reason", record.reason},
+                     {"exit_code", record.exitCode},
+                     {"accuracy", record.accuracy},
+                     {"error_estimate", record.errorEstimate},
+                     {"response_error_estimates", errors},
+                     {"iterations", record.iterations},
+                     {"linear_stages", record.linearStages},
+                     {"ranks", record.ranks},
+                     {"wall_seconds", record.wallSeconds},
+                     {"cpu_seconds", record.cpuSeconds},
+                     {"phases", phases},
+                     {"peak_memory_bytes", record.peakMemory}};
+  // Text from the user may not be UTF-8; replacing what is not is better than failing after the solution.
+  replaceFile(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace harmos::files

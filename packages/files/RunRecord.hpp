@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <harmos/base/Timers.hpp>
+
+namespace harmos::files {
+
+/// How a run went; what SCENE_result.json says.
+struct RunRecord {
+  std::string scene;   // path as given
+  std::string status;  // running, certified, not converged, no equilibrium, interrupted, failed
+  std::string reason;  // why it stopped, one sentence
+  int exitCode = 0;
+  double accuracy = 0.0;                                            // asked for
+  double errorEstimate = std::numeric_limits<double>::quiet_NaN();  // relative, of the whole solution; NaN: none
+  std::vector<std::pair<std::string, double>> responseErrors;       // relative estimate per response
+  int iterations = 0;
+  int linearStages = 0;
+  int ranks = 1;
+  std::vector<base::Timers::Phase> phases;
+  double wallSeconds = 0.0, cpuSeconds = 0.0;  // whole process on rank 0
+  std::size_t peakMemory = 0;                  // largest of the ranks [byte]
+};
+
+/// Writes the record as JSON; numbers that are not finite become null. Replaces an older file in one step.
+void writeRunRecord(const std::string& path, const RunRecord& record);
+
+}  // namespace harmos::files

@@ -1,0 +1,100 @@
+#include <harmos/files/StoredExpansions.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
+#include <harmos/files/detail/Hdf5.hpp>
+
+namespace harmos::files {
+
+namespace {
+
+bool has(const Hdf5Source& group, const std::string& name) {
+  const auto names = group.names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+std::optional<StoredExpansions> StoredExpansions::read(const std::string& path) {
+  const QuietHdf5 quiet;
+  const Hdf5Source root = Hdf5Source::open(path);
+  const Hdf5Source study = root.group(root.names().front());
+  if (!has(study, "statistics")) return std::nullopt;
+  const Hdf5Source statistics = study.group("statistics");
+  if (!has(statistics, "basis")) return std::nullopt;
+  return StoredExpansions(statistics);
+}
+
+StoredExpansions::StoredExpansions(const Hdf5Source& statistics) : parameters_(statistics.texts("variables")) {
+  const Hdf5Source basis = statistics.group("basis");
+  order_ = basis.integer("order");
+  for (const std::string& name : parameters_) {
+    const Hdf5Source germ = basis.group(name);
+    const std::string map = germ.text("map");
+    if (map == "none") {
+      throw base::Error("\"" + name +
+                            "\" is correlated with other parameters, and its value alone does not tell the germ that "
+                            "the expansions depend on.\n  Evaluate them in germs from Python: "
+                            "study.statistics.expansion(\"RESPONSE\").evaluate(germs).",
+                        base::ExitCode::input);
+    }
+    germs_.push_back({germ.number("shift"), germ.number("scale"), map == "exponential",
+                      probability::Polynomials::recurrence(germ.group("recurrence_a").values(),
+                                                           germ.group("recurrence_b").values())});
+  }
+  const std::vector<double> degrees = basis.group("degrees").values();
+  for (std::size_t i = 0; i < degrees.size(); i += germs_.size()) {
+    auto& index = indices_.emplace_back();
+    for (std::size_t g = 0; g < germs_.size(); ++g) index.push_back(static_cast<int>(degrees[i + g]));
+  }
+  const Hdf5Source responses = statistics.group("responses");
+  for (const std::string& name : responses.texts("order")) {
+    const Hdf5Source response = responses.group(name);
+    if (!has(response, "coefficients")) continue;
+    responses_.push_back(name);
+    coefficients_.push_back(response.group("coefficients").values());
+    deviations_.push_back(response.number("hold_out_error") * response.number("standard_deviation"));
+  }
+}
+
+std::vector<double> StoredExpansions::germs(const std::vector<double>& point) const {
+  std::vector<double> germs;
+  for (std::size_t g = 0; g < germs_.size(); ++g) {
+    const Germ& germ = germs_[g];
+    if (germ.isExponential && !(point[g] > 0.0)) {
+      throw base::Error("\"" + parameters_[g] + "\" is lognormal and never " + base::toText(point[g]) + ".",
+                        base::ExitCode::input);
+    }
+    const double value = germ.isExponential ? std::log(point[g]) : point[g];
+    germs.push_back(germ.scale == 0.0 ? 0.0 : (value - germ.shift) / germ.scale);
+  }
+  return germs;
+}
+
+std::vector<double> StoredExpansions::evaluate(const std::vector<double>& point) const {
+  const std::vector<double> at = germs(point);
+  std::vector<std::vector<double>> polynomials;
+  for (std::size_t g = 0; g < at.size(); ++g) polynomials.push_back(germs_[g].polynomials.evaluate(at[g], order_));
+  std::vector<double> values(coefficients_.size(), 0.0);
+  for (std::size_t a = 0; a < indices_.size(); ++a) {
+    double product = 1.0;
+    for (std::size_t g = 0; g < at.size(); ++g) product *= polynomials[g][static_cast<std::size_t>(indices_[a][g])];
+    for (std::size_t r = 0; r < values.size(); ++r) values[r] += coefficients_[r][a] * product;
+  }
+  return values;
+}
+
+bool StoredExpansions::isInside(const std::vector<double>& point) const {
+  const std::vector<double> at = germs(point);
+  for (std::size_t g = 0; g < at.size(); ++g) {
+    const std::vector<double> points = germs_[g].polynomials.gauss(order_ + 1).points;
+    const auto [least, most] = std::minmax_element(points.begin(), points.end());
+    if (at[g] < *least || at[g] > *most) return false;
+  }
+  return true;
+}
+
+}  // namespace harmos::files

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <harmos/probability/Polynomials.hpp>
+
+namespace harmos::files {
+
+class Hdf5Source;
+
+/// The expansions that writeStatistics() has put into the file of a study, ready to be evaluated at values of the
+/// random parameters.
+class StoredExpansions {
+ public:
+  /// Of the first study in the file; nothing when it has no expansions. Throws base::Error (input) when it is no file
+  /// of a study, or expansions are not in terms of its parameters.
+  static std::optional<StoredExpansions> read(const std::string& path);
+
+  /// Random parameters, and responses that have an expansion.
+  const std::vector<std::string>& parameters() const { return parameters_; }
+  const std::vector<std::string>& responses() const { return responses_; }
+
+  /// Of all responses at a point of values of the parameters. Throws base::Error (input) for a value that the parameter
+  /// never takes.
+  std::vector<double> evaluate(const std::vector<double>& point) const;
+  /// Whether each germ lies between the outermost points of the Gauss rule of the expansions' order.
+  bool isInside(const std::vector<double>& point) const;
+  /// Root mean square error of a response at the configurations that were held out; not a number without these.
+  double deviation(std::size_t response) const { return deviations_[response]; }
+
+ private:
+  /// Parameter = shift + scale germ, or the exponential of it.
+  struct Germ {
+    double shift, scale;
+    bool isExponential;
+    probability::Polynomials polynomials;
+  };
+
+  explicit StoredExpansions(const Hdf5Source& statistics);
+  std::vector<double> germs(const std::vector<double>& point) const;
+
+  int order_;
+  std::vector<std::string> parameters_, responses_;
+  std::vector<Germ> germs_;
+  std::vector<std::vector<int>> indices_;          // degree in every germ, one row per polynomial
+  std::vector<std::vector<double>> coefficients_;  // one row per response
+  std::vector<double> deviations_;
+};
+
+}  // namespace harmos::files

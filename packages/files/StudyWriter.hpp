@@ -1,0 +1,54 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include <harmos/files/StochasticTables.hpp>
+#include <harmos/files/StudyJournal.hpp>
+#include <harmos/results/ResultSink.hpp>
+#include <harmos/results/StudyResults.hpp>
+
+namespace harmos::files {
+
+/// Where the results of a study lie: DIR/STUDY.h5 and its companions.
+struct StudyFiles {
+  /// `study` is the path of the study's file; its name without folder and ending names the results.
+  StudyFiles(const std::string& directory, const std::string& study);
+
+  std::string file;     // STUDY.h5
+  std::string journal;  // STUDY.journal
+  std::string table;    // STUDY.csv
+  std::string dakota;   // STUDY_dakota.dat
+  StochasticFiles stochastic;
+};
+
+/// Writes the files of a study as results come. For one process; others learn the results by other ways.
+class StudyWriter : public results::ResultSink {
+ public:
+  /// Opens the journal, see there what it throws, and takes over the results of an earlier run. A table of an earlier
+  /// run is removed, so that nobody reads it as that of this one. `description` must outlive the writer.
+  StudyWriter(const StudyFiles& files, const results::StudyDescription& description, bool restart);
+
+  const results::StudyResults& results() const { return results_; }
+  int damaged() const { return journal_.damaged(); }
+  /// Appends to the journal, and brings the HDF5 file up to date every few seconds.
+  void record(const results::ConfigurationResult& result) override;
+  void note(const std::string& name, const std::string& text) override;
+  void setStatistics(std::shared_ptr<const results::StochasticSummary> statistics) {
+    results_.setStatistics(std::move(statistics));
+  }
+  /// A configuration that an adaptive design has chosen.
+  void add(const design::Configuration& configuration);
+  /// Writes the HDF5 file and the tables; `state` as in writeStudyFile().
+  void finish(const std::string& state);
+
+ private:
+  void writeFile(const std::string& state);
+
+  StudyFiles files_;
+  results::StudyResults results_;
+  StudyJournal journal_;
+  std::chrono::steady_clock::time_point nextFile_;
+};
+
+}  // namespace harmos::files

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace harmos::files {
+
+/// Version of Harmos, for example "0.1.0".
+const char* version();
+
+}  // namespace harmos::files

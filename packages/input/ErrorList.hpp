@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace harmos::input {
+
+/// Collects the errors of an input, so that the user sees all of them at once.
+class ErrorList {
+ public:
+  /// `where` as from Parameters::where(); `what` and `repair` are complete sentences, the second may be empty.
+  void add(const std::string& where, const std::string& what, const std::string& repair = "");
+  /// Runs `action`; a base::Error (input) that it throws becomes an error at `where`
+  /// (or at a place of its own, when it begins with one). Returns whether there was none.
+  bool collect(const std::string& where, const std::function<void()>& action);
+  int count() const { return count_; }
+  /// All errors, ended by "N errors; nothing was run."; empty when there are none.
+  std::string message() const;
+  /// Throws base::Error(ExitCode::input) with message(), if there are any.
+  void throwIfAny() const;
+
+ private:
+  std::string text_;
+  int count_ = 0;
+};
+
+}  // namespace harmos::input

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/parametric/Indicators.hpp>
+
+namespace harmos::parametric {
+
+/// Reads free indicators as errors, with ratios measured in the same study.
+///
+/// Configurations that were iterated on to a tight stop know the errors of the states on their way:
+///   kf = min force indicator / error of the force field,  kc = min response indicator / largest error of a response,
+/// over their states with errors between 0.1 and 10 times the accuracy asked for, and at most 1. The others have
+///   E = max(force indicator / kf, response indicator / kc).
+/// A calibrated estimate, not a bound: kf and kc differ between scenes and search directions, never carry them over.
+class Calibration {
+ public:
+  /// One state on the way of a calibration run, with its errors against the end of the run.
+  struct Observation {
+    Indicators indicators;
+    double forceError = 0.0;
+    double responseError = 0.0;
+  };
+
+  explicit Calibration(double accuracy) : accuracy_(accuracy) {}
+
+  /// The states of one run; true when a ratio fell, so that what was accepted must be looked at again.
+  bool add(const std::vector<Observation>& run);
+  /// Runs so far.
+  int runs() const { return runs_; }
+  double forceRatio() const { return forceRatio_; }
+  double responseRatio() const { return responseRatio_; }
+
+  /// E; infinite before the first run.
+  double estimate(const Indicators& indicators) const;
+  /// True when E with its factor of safety, 1.5, or 2 before the fifth run, meets the accuracy.
+  bool accepts(const Indicators& indicators) const;
+  /// The largest indicators that it accepts.
+  Indicators target() const;
+
+ private:
+  double accuracy_;
+  int runs_ = 0;
+  double forceRatio_ = 1.0;
+  double responseRatio_ = 1.0;
+};
+
+}  // namespace harmos::parametric

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <harmos/base/Timers.hpp>
+#include <harmos/latin/AndersonAcceleration.hpp>
+#include <harmos/parametric/Gauge.hpp>
+#include <harmos/parametric/ReducedBasisStart.hpp>
+
+namespace harmos::parametric {
+
+/// The iteration of one configuration after another on the same operators: a march through the load steps, each from a
+/// start made of solved states, with Anderson acceleration that already knows how the residual changes along them.
+///
+/// A load step whose start is good enough costs no solve; the others solve single columns, of what changes, so that
+/// rough solves lose no digits. A stage of all load steps ends every march: it is the state that is delivered and whose
+/// indicators are reported. Displacement form only.
+class ConfigurationIteration {
+ public:
+  /// `memory`: differences that the acceleration keeps beyond those of the start. The phases "start", "indicators" and
+  /// "acceleration" are charged to `timers`. All arguments must outlive it.
+  ConfigurationIteration(latin::FixedPoint& fixedPoint,
+                         const std::vector<std::shared_ptr<const latin::Response>>& responses, int neighbours,
+                         int memory, base::Timers& timers);
+  /// Asked on every rank before every load step; march() then goes on with the stage of all load steps at once.
+  void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
+
+  /// Collective. Begins the configuration whose laws are in the assembly, cold when there are only few `states`, which
+  /// must stay as they are.
+  void begin(const SolvedStates& states, const std::vector<double>& values);
+  /// Collective. Goes on from a state found elsewhere, with a stage of all load steps.
+  Indicators beginAt(const base::Matrix& alpha);
+  /// Collective. Iterates every load step until its share of the indicators is at most `target`, or a limit of
+  /// iterations is reached, and then all of them once; the fields are those of fixedPoint.
+  Indicators march(const Indicators& target);
+
+  /// Linear stages since begin(), that for the loads included: solves of single load steps add up.
+  int stages() const;
+  /// ids of the configurations that the start came from.
+  const std::vector<int>& starts() const { return starts_; }
+  /// alpha [stress] of the last stage of all load steps, and its image under the linear part of the linear stage.
+  const base::Matrix& alpha() const { return alpha_; }
+  base::Matrix linear() const;
+  /// What the response indicator is measured by [force].
+  double force() const { return gauge_.force(); }
+
+ private:
+  void prepare();
+  void updateOffset();
+  Indicators applyAll();
+  /// Iterates the load step that is selected, from its start.
+  void settle(int step, const Indicators& target);
+  void findStart(int step, const Indicators& target);
+  void extrapolate(int step);
+  void iterate(int step, const Indicators& target);
+  /// The image of column_ once beta_ is known.
+  void applyLaws();
+  bool meets(int step, const Indicators& target);
+
+  latin::FixedPoint& fixedPoint_;
+  int neighbours_;
+  base::Timers& timers_;
+  Gauge gauge_;
+  ReducedBasisStart start_;
+  std::vector<latin::AndersonAcceleration> accelerations_;  // per load step
+  std::function<bool()> mustStop_;
+  base::Matrix alpha_, image_, beta_;         // of all load steps
+  base::Matrix next_;                         // where the next stage of all load steps is made
+  base::Matrix column_, columnImage_;         // alpha and T(alpha) of the present load step,
+  base::Matrix columnBeta_, columnTraction_;  // beta and f^
+  base::Matrix offset_;                       // image of alpha = 0
+  std::vector<base::Matrix> loads_;           // of the bodies, for which the offset was computed
+  bool isFirstMarch_ = true;
+  double traction_ = 0.0;  // root mean square over the load steps of |f^|; when cold, over those so far
+  double force_ = 0.0;     // what imbalances are measured by [force]; 0 before it is known
+  double residual_ = 0.0;  // |T(alpha) - alpha| of the present load step
+  std::vector<int> starts_;
+  int stagesBefore_ = 0;
+};
+
+}  // namespace harmos::parametric

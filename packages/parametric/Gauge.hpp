@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/Response.hpp>
+#include <harmos/parametric/Indicators.hpp>
+
+namespace harmos::parametric {
+
+/// Measures the indicators of states and of single load steps.
+class Gauge {
+ public:
+  /// All arguments must outlive it.
+  Gauge(const latin::FixedPoint& state, const std::vector<std::shared_ptr<const latin::Response>>& responses)
+      : state_(state), responses_(responses) {}
+
+  /// Collective. Reads the last FixedPoint::apply(), which was about all load steps and made `image` of `alpha`.
+  Indicators measure(const base::Matrix& alpha, const base::Matrix& image);
+  /// What the response indicator was last measured by [force].
+  double force() const { return force_; }
+  /// To be called when loads have changed: f balances others then.
+  void forgetLoads() { balance_.clear(); }
+
+  /// Collective. Largest imbalance of a body at one load step, one column, by what f balanced when all load steps were
+  /// measured last under the same loads; 0 when there is no such measurement.
+  double imbalance(int step, const base::Matrix& hattedTraction) const;
+
+ private:
+  const latin::FixedPoint& state_;
+  const std::vector<std::shared_ptr<const latin::Response>>& responses_;
+  std::vector<double> balance_;  // sum of h f: per load step, per body, per component
+  double force_ = 0.0;
+};
+
+}  // namespace harmos::parametric

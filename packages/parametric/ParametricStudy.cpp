@@ -1,0 +1,36 @@
+#include <harmos/parametric/ParametricStudy.hpp>
+
+namespace harmos::parametric {
+namespace {
+
+constexpr int fewConfigurations = 10;
+// Inverting the traces costs about what so many configurations save.
+constexpr std::size_t manyConfigurations = 50;
+// A certificate marches with single load steps to this share of the forces, which is well above what six digits leave.
+constexpr double roughAccuracy = 5e-4;
+
+}  // namespace
+
+ParametricStudy::ParametricStudy(assembly::Assembly& assembly, Install install,
+                                 std::vector<std::shared_ptr<const latin::Response>> responses,
+                                 const latin::LatinOptions& options, Teuchos::RCP<const Teuchos::Comm<int>> comm,
+                                 base::Timers& timers)
+    : solver_(assembly, std::move(install), std::move(responses), options, std::move(comm), timers),
+      calibrated_(solver_),
+      certified_(solver_) {}
+
+void ParametricStudy::run(const std::vector<design::Configuration>& open, results::ResultSink& sink) {
+  for (const design::Configuration& configuration : open) solver_.states().widen(configuration.values);
+  const latin::LatinOptions& options = solver_.options();
+  const bool isCertified = static_cast<int>(open.size()) + solver_.states().count() < fewConfigurations ||
+                           options.stages.formulation == latin::Formulation::velocity ||
+                           options.algorithm != latin::Algorithm::accelerated;
+  certified_.run(isCertified ? open : calibrated_.run(open, sink), sink);
+}
+
+latin::LatinOptions optionsForStudy(latin::LatinOptions options, std::size_t configurations) {
+  options.stages.solver.invertTrace = configurations >= manyConfigurations && options.accuracy >= roughAccuracy;
+  return options;
+}
+
+}  // namespace harmos::parametric

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <harmos/parametric/CalibratedSchedule.hpp>
+#include <harmos/parametric/CertifiedSchedule.hpp>
+
+namespace harmos::parametric {
+
+/// Solves the configurations of a study on operators that are factored once.
+///
+/// A configuration changes laws only: friction, preload, stiffness of interfaces, prescribed displacements and
+/// tractions. The accuracy is that of the responses and of the field of interface forces; see CalibratedSchedule.
+/// Studies of fewer than 10 configurations, the velocity form and the algorithms of the literature get a certificate
+/// for each configuration; see CertifiedSchedule. All calls are collective over the communicator.
+class ParametricStudy {
+ public:
+  using Install = StudySolver::Install;
+
+  /// Factors all operators. `assembly` and `timers` must outlive this object.
+  ParametricStudy(assembly::Assembly& assembly, Install install,
+                  std::vector<std::shared_ptr<const latin::Response>> responses, const latin::LatinOptions& options,
+                  Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+
+  /// Asked on every rank between iterations; when it is true on any rank, run() leaves at once and what is in flight is
+  /// not recorded.
+  void setInterrupt(std::function<bool()> interrupted) { solver_.setInterrupt(std::move(interrupted)); }
+
+  /// Called on every rank with the fields of every solution, also of one that replaces an earlier one.
+  void setObserver(StudySolver::Observer observer) { solver_.setObserver(std::move(observer)); }
+
+  /// Solves all of `open`. `sink` is called on every rank; a configuration may be reported again when its estimate or
+  /// its solution has changed. What is solved serves later calls as well.
+  void run(const std::vector<design::Configuration>& open, results::ResultSink& sink);
+  /// Of all calls of run() together.
+  const Trust& summary() { return solver_.summary(); }
+
+ private:
+  StudySolver solver_;
+  CalibratedSchedule calibrated_;
+  CertifiedSchedule certified_;
+};
+
+/// `options` for a study of so many configurations: many of them pay for operators that solve single load steps faster.
+latin::LatinOptions optionsForStudy(latin::LatinOptions options, std::size_t configurations);
+
+}  // namespace harmos::parametric

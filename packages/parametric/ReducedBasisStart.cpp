@@ -1,0 +1,249 @@
+#include <harmos/parametric/ReducedBasisStart.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Teuchos_BLAS.hpp>
+
+#include <harmos/latin/NormalEquations.hpp>
+
+namespace harmos::parametric {
+namespace {
+
+// The origin of the differences is the best of so many nearest states.
+constexpr int candidates = 4;
+constexpr int gaussNewtonSteps = 2;
+constexpr int halvings = 3;
+constexpr int neighboursInTime = ReducedBasisStart::furtherColumns - 1;
+// A Gauss-Newton step that leaves more than this share of the residual was the last one.
+constexpr double worthwhile = 0.9;
+// Of the tangent, relative to beta: small enough not to leave the present status, large enough for the round-off.
+constexpr double difference = 1e-6;
+
+template <class A, class B>
+void subtract(const A* a, const B* b, int rows, double* result) {
+  for (int row = 0; row < rows; ++row) result[row] = static_cast<double>(a[row]) - static_cast<double>(b[row]);
+}
+
+void shape(base::Matrix& matrix, int rows, int columns) {
+  if (matrix.numRows() != rows || matrix.numCols() != columns) matrix.shapeUninitialized(rows, columns);
+}
+
+}  // namespace
+
+double ReducedBasisStart::evaluate(const base::Matrix& alpha, const base::Matrix& beta, std::vector<double>& residual) {
+  fixedPoint_.localStage().solveColumn(0, beta, hatted_);
+  const std::vector<double>& scale = fixedPoint_.metric().scale();
+  residual.resize(scale.size());
+  std::vector<double> square{0.0};
+  for (std::size_t row = 0; row < scale.size(); ++row) {
+    residual[row] = scale[row] * (2.0 * hatted_[0][row] - beta[0][row] - alpha[0][row]);
+    square[0] += residual[row] * residual[row];
+  }
+  fixedPoint_.metric().sum(square);
+  return square[0];
+}
+
+void ReducedBasisStart::begin(const SolvedStates& states, const std::vector<double>& values, int neighbours,
+                              const base::Matrix& offset) {
+  states_ = &states;
+  offset_ = &offset;
+  const int rows = offset.numRows();
+  const int steps = offset.numCols();
+  for (base::Matrix* field : {&state_, &beta_, &hatted_, &trialState_, &trialBeta_, &remainder_, &remainderLinear_}) {
+    field->shape(rows, 1);
+  }
+  order_ = states.nearest(values, neighbours);
+  base::Matrix alpha(rows, steps), beta(rows, steps), traction(rows, steps);
+  const std::vector<double>& scale = fixedPoint_.metric().scale();
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < std::min<int>(candidates, static_cast<int>(order_.size())); ++i) {
+    states.copy(order_[static_cast<std::size_t>(i)], alpha, beta);
+    beta += offset;
+    std::vector<double> sums(2, 0.0);
+    fixedPoint_.localStage().begin();
+    for (int t = 0; t < steps; ++t) {
+      fixedPoint_.localStage().solveColumn(t, beta, traction);
+      fixedPoint_.localStage().accept();
+      for (std::size_t row = 0; row < scale.size(); ++row) {
+        const double residual = scale[row] * (2.0 * traction[t][row] - beta[t][row] - alpha[t][row]);
+        sums[0] += residual * residual;
+        sums[1] += scale[row] * scale[row] * traction[t][row] * traction[t][row];
+      }
+    }
+    fixedPoint_.metric().sum(sums);
+    if (sums[0] >= least) continue;
+    least = sums[0];
+    best = i;
+    traction_ = std::sqrt(sums[1] / steps);
+  }
+  std::rotate(order_.begin(), order_.begin() + best, order_.begin() + best + 1);
+  force_ = states.force(order_.front());
+  starts_.clear();
+  for (const int position : order_) starts_.push_back(states.id(position));
+  weights_.clear();
+}
+
+void ReducedBasisStart::gather(int step) {
+  const int rows = offset_->numRows();
+  const int steps = offset_->numCols();
+  const int inTime = std::min(neighboursInTime, steps - 1);
+  const int states = static_cast<int>(order_.size());
+  const int count = states + inTime + 1;
+  for (base::Matrix* matrix : {&columns_, &linear_, &residualTangents_, &imageTangents_}) shape(*matrix, rows, count);
+  const float* origin = states_->alpha(order_[0], step);
+  const float* originLinear = states_->linear(order_[0], step);
+  std::copy_n(origin, rows, columns_[0]);
+  std::copy_n(originLinear, rows, linear_[0]);
+  for (int j = 1; j < states; ++j) {
+    const int state = order_[static_cast<std::size_t>(j)];
+    subtract(states_->alpha(state, step), origin, rows, columns_[j]);
+    subtract(states_->linear(state, step), originLinear, rows, linear_[j]);
+  }
+  int j = states;
+  for (int other = std::clamp(step - 1, 0, steps - 1 - inTime); j < states + inTime; ++other) {
+    if (other == step) continue;
+    subtract(states_->alpha(order_[0], other), origin, rows, columns_[j]);
+    subtract(states_->linear(order_[0], other), originLinear, rows, linear_[j]);
+    ++j;
+  }
+  std::copy_n(remainder_[0], rows, columns_[j]);
+  std::copy_n(remainderLinear_[0], rows, linear_[j]);
+  std::copy_n(columns_[0], rows, state_[0]);
+  for (int row = 0; row < rows; ++row) beta_[0][row] = linear_[0][row] + (*offset_)[step][row];
+}
+
+void ReducedBasisStart::combine(const std::vector<double>& c, double length) {
+  const Teuchos::BLAS<int, double> blas;
+  const int rows = columns_.numRows();
+  const int count = columns_.numCols();
+  trialState_.assign(state_);
+  trialBeta_.assign(beta_);
+  blas.GEMV(Teuchos::NO_TRANS, rows, count, length, columns_.values(), columns_.stride(), c.data(), 1, 1.0,
+            trialState_.values(), 1);
+  blas.GEMV(Teuchos::NO_TRANS, rows, count, length, linear_.values(), linear_.stride(), c.data(), 1, 1.0,
+            trialBeta_.values(), 1);
+}
+
+void ReducedBasisStart::takeTrial(double length, const std::vector<double>& c) {
+  std::swap(state_, trialState_);
+  std::swap(beta_, trialBeta_);
+  residual_.swap(trialResidual_);
+  for (std::size_t j = 0; j < c.size(); ++j) weights_[j] += length * c[j];
+}
+
+void ReducedBasisStart::differentiate() {
+  const std::vector<double>& scale = fixedPoint_.metric().scale();
+  const int rows = columns_.numRows();
+  const int count = columns_.numCols();
+  std::vector<double> squares(static_cast<std::size_t>(count) + 1, 0.0);
+  for (int j = 0; j <= count; ++j) {
+    const double* column = j < count ? linear_[j] : beta_[0];
+    double sum = 0.0;
+    for (int row = 0; row < rows; ++row) {
+      const double value = scale[static_cast<std::size_t>(row)] * column[row];
+      sum += value * value;
+    }
+    squares[static_cast<std::size_t>(j)] = sum;
+  }
+  fixedPoint_.metric().sum(squares);
+  const std::vector<double> here(hatted_[0], hatted_[0] + rows);
+  for (int j = 0; j < count; ++j) {
+    double* residual = residualTangents_[j];
+    double* image = imageTangents_[j];
+    const double square = squares[static_cast<std::size_t>(j)];
+    const double length = square > 0.0 ? difference * std::sqrt(squares.back() / square) : 0.0;
+    if (!(length > 0.0)) {
+      std::fill(residual, residual + rows, 0.0);
+      std::fill(image, image + rows, 0.0);
+      continue;
+    }
+    for (int row = 0; row < rows; ++row) trialBeta_[0][row] = beta_[0][row] + length * linear_[j][row];
+    fixedPoint_.localStage().solveColumn(0, trialBeta_, hatted_);
+    for (int row = 0; row < rows; ++row) {
+      image[row] = 2.0 * (hatted_[0][row] - here[static_cast<std::size_t>(row)]) / length - linear_[j][row];
+      residual[row] = scale[static_cast<std::size_t>(row)] * (image[row] - columns_[j][row]);
+    }
+  }
+  std::copy_n(here.data(), rows, hatted_[0]);
+  hasTangents_ = true;
+}
+
+std::vector<double> ReducedBasisStart::leastSquares() const {
+  const Teuchos::BLAS<int, double> blas;
+  const int rows = columns_.numRows();
+  const int count = columns_.numCols();
+  const auto size = static_cast<std::size_t>(count);
+  std::vector<double> products(size * size + size);
+  blas.SYRK(Teuchos::UPPER_TRI, Teuchos::TRANS, count, rows, 1.0, residualTangents_.values(),
+            residualTangents_.stride(), 0.0, products.data(), count);
+  blas.GEMV(Teuchos::TRANS, rows, count, -1.0, residualTangents_.values(), residualTangents_.stride(), residual_.data(),
+            1, 0.0, products.data() + size * size, 1);
+  fixedPoint_.metric().sum(products);
+  base::Matrix gram(count, count);
+  for (int j = 0; j < count; ++j) {
+    for (int k = 0; k <= j; ++k) {
+      gram(k, j) = gram(j, k) = products[static_cast<std::size_t>(j) * size + static_cast<std::size_t>(k)];
+    }
+  }
+  return latin::solveNormalEquations(gram, count, products.data() + size * size);
+}
+
+void ReducedBasisStart::minimise(double tolerance) {
+  const std::vector<double> guess = weights_;
+  weights_.assign(static_cast<std::size_t>(columns_.numCols()), 0.0);
+  hasTangents_ = false;
+  double square = evaluate(state_, beta_, residual_);
+  if (!guess.empty()) {
+    combine(guess, 1.0);
+    const double reached = evaluate(trialState_, trialBeta_, trialResidual_);
+    if (reached < square) {
+      square = reached;
+      takeTrial(1.0, guess);
+    } else {
+      evaluate(state_, beta_, residual_);
+    }
+  }
+  for (int i = 0; i < gaussNewtonSteps && square > tolerance * tolerance; ++i) {
+    differentiate();
+    const std::vector<double> c = leastSquares();
+    double length = 1.0, reached = square;
+    for (int halving = 0; halving <= halvings; ++halving, length *= 0.5) {
+      combine(c, length);
+      reached = evaluate(trialState_, trialBeta_, trialResidual_);
+      if (reached < square) break;
+    }
+    if (!(reached < square)) break;
+    takeTrial(length, c);
+    const bool isLast = reached > worthwhile * worthwhile * square;
+    square = reached;
+    if (isLast) break;
+  }
+}
+
+void ReducedBasisStart::find(int step, double tolerance) {
+  fixedPoint_.localStage().begin();
+  gather(step);
+  minimise(tolerance);
+}
+
+void ReducedBasisStart::settle(int step, const base::Matrix& state, const base::Matrix& beta) {
+  const Teuchos::BLAS<int, double> blas;
+  const int rows = columns_.numRows();
+  const int states = static_cast<int>(order_.size());
+  std::vector<double> c(weights_);
+  c[0] += 1.0;  // the origin of the differences
+  remainder_.assign(state);
+  for (int row = 0; row < rows; ++row) remainderLinear_[0][row] = beta[0][row] - (*offset_)[step][row];
+  blas.GEMV(Teuchos::NO_TRANS, rows, states, -1.0, columns_.values(), columns_.stride(), c.data(), 1, 1.0,
+            remainder_.values(), 1);
+  blas.GEMV(Teuchos::NO_TRANS, rows, states, -1.0, linear_.values(), linear_.stride(), c.data(), 1, 1.0,
+            remainderLinear_.values(), 1);
+  // Neighbours in time mean something else at the next step, and what is added here counts in full.
+  std::fill(weights_.begin() + states, weights_.end(), 0.0);
+  weights_.back() = 1.0;
+}
+
+}  // namespace harmos::parametric

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/latin/FixedPoint.hpp>
+#include <harmos/parametric/SolvedStates.hpp>
+
+namespace harmos::parametric {
+
+/// The start of a configuration: the least nonlinear residual over the span of solved states, found without a solve.
+///
+/// At each load step t, one after the other, alpha_t = V c with the columns of V: the step of the best of the nearest
+/// states, the differences of the others to it, its differences to its two neighbouring steps, and what the iteration
+/// added to the start of the step before. The image beta_t = Y c + b_t is known, so c minimises |T(alpha_t) - alpha_t|
+/// in the state metric with local stages only: Gauss-Newton with a line search from the c of the step before, the
+/// Jacobian by differences through the local stage, so that any law will do. For the displacement form. All calls are
+/// collective.
+class ReducedBasisStart {
+ public:
+  /// Columns of V at most, beyond one per state.
+  static constexpr int furtherColumns = 3;
+
+  explicit ReducedBasisStart(latin::FixedPoint& fixedPoint) : fixedPoint_(fixedPoint) {}
+
+  /// Chooses at most `neighbours` states around the configuration whose laws are in the assembly. `offset`: b, the
+  /// image of alpha = 0. `states` must not be empty, and all load steps be selected; both must stay as they are.
+  void begin(const SolvedStates& states, const std::vector<double>& values, int neighbours, const base::Matrix& offset);
+  /// ids of the configurations whose states are used, the one that the others are compared with first.
+  const std::vector<int>& starts() const { return starts_; }
+  /// Of the first of them: root mean square over the load steps of |f^| in the state metric, and what its responses are
+  /// measured by [force].
+  double traction() const { return traction_; }
+  double force() const { return force_; }
+
+  /// The start of a load step that alone is selected, after those before it; ends when |T(alpha) - alpha| in the state
+  /// metric is at most `tolerance`.
+  void find(int step, double tolerance);
+  /// alpha [stress] and its image beta under the linear stage, one column.
+  const base::Matrix& state() const { return state_; }
+  const base::Matrix& beta() const { return beta_; }
+  /// Whether find() needed the tangents; else differentiate() provides them.
+  bool hasTangents() const { return hasTangents_; }
+  void differentiate();
+  /// How residual (in the scale of the metric) and image change along the columns of V: what
+  /// latin::AndersonAcceleration::seed() takes.
+  const base::Matrix& residualTangents() const { return residualTangents_; }
+  const base::Matrix& imageTangents() const { return imageTangents_; }
+
+  /// To be told what the iteration has made of the load step: alpha and beta, one column.
+  void settle(int step, const base::Matrix& state, const base::Matrix& beta);
+
+ private:
+  /// Solves the local stage; returns the squared norm of the scaled residual, which it leaves in `residual`.
+  double evaluate(const base::Matrix& alpha, const base::Matrix& beta, std::vector<double>& residual);
+  void gather(int step);
+  void minimise(double tolerance);
+  /// c of the least |residual + tangents c|.
+  std::vector<double> leastSquares() const;
+  /// state_ + length V c, and its image.
+  void combine(const std::vector<double>& c, double length);
+  void takeTrial(double length, const std::vector<double>& c);
+
+  latin::FixedPoint& fixedPoint_;
+  const SolvedStates* states_ = nullptr;
+  const base::Matrix* offset_ = nullptr;
+  std::vector<int> order_;                    // positions of the states
+  base::Matrix columns_, linear_;             // V, and Y = A V
+  base::Matrix remainder_, remainderLinear_;  // what the iteration added to the start of the step before
+  std::vector<double> weights_;               // c in all; then that to begin the next step with
+  base::Matrix residualTangents_;
+  base::Matrix imageTangents_;
+  bool hasTangents_ = false;
+  base::Matrix state_, beta_, hatted_;
+  base::Matrix trialState_, trialBeta_;
+  std::vector<double> residual_, trialResidual_;  // scaled
+  double traction_ = 0.0;
+  double force_ = 0.0;
+  std::vector<int> starts_;
+};
+
+}  // namespace harmos::parametric

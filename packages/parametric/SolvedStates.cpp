@@ -1,0 +1,85 @@
+#include <harmos/parametric/SolvedStates.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace harmos::parametric {
+namespace {
+
+std::vector<float> packed(const base::Matrix& matrix) {
+  std::vector<float> values;
+  values.reserve(static_cast<std::size_t>(matrix.numRows()) * static_cast<std::size_t>(matrix.numCols()));
+  for (int t = 0; t < matrix.numCols(); ++t) values.insert(values.end(), matrix[t], matrix[t] + matrix.numRows());
+  return values;
+}
+
+void unpack(const std::vector<float>& values, base::Matrix& matrix) {
+  auto from = values.begin();
+  for (int t = 0; t < matrix.numCols(); ++t, from += matrix.numRows()) {
+    std::copy_n(from, matrix.numRows(), matrix[t]);
+  }
+}
+
+}  // namespace
+
+void SolvedStates::widen(const std::vector<double>& values) {
+  if (lower_.empty()) lower_ = upper_ = values;
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    lower_[p] = std::min(lower_[p], values[p]);
+    upper_[p] = std::max(upper_[p], values[p]);
+  }
+}
+
+double SolvedStates::squaredDistance(const std::vector<double>& a, const std::vector<double>& b) const {
+  double square = 0.0;
+  for (std::size_t p = 0; p < lower_.size(); ++p) {
+    const double range = upper_[p] - lower_[p];
+    const double difference = range > 0.0 ? (a[p] - b[p]) / range : 0.0;
+    square += difference * difference;
+  }
+  return square;
+}
+
+void SolvedStates::add(int id, const std::vector<double>& values, const base::Matrix& alpha, const base::Matrix& linear,
+                       double force) {
+  const auto same = std::find_if(states_.begin(), states_.end(), [id](const State& state) { return state.id == id; });
+  if (same != states_.end()) states_.erase(same);
+  if (states_.size() == largest_) dropOne();
+  states_.push_back({id, values, packed(alpha), packed(linear), force, alpha.numRows()});
+}
+
+void SolvedStates::dropOne() {
+  std::size_t closest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double distance = squaredDistance(states_[i].values, states_[j].values);
+      if (distance < least) {
+        least = distance;
+        closest = j;
+      }
+    }
+  }
+  states_.erase(states_.begin() + static_cast<std::ptrdiff_t>(closest));
+}
+
+std::vector<int> SolvedStates::nearest(const std::vector<double>& values, int count) const {
+  std::vector<double> distance;
+  for (const State& state : states_) distance.push_back(squaredDistance(values, state.values));
+  std::vector<int> order(states_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return distance[static_cast<std::size_t>(a)] < distance[static_cast<std::size_t>(b)];
+  });
+  if (order.size() > static_cast<std::size_t>(count)) order.resize(static_cast<std::size_t>(count));
+  return order;
+}
+
+void SolvedStates::copy(int state, base::Matrix& alpha, base::Matrix& linear) const {
+  const State& one = states_[static_cast<std::size_t>(state)];
+  unpack(one.alpha, alpha);
+  unpack(one.linear, linear);
+}
+
+}  // namespace harmos::parametric

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+
+namespace harmos::parametric {
+
+/// The states of configurations that are solved, with what the linear stage makes of them.
+///
+/// The linear stage is affine and the same for all configurations but for their loads: beta = A alpha + b. With alpha
+/// and A alpha stored, the image of any combination of states is known without a solve. Both are kept in single
+/// precision: they only serve starts, and every state that is delivered has passed a stage of its own. Every rank
+/// stores its own rows.
+class SolvedStates {
+ public:
+  /// `largest`: states kept, > 0; one more drives out one of the two that are closest to each other.
+  explicit SolvedStates(int largest) : largest_(static_cast<std::size_t>(largest)) {}
+
+  /// Parameters are measured by the range of what they are in a study: to be called for all its configurations.
+  void widen(const std::vector<double>& values);
+  /// alpha and A alpha [stress], rows x load steps. `force`: what the responses of this state are measured by [force].
+  void add(int id, const std::vector<double>& values, const base::Matrix& alpha, const base::Matrix& linear,
+           double force = 0.0);
+  int count() const { return static_cast<int>(states_.size()); }
+  int id(int state) const { return states_[static_cast<std::size_t>(state)].id; }
+  /// Positions of the states nearest to a configuration, the nearest first; ties in the order of adding.
+  std::vector<int> nearest(const std::vector<double>& values, int count) const;
+  void copy(int state, base::Matrix& alpha, base::Matrix& linear) const;
+  /// The rows of one load step, and the force given to add().
+  const float* alpha(int state, int step) const { return column(state, step, &State::alpha); }
+  const float* linear(int state, int step) const { return column(state, step, &State::linear); }
+  double force(int state) const { return states_[static_cast<std::size_t>(state)].force; }
+
+ private:
+  struct State {
+    int id;
+    std::vector<double> values;
+    std::vector<float> alpha, linear;
+    double force;
+    int rows;
+  };
+
+  const float* column(int state, int step, std::vector<float> State::*field) const {
+    const State& one = states_[static_cast<std::size_t>(state)];
+    return (one.*field).data() + static_cast<std::ptrdiff_t>(one.rows) * step;
+  }
+
+  double squaredDistance(const std::vector<double>& a, const std::vector<double>& b) const;
+  void dropOne();
+
+  std::vector<double> lower_, upper_;
+  std::size_t largest_;
+  std::vector<State> states_;
+};
+
+}  // namespace harmos::parametric

@@ -1,0 +1,129 @@
+#include <harmos/parametric/StudySolver.hpp>
+
+#include <algorithm>
+#include <ctime>
+#include <limits>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/base/Error.hpp>
+
+namespace harmos::parametric {
+namespace {
+
+// More neighbours make a better and dearer start, which pays when stages are to be saved.
+constexpr double demanding = 5e-3;
+constexpr int neighbours = 12;
+constexpr int neighboursWhenDemanding = 24;
+constexpr std::size_t memoryForStates = std::size_t{1} << 30;  // byte, all ranks alike
+
+results::Status statusOf(latin::Outcome outcome) {
+  switch (outcome) {
+    case latin::Outcome::certified:
+      return results::Status::certified;
+    case latin::Outcome::noEquilibrium:
+      return results::Status::noEquilibrium;
+    case latin::Outcome::iterationLimit:
+    case latin::Outcome::interrupted:
+      break;
+  }
+  return results::Status::notConverged;
+}
+
+int statesThatFit(const latin::TraceLayout& layout, int steps) {
+  const std::size_t one = 2 * sizeof(float) * static_cast<std::size_t>(layout.rows()) * static_cast<std::size_t>(steps);
+  const int here = static_cast<int>(one == 0 ? 100000 : std::min<std::size_t>(memoryForStates / one, 100000));
+  int everywhere = here;
+  Teuchos::reduceAll(layout.comm(), Teuchos::REDUCE_MIN, here, Teuchos::outArg(everywhere));
+  return std::max(everywhere, 1);
+}
+
+}  // namespace
+
+StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
+                         std::vector<std::shared_ptr<const latin::Response>> responses,
+                         const latin::LatinOptions& options, Teuchos::RCP<const Teuchos::Comm<int>> comm,
+                         base::Timers& timers)
+    : install_(std::move(install)),
+      responses_(std::move(responses)),
+      options_(options),
+      solver_(assembly, options, std::move(comm), timers),
+      fixedPoint_(solver_.fixedPoint()),
+      iteration_(fixedPoint_, responses_, options.accuracy < demanding ? neighboursWhenDemanding : neighbours,
+                 options.memory, timers),
+      states_(statesThatFit(fixedPoint_.layout(), assembly.steps())) {
+  for (const auto& response : responses_) solver_.addResponse(response);
+  iteration_.setStop([this] { return mustStop(); });
+}
+
+bool StudySolver::install(const design::Configuration& configuration, results::ConfigurationResult& result) {
+  result = {};
+  result.id = configuration.id;
+  result.errorEstimate = std::numeric_limits<double>::quiet_NaN();
+  try {
+    install_(configuration.values);
+  } catch (const base::Error& error) {
+    result.status = results::Status::inadmissible;
+    result.reason = error.what();
+    return false;
+  }
+  fixedPoint_.updateLaws();
+  return true;
+}
+
+bool StudySolver::certify(const base::Matrix* start, results::ConfigurationResult& result) {
+  const latin::LatinResult solution = solver_.solve(start);
+  result.status = statusOf(solution.outcome);
+  result.reason = solution.reason;
+  result.iterations += solution.iterations;
+  result.linearStages += solution.linearStages;
+  result.errorEstimate = solution.errorEstimate;
+  result.curves.clear();
+  result.curveErrors.clear();
+  for (const auto& response : solution.responses) {
+    result.curves.push_back(response.values);
+    result.curveErrors.push_back(response.errorEstimate);
+  }
+  if (result.status == results::Status::certified) ++summary_.certificates;
+  return solution.outcome != latin::Outcome::interrupted;
+}
+
+bool StudySolver::certifyAnew(const design::Configuration& configuration, results::ConfigurationResult& result) {
+  try {
+    result.starts.clear();
+    if (!certify(nullptr, result)) return false;
+    if (result.status == results::Status::certified) rememberCertified(configuration, result);
+  } catch (const base::Error& error) {
+    result.status = results::Status::failed;
+    result.reason = error.what();
+  }
+  return true;
+}
+
+void StudySolver::observe(const design::Configuration& configuration) {
+  if (observer_) observer_(configuration, fixedPoint_);
+}
+
+void StudySolver::remember(const design::Configuration& configuration) {
+  states_.add(configuration.id, configuration.values, iteration_.alpha(), iteration_.linear(), iteration_.force());
+  observe(configuration);
+}
+
+void StudySolver::rememberCertified(const design::Configuration& configuration, results::ConfigurationResult& result) {
+  if (options_.stages.formulation == latin::Formulation::displacement) {
+    iteration_.beginAt(solver_.alpha());
+    result.linearStages += iteration_.stages();
+    remember(configuration);
+    return;
+  }
+  // Its images are of no use to others.
+  const base::Matrix none(solver_.alpha().numRows(), solver_.alpha().numCols());
+  states_.add(configuration.id, configuration.values, solver_.alpha(), none, 0.0);
+  observe(configuration);
+}
+
+double cpuSeconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}  // namespace harmos::parametric

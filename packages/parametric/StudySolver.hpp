@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <Teuchos_RCP.hpp>
+
+#include <harmos/assembly/Assembly.hpp>
+#include <harmos/base/Timers.hpp>
+#include <harmos/design/Configuration.hpp>
+#include <harmos/latin/LatinSolver.hpp>
+#include <harmos/parametric/ConfigurationIteration.hpp>
+#include <harmos/parametric/SolvedStates.hpp>
+#include <harmos/parametric/Trust.hpp>
+#include <harmos/results/ConfigurationResult.hpp>
+
+namespace harmos::parametric {
+
+/// What all ways of solving a study share: the operators, how a configuration is put on them and certified, and the
+/// states that were found. All calls are collective over the communicator.
+class StudySolver {
+ public:
+  /// Puts the laws for these parameter values into the assembly; throws base::Error when they are inadmissible.
+  using Install = std::function<void(const std::vector<double>& values)>;
+  /// Told the fields of every solution, also of one that replaces an earlier one.
+  using Observer = std::function<void(const design::Configuration&, const latin::FixedPoint&)>;
+
+  /// Factors all operators. `assembly` and `timers` must outlive this object.
+  StudySolver(assembly::Assembly& assembly, Install install,
+              std::vector<std::shared_ptr<const latin::Response>> responses, const latin::LatinOptions& options,
+              Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+
+  void setInterrupt(std::function<bool()> interrupted) { solver_.setInterrupt(std::move(interrupted)); }
+  void setObserver(Observer observer) { observer_ = std::move(observer); }
+  bool mustStop() const { return solver_.mustStop(); }
+
+  /// Empties the result and installs the laws; false, with the reason in the result, when they are inadmissible.
+  bool install(const design::Configuration& configuration, results::ConfigurationResult& result);
+  /// Solves the configuration that is installed until corrections of its own bound its error, from `start` if it is not
+  /// null. Adds what it took to the result. False when interrupted.
+  bool certify(const base::Matrix* start, results::ConfigurationResult& result);
+  /// The same, from nothing that may mislead; what is thrown makes a failure. A solution is remembered.
+  bool certifyAnew(const design::Configuration& configuration, results::ConfigurationResult& result);
+  /// Stores what was iterated or certified last for the starts of others, and shows it to the observer.
+  void remember(const design::Configuration& configuration);
+  void rememberCertified(const design::Configuration& configuration, results::ConfigurationResult& result);
+
+  const latin::LatinOptions& options() const { return options_; }
+  const std::vector<std::shared_ptr<const latin::Response>>& responses() const { return responses_; }
+  const latin::FixedPoint& fixedPoint() const { return fixedPoint_; }
+  ConfigurationIteration& iteration() { return iteration_; }
+  SolvedStates& states() { return states_; }
+  Trust& summary() { return summary_; }
+
+ private:
+  void observe(const design::Configuration& configuration);
+
+  Install install_;
+  std::vector<std::shared_ptr<const latin::Response>> responses_;
+  latin::LatinOptions options_;
+  latin::LatinSolver solver_;
+  latin::FixedPoint& fixedPoint_;
+  ConfigurationIteration iteration_;
+  SolvedStates states_;
+  Observer observer_;
+  Trust summary_;
+};
+
+/// CPU time of this process [s].
+double cpuSeconds();
+
+}  // namespace harmos::parametric

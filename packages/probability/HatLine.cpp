@@ -1,0 +1,116 @@
+#include <harmos/probability/HatLine.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace harmos::probability {
+
+namespace {
+
+/// The largest power of two that divides the number of a node that is neither end.
+int stepOf(int node) {
+  return node & -node;
+}
+
+bool isEnd(int node) {
+  return node == 0 || node == HatLine::last;
+}
+
+}  // namespace
+
+HatLine::HatLine(double from, double to, const std::function<double(double)>& cumulative) {
+  const double cell = (to - from) / last;
+  std::vector<double> density;
+  for (int k = 0; k < last; ++k) {
+    const double probability = cumulative(from + (k + 1) * cell) - cumulative(from + k * cell);
+    density.push_back(std::cbrt(std::max(probability, 0.0)));
+  }
+  // Where there is no probability there are few nodes, but the line goes on.
+  const double least = 1e-3 * *std::max_element(density.begin(), density.end());
+  double total = 0.0;
+  for (double& value : density) total += value = std::max(value, least);
+  germs_.push_back(from);
+  double passed = 0.0;
+  for (int k = 0; k < last; ++k) {
+    const double share = density[static_cast<std::size_t>(k)] / total * last;
+    while (static_cast<int>(germs_.size()) < last && static_cast<double>(germs_.size()) <= passed + share)
+      germs_.push_back(from + (k + (static_cast<double>(germs_.size()) - passed) / share) * cell);
+    passed += share;
+  }
+  germs_.push_back(to);
+
+  for (auto& moment : moments_) moment.push_back(0.0);
+  double below = 0.0;
+  for (std::size_t k = 0; k < last; ++k) {
+    const double a = germs_[k], b = germs_[k + 1], up = k + 1 < last ? cumulative(b) : 1.0, probability = up - below;
+    moments_[0].push_back(moments_[0].back() + probability);
+    moments_[1].push_back(moments_[1].back() + probability * (a + b) / 2.0);
+    moments_[2].push_back(moments_[2].back() + probability * (a * a + a * b + b * b) / 3.0);
+    below = up;
+  }
+}
+
+std::optional<int> HatLine::parent(int node) {
+  if (node == middle) return std::nullopt;
+  if (isEnd(node)) return middle;
+  const int step = stepOf(node);
+  if (step == middle / 2) return node < middle ? 0 : last;
+  return stepOf(node - step) == 2 * step ? node - step : node + step;
+}
+
+std::vector<int> HatLine::children(int node) {
+  if (node == middle) return {0, last};
+  if (node == 0) return {middle / 2};
+  if (node == last) return {last - middle / 2};
+  const int half = stepOf(node) / 2;
+  return half > 0 ? std::vector<int>{node - half, node + half} : std::vector<int>{};
+}
+
+std::pair<int, int> HatLine::support(int node) {
+  if (node == middle) return {0, last};
+  if (node == 0) return {0, middle};
+  if (node == last) return {middle, last};
+  return {node - stepOf(node), node + stepOf(node)};
+}
+
+double HatLine::value(int node, double xi) const {
+  if (node == middle) return 1.0;
+  const auto [left, right] = support(node);
+  const double at = std::clamp(xi, germs_.front(), germs_.back());
+  if (at < germ(left) || at > germ(right)) return 0.0;
+  if (at == germ(node)) return 1.0;
+  return at < germ(node) ? (at - germ(left)) / (germ(node) - germ(left))
+                         : (germ(right) - at) / (germ(right) - germ(node));
+}
+
+double HatLine::mean(int node) const {
+  return product(node, middle);
+}
+
+double HatLine::product(int node, int other) const {
+  const auto [left, right] = support(node);
+  const auto [otherLeft, otherRight] = support(other);
+  std::vector<int> breaks;
+  for (const int at : {left, node, right, otherLeft, other, otherRight}) {
+    if (at >= std::max(left, otherLeft) && at <= std::min(right, otherRight)) breaks.push_back(at);
+  }
+  std::sort(breaks.begin(), breaks.end());
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  double sum = 0.0;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const int from = breaks[k], to = breaks[k + 1];
+    const double a = germ(from), length = germ(to) - a;
+    const auto difference = [&](std::size_t power) {
+      return moments_[power][static_cast<std::size_t>(to)] - moments_[power][static_cast<std::size_t>(from)];
+    };
+    // Both are linear in s = (xi - a) / length.
+    const double s0 = difference(0), s1 = (difference(1) - a * s0) / length,
+                 s2 = (difference(2) - 2.0 * a * difference(1) + a * a * s0) / (length * length);
+    const double f = valueAtNode(node, from), df = valueAtNode(node, to) - f;
+    const double g = valueAtNode(other, from), dg = valueAtNode(other, to) - g;
+    sum += f * g * s0 + (f * dg + df * g) * s1 + df * dg * s2;
+  }
+  return sum;
+}
+
+}  // namespace harmos::probability

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace harmos::probability {
+
+/// Hierarchical piecewise-linear functions of one germ: the constant 1, falling ramps from both ends of its range to
+/// the middle, and hats on ever finer halvings. Each belongs to a node, where it is 1 and where all finer ones are 0.
+///
+/// The nodes lie as densely as the cube root of the probability density, which gives the least error of the mean of a
+/// smooth function. Between two neighbouring nodes of the finest level the probability counts as evenly spread.
+/// Source: Ma, Zabaras, J. Comput. Phys. 228 (2009), sec. 3.1 (the hierarchy).
+class HatLine {
+ public:
+  /// Nodes are numbered 0 to `last` from the lower end of the range to the upper.
+  static constexpr int last = 4096, middle = last / 2;
+
+  /// `cumulative`: of the germ; what lies out of the range counts as if it were at its ends.
+  HatLine(double from, double to, const std::function<double(double)>& cumulative);
+
+  double germ(int node) const { return germs_[static_cast<std::size_t>(node)]; }
+  /// The node from whose hat this one refines; none of the middle.
+  static std::optional<int> parent(int node);
+  static std::vector<int> children(int node);
+  /// The hat of a node at a germ.
+  double value(int node, double germ) const;
+  /// Expectation of the hat of a node, and of the product of two.
+  double mean(int node) const;
+  double product(int node, int other) const;
+
+ private:
+  /// First and last node of what is not zero.
+  static std::pair<int, int> support(int node);
+  /// The hat at a node; between the node itself and an end of its support it is linear.
+  double valueAtNode(int node, int at) const { return value(node, germ(at)); }
+
+  std::vector<double> germs_;
+  std::vector<double> moments_[3];  // of the germ up to each node: integral of 1, xi and xi^2
+};
+
+}  // namespace harmos::probability

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <harmos/probability/HatLine.hpp>
+#include <harmos/probability/RandomVector.hpp>
+
+namespace harmos::probability {
+
+/// Responses as piecewise-linear functions of one to three germs, on a sparse grid that refines itself where it matters
+/// for mean and standard deviation. Made for responses with kinks, which polynomials cannot follow.
+///
+/// Ask and tell: while `next` gives points, solve there and `tell` the values.
+/// Each germ ranges over all but the 3e-7 least probable of its values on either side (5 standard deviations of a
+/// normal one); beyond, responses count as constant. Source: Ma, Zabaras, J. Comput. Phys. 228 (2009) 3084
+/// (hierarchical surpluses, local refinement).
+class PiecewiseLinear {
+ public:
+  struct Options {
+    /// Of the estimated errors of mean and standard deviation, relative to the standard deviation.
+    double tolerance = 1e-3;
+    /// Of points; refinement ends before it would exceed them.
+    int largestCount = 1000;
+    /// The response that drives the refinement; all when not given.
+    std::optional<int> response;
+  };
+
+  /// Of a germ, on either side, beyond the range that is interpolated: 2.9e-7.
+  static double omittedProbability();
+
+  /// Throws base::Error (input) unless there are one to three germs, a positive tolerance and a positive count.
+  PiecewiseLinear(std::shared_ptr<const RandomVector> variables, const Options& options);
+
+  /// The next points of germs; none when the tolerance is reached or the largest count is.
+  std::vector<std::vector<double>> next();
+  /// Values at the points that `next` gave last, [point][response]. Throws base::Error when one is missing or not
+  /// finite.
+  void tell(const std::vector<std::vector<double>>& values);
+
+  int count() const { return static_cast<int>(points_.size()); }
+  /// All responses at a point of germs.
+  std::vector<double> evaluate(const std::vector<double>& germs) const;
+  double mean(int response) const;
+  double standardDeviation(int response) const;
+  /// Estimated error of mean and standard deviation, relative to the standard deviation; the largest of the responses
+  /// that drive the refinement. An extrapolation of the last corrections, not a bound.
+  double errorIndicator() const { return error_; }
+  bool isReached() const { return error_ <= options_.tolerance; }
+
+ private:
+  using Node = std::vector<int>;  // of every germ
+
+  struct Point {
+    Node node;
+    std::vector<double> surpluses;    // what the value at the node exceeds the coarser functions by, per response
+    double mean;                      // of the function of this point
+    std::vector<double> covariances;  // of this function and those of all points up to it
+  };
+
+  /// The children of all points and what they are expected to change.
+  struct Outlook {
+    std::map<Node, double> shares;
+    double error = 0.0;
+  };
+
+  std::vector<double> germsOf(const Node& node) const;
+  double functionAt(const Node& node, const std::vector<double>& germs) const;
+  std::vector<Node> firstNodes() const;
+  /// From the surpluses of the points that the node would refine.
+  std::vector<double> expectedSurpluses(const Node& node) const;
+  Outlook outlook() const;
+  /// Also for what it refines, in all germs: only then surpluses never change again.
+  void ask(const Node& node);
+  void add(const Node& node, const std::vector<double>& values);
+
+  std::shared_ptr<const RandomVector> variables_;
+  Options options_;
+  std::vector<HatLine> lines_;
+  std::vector<Point> points_;
+  std::map<Node, std::size_t> numbers_;  // of the points
+  std::vector<Node> asked_;
+  double error_;
+};
+
+}  // namespace harmos::probability

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace harmos::results {
+
+/// How the solution of one configuration ended.
+enum class Status {
+  certified,      // two corrections of its own bound its error
+  calibrated,     // its free indicators, calibrated on certified configurations, are below the request
+  notConverged,   // the request was not met
+  noEquilibrium,  // the interface laws cannot carry the loads
+  failed,         // something threw; see the reason
+  inadmissible    // its parameters violate a range of the scene
+};
+
+/// What is known about one configuration; the curves are those of the scene's responses.
+struct ConfigurationResult {
+  int id = 0;
+  Status status = Status::failed;
+  std::string reason;
+  std::vector<std::vector<double>> curves;  // [response][load step]; empty without a solution
+  std::vector<double> curveErrors;          // per response, estimate of the relative error; NaN: none
+  // Largest of the responses and of the field of interface forces; only a certificate also covers the field of
+  // displacements. NaN: none.
+  double errorEstimate = std::numeric_limits<double>::quiet_NaN();
+  int iterations = 0;
+  int linearStages = 0;
+  std::vector<int> starts;  // ids of the configurations whose solutions it started from; empty: cold
+  double cpuSeconds = 0.0;
+};
+
+}  // namespace harmos::results

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <harmos/results/ConfigurationResult.hpp>
+#include <harmos/results/StochasticSummary.hpp>
+#include <harmos/results/StudyDescription.hpp>
+
+namespace harmos::results {
+
+/// What is known so far of the configurations of a study.
+class StudyResults {
+ public:
+  /// `description` must outlive the results.
+  explicit StudyResults(const StudyDescription& description);
+
+  const StudyDescription& description() const { return description_; }
+  /// Those of the description and those that were added since.
+  const std::vector<design::Configuration>& configurations() const { return configurations_; }
+  /// Adds a configuration that an adaptive design has chosen; its id must be the next one, else it is known already.
+  void add(const design::Configuration& configuration);
+  /// Replaces what was known of this configuration; ids that the study does not have are ignored.
+  void set(const ConfigurationResult& result);
+  /// Null while the configuration with this id is open.
+  const ConfigurationResult* find(int id) const;
+  int count() const { return count_; }
+  int count(Status status) const;
+  /// The scalar responses of a configuration: of its solution, if it has one as accurate as asked for, else what the
+  /// study wants in its place, else not a number.
+  std::vector<double> responses(int id) const;
+  void note(const std::string& name, const std::string& text) { notes_[name] = text; }
+  const std::map<std::string, std::string>& notes() const { return notes_; }
+  /// What a study with random parameters has come to; null before its end and in other studies.
+  void setStatistics(std::shared_ptr<const StochasticSummary> statistics) { statistics_ = std::move(statistics); }
+  const StochasticSummary* statistics() const { return statistics_.get(); }
+  /// In the order of their ids.
+  std::vector<ConfigurationResult> all() const;
+
+ private:
+  const StudyDescription& description_;
+  std::vector<design::Configuration> configurations_;
+  std::vector<std::optional<ConfigurationResult>> results_;  // by id - 1
+  int count_ = 0;
+  std::map<std::string, std::string> notes_;
+  std::shared_ptr<const StochasticSummary> statistics_;
+};
+
+}  // namespace harmos::results

@@ -1,0 +1,188 @@
+#include <harmos/scene/Bodies.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
+#include <harmos/elasticity/Stiffness.hpp>
+#include <harmos/mesh/Congruence.hpp>
+#include <harmos/mesh/Partition.hpp>
+
+namespace harmos::scene {
+
+namespace {
+
+using input::Parameters;
+using Names = std::vector<std::string>;
+
+Names blocksOf(const Parameters& part) {
+  return part.has("Blocks") ? part.texts("Blocks") : Names{part.name()};
+}
+
+/// Every block of the mesh belongs to exactly one part, or is declared unused.
+void checkBlocks(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors) {
+  Names known;
+  for (const mesh::ElementBlock& block : mesh.blocks) known.push_back(block.name);
+  std::map<std::string, std::string> usedAt;
+  const auto use = [&](const std::string& block, const std::string& where) {
+    if (std::find(known.begin(), known.end(), block) == known.end()) {
+      errors.add(where, "the mesh has no element block \"" + block + "\".",
+                 base::suggestName(block, known, "Element blocks"));
+      return;
+    }
+    const auto [first, isNew] = usedAt.emplace(block, where);
+    if (!isNew) {
+      errors.add(where, "the element block \"" + block + "\" is used already at " + first->second + ".",
+                 "An element block belongs to one part.");
+    }
+  };
+  for (const Parameters& part : scene.input.lists("Parts")) {
+    for (const std::string& block : blocksOf(part)) use(block, part.where("Blocks"));
+  }
+  const Parameters& source = scene.input.list("Mesh");
+  if (source.has("Unused Blocks")) {
+    for (const std::string& block : source.texts("Unused Blocks")) use(block, source.where("Unused Blocks"));
+  }
+  Names unused;
+  for (const std::string& block : known) {
+    if (usedAt.count(block) == 0) unused.push_back(block);
+  }
+  if (unused.empty()) return;
+  errors.add(source.where(), "these element blocks belong to no part: " + base::joinNames(unused) + ".",
+             "Add them to Parts, or to \"Unused Blocks\" of this list.");
+}
+
+bool isIsotropic(const elasticity::ElasticityMatrix& c) {
+  const double tolerance = 1e-12 * c[0][0];
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j) {
+      double expected = 0.0;
+      if (i < 3 && j < 3) expected = i == j ? c[0][0] : c[0][1];
+      if (i >= 3 && i == j) expected = 0.5 * (c[0][0] - c[0][1]);
+      if (std::abs(c[i][j] - expected) > tolerance) return false;
+    }
+  }
+  return true;
+}
+
+base::Matrix bodyForces(const Parameters& force, const mesh::Mesh& mesh, const mesh::Part& part, const Model& model,
+                        int steps) {
+  base::Matrix loads;
+  const char* components[] = {"X", "Y", "Z"};
+  for (int c = 0; c < mesh.dimension; ++c) {
+    mesh::Point unit{};
+    unit[static_cast<std::size_t>(c)] = 1.0;
+    const std::vector<double> forces = elasticity::bodyForce(mesh, part, unit, model.kinematics, model.thickness);
+    const input::Schedule value = force.schedule(components[c]);
+    if (loads.numRows() == 0) loads.shape(static_cast<int>(forces.size()), steps);
+    for (int t = 0; t < steps; ++t) {
+      for (int dof = 0; dof < loads.numRows(); ++dof) loads(dof, t) += value[t] * forces[static_cast<std::size_t>(dof)];
+    }
+  }
+  return loads;
+}
+
+}  // namespace
+
+Model makeModel(const input::Parameters& parameters, const mesh::Mesh& mesh) {
+  Model model;
+  model.thickness = parameters.number("Thickness");
+  model.kinematics =
+      mesh.dimension == 3 ? elasticity::Kinematics::threeDimensional : elasticity::Kinematics::planeStrain;
+  if (parameters.has("Kinematics")) model.kinematics = elasticity::kinematicsNamed(parameters.text("Kinematics"));
+  return model;
+}
+
+Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors) {
+  checkBlocks(scene, mesh, errors);
+  Bodies bodies;
+  if (errors.count() > 0) return bodies;
+  for (const Parameters& input : scene.input.lists("Parts")) {
+    errors.collect(input.where(), [&] {
+      const mesh::Part part = mesh::makePart(mesh, input.name(), blocksOf(input));
+      for (mesh::Part& piece : mesh::cutPart(mesh, part, input.integer("Pieces"))) {
+        bodies.parts.push_back(std::move(piece));
+        bodies.inputs.push_back(&input);
+        bodies.materials.push_back(scene.materials.at(input.text("Material")));
+      }
+    });
+  }
+  return bodies;
+}
+
+std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(const Bodies& bodies,
+                                                                             const mesh::Mesh& mesh) {
+  constexpr mesh::Frame identity{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::vector<std::shared_ptr<const substructure::Congruence>> congruences(bodies.parts.size());
+  for (std::size_t b = 0; b < congruences.size(); ++b) {
+    for (std::size_t a = 0; a < b && !congruences[b]; ++a) {
+      if (congruences[a] || bodies.materials[a] != bodies.materials[b] ||
+          bodies.inputs[a]->text("Formulation") != bodies.inputs[b]->text("Formulation")) {
+        continue;
+      }
+      auto found = mesh::findCongruence(mesh, bodies.parts[a], bodies.parts[b]);
+      if (!found || !(found->rotation == identity || isIsotropic(bodies.materials[a]->elasticity()))) continue;
+      auto congruence = std::make_shared<substructure::Congruence>();
+      congruence->representative = static_cast<int>(a);
+      congruence->node = std::move(found->node);
+      congruence->rotation = found->rotation;
+      congruences[b] = std::move(congruence);
+    }
+  }
+  return congruences;
+}
+
+std::vector<int> distribute(const Bodies& bodies, int ranks) {
+  // A direct solve in space costs about n^(4/3); the solves, not the factorisation, are repeated.
+  std::vector<double> cost;
+  for (const mesh::Part& part : bodies.parts)
+    cost.push_back(std::pow(static_cast<double>(part.nodes.size()), 4.0 / 3.0));
+  std::vector<std::size_t> order(cost.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cost[a] > cost[b]; });
+  std::vector<double> load(static_cast<std::size_t>(ranks), 0.0);
+  std::vector<int> owner(cost.size());
+  for (const std::size_t body : order) {
+    const auto least = std::min_element(load.begin(), load.end());
+    *least += cost[body];
+    owner[body] = static_cast<int>(least - load.begin());
+  }
+  return owner;
+}
+
+std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh::Mesh& mesh, const Model& model,
+                                                 const Bodies& bodies, const std::vector<int>& owner, int rank,
+                                                 input::ErrorList& errors) {
+  std::vector<substructure::Substructure> assembled(bodies.parts.size());
+  const auto congruences = findCongruences(bodies, mesh);
+  std::vector<bool> needsStiffness(assembled.size(), false);
+  for (std::size_t b = 0; b < assembled.size(); ++b) {
+    if (owner[b] != rank) continue;
+    needsStiffness[congruences[b] ? static_cast<std::size_t>(congruences[b]->representative) : b] = true;
+  }
+  for (std::size_t b = 0; b < assembled.size(); ++b) {
+    const mesh::Part& part = bodies.parts[b];
+    const Parameters& input = *bodies.inputs[b];
+    assembled[b].name = part.name;
+    assembled[b].dimension = mesh.dimension;
+    assembled[b].congruence = congruences[b];
+    for (const int node : part.nodes) assembled[b].nodes.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+    errors.collect(input.where(), [&] {
+      if (needsStiffness[b]) {
+        assembled[b].stiffness = elasticity::assembleStiffness(mesh, part, *bodies.materials[b],
+                                                               elasticity::formulationNamed(input.text("Formulation")),
+                                                               model.kinematics, model.thickness);
+      }
+      if (owner[b] == rank && input.hasList("Body Force")) {
+        assembled[b].loads =
+            bodyForces(input.list("Body Force"), mesh, part, model, static_cast<int>(scene.times.size()));
+      }
+    });
+  }
+  return assembled;
+}
+
+}  // namespace harmos::scene

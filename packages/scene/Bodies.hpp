@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+
+#include <harmos/elasticity/Kinematics.hpp>
+#include <harmos/elasticity/Material.hpp>
+#include <harmos/input/ErrorList.hpp>
+#include <harmos/mesh/Mesh.hpp>
+#include <harmos/mesh/Part.hpp>
+#include <harmos/scene/Scene.hpp>
+#include <harmos/substructure/Substructure.hpp>
+
+namespace harmos::scene {
+
+/// How elements turn displacements into stress, the same for the whole scene.
+struct Model {
+  elasticity::Kinematics kinematics = elasticity::Kinematics::threeDimensional;
+  double thickness = 1.0;  // [length], 2-D only
+};
+
+/// The kinematics asked for, see checkDimensions(); else those that are usual for the mesh.
+Model makeModel(const input::Parameters& model, const mesh::Mesh& mesh);
+
+/// The elastic bodies of the assembly: the parts of the scene, or the pieces they were cut into. The lists are
+/// parallel.
+struct Bodies {
+  std::vector<mesh::Part> parts;
+  std::vector<const input::Parameters*> inputs;  // of the scene's parts; the scene must outlive them
+  std::vector<std::shared_ptr<const elasticity::Material>> materials;
+};
+
+/// Reports blocks that do not exist, belong to two parts or to none to `errors`.
+Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors);
+
+/// For every body the earlier one that it equals up to a rigid motion or mirror image, elasticity and all; null: none.
+std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(const Bodies& bodies,
+                                                                             const mesh::Mesh& mesh);
+
+/// Which rank owns which body: the largest first, each to the rank that has least to do.
+std::vector<int> distribute(const Bodies& bodies, int ranks);
+
+/// Stiffness and loads of the bodies that this rank owns; of congruent bodies the stiffness of what they equal. Reports
+/// elements that cannot be used to `errors`, on the ranks that own them.
+std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh::Mesh& mesh, const Model& model,
+                                                 const Bodies& bodies, const std::vector<int>& owner, int rank,
+                                                 input::ErrorList& errors);
+
+}  // namespace harmos::scene

@@ -1,0 +1,38 @@
+#include <harmos/scene/CostEstimate.hpp>
+
+#include <cmath>
+#include <vector>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+
+namespace harmos::scene {
+
+CostEstimate estimateCost(const Problem& problem, const Teuchos::Comm<int>& comm) {
+  constexpr double entryBytes = 8.0, matrixEntryBytes = 12.0;
+  constexpr double storedVectors = 80.0;                // of Anderson's method and of the certificate
+  constexpr double secondsPerEntryAndColumn = 2.4e-10;  // forward and backward substitution of several columns
+  CostEstimate cost;
+  const assembly::Assembly& assembly = problem.assembly;
+  double matrixEntries = 0.0, factorEntries = 0.0;
+  for (const auto& body : assembly.bodies) {
+    const double n = static_cast<double>(body.nodes.size()) * assembly.dimension;
+    cost.unknowns += static_cast<std::int64_t>(n);
+    if (body.stiffness.is_null()) continue;
+    matrixEntries += static_cast<double>(body.stiffness->getGlobalNumEntries());
+    factorEntries += assembly.dimension == 3 ? 25.0 * std::pow(n, 4.0 / 3.0) : 8.0 * n * std::log2(n + 1.0);
+    cost.factorSeconds += 0.8 * std::pow(n / 24000.0, 1.7);
+  }
+  std::vector<double> mine{matrixEntries, factorEntries, cost.factorSeconds}, sum(3);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 3, mine.data(), sum.data());
+  for (const auto& joint : assembly.interfaces)
+    cost.interfaceUnknowns += static_cast<std::int64_t>(joint.pairs()) * joint.sides() * assembly.dimension;
+  cost.matrixBytes = matrixEntryBytes * sum[0];
+  cost.factorBytes = entryBytes * sum[1];
+  cost.factorSeconds = sum[2];
+  cost.fieldBytes = entryBytes * storedVectors * static_cast<double>(cost.interfaceUnknowns) * assembly.steps();
+  cost.stageSeconds = secondsPerEntryAndColumn * sum[1] * assembly.steps();
+  return cost;
+}
+
+}  // namespace harmos::scene

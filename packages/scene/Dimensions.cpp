@@ -1,0 +1,77 @@
+#include <harmos/scene/detail/Dimensions.hpp>
+
+#include <algorithm>
+
+#include <harmos/elasticity/Kinematics.hpp>
+
+namespace harmos::scene {
+
+namespace {
+
+using input::Parameters;
+
+bool fitsKinematics(const Parameters& model, int dimension, input::ErrorList& errors) {
+  if (!model.has("Kinematics")) return true;
+  const std::string& kinematics = model.text("Kinematics");
+  if (elasticity::dimensionOf(elasticity::kinematicsNamed(kinematics)) == dimension) return true;
+  errors.add(model.where("Kinematics"),
+             "\"" + kinematics + "\" does not fit the mesh, which has " + std::to_string(dimension) + " dimensions.",
+             dimension == 3 ? "Allowed: 3-D." : "Allowed: Plane Strain, Plane Stress.");
+  return false;
+}
+
+class VectorChecker {
+ public:
+  VectorChecker(std::optional<int> dimension, input::ErrorList& errors) : dimension_(dimension), errors_(errors) {}
+
+  /// Returns whether the entry is given and has the right number of components.
+  bool point(const Parameters& parameters, const std::string& entry) const {
+    if (!parameters.has(entry)) return false;
+    const int given = static_cast<int>(parameters.numbers(entry).size());
+    if (dimension_ ? given == *dimension_ : given == 2 || given == 3) return true;
+    errors_.add(parameters.where(entry),
+                std::to_string(given) + (given == 1 ? " number is given" : " numbers are given") +
+                    (dimension_ ? ", but the scene has " + std::to_string(*dimension_) + " dimensions." : "."),
+                !dimension_        ? "Give 2 numbers in the plane or 3 in space."
+                : *dimension_ == 2 ? "Give x and y."
+                                   : "Give x, y and z.");
+    return false;
+  }
+
+  void direction(const Parameters& parameters, const std::string& entry) const {
+    if (!point(parameters, entry)) return;
+    const std::vector<double>& components = parameters.numbers(entry);
+    if (std::any_of(components.begin(), components.end(), [](double x) { return x != 0.0; })) return;
+    errors_.add(parameters.where(entry), "is not a direction.",
+                "Give numbers that are not all 0; the length does not matter.");
+  }
+
+  void axis(const Parameters& parameters) const {
+    if (dimension_ != 2) {
+      direction(parameters, "Axis");
+    } else if (parameters.has("Axis")) {
+      errors_.add(parameters.where("Axis"), "in the plane the only moment is about z.", "Remove \"Axis\".");
+    }
+  }
+
+ private:
+  std::optional<int> dimension_;
+  input::ErrorList& errors_;
+};
+
+}  // namespace
+
+void checkDimensions(const Parameters& scene, std::optional<int> dimension, input::ErrorList& errors) {
+  // Vectors may have been written for the kinematics: then they are not wrong besides.
+  if (dimension && !fitsKinematics(scene.list("Model"), *dimension, errors)) return;
+  const VectorChecker vectors(dimension, errors);
+  for (const Parameters& interface : scene.lists("Interfaces")) vectors.direction(interface, "Projection Direction");
+  for (const Parameters& response : scene.lists("Responses")) {
+    vectors.direction(response, "Direction");
+    vectors.axis(response);
+    vectors.point(response, "Point");
+    vectors.point(response, "Centre");
+  }
+}
+
+}  // namespace harmos::scene

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/assembly/Interface.hpp>
+#include <harmos/input/ErrorList.hpp>
+#include <harmos/mesh/InterfaceFinder.hpp>
+#include <harmos/mesh/RedundantPairs.hpp>
+#include <harmos/scene/Scene.hpp>
+
+namespace harmos::scene {
+
+/// Finds the surfaces of all interfaces and boundaries of a scene and, between the pieces of a part that was cut, of
+/// perfect interfaces. Reports sets that do not exist, sides that do not fit together and parts that nothing touches.
+std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh::Mesh& mesh,
+                                                 const std::vector<mesh::Part>& parts,
+                                                 const mesh::InterfaceFinder& finder, input::ErrorList& errors);
+
+/// Where the unknowns of a surface's pair are: a pair of an interface of the assembly; interface = -1: it has none.
+struct PairPlace {
+  int interface = -1;
+  int pair = -1;
+};
+
+/// The interfaces of an assembly and the way back to the surfaces that they were made of.
+struct Joints {
+  std::vector<assembly::Interface> interfaces;
+  std::vector<std::vector<PairPlace>> places;  // per surface and pair
+};
+
+/// An interface for every surface that carries unknowns, with the law of that name. Merges pairs that cuts make
+/// redundant (the areas of `surfaces` change), unless `isConsistent`: then every pair of a surface is kept, with the
+/// consistent interface mass where the surface has faces.
+Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Part>& parts,
+                      std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent);
+
+}  // namespace harmos::scene

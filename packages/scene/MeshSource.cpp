@@ -1,0 +1,66 @@
+#include <harmos/scene/MeshSource.hpp>
+
+#include <filesystem>
+
+#include <harmos/files/ExodusMesh.hpp>
+#include <harmos/mesh/BoltedJoint.hpp>
+#include <harmos/mesh/Boxes.hpp>
+#include <harmos/mesh/GluedAssembly.hpp>
+
+namespace harmos::scene {
+
+namespace {
+
+struct Source {
+  input::ParameterSpec form;
+  mesh::Mesh (*make)(const input::Parameters&);
+  std::optional<int> (*dimension)(const input::Parameters&, input::ErrorList&);
+};
+
+template <int dimension>
+std::optional<int> always(const input::Parameters&, input::ErrorList&) {
+  return dimension;
+}
+
+std::optional<int> ofBoxes(const input::Parameters& source, input::ErrorList& errors) {
+  const int before = errors.count();
+  const std::vector<mesh::Box> boxes = mesh::readBoxes(source, errors);
+  if (errors.count() > before) return std::nullopt;
+  return mesh::dimensionOf(boxes.front().element);
+}
+
+std::vector<Source> generators() {
+  return {{mesh::describeBoltedJoint(), &mesh::boltedJoint, &always<3>},
+          {mesh::describeGluedAssembly(), &mesh::gluedAssembly, &always<2>},
+          {mesh::describeBoxes(), &mesh::boxes, &ofBoxes}};
+}
+
+}  // namespace
+
+std::vector<input::ParameterSpec> meshForms() {
+  input::ParameterSpec exodus("Exodus");
+  exodus.summary(
+      "A mesh in an Exodus II file: 8-node hexahedra, 6-node wedges, 5-node pyramids, 4-node tetrahedra; in "
+      "the plane 4-node quadrilaterals, 3-node triangles.");
+  exodus.text("File").required().doc("Path of the file; a relative one starts at the folder of the scene.");
+  std::vector<input::ParameterSpec> forms{exodus};
+  for (const Source& source : generators()) forms.push_back(source.form);
+  return forms;
+}
+
+std::optional<int> meshDimension(const input::Parameters& source, input::ErrorList& errors) {
+  for (const Source& generator : generators()) {
+    if (generator.form.name() == source.type()) return generator.dimension(source, errors);
+  }
+  return std::nullopt;
+}
+
+mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath) {
+  for (const Source& generator : generators()) {
+    if (generator.form.name() == source.type()) return generator.make(source);
+  }
+  const auto folder = std::filesystem::path(scenePath).parent_path();
+  return files::readExodus((folder / source.text("File")).string());
+}
+
+}  // namespace harmos::scene

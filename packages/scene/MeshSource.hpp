@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <harmos/input/ErrorList.hpp>
+#include <harmos/input/ParameterSpec.hpp>
+#include <harmos/input/Parameters.hpp>
+#include <harmos/mesh/Mesh.hpp>
+
+namespace harmos::scene {
+
+/// Where a scene may take its mesh from: an Exodus file or one of the generators.
+std::vector<input::ParameterSpec> meshForms();
+
+/// Number of dimensions of the mesh that a generator will make; nothing for a file, which is not read here. Reports
+/// boxes that cannot be to `errors`.
+std::optional<int> meshDimension(const input::Parameters& source, input::ErrorList& errors);
+
+/// Reads or generates the mesh. A relative file name is looked up from the folder of `scenePath`.
+/// Throws base::Error (input) when the file cannot be used.
+mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath);
+
+}  // namespace harmos::scene

@@ -1,0 +1,67 @@
+#include <harmos/scene/Problem.hpp>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/input/ErrorList.hpp>
+#include <harmos/mesh/InterfaceFinder.hpp>
+#include <harmos/scene/Joints.hpp>
+#include <harmos/scene/MeshSource.hpp>
+#include <harmos/scene/detail/Dimensions.hpp>
+#include <harmos/scene/detail/Responses.hpp>
+
+namespace harmos::scene {
+
+namespace {
+
+/// Throws on every rank the errors of the first rank that has any.
+void throwTogether(const input::ErrorList& errors, const Teuchos::Comm<int>& comm) {
+  const int mine = errors.count() > 0 ? comm.getRank() : comm.getSize();
+  int first = mine;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(first));
+  if (first == comm.getSize()) return;
+  std::string text = errors.message();
+  int length = static_cast<int>(text.size());
+  Teuchos::broadcast(comm, first, Teuchos::outArg(length));
+  text.resize(static_cast<std::size_t>(length));
+  Teuchos::broadcast(comm, first, length, text.data());
+  throw base::Error(text, base::ExitCode::input);
+}
+
+}  // namespace
+
+Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Timers& timers) {
+  input::ErrorList errors;
+  Problem problem;
+  {
+    const auto reading = timers.start("read");
+    const input::Parameters& source = scene.input.list("Mesh");
+    errors.collect(source.where(), [&] { problem.mesh = makeMesh(source, scene.path); });
+    throwTogether(errors, comm);
+    checkDimensions(scene.input, problem.mesh.dimension, errors);
+    throwTogether(errors, comm);
+  }
+  const auto assembling = timers.start("assemble");
+  problem.model = makeModel(scene.input.list("Model"), problem.mesh);
+  problem.bodies = makeBodies(scene, problem.mesh, errors);
+  throwTogether(errors, comm);
+
+  const mesh::InterfaceFinder finder(problem.mesh, problem.bodies.parts, problem.model.thickness);
+  problem.surfaces = findSurfaces(scene, problem.mesh, problem.bodies.parts, finder, errors);
+  assembly::Assembly& assembly = problem.assembly;
+  assembly.dimension = problem.mesh.dimension;
+  assembly.times = scene.times;
+  Joints joints = makeInterfaces(scene, problem.bodies.parts, problem.surfaces,
+                                 scene.input.list("Solver").text("Interface Mass") == "Consistent");
+  assembly.interfaces = std::move(joints.interfaces);
+  problem.places = std::move(joints.places);
+  problem.responses =
+      makeResponses(scene.input.lists("Responses"), problem.mesh, problem.bodies.parts, finder, assembly, errors);
+  assembly.owner = distribute(problem.bodies, comm.getSize());
+  assembly.bodies =
+      assemble(scene, problem.mesh, problem.model, problem.bodies, assembly.owner, comm.getRank(), errors);
+  throwTogether(errors, comm);
+  return problem;
+}
+
+}  // namespace harmos::scene

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+
+#include <harmos/assembly/Assembly.hpp>
+#include <harmos/base/Timers.hpp>
+#include <harmos/latin/Response.hpp>
+#include <harmos/mesh/InterfaceSurface.hpp>
+#include <harmos/scene/Bodies.hpp>
+#include <harmos/scene/Joints.hpp>
+#include <harmos/scene/Scene.hpp>
+
+namespace harmos::scene {
+
+/// A scene made of numbers: mesh, bodies and interfaces, ready to be solved.
+struct Problem {
+  mesh::Mesh mesh;
+  Model model;
+  Bodies bodies;
+  std::vector<mesh::InterfaceSurface> surfaces;
+  std::vector<std::vector<PairPlace>> places;  // per surface and pair: where its unknowns are
+  assembly::Assembly assembly;
+  std::vector<std::shared_ptr<const latin::Response>> responses;
+};
+
+/// Reads the mesh and builds everything. Collective over comm; throws on all ranks or on none.
+///
+/// The scene must outlive the problem. Time is charged to the phases "read" and "assemble". Throws one base::Error
+/// (input) that lists all errors found in the names of blocks and sets, in the fit of interfaces, and in elements.
+Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Timers& timers);
+
+}  // namespace harmos::scene

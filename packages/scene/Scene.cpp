@@ -1,0 +1,215 @@
+#include <harmos/scene/Scene.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
+#include <harmos/base/Numerals.hpp>
+#include <harmos/elasticity/Kinematics.hpp>
+#include <harmos/elasticity/Materials.hpp>
+#include <harmos/input/Check.hpp>
+#include <harmos/input/ErrorList.hpp>
+#include <harmos/scene/MeshSource.hpp>
+#include <harmos/scene/SceneSpec.hpp>
+#include <harmos/scene/detail/Dimensions.hpp>
+#include <harmos/scene/detail/History.hpp>
+#include <harmos/substructure/SolverOptions.hpp>
+
+namespace harmos::scene {
+
+namespace {
+
+using input::Parameters;
+using Names = std::vector<std::string>;
+
+Names namesOf(const std::vector<Parameters>& lists) {
+  Names names;
+  for (const Parameters& list : lists) names.push_back(list.name());
+  return names;
+}
+
+std::vector<double> stepTimes(const std::vector<Parameters>& steps, input::ErrorList& errors) {
+  std::vector<double> times;
+  double begin = 0.0;
+  for (const Parameters& step : steps) {
+    const int increments = step.integer("Increments");
+    const double duration = step.number("Duration");
+    double last = begin;
+    bool isIncreasing = true;
+    for (int i = 1; i <= increments; ++i) {
+      times.push_back(begin + duration * (static_cast<double>(i) / increments));
+      isIncreasing = isIncreasing && times.back() > last && std::isfinite(times.back());
+      last = times.back();
+    }
+    if (!isIncreasing) {
+      errors.add(step.where("Duration"),
+                 "the time steps (" + std::to_string(increments) + " in " + base::toText(duration) +
+                     " after the time " + base::toText(begin) + ") cannot be told apart.",
+                 "Give durations of a like size; only rates depend on them.");
+    }
+    begin += duration;
+  }
+  return times;
+}
+
+class SceneChecker {
+ public:
+  SceneChecker(const laws::LawRegistry& laws, Scene& scene, input::ErrorList& errors)
+      : laws_(laws), scene_(scene), input_(scene.input), errors_(errors) {}
+
+  void check() {
+    attachHistories();
+    const elasticity::MaterialRegistry materials = elasticity::builtInMaterials();
+    for (const Parameters& list : input_.lists("Materials")) {
+      errors_.collect(list.where(), [&] { scene_.materials[list.name()] = materials.create(list); });
+    }
+    for (const Parameters& part : input_.lists("Parts")) {
+      knownName(part, "Material", namesOf(input_.lists("Materials")), "Materials");
+      if (part.integer("Pieces") > 1 && !scene_.cutLaw) {
+        scene_.cutLaw = laws_.create(Parameters("cut").set("Type", std::string("Perfect")));
+      }
+    }
+    for (const Parameters& interface : input_.lists("Interfaces")) checkInterface(interface);
+    for (const Parameters& boundary : input_.lists("Boundaries")) checkBoundary(boundary);
+    for (const Parameters& response : input_.lists("Responses")) checkResponse(response);
+    const Parameters& solver = input_.list("Solver").list("Linear Solver");
+    errors_.collect(solver.where("Name"), [&] { substructure::requireSolver(solver.text("Name")); });
+    checkDimensions(input_, dimension(), errors_);
+  }
+
+ private:
+  /// As far as it is known without reading a mesh.
+  std::optional<int> dimension() {
+    const Parameters& model = input_.list("Model");
+    const std::optional<int> ofMesh = meshDimension(input_.list("Mesh"), errors_);
+    if (ofMesh || !model.has("Kinematics")) return ofMesh;
+    return elasticity::dimensionOf(elasticity::kinematicsNamed(model.text("Kinematics")));
+  }
+
+  void attachHistories() {
+    auto histories = std::make_shared<input::Histories>();
+    for (const Parameters& history : input_.lists("Histories")) {
+      histories->add(history.name(), historyFactors(history, scene_.times, errors_));
+    }
+    scene_.input.attach(histories);
+  }
+
+  /// The text `entry`, if given, is one of `known`, the names of the scene's list `list`.
+  bool knownName(const Parameters& parameters, const std::string& entry, const Names& known, const std::string& list) {
+    if (!parameters.has(entry)) return true;
+    return knownName(parameters.where(entry), parameters.text(entry), known, list);
+  }
+
+  bool knownName(const std::string& where, const std::string& name, const Names& known, const std::string& list) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return true;
+    errors_.add(where, "\"" + name + "\" is not in the list " + list + ".",
+                base::suggestName(name, known, list + " has"));
+    return false;
+  }
+
+  void checkInterface(const Parameters& interface) {
+    const bool hasSides = interface.has("Side 1") && interface.has("Side 2");
+    const bool hasParts = interface.has("Part 1") && interface.has("Part 2");
+    const bool hasAnySide = interface.has("Side 1") || interface.has("Side 2");
+    const bool hasAnyPart = interface.has("Part 1") || interface.has("Part 2");
+    if ((hasAnySide && hasAnyPart) || !(hasSides || hasParts)) {
+      errors_.add(interface.where(), "it is not clear what is joined.",
+                  "Give either \"Side 1\" and \"Side 2\" (names of side sets), or \"Part 1\" and \"Part 2\".");
+    }
+    for (const char* entry : {"Part 1", "Part 2"}) knownName(interface, entry, namesOf(input_.lists("Parts")), "Parts");
+    for (const std::string kind : {"Side", "Part"}) {
+      const std::string first = kind + " 1", second = kind + " 2";
+      if (interface.has(first) && interface.has(second) && interface.text(first) == interface.text(second)) {
+        errors_.add(interface.where(second), "both sides are \"" + interface.text(second) + "\".",
+                    "An interface joins two different parts; a condition on one part belongs in Boundaries.");
+      }
+    }
+    if (interface.has("Projection Direction") && hasParts) {
+      errors_.add(interface.where("Projection Direction"), "a projection needs side sets.",
+                  "Give \"Side 1\" and \"Side 2\" instead of parts, or remove the direction.");
+    }
+    makeLaw(interface, 2);
+  }
+
+  void checkBoundary(const Parameters& boundary) {
+    checkPlace(boundary, "boundary", "Side Set");
+    knownName(boundary, "Part", namesOf(input_.lists("Parts")), "Parts");
+    const auto& interfaces = input_.lists("Interfaces");
+    const auto same = std::find_if(interfaces.begin(), interfaces.end(),
+                                   [&](const Parameters& other) { return other.name() == boundary.name(); });
+    if (same != interfaces.end()) {
+      errors_.add(boundary.where(), "an interface has the same name, at " + same->location() + ".",
+                  "Rename one of them: results are addressed by these names.");
+    }
+    makeLaw(boundary, 1);
+  }
+
+  void makeLaw(const Parameters& interface, int sides) {
+    const Parameters& parameters = interface.list("Law");
+    std::shared_ptr<const laws::InterfaceLaw> law;
+    errors_.collect(parameters.where(), [&] { law = laws_.create(parameters); });
+    if (!law) return;
+    if (sides == 1 && law->sides() == laws::Sides::two) {
+      errors_.add(parameters.where("Type"), "\"" + parameters.type() + "\" joins two parts, but a boundary has one.",
+                  "Choose another law, or describe an interface in the list Interfaces.");
+    } else if (sides == 2 && law->sides() == laws::Sides::one) {
+      errors_.add(parameters.where("Type"),
+                  "\"" + parameters.type() + "\" acts on one part, but an interface joins two.",
+                  "Choose another law, or describe a boundary in the list Boundaries.");
+    }
+    scene_.laws[interface.name()] = law;
+  }
+
+  /// A place is either a node set or something else, of which a side set belongs to its part already.
+  void checkPlace(const Parameters& parameters, const std::string& what, const std::string& other) {
+    if (parameters.has(other) == parameters.has("Node Set")) {
+      errors_.add(parameters.where(), "it is not clear where the " + what + " is.",
+                  "Give either \"" + other + "\" or \"Node Set\".");
+    }
+    if (parameters.has("Part") && other == "Side Set" && parameters.has(other)) {
+      errors_.add(parameters.where("Part"), "a side set belongs to its part already.", "Remove \"Part\".");
+    }
+  }
+
+  void checkResponse(const Parameters& response) {
+    Names joints = namesOf(input_.lists("Interfaces"));
+    const Names boundaries = namesOf(input_.lists("Boundaries"));
+    joints.insert(joints.end(), boundaries.begin(), boundaries.end());
+    knownName(response, "Interface", joints, "Interfaces or Boundaries");
+    knownName(response, "Part", namesOf(input_.lists("Parts")), "Parts");
+    if (response.has("Interfaces")) {
+      for (const std::string& name : response.texts("Interfaces")) {
+        knownName(response.where("Interfaces"), name, joints, "Interfaces or Boundaries");
+      }
+    }
+    if (response.type() == "Mean Displacement") checkPlace(response, "surface", "Side Set");
+    if (response.type() == "Point Displacement") checkPlace(response, "node", "Point");
+  }
+
+  const laws::LawRegistry& laws_;
+  Scene& scene_;
+  const Parameters& input_;
+  input::ErrorList& errors_;
+};
+
+}  // namespace
+
+Scene makeScene(input::InputTree input, const std::string& path, const std::vector<std::string>& overrides,
+                const laws::LawRegistry& laws) {
+  Scene scene;
+  scene.path = path;
+  scene.input = input::check(std::move(input), sceneSpec(laws), overrides);
+  input::ErrorList errors;
+  scene.times = stepTimes(scene.input.lists("Steps"), errors);
+  SceneChecker(laws, scene, errors).check();
+  errors.throwIfAny();
+  return scene;
+}
+
+Scene readScene(const std::string& path, const std::vector<std::string>& overrides, const laws::LawRegistry& laws) {
+  return makeScene(input::InputTree::fromFile(path), path, overrides, laws);
+}
+
+}  // namespace harmos::scene

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <harmos/elasticity/Material.hpp>
+#include <harmos/input/InputTree.hpp>
+#include <harmos/input/Parameters.hpp>
+#include <harmos/laws/LawRegistry.hpp>
+
+namespace harmos::scene {
+
+/// A checked scene: all that can be known before a mesh is read.
+struct Scene {
+  std::string path;           // of the scene's file
+  input::Parameters input;    // all defaults filled in, histories attached
+  std::vector<double> times;  // end of each load step
+  std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;
+  std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;  // by name of interface or boundary
+  std::shared_ptr<const laws::InterfaceLaw> cutLaw;  // between the pieces of one part; null when no part is cut
+};
+
+/// Checks an input against sceneSpec(), and every name that it refers to except those of the mesh.
+/// Each of `overrides` is "List/Sublist/Name=value". Throws one base::Error (input) that lists all errors.
+Scene makeScene(input::InputTree input, const std::string& path, const std::vector<std::string>& overrides,
+                const laws::LawRegistry& laws);
+
+/// makeScene() of a file.
+Scene readScene(const std::string& path, const std::vector<std::string>& overrides, const laws::LawRegistry& laws);
+
+}  // namespace harmos::scene

@@ -1,0 +1,164 @@
+#include <harmos/scene/SceneRun.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/files/AtomicFile.hpp>
+#include <harmos/files/HistoryFile.hpp>
+#include <harmos/input/EffectiveInput.hpp>
+#include <harmos/scene/Problem.hpp>
+#include <harmos/scene/detail/FieldOutput.hpp>
+
+namespace harmos::scene {
+
+namespace {
+
+const char* statusOf(latin::Outcome outcome) {
+  switch (outcome) {
+    case latin::Outcome::certified:
+      return "certified";
+    case latin::Outcome::iterationLimit:
+      return "not converged";
+    case latin::Outcome::noEquilibrium:
+      return "no equilibrium";
+    case latin::Outcome::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+/// Keeps the record and its times up to date.
+class Recorder {
+ public:
+  Recorder(files::RunRecord& record, const std::string& path, const base::Timers& timers,
+           const Teuchos::Comm<int>& comm)
+      : record_(record), path_(path), timers_(timers), comm_(comm) {
+    record_.ranks = comm.getSize();
+  }
+
+  /// Collective, because the peak memory is that of all ranks.
+  void write() {
+    const double mine = static_cast<double>(base::peakMemory());
+    double largest = mine;
+    Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+    record_.peakMemory = static_cast<std::size_t>(largest);
+    if (comm_.getRank() == 0) writeHere();
+  }
+
+  /// On whichever rank meets a failure: the others may not hear of it.
+  void writeHere() {
+    record_.phases = timers_.phases();
+    record_.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    record_.cpuSeconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    files::writeRunRecord(path_, record_);
+  }
+
+ private:
+  files::RunRecord& record_;
+  std::string path_;
+  const base::Timers& timers_;
+  const Teuchos::Comm<int>& comm_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void describe(const latin::LatinResult& solution, files::RunRecord& record) {
+  record.status = statusOf(solution.outcome);
+  record.reason = solution.reason;
+  record.exitCode = exitCodeOf(solution.outcome);
+  record.errorEstimate = solution.errorEstimate;
+  record.responseErrors.clear();
+  for (const auto& response : solution.responses)
+    record.responseErrors.emplace_back(response.name, response.errorEstimate);
+  record.responseErrors.emplace_back("interface forces", solution.forceErrorEstimate);
+  record.responseErrors.emplace_back("interface displacements", solution.displacementErrorEstimate);
+  record.iterations = solution.iterations;
+  record.linearStages = solution.linearStages;
+}
+
+files::History historyOf(const latin::LatinResult& solution, const std::vector<double>& times) {
+  files::History history;
+  for (const auto& response : solution.responses) history.responses.push_back(response.name);
+  history.times = {0.0};
+  history.values = {std::vector<double>(solution.responses.size(), 0.0)};
+  for (std::size_t t = 0; t < times.size(); ++t) {
+    history.times.push_back(times[t]);
+    history.values.emplace_back();
+    for (const auto& response : solution.responses) history.values.back().push_back(response.values[t]);
+  }
+  return history;
+}
+
+std::vector<GlobalVariable> globalsOf(const latin::LatinResult& solution, std::size_t steps) {
+  std::vector<GlobalVariable> globals;
+  for (const auto& response : solution.responses) globals.push_back({response.name, response.values});
+  const auto add = [&](const std::string& name, double value) {
+    const bool taken = std::any_of(globals.begin(), globals.end(), [&](const auto& g) { return g.name == name; });
+    if (!taken) globals.push_back({name, std::vector<double>(steps, value)});
+  };
+  add("latin_iterations", solution.iterations);
+  // Readers choke on what is not a number; missing data is 0, and the record tells the two apart.
+  add("error_estimate", std::isfinite(solution.errorEstimate) ? solution.errorEstimate : 0.0);
+  return globals;
+}
+
+}  // namespace
+
+int exitCodeOf(latin::Outcome outcome) {
+  switch (outcome) {
+    case latin::Outcome::certified:
+      return static_cast<int>(base::ExitCode::ok);
+    case latin::Outcome::iterationLimit:
+      return static_cast<int>(base::ExitCode::notConverged);
+    case latin::Outcome::noEquilibrium:
+      return static_cast<int>(base::ExitCode::noEquilibrium);
+    case latin::Outcome::interrupted:
+      return 130;
+  }
+  return static_cast<int>(base::ExitCode::failure);
+}
+
+SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry& laws,
+                        const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  base::Timers timers;
+  const Scene scene = readScene(request.scene, request.overrides, laws);
+  SceneRunResult result{{}, {}, files::ResultFiles(request.directory, request.scene)};
+  Recorder recorder(result.record, result.files.record, timers, *comm);
+  const latin::LatinOptions options(scene.input.list("Solver"));
+  const Problem problem = makeProblem(scene, *comm, timers);
+
+  result.record.scene = request.scene;
+  result.record.accuracy = options.accuracy;
+  result.record.status = "running";
+  result.record.reason = "The run has not ended, or was killed.";
+  if (comm->getRank() == 0) {
+    result.files.removeOld();
+    files::replaceFile(result.files.effectiveInput, input::effectiveInput(scene.input));
+  }
+  recorder.write();
+  try {
+    latin::LatinSolver solver(problem.assembly, options, comm, timers);
+    for (const auto& response : problem.responses) solver.addResponse(response);
+    if (request.observer) solver.addObserver(request.observer);
+    if (request.interrupted) solver.setInterrupt(request.interrupted);
+    result.solution = solver.solve();
+    const auto writing = timers.start("write");
+    writeFields(scene, problem, solver.state(), globalsOf(result.solution, scene.times.size()), result.files, *comm);
+    if (comm->getRank() == 0) files::writeHistory(result.files.history, historyOf(result.solution, scene.times));
+  } catch (const base::Error& error) {
+    result.record.status = "failed";
+    result.record.reason = error.what();
+    result.record.exitCode = static_cast<int>(error.code());
+    recorder.writeHere();
+    throw;
+  }
+  describe(result.solution, result.record);
+  recorder.write();
+  return result;
+}
+
+}  // namespace harmos::scene

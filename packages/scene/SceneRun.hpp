@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include <harmos/files/ResultFiles.hpp>
+#include <harmos/files/RunRecord.hpp>
+#include <harmos/latin/LatinSolver.hpp>
+#include <harmos/laws/LawRegistry.hpp>
+
+namespace harmos::scene {
+
+/// What to run and whom to tell.
+struct SceneRunRequest {
+  std::string scene;                                            // path of the XML file
+  std::vector<std::string> overrides;                           // "List/Sublist/Name=value"
+  std::string directory = "results";                            // of the result files
+  std::function<void(const latin::IterationReport&)> observer;  // after every iteration, on every rank; may be empty
+  std::function<bool()> interrupted;                            // asked after every iteration; may be empty
+};
+
+struct SceneRunResult {
+  latin::LatinResult solution;
+  files::RunRecord record;
+  files::ResultFiles files;
+};
+
+/// From XML to result files: what `harmos run` does, without printing. Collective.
+///
+/// The input and the mesh are checked first; if they are wrong, base::Error (input) leaves the directory as it was.
+/// Then the files of an earlier run are removed and the record says "running". The outcome, also an interruption or a
+/// failure, ends up in the record; a failure is thrown as well. Files are complete or absent.
+SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry& laws,
+                        const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
+
+/// Exit code of a program for the outcome of a solution; 130 for an interruption, as shells have it for Ctrl-C.
+int exitCodeOf(latin::Outcome outcome);
+
+}  // namespace harmos::scene

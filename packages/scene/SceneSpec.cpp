@@ -1,0 +1,96 @@
+#include <harmos/scene/SceneSpec.hpp>
+
+#include <harmos/elasticity/Kinematics.hpp>
+#include <harmos/elasticity/Materials.hpp>
+#include <harmos/latin/LatinOptions.hpp>
+#include <harmos/scene/MeshSource.hpp>
+#include <harmos/scene/detail/History.hpp>
+#include <harmos/scene/detail/Responses.hpp>
+
+namespace harmos::scene {
+
+namespace {
+
+void describeModel(input::ParameterSpec& spec) {
+  spec.summary("What kind of mechanics.");
+  spec.text("Kinematics")
+      .optional()
+      .oneOf(elasticity::kinematicsNames())
+      .doc("Default: 3-D for meshes in space, Plane Strain for meshes in the plane.");
+  spec.number("Thickness").unit("length").defaultValue(1.0).above(0.0).doc("Of plane models.");
+}
+
+void describePart(input::ParameterSpec& spec) {
+  spec.summary("Elastic bodies, each made of one or several element blocks of the mesh.");
+  spec.texts("Blocks").optional().doc("Names of its element blocks; absent: the block with the part's own name.");
+  spec.text("Material").required().doc("Name of an entry of Materials.");
+  spec.integer("Pieces").defaultValue(1).atLeast(1).doc("METIS cuts the part into so many substructures.");
+  spec.text("Formulation")
+      .defaultValue("Full Integration")
+      .oneOf(elasticity::formulationNames())
+      .doc("B-Bar avoids volumetric locking of nearly incompressible materials in hexahedra and quadrilaterals.");
+  input::ParameterSpec& force = spec.list("Body Force", false, true);
+  force.summary("Force per volume in global components.");
+  for (const char* component : {"X", "Y", "Z"}) {
+    force.number(component).unit("force/volume").defaultValue(0.0).varying().doc("Force along this axis.");
+  }
+}
+
+void describeInterface(input::ParameterSpec& spec, const laws::LawRegistry& laws) {
+  spec.summary("Interfaces join two parts, by two side sets or found between two parts. Side 1 carries the normal.");
+  spec.text("Side 1").optional().doc("Side set on the first part.");
+  spec.text("Side 2").optional().doc("Side set on the second part, with nodes that coincide.");
+  spec.text("Part 1").optional().doc("Instead of side sets: the faces (or nodes) where two parts touch.");
+  spec.text("Part 2").optional().doc("See Part 1.");
+  spec.numbers("Projection Direction")
+      .optional()
+      .doc("For surfaces that are open at first: direction along which their nodes coincide and gaps are measured.");
+  spec.alternatives("Law", laws.forms(), true).summary("Behaviour of the interface.");
+}
+
+void describeBoundary(input::ParameterSpec& spec, const laws::LawRegistry& laws) {
+  spec.summary("Outer boundaries are interfaces with one part.");
+  spec.text("Side Set").optional().doc("Side set of the mesh.");
+  spec.text("Node Set").optional().doc("Node set of the mesh, instead of a side set.");
+  spec.text("Part").optional().doc("Part whose nodes of the node set are meant, when parts share nodes.");
+  spec.alternatives("Law", laws.forms(), true).summary("Behaviour of the boundary.");
+}
+
+void describeStep(input::ParameterSpec& spec) {
+  spec.summary("Load steps, in their order. Time 0 is unloaded and not a step.");
+  spec.number("Duration").unit("time").defaultValue(1.0).above(0.0).doc("Time that the step takes.");
+  spec.integer("Increments").defaultValue(1).atLeast(1).atMost(1000000).doc("Number of equal time steps in it.");
+}
+
+}  // namespace
+
+input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
+  input::ParameterSpec spec("Harmos");
+  spec.summary("A scene: elastic parts, the interfaces between them, loads, and what to report.");
+  spec.text("Title").defaultValue("").doc("Of the result files.");
+  describeModel(spec.list("Model"));
+  spec.namedNumbers("Values").summary("Numbers to share: write \"$name\" as the value of any number.");
+  spec.alternatives("Mesh", meshForms(), true)
+      .summary("Where nodes, element blocks, side sets and node sets come from.")
+      .texts("Unused Blocks")
+      .optional()
+      .doc("Element blocks that belong to no part.");
+  spec.namedLists("Materials", true).summary("Elastic materials.").choose(elasticity::builtInMaterials().forms());
+  describePart(spec.namedLists("Parts", true));
+  describeInterface(spec.namedLists("Interfaces"), laws);
+  describeBoundary(spec.namedLists("Boundaries"), laws);
+  describeStep(spec.namedLists("Steps", true));
+  spec.namedLists("Histories")
+      .summary("Factors over time that loads and law parameters follow.")
+      .choose(historyForms());
+  input::ParameterSpec& solver = spec.list("Solver");
+  latin::LatinOptions::describe(solver);
+  solver.text("Interface Mass")
+      .defaultValue("Lumped")
+      .oneOf({"Lumped", "Consistent"})
+      .doc("How tractions become nodal forces; Consistent applies where an interface has faces.");
+  spec.namedLists("Responses").summary("Numbers to report at every time step.").choose(responseForms());
+  return spec;
+}
+
+}  // namespace harmos::scene

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <harmos/input/Parameters.hpp>
+#include <harmos/results/ConfigurationResult.hpp>
+
+namespace harmos::study {
+
+/// What a study does with a configuration that has no solution as accurate as asked for.
+struct FailurePolicy {
+  enum class Kind { retry, record, abort, recover, continuation };
+
+  Kind kind = Kind::retry;
+  int attempts = 1;  // of retry
+  int steps = 8;     // of continuation, the most
+
+  /// Of the input of a study.
+  explicit FailurePolicy(const input::Parameters& study);
+};
+
+/// Whether another way of solving may help: it failed or did not converge. Loads that cannot be carried and values that
+/// the scene does not allow stay what they are.
+bool mayBeHelped(const results::ConfigurationResult& result);
+
+}  // namespace harmos::study

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <harmos/input/ErrorList.hpp>
+#include <harmos/input/Parameters.hpp>
+#include <harmos/probability/Quadrature.hpp>
+#include <harmos/probability/RandomVector.hpp>
+#include <harmos/study/StudyParameters.hpp>
+
+namespace harmos::study {
+
+/// How a study deals with its random parameters.
+struct StochasticPlan {
+  enum class Method {
+    chaos,        // expansions solved for directly
+    collocation,  // expansions through the responses at quadrature points
+    adaptive,     // piecewise linear interpolation
+    sampling      // statistics of random configurations
+  };
+  /// Coefficients of variation that a sweep gives to one random parameter.
+  struct Sweep {
+    std::string name;
+    std::size_t variable;  // among the random parameters
+    std::vector<double> coefficients;
+  };
+
+  Method method = Method::sampling;
+  std::shared_ptr<const probability::RandomVector> variables;
+  base::Matrix correlation;         // of the copula; empty: independent
+  std::vector<std::size_t> places;  // of the random parameters among those of the study
+  int order = 0;                    // of chaos and collocation
+  /// Of each configuration with which the study begins, in their order: of the quadrature or the sample, then those
+  /// that are held out. An adaptive design adds its points after them.
+  std::vector<std::vector<double>> germs;
+  probability::Quadrature quadrature;  // of collocation
+  int holdOuts = 0;                    // configurations that are solved only to judge; the last of `germs`
+  std::vector<Sweep> sweeps;
+  std::vector<std::string> remarks;  // for the user
+
+  const probability::Distribution& distribution(std::size_t variable) const {
+    return *variables->variables()[variable].distribution;
+  }
+};
+
+/// Reads it from the input of a study, some parameters of which are random; null when that has errors, which are then
+/// reported.
+std::shared_ptr<const StochasticPlan> readStochasticPlan(const input::Parameters& study,
+                                                         const std::vector<StudyParameter>& parameters,
+                                                         input::ErrorList& errors);
+
+/// The random parameters with other coefficients of variation, one per sweep.
+std::shared_ptr<const probability::RandomVector> withSpread(const StochasticPlan& plan,
+                                                            const std::vector<double>& coefficients);
+
+/// Gauss points of each germ with which an expansion of this order is computed; `asked`: the user's number, 0: none.
+/// `isGalerkin`: stiffness times two polynomials is integrated, else fields times one.
+std::vector<int> gaussPoints(const probability::RandomVector& variables, int order, int asked, bool isGalerkin);
+
+}  // namespace harmos::study

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include <harmos/base/Timers.hpp>
+#include <harmos/latin/LatinOptions.hpp>
+#include <harmos/laws/LawRegistry.hpp>
+#include <harmos/parametric/ParametricStudy.hpp>
+#include <harmos/scene/Problem.hpp>
+#include <harmos/study/FailurePolicy.hpp>
+#include <harmos/study/Study.hpp>
+
+namespace harmos::study {
+
+/// The configurations of a study that share mesh, bodies and factors.
+///
+/// All calls are collective over the communicator.
+class StudyGroup {
+ public:
+  /// Builds mesh and bodies for the first of `configurations` whose values are admissible. The study, the laws and the
+  /// timers must outlive it. Throws base::Error (input) when none is, and as makeProblem() does.
+  StudyGroup(const Study& study, const std::vector<design::Configuration>& configurations,
+             const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+
+  StudyGroup(const StudyGroup&) = delete;  // the problem refers to the scene
+  StudyGroup& operator=(const StudyGroup&) = delete;
+
+  void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
+  /// Solves those of the configurations, which share the operators, that `done` does not hold. What is solved serves
+  /// later calls.
+  void solve(const std::vector<design::Configuration>& configurations,
+             const std::vector<results::ConfigurationResult>& done, results::ResultSink& sink);
+  /// Solves one configuration by itself, from a cold start.
+  void solveAlone(const design::Configuration& configuration, results::ResultSink& sink);
+  /// Walks to a configuration from another one in `steps` equal steps; only its own result reaches the sink.
+  void walk(const design::Configuration& from, const design::Configuration& to, int steps, results::ResultSink& sink);
+
+ private:
+  std::unique_ptr<parametric::ParametricStudy> makeEngine(std::size_t configurations);
+  void install(const std::vector<double>& values);
+
+  const Study& study_;
+  const laws::LawRegistry& laws_;
+  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
+  base::Timers& timers_;
+  std::function<bool()> interrupted_;
+  scene::Scene scene_;
+  scene::Problem problem_;
+  std::unique_ptr<parametric::ParametricStudy> engine_;  // keeps factors and solutions between calls of solve()
+};
+
+/// Splits configurations into those that share operators, in the order of their first; one group when no parameter
+/// changes any.
+std::vector<std::vector<design::Configuration>> groupByOperators(
+    const std::vector<StudyParameter>& parameters, const std::vector<design::Configuration>& configurations);
+
+}  // namespace harmos::study

@@ -1,0 +1,124 @@
+#include <harmos/study/StudyParameters.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <harmos/base/Names.hpp>
+#include <harmos/input/Override.hpp>
+#include <harmos/study/detail/DistributionSpec.hpp>
+
+namespace harmos::study {
+
+using input::Parameters;
+using Names = std::vector<std::string>;
+
+void checkStudyName(const Parameters& list, input::ErrorList& errors) {
+  const Names taken = {"id", "status", "iterations", "error_estimate", "start"};
+  if (std::find(taken.begin(), taken.end(), list.name()) != taken.end()) {
+    errors.add(list.where(), "this name heads another column of the results.", "Take another one.");
+  } else if (!design::isFormulaName(list.name())) {
+    errors.add(list.where(), "this name can stand neither in formulas nor in tables.",
+               "Take letters, digits and underscores, no digit first, and no name of a function.");
+  }
+}
+
+void StudyParameterReader::read(const Parameters& list) {
+  StudyParameter parameter;
+  parameter.name = list.name();
+  parameter.unit = list.text("Unit");
+  parameter.where = list.where();
+  checkStudyName(list, errors_);
+  if (list.has("Entry") && list.has("Entries")) {
+    errors_.add(list.where("Entries"), "\"Entry\" is given too.", "Give one of them.");
+  }
+  if (list.has("Entry")) parameter.entries = {list.text("Entry")};
+  if (list.has("Entries")) parameter.entries = list.texts("Entries");
+  if (scene_) readEntries(list, parameter);
+
+  design::PlannedParameter planned;
+  planned.axis.name = list.name();
+  if (list.has("Formula")) parameter.formula = planned.formula = list.text("Formula");
+  planned.where = list.where("Formula");
+  readLevels(list, planned.axis);
+  if (list.hasList("Distribution")) {
+    parameter.isRandom = true;
+    parameter.distribution = readDistribution(list.list("Distribution"), list.name(), directory_, errors_);
+  }
+  planned_.push_back(std::move(planned));
+  parameters_.push_back(std::move(parameter));
+}
+
+void StudyParameterReader::readEntries(const Parameters& list, StudyParameter& parameter) {
+  const std::string where = list.where(list.has("Entry") ? "Entry" : "Entries");
+  for (const std::string& entry : parameter.entries) {
+    for (const StudyParameter& other : parameters_) {
+      if (std::find(other.entries.begin(), other.entries.end(), entry) == other.entries.end()) continue;
+      errors_.add(where, "\"" + entry + "\" is set by \"" + other.name + "\" already.");
+    }
+    input::InputTree trial = tree_;
+    const int before = errors_.count();
+    const auto type = input::applyChange(trial, spec_, {entry, "0", where}, where, errors_);
+    if (errors_.count() > before) continue;
+    if (type != input::ParameterType::number && type != input::ParameterType::integer) {
+      errors_.add(where, "\"" + entry + "\" is not a number.", "A study varies numbers.");
+      continue;
+    }
+    if (entry.compare(0, 6, "Steps/") == 0) {
+      errors_.add(where, "the load steps are the same for the whole study.",
+                  "Vary a history, or make two studies of them.");
+      continue;
+    }
+    const auto effects = effectsOf(entry, tree_);
+    if (effects.empty()) {
+      errors_.add(where, "nothing in the scene uses \"" + entry + "\".",
+                  "Write \"$" + entry.substr(entry.find('/') + 1) + "\" as the value of a number of the scene.");
+    }
+    for (const std::string& effect : effects) {
+      parameter.effects.push_back(effect);
+      parameter.phase = std::max(parameter.phase, phaseOf(effect, *scene_));
+    }
+  }
+}
+
+void StudyParameterReader::readLevels(const Parameters& list, design::Axis& axis) {
+  Names given;
+  const auto allOf = [&](const Names& entries) {
+    const auto count = std::count_if(entries.begin(), entries.end(), [&](const auto& e) { return list.has(e); });
+    if (count == 0) return false;
+    given.push_back(base::joinNames(entries));
+    if (count == static_cast<std::ptrdiff_t>(entries.size())) return true;
+    errors_.add(list.where(), base::joinNames(entries) + " belong together, but not all of them are given.");
+    return false;
+  };
+  if (allOf({"Values"})) axis.levels = list.numbers("Values");
+  // Values in between are found from the difference.
+  const auto demandDifference = [&](const char* first, const char* last) {
+    if (std::isfinite(list.number(last) - list.number(first))) return;
+    errors_.add(list.where(last), std::string(first) + " and " + last + " are too far apart to be told by a number.");
+  };
+  if (allOf({"From", "To", "Count"})) {
+    demandDifference("From", "To");
+    axis.levels = design::evenLevels(list.number("From"), list.number("To"), list.integer("Count"));
+  }
+  if (allOf({"Lower", "Upper"})) {
+    demandDifference("Lower", "Upper");
+    axis.lower = list.number("Lower");
+    axis.upper = list.number("Upper");
+    if (axis.upper < axis.lower) errors_.add(list.where("Upper"), "Upper is less than Lower.");
+  }
+  if (list.hasList("Distribution")) given.emplace_back("a Distribution");
+  if (allOf({"Formula"}) && given.size() > 1) {
+    errors_.add(list.where("Formula"), "a derived parameter takes no values of its own.",
+                "Remove " + given.front() + ", or the formula.");
+  } else if (given.size() > 1) {
+    errors_.add(list.where(), "its values are given twice: " + given[0] + " and " + given[1] + ".",
+                "Give one of them.");
+  }
+  if (given.empty() && !isListed_) {
+    errors_.add(list.where(), "it has no values.",
+                "Give Values; or From, To, Count; or Lower, Upper; or a Distribution; or a Formula.");
+  }
+  if (list.has("Values") && axis.levels.empty()) errors_.add(list.where("Values"), "there is no value.");
+}
+
+}  // namespace harmos::study

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <harmos/design/Plan.hpp>
+#include <harmos/input/ErrorList.hpp>
+#include <harmos/input/InputTree.hpp>
+#include <harmos/input/Parameters.hpp>
+#include <harmos/probability/Distribution.hpp>
+#include <harmos/scene/Scene.hpp>
+#include <harmos/study/StudyPhase.hpp>
+
+namespace harmos::study {
+
+/// A parameter of a study and what it does to the scene.
+struct StudyParameter {
+  std::string name;
+  std::string unit;
+  std::string formula;               // of a derived parameter, else empty
+  std::string where;                 // it stands, for messages
+  std::vector<std::string> entries;  // of the scene that it sets, "List/Sublist/Name"
+  std::vector<std::string> effects;  // where these entries are used
+  StudyPhase phase = StudyPhase::nothing;
+  bool isRandom = false;
+  std::shared_ptr<const probability::Distribution> distribution;  // of a random parameter; null when it has errors
+};
+
+/// Reports a name that cannot head a column of the results or, of a parameter, stand in formulas.
+void checkStudyName(const input::Parameters& list, input::ErrorList& errors);
+
+/// Reads the parameters of a study one after the other and holds them against its scene.
+class StudyParameterReader {
+ public:
+  /// `scene` is made of `tree`; null when it has errors, then entries are not checked. `directory`: of the study's
+  /// file. `isListed`: values come from a table, so that a parameter needs none. All must outlive the reader.
+  StudyParameterReader(const input::InputTree& tree, const scene::Scene* scene, const input::ParameterSpec& sceneSpec,
+                       std::string directory, bool isListed, input::ErrorList& errors)
+      : tree_(tree),
+        scene_(scene),
+        spec_(sceneSpec),
+        directory_(std::move(directory)),
+        isListed_(isListed),
+        errors_(errors) {}
+
+  void read(const input::Parameters& list);
+  const std::vector<StudyParameter>& parameters() const { return parameters_; }
+  /// The same parameters as a design sees them.
+  const std::vector<design::PlannedParameter>& planned() const { return planned_; }
+
+ private:
+  void readEntries(const input::Parameters& list, StudyParameter& parameter);
+  void readLevels(const input::Parameters& list, design::Axis& axis);
+
+  const input::InputTree& tree_;
+  const scene::Scene* scene_;
+  const input::ParameterSpec& spec_;
+  std::string directory_;
+  bool isListed_;
+  input::ErrorList& errors_;
+  std::vector<StudyParameter> parameters_;
+  std::vector<design::PlannedParameter> planned_;
+};
+
+}  // namespace harmos::study

@@ -1,0 +1,87 @@
+#include <harmos/study/StudyRun.hpp>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/scene/SceneRun.hpp>
+#include <harmos/study/detail/ChaosStudy.hpp>
+#include <harmos/study/detail/StochasticFields.hpp>
+#include <harmos/study/detail/StochasticStatistics.hpp>
+#include <harmos/study/detail/StudyIdentity.hpp>
+#include <harmos/study/detail/StudyRunner.hpp>
+
+namespace harmos::study {
+
+namespace {
+
+int exitCodeOf(const results::StudyResults& results) {
+  const auto count = [&](results::Status status) { return results.count(status); };
+  const int solved = count(results::Status::certified) + count(results::Status::calibrated);
+  const int unbalanced = count(results::Status::noEquilibrium);
+  if (solved == results.count()) return static_cast<int>(base::ExitCode::ok);
+  return static_cast<int>(solved + unbalanced == results.count() ? base::ExitCode::noEquilibrium
+                                                                 : base::ExitCode::notConverged);
+}
+
+}  // namespace
+
+StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry& laws,
+                        const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  base::Timers timers;
+  StudyRunResult run{
+      std::make_unique<const Study>(readStudy(request.study, request.overrides, request.pointsFile, laws)),
+      {},
+      {},
+      files::StudyFiles(request.directory, request.study),
+      "",
+      0};
+  const Study& study = *run.study;
+  run.description = std::make_unique<const results::StudyDescription>(describe(study));
+  run.results = std::make_unique<results::StudyResults>(*run.description);
+  // The points of an adaptive design follow from all results so far.
+  StudyTeams teams(comm, study.isAdaptive() ? comm->getSize() : request.ranksPerConfiguration);
+
+  // What is wrong with the mesh is known before anything is written.
+  const auto groups = groupByOperators(study.parameters, study.configurations);
+  std::unique_ptr<StudyGroup> onlyGroup;
+  std::unique_ptr<ChaosStudy> chaos;
+  if (study.isChaos()) chaos = std::make_unique<ChaosStudy>(study, laws, comm, timers);
+  if (groups.size() == 1) {
+    onlyGroup = std::make_unique<StudyGroup>(study, groups.front(), laws, teams.team(), timers);
+  } else {
+    scene::makeProblem(study.scene, *teams.team(), timers);
+  }
+  StudyRecorder recorder(run.files, request.restart, *run.results, teams);
+  if (request.observer) recorder.setObserver(request.observer);
+  if (request.started) request.started(study, *run.results, recorder.damaged());
+
+  StudyRunner runner(study, laws, teams, recorder, request.interrupted, timers);
+  latin::Outcome outcome = latin::Outcome::certified;
+  try {
+    if (chaos) {
+      chaos->setInterrupt(request.interrupted);
+      if (teams.ownsFiles() && request.message) chaos->setObserver(request.message);
+      outcome = chaos->solve();
+      if (teams.ownsFiles()) recorder.note("expansions", describe(*chaos, outcome));
+    }
+    runner.run(std::move(onlyGroup));
+    run.state = runner.isAborted() ? "aborted" : runner.isStopped() ? "interrupted" : "complete";
+    if (study.stochastic && run.state == "complete" && (!chaos || chaos->isSolved())) {
+      recorder.setStatistics(summarise(study, *run.results, chaos.get()));
+      if (chaos) writeStochasticFields(study, *chaos, run.files.stochastic, *comm);
+    }
+  } catch (...) {
+    recorder.finish("interrupted");
+    throw;
+  }
+  recorder.finish(run.state);
+  run.exitCode = run.state == "aborted"                 ? static_cast<int>(base::ExitCode::failure)
+                 : run.state == "interrupted"           ? 130
+                 : outcome != latin::Outcome::certified ? scene::exitCodeOf(outcome)
+                                                        : exitCodeOf(*run.results);
+  // Rank 0 alone knows all results.
+  Teuchos::broadcast(*comm, 0, Teuchos::outArg(run.exitCode));
+  return run;
+}
+
+}  // namespace harmos::study

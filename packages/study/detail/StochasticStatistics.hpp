@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <harmos/results/StochasticSummary.hpp>
+#include <harmos/results/StudyResults.hpp>
+#include <harmos/study/Study.hpp>
+#include <harmos/study/detail/ChaosStudy.hpp>
+
+namespace harmos::study {
+
+/// What a study with random parameters comes to, once its configurations are done. `chaos` of a study of that type,
+/// else null; then collective over its communicator, and the answer of rank 0 of all counts, which knows all results.
+/// Null when configurations that an expansion or interpolation needs have no solution.
+std::shared_ptr<const results::StochasticSummary> summarise(const Study& study, const results::StudyResults& results,
+                                                            const ChaosStudy* chaos);
+
+/// How expansions were solved for, in one sentence.
+std::string describe(const ChaosStudy& chaos, latin::Outcome outcome);
+
+}  // namespace harmos::study

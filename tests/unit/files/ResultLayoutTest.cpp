@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <harmos/files/ResultLayout.hpp>
+
+using namespace harmos;
+
+namespace {
+
+// Two unit cubes along x that share the nodes of the plane x = 1, and the interface there.
+struct SharedFace {
+  SharedFace() {
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 2; ++k)
+        for (int j = 0; j < 2; ++j) mesh.nodes.push_back({1.0 * i, 1.0 * j, 1.0 * k});
+    mesh.blocks = {{"left", 1, mesh::ElementType::hex8, {0, 4, 5, 1, 2, 6, 7, 3}},
+                   {"right", 2, mesh::ElementType::hex8, {4, 8, 9, 5, 6, 10, 11, 7}}};
+    parts = {mesh::makePart(mesh, "left", {"left"}), mesh::makePart(mesh, "right", {"right"})};
+    surface.name = "joint";
+    surface.part1 = 0;
+    surface.part2 = 1;
+    surface.node1 = {4, 5, 6, 7};
+    surface.node2 = {0, 1, 2, 3};
+    surface.face = {{0, 1, 3, 2}};
+  }
+  mesh::Mesh mesh;
+  std::vector<mesh::Part> parts;
+  mesh::InterfaceSurface surface;
+};
+
+}  // namespace
+
+TEST(ResultLayout, NodesAreDoubledAtInterfaces) {
+  const SharedFace scene;
+  const auto layout = files::layOutParts(scene.mesh, scene.parts, {scene.surface});
+  EXPECT_EQ(layout.mesh.nodes.size(), 16u);
+  EXPECT_EQ(layout.firstNode, (std::vector<int>{0, 8}));
+  ASSERT_EQ(layout.mesh.blocks.size(), 2u);
+  EXPECT_EQ(layout.mesh.blocks[1].name, "right");
+  EXPECT_EQ(layout.mesh.blocks[1].connectivity, (std::vector<int>{8, 12, 13, 9, 10, 14, 15, 11}));
+  EXPECT_EQ(layout.element[1], std::vector<int>{1});
+}
+
+TEST(ResultLayout, SidesOfInterfacesBecomeSideSets) {
+  const SharedFace scene;
+  const auto layout = files::layOutParts(scene.mesh, scene.parts, {scene.surface});
+  ASSERT_EQ(layout.mesh.sideSets.size(), 2u);
+  EXPECT_EQ(layout.mesh.sideSets[0].name, "joint_1");
+  EXPECT_EQ(layout.mesh.sideSets[0].element, std::vector<int>{0});
+  EXPECT_EQ(layout.mesh.sideSets[0].side, std::vector<int>{1});  // +x of an Exodus hexahedron, from 0
+  EXPECT_EQ(layout.mesh.sideSets[1].element, std::vector<int>{1});
+  EXPECT_EQ(layout.mesh.sideSets[1].side, std::vector<int>{3});  // -x
+}
+
+TEST(ResultLayout, BoundariesWithoutFacesBecomeNodeSetsAndPoints) {
+  SharedFace scene;
+  mesh::InterfaceSurface fixed;
+  fixed.name = "left";  // as the part: sets and blocks must not share a name
+  fixed.part1 = 0;
+  fixed.node1 = {0, 1};
+  const auto parts = files::layOutParts(scene.mesh, scene.parts, {fixed});
+  ASSERT_EQ(parts.mesh.nodeSets.size(), 1u);
+  EXPECT_EQ(parts.mesh.nodeSets[0].name, "left_set");
+  EXPECT_EQ(parts.mesh.nodeSets[0].node, (std::vector<int>{0, 1}));
+  const auto interfaces = files::layOutInterfaces(scene.mesh, scene.parts, {fixed});
+  ASSERT_EQ(interfaces.mesh.blocks.size(), 1u);
+  EXPECT_EQ(interfaces.mesh.blocks[0].type, "SPHERE");
+  EXPECT_EQ(interfaces.mesh.blocks[0].elements(), 2);
+}
+
+TEST(ResultLayout, InterfacesAreSurfacesOfPairs) {
+  const SharedFace scene;
+  auto second = scene.surface;
+  second.name = "other";
+  const auto layout = files::layOutInterfaces(scene.mesh, scene.parts, {scene.surface, second});
+  EXPECT_EQ(layout.firstPair, (std::vector<int>{0, 4}));
+  ASSERT_EQ(layout.mesh.blocks.size(), 2u);
+  EXPECT_EQ(layout.mesh.blocks[0].type, "SHELL4");
+  EXPECT_EQ(layout.mesh.blocks[1].name, "other");
+  EXPECT_EQ(layout.mesh.blocks[1].connectivity, (std::vector<int>{4, 5, 7, 6}));
+  EXPECT_EQ(layout.mesh.nodes[0], (mesh::Point{1.0, 0.0, 0.0}));
+}

@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include <harmos/input/Registry.hpp>
+
+#include "Sample.hpp"
+
+namespace harmos::input {
+namespace {
+
+struct Shape {
+  virtual ~Shape() = default;
+  virtual double area() const = 0;
+};
+
+struct Square final : Shape {
+  explicit Square(double s) : side(s) {}
+  double area() const override { return side * side; }
+  double side;
+};
+
+TEST(Registry, BuildsByTypeAndNamesTheNearest) {
+  Registry<Shape> shapes;
+  ParameterSpec spec("Square");
+  spec.number("Side").required();
+  const auto factory = [](const Parameters& p) { return std::make_unique<Square>(p.number("Side")); };
+  shapes.add(spec, factory);
+  Parameters p("shape");
+  p.set("Type", std::string("Square")).set("Side", 3.0);
+  EXPECT_EQ(shapes.create(p)->area(), 9.0);
+  EXPECT_EQ(shapes.forms().size(), 1u);
+  p.set("Type", std::string("square"));
+  EXPECT_EQ(messageOf([&] { shapes.create(p); }),
+            "shape: unknown type \"square\".\n  Did you mean \"Square\"? Allowed: Square.");
+  EXPECT_EQ(messageOf([&] { shapes.add(spec, factory); }), "\"Square\" is registered already.");
+}
+
+}  // namespace
+}  // namespace harmos::input

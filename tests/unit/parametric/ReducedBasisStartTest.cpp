@@ -1,0 +1,194 @@
+#include <gtest/gtest.h>
+
+#include <harmos/parametric/ConfigurationIteration.hpp>
+
+#include "../latin/Chains.hpp"
+
+namespace harmos::parametric {
+namespace {
+
+constexpr int steps = 4;
+
+/// Two chains pressed together and dragged to and fro; the parameter multiplies friction, pressure or way.
+class Dragged : public testing::Test {
+ protected:
+  Dragged()
+      : assembly_(latin::twoChains(friction(0.3), drag(1.0), steps)),
+        fixedPoint_(assembly_, {}, latin::self(), timers_),
+        states_(20) {}
+
+  static std::shared_ptr<const laws::InterfaceLaw> friction(double coefficient) {
+    return laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", coefficient}});
+  }
+  static std::shared_ptr<const laws::InterfaceLaw> drag(double way) {
+    return laws::makeLaw("Prescribed Displacement", {{"X", -0.15}, {"Y", 0.1 * way}, {"Z", 0.02 * way}},
+                         {{"Y", {0.2, 1.0, 0.8, -1.0}}});
+  }
+  base::Matrix zero() const { return base::Matrix(fixedPoint_.layout().rows(), steps); }
+  double residualAt(const base::Matrix& alpha) {
+    base::Matrix image(zero());
+    fixedPoint_.apply(alpha, image);
+    image -= alpha;
+    return fixedPoint_.metric().norm(image);
+  }
+  /// Iterates to round-off and stores the solution.
+  base::Matrix solve(int id, double value) {
+    base::Matrix alpha(zero()), image(zero());
+    for (int i = 0; i < 2000; ++i) {
+      fixedPoint_.apply(alpha, image);
+      for (int t = 0; t < steps; ++t) {
+        for (int row = 0; row < alpha.numRows(); ++row) alpha(row, t) = 0.5 * (alpha(row, t) + image(row, t));
+      }
+    }
+    fixedPoint_.apply(alpha, image);
+    states_.widen({value});
+    states_.add(id, {value}, alpha, fixedPoint_.beta());
+    return alpha;
+  }
+
+  /// What the reduced basis gives for all load steps without a solve; expects the states that it is made of.
+  base::Matrix startOf(const std::vector<int>& states, double value, int neighbours) {
+    const base::Matrix offset(zero());
+    base::Matrix alpha(zero());
+    ReducedBasisStart start(fixedPoint_);
+    start.begin(states_, {value}, neighbours, offset);
+    EXPECT_EQ(start.starts(), states);
+    for (int t = 0; t < steps; ++t) {
+      fixedPoint_.select({t});
+      start.find(t, 0.0);
+      std::copy_n(start.state()[0], alpha.numRows(), alpha[t]);
+      base::Matrix traction(alpha.numRows(), 1);
+      start.settle(t, start.state(), start.beta());
+      fixedPoint_.localStage().begin();
+      fixedPoint_.localStage().solveColumn(0, start.beta(), traction);
+      fixedPoint_.localStage().accept();
+      fixedPoint_.startFromHere();
+    }
+    fixedPoint_.startUnloaded();
+    fixedPoint_.selectAll();
+    return alpha;
+  }
+
+  base::Timers timers_;
+  assembly::Assembly assembly_;
+  latin::FixedPoint fixedPoint_;
+  SolvedStates states_;
+};
+
+// While all stick the solution is affine in the way: two states span it.
+TEST_F(Dragged, AreFoundInTheSpanOfTwo) {
+  assembly_.interfaces[2].law = drag(0.01);
+  solve(1, 0.01);
+  assembly_.interfaces[2].law = drag(0.02);
+  solve(2, 0.02);
+  assembly_.interfaces[2].law = drag(0.04);
+  const base::Matrix start = startOf({2, 1}, 0.04, 5);
+  EXPECT_LT(residualAt(start), 1e-5 * fixedPoint_.metric().norm(start));  // states are kept in single precision
+}
+
+// With slip to and fro it is not; the start is no worse than the nearest state.
+TEST_F(Dragged, HaveAStartBetterThanTheNearestState) {
+  std::vector<base::Matrix> solutions;
+  for (int id = 1; id <= 3; ++id) {
+    assembly_.interfaces[1].law = friction(0.1 * id);
+    solutions.push_back(solve(id, 0.1 * id));
+  }
+  assembly_.interfaces[1].law = friction(0.24);
+  EXPECT_LT(residualAt(startOf({2, 3, 1}, 0.24, 3)), 0.5 * residualAt(solutions[1]));
+}
+
+// The way of the iteration: the error of an estimated response goes to 0 with its indicator, from a start or without.
+TEST_F(Dragged, AreSolvedByAMarch) {
+  for (int id = 1; id <= 3; ++id) {
+    assembly_.interfaces[1].law = friction(0.1 * id);
+    solve(id, 0.1 * id);
+  }
+  assembly_.interfaces[1].law = friction(0.24);
+  const base::Matrix exact = solve(4, 0.24);
+  const std::vector<std::shared_ptr<const latin::Response>> none;
+  SolvedStates three(3), empty(1);
+  three.widen({0.1});
+  three.widen({0.3});
+  base::Matrix alpha(zero()), linear(zero());
+  for (int i = 0; i < 3; ++i) {
+    states_.copy(i, alpha, linear);
+    three.add(i + 1, {0.1 * (i + 1)}, alpha, linear);
+  }
+  ConfigurationIteration iteration(fixedPoint_, none, 3, 10, timers_);
+  int stages[2];
+  for (const bool isWarm : {false, true}) {
+    iteration.begin(isWarm ? three : empty, {0.24});
+    EXPECT_EQ(iteration.starts().size(), isWarm ? 3u : 0u);
+    Indicators indicators;
+    for (int i = 0; i < 5; ++i) indicators = iteration.march({1e-9, 1e-9});
+    EXPECT_LT(indicators.force, 1e-8);
+    EXPECT_LT(indicators.response, 1e-8);
+    base::Matrix error(iteration.alpha());
+    error -= exact;
+    EXPECT_LT(fixedPoint_.metric().norm(error), 1e-6 * fixedPoint_.metric().norm(exact));
+    base::Matrix image(zero());
+    fixedPoint_.apply(iteration.alpha(), image);
+    base::Matrix linearError(iteration.linear());
+    linearError -= fixedPoint_.beta();
+    EXPECT_LT(linearError.normInf(), 1e-9 * fixedPoint_.beta().normInf());
+    iteration.begin(isWarm ? three : empty, {0.24});
+    iteration.march({1e-3, 1e-3});
+    stages[isWarm] = iteration.stages();
+  }
+  EXPECT_LT(stages[1], stages[0]);
+}
+
+// A gauge knows the imbalance of a load step alone from what f balanced before.
+TEST_F(Dragged, ShowTheImbalanceOfASingleStep) {
+  const std::vector<std::shared_ptr<const latin::Response>> none;
+  Gauge gauge(fixedPoint_, none);
+  base::Matrix alpha = solve(1, 0.3), image(zero());
+  EXPECT_EQ(gauge.imbalance(0, base::Matrix(alpha.numRows(), 1)), 0.0);
+  alpha.scale(1.1);
+  fixedPoint_.apply(alpha, image);
+  const Indicators disturbed = gauge.measure(alpha, image);
+  double largest = 0.0;
+  for (int t = 0; t < steps; ++t) {
+    base::Matrix one(Teuchos::Copy, fixedPoint_.hattedTraction(), alpha.numRows(), 1, 0, t);
+    largest = std::max(largest, gauge.imbalance(t, one));
+  }
+  EXPECT_NEAR(largest, disturbed.response * gauge.force(), 1e-12 * gauge.force());
+  gauge.forgetLoads();
+  EXPECT_EQ(gauge.imbalance(0, base::Matrix(alpha.numRows(), 1)), 0.0);
+}
+
+// The gap between f and f^ at a point: body "left" carries what the joint does not balance.
+TEST_F(Dragged, ShowTheirImbalance) {
+  const std::vector<std::shared_ptr<const latin::Response>> responses = {
+      std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<mesh::Point>{})};
+  base::Matrix alpha = solve(1, 0.3), image(zero());
+  fixedPoint_.apply(alpha, image);
+  Gauge gauge(fixedPoint_, responses);
+  const Indicators solved = gauge.measure(alpha, image);
+  EXPECT_LT(solved.force, 1e-8);
+  EXPECT_LT(solved.response, 1e-8);
+  alpha.scale(1.1);
+  fixedPoint_.apply(alpha, image);
+  const Indicators disturbed = gauge.measure(alpha, image);
+  EXPECT_GT(disturbed.force, 1e-3);
+  double largest = 0.0;
+  for (int t = 0; t < steps; ++t) {
+    for (const auto& [first, second] :
+         {std::pair(fixedPoint_.layout().begin(0, 0), fixedPoint_.layout().begin(1, 0)),
+          std::pair(fixedPoint_.layout().begin(1, 1), fixedPoint_.layout().begin(2, 0))}) {
+      std::array<double, 3> sum{};
+      for (int c = 0; c < 3; ++c) {
+        for (int row : {first + c, second + c}) {
+          sum[static_cast<std::size_t>(c)] += fixedPoint_.hattedTraction()(row, t) - fixedPoint_.traction()(row, t);
+        }
+      }
+      largest = std::max(largest, std::hypot(sum[0], sum[1], sum[2]));
+    }
+  }
+  double size = 0.0;
+  for (double value : responses[0]->evaluate(fixedPoint_)) size = std::max(size, std::abs(value));
+  EXPECT_NEAR(disturbed.response, largest / size, 1e-12);
+}
+
+}  // namespace
+}  // namespace harmos::parametric

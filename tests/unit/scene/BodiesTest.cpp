@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <harmos/scene/MeshSource.hpp>
+
+#include "Sample.hpp"
+
+namespace harmos::scene {
+namespace {
+
+TEST(Bodies, PiecesKeepTheInputOfTheirPart) {
+  const Scene scene = sample({"Parts/lower/Pieces=2"});
+  const mesh::Mesh mesh = makeMesh(scene.input.list("Mesh"), "");
+  input::ErrorList errors;
+  const Bodies bodies = makeBodies(scene, mesh, errors);
+  ASSERT_EQ(errors.count(), 0);
+  ASSERT_EQ(bodies.parts.size(), 3u);
+  EXPECT_EQ(bodies.inputs[0]->name(), "lower");
+  EXPECT_EQ(bodies.inputs[1]->name(), "lower");
+  EXPECT_EQ(bodies.inputs[2]->name(), "upper");
+}
+
+TEST(Bodies, EqualBodiesAreFoundButNotAcrossFormulations) {
+  for (const std::string formulation : {"Full Integration", "B-Bar"}) {
+    const Scene scene = sample({"Parts/upper/Formulation=" + formulation});
+    const mesh::Mesh mesh = makeMesh(scene.input.list("Mesh"), "");
+    input::ErrorList errors;
+    const auto congruences = findCongruences(makeBodies(scene, mesh, errors), mesh);
+    EXPECT_EQ(congruences[0], nullptr);
+    EXPECT_EQ(congruences[1] != nullptr, formulation == "Full Integration");
+  }
+}
+
+TEST(Bodies, LargestGoFirstToTheLeastBusyRank) {
+  Bodies bodies;
+  for (const std::size_t nodes : {10u, 100u, 60u, 50u}) {
+    bodies.parts.emplace_back();
+    bodies.parts.back().nodes.resize(nodes);
+  }
+  EXPECT_EQ(distribute(bodies, 1), (std::vector<int>{0, 0, 0, 0}));
+  EXPECT_EQ(distribute(bodies, 2), (std::vector<int>{1, 0, 1, 1}));
+}
+
+}  // namespace
+}  // namespace harmos::scene

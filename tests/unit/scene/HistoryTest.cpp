@@ -1,0 +1,30 @@
+#include <gtest/gtest.h>
+
+#include <harmos/scene/detail/History.hpp>
+
+namespace harmos::scene {
+namespace {
+
+TEST(History, TableIsLinearBetweenAndConstantOutside) {
+  input::Parameters table("table");
+  table.set("Type", std::string("Table"))
+      .set("Times", std::vector<double>{1, 2, 4})
+      .set("Values", std::vector<double>{0, 1, -1});
+  input::ErrorList errors;
+  EXPECT_EQ(historyFactors(table, {0, 1, 1.5, 2, 3, 4, 9}, errors), (std::vector<double>{0, 0, 0.5, 1, 0, -1, -1}));
+  EXPECT_EQ(errors.count(), 0);
+}
+
+TEST(History, RampGrowsFromStartToEnd) {
+  input::Parameters ramp("ramp");
+  ramp.set("Type", std::string("Ramp")).set("Start", 1.0).set("End", 3.0);
+  input::ErrorList errors;
+  EXPECT_EQ(historyFactors(ramp, {0, 1, 2, 3, 4}, errors), (std::vector<double>{0, 0, 0.5, 1, 1}));
+  EXPECT_EQ(errors.count(), 0);
+  ramp.set("End", 1.0);
+  historyFactors(ramp, {0}, errors);
+  EXPECT_EQ(errors.count(), 1);
+}
+
+}  // namespace
+}  // namespace harmos::scene
