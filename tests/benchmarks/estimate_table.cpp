@@ -1,5 +1,5 @@
 // Error estimates beside true errors, as a page in Markdown, also on standard output:
-//   estimate_table --write docs/accuracy.md xml/bolted_joint.xml xml/glued_assembly.xml xml/gap.xml
+//   estimate_table --write docs/method/accuracy.md xml/bolted_joint.xml xml/glued_assembly.xml xml/gap.xml
 //   tests/verification/*/*.xml
 // Every scene is solved with all search directions and algorithms below, the bolted joint also displacement-driven;
 // scenes that their tests complete with parts are left out. Options: --accuracy A (1e-3); --iterations N (600), the
@@ -245,7 +245,7 @@ int measure(std::vector<std::string> arguments) {
   }
   Page page(file);
   page << "# Accuracy: error estimates beside true errors\n\nWritten by\n\n    build/tests/benchmarks/estimate_table "
-          "--write docs/accuracy.md xml/bolted_joint.xml xml/glued_assembly.xml xml/gap.xml "
+          "--write docs/method/accuracy.md xml/bolted_joint.xml xml/glued_assembly.xml xml/gap.xml "
           "tests/verification/*/*.xml\n\n";
   page << "Every run asks for an accuracy of " + shown(accuracy, "%g") + " and may take " + std::to_string(iterations) +
               " linear stages, a third of that where k scale is 1e-3 or 1e3 and beyond. The estimate is the largest of "
