@@ -23,7 +23,7 @@ struct Assembly {
   bool isAffine() const {
     return std::all_of(interfaces.begin(), interfaces.end(), [](const Interface& one) { return one.law->isAffine(); });
   }
-  int ownerOf(int body) const { return owner.empty() ? 0 : owner[static_cast<std::size_t>(body)]; }
+  int ownerOf(int body) const { return owner.empty() ? 0 : owner[body]; }
 };
 
 }  // namespace harmos::assembly

@@ -19,7 +19,7 @@ constexpr double factorOfBonds = 3.0;
 std::vector<std::vector<double>> nodalDiagonals(const Assembly& assembly, const Teuchos::Comm<int>& comm) {
   std::vector<int> offset{0};
   for (const auto& body : assembly.bodies) offset.push_back(offset.back() + static_cast<int>(body.nodes.size()));
-  std::vector<double> local(static_cast<std::size_t>(offset.back()), 0.0);
+  std::vector<double> local(offset.back(), 0.0);
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     const auto& body = assembly.bodies[b];
     if (body.stiffness.is_null() || assembly.ownerOf(static_cast<int>(b)) != comm.getRank()) continue;
@@ -35,9 +35,9 @@ std::vector<std::vector<double>> nodalDiagonals(const Assembly& assembly, const 
     result[b].assign(all.begin() + offset[b], all.begin() + offset[b + 1]);
     if (!body.congruence) continue;
     // The trace of a node's diagonal block does not change under a rigid motion.
-    const int from = offset[static_cast<std::size_t>(body.congruence->representative)];
+    const int from = offset[body.congruence->representative];
     for (std::size_t a = 0; a < body.congruence->node.size(); ++a) {
-      result[b][static_cast<std::size_t>(body.congruence->node[a])] = all[static_cast<std::size_t>(from) + a];
+      result[b][body.congruence->node[a]] = all[static_cast<std::size_t>(from) + a];
     }
   }
   return result;
@@ -59,12 +59,12 @@ SearchDirection::SearchDirection(const Assembly& assembly, double scale, const T
   const auto diagonals = nodalDiagonals(assembly, comm);
   for (const Interface& interface : assembly.interfaces) {
     const double weight = scale * factor * (interface.law->bonds() ? factorOfBonds : 1.0);
-    std::vector<double> k(static_cast<std::size_t>(interface.pairs()));
+    std::vector<double> k(interface.pairs());
     for (std::size_t p = 0; p < k.size(); ++p) {
       double softness = 0.0;
       for (int side = 0; side < interface.sides(); ++side) {
         const auto body = static_cast<std::size_t>(interface.body(side));
-        const double stiffness = diagonals[body][static_cast<std::size_t>(interface.nodes(side)[p])];
+        const double stiffness = diagonals[body][interface.nodes(side)[p]];
         if (!(stiffness > 0.0)) {
           throw base::Error("part \"" + assembly.bodies[body].name +
                             "\": the stiffness matrix has the diagonal entry " + std::to_string(stiffness) +

@@ -20,7 +20,7 @@ class SearchDirection {
   /// Collective over comm. `scale` multiplies the automatic value, > 0. Throws base::Error when a body has a
   /// non-positive diagonal.
   SearchDirection(const Assembly& assembly, double scale, const Teuchos::Comm<int>& comm);
-  const std::vector<double>& of(int interfaceIndex) const { return k_[static_cast<std::size_t>(interfaceIndex)]; }
+  const std::vector<double>& of(int interfaceIndex) const { return k_[interfaceIndex]; }
 
  private:
   std::vector<std::vector<double>> k_;

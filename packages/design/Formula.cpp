@@ -93,7 +93,7 @@ double Formula::evaluate(const std::vector<double>& values) const {
   std::vector<std::string> given;
   for (const std::string& name : variables()) {
     const auto at = std::find(parser_->names.begin(), parser_->names.end(), name) - parser_->names.begin();
-    given.push_back(name + " = " + base::toText(values[static_cast<std::size_t>(at)]));
+    given.push_back(name + " = " + base::toText(values[at]));
   }
   const std::string place = given.empty() ? "" : " at " + base::joinNames(given);
   if (!isInvalid) {

@@ -6,7 +6,7 @@ std::vector<std::vector<double>> germsOf(const Design& design, int count, const 
   const Axis unit{"", {}, 0.0, 1.0};
   const double least = 0.5 / count;
   std::vector<std::vector<double>> germs;
-  for (auto& point : design.points(std::vector<Axis>(static_cast<std::size_t>(variables.dimension()), unit))) {
+  for (auto& point : design.points(std::vector<Axis>(variables.dimension(), unit))) {
     for (double& u : point) u = u > 0.0 ? u : least;
     germs.push_back(variables.germs(point));
   }

@@ -6,7 +6,7 @@ namespace harmos::design {
 
 std::vector<std::vector<double>> LatinHypercubeDesign::points(const std::vector<Axis>& axes) const {
   RandomNumbers random(seed_);
-  std::vector<std::vector<double>> points(static_cast<std::size_t>(count_));
+  std::vector<std::vector<double>> points(count_);
   for (const Axis& axis : axes) {
     const std::vector<int> strata = random.permutation(count_);
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -42,7 +42,7 @@ Plan::Plan(std::vector<PlannedParameter> parameters, const std::vector<Condition
     const auto ready = std::find_if(waiting.begin(), waiting.end(), [&](const Derived& derived) {
       const auto needed = derived.formula.variables();
       return std::all_of(needed.begin(), needed.end(), [&](const std::string& name) {
-        return isKnown[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
+        return isKnown[std::find(names.begin(), names.end(), name) - names.begin()];
       });
     });
     if (ready == waiting.end()) {

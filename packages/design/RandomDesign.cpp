@@ -6,7 +6,7 @@ namespace harmos::design {
 
 std::vector<std::vector<double>> RandomDesign::points(const std::vector<Axis>& axes) const {
   RandomNumbers random(seed_);
-  std::vector<std::vector<double>> points(static_cast<std::size_t>(count_));
+  std::vector<std::vector<double>> points(count_);
   for (auto& point : points) {
     for (const Axis& axis : axes) point.push_back(axis.at(random.fraction()));
   }

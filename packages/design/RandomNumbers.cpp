@@ -10,10 +10,10 @@ double RandomNumbers::fraction() {
 }
 
 std::vector<int> RandomNumbers::permutation(int count) {
-  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::vector<int> numbers(count);
   std::iota(numbers.begin(), numbers.end(), 0);
   for (std::size_t left = numbers.size(); left > 1; --left) {
-    std::swap(numbers[left - 1], numbers[static_cast<std::size_t>(fraction() * static_cast<double>(left))]);
+    std::swap(numbers[left - 1], numbers[fraction() * static_cast<double>(left)]);
   }
   return numbers;
 }

@@ -16,7 +16,7 @@ std::vector<std::vector<double>> SobolDesign::points(const std::vector<Axis>& ax
   if (seed_ != 0) {
     for (auto& digits : shift) digits = static_cast<std::uint64_t>(std::ldexp(random.fraction(), 53));
   }
-  std::vector<std::vector<double>> points(static_cast<std::size_t>(count_));
+  std::vector<std::vector<double>> points(count_);
   for (auto& point : points) {
     for (std::size_t a = 0; a < axes.size(); ++a) {
       point.push_back(axes[a].at(std::ldexp(static_cast<double>(sequence() ^ shift[a]), -53)));

@@ -116,11 +116,11 @@ bool Surrogate::solve(const Points& points, const std::vector<double>& values, S
   system.factor.shape(n, n);
   system.trend.shape(n, terms);
   for (int j = 0; j < n; ++j) {
-    const auto& x = points[static_cast<std::size_t>(j)];
-    for (int i = j; i < n; ++i) system.factor(i, j) = correlation(points[static_cast<std::size_t>(i)], x);
+    const auto& x = points[j];
+    for (int i = j; i < n; ++i) system.factor(i, j) = correlation(points[i], x);
     system.factor(j, j) += model_.nugget;
     const auto f = monomials(x);
-    for (int k = 0; k < terms; ++k) system.trend(j, k) = f[static_cast<std::size_t>(k)];
+    for (int k = 0; k < terms; ++k) system.trend(j, k) = f[k];
   }
   if (!factorCholesky(system.factor)) return false;
   solveTriangular(system.factor, false, system.trend);
@@ -204,7 +204,7 @@ void Surrogate::calibrate() {
   double sum = 0.0;
   for (int i = 0; i < n; ++i) {
     const double q = dot(inverse[i], inverse[i], n) - dot(trend[i], trend[i], trend.numRows());
-    const double error = std::abs(system_.weights[static_cast<std::size_t>(i)]) / q;
+    const double error = std::abs(system_.weights[i]) / q;
     const double expected = std::sqrt(system_.variance / q);
     ratios.push_back(expected > 0.0 ? error / expected : 0.0);
     largestLeftOutError_ = std::max(largestLeftOutError_, error);
@@ -218,7 +218,7 @@ void Surrogate::calibrate() {
 double Surrogate::deviation(const System& system, const Points& points, const std::vector<double>& x) const {
   const int n = static_cast<int>(points.size());
   base::Matrix r(n, 1);
-  for (int i = 0; i < n; ++i) r(i, 0) = correlation(points[static_cast<std::size_t>(i)], x);
+  for (int i = 0; i < n; ++i) r(i, 0) = correlation(points[i], x);
   solveTriangular(system.factor, false, r);
   base::Matrix u = column(monomials(x));
   u.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, system.trend, r, -1.0);

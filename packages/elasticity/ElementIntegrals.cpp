@@ -49,12 +49,12 @@ bool integrateIn(const ReferenceElement& reference, const mesh::Point* const* co
     double jacobian[D][D] = {};
     for (int a = 0; a < nodes; ++a) {
       for (int i = 0; i < D; ++i) {
-        for (int k = 0; k < D; ++k) jacobian[i][k] += (*corners[a])[static_cast<std::size_t>(i)] * local[D * a + k];
+        for (int k = 0; k < D; ++k) jacobian[i][k] += (*corners[a])[i] * local[D * a + k];
       }
     }
     double cofactor[D][D], determinant;
     if (!invert(jacobian, cofactor, determinant)) return false;
-    const double weight = reference.weight[static_cast<std::size_t>(point)] * determinant;
+    const double weight = reference.weight[point] * determinant;
     double gradient[ElementIntegrals::maximumDofs];
     for (int a = 0; a < nodes; ++a) {
       for (int i = 0; i < D; ++i) {
@@ -65,8 +65,8 @@ bool integrateIn(const ReferenceElement& reference, const mesh::Point* const* co
     }
     result.volume += weight;
     const double* value = reference.value.data() + point * nodes;
-    for (int a = 0; a < nodes; ++a) result.value[static_cast<std::size_t>(a)] += weight * value[a];
-    for (int i = 0; i < dofs; ++i) result.gradient[static_cast<std::size_t>(i)] += weight * gradient[i];
+    for (int a = 0; a < nodes; ++a) result.value[a] += weight * value[a];
+    for (int i = 0; i < dofs; ++i) result.gradient[i] += weight * gradient[i];
     if (!withProduct) continue;
     for (int i = 0; i < dofs; ++i) {
       const double factor = weight * gradient[i];

@@ -32,9 +32,8 @@ std::vector<ElementGroup> groupsOf(const mesh::Mesh& mesh, const mesh::Part& par
     }
     if (!group.inBlock.empty()) {
       if (mesh::dimensionOf(block.type) != dimensionOf(kinematics)) {
-        throw base::Error("Kinematics " + kinematicsNames()[static_cast<std::size_t>(kinematics)] +
-                              " does not suit the " + mesh::exodusName(block.type) + " elements of " +
-                              nameOf(mesh, part, group, 0) + ".",
+        throw base::Error("Kinematics " + kinematicsNames()[kinematics] + " does not suit the " +
+                              mesh::exodusName(block.type) + " elements of " + nameOf(mesh, part, group, 0) + ".",
                           base::ExitCode::input);
       }
       groups.push_back(std::move(group));
@@ -49,7 +48,7 @@ std::vector<ElementGroup> groupsOf(const mesh::Mesh& mesh, const mesh::Part& par
 }
 
 std::string nameOf(const mesh::Mesh& mesh, const mesh::Part& part, const ElementGroup& group, int element) {
-  int number = group.inBlock[static_cast<std::size_t>(element)] + 1;
+  int number = group.inBlock[element] + 1;
   const std::string inBlock = std::to_string(number);
   for (const mesh::ElementBlock* block = mesh.blocks.data(); block != group.block; ++block) number += block->elements();
   return "part \"" + part.name + "\", element " + inBlock + " of block \"" + group.block->name + "\" (element " +

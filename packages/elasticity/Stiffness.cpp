@@ -22,7 +22,7 @@ struct NodeGraph {
     };
     std::vector<std::size_t> start(nodes + 1, 0);
     for (const ElementGroup& group : groups) {
-      for (const int node : group.nodes) ++start[static_cast<std::size_t>(node) + 1];
+      for (const int node : group.nodes) ++start[node + 1];
     }
     for (std::size_t node = 0; node < nodes; ++node) start[node + 1] += start[node];
     std::vector<Touch> touches(start[nodes]);
@@ -30,7 +30,7 @@ struct NodeGraph {
     for (const ElementGroup& group : groups) {
       const int perElement = group.nodesPerElement();
       for (std::size_t k = 0; k < group.nodes.size(); ++k) {
-        touches[next[static_cast<std::size_t>(group.nodes[k])]++] = {&group, static_cast<int>(k) / perElement};
+        touches[next[group.nodes[k]]++] = {&group, static_cast<int>(k) / perElement};
       }
     }
     std::vector<int> lastSeenBy(nodes, -1);
@@ -42,7 +42,7 @@ struct NodeGraph {
         const int perElement = group.nodesPerElement();
         for (int a = 0; a < perElement; ++a) {
           const int neighbour = nodesOfElement[a];
-          int& seenBy = lastSeenBy[static_cast<std::size_t>(neighbour)];
+          int& seenBy = lastSeenBy[neighbour];
           if (seenBy == static_cast<int>(node)) continue;
           seenBy = static_cast<int>(node);
           neighbours.push_back(neighbour);
@@ -53,11 +53,9 @@ struct NodeGraph {
     }
   }
 
-  int degree(int node) const {
-    return static_cast<int>(pointers[static_cast<std::size_t>(node) + 1] - pointers[static_cast<std::size_t>(node)]);
-  }
+  int degree(int node) const { return static_cast<int>(pointers[node + 1] - pointers[node]); }
   int positionOf(int neighbour, int node) const {
-    const int* begin = neighbours.data() + pointers[static_cast<std::size_t>(node)];
+    const int* begin = neighbours.data() + pointers[node];
     return static_cast<int>(std::lower_bound(begin, begin + degree(node), neighbour) - begin);
   }
 };

@@ -29,7 +29,7 @@ const int* nodesOf(const ResultMesh::Block& block, int element) {
 }
 
 const Point& position(const ResultMesh& mesh, int node) {
-  return mesh.nodes[static_cast<std::size_t>(node)];
+  return mesh.nodes[node];
 }
 
 std::vector<Point> centres(const ResultMesh& mesh, const ResultMesh::Block& block) {
@@ -50,7 +50,7 @@ std::vector<std::vector<int>> loops(const std::string& type, const std::vector<i
   if (const auto known = mesh::elementTypeFromExodus(type, 3, static_cast<int>(nodes.size()))) {
     for (int side = 0; side < mesh::sidesPerElement(*known); ++side) {
       auto& loop = result.emplace_back();
-      for (const int k : mesh::sideNodes(*known, side)) loop.push_back(nodes[static_cast<std::size_t>(k)]);
+      for (const int k : mesh::sideNodes(*known, side)) loop.push_back(nodes[k]);
     }
   } else {
     result.push_back(nodes);
@@ -71,19 +71,19 @@ class BlockMatch {
     const mesh::PointSearch search(centresB);
     std::vector<bool> taken(centresB.size(), false);
     for (int e = 0; e < blockA.elements(); ++e) {
-      const auto& centre = centresA[static_cast<std::size_t>(e)];
+      const auto& centre = centresA[e];
       const int numberInA = firstA + e;
       const auto candidates = search.within(centre, tolerance_);
       const auto found = std::find_if(candidates.begin(), candidates.end(), [&](int candidate) {
-        return !taken[static_cast<std::size_t>(candidate)] && tryElement(blockA, e, blockB, candidate);
+        return !taken[candidate] && tryElement(blockA, e, blockB, candidate);
       });
       if (found == candidates.end()) {
         match_.mismatch.push_back("block " + blockA.name + ": no element of the second file fits element " +
                                   std::to_string(numberInA + 1) + " of the first with its centre at " + text(centre));
         return;  // one sentence per block is enough: the others are seldom different
       }
-      taken[static_cast<std::size_t>(*found)] = true;
-      match_.element[static_cast<std::size_t>(numberInA)] = firstB + *found;
+      taken[*found] = true;
+      match_.element[numberInA] = firstB + *found;
     }
   }
 
@@ -93,20 +93,18 @@ class BlockMatch {
     const int* nodesA = nodesOf(blockA, elementA);
     const int* nodesB = nodesOf(blockB, elementB);
     const int count = blockA.nodesPerElement;
-    std::vector<int> partner(static_cast<std::size_t>(count), -1);
+    std::vector<int> partner(count, -1);
     for (int i = 0; i < count; ++i) {
       for (int j = 0; j < count; ++j) {
         // Elements may start with another node in the other file; a node once paired keeps its partner.
-        const int earlier = match_.node[static_cast<std::size_t>(nodesA[i])];
+        const int earlier = match_.node[nodesA[i]];
         if (earlier >= 0 && earlier != nodesB[j]) continue;
-        if (distance(position(a_, nodesA[i]), position(b_, nodesB[j])) <= tolerance_)
-          partner[static_cast<std::size_t>(i)] = nodesB[j];
+        if (distance(position(a_, nodesA[i]), position(b_, nodesB[j])) <= tolerance_) partner[i] = nodesB[j];
       }
-      if (partner[static_cast<std::size_t>(i)] < 0) return false;
+      if (partner[i] < 0) return false;
     }
     if (loops(blockA.type, partner) != loops(blockB.type, {nodesB, nodesB + count})) return false;
-    for (int i = 0; i < count; ++i)
-      match_.node[static_cast<std::size_t>(nodesA[i])] = partner[static_cast<std::size_t>(i)];
+    for (int i = 0; i < count; ++i) match_.node[nodesA[i]] = partner[i];
     return true;
   }
 
@@ -150,8 +148,8 @@ std::vector<int> faceKey(const ResultMesh& mesh, int element, int side) {
 
 /// The key of a face of A in the numbers of B.
 std::vector<int> inB(std::vector<int> key, const EntityMatch& match) {
-  key[0] = match.element[static_cast<std::size_t>(key[0])];
-  for (std::size_t i = 2; i < key.size(); ++i) key[i] = match.node[static_cast<std::size_t>(key[i])];
+  key[0] = match.element[key[0]];
+  for (std::size_t i = 2; i < key.size(); ++i) key[i] = match.node[key[i]];
   return key;
 }
 
@@ -186,7 +184,7 @@ void compareMembers(const ResultMesh& a, const ResultMesh& b, EntityMatch& match
     const auto& partner = named(set.name, b.nodeSets);
     std::multiset<int> nodes(partner.node.begin(), partner.node.end());
     for (const int node : set.node) {
-      const int other = match.node[static_cast<std::size_t>(node)];
+      const int other = match.node[node];
       if (other < 0) continue;  // of no element
       const auto found = nodes.find(other);
       if (found == nodes.end()) {
@@ -204,7 +202,7 @@ void compareMembers(const ResultMesh& a, const ResultMesh& b, EntityMatch& match
 EntityMatch matchEntities(const ResultMesh& a, const ResultMesh& b, double tolerance) {
   EntityMatch match;
   match.node.assign(a.nodes.size(), -1);
-  match.element.assign(static_cast<std::size_t>(a.elements()), -1);
+  match.element.assign(a.elements(), -1);
   requireSameCount(a.nodes.size(), b.nodes.size(), "nodes", match);
   requireSameCount(a.blocks.size(), b.blocks.size(), "blocks", match);
   compareSets(

@@ -51,7 +51,7 @@ int positionOf(const std::string& name, const std::vector<std::string>& names) {
 std::string place(const ResultMesh& mesh, VariableKind kind, int entity) {
   std::ostringstream text;
   if (kind == VariableKind::nodal) {
-    const auto& point = mesh.nodes[static_cast<std::size_t>(entity)];
+    const auto& point = mesh.nodes[entity];
     text << "(" << point[0] << ", " << point[1] << ", " << point[2] << ")";
   } else {
     int first = 0;
@@ -71,7 +71,7 @@ VariableDifference compareVariable(const ExodusResults& a, const ExodusResults& 
                                    int indexB, const std::vector<int>& partner, const Tolerance& tolerance) {
   VariableDifference result;
   result.kind = kind;
-  result.name = namesOf(a.variables(), kind)[static_cast<std::size_t>(indexA)];
+  result.name = namesOf(a.variables(), kind)[indexA];
   result.tolerance = tolerance;
   int worst = -1;
   for (int step = 0; step < static_cast<int>(a.times().size()); ++step) {
@@ -79,7 +79,7 @@ VariableDifference compareVariable(const ExodusResults& a, const ExodusResults& 
     for (std::size_t i = 0; i < valuesA.size(); ++i) {
       const int j = kind == VariableKind::global ? 0 : partner[i];
       if (j < 0) continue;  // a node of no element
-      const double valueB = valuesB[static_cast<std::size_t>(j)];
+      const double valueB = valuesB[j];
       const double difference = tolerance.difference(valuesA[i], valueB);
       if (difference > result.difference) {
         result.difference = difference;

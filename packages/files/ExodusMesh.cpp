@@ -121,7 +121,7 @@ class Reader {
       refuse("its mesh is too large.");
     mesh_.dimension = static_cast<int>(sizes.num_dim);
     std::array<std::vector<double>, 3> coordinates;
-    for (auto& axis : coordinates) axis.assign(static_cast<std::size_t>(sizes.num_nodes), 0.0);
+    for (auto& axis : coordinates) axis.assign(sizes.num_nodes, 0.0);
     check(ex_get_coord(id_, coordinates[0].data(), coordinates[1].data(), coordinates[2].data()), "its coordinates");
     for (std::size_t i = 0; i < coordinates[0].size(); ++i) {
       mesh_.nodes.push_back({coordinates[0][i], coordinates[1][i], coordinates[2][i]});

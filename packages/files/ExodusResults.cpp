@@ -69,7 +69,7 @@ ExodusResults::ExodusResults(const std::string& path) : path_(path), file_(Exodu
     file_.check(ex_get_truth_table(file_.id(), EX_ELEM_BLOCK, static_cast<int>(blockIds_.size()),
                                    static_cast<int>(variables_.element.size()), truth_.data()),
                 "read the truth table");
-  times_.resize(static_cast<std::size_t>(ex_inquire_int(file_.id(), EX_INQ_TIME)));
+  times_.resize(ex_inquire_int(file_.id(), EX_INQ_TIME));
   if (!times_.empty()) file_.check(ex_get_all_times(file_.id(), times_.data()), "read the times");
   checkSize();
 }
@@ -105,7 +105,7 @@ void ExodusResults::readBlocks() {
     block.name = nameOf(id, EX_ELEM_BLOCK, number, "block");
     block.type = parameters.topology;
     block.nodesPerElement = static_cast<int>(std::max<int64_t>(parameters.num_nodes_per_entry, 1));
-    std::vector<int> connectivity(static_cast<std::size_t>(parameters.num_entry * parameters.num_nodes_per_entry));
+    std::vector<int> connectivity(parameters.num_entry * parameters.num_nodes_per_entry);
     if (!connectivity.empty())
       file_.check(ex_get_conn(id, EX_ELEM_BLOCK, number, connectivity.data(), nullptr, nullptr),
                   "read block " + block.name);
@@ -126,7 +126,7 @@ void ExodusResults::readSets() {
       const std::string name = nameOf(id, kind, number, sides ? "side_set" : "node_set");
       int size = 0, factors = 0;
       file_.check(ex_get_set_param(id, kind, number, &size, &factors), "read set " + name);
-      std::vector<int> entries(static_cast<std::size_t>(size)), extra(sides ? entries.size() : 0);
+      std::vector<int> entries(size), extra(sides ? entries.size() : 0);
       if (size > 0)
         file_.check(ex_get_set(id, kind, number, entries.data(), sides ? extra.data() : nullptr), "read set " + name);
       const std::string where = path_ + ": set " + name;
@@ -164,7 +164,7 @@ double ExodusResults::global(int step, int variable) const {
   std::vector<double> values(variables_.global.size());
   file_.check(ex_get_var(file_.id(), step + 1, EX_GLOBAL, 1, 0, static_cast<int64_t>(values.size()), values.data()),
               "read the global variables");
-  return values[static_cast<std::size_t>(variable)];
+  return values[variable];
 }
 
 std::vector<double> ExodusResults::nodal(int step, int variable) const {
@@ -172,18 +172,18 @@ std::vector<double> ExodusResults::nodal(int step, int variable) const {
   if (!values.empty())
     file_.check(
         ex_get_var(file_.id(), step + 1, EX_NODAL, variable + 1, 1, static_cast<int64_t>(values.size()), values.data()),
-        "read " + variables_.nodal[static_cast<std::size_t>(variable)]);
+        "read " + variables_.nodal[variable]);
   return values;
 }
 
 std::vector<double> ExodusResults::element(int step, int variable) const {
-  std::vector<double> values(static_cast<std::size_t>(mesh_.elements()), 0.0);
+  std::vector<double> values(mesh_.elements(), 0.0);
   double* begin = values.data();
   for (std::size_t b = 0; b < blockIds_.size(); ++b) {
     const int elements = mesh_.blocks[b].elements();
     if (elements > 0 && truth_[b * variables_.element.size() + static_cast<std::size_t>(variable)] != 0)
       file_.check(ex_get_var(file_.id(), step + 1, EX_ELEM_BLOCK, variable + 1, blockIds_[b], elements, begin),
-                  "read " + variables_.element[static_cast<std::size_t>(variable)]);
+                  "read " + variables_.element[variable]);
     begin += elements;
   }
   return values;

@@ -230,7 +230,7 @@ std::vector<std::string> Hdf5Source::textValues() const {
 
 std::vector<double> Hdf5Source::values() const {
   const Hdf5Handle space(demandRead(H5Dget_space(handle_), "an array"), H5Sclose, "an array");
-  std::vector<double> result(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  std::vector<double> result(H5Sget_simple_extent_npoints(space));
   demandRead(H5Dread(handle_, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.data()), "an array");
   return result;
 }

@@ -113,7 +113,7 @@ PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Part>& p
         if (found == skins[at(p)].end()) continue;  // a face of the other side that this mesh does not have
         const auto position =
             std::lower_bound(part.elements.begin(), part.elements.end(), found->second.element) - part.elements.begin();
-        sideSets[name].element.push_back(layout.element[at(p)][static_cast<std::size_t>(position)]);
+        sideSets[name].element.push_back(layout.element[at(p)][position]);
         sideSets[name].side.push_back(found->second.side);
       }
     }

@@ -24,7 +24,7 @@ ResultStep zeroStep(const ResultMesh& mesh, const ResultVariables& variables, do
   ResultStep step;
   step.time = time;
   step.nodal.assign(variables.nodal.size(), std::vector<double>(mesh.nodes.size(), 0.0));
-  step.element.assign(variables.element.size(), std::vector<double>(static_cast<std::size_t>(mesh.elements()), 0.0));
+  step.element.assign(variables.element.size(), std::vector<double>(mesh.elements(), 0.0));
   step.global.assign(variables.global.size(), 0.0);
   return step;
 }

@@ -12,7 +12,7 @@ using results::StochasticSummary;
 
 /// Quantiles of a germ, to draw it elsewhere: of even probabilities, and of a few in the tails.
 void writeGerm(const Hdf5Group& group, const probability::RandomVector& variables, int i) {
-  const probability::Distribution& distribution = *variables.variables()[static_cast<std::size_t>(i)].distribution;
+  const probability::Distribution& distribution = *variables.variables()[i].distribution;
   const std::string name = distribution.name();
   const bool isNormal = !variables.isIndependent() || name == "Normal" || name == "Lognormal";
   group.attribute("germ", isNormal ? std::string("Normal") : name);
@@ -25,10 +25,10 @@ void writeGerm(const Hdf5Group& group, const probability::RandomVector& variable
       levels.push_back(1.0 - tail);
     }
   }
-  std::vector<double> point(static_cast<std::size_t>(variables.dimension()), 0.5);
+  std::vector<double> point(variables.dimension(), 0.5);
   for (const double level : levels) {
-    point[static_cast<std::size_t>(i)] = level;
-    quantiles.push_back(variables.germs(point)[static_cast<std::size_t>(i)]);
+    point[i] = level;
+    quantiles.push_back(variables.germs(point)[i]);
   }
   group.array("germ_levels", levels);
   group.array("germ_quantiles", quantiles);
@@ -36,7 +36,7 @@ void writeGerm(const Hdf5Group& group, const probability::RandomVector& variable
 
 /// What is needed to evaluate the polynomials elsewhere: their recurrence, and how a parameter follows from its germ.
 void writeVariable(const Hdf5Group& group, const probability::RandomVector& variables, int i) {
-  const probability::Distribution& distribution = *variables.variables()[static_cast<std::size_t>(i)].distribution;
+  const probability::Distribution& distribution = *variables.variables()[i].distribution;
   group.attribute("distribution", std::string(distribution.name()));
   group.attribute("mean", distribution.mean());
   group.attribute("standard_deviation", distribution.standardDeviation());
@@ -65,7 +65,7 @@ void writeBasis(const Hdf5Group& group, const probability::Basis& basis) {
   const probability::RandomVector& variables = basis.variables();
   group.array("degrees", degrees, static_cast<std::size_t>(variables.dimension()));
   for (int i = 0; i < variables.dimension(); ++i) {
-    const Hdf5Group germ = group.group(variables.variables()[static_cast<std::size_t>(i)].name);
+    const Hdf5Group germ = group.group(variables.variables()[i].name);
     writeVariable(germ, variables, i);
     writeGerm(germ, variables, i);
     const probability::Polynomials& polynomials = variables.polynomials(i);

@@ -81,7 +81,7 @@ std::vector<double> StoredExpansions::evaluate(const std::vector<double>& point)
   std::vector<double> values(coefficients_.size(), 0.0);
   for (std::size_t a = 0; a < indices_.size(); ++a) {
     double product = 1.0;
-    for (std::size_t g = 0; g < at.size(); ++g) product *= polynomials[g][static_cast<std::size_t>(indices_[a][g])];
+    for (std::size_t g = 0; g < at.size(); ++g) product *= polynomials[g][indices_[a][g]];
     for (std::size_t r = 0; r < values.size(); ++r) values[r] += coefficients_[r][a] * product;
   }
   return values;

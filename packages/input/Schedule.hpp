@@ -12,9 +12,7 @@ class Schedule {
  public:
   Schedule(double constant = 0.0) : values_{constant} {}
   explicit Schedule(std::vector<double> perStep) : values_(std::move(perStep)) {}
-  double operator[](int step) const {
-    return values_.size() == 1 ? values_[0] : values_[static_cast<std::size_t>(step)];
-  }
+  double operator[](int step) const { return values_.size() == 1 ? values_[0] : values_[step]; }
 
  private:
   std::vector<double> values_;

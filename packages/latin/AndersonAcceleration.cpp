@@ -35,7 +35,7 @@ void AndersonAcceleration::restart() {
 
 void AndersonAcceleration::reserve(int rows, int columns) {
   if (!steps_.empty()) return;
-  steps_.resize(static_cast<std::size_t>(columns));
+  steps_.resize(columns);
   for (Step& step : steps_) {
     step.residuals.shape(rows, memory_);
     step.images.shape(rows, memory_);
@@ -93,7 +93,7 @@ void AndersonAcceleration::scaleResidual(const base::Matrix& alpha, const base::
   residual_.shapeUninitialized(alpha.numRows(), alpha.numCols());
   for (int t = 0; t < alpha.numCols(); ++t) {
     for (int row = 0; row < alpha.numRows(); ++row) {
-      residual_[t][row] = metric_.scale()[static_cast<std::size_t>(row)] * (image[t][row] - alpha[t][row]);
+      residual_[t][row] = metric_.scale()[row] * (image[t][row] - alpha[t][row]);
     }
   }
 }
@@ -105,7 +105,7 @@ std::vector<AndersonAcceleration::Sizes> AndersonAcceleration::measure(const bas
     for (int row = 0; row < image.numRows(); ++row) {
       const double residual = residual_[i][row];
       const double change = started_ ? residual - lastResidual_[i][row] : residual;
-      const double value = metric_.scale()[static_cast<std::size_t>(row)] * image[i][row];
+      const double value = metric_.scale()[row] * image[i][row];
       sums[3 * t] += residual * residual;
       sums[3 * t + 1] += change * change;
       sums[3 * t + 2] += value * value;
@@ -176,7 +176,7 @@ double AndersonAcceleration::extrapolate(const Step& step, const Sizes& size, co
   blas.GEMV(Teuchos::NO_TRANS, residual_.numRows(), stored_, 1.0, step.images.values(), step.images.stride(),
             gamma.data(), 1, 0.0, extrapolation, 1);
   double remaining = size.residual;
-  for (int j = 0; j < stored_; ++j) remaining -= products[j] * gamma[static_cast<std::size_t>(j)];
+  for (int j = 0; j < stored_; ++j) remaining -= products[j] * gamma[j];
   return remaining;
 }
 

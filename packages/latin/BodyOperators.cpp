@@ -26,7 +26,7 @@ void addRotated(const mesh::Frame& q, bool transposed, int dimension, const doub
   Vector3 x{};
   std::copy(from, from + dimension, x.begin());
   const Vector3 y = rotate(q, x, transposed);
-  for (int c = 0; c < dimension; ++c) to[c] += y[static_cast<std::size_t>(c)];
+  for (int c = 0; c < dimension; ++c) to[c] += y[c];
 }
 
 /// What the interfaces add to a body's operator, in the numbering of its representative (toMaster empty: its own).
@@ -37,8 +37,7 @@ substructure::BoundaryTerm boundaryTerm(const assembly::Assembly& assembly,
   const int dimension = assembly.dimension;
   substructure::BoundaryTerm term;
   term.dimension = dimension;
-  term.diagonal.assign(
-      assembly.bodies[static_cast<std::size_t>(body)].nodes.size() * static_cast<std::size_t>(dimension), 0.0);
+  term.diagonal.assign(assembly.bodies[body].nodes.size() * static_cast<std::size_t>(dimension), 0.0);
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     const assembly::Interface& interface = assembly.interfaces[i];
     if (interface.law->prescribesTraction()) continue;
@@ -47,19 +46,19 @@ substructure::BoundaryTerm boundaryTerm(const assembly::Assembly& assembly,
       if (interface.body(side) != body) continue;
       std::vector<int> nodes = interface.nodes(side);
       if (!toMaster.empty()) {
-        for (int& node : nodes) node = toMaster[static_cast<std::size_t>(node)];
+        for (int& node : nodes) node = toMaster[node];
       }
       if (interface.mass.empty()) {
         for (std::size_t p = 0; p < nodes.size(); ++p) {
           for (int c = 0; c < dimension; ++c) {
             const int dof = nodes[p] * dimension + c;
-            term.diagonal[static_cast<std::size_t>(dof)] += k[p] * interface.area[p];
+            term.diagonal[dof] += k[p] * interface.area[p];
           }
         }
       }
       for (const assembly::MassEntry& entry : interface.mass) {
         const auto row = static_cast<std::size_t>(entry.row);
-        term.entries.push_back({nodes[row], nodes[static_cast<std::size_t>(entry.column)], k[row] * entry.value});
+        term.entries.push_back({nodes[row], nodes[entry.column], k[row] * entry.value});
       }
     }
   }
@@ -123,7 +122,7 @@ BodyOperators::BodyOperators(const assembly::Assembly& assembly, const assembly:
       place.rotation = body.congruence->rotation;
       place.toMaster.resize(body.nodes.size());
       for (std::size_t a = 0; a < body.nodes.size(); ++a) {
-        place.toMaster[static_cast<std::size_t>(body.congruence->node[a])] = static_cast<int>(a);
+        place.toMaster[body.congruence->node[a]] = static_cast<int>(a);
       }
     }
     substructure::BoundaryTerm term = boundaryTerm(assembly, searchDirection, static_cast<int>(b), place.toMaster);
@@ -134,13 +133,13 @@ BodyOperators::BodyOperators(const assembly::Assembly& assembly, const assembly:
       place.group = static_cast<int>(groups_.size());
       groups_.emplace_back();
       std::vector<int> trace = traceOf(term);
-      groups_.back().solver = std::make_unique<substructure::SubstructureSolver>(
-          assembly.bodies[static_cast<std::size_t>(master)].stiffness, term, options, body.name, trace);
+      groups_.back().solver = std::make_unique<substructure::SubstructureSolver>(assembly.bodies[master].stiffness,
+                                                                                 term, options, body.name, trace);
       if (groups_.back().solver->solvesTrace()) groups_.back().trace = std::move(trace);
       terms.push_back(std::move(term));
       masters.push_back(master);
     }
-    Group& group = groups_[static_cast<std::size_t>(place.group)];
+    Group& group = groups_[place.group];
     place.member = static_cast<int>(group.bodies.size());
     group.bodies.push_back(static_cast<int>(b));
   }
@@ -150,10 +149,10 @@ BodyOperators::BodyOperators(const assembly::Assembly& assembly, const assembly:
 
 void BodyOperators::mapBlocks(const assembly::Assembly& assembly, const TraceLayout& layout) {
   for (const TraceLayout::Block& block : layout.blocks()) {
-    const Place& place = places_[static_cast<std::size_t>(block.body)];
-    const std::vector<int>& trace = groups_[static_cast<std::size_t>(place.group)].trace;
+    const Place& place = places_[block.body];
+    const std::vector<int>& trace = groups_[place.group].trace;
     BlockMap map{&place, block.begin, {}};
-    for (int node : assembly.interfaces[static_cast<std::size_t>(block.interface)].nodes(block.side)) {
+    for (int node : assembly.interfaces[block.interface].nodes(block.side)) {
       const int dof = masterDof(place, node);
       const auto row = std::lower_bound(trace.begin(), trace.end(), dof) - trace.begin();
       map.row.push_back(trace.empty() ? dof : static_cast<int>(row));
@@ -170,8 +169,8 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
     if (body.loads.numRows() > 0) loads_[b] += body.loads;
   }
   for (const assembly::Interface& interface : assembly.interfaces) {
-    if (!interface.law->prescribesTraction() || places_[static_cast<std::size_t>(interface.body1)].group < 0) continue;
-    base::Matrix& loads = loads_[static_cast<std::size_t>(interface.body1)];
+    if (!interface.law->prescribesTraction() || places_[interface.body1].group < 0) continue;
+    base::Matrix& loads = loads_[interface.body1];
     for (int t = 0; t < allSteps_; ++t) {
       const std::vector<double> force = prescribedForces(interface, dimension_, t);
       for (std::size_t i = 0; i < force.size(); ++i) {
@@ -181,14 +180,14 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
     }
   }
   for (Group& group : groups_) {
-    const int dofs = loads_[static_cast<std::size_t>(group.bodies[0])].numRows();
+    const int dofs = loads_[group.bodies[0]].numRows();
     const int columns = static_cast<int>(group.bodies.size()) * allSteps_;
     group.loads.shape(dofs, columns);
     for (int body : group.bodies) {
-      const Place& place = places_[static_cast<std::size_t>(body)];
+      const Place& place = places_[body];
       for (int t = 0; t < allSteps_; ++t) {
         for (int node = 0; node < dofs / dimension_; ++node) {
-          const double* from = loads_[static_cast<std::size_t>(body)][t] + node * dimension_;
+          const double* from = loads_[body][t] + node * dimension_;
           double* to = group.loads[place.member * allSteps_ + t] + masterDof(place, node);
           if (place.rotates) {
             addRotated(place.rotation, true, dimension_, from, to);
@@ -220,7 +219,7 @@ void BodyOperators::solve(const base::Matrix& forces, int first, int count) {
     const int rows = group.right.numRows();
     for (std::size_t m = 0; m < group.bodies.size(); ++m) {
       for (int t = first; t < first + count; ++t) {
-        const double* loads = group.loads[static_cast<int>(m) * allSteps_ + steps_[static_cast<std::size_t>(t)]];
+        const double* loads = group.loads[static_cast<int>(m) * allSteps_ + steps_[t]];
         double* right = group.right[static_cast<int>(m) * columns + t];
         if (group.trace.empty()) {
           std::copy(loads, loads + rows, right);
@@ -231,7 +230,7 @@ void BodyOperators::solve(const base::Matrix& forces, int first, int count) {
     }
   }
   for (const BlockMap& block : blocks_) {
-    Group& group = groups_[static_cast<std::size_t>(block.place->group)];
+    Group& group = groups_[block.place->group];
     for (int t = first; t < first + count; ++t) {
       const double* from = forces[t] + block.begin;
       double* to = group.right[block.place->member * columns + t];
@@ -280,9 +279,9 @@ void BodyOperators::solveGroup(Group& group, int first, int count) {
   group.hasWhole = false;
   for (int m = 0; m < members; ++m) {
     for (int t = first; t < first + count; ++t) {
-      const double* loaded = group.loaded[m * allSteps_ + steps_[static_cast<std::size_t>(t)]];
+      const double* loaded = group.loaded[m * allSteps_ + steps_[t]];
       double* solution = group.solution[m * columns + t];
-      for (int row = 0; row < rows; ++row) solution[row] += loaded[group.trace[static_cast<std::size_t>(row)]];
+      for (int row = 0; row < rows; ++row) solution[row] += loaded[group.trace[row]];
     }
   }
 }
@@ -293,7 +292,7 @@ const base::Matrix& BodyOperators::wholeSolution(const Group& group) const {
   const int columns = static_cast<int>(steps_.size());
   base::Matrix right(group.loads.numRows(), group.right.numCols());
   for (int j = 0; j < right.numCols(); ++j) {
-    const double* loads = group.loads[j / columns * allSteps_ + steps_[static_cast<std::size_t>(j % columns)]];
+    const double* loads = group.loads[j / columns * allSteps_ + steps_[j % columns]];
     std::copy_n(loads, right.numRows(), right[j]);
     for (std::size_t row = 0; row < group.trace.size(); ++row) right[j][group.trace[row]] += group.right[j][row];
   }
@@ -305,7 +304,7 @@ const base::Matrix& BodyOperators::wholeSolution(const Group& group) const {
 void BodyOperators::trace(base::Matrix& trace, int first, int count) const {
   const int columns = static_cast<int>(steps_.size());
   for (const BlockMap& block : blocks_) {
-    const Group& group = groups_[static_cast<std::size_t>(block.place->group)];
+    const Group& group = groups_[block.place->group];
     for (int t = first; t < first + count; ++t) {
       const double* from = group.solution[block.place->member * columns + t];
       double* to = trace[t] + block.begin;
@@ -322,8 +321,8 @@ void BodyOperators::trace(base::Matrix& trace, int first, int count) const {
 }
 
 base::Matrix BodyOperators::solveBody(int body, const base::Matrix& forces) const {
-  const Place& place = places_[static_cast<std::size_t>(body)];
-  const Group& group = groups_[static_cast<std::size_t>(place.group)];
+  const Place& place = places_[body];
+  const Group& group = groups_[place.group];
   base::Matrix solution(forces.numRows(), forces.numCols());
   if (!place.rotates) {
     group.solver->solve(forces, solution);
@@ -348,8 +347,8 @@ base::Matrix BodyOperators::solveBody(int body, const base::Matrix& forces) cons
 }
 
 mesh::Point BodyOperators::displacement(int body, int node, int column) const {
-  const Place& place = places_[static_cast<std::size_t>(body)];
-  const Group& group = groups_[static_cast<std::size_t>(place.group)];
+  const Place& place = places_[body];
+  const Group& group = groups_[place.group];
   mesh::Point u{};
   const int dof = masterDof(place, node);
   const int at = place.member * static_cast<int>(steps_.size()) + column;

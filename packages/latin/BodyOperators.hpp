@@ -40,7 +40,7 @@ class BodyOperators {
   /// body that is solved on its trace, of the trace, and `share` of what its loads do to it when only k h holds it.
   double largestDisplacement(double share) const;
   /// Loads on a body's own nodes: body forces and prescribed tractions, dofs x steps.
-  const base::Matrix& loads(int body) const { return loads_[static_cast<std::size_t>(body)]; }
+  const base::Matrix& loads(int body) const { return loads_[body]; }
 
   int operators() const { return static_cast<int>(groups_.size()); }
 
@@ -73,7 +73,7 @@ class BodyOperators {
   void solveGroup(Group& group, int first, int count);
   const base::Matrix& wholeSolution(const Group& group) const;
   int masterDof(const Place& place, int node) const {
-    return dimension_ * (place.toMaster.empty() ? node : place.toMaster[static_cast<std::size_t>(node)]);
+    return dimension_ * (place.toMaster.empty() ? node : place.toMaster[node]);
   }
 
   int dimension_;

@@ -69,12 +69,12 @@ Imbalance largestImbalance(const FixedPoint& state) {
 
   std::vector<StepSums> sums(assembly.bodies.size() * steps);
   for (const TraceLayout::Block& block : state.layout().blocks()) {
-    const assembly::Interface& interface = assembly.interfaces[static_cast<std::size_t>(block.interface)];
+    const assembly::Interface& interface = assembly.interfaces[block.interface];
     const auto body = static_cast<std::size_t>(block.body);
     for (std::size_t pair = 0; pair < static_cast<std::size_t>(block.pairs); ++pair) {
       const auto row = static_cast<std::size_t>(block.begin) + pair * dimension;
       const double area = interface.area[pair];
-      mesh::Point r = assembly.bodies[body].nodes[static_cast<std::size_t>(interface.nodes(block.side)[pair])];
+      mesh::Point r = assembly.bodies[body].nodes[interface.nodes(block.side)[pair]];
       for (std::size_t c = 0; c < 3; ++c) r[c] -= extents[body].first[c];
       for (std::size_t t = 0; t < steps; ++t) {
         StepSums& sum = sums[body * steps + t];
@@ -114,10 +114,10 @@ Imbalance largestImbalance(const FixedPoint& state) {
 std::string describe(const Imbalance& imbalance, const assembly::Assembly& assembly) {
   std::ostringstream text;
   text.precision(4);
-  text << "part \"" << assembly.bodies[static_cast<std::size_t>(imbalance.body)].name << "\", load step "
-       << imbalance.step + 1 << ": unbalanced force (" << imbalance.force[0] << ", " << imbalance.force[1] << ", "
-       << imbalance.force[2] << "), moment about its centre (" << imbalance.moment[0] << ", " << imbalance.moment[1]
-       << ", " << imbalance.moment[2] << ")";
+  text << "part \"" << assembly.bodies[imbalance.body].name << "\", load step " << imbalance.step + 1
+       << ": unbalanced force (" << imbalance.force[0] << ", " << imbalance.force[1] << ", " << imbalance.force[2]
+       << "), moment about its centre (" << imbalance.moment[0] << ", " << imbalance.moment[1] << ", "
+       << imbalance.moment[2] << ")";
   return text.str();
 }
 

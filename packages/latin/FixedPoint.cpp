@@ -27,7 +27,7 @@ void FixedPoint::select(const std::vector<int>& steps) {
 }
 
 void FixedPoint::selectAll() {
-  std::vector<int> all(static_cast<std::size_t>(assembly_.steps()));
+  std::vector<int> all(assembly_.steps());
   std::iota(all.begin(), all.end(), 0);
   select(all);
 }

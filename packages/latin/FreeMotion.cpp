@@ -53,8 +53,8 @@ class Push {
     std::vector<double> sum(1, 0.0);
     visit([&](const TraceLayout::Block& block, int row, int pair) {
       if (block.body != body) return;
-      const double k = layout().stiffness()[static_cast<std::size_t>(row)];
-      sum[0] += layout().area()[static_cast<std::size_t>(row)] * k * mesh::norm(motion.at(node(block, pair)));
+      const double k = layout().stiffness()[row];
+      sum[0] += layout().area()[row] * k * mesh::norm(motion.at(node(block, pair)));
     });
     fixedPoint_.metric().sum(sum);
     return sum[0];
@@ -81,8 +81,8 @@ class Push {
       if (bodies.count(block.body) == 0) return;
       const mesh::Point way = motion.at(node(block, pair));
       for (int c = 0; c < layout().dimension(); ++c) {
-        moved[step_][row + c] += layout().stiffness()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
-                                 way[static_cast<std::size_t>(c)];
+        moved[step_][row + c] +=
+            layout().stiffness()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] * way[c];
       }
     });
     return moved;
@@ -116,8 +116,7 @@ class Push {
       const mesh::Point way = motion.at(node(block, pair));
       for (int c = 0; c < layout().dimension(); ++c) {
         sum[0] -= layout().area()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
-                  (fixedPoint_.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]) *
-                  way[static_cast<std::size_t>(c)];
+                  (fixedPoint_.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]) * way[c];
       }
     });
     fixedPoint_.metric().sum(sum);
@@ -127,9 +126,9 @@ class Push {
  private:
   const TraceLayout& layout() const { return fixedPoint_.layout(); }
   const mesh::Point& node(const TraceLayout::Block& block, int pair) const {
-    const auto& interface = fixedPoint_.assembly().interfaces[static_cast<std::size_t>(block.interface)];
-    const int index = interface.nodes(block.side)[static_cast<std::size_t>(pair)];
-    return fixedPoint_.assembly().bodies[static_cast<std::size_t>(block.body)].nodes[static_cast<std::size_t>(index)];
+    const auto& interface = fixedPoint_.assembly().interfaces[block.interface];
+    const int index = interface.nodes(block.side)[pair];
+    return fixedPoint_.assembly().bodies[block.body].nodes[index];
   }
   template <class Action>
   void visit(const Action& action) const {

@@ -70,7 +70,7 @@ void InterfaceLines::exchange(const base::Matrix& beta, int first, int count) {
 void InterfaceLines::fill(int interfaceIndex, int column, const base::Matrix& beta,
                           std::vector<laws::LocalLine>& lines) const {
   const assembly::Interface& interface = of(interfaceIndex);
-  const Joint& joint = joints_[static_cast<std::size_t>(interfaceIndex)];
+  const Joint& joint = joints_[interfaceIndex];
   const std::vector<double>& k = searchDirection_.of(interfaceIndex);
   const int dimension = layout_.dimension();
   const int pairs = interface.pairs();
@@ -79,33 +79,33 @@ void InterfaceLines::fill(int interfaceIndex, int column, const base::Matrix& be
   const double* beta1 = joint.begin1 >= 0 ? beta[column] + joint.begin1 : remote;
   const double* beta2 = interface.sides() == 1 ? nullptr : joint.begin2 >= 0 ? beta[column] + joint.begin2 : remote;
   const double sides = interface.sides();
-  lines.resize(static_cast<std::size_t>(pairs));
+  lines.resize(pairs);
   for (int p = 0; p < pairs; ++p) {
-    const double compliance = 1.0 / k[static_cast<std::size_t>(p)];
+    const double compliance = 1.0 / k[p];
     Vector3 free{};
     for (int c = 0; c < dimension; ++c) {
       const double b2 = beta2 != nullptr ? beta2[p * dimension + c] : 0.0;
-      free[static_cast<std::size_t>(c)] = compliance * (beta1[p * dimension + c] - b2);
+      free[c] = compliance * (beta1[p * dimension + c] - b2);
     }
-    laws::LocalLine& line = lines[static_cast<std::size_t>(p)];
+    laws::LocalLine& line = lines[p];
     line.compliance = sides * compliance;
-    line.freeJump = local ? toFrame(interface.frame[static_cast<std::size_t>(p)], free) : free;
+    line.freeJump = local ? toFrame(interface.frame[p], free) : free;
   }
 }
 
 double InterfaceLines::write(int interfaceIndex, int column, const laws::LocalState* states,
                              base::Matrix& traction) const {
   const assembly::Interface& interface = of(interfaceIndex);
-  const Joint& joint = joints_[static_cast<std::size_t>(interfaceIndex)];
+  const Joint& joint = joints_[interfaceIndex];
   const int dimension = layout_.dimension();
   const bool local = interface.law->frame() == laws::Frame::interface;
   double check = 0.0;
   for (int p = 0; p < interface.pairs(); ++p) {
     const Vector3& f = states[p].traction;
     check += f[0] + f[1] + f[2];
-    const Vector3 global = local ? toGlobal(interface.frame[static_cast<std::size_t>(p)], f) : f;
+    const Vector3 global = local ? toGlobal(interface.frame[p], f) : f;
     for (int c = 0; c < dimension; ++c) {
-      const double value = global[static_cast<std::size_t>(c)];
+      const double value = global[c];
       if (joint.begin1 >= 0) traction[column][joint.begin1 + p * dimension + c] = value;
       if (joint.begin2 >= 0) traction[column][joint.begin2 + p * dimension + c] = -value;
     }

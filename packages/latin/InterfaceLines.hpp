@@ -18,7 +18,7 @@ class InterfaceLines {
                  const TraceLayout& layout);
 
   /// A side of the interface is owned here and has unknowns.
-  bool isActive(int interfaceIndex) const { return joints_[static_cast<std::size_t>(interfaceIndex)].active; }
+  bool isActive(int interfaceIndex) const { return joints_[interfaceIndex].active; }
   /// Largest number of columns of a field.
   void reserve(int columns);
   /// Collective. Gets the columns first .. first + count - 1 of sides that other ranks own.
@@ -38,9 +38,7 @@ class InterfaceLines {
     std::vector<double> remote;  // beta of the side owned elsewhere, pairs x dimension x columns
   };
 
-  const assembly::Interface& of(int interfaceIndex) const {
-    return assembly_.interfaces[static_cast<std::size_t>(interfaceIndex)];
-  }
+  const assembly::Interface& of(int interfaceIndex) const { return assembly_.interfaces[interfaceIndex]; }
 
   const assembly::Assembly& assembly_;
   const assembly::SearchDirection& searchDirection_;

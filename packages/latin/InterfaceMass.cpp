@@ -6,7 +6,7 @@ void applyMass(const assembly::Interface& interface, int dimension, const double
   if (interface.mass.empty()) {
     for (int p = 0; p < interface.pairs(); ++p) {
       for (int c = 0; c < dimension; ++c) {
-        y[p * dimension + c] = interface.area[static_cast<std::size_t>(p)] * x[p * dimension + c];
+        y[p * dimension + c] = interface.area[p] * x[p * dimension + c];
       }
     }
     return;

@@ -33,7 +33,7 @@ void LinearStage::updateLoads() {
 
 void LinearStage::applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const {
   for (const TraceLayout::Block& block : layout_.blocks()) {
-    const assembly::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(block.interface)];
+    const assembly::Interface& interface = assembly_.interfaces[block.interface];
     for (int t = first; t < first + count; ++t) {
       latin::applyMass(interface, layout_.dimension(), traction[t] + block.begin, forces[t] + block.begin);
     }

@@ -69,12 +69,12 @@ void LocalStage::accept() {
 }
 
 void LocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const base::Matrix& beta, base::Matrix& traction) {
-  const assembly::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];
   lines_.fill(interfaceIndex, t, beta, joint.line);
   for (std::size_t i = 0; i < joint.jump.size(); ++i) joint.line[i / 3].freeJump[i % 3] += joint.jump[i];
 
   laws::LocalState* state = joint.state.data() + static_cast<std::size_t>(t) * joint.line.size();
-  const int step = steps_[static_cast<std::size_t>(t)];
+  const int step = steps_[t];
   interface.law->solve(step, {interface.pairs(), joint.line.data(), interface.gap.data(), joint.history[0].data(),
                               joint.history[1].data(), state});
   const double check = lines_.write(interfaceIndex, t, state, traction);

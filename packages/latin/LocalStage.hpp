@@ -43,9 +43,7 @@ class LocalStage {
   void accept();
 
   /// Status of the pairs of one interface at one step, as last solved on this rank; empty if no side is owned here.
-  const std::vector<laws::LocalState>& states(int interfaceIndex) const {
-    return joints_[static_cast<std::size_t>(interfaceIndex)].state;
-  }
+  const std::vector<laws::LocalState>& states(int interfaceIndex) const { return joints_[interfaceIndex].state; }
 
  private:
   struct Joint {

@@ -22,8 +22,8 @@ using base::Matrix;
 /// Eigenvalues in ascending order; the columns of `matrix` become the eigenvectors.
 std::vector<double> symmetricEigenvalues(Matrix& matrix) {
   const int n = matrix.numRows();
-  std::vector<double> values(static_cast<std::size_t>(n));
-  std::vector<double> work(static_cast<std::size_t>(std::max(1, 34 * n)));
+  std::vector<double> values(n);
+  std::vector<double> work(std::max(1, 34 * n));
   int info = 0;
   Teuchos::LAPACK<int, double>().SYEV('V', 'U', n, matrix.values(), matrix.stride(), values.data(), work.data(),
                                       static_cast<int>(work.size()), &info);
@@ -36,7 +36,7 @@ Matrix weighted(const assembly::Interface& interface, int dimension, const std::
   Matrix y(x.numRows(), x.numCols());
   for (int j = 0; j < x.numCols(); ++j) {
     applyMass(interface, dimension, x[j], y[j]);
-    for (int row = 0; row < y.numRows(); ++row) y(row, j) *= k[static_cast<std::size_t>(row / dimension)];
+    for (int row = 0; row < y.numRows(); ++row) y(row, j) *= k[row / dimension];
   }
   return y;
 }
@@ -48,21 +48,19 @@ Matrix rigidMotions(const assembly::Interface& interface, const std::vector<mesh
   double total = 0.0;
   for (int p = 0; p < pairs; ++p) {
     const auto i = static_cast<std::size_t>(p);
-    for (std::size_t c = 0; c < 3; ++c)
-      centre[c] += interface.area[i] * nodes[static_cast<std::size_t>(interface.node1[i])][c];
+    for (std::size_t c = 0; c < 3; ++c) centre[c] += interface.area[i] * nodes[interface.node1[i]][c];
     total += interface.area[i];
   }
   for (double& c : centre) c /= total;
   double size = 0.0;
   for (int node : interface.node1) {
-    for (std::size_t c = 0; c < 3; ++c)
-      size = std::max(size, std::abs(nodes[static_cast<std::size_t>(node)][c] - centre[c]));
+    for (std::size_t c = 0; c < 3; ++c) size = std::max(size, std::abs(nodes[node][c] - centre[c]));
   }
   if (size == 0.0) size = 1.0;
 
   Matrix motions(pairs * dimension, dimension == 3 ? 6 : 3);
   for (int p = 0; p < pairs; ++p) {
-    const mesh::Point& x = nodes[static_cast<std::size_t>(interface.node1[static_cast<std::size_t>(p)])];
+    const mesh::Point& x = nodes[interface.node1[p]];
     const double r[3] = {(x[0] - centre[0]) / size, (x[1] - centre[1]) / size, (x[2] - centre[2]) / size};
     const int row = p * dimension;
     for (int c = 0; c < dimension; ++c) motions(row + c, c) = 1.0;
@@ -91,7 +89,7 @@ Matrix orthonormal(const assembly::Interface& interface, int dimension, const st
   Matrix basis(gram.numRows(), kept);
   for (int j = 0; j < kept; ++j) {
     const int from = gram.numCols() - kept + j;
-    const double scale = 1.0 / std::sqrt(values[static_cast<std::size_t>(from)]);
+    const double scale = 1.0 / std::sqrt(values[from]);
     for (int i = 0; i < basis.numRows(); ++i) basis(i, j) = scale * gram(i, from);
   }
   Matrix modes(motions.numRows(), kept);
@@ -110,20 +108,19 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
 
   std::vector<int> localBody(assembly.bodies.size(), -1);
   for (const TraceLayout::Block& at : layout.blocks()) {
-    auto& local = localBody[static_cast<std::size_t>(at.body)];
+    auto& local = localBody[at.body];
     if (local < 0) {
       local = static_cast<int>(bodies_.size());
       bodies_.push_back({at.body, {}, {}, {}});
     }
     const auto i = static_cast<std::size_t>(at.interface);
     Block block{at.begin, local, firstMode_[i], &modes_[i], {}, {}, {}};
-    for (int m = 0; m < modes_[i].numCols(); ++m)
-      bodies_[static_cast<std::size_t>(local)].unknowns.push_back(block.modes + m);
+    for (int m = 0; m < modes_[i].numCols(); ++m) bodies_[local].unknowns.push_back(block.modes + m);
     block.force = weighted(assembly.interfaces[i], dimension, searchDirection.of(at.interface), modes_[i]);
     block.traction = modes_[i];
     for (int m = 0; m < block.traction.numCols(); ++m) {
       for (int row = 0; row < block.traction.numRows(); ++row) {
-        block.traction(row, m) *= searchDirection.of(at.interface)[static_cast<std::size_t>(row / dimension)];
+        block.traction(row, m) *= searchDirection.of(at.interface)[row / dimension];
       }
     }
     blocks_.push_back(std::move(block));
@@ -141,11 +138,10 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
     int column = 0;
     for (std::size_t i : mine) {
       const TraceLayout::Block& at = layout.blocks()[i];
-      const auto& nodes = assembly.interfaces[static_cast<std::size_t>(at.interface)].nodes(at.side);
+      const auto& nodes = assembly.interfaces[at.interface].nodes(at.side);
       for (int m = 0; m < blocks_[i].force.numCols(); ++m, ++column) {
         for (int row = 0; row < blocks_[i].force.numRows(); ++row) {
-          right(nodes[static_cast<std::size_t>(row / dimension)] * dimension + row % dimension, column) +=
-              blocks_[i].force(row, m);
+          right(nodes[row / dimension] * dimension + row % dimension, column) += blocks_[i].force(row, m);
         }
       }
     }
@@ -156,14 +152,13 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
     column = 0;
     for (std::size_t i : mine) {
       const TraceLayout::Block& at = layout.blocks()[i];
-      const auto& nodes = assembly.interfaces[static_cast<std::size_t>(at.interface)].nodes(at.side);
+      const auto& nodes = assembly.interfaces[at.interface].nodes(at.side);
       Block& block = blocks_[i];
       // Not the rows of `force`: a Teuchos matrix without columns, as that of a boundary, loses its rows when copied.
       block.reaction.shape(at.pairs * dimension, count);
       for (int j = 0; j < count; ++j) {
         for (int row = 0; row < block.reaction.numRows(); ++row) {
-          block.reaction(row, j) =
-              -response(nodes[static_cast<std::size_t>(row / dimension)] * dimension + row % dimension, j);
+          block.reaction(row, j) = -response(nodes[row / dimension] * dimension + row % dimension, j);
         }
       }
       const int modes = block.force.numCols();
@@ -203,8 +198,7 @@ void MacroProblem::buildModes(const assembly::Assembly& assembly, const assembly
       modes_.emplace_back(interface.pairs() * layout_.dimension(), 0, false);
       continue;
     }
-    const Matrix motions =
-        rigidMotions(interface, assembly.bodies[static_cast<std::size_t>(interface.body1)].nodes, layout_.dimension());
+    const Matrix motions = rigidMotions(interface, assembly.bodies[interface.body1].nodes, layout_.dimension());
     modes_.push_back(orthonormal(interface, layout_.dimension(), searchDirection.of(static_cast<int>(i)), motions));
     unknowns_ += modes_.back().numCols();
   }
@@ -214,16 +208,16 @@ void MacroProblem::factor(const assembly::Assembly& assembly, const substructure
                           const std::vector<Matrix>& contributions) {
   if (unknowns_ == 0) return;
   // Two interfaces are coupled when they meet at a body; every rank knows that pattern.
-  std::vector<std::set<int>> coupled(static_cast<std::size_t>(unknowns_));
+  std::vector<std::set<int>> coupled(unknowns_);
   std::vector<std::vector<int>> ofBody(assembly.bodies.size());
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     for (int side = 0; side < assembly.interfaces[i].sides(); ++side) {
-      auto& list = ofBody[static_cast<std::size_t>(assembly.interfaces[i].body(side))];
+      auto& list = ofBody[assembly.interfaces[i].body(side)];
       for (int m = 0; m < modes_[i].numCols(); ++m) list.push_back(firstMode_[i] + m);
     }
   }
   for (const auto& list : ofBody) {
-    for (int row : list) coupled[static_cast<std::size_t>(row)].insert(list.begin(), list.end());
+    for (int row : list) coupled[row].insert(list.begin(), list.end());
   }
   std::vector<std::size_t> rowPointers{0};
   std::vector<int> columns;
@@ -235,10 +229,8 @@ void MacroProblem::factor(const assembly::Assembly& assembly, const substructure
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const auto& unknowns = bodies_[b].unknowns;
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      const auto begin =
-          columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[static_cast<std::size_t>(unknowns[i])]);
-      const auto end =
-          columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[static_cast<std::size_t>(unknowns[i]) + 1]);
+      const auto begin = columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[unknowns[i]]);
+      const auto end = columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[unknowns[i] + 1]);
       for (std::size_t j = 0; j < unknowns.size(); ++j) {
         const auto at = static_cast<std::size_t>(std::lower_bound(begin, end, unknowns[j]) - columns.begin());
         // The mean of both triangles removes the round-off asymmetry of X.
@@ -256,8 +248,7 @@ void MacroProblem::factor(const assembly::Assembly& assembly, const substructure
   } catch (const base::Error&) {
     Matrix dense(unknowns_, unknowns_);
     for (int row = 0; row < unknowns_; ++row) {
-      for (std::size_t at = rowPointers[static_cast<std::size_t>(row)];
-           at < rowPointers[static_cast<std::size_t>(row) + 1]; ++at) {
+      for (std::size_t at = rowPointers[row]; at < rowPointers[row + 1]; ++at) {
         dense(row, columns[at]) = values[at];
       }
     }
@@ -273,7 +264,7 @@ void MacroProblem::reportFloating(const assembly::Assembly& assembly, const Matr
     for (int m = 0; m < modes_[i].numCols(); ++m) {
       if (std::abs(vectors(firstMode_[i] + m, 0)) < 1e-3) continue;
       for (int side = 0; side < 2; ++side) {
-        names.insert(assembly.bodies[static_cast<std::size_t>(assembly.interfaces[i].body(side))].name);
+        names.insert(assembly.bodies[assembly.interfaces[i].body(side)].name);
       }
     }
   }
@@ -293,7 +284,7 @@ void MacroProblem::correct(Matrix& alpha, Matrix& forces, int first, const std::
   const int count = static_cast<int>(steps.size());
   Matrix local(unknowns_, count);
   for (const Block& block : blocks_) {
-    const Body& body = bodies_[static_cast<std::size_t>(block.body)];
+    const Body& body = bodies_[block.body];
     const int unknowns = static_cast<int>(body.unknowns.size());
     if (unknowns == 0) continue;
     Matrix part(unknowns, count);
@@ -301,13 +292,13 @@ void MacroProblem::correct(Matrix& alpha, Matrix& forces, int first, const std::
               block.reaction.values(), block.reaction.stride(), forces[first] + block.begin, forces.stride(), 0.0,
               part.values(), part.stride());
     for (int t = 0; t < count; ++t) {
-      for (int j = 0; j < unknowns; ++j) local(body.unknowns[static_cast<std::size_t>(j)], t) -= part(j, t);
+      for (int j = 0; j < unknowns; ++j) local(body.unknowns[j], t) -= part(j, t);
     }
   }
   for (const Body& body : bodies_) {
     for (int t = 0; t < count; ++t) {
       for (std::size_t j = 0; j < body.unknowns.size(); ++j)
-        local(body.unknowns[j], t) += body.loads(static_cast<int>(j), steps[static_cast<std::size_t>(t)]);
+        local(body.unknowns[j], t) += body.loads(static_cast<int>(j), steps[t]);
     }
   }
   Matrix right(unknowns_, count);

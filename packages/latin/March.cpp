@@ -34,7 +34,7 @@ March::March(FixedPoint& fixedPoint, int memory, double accuracy)
 
 March::End March::iterate(int step, base::Matrix& state, double tolerance) {
   const StateMetric& metric = fixedPoint_.metric();
-  AndersonAcceleration& acceleration = accelerations_[static_cast<std::size_t>(step)];
+  AndersonAcceleration& acceleration = accelerations_[step];
   acceleration.resume();
   EquilibriumWatch watch(accuracy_);
   base::Matrix image(state.numRows(), 1);

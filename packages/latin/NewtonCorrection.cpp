@@ -35,9 +35,9 @@ void add(Matrix& to, double factor, const Matrix& x) {
 /// residual's norm and the smallest singular value that is none.
 std::pair<double, double> solveHessenberg(const Matrix& hessenberg, int columns, double beta, std::vector<double>& y) {
   Matrix h(Teuchos::Copy, hessenberg, columns + 1, columns);
-  std::vector<double> right(static_cast<std::size_t>(columns) + 1, 0.0), values(static_cast<std::size_t>(columns));
+  std::vector<double> right(static_cast<std::size_t>(columns) + 1, 0.0), values(columns);
   right[0] = beta;
-  std::vector<double> work(static_cast<std::size_t>(64 * (columns + 1)));
+  std::vector<double> work(64 * (columns + 1));
   int info = 0, rank = 0;
   double unused = 0.0;
   Teuchos::LAPACK<int, double>().GELSS(columns + 1, columns, 1, h.values(), h.stride(), right.data(), columns + 1,
@@ -48,10 +48,10 @@ std::pair<double, double> solveHessenberg(const Matrix& hessenberg, int columns,
   residual[0] = beta;
   for (int j = 0; j < columns; ++j) {
     for (int i = 0; i <= columns; ++i) {
-      residual[static_cast<std::size_t>(i)] -= hessenberg(i, j) * y[static_cast<std::size_t>(j)];
+      residual[i] -= hessenberg(i, j) * y[j];
     }
   }
-  return {norm(residual), rank > 0 ? values[static_cast<std::size_t>(rank) - 1] : 0.0};
+  return {norm(residual), rank > 0 ? values[rank - 1] : 0.0};
 }
 
 }  // namespace
@@ -83,16 +83,16 @@ NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matr
   int n = 0;
   while (n < maximumVectors) {
     shifted.assign(alpha);
-    add(shifted, difference, basis[static_cast<std::size_t>(n)]);
+    add(shifted, difference, basis[n]);
     fixedPoint_.apply(shifted, moved);
-    Matrix next(basis[static_cast<std::size_t>(n)]);
+    Matrix next(basis[n]);
     add(next, -1.0 / difference, moved);
     add(next, 1.0 / difference, image);
     for (int pass = 0; pass < 2; ++pass) {
       for (int j = 0; j <= n; ++j) {
-        const double h = metric.dot(basis[static_cast<std::size_t>(j)], next);
+        const double h = metric.dot(basis[j], next);
         hessenberg(j, n) += h;
-        add(next, -h, basis[static_cast<std::size_t>(j)]);
+        add(next, -h, basis[j]);
       }
     }
     const double length = metric.norm(next);
@@ -107,7 +107,7 @@ NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matr
     next.scale(1.0 / length);
     basis.push_back(next);
   }
-  for (int j = 0; j < n; ++j) add(result.step, y[static_cast<std::size_t>(j)], basis[static_cast<std::size_t>(j)]);
+  for (int j = 0; j < n; ++j) add(result.step, y[j], basis[j]);
   result.vectors = n;
   return result;
 }

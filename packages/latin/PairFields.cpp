@@ -36,7 +36,7 @@ void fillPrescribed(const FixedPoint& state, const assembly::Interface& interfac
 }
 
 void fillSide(const FixedPoint& state, int interfaceIndex, int side, std::vector<double>& values) {
-  const assembly::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& interface = state.assembly().interfaces[interfaceIndex];
   const int begin = state.layout().begin(interfaceIndex, side);
   if (begin < 0) return;
   const int dimension = state.layout().dimension();
@@ -49,8 +49,8 @@ void fillSide(const FixedPoint& state, int interfaceIndex, int side, std::vector
       mesh::Point f{};
       const int row = begin + static_cast<int>(p) * dimension;
       for (int c = 0; c < dimension; ++c) {
-        w[static_cast<std::size_t>(c)] = state.hattedTrace()[t][row + c];
-        f[static_cast<std::size_t>(c)] = state.hattedTraction()[t][row + c];
+        w[c] = state.hattedTrace()[t][row + c];
+        f[c] = state.hattedTraction()[t][row + c];
       }
       const laws::Vector3 localTrace = toFrame(interface.frame[p], w.data());
       for (std::size_t c = 0; c < 3; ++c) value[3 + c] += side == 0 ? -localTrace[c] : localTrace[c];
@@ -65,7 +65,7 @@ void fillSide(const FixedPoint& state, int interfaceIndex, int side, std::vector
 }  // namespace
 
 PairFields pairFields(const FixedPoint& state, int interfaceIndex) {
-  const assembly::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& interface = state.assembly().interfaces[interfaceIndex];
   PairFields fields;
   fields.pairs = interface.pairs();
   fields.steps = state.assembly().steps();

@@ -21,12 +21,12 @@ mesh::Point tractionOf(const FixedPoint& state, int interfaceIndex, int begin, i
     std::copy_n(state.traction()[t] + begin + p * dimension, dimension, f.begin());
     return f;
   }
-  const assembly::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& interface = state.assembly().interfaces[interfaceIndex];
   const laws::LocalLine line;
   laws::LocalState local;
   interface.law->solve(t, {1, &line, interface.gap.data() + p, nullptr, nullptr, &local});
   if (interface.law->frame() == laws::Frame::global) return local.traction;
-  const mesh::Frame& frame = interface.frame[static_cast<std::size_t>(p)];
+  const mesh::Frame& frame = interface.frame[p];
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) f[j] += frame[i][j] * local.traction[i];
   }
@@ -36,11 +36,11 @@ mesh::Point tractionOf(const FixedPoint& state, int interfaceIndex, int begin, i
 }  // namespace
 
 std::vector<double> DisplacementResponse::evaluate(const FixedPoint& state) const {
-  std::vector<double> values(static_cast<std::size_t>(state.assembly().steps()), 0.0);
+  std::vector<double> values(state.assembly().steps(), 0.0);
   for (const Node& node : nodes_) {
     if (!state.layout().owns(node.body)) continue;
     for (int t = 0; t < state.assembly().steps(); ++t) {
-      values[static_cast<std::size_t>(t)] += node.weight * dot(state.displacement(node.body, node.node, t), direction_);
+      values[t] += node.weight * dot(state.displacement(node.body, node.node, t), direction_);
     }
   }
   state.metric().sum(values);
@@ -48,22 +48,22 @@ std::vector<double> DisplacementResponse::evaluate(const FixedPoint& state) cons
 }
 
 std::vector<double> ResultantResponse::evaluate(const FixedPoint& state) const {
-  std::vector<double> values(static_cast<std::size_t>(state.assembly().steps()), 0.0);
+  std::vector<double> values(state.assembly().steps(), 0.0);
   for (int i : interfaces_) {
-    const assembly::Interface& interface = state.assembly().interfaces[static_cast<std::size_t>(i)];
+    const assembly::Interface& interface = state.assembly().interfaces[i];
     if (!state.layout().owns(interface.body1)) continue;
     const int begin = state.layout().begin(i, 0);
-    const auto& nodes = state.assembly().bodies[static_cast<std::size_t>(interface.body1)].nodes;
+    const auto& nodes = state.assembly().bodies[interface.body1].nodes;
     for (int p = 0; p < interface.pairs(); ++p) {
       const auto pair = static_cast<std::size_t>(p);
       const mesh::Point& direction = direction_.empty() ? interface.frame[pair][0] : direction_[0];
       mesh::Point arm = direction;
       if (!centre_.empty()) {
-        const mesh::Point& x = nodes[static_cast<std::size_t>(interface.node1[pair])];
+        const mesh::Point& x = nodes[interface.node1[pair]];
         arm = cross(direction, {x[0] - centre_[0][0], x[1] - centre_[0][1], x[2] - centre_[0][2]});
       }
       for (int t = 0; t < state.assembly().steps(); ++t) {
-        values[static_cast<std::size_t>(t)] += interface.area[pair] * dot(tractionOf(state, i, begin, p, t), arm);
+        values[t] += interface.area[pair] * dot(tractionOf(state, i, begin, p, t), arm);
       }
     }
   }
@@ -72,9 +72,9 @@ std::vector<double> ResultantResponse::evaluate(const FixedPoint& state) const {
 }
 
 std::vector<double> PairResponse::evaluate(const FixedPoint& state) const {
-  std::vector<double> values(static_cast<std::size_t>(state.assembly().steps()), 0.0);
+  std::vector<double> values(state.assembly().steps(), 0.0);
   for (int i : interfaces_) {
-    include(state.assembly().interfaces[static_cast<std::size_t>(i)], pairFields(state, i), values);
+    include(state.assembly().interfaces[i], pairFields(state, i), values);
   }
   return values;
 }
@@ -88,16 +88,16 @@ void DissipationResponse::include(const assembly::Interface& interface, const Pa
       const laws::Vector3& f = fields.traction[fields.at(t, p)];
       const laws::Vector3& now = fields.jump[fields.at(t, p)];
       const laws::Vector3 old = t > 0 ? fields.jump[fields.at(t - 1, p)] : laws::Vector3{};
-      total += interface.area[static_cast<std::size_t>(p)] * (f[1] * (now[1] - old[1]) + f[2] * (now[2] - old[2]));
+      total += interface.area[p] * (f[1] * (now[1] - old[1]) + f[2] * (now[2] - old[2]));
     }
-    values[static_cast<std::size_t>(t)] += total;
+    values[t] += total;
   }
 }
 
 void MaximumResponse::include(const assembly::Interface& interface, const PairFields& fields,
                               std::vector<double>& values) const {
   for (int t = 0; t < fields.steps; ++t) {
-    double& largest = values[static_cast<std::size_t>(t)];
+    double& largest = values[t];
     for (int p = 0; p < fields.pairs; ++p) {
       const laws::Vector3& f = fields.traction[fields.at(t, p)];
       const laws::Vector3& jump = fields.jump[fields.at(t, p)];
@@ -113,7 +113,7 @@ void MaximumResponse::include(const assembly::Interface& interface, const PairFi
           value = laws::tangentialNorm(f);
           break;
         case Field::opening:
-          value = jump[0] + interface.gap[static_cast<std::size_t>(p)];
+          value = jump[0] + interface.gap[p];
           break;
         case Field::slip:
           value = laws::tangentialNorm(jump);

@@ -13,7 +13,7 @@ base::Matrix scaledTrace(const FixedPoint& state) {
   base::Matrix trace(state.trace());
   for (int t = 0; t < trace.numCols(); ++t) {
     for (int row = 0; row < trace.numRows(); ++row) {
-      trace[t][row] *= std::sqrt(state.layout().area()[static_cast<std::size_t>(row)]);
+      trace[t][row] *= std::sqrt(state.layout().area()[row]);
     }
   }
   return trace;

@@ -21,11 +21,11 @@ void StateMetric::sum(std::vector<double>& values) const {
 }
 
 std::vector<double> StateMetric::squaredNorms(const base::Matrix& a) const {
-  std::vector<double> result(static_cast<std::size_t>(a.numCols()), 0.0);
+  std::vector<double> result(a.numCols(), 0.0);
   for (int t = 0; t < a.numCols(); ++t) {
     for (std::size_t row = 0; row < scale_.size(); ++row) {
       const double x = scale_[row] * a[t][row];
-      result[static_cast<std::size_t>(t)] += x * x;
+      result[t] += x * x;
     }
   }
   sum(result);

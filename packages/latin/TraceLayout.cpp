@@ -19,12 +19,12 @@ TraceLayout::TraceLayout(const assembly::Assembly& assembly, const assembly::Sea
     if (joint.law->prescribesTraction()) continue;
     for (int side = 0; side < joint.sides(); ++side) {
       if (!owns(joint.body(side))) continue;
-      begin_.back()[static_cast<std::size_t>(side)] = rows_;
+      begin_.back()[side] = rows_;
       blocks_.push_back({static_cast<int>(i), side, joint.body(side), rows_, joint.pairs()});
       rows_ += joint.pairs() * dimension_;
       for (std::size_t p = 0; p < k.size(); ++p) {
-        area_.insert(area_.end(), static_cast<std::size_t>(dimension_), joint.area[p]);
-        stiffness_.insert(stiffness_.end(), static_cast<std::size_t>(dimension_), k[p]);
+        area_.insert(area_.end(), dimension_, joint.area[p]);
+        stiffness_.insert(stiffness_.end(), dimension_, k[p]);
         const auto [at, isNew] = number.emplace(std::pair(joint.body(side), joint.nodes(side)[p]), nodes_);
         nodes_ += isNew ? 1 : 0;
         nodeOf_.push_back(at->second);

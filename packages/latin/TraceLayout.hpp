@@ -33,9 +33,7 @@ class TraceLayout {
   int rows() const { return rows_; }
   const std::vector<Block>& blocks() const { return blocks_; }
   /// First row of an interface side, or -1 when another rank owns it or it has no unknowns.
-  int begin(int interfaceIndex, int side) const {
-    return begin_[static_cast<std::size_t>(interfaceIndex)][static_cast<std::size_t>(side)];
-  }
+  int begin(int interfaceIndex, int side) const { return begin_[interfaceIndex][side]; }
   /// Lumped interface mass h [area] of every row.
   const std::vector<double>& area() const { return area_; }
   /// Search direction k [stress/length] of every row.
@@ -46,7 +44,7 @@ class TraceLayout {
   const std::vector<int>& nodeOf() const { return nodeOf_; }
   const Teuchos::Comm<int>& comm() const { return *comm_; }
   Teuchos::RCP<const Teuchos::Comm<int>> commPointer() const { return comm_; }
-  bool owns(int body) const { return owned_[static_cast<std::size_t>(body)]; }
+  bool owns(int body) const { return owned_[body]; }
 
  private:
   int dimension_;

@@ -25,7 +25,7 @@ std::string faultOf(const Box& box, int dimension) {
            std::to_string(dimension) + " dimensions; all boxes must be either in the plane or in space.";
   }
   double nodes = 1.0;
-  for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d) {
+  for (int d = 0; d < dimension; ++d) {
     if (!(box.lower[d] < box.upper[d])) return "Lower Corner must lie below Upper Corner in every direction.";
     if (box.cells[d] < 1) return "Cells must be at least 1 in every direction.";
     nodes *= box.cells[d] + 1.0;
@@ -93,12 +93,12 @@ Mesh boxes(const std::vector<Box>& list) {
         names.insert(box.name).second ? faultOf(box, dimension) : "there are two boxes of this name; rename one.";
     if (!fault.empty()) throw base::Error("Boxes, box \"" + box.name + "\": " + fault, base::ExitCode::input);
     double size = 0.0;
-    for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d) {
+    for (int d = 0; d < dimension; ++d) {
       size = std::max(size, box.upper[d] - box.lower[d]);
     }
     mesh.addBlock(box.name, box.element);
     mesh.addGrid(box.cells, boxMap(box.lower, box.upper));
-    for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d) {
+    for (int d = 0; d < dimension; ++d) {
       const auto at = [d, tolerance = 1e-9 * size](double x) {
         return [=](const Point& p) { return std::abs(p[d] - x) < tolerance; };
       };

@@ -147,8 +147,8 @@ class CongruenceSearch {
     std::vector<bool> isTaken(a_.points.size(), false);
     for (std::size_t i = 0; i < a_.points.size(); ++i) {
       const auto near = search_.within(turned(q, a_.points[i]), tolerance_);
-      if (near.size() != 1 || isTaken[static_cast<std::size_t>(near[0])]) return false;
-      isTaken[static_cast<std::size_t>(near[0])] = true;
+      if (near.size() != 1 || isTaken[near[0]]) return false;
+      isTaken[near[0]] = true;
       image[i] = near[0];
     }
     if (!carriesElements(image)) return false;
@@ -165,7 +165,7 @@ class CongruenceSearch {
       key.second.push_back(elements_.side(element, side));
       for (int& node : key.second.back()) {
         node = localNode(part, node);
-        if (image != nullptr) node = (*image)[static_cast<std::size_t>(node)];
+        if (image != nullptr) node = (*image)[node];
       }
       std::sort(key.second.back().begin(), key.second.back().end());
     }

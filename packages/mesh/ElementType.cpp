@@ -44,7 +44,7 @@ const std::array<Topology, 6>& topologies() {
 }
 
 const Topology& topologyOf(ElementType type) {
-  return topologies()[static_cast<std::size_t>(type)];
+  return topologies()[type];
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ int sidesPerElement(ElementType type) {
 }
 
 const std::vector<int>& sideNodes(ElementType type, int side) {
-  return topologyOf(type).sides[static_cast<std::size_t>(side)];
+  return topologyOf(type).sides[side];
 }
 
 }  // namespace harmos::mesh

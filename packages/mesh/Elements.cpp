@@ -5,16 +5,16 @@ namespace harmos::mesh {
 Elements::Elements(const Mesh& mesh) : mesh_(mesh) {
   for (std::size_t block = 0; block < mesh.blocks.size(); ++block) {
     first_.push_back(count());
-    block_.insert(block_.end(), static_cast<std::size_t>(mesh.blocks[block].elements()), static_cast<int>(block));
+    block_.insert(block_.end(), mesh.blocks[block].elements(), static_cast<int>(block));
   }
 }
 
 ElementType Elements::type(int element) const {
-  return mesh_.blocks[static_cast<std::size_t>(block(element))].type;
+  return mesh_.blocks[block(element)].type;
 }
 
 const int* Elements::nodes(int element) const {
-  const ElementBlock& owner = mesh_.blocks[static_cast<std::size_t>(block(element))];
+  const ElementBlock& owner = mesh_.blocks[block(element)];
   return owner.connectivity.data() + indexInBlock(element) * nodesPerElement(owner.type);
 }
 
@@ -27,7 +27,7 @@ std::vector<int> Elements::side(int element, int side) const {
 
 std::vector<Point> pointsOf(const Mesh& mesh, const std::vector<int>& nodes) {
   std::vector<Point> points;
-  for (const int node : nodes) points.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+  for (const int node : nodes) points.push_back(mesh.nodes[node]);
   return points;
 }
 

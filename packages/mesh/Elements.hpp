@@ -13,9 +13,9 @@ class Elements {
   explicit Elements(const Mesh& mesh);
 
   int count() const { return static_cast<int>(block_.size()); }
-  int block(int element) const { return block_[static_cast<std::size_t>(element)]; }
+  int block(int element) const { return block_[element]; }
   /// Number of the first element of a block.
-  int first(int block) const { return first_[static_cast<std::size_t>(block)]; }
+  int first(int block) const { return first_[block]; }
   int indexInBlock(int element) const { return element - first(block(element)); }
   ElementType type(int element) const;
   /// Mesh node numbers of an element, nodesPerElement(type(element)) of them.

@@ -28,7 +28,7 @@ std::vector<PlacedFace> place(const std::vector<Point>& nodes, const std::vector
     PlacedFace placed;
     std::vector<Point> corners;
     for (const int node : face.nodes) {
-      corners.push_back(nodes[static_cast<std::size_t>(node)]);
+      corners.push_back(nodes[node]);
       placed.corners.push_back(project(corners.back(), projection));
       placed.centre = placed.centre + (1.0 / static_cast<double>(face.nodes.size())) * placed.corners.back();
     }
@@ -81,11 +81,11 @@ std::vector<FacePair> matchFaces(const std::vector<Point>& nodes, const std::vec
 Separation separation(const std::vector<Point>& nodes, const std::vector<int>& from, const std::vector<int>& to,
                       const std::optional<Point>& projection) {
   std::vector<Point> points;
-  for (const int node : to) points.push_back(project(nodes[static_cast<std::size_t>(node)], projection));
+  for (const int node : to) points.push_back(project(nodes[node], projection));
   const PointSearch search(std::move(points));
   Separation result{-1, -1.0, std::numeric_limits<double>::infinity()};
   for (const int node : from) {
-    const double away = search.nearest(project(nodes[static_cast<std::size_t>(node)], projection)).distance;
+    const double away = search.nearest(project(nodes[node], projection)).distance;
     if (away > result.largest) {
       result.largest = away;
       result.node = node;
@@ -130,9 +130,9 @@ std::vector<std::pair<int, int>> matchNodes(const Mesh& mesh, const std::vector<
   std::set<int> taken;
   std::vector<std::pair<int, int>> pairs;
   for (const auto& [node1, size] : localSizes(mesh, side1)) {
-    const auto nearest = search.nearest(mesh.nodes[static_cast<std::size_t>(node1)]);
+    const auto nearest = search.nearest(mesh.nodes[node1]);
     if (nearest.index < 0 || nearest.distance > conformingTolerance * size) continue;
-    const int node2 = nodes2[static_cast<std::size_t>(nearest.index)];
+    const int node2 = nodes2[nearest.index];
     if (taken.insert(node2).second) pairs.emplace_back(node1, node2);
   }
   return pairs;

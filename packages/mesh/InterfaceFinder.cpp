@@ -60,8 +60,7 @@ std::vector<Face> InterfaceFinder::facesOf(const std::string& where, const std::
   std::vector<Face> faces;
   for (const auto& [element, side] : sides) {
     if (pieces_.of(element) < 0) {
-      refuse(where, "side set \"" + sideSet + "\" has faces of block \"" +
-                        mesh_.blocks[static_cast<std::size_t>(elements_.block(element))].name +
+      refuse(where, "side set \"" + sideSet + "\" has faces of block \"" + mesh_.blocks[elements_.block(element)].name +
                         "\", which belongs to no part. Add a part with this block, or choose another side set.");
     }
     faces.push_back({element, side, elements_.side(element, side)});
@@ -78,8 +77,8 @@ std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, con
                                                     const std::optional<Point>& projection) const {
   SurfaceBuilders builders(mesh_, parts_, projection);
   for (const FacePair& pair : pairs) {
-    const Face& face1 = side1[static_cast<std::size_t>(pair.face1)];
-    const Face& face2 = side2[static_cast<std::size_t>(pair.face2)];
+    const Face& face1 = side1[pair.face1];
+    const Face& face2 = side2[pair.face2];
     const int piece1 = pieces_.of(face1.element);
     const int piece2 = pieces_.of(face2.element);
     if (pieces_.body(piece1) == pieces_.body(piece2)) {
@@ -134,9 +133,9 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string
           << " of the second have no partner with coinciding nodes and opposite normal on the other side. Seen "
           << (projection ? "along Projection Direction" : "in space") << ", a node of the first is between "
           << apart.smallest << " and " << apart.largest
-          << " away from the nearest node of the second, farthest the one at "
-          << text(mesh_.nodes[static_cast<std::size_t>(apart.node)]) << "; the shortest edge there is "
-          << localSizes(mesh_, side1).at(apart.node) << " long. Mesh both sides with the same nodes and let both side "
+          << " away from the nearest node of the second, farthest the one at " << text(mesh_.nodes[apart.node])
+          << "; the shortest edge there is " << localSizes(mesh_, side1).at(apart.node)
+          << " long. Mesh both sides with the same nodes and let both side "
           << "sets cover the same surface"
           << (projection ? "." : "; for sides that are open initially, give Projection Direction.");
   refuse(where, message.str());
@@ -220,14 +219,14 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenBodies(const std::string& 
 
   std::set<int> inFaces;
   for (const FacePair& pair : faces) {
-    const auto& nodes = skin1[static_cast<std::size_t>(pair.face1)].nodes;
+    const auto& nodes = skin1[pair.face1].nodes;
     inFaces.insert(nodes.begin(), nodes.end());
   }
   std::set<std::pair<int, int>> single;
   const auto nodesIn = [&](const std::vector<int>& pieces) {
     std::set<int> nodes;
     for (const int piece : pieces) {
-      const auto& more = parts_[static_cast<std::size_t>(piece)].nodes;
+      const auto& more = parts_[piece].nodes;
       nodes.insert(more.begin(), more.end());
     }
     return nodes;
@@ -271,10 +270,10 @@ std::vector<InterfaceSurface> InterfaceFinder::cut(const std::string& name, cons
   std::map<std::vector<int>, Face> open;           // by sorted nodes: faces whose other side has not come yet
   std::map<int, std::vector<std::set<int>>> tied;  // per node: groups of pieces that faces join there
   for (const int piece : pieces) {
-    for (const int node : parts_[static_cast<std::size_t>(piece)].nodes) tied[node].push_back({piece});
+    for (const int node : parts_[piece].nodes) tied[node].push_back({piece});
   }
   for (const int piece : pieces) {
-    for (Face& face : skin(elements_, parts_[static_cast<std::size_t>(piece)].elements)) {
+    for (Face& face : skin(elements_, parts_[piece].elements)) {
       std::vector<int> key = face.nodes;
       std::sort(key.begin(), key.end());
       const auto other = open.find(key);
@@ -330,7 +329,7 @@ std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name
   const std::string where = boundaryNamed(name);
   const NodeSet& set = findSet(where, mesh_.nodeSets, nodeSet, "node set");
   if (set.node.empty()) refuse(where, "node set \"" + nodeSet + "\" is empty.");
-  std::vector<int> pieces(static_cast<std::size_t>(pieces_.count()));
+  std::vector<int> pieces(pieces_.count());
   std::iota(pieces.begin(), pieces.end(), 0);
   if (!body.empty()) pieces = pieces_.named(where, body);
   std::set<int> nodes;
@@ -338,7 +337,7 @@ std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name
     if (std::any_of(pieces.begin(), pieces.end(), [&](int piece) { return pieces_.has(piece, node); })) {
       nodes.insert(node);
     } else if (body.empty()) {
-      refuse(where, "node set \"" + nodeSet + "\" has a node at " + text(mesh_.nodes[static_cast<std::size_t>(node)]) +
+      refuse(where, "node set \"" + nodeSet + "\" has a node at " + text(mesh_.nodes[node]) +
                         " that belongs to no part. Add a part with its block, or choose another node set.");
     }
   }

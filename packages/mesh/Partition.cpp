@@ -50,18 +50,18 @@ FaceGraph faceGraph(const Elements& mesh, const std::vector<int>& elements, std:
 
 /// Numbers the connected groups of vertices of equal colour, by their lowest vertex.
 std::vector<idx_t> connectedGroups(const FaceGraph& graph, const std::vector<idx_t>& colour, int& count) {
-  std::vector<idx_t> group(static_cast<std::size_t>(graph.size()), -1);
+  std::vector<idx_t> group(graph.size(), -1);
   count = 0;
   std::vector<int> queue;
   for (int start = 0; start < graph.size(); ++start) {
-    if (group[static_cast<std::size_t>(start)] >= 0) continue;
+    if (group[start] >= 0) continue;
     queue.assign(1, start);
-    group[static_cast<std::size_t>(start)] = count;
+    group[start] = count;
     while (!queue.empty()) {
       const auto at = static_cast<std::size_t>(queue.back());
       queue.pop_back();
       for (idx_t k = graph.first[at]; k < graph.first[at + 1]; ++k) {
-        const auto next = static_cast<std::size_t>(graph.neighbour[static_cast<std::size_t>(k)]);
+        const auto next = static_cast<std::size_t>(graph.neighbour[k]);
         if (group[next] >= 0 || colour[next] != colour[at]) continue;
         group[next] = count;
         queue.push_back(static_cast<int>(next));
@@ -77,11 +77,11 @@ std::vector<idx_t> connectedGroups(const FaceGraph& graph, const std::vector<idx
 void splitGroup(const FaceGraph& graph, std::vector<idx_t>& group, idx_t which, idx_t colour) {
   std::vector<int> order, parent(group.size(), -1), branch(group.size(), 1);
   order.push_back(static_cast<int>(std::find(group.begin(), group.end(), which) - group.begin()));
-  parent[static_cast<std::size_t>(order[0])] = order[0];
+  parent[order[0]] = order[0];
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto at = static_cast<std::size_t>(order[i]);
     for (idx_t k = graph.first[at]; k < graph.first[at + 1]; ++k) {
-      const auto next = static_cast<std::size_t>(graph.neighbour[static_cast<std::size_t>(k)]);
+      const auto next = static_cast<std::size_t>(graph.neighbour[k]);
       if (group[next] != which || parent[next] >= 0) continue;
       parent[next] = order[i];
       order.push_back(static_cast<int>(next));
@@ -91,13 +91,13 @@ void splitGroup(const FaceGraph& graph, std::vector<idx_t>& group, idx_t which, 
   int best = order[1];
   for (std::size_t i = order.size() - 1; i > 0; --i) {
     const auto at = static_cast<std::size_t>(order[i]);
-    branch[static_cast<std::size_t>(parent[at])] += branch[at];
-    if (std::abs(branch[at] - half) < std::abs(branch[static_cast<std::size_t>(best)] - half)) best = order[i];
+    branch[parent[at]] += branch[at];
+    if (std::abs(branch[at] - half) < std::abs(branch[best] - half)) best = order[i];
   }
-  group[static_cast<std::size_t>(best)] = colour;
+  group[best] = colour;
   for (const int vertex : order) {
     const auto at = static_cast<std::size_t>(vertex);
-    if (group[static_cast<std::size_t>(parent[at])] == colour && parent[at] != vertex) group[at] = colour;
+    if (group[parent[at]] == colour && parent[at] != vertex) group[at] = colour;
   }
 }
 
@@ -105,8 +105,8 @@ void splitGroup(const FaceGraph& graph, std::vector<idx_t>& group, idx_t which, 
 /// group to its smallest neighbour, or splits the largest.
 void repairGroups(const FaceGraph& graph, std::vector<idx_t>& group, int count, int pieces) {
   while (count != pieces) {
-    std::vector<int> size(static_cast<std::size_t>(count), 0);
-    for (const idx_t of : group) ++size[static_cast<std::size_t>(of)];
+    std::vector<int> size(count, 0);
+    for (const idx_t of : group) ++size[of];
     const auto extreme = std::minmax_element(size.begin(), size.end());
     if (count < pieces) {
       splitGroup(graph, group, static_cast<idx_t>(extreme.second - size.begin()), count);
@@ -118,10 +118,9 @@ void repairGroups(const FaceGraph& graph, std::vector<idx_t>& group, int count, 
     for (std::size_t at = 0; at < group.size(); ++at) {
       if (group[at] != smallest) continue;
       for (idx_t k = graph.first[at]; k < graph.first[at + 1]; ++k) {
-        const idx_t other = group[static_cast<std::size_t>(graph.neighbour[static_cast<std::size_t>(k)])];
+        const idx_t other = group[graph.neighbour[k]];
         if (other == smallest) continue;
-        if (target < 0 || size[static_cast<std::size_t>(other)] < size[static_cast<std::size_t>(target)])
-          target = other;
+        if (target < 0 || size[other] < size[target]) target = other;
       }
     }
     --count;
@@ -135,7 +134,7 @@ void repairGroups(const FaceGraph& graph, std::vector<idx_t>& group, int count, 
 /// Cuts a connected graph into connected pieces; the piece of every vertex. Of METIS' two methods takes the one with
 /// fewer cut faces among those in balance, since either may be far off on small graphs.
 std::vector<idx_t> cutConnected(FaceGraph graph, int pieces) {
-  std::vector<idx_t> best(static_cast<std::size_t>(graph.size()), 0);
+  std::vector<idx_t> best(graph.size(), 0);
   if (pieces == 1) return best;
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
@@ -157,12 +156,12 @@ std::vector<idx_t> cutConnected(FaceGraph graph, int pieces) {
     int groups = 0;
     piece = connectedGroups(graph, piece, groups);
     repairGroups(graph, piece, groups, pieces);
-    std::vector<std::size_t> size(static_cast<std::size_t>(pieces), 0);
+    std::vector<std::size_t> size(pieces, 0);
     std::size_t cutFaces = 0;
     for (std::size_t at = 0; at < piece.size(); ++at) {
-      ++size[static_cast<std::size_t>(piece[at])];
+      ++size[piece[at]];
       for (idx_t k = graph.first[at]; k < graph.first[at + 1]; ++k) {
-        if (piece[static_cast<std::size_t>(graph.neighbour[static_cast<std::size_t>(k)])] != piece[at]) ++cutFaces;
+        if (piece[graph.neighbour[k]] != piece[at]) ++cutFaces;
       }
     }
     const std::pair cost(std::max(inBalance, *std::max_element(size.begin(), size.end())), cutFaces);
@@ -206,9 +205,9 @@ std::vector<Part> cutPart(const Mesh& mesh, const Part& part, int pieces) {
                " bodies that no face connects; give 1 or at least that many pieces, or make a part of "
                "each body.");
   }
-  std::vector<std::vector<int>> lists(static_cast<std::size_t>(bodies));
+  std::vector<std::vector<int>> lists(bodies);
   for (std::size_t i = 0; i < part.elements.size(); ++i) {
-    lists[static_cast<std::size_t>(bodyOf[i])].push_back(part.elements[i]);
+    lists[bodyOf[i]].push_back(part.elements[i]);
   }
   std::vector<int> sizes;
   for (const auto& list : lists) sizes.push_back(static_cast<int>(list.size()));

@@ -10,12 +10,11 @@ namespace harmos::mesh {
 PieceMap::PieceMap(const Mesh& mesh, const Elements& elements, const std::vector<Part>& parts)
     : parts_(parts), piece_(static_cast<std::size_t>(elements.count()), -1) {
   for (int piece = 0; piece < count(); ++piece) {
-    for (const int element : parts[static_cast<std::size_t>(piece)].elements) {
-      int& owner = piece_[static_cast<std::size_t>(element)];
+    for (const int element : parts[piece].elements) {
+      int& owner = piece_[element];
       if (owner >= 0) {
         throw base::Error("Parts \"" + body(owner) + "\" and \"" + body(piece) + "\": both have elements of block \"" +
-                              mesh.blocks[static_cast<std::size_t>(elements.block(element))].name +
-                              "\"; give every block to one part only.",
+                              mesh.blocks[elements.block(element)].name + "\"; give every block to one part only.",
                           base::ExitCode::input);
       }
       owner = piece;
@@ -24,7 +23,7 @@ PieceMap::PieceMap(const Mesh& mesh, const Elements& elements, const std::vector
 }
 
 const std::string& PieceMap::body(int piece) const {
-  const Part& part = parts_[static_cast<std::size_t>(piece)];
+  const Part& part = parts_[piece];
   return part.body.empty() ? part.name : part.body;
 }
 
@@ -45,7 +44,7 @@ std::vector<int> PieceMap::named(const std::string& where, const std::string& na
 std::vector<int> PieceMap::elements(const std::vector<int>& pieces) const {
   std::vector<int> elements;
   for (const int piece : pieces) {
-    const auto& more = parts_[static_cast<std::size_t>(piece)].elements;
+    const auto& more = parts_[piece].elements;
     elements.insert(elements.end(), more.begin(), more.end());
   }
   std::sort(elements.begin(), elements.end());

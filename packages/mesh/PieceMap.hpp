@@ -16,7 +16,7 @@ class PieceMap {
 
   int count() const { return static_cast<int>(parts_.size()); }
   /// Piece of an element; -1 if it is in no part.
-  int of(int element) const { return piece_[static_cast<std::size_t>(element)]; }
+  int of(int element) const { return piece_[element]; }
   /// Name of the part before it was cut.
   const std::string& body(int piece) const;
   /// The pieces of a body, ascending. Throws base::Error(input), starting with `where`, if there is no such body.
@@ -24,7 +24,7 @@ class PieceMap {
   /// Elements of some pieces, ascending.
   std::vector<int> elements(const std::vector<int>& pieces) const;
   /// Whether a piece has a mesh node.
-  bool has(int piece, int node) const { return localNode(parts_[static_cast<std::size_t>(piece)], node) >= 0; }
+  bool has(int piece, int node) const { return localNode(parts_[piece], node) >= 0; }
 
  private:
   const std::vector<Part>& parts_;

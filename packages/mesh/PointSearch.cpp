@@ -16,7 +16,7 @@ PointSearch::PointSearch(std::vector<Point> points)
 
 void PointSearch::build(std::size_t begin, std::size_t end) {
   if (begin == end) return;
-  const auto at = [this](int index) -> const Point& { return points_[static_cast<std::size_t>(index)]; };
+  const auto at = [this](int index) -> const Point& { return points_[index]; };
   Point low = at(order_[begin]);
   Point high = low;
   for (std::size_t i = begin; i < end; ++i) {
@@ -42,7 +42,7 @@ void PointSearch::visit(const Point& point, std::size_t begin, std::size_t end, 
   if (begin == end) return;
   const std::size_t middle = begin + (end - begin) / 2;
   const int root = order_[middle];
-  const Point& here = points_[static_cast<std::size_t>(root)];
+  const Point& here = points_[root];
   const double away = distance(point, here);
   if (away <= radius) found(root, away);
   const auto axis = static_cast<std::size_t>(axis_[middle]);

@@ -10,7 +10,7 @@ namespace {
 using Carriers = std::vector<std::vector<PairCarrier>>;
 
 const Part& at(const std::vector<Part>& parts, int part) {
-  return parts[static_cast<std::size_t>(part)];
+  return parts[part];
 }
 
 bool isCut(const std::vector<Part>& parts, const InterfaceSurface& surface) {
@@ -18,11 +18,11 @@ bool isCut(const std::vector<Part>& parts, const InterfaceSurface& surface) {
 }
 
 int meshNode(const std::vector<Part>& parts, int part, int node) {
-  return at(parts, part).nodes[static_cast<std::size_t>(node)];
+  return at(parts, part).nodes[node];
 }
 
 double& areaOf(std::vector<InterfaceSurface>& surfaces, const PairCarrier& pair) {
-  return surfaces[static_cast<std::size_t>(pair.surface)].area[static_cast<std::size_t>(pair.pair)];
+  return surfaces[pair.surface].area[pair.pair];
 }
 
 /// What makes pairs copies of each other: bodies may share mesh nodes as well, but not their displacements.
@@ -56,7 +56,7 @@ void mergeCopies(const std::vector<Part>& parts, std::vector<InterfaceSurface>& 
     double total = 0.0;
     for (const PairCarrier& pair : pairs) {
       total += areaOf(surfaces, pair);
-      carriers[static_cast<std::size_t>(pair.surface)][static_cast<std::size_t>(pair.pair)] = carrier;
+      carriers[pair.surface][pair.pair] = carrier;
     }
     areaOf(surfaces, carrier) = total;
   }
@@ -82,12 +82,12 @@ void keepSpanningTrees(const std::vector<Part>& parts, std::vector<InterfaceSurf
       return piece;
     };
     for (const PairCarrier& pair : pairs) {
-      const InterfaceSurface& surface = surfaces[static_cast<std::size_t>(pair.surface)];
+      const InterfaceSurface& surface = surfaces[pair.surface];
       const int first = representative(surface.part1);
       const int second = representative(surface.part2);
       if (first == second) continue;
       tied[first] = second;
-      carriers[static_cast<std::size_t>(pair.surface)][static_cast<std::size_t>(pair.pair)] = pair;
+      carriers[pair.surface][pair.pair] = pair;
     }
   }
 }

@@ -67,7 +67,7 @@ void StructuredMesh::addGrid(const std::array<int, 3>& cells, const Map& map) {
           mesh_.nodes.push_back(place(i + 0.5, j + 0.5, k + 0.5));
         }
         for (const auto& element : elementsOfCell(block.type)) {
-          for (const int local : element) block.connectivity.push_back(nodes[static_cast<std::size_t>(local)]);
+          for (const int local : element) block.connectivity.push_back(nodes[local]);
         }
       }
     }
@@ -117,14 +117,12 @@ Mesh StructuredMesh::take() {
                                     [&](const ElementBlock& block) { return block.name == name; });
     return static_cast<int>(found - mesh_.blocks.begin());
   };
-  const auto inside = [&](const Region& region) {
-    return [&](int node) { return region(mesh_.nodes[static_cast<std::size_t>(node)]); };
-  };
+  const auto inside = [&](const Region& region) { return [&](int node) { return region(mesh_.nodes[node]); }; };
   std::map<std::string, std::vector<Face>> skins;
   for (const SetRequest& request : sideSets_) {
     if (skins.count(request.block) == 0) {
       const int block = find(request.block);
-      std::vector<int> list(static_cast<std::size_t>(mesh_.blocks[static_cast<std::size_t>(block)].elements()));
+      std::vector<int> list(mesh_.blocks[block].elements());
       std::iota(list.begin(), list.end(), elements.first(block));
       skins[request.block] = skin(elements, list);
     }
@@ -138,7 +136,7 @@ Mesh StructuredMesh::take() {
   }
   for (const SetRequest& request : nodeSets_) {
     NodeSet set{request.name, static_cast<std::int64_t>(mesh_.nodeSets.size()) + 1, {}};
-    const ElementBlock& block = mesh_.blocks[static_cast<std::size_t>(find(request.block))];
+    const ElementBlock& block = mesh_.blocks[find(request.block)];
     std::copy_if(block.connectivity.begin(), block.connectivity.end(), std::back_inserter(set.node),
                  inside(request.region));
     std::sort(set.node.begin(), set.node.end());

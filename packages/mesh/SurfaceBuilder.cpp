@@ -40,7 +40,7 @@ InterfaceSurface SurfaceBuilder::build(const std::string& name) const {
   surface.part2 = part2_;
   std::map<Pair, int> number;
   for (const auto& [pair, data] : pairs_) {
-    const Point& place1 = mesh_.nodes[static_cast<std::size_t>(pair.first)];
+    const Point& place1 = mesh_.nodes[pair.first];
     if (!(data.area > 0.0)) {
       std::ostringstream message;
       message << "Interface \"" << name << "\": the faces around the node at (" << place1[0] << ", " << place1[1]
@@ -49,14 +49,14 @@ InterfaceSurface SurfaceBuilder::build(const std::string& name) const {
       throw base::Error(message.str(), base::ExitCode::input);
     }
     number[pair] = static_cast<int>(surface.node1.size());
-    surface.node1.push_back(localNode(parts_[static_cast<std::size_t>(part1_)], pair.first));
+    surface.node1.push_back(localNode(parts_[part1_], pair.first));
     surface.frame.push_back(frameFromNormal(projection_ ? *projection_ : data.normal, mesh_.dimension));
     surface.area.push_back(data.area);
     surface.gap.push_back(0.0);
     if (part2_ < 0) continue;
-    surface.node2.push_back(localNode(parts_[static_cast<std::size_t>(part2_)], pair.second));
+    surface.node2.push_back(localNode(parts_[part2_], pair.second));
     if (projection_) {
-      surface.gap.back() = dot(mesh_.nodes[static_cast<std::size_t>(pair.second)] - place1, surface.frame.back()[0]);
+      surface.gap.back() = dot(mesh_.nodes[pair.second] - place1, surface.frame.back()[0]);
     }
   }
   for (const auto& face : faces_) {

@@ -139,7 +139,7 @@ void ConfigurationIteration::findStart(int step, const Indicators& target) {
   applyLaws();
   if (meets(step, target)) return;
   if (!start_.hasTangents()) start_.differentiate();
-  accelerations_[static_cast<std::size_t>(step)].seed({start_.residualTangents()}, {start_.imageTangents()});
+  accelerations_[step].seed({start_.residualTangents()}, {start_.imageTangents()});
   applyLaws();
 }
 
@@ -162,7 +162,7 @@ void ConfigurationIteration::extrapolate(int step) {
 }
 
 void ConfigurationIteration::iterate(int step, const Indicators& target) {
-  latin::AndersonAcceleration& acceleration = accelerations_[static_cast<std::size_t>(step)];
+  latin::AndersonAcceleration& acceleration = accelerations_[step];
   const int rows = column_.numRows();
   base::Matrix change(rows, 1), unused(rows, 1);
   std::vector<double> residuals;  // since the last restart of the acceleration
@@ -195,7 +195,7 @@ void ConfigurationIteration::settle(int step, const Indicators& target) {
   if (!isFirstMarch_) {
     std::copy_n(alpha_[step], column_.numRows(), column_[0]);
     std::copy_n(beta_[step], column_.numRows(), columnBeta_[0]);
-    accelerations_[static_cast<std::size_t>(step)].resume();
+    accelerations_[step].resume();
     applyLaws();
   } else if (starts_.empty()) {
     extrapolate(step);

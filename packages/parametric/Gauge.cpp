@@ -33,7 +33,7 @@ void addResultants(const latin::TraceLayout& layout, const double* traction, Pla
     if (at < 0) continue;
     for (int i = 0; i < block.pairs * dimension; ++i) {
       const int row = block.begin + i;
-      sums[at * 3 + i % dimension] += layout.area()[static_cast<std::size_t>(row)] * traction[row];
+      sums[at * 3 + i % dimension] += layout.area()[row] * traction[row];
     }
   }
 }

@@ -60,7 +60,7 @@ void ReducedBasisStart::begin(const SolvedStates& states, const std::vector<doub
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < std::min<int>(candidates, static_cast<int>(order_.size())); ++i) {
-    states.copy(order_[static_cast<std::size_t>(i)], alpha, beta);
+    states.copy(order_[i], alpha, beta);
     beta += offset;
     std::vector<double> sums(2, 0.0);
     fixedPoint_.localStage().begin();
@@ -98,7 +98,7 @@ void ReducedBasisStart::gather(int step) {
   std::copy_n(origin, rows, columns_[0]);
   std::copy_n(originLinear, rows, linear_[0]);
   for (int j = 1; j < states; ++j) {
-    const int state = order_[static_cast<std::size_t>(j)];
+    const int state = order_[j];
     subtract(states_->alpha(state, step), origin, rows, columns_[j]);
     subtract(states_->linear(state, step), originLinear, rows, linear_[j]);
   }
@@ -143,17 +143,17 @@ void ReducedBasisStart::differentiate() {
     const double* column = j < count ? linear_[j] : beta_[0];
     double sum = 0.0;
     for (int row = 0; row < rows; ++row) {
-      const double value = scale[static_cast<std::size_t>(row)] * column[row];
+      const double value = scale[row] * column[row];
       sum += value * value;
     }
-    squares[static_cast<std::size_t>(j)] = sum;
+    squares[j] = sum;
   }
   fixedPoint_.metric().sum(squares);
   const std::vector<double> here(hatted_[0], hatted_[0] + rows);
   for (int j = 0; j < count; ++j) {
     double* residual = residualTangents_[j];
     double* image = imageTangents_[j];
-    const double square = squares[static_cast<std::size_t>(j)];
+    const double square = squares[j];
     const double length = square > 0.0 ? difference * std::sqrt(squares.back() / square) : 0.0;
     if (!(length > 0.0)) {
       std::fill(residual, residual + rows, 0.0);
@@ -163,8 +163,8 @@ void ReducedBasisStart::differentiate() {
     for (int row = 0; row < rows; ++row) trialBeta_[0][row] = beta_[0][row] + length * linear_[j][row];
     fixedPoint_.localStage().solveColumn(0, trialBeta_, hatted_);
     for (int row = 0; row < rows; ++row) {
-      image[row] = 2.0 * (hatted_[0][row] - here[static_cast<std::size_t>(row)]) / length - linear_[j][row];
-      residual[row] = scale[static_cast<std::size_t>(row)] * (image[row] - columns_[j][row]);
+      image[row] = 2.0 * (hatted_[0][row] - here[row]) / length - linear_[j][row];
+      residual[row] = scale[row] * (image[row] - columns_[j][row]);
     }
   }
   std::copy_n(here.data(), rows, hatted_[0]);
@@ -193,7 +193,7 @@ std::vector<double> ReducedBasisStart::leastSquares() const {
 
 void ReducedBasisStart::minimise(double tolerance) {
   const std::vector<double> guess = weights_;
-  weights_.assign(static_cast<std::size_t>(columns_.numCols()), 0.0);
+  weights_.assign(columns_.numCols(), 0.0);
   hasTangents_ = false;
   double square = evaluate(state_, beta_, residual_);
   if (!guess.empty()) {

@@ -69,15 +69,13 @@ std::vector<int> SolvedStates::nearest(const std::vector<double>& values, int co
   for (const State& state : states_) distance.push_back(squaredDistance(values, state.values));
   std::vector<int> order(states_.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return distance[static_cast<std::size_t>(a)] < distance[static_cast<std::size_t>(b)];
-  });
-  if (order.size() > static_cast<std::size_t>(count)) order.resize(static_cast<std::size_t>(count));
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return distance[a] < distance[b]; });
+  if (order.size() > static_cast<std::size_t>(count)) order.resize(count);
   return order;
 }
 
 void SolvedStates::copy(int state, base::Matrix& alpha, base::Matrix& linear) const {
-  const State& one = states_[static_cast<std::size_t>(state)];
+  const State& one = states_[state];
   unpack(one.alpha, alpha);
   unpack(one.linear, linear);
 }

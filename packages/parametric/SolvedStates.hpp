@@ -23,14 +23,14 @@ class SolvedStates {
   void add(int id, const std::vector<double>& values, const base::Matrix& alpha, const base::Matrix& linear,
            double force = 0.0);
   int count() const { return static_cast<int>(states_.size()); }
-  int id(int state) const { return states_[static_cast<std::size_t>(state)].id; }
+  int id(int state) const { return states_[state].id; }
   /// Positions of the states nearest to a configuration, the nearest first; ties in the order of adding.
   std::vector<int> nearest(const std::vector<double>& values, int count) const;
   void copy(int state, base::Matrix& alpha, base::Matrix& linear) const;
   /// The rows of one load step, and the force given to add().
   const float* alpha(int state, int step) const { return column(state, step, &State::alpha); }
   const float* linear(int state, int step) const { return column(state, step, &State::linear); }
-  double force(int state) const { return states_[static_cast<std::size_t>(state)].force; }
+  double force(int state) const { return states_[state].force; }
 
  private:
   struct State {
@@ -42,7 +42,7 @@ class SolvedStates {
   };
 
   const float* column(int state, int step, std::vector<float> State::*field) const {
-    const State& one = states_[static_cast<std::size_t>(state)];
+    const State& one = states_[state];
     return (one.*field).data() + static_cast<std::ptrdiff_t>(one.rows) * step;
   }
 

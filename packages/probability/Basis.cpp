@@ -30,7 +30,7 @@ Basis::Basis(std::shared_ptr<const RandomVector> variables, int order)
   for (int i = 0; i < dimension; ++i) {
     require(order <= variables_->polynomials(i).largestDegree(),
             "A chaos expansion of order " + std::to_string(order) + " needs polynomials of " +
-                base::quoted(variables_->variables()[static_cast<std::size_t>(i)].name) +
+                base::quoted(variables_->variables()[i].name) +
                 " up to this degree, but it has "
                 "none above degree " +
                 std::to_string(variables_->polynomials(i).largestDegree()) +
@@ -50,7 +50,7 @@ std::vector<double> Basis::evaluate(const std::vector<double>& germs) const {
     factors.push_back(variables_->polynomials(static_cast<int>(i)).evaluate(germs[i], order_));
   std::vector<double> values(indices_.size(), 1.0);
   for (std::size_t a = 0; a < values.size(); ++a) {
-    for (std::size_t i = 0; i < germs.size(); ++i) values[a] *= factors[i][static_cast<std::size_t>(indices_[a][i])];
+    for (std::size_t i = 0; i < germs.size(); ++i) values[a] *= factors[i][indices_[a][i]];
   }
   return values;
 }

@@ -56,8 +56,7 @@ Coefficients squareOf(const Expansion& expansion) {
       if (factor == 0.0) continue;
       std::vector<std::pair<std::vector<int>, double>> terms{{{}, factor}};
       for (std::size_t g = 0; g < products.size(); ++g) {
-        const auto& product = products[g][static_cast<std::size_t>(basis.indices()[a][g])]
-                                      [static_cast<std::size_t>(basis.indices()[b][g])];
+        const auto& product = products[g][basis.indices()[a][g]][basis.indices()[b][g]];
         std::vector<std::pair<std::vector<int>, double>> longer;
         for (const auto& [index, value] : terms) {
           for (std::size_t k = 0; k < product.size(); ++k) {
@@ -142,10 +141,10 @@ double Expansion::lastDegreeShare() const {
 
 Expansion project(std::shared_ptr<const Basis> basis, const Quadrature& quadrature, const std::vector<double>& values) {
   const base::Matrix toCoefficients = projector(*basis, quadrature);
-  std::vector<double> coefficients(static_cast<std::size_t>(basis->size()), 0.0);
+  std::vector<double> coefficients(basis->size(), 0.0);
   for (int q = 0; q < quadrature.size(); ++q) {
-    const double value = values[static_cast<std::size_t>(q)];
-    for (int a = 0; a < basis->size(); ++a) coefficients[static_cast<std::size_t>(a)] += toCoefficients(a, q) * value;
+    const double value = values[q];
+    for (int a = 0; a < basis->size(); ++a) coefficients[a] += toCoefficients(a, q) * value;
   }
   return {std::move(basis), std::move(coefficients)};
 }

@@ -32,7 +32,7 @@ HatLine::HatLine(double from, double to, const std::function<double(double)>& cu
   germs_.push_back(from);
   double passed = 0.0;
   for (int k = 0; k < last; ++k) {
-    const double share = density[static_cast<std::size_t>(k)] / total * last;
+    const double share = density[k] / total * last;
     while (static_cast<int>(germs_.size()) < last && static_cast<double>(germs_.size()) <= passed + share)
       germs_.push_back(from + (k + (static_cast<double>(germs_.size()) - passed) / share) * cell);
     passed += share;
@@ -100,9 +100,7 @@ double HatLine::product(int node, int other) const {
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const int from = breaks[k], to = breaks[k + 1];
     const double a = germ(from), length = germ(to) - a;
-    const auto difference = [&](std::size_t power) {
-      return moments_[power][static_cast<std::size_t>(to)] - moments_[power][static_cast<std::size_t>(from)];
-    };
+    const auto difference = [&](std::size_t power) { return moments_[power][to] - moments_[power][from]; };
     // Both are linear in s = (xi - a) / length.
     const double s0 = difference(0), s1 = (difference(1) - a * s0) / length,
                  s2 = (difference(2) - 2.0 * a * difference(1) + a * a * s0) / (length * length);

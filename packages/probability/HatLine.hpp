@@ -21,7 +21,7 @@ class HatLine {
   /// `cumulative`: of the germ; what lies out of the range counts as if it were at its ends.
   HatLine(double from, double to, const std::function<double(double)>& cumulative);
 
-  double germ(int node) const { return germs_[static_cast<std::size_t>(node)]; }
+  double germ(int node) const { return germs_[node]; }
   /// The node from whose hat this one refines; none of the middle.
   static std::optional<int> parent(int node);
   static std::vector<int> children(int node);

@@ -248,7 +248,7 @@ std::vector<double> PiecewiseLinear::evaluate(const std::vector<double>& germs) 
 
 double PiecewiseLinear::mean(int response) const {
   double sum = 0.0;
-  for (const Point& point : points_) sum += point.surpluses[static_cast<std::size_t>(response)] * point.mean;
+  for (const Point& point : points_) sum += point.surpluses[response] * point.mean;
   return sum;
 }
 

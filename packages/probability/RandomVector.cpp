@@ -27,7 +27,7 @@ RandomVector::RandomVector(std::vector<Variable> variables, const base::Matrix& 
   require(correlation.numRows() == n && correlation.numCols() == n,
           "The matrix of correlations must have one row and one column for each of the " + std::to_string(n) +
               " random parameters.");
-  const auto named = [this](int i) { return base::quoted(variables_[static_cast<std::size_t>(i)].name); };
+  const auto named = [this](int i) { return base::quoted(variables_[i].name); };
   for (int i = 0; i < n; ++i) {
     require(correlation(i, i) == 1.0, "The correlation of " + named(i) + " with itself must be 1.");
     for (int j = 0; j < i; ++j) {
@@ -50,17 +50,17 @@ RandomVector::RandomVector(std::vector<Variable> variables, const base::Matrix& 
 }
 
 const Polynomials& RandomVector::polynomials(int i) const {
-  return isIndependent() ? variables_[static_cast<std::size_t>(i)].distribution->polynomials() : hermite();
+  return isIndependent() ? variables_[i].distribution->polynomials() : hermite();
 }
 
 std::vector<double> RandomVector::values(const std::vector<double>& germs) const {
   std::vector<double> values;
   for (int i = 0; i < dimension(); ++i) {
-    const Distribution& distribution = *variables_[static_cast<std::size_t>(i)].distribution;
-    double germ = germs[static_cast<std::size_t>(i)];
+    const Distribution& distribution = *variables_[i].distribution;
+    double germ = germs[i];
     if (!isIndependent()) {
       double z = 0.0;
-      for (int j = 0; j <= i; ++j) z += factor_(i, j) * germs[static_cast<std::size_t>(j)];
+      for (int j = 0; j <= i; ++j) z += factor_(i, j) * germs[j];
       germ = z < 0.0 ? distribution.germ(normalCumulative(z)) : distribution.germExceeded(normalCumulative(-z));
     }
     values.push_back(distribution.value(germ));

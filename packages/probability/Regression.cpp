@@ -22,7 +22,7 @@ Regression::Regression(std::shared_ptr<const Basis> basis, const std::vector<std
               " samples; give more samples, at least twice as many as terms, or choose a lower order.");
   q_ = valuesAt(*basis_, {points, std::vector<double>(points.size(), 0.0)});
   const Teuchos::LAPACK<int, double> lapack;
-  std::vector<double> factors(static_cast<std::size_t>(columns)), work(static_cast<std::size_t>(64 * columns));
+  std::vector<double> factors(columns), work(64 * columns);
   const int workSize = static_cast<int>(work.size());
   int info = 0;
   lapack.GEQRF(rows, columns, q_.values(), q_.stride(), factors.data(), work.data(), workSize, &info);
@@ -33,7 +33,7 @@ Regression::Regression(std::shared_ptr<const Basis> basis, const std::vector<std
   lapack.ORGQR(rows, columns, columns, q_.values(), q_.stride(), factors.data(), work.data(), workSize, &info);
 
   double condition = 0.0;
-  std::vector<int> integers(static_cast<std::size_t>(columns));
+  std::vector<int> integers(columns);
   // R is its own LU factorisation.
   lapack.GECON('1', columns, r_.values(), r_.stride(), r_.normOne(), &condition, work.data(), integers.data(), &info);
   constexpr double worstCondition = 1e-8;
@@ -47,7 +47,7 @@ Regression::Fit Regression::fit(const std::vector<double>& values) const {
   if (static_cast<int>(values.size()) != q_.numRows()) throw base::Error("a fit needs one value for each sample");
   const int rows = q_.numRows(), columns = q_.numCols();
   const Teuchos::BLAS<int, double> blas;
-  std::vector<double> projection(static_cast<std::size_t>(columns), 0.0), residuals(values);
+  std::vector<double> projection(columns, 0.0), residuals(values);
   blas.GEMV(Teuchos::TRANS, rows, columns, 1.0, q_.values(), q_.stride(), values.data(), 1, 0.0, projection.data(), 1);
   blas.GEMV(Teuchos::NO_TRANS, rows, columns, -1.0, q_.values(), q_.stride(), projection.data(), 1, 1.0,
             residuals.data(), 1);
@@ -59,7 +59,7 @@ Regression::Fit Regression::fit(const std::vector<double>& values) const {
   for (int s = 0; s < rows; ++s) {
     double leverage = 0.0;
     for (int a = 0; a < columns; ++a) leverage += q_(s, a) * q_(s, a);
-    const double difference = residuals[static_cast<std::size_t>(s)] / (1.0 - leverage);
+    const double difference = residuals[s] / (1.0 - leverage);
     sum += difference * difference / rows;
   }
   const double deviation = SampleStatistics(values).standardDeviation();

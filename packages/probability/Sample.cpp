@@ -28,7 +28,7 @@ Sample::Sample(std::vector<double> values) : values_(std::move(values)) {
 
 double Sample::germ(double u) const {
   const double position = std::ceil(requireProbability(u) * static_cast<double>(values_.size())) - 1.0;
-  return (values_[static_cast<std::size_t>(position)] - mean_) / deviation_;
+  return (values_[position] - mean_) / deviation_;
 }
 
 double Sample::germExceeded(double v) const {

@@ -39,8 +39,8 @@ class Germ : public Stokhos::RecurrenceBasis<int, double> {
  protected:
   bool computeRecurrenceCoefficients(int n, Array& a, Array& b, Array& scale, Array& norm) const override {
     for (int i = 0; i < n; ++i) {
-      a[i] = polynomials_.a()[static_cast<std::size_t>(i)];
-      b[i] = norm[i] = std::sqrt(polynomials_.b()[static_cast<std::size_t>(i)]);
+      a[i] = polynomials_.a()[i];
+      b[i] = norm[i] = std::sqrt(polynomials_.b()[i]);
       scale[i] = 1.0;
     }
     return true;

@@ -53,7 +53,7 @@ struct StochasticSummary {
 
   /// What Sobol' indices and degrees belong to: the variables, or where these are correlated, independent germs.
   std::string germName(int germ) const {
-    return hasIndependentVariables ? variables[static_cast<std::size_t>(germ)] : "xi_" + std::to_string(germ + 1);
+    return hasIndependentVariables ? variables[germ] : "xi_" + std::to_string(germ + 1);
   }
 };
 

@@ -20,13 +20,13 @@ void StudyResults::add(const design::Configuration& configuration) {
 
 void StudyResults::set(const ConfigurationResult& result) {
   if (result.id < 1 || result.id > static_cast<int>(results_.size())) return;
-  auto& place = results_[static_cast<std::size_t>(result.id - 1)];
+  auto& place = results_[result.id - 1];
   if (!place) ++count_;
   place = result;
 }
 
 const ConfigurationResult* StudyResults::find(int id) const {
-  const auto& place = results_[static_cast<std::size_t>(id - 1)];
+  const auto& place = results_[id - 1];
   return place ? &*place : nullptr;
 }
 

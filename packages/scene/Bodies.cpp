@@ -74,12 +74,12 @@ base::Matrix bodyForces(const Parameters& force, const mesh::Mesh& mesh, const m
   const char* components[] = {"X", "Y", "Z"};
   for (int c = 0; c < mesh.dimension; ++c) {
     mesh::Point unit{};
-    unit[static_cast<std::size_t>(c)] = 1.0;
+    unit[c] = 1.0;
     const std::vector<double> forces = elasticity::bodyForce(mesh, part, unit, model.kinematics, model.thickness);
     const input::Schedule value = force.schedule(components[c]);
     if (loads.numRows() == 0) loads.shape(static_cast<int>(forces.size()), steps);
     for (int t = 0; t < steps; ++t) {
-      for (int dof = 0; dof < loads.numRows(); ++dof) loads(dof, t) += value[t] * forces[static_cast<std::size_t>(dof)];
+      for (int dof = 0; dof < loads.numRows(); ++dof) loads(dof, t) += value[t] * forces[dof];
     }
   }
   return loads;
@@ -143,7 +143,7 @@ std::vector<int> distribute(const Bodies& bodies, int ranks) {
   std::vector<std::size_t> order(cost.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cost[a] > cost[b]; });
-  std::vector<double> load(static_cast<std::size_t>(ranks), 0.0);
+  std::vector<double> load(ranks, 0.0);
   std::vector<int> owner(cost.size());
   for (const std::size_t body : order) {
     const auto least = std::min_element(load.begin(), load.end());
@@ -169,7 +169,7 @@ std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh:
     assembled[b].name = part.name;
     assembled[b].dimension = mesh.dimension;
     assembled[b].congruence = congruences[b];
-    for (const int node : part.nodes) assembled[b].nodes.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+    for (const int node : part.nodes) assembled[b].nodes.push_back(mesh.nodes[node]);
     errors.collect(input.where(), [&] {
       if (needsStiffness[b]) {
         assembled[b].stiffness = elasticity::assembleStiffness(mesh, part, *bodies.materials[b],

@@ -37,7 +37,7 @@ std::unique_ptr<files::ExodusWriter> FieldFile::open(const std::string& path, co
 
 void FieldFile::fillGlobals(files::ResultStep& step, int number) const {
   step.global.clear();
-  for (const auto& global : globals_) step.global.push_back(global.values[static_cast<std::size_t>(number)]);
+  for (const auto& global : globals_) step.global.push_back(global.values[number]);
 }
 
 void FieldFile::gather(std::vector<double>& values) const {

@@ -26,7 +26,7 @@ class FieldFile {
   FieldFile(std::string title, const std::string& input, const std::vector<double>& times,
             std::vector<GlobalVariable> globals, const Teuchos::Comm<int>& comm);
 
-  double time(int step) const { return times_[static_cast<std::size_t>(step)]; }
+  double time(int step) const { return times_[step]; }
   /// A file that holds the unloaded state already; null but on rank 0.
   std::unique_ptr<files::ExodusWriter> open(const std::string& path, const files::ResultMesh& mesh,
                                             files::ResultVariables variables) const;

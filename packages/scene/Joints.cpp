@@ -78,9 +78,7 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
   if (errors.count() > before) return surfaces;  // else parts would be reported that a faulty interface should touch
   for (const Parameters& part : scene.input.lists("Parts")) {
     const bool isTouched = std::any_of(surfaces.begin(), surfaces.end(), [&](const mesh::InterfaceSurface& surface) {
-      const auto is = [&](int piece) {
-        return piece >= 0 && parts[static_cast<std::size_t>(piece)].body == part.name();
-      };
+      const auto is = [&](int piece) { return piece >= 0 && parts[piece].body == part.name(); };
       return is(surface.part1) || is(surface.part2);
     });
     if (!isTouched) {
@@ -126,8 +124,7 @@ Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Part>& parts,
     for (std::size_t p = 0; p < carriers[s].size(); ++p) {
       const mesh::PairCarrier& carrier = carriers[s][p];
       if (carrier.surface < 0) continue;
-      joints.places[s][p] =
-          joints.places[static_cast<std::size_t>(carrier.surface)][static_cast<std::size_t>(carrier.pair)];
+      joints.places[s][p] = joints.places[carrier.surface][carrier.pair];
     }
   }
   return joints;

@@ -23,7 +23,7 @@ void throwTogether(const input::ErrorList& errors, const Teuchos::Comm<int>& com
   std::string text = errors.message();
   int length = static_cast<int>(text.size());
   Teuchos::broadcast(comm, first, Teuchos::outArg(length));
-  text.resize(static_cast<std::size_t>(length));
+  text.resize(length);
   Teuchos::broadcast(comm, first, length, text.data());
   throw base::Error(text, base::ExitCode::input);
 }

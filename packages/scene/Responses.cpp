@@ -147,7 +147,7 @@ class ResponseBuilder {
     for (const mesh::Part& part : parts_) {
       if (!body.empty() && part.body != body) continue;
       for (const int node : part.nodes) {
-        const mesh::Point& x = mesh_.nodes[static_cast<std::size_t>(node)];
+        const mesh::Point& x = mesh_.nodes[node];
         for (std::size_t d = 0; d < 3; ++d) {
           lower[d] = std::min(lower[d], x[d]);
           upper[d] = std::max(upper[d], x[d]);
@@ -163,8 +163,7 @@ class ResponseBuilder {
     if (least > 1e-6 * extent) {
       std::string text;
       for (int d = 0; d < mesh_.dimension; ++d) {
-        text +=
-            (d ? ", " : "") + base::toText(mesh_.nodes[static_cast<std::size_t>(nearest)][static_cast<std::size_t>(d)]);
+        text += (d ? ", " : "") + base::toText(mesh_.nodes[nearest][d]);
       }
       throw base::Error("there is no node at this point; the nearest is {" + text + "}.", base::ExitCode::input);
     }

@@ -71,14 +71,14 @@ void ChaosLocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
 
 void ChaosLocalStage::solvePoints(const assembly::Interface& interface, Joint& joint, int step) {
   for (int q = 0; q < projection_->points(); ++q) {
-    Histories& history = joint.histories[static_cast<std::size_t>(q)];
+    Histories& history = joint.histories[q];
     const double* free = freeJumpsAtPoints_[q];
     for (laws::LocalLine& line : line_) {
       std::copy_n(free, 3, line.freeJump.begin());
       free += 3;
     }
-    joint.laws[static_cast<std::size_t>(q)]->solve(step, {interface.pairs(), line_.data(), interface.gap.data(),
-                                                          history.now.data(), history.next.data(), state_.data()});
+    joint.laws[q]->solve(step, {interface.pairs(), line_.data(), interface.gap.data(), history.now.data(),
+                                history.next.data(), state_.data()});
     history.now.swap(history.next);
     double* traction = tractionsAtPoints_[q];
     for (const laws::LocalState& state : state_) traction = std::copy_n(state.traction.begin(), 3, traction);
@@ -87,7 +87,7 @@ void ChaosLocalStage::solvePoints(const assembly::Interface& interface, Joint& j
 
 void ChaosLocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const base::Matrix& beta,
                                  base::Matrix& traction) {
-  const assembly::Interface& interface = modal_.interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& interface = modal_.interfaces[interfaceIndex];
   const int terms = projection_->terms();
   const int step = first_ + t;
   freeJumps_.shapeUninitialized(3 * interface.pairs(), terms);

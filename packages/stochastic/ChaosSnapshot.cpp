@@ -28,7 +28,7 @@ ChaosSnapshot::ChaosSnapshot(const latin::FixedPoint& state, const ResponseSampl
   base::Matrix trace(state.trace());
   for (int j = 0; j < trace.numCols(); ++j) {
     for (int row = 0; row < trace.numRows(); ++row) {
-      trace[j][row] *= std::sqrt(state.layout().area()[static_cast<std::size_t>(row)]);
+      trace[j][row] *= std::sqrt(state.layout().area()[row]);
     }
   }
   quantities_.push_back({stacked(latin::nodalForces(state.layout(), state.hattedTraction()), terms),

@@ -140,7 +140,7 @@ base::Matrix DirectSpectral::coefficients(const latin::DisplacementResponse& res
     const int dof = system_.dofOf(node.body, node.node);
     for (int t = 0; t < result.numCols(); ++t) {
       for (int c = 0; c < system_.dimension(); ++c) {
-        const double weight = node.weight * response.direction()[static_cast<std::size_t>(c)];
+        const double weight = node.weight * response.direction()[c];
         for (int a = 0; a < terms; ++a) result(a, t) += weight * solution_((dof + c) * terms + a, t);
       }
     }

@@ -21,7 +21,7 @@ GalerkinSprings::Decomposition GalerkinSprings::decompose(const std::string& nam
                                                           const Projection& projection) {
   const int terms = projection.terms();
   Decomposition result;
-  result.values.assign(static_cast<std::size_t>(terms), stiffness[0]);
+  result.values.assign(terms, stiffness[0]);
   result.vectors.shape(terms, terms);
   if (areSame(stiffness)) {
     for (int a = 0; a < terms; ++a) result.vectors(a, a) = 1.0;
@@ -33,7 +33,7 @@ GalerkinSprings::Decomposition GalerkinSprings::decompose(const std::string& nam
                       base::ExitCode::input);
   }
   result.vectors = probability::galerkinMatrix(*projection.basis(), projection.quadrature(), stiffness);
-  std::vector<double> work(static_cast<std::size_t>(4 * terms));
+  std::vector<double> work(4 * terms);
   int info = 0;
   Teuchos::LAPACK<int, double>().SYEV('V', 'U', terms, result.vectors.values(), result.vectors.stride(),
                                       result.values.data(), work.data(), static_cast<int>(work.size()), &info);
@@ -103,10 +103,10 @@ void GalerkinSprings::solve(int step, const std::vector<laws::LocalLine>& lines,
     }
     rotated.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, jumps, spring.vectors, 0.0);
     for (int j = 0; j < terms; ++j) {
-      const double lambda = spring.values[static_cast<std::size_t>(j)];
-      const double offset = component.offset[static_cast<std::size_t>(j)];
+      const double lambda = spring.values[j];
+      const double offset = component.offset[j];
       for (int p = 0; p < pairs; ++p) {
-        const double compliance = lines[static_cast<std::size_t>(p)].compliance;
+        const double compliance = lines[p].compliance;
         double& value = rotated(p, j);
         value = std::isinf(lambda) ? (value - offset) / compliance
                                    : (lambda * value + offset) / (1.0 + lambda * compliance);

@@ -24,7 +24,7 @@ assembly::Assembly modalAssembly(const assembly::Assembly& assembly,
   const int terms = projection->terms();
   assembly::Assembly modal = assembly;
   modal.times.clear();
-  for (const double time : assembly.times) modal.times.insert(modal.times.end(), static_cast<std::size_t>(terms), time);
+  for (const double time : assembly.times) modal.times.insert(modal.times.end(), terms, time);
   for (substructure::Substructure& body : modal.bodies) {
     if (body.loads.numRows() == 0) continue;
     const base::Matrix loads = body.loads;

@@ -12,7 +12,7 @@ void ProjectedLaw::solve(int column, const laws::NodeArrays& nodes) const {
   for (std::size_t p = 0; p < count; ++p) nodes.state[p] = {};
   for (int q = 0; q < projection_->points(); ++q) {
     const double weight = projection_->projector()(term, q);
-    realisations_[static_cast<std::size_t>(q)]->solve(step, realised);
+    realisations_[q]->solve(step, realised);
     for (std::size_t p = 0; p < count; ++p) {
       for (std::size_t c = 0; c < 3; ++c) nodes.state[p].traction[c] += weight * states[p].traction[c];
     }

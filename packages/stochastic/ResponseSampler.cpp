@@ -70,18 +70,17 @@ base::Matrix ResponseSampler::evaluate(int response, const base::Matrix& polynom
   const int steps = assembly_.steps();
   const int points = polynomials.numCols();
   base::Matrix result(steps, points);
-  const base::Matrix& coefficients = linear_[static_cast<std::size_t>(response)];
+  const base::Matrix& coefficients = linear_[response];
   if (coefficients.numRows() > 0) {
     result.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, coefficients, polynomials, 0.0);
     return result;
   }
-  const auto& onPairs = static_cast<const latin::PairResponse&>(*responses_[static_cast<std::size_t>(response)]);
+  const auto& onPairs = static_cast<const latin::PairResponse&>(*responses_[response]);
   for (int first = 0; first < points; first += chunk) {
     const int count = std::min(chunk, points - first);
-    std::vector<std::vector<double>> values(static_cast<std::size_t>(count),
-                                            std::vector<double>(static_cast<std::size_t>(steps), 0.0));
+    std::vector<std::vector<double>> values(count, std::vector<double>(steps, 0.0));
     for (const int i : onPairs.interfaces()) {
-      const assembly::Interface& interface = assembly_.interfaces[static_cast<std::size_t>(i)];
+      const assembly::Interface& interface = assembly_.interfaces[i];
       const PairExpansion& expansion = expansionOf(i);
       const base::Matrix tractions = product(expansion.traction, polynomials, first, count);
       const base::Matrix jumps = product(expansion.jump, polynomials, first, count);
@@ -93,18 +92,18 @@ base::Matrix ResponseSampler::evaluate(int response, const base::Matrix& polynom
       for (int s = 0; s < count; ++s) {
         copyVectors(tractions[s], fields.traction);
         copyVectors(jumps[s], fields.jump);
-        onPairs.include(interface, fields, values[static_cast<std::size_t>(s)]);
+        onPairs.include(interface, fields, values[s]);
       }
     }
     for (int s = 0; s < count; ++s) {
-      std::copy_n(values[static_cast<std::size_t>(s)].begin(), steps, result[first + s]);
+      std::copy_n(values[s].begin(), steps, result[first + s]);
     }
   }
   return result;
 }
 
 base::Matrix ResponseSampler::coefficients(int response) const {
-  const base::Matrix& linear = linear_[static_cast<std::size_t>(response)];
+  const base::Matrix& linear = linear_[response];
   if (linear.numRows() > 0) return linear;
   const base::Matrix values = evaluate(response, base::Matrix(projection_->values(), Teuchos::TRANS));
   base::Matrix result(projection_->terms(), assembly_.steps());

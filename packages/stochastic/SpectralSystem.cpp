@@ -34,7 +34,7 @@ mesh::Point axisOf(const assembly::Interface& interface, std::size_t component, 
 std::vector<assembly::MassEntry> massOf(const assembly::Interface& interface) {
   if (!interface.mass.empty()) return interface.mass;
   std::vector<assembly::MassEntry> lumped;
-  for (int p = 0; p < interface.pairs(); ++p) lumped.push_back({p, p, interface.area[static_cast<std::size_t>(p)]});
+  for (int p = 0; p < interface.pairs(); ++p) lumped.push_back({p, p, interface.area[p]});
   return lumped;
 }
 
@@ -47,7 +47,7 @@ SpectralSystem::SpectralSystem(const assembly::Assembly& assembly, const std::sh
     firstDof_.push_back(dofs_);
     dofs_ += dimension_ * static_cast<int>(body.nodes.size());
   }
-  isHeld_.assign(static_cast<std::size_t>(dofs_), 0);
+  isHeld_.assign(dofs_, 0);
   held_.shape(dofs_ * terms_, steps_);
   right_.shape(dofs_ * terms_, steps_);
   std::vector<Entry> entries;
@@ -66,12 +66,12 @@ SpectralSystem::SpectralSystem(const assembly::Assembly& assembly, const std::sh
   }
   constant_ = compressed(std::move(entries));
 
-  std::vector<double> product(static_cast<std::size_t>(right_.numRows()));
+  std::vector<double> product(right_.numRows());
   for (int t = 0; t < steps_; ++t) {
     applyFree(held_[t], product.data());
     for (int i = 0; i < right_.numRows(); ++i) {
-      const bool isHeld = isHeld_[static_cast<std::size_t>(i / terms_)] != 0;
-      right_[t][i] = isHeld ? held_[t][i] : right_[t][i] - product[static_cast<std::size_t>(i)];
+      const bool isHeld = isHeld_[i / terms_] != 0;
+      right_[t][i] = isHeld ? held_[t][i] : right_[t][i] - product[i];
     }
   }
 }
@@ -134,7 +134,7 @@ void SpectralSystem::addLoads(const assembly::Interface& boundary) {
     const std::vector<double> force = latin::prescribedForces(boundary, dimension_, column);
     for (int p = 0; p < boundary.pairs(); ++p) {
       for (int c = 0; c < dimension_; ++c) {
-        at(right_, dofOf(boundary.body1, boundary.node1[static_cast<std::size_t>(p)]) + c, column) +=
+        at(right_, dofOf(boundary.body1, boundary.node1[p]) + c, column) +=
             force[static_cast<std::size_t>(p) * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(c)];
       }
     }
@@ -156,8 +156,7 @@ std::vector<SpectralSystem::Entry> SpectralSystem::springs(const assembly::Inter
         const int column = dofOf(interface.body(other), interface.nodes(other)[s]);
         for (int a = 0; a < dimension_; ++a) {
           for (int b = 0; b < dimension_; ++b) {
-            const double value =
-                mass.value * rowAxis[static_cast<std::size_t>(a)] * columnAxis[static_cast<std::size_t>(b)];
+            const double value = mass.value * rowAxis[a] * columnAxis[b];
             if (value != 0.0) entries.push_back({row + a, column + b, side == other ? value : -value});
           }
         }
@@ -172,9 +171,9 @@ void SpectralSystem::addOffset(const assembly::Interface& interface, std::size_t
   for (const assembly::MassEntry& mass : massOf(interface)) {
     const mesh::Point axis = axisOf(interface, component, static_cast<std::size_t>(mass.column));
     for (int side = 0; side < interface.sides(); ++side) {
-      const int dof = dofOf(interface.body(side), interface.nodes(side)[static_cast<std::size_t>(mass.row)]);
+      const int dof = dofOf(interface.body(side), interface.nodes(side)[mass.row]);
       for (int c = 0; c < dimension_; ++c) {
-        const double force = mass.value * traction * axis[static_cast<std::size_t>(c)];
+        const double force = mass.value * traction * axis[c];
         at(right_, dof + c, column) += side == 0 ? force : -force;
       }
     }
@@ -186,11 +185,11 @@ void SpectralSystem::hold(const assembly::Interface& interface, std::size_t comp
   for (std::size_t p = 0; p < interface.node1.size(); ++p) {
     const mesh::Point axis = axisOf(interface, component, p);
     for (int c = 0; c < dimension_; ++c) {
-      const double cosine = axis[static_cast<std::size_t>(c)];
+      const double cosine = axis[c];
       if (std::abs(cosine) <= straight) continue;
       if (std::abs(cosine) < 1.0 - straight) refuse(interface, "holds boundaries along the axes only");
       const int dof = dofOf(interface.body1, interface.node1[p]) + c;
-      isHeld_[static_cast<std::size_t>(dof)] = 1;
+      isHeld_[dof] = 1;
       // The ground is at rest: the jump is -w1.
       at(held_, dof, column) = -jump * cosine;
     }
@@ -224,14 +223,14 @@ void SpectralSystem::addInterface(const assembly::Interface& interface,
     const bool isRandom = !areSame(stiffness[c]);
     if (!isRandom && std::isinf(stiffness[c][0])) {
       for (int t = 0; t < steps_; ++t) {
-        std::vector<double> jump(static_cast<std::size_t>(terms_), 0.0);
+        std::vector<double> jump(terms_, 0.0);
         for (std::size_t q = 0; q < laws.size(); ++q) {
           const double value = affineComponents(*laws[q], t, compliance, interface.name)[c].offset;
           for (int a = 0; a < terms_; ++a) {
-            jump[static_cast<std::size_t>(a)] += projection.projector()(a, static_cast<int>(q)) * value;
+            jump[a] += projection.projector()(a, static_cast<int>(q)) * value;
           }
         }
-        for (int a = 0; a < terms_; ++a) hold(interface, c, t * terms_ + a, jump[static_cast<std::size_t>(a)]);
+        for (int a = 0; a < terms_; ++a) hold(interface, c, t * terms_ + a, jump[a]);
       }
       continue;
     }
@@ -254,14 +253,14 @@ void SpectralSystem::applyFree(const double* x, double* y) const {
     }
   };
   for (std::size_t i = 0; i < constant_.number.size(); ++i) addRow(constant_, i, y + constant_.number[i] * terms_);
-  std::vector<double> sum(static_cast<std::size_t>(terms_));
+  std::vector<double> sum(terms_);
   for (const Random& random : random_) {
     for (std::size_t i = 0; i < random.matrix.number.size(); ++i) {
       std::fill(sum.begin(), sum.end(), 0.0);
       addRow(random.matrix, i, sum.data());
       double* to = y + random.matrix.number[i] * terms_;
       for (int b = 0; b < terms_; ++b) {
-        for (int a = 0; a < terms_; ++a) to[a] += random.galerkin(a, b) * sum[static_cast<std::size_t>(b)];
+        for (int a = 0; a < terms_; ++a) to[a] += random.galerkin(a, b) * sum[b];
       }
     }
   }
@@ -271,7 +270,7 @@ void SpectralSystem::apply(const double* x, double* y) const {
   std::vector<double> free(x, x + static_cast<std::ptrdiff_t>(dofs_) * terms_);
   const auto forHeld = [&](const auto& action) {
     for (int dof = 0; dof < dofs_; ++dof) {
-      if (isHeld_[static_cast<std::size_t>(dof)] != 0) action(dof * terms_);
+      if (isHeld_[dof] != 0) action(dof * terms_);
     }
   };
   forHeld([&](int first) { std::fill_n(free.begin() + first, terms_, 0.0); });
@@ -283,9 +282,9 @@ Teuchos::RCP<base::CrsMatrix> SpectralSystem::meanMatrix() const {
   std::vector<Entry> entries;
   const auto add = [&](const Rows& rows, double factor) {
     for (std::size_t i = 0; i < rows.number.size(); ++i) {
-      if (isHeld_[static_cast<std::size_t>(rows.number[i])] != 0) continue;
+      if (isHeld_[rows.number[i]] != 0) continue;
       for (std::size_t k = rows.begin[i]; k < rows.begin[i + 1]; ++k) {
-        if (isHeld_[static_cast<std::size_t>(rows.column[k])] != 0) continue;
+        if (isHeld_[rows.column[k]] != 0) continue;
         entries.push_back({rows.number[i], rows.column[k], factor * rows.value[k]});
       }
     }
@@ -293,7 +292,7 @@ Teuchos::RCP<base::CrsMatrix> SpectralSystem::meanMatrix() const {
   add(constant_, 1.0);
   for (const Random& random : random_) add(random.matrix, random.galerkin(0, 0));
   for (int dof = 0; dof < dofs_; ++dof) {
-    if (isHeld_[static_cast<std::size_t>(dof)] != 0) entries.push_back({dof, dof, 1.0});
+    if (isHeld_[dof] != 0) entries.push_back({dof, dof, 1.0});
   }
   return crsMatrix(std::move(entries));
 }
@@ -302,9 +301,9 @@ Teuchos::RCP<base::CrsMatrix> SpectralSystem::wholeMatrix() const {
   std::vector<Entry> entries;
   const auto add = [&](const Rows& rows, const base::Matrix* galerkin) {
     for (std::size_t i = 0; i < rows.number.size(); ++i) {
-      if (isHeld_[static_cast<std::size_t>(rows.number[i])] != 0) continue;
+      if (isHeld_[rows.number[i]] != 0) continue;
       for (std::size_t k = rows.begin[i]; k < rows.begin[i + 1]; ++k) {
-        if (isHeld_[static_cast<std::size_t>(rows.column[k])] != 0) continue;
+        if (isHeld_[rows.column[k]] != 0) continue;
         for (int a = 0; a < terms_; ++a) {
           for (int b = 0; b < terms_; ++b) {
             const double factor = galerkin != nullptr ? (*galerkin)(a, b) : a == b ? 1.0 : 0.0;
@@ -318,7 +317,7 @@ Teuchos::RCP<base::CrsMatrix> SpectralSystem::wholeMatrix() const {
   add(constant_, nullptr);
   for (const Random& random : random_) add(random.matrix, &random.galerkin);
   for (int dof = 0; dof < dofs_; ++dof) {
-    for (int a = 0; a < terms_ && isHeld_[static_cast<std::size_t>(dof)] != 0; ++a) {
+    for (int a = 0; a < terms_ && isHeld_[dof] != 0; ++a) {
       entries.push_back({dof * terms_ + a, dof * terms_ + a, 1.0});
     }
   }

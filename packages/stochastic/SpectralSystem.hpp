@@ -28,7 +28,7 @@ class SpectralSystem {
 
   int dimension() const { return dimension_; }
   int dofs() const { return dofs_; }
-  int dofOf(int body, int node) const { return firstDof_[static_cast<std::size_t>(body)] + dimension_ * node; }
+  int dofOf(int body, int node) const { return firstDof_[body] + dimension_ * node; }
   /// y = A x for one column.
   void apply(const double* x, double* y) const;
   /// (dofs x terms) x load steps, with the values of held dofs.

@@ -59,7 +59,7 @@ int StochasticSolver::iterations() const {
 }
 
 void StochasticSolver::select(int first, int count) {
-  std::vector<int> columns(static_cast<std::size_t>(count * projection_->terms()));
+  std::vector<int> columns(count * projection_->terms());
   std::iota(columns.begin(), columns.end(), column(first, 0));
   fixedPoint_.select(columns);
   local_.select(first, count);
@@ -106,7 +106,7 @@ StochasticSolver::End StochasticSolver::run(double tolerance, bool isFresh) {
   for (int first = 0; first < steps && (end == End::reached || end == End::stalled); first += count) {
     if (isFresh && count == 1) latin::extrapolate(alpha_, first, assembly_.times, alpha_[first]);
     select(first, count);
-    const End here = iterate(accelerations_[static_cast<std::size_t>(first / count)], first, count, tolerance);
+    const End here = iterate(accelerations_[first / count], first, count, tolerance);
     if (here != End::reached) end = here;
     local_.startFromHere();
     if (count == 1) {

@@ -124,7 +124,7 @@ class Summariser {
       if (result && result->status == results::Status::inadmissible) ++summary_->inadmissible;
       if (!isSolved(configuration.id)) continue;
       ++summary_->solved;
-      germs.push_back(plan_.germs[static_cast<std::size_t>(configuration.id) - 1]);
+      germs.push_back(plan_.germs[configuration.id - 1]);
       const std::vector<double> responses = results_.responses(configuration.id);
       for (std::size_t r = 0; r < responses.size(); ++r) values[r].push_back(responses[r]);
     }

@@ -33,7 +33,7 @@ int certainOrder(const Study& study) {
 
 probability::GaussRule ruleOf(const Study& study, const probability::RandomVector& variables, int i, int order) {
   const auto points = gaussPoints(variables, order, study.input.list("Design").integer("Points"), false);
-  return variables.polynomials(i).gauss(points[static_cast<std::size_t>(i)]);
+  return variables.polynomials(i).gauss(points[i]);
 }
 
 std::string text(double value) {
@@ -85,15 +85,14 @@ std::string whoNeeds(const Study& study, int order) {
 void checkVariable(const Study& study, const laws::LawRegistry& laws, const probability::RandomVector& variables, int i,
                    int order, const std::string& where, input::ErrorList& errors) {
   const auto [least, largest] = reachOf(study, variables, i, order);
-  const probability::Variable& variable = variables.variables()[static_cast<std::size_t>(i)];
-  std::vector<double> germs =
-      variables.germs(std::vector<double>(static_cast<std::size_t>(variables.dimension()), 0.5));
+  const probability::Variable& variable = variables.variables()[i];
+  std::vector<double> germs = variables.germs(std::vector<double>(variables.dimension(), 0.5));
   for (const double point : {least, largest}) {
-    germs[static_cast<std::size_t>(i)] = point * beyondTheEdge;
+    germs[i] = point * beyondTheEdge;
     const std::vector<double> values = variables.values(germs);
     const std::string reason = refusal(study, laws, values);
     if (reason.empty()) continue;
-    const double value = values[static_cast<std::size_t>(i)];
+    const double value = values[i];
     errors.add(where,
                whoNeeds(study, order) + variable.name + " = " + text(value) + ", " +
                    text(std::abs(value - variable.distribution->mean()) / variable.distribution->standardDeviation()) +
@@ -176,7 +175,7 @@ void checkTails(const Study& study, const laws::LawRegistry& laws, int order, in
   const int before = errors.count();
   if (plan.variables->isIndependent()) {
     for (int i = 0; i < plan.variables->dimension(); ++i) {
-      const StudyParameter& parameter = study.parameters[plan.places[static_cast<std::size_t>(i)]];
+      const StudyParameter& parameter = study.parameters[plan.places[i]];
       checkVariable(study, laws, *plan.variables, i, order, parameter.where + " / Distribution", errors);
     }
     for (const auto& sweep : plan.sweeps) {
@@ -195,7 +194,7 @@ std::vector<std::string> describeTails(const Study& study) {
   const StochasticPlan& plan = *study.stochastic;
   std::vector<std::string> sentences;
   for (int i = 0; i < plan.variables->dimension(); ++i) {
-    const probability::Variable& variable = plan.variables->variables()[static_cast<std::size_t>(i)];
+    const probability::Variable& variable = plan.variables->variables()[i];
     const probability::Distribution& distribution = *variable.distribution;
     const double mean = distribution.mean(), deviation = distribution.standardDeviation();
     std::string sentence = variable.name + ": " + distribution.name() + ", mean " + text(mean) +

@@ -14,7 +14,7 @@ constexpr char ofResult = 'R', ofNote = 'N';
 void broadcast(std::string& text, const Teuchos::Comm<int>& comm) {
   int length = static_cast<int>(text.size());
   Teuchos::broadcast(comm, 0, Teuchos::outArg(length));
-  text.resize(static_cast<std::size_t>(length));
+  text.resize(length);
   if (length > 0) Teuchos::broadcast(comm, 0, length, text.data());
 }
 

@@ -64,7 +64,7 @@ std::string StudyTeams::nextWork() {
   }
   int length = static_cast<int>(work.size());
   Teuchos::broadcast(*team_, 0, Teuchos::outArg(length));
-  work.resize(static_cast<std::size_t>(length));
+  work.resize(length);
   if (length > 0) Teuchos::broadcast(*team_, 0, length, work.data());
   return work;
 }

@@ -72,13 +72,12 @@ CrsView viewOf(const base::CrsMatrix& matrix, const std::string& name) {
 
 std::vector<double> nodalStiffnessDiagonal(const base::CrsMatrix& stiffness, int dimension) {
   const CrsView matrix = viewOf(stiffness, "stiffness");
-  std::vector<double> mean(static_cast<std::size_t>(matrix.rows / dimension), 0.0);
+  std::vector<double> mean(matrix.rows / dimension, 0.0);
   for (int row = 0; row < matrix.rows; ++row) {
     const int* begin = matrix.columns + matrix.rowPointers[row];
     const int* end = matrix.columns + matrix.rowPointers[row + 1];
     const int* found = std::lower_bound(begin, end, row);
-    if (found != end && *found == row)
-      mean[static_cast<std::size_t>(row / dimension)] += matrix.values[found - matrix.columns];
+    if (found != end && *found == row) mean[row / dimension] += matrix.values[found - matrix.columns];
   }
   for (double& value : mean) value /= dimension;
   return mean;

@@ -52,19 +52,19 @@ NestedDissection::NestedDissection(int rows, const std::size_t* rowPointers, con
     pointers_.push_back(static_cast<int>(neighbours_.size()));
   }
 
-  std::vector<bool> isLast(static_cast<std::size_t>(count), false);
-  for (const int row : last) isLast[static_cast<std::size_t>(row / blockSize_)] = true;
+  std::vector<bool> isLast(count, false);
+  for (const int row : last) isLast[row / blockSize_] = true;
   std::vector<int> first;
   for (int block = 0; block < count; ++block) {
-    if (!isLast[static_cast<std::size_t>(block)]) first.push_back(block);
+    if (!isLast[block]) first.push_back(block);
   }
   order(first);
   for (int block = 0; block < count; ++block) {
-    if (isLast[static_cast<std::size_t>(block)]) blocks_.old.push_back(block);
+    if (isLast[block]) blocks_.old.push_back(block);
   }
-  blocks_.position.resize(static_cast<std::size_t>(count));
+  blocks_.position.resize(count);
   for (int position = 0; position < count; ++position) {
-    blocks_.position[static_cast<std::size_t>(blocks_.old[static_cast<std::size_t>(position)])] = position;
+    blocks_.position[blocks_.old[position]] = position;
   }
 
   const auto append = [&](int block, bool trailing) {
@@ -72,12 +72,12 @@ NestedDissection::NestedDissection(int rows, const std::size_t* rowPointers, con
       if (std::binary_search(last.begin(), last.end(), row) == trailing) ordering_.old.push_back(row);
     }
   };
-  ordering_.old.reserve(static_cast<std::size_t>(rows));
+  ordering_.old.reserve(rows);
   for (const int block : blocks_.old) append(block, false);
   for (const int block : blocks_.old) append(block, true);
-  ordering_.position.resize(static_cast<std::size_t>(rows));
+  ordering_.position.resize(rows);
   for (int position = 0; position < rows; ++position) {
-    ordering_.position[static_cast<std::size_t>(ordering_.old[static_cast<std::size_t>(position)])] = position;
+    ordering_.position[ordering_.old[position]] = position;
   }
 }
 
@@ -85,14 +85,14 @@ NestedDissection::NestedDissection(int rows, const std::size_t* rowPointers, con
 void NestedDissection::order(const std::vector<int>& blocks) {
   static_assert(sizeof(idx_t) == sizeof(int), "METIS must be built with 32-bit indices");
   std::vector<int> number(pointers_.size() - 1, -1);
-  for (std::size_t i = 0; i < blocks.size(); ++i) number[static_cast<std::size_t>(blocks[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < blocks.size(); ++i) number[blocks[i]] = static_cast<int>(i);
   std::vector<int> pointers{0};
   std::vector<int> neighbours;
   neighbours.reserve(neighbours_.size());
   for (const int block : blocks) {
     const auto at = static_cast<std::size_t>(block);
     for (int k = pointers_[at]; k < pointers_[at + 1]; ++k) {
-      const int other = number[static_cast<std::size_t>(neighbours_[static_cast<std::size_t>(k)])];
+      const int other = number[neighbours_[k]];
       if (other >= 0) neighbours.push_back(other);
     }
     pointers.push_back(static_cast<int>(neighbours.size()));
@@ -111,7 +111,7 @@ void NestedDissection::order(const std::vector<int>& blocks) {
   if (status != METIS_OK) {
     throw base::Error("METIS could not order a matrix of " + std::to_string(vertices * blockSize_) + " rows.");
   }
-  for (const int at : old) blocks_.old.push_back(blocks[static_cast<std::size_t>(at)]);
+  for (const int at : old) blocks_.old.push_back(blocks[at]);
 }
 
 /// Column counts of L by walking the row subtrees of the elimination tree: Liu, SIAM J. Matrix Anal. Appl. 11 (1990).
@@ -119,15 +119,15 @@ FactorSize NestedDissection::factorSize() const {
   const std::size_t count = blocks_.old.size();
   std::vector<int> parent(count, -1), visited(count, -1), below(count, 0);
   for (int row = 0; row < static_cast<int>(count); ++row) {
-    const auto old = static_cast<std::size_t>(blocks_.old[static_cast<std::size_t>(row)]);
-    visited[static_cast<std::size_t>(row)] = row;
+    const auto old = static_cast<std::size_t>(blocks_.old[row]);
+    visited[row] = row;
     for (int k = pointers_[old]; k < pointers_[old + 1]; ++k) {
-      int column = blocks_.position[static_cast<std::size_t>(neighbours_[static_cast<std::size_t>(k)])];
+      int column = blocks_.position[neighbours_[k]];
       if (column > row) continue;
-      for (; visited[static_cast<std::size_t>(column)] != row; column = parent[static_cast<std::size_t>(column)]) {
-        visited[static_cast<std::size_t>(column)] = row;
-        ++below[static_cast<std::size_t>(column)];
-        if (parent[static_cast<std::size_t>(column)] < 0) parent[static_cast<std::size_t>(column)] = row;
+      for (; visited[column] != row; column = parent[column]) {
+        visited[column] = row;
+        ++below[column];
+        if (parent[column] < 0) parent[column] = row;
       }
     }
   }

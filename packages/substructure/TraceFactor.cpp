@@ -31,13 +31,13 @@ void TraceFactor::solve(const base::Matrix& b, base::Matrix& x) const {
   const int columns = b.numCols();
   base::Matrix y(rows, columns, false);
   for (int j = 0; j < columns; ++j) {
-    for (int row = 0; row < rows; ++row) y[j][row] = b[j][order[static_cast<std::size_t>(row)]];
+    for (int row = 0; row < rows; ++row) y[j][row] = b[j][order[row]];
   }
   solveTriangular(lower, Teuchos::NO_TRANS, y);
   solveTriangular(lower, Teuchos::TRANS, y);
   if (x.numRows() != rows || x.numCols() != columns) x.shapeUninitialized(rows, columns);
   for (int j = 0; j < columns; ++j) {
-    for (int row = 0; row < rows; ++row) x[j][order[static_cast<std::size_t>(row)]] = y[j][row];
+    for (int row = 0; row < rows; ++row) x[j][order[row]] = y[j][row];
   }
 }
 

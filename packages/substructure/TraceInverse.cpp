@@ -21,9 +21,9 @@ TraceInverse::TraceInverse(const TraceFactor& factor) {
   inverse_.shapeUninitialized(rows, rows);
   rough_.shape(rows, rows);
   for (int j = 0; j < rows; ++j) {
-    const int column = factor.order[static_cast<std::size_t>(j)];
+    const int column = factor.order[j];
     for (int i = j; i < rows; ++i) {
-      const int row = factor.order[static_cast<std::size_t>(i)];
+      const int row = factor.order[i];
       inverse_(row, column) = inverse_(column, row) = inverse(i, j);
       rough_(std::max(row, column), std::min(row, column)) = static_cast<float>(inverse(i, j));
     }
@@ -42,7 +42,7 @@ void TraceInverse::solveRoughly(const base::Matrix& b, base::Matrix& x) const {
   const float one = 1.0f;
   const float zero = 0.0f;
   if (x.numRows() != rows || x.numCols() != b.numCols()) x.shapeUninitialized(rows, b.numCols());
-  std::vector<float> right(static_cast<std::size_t>(rows)), left(right.size());
+  std::vector<float> right(rows), left(right.size());
   for (int j = 0; j < b.numCols(); ++j) {
     std::copy_n(b[j], rows, right.begin());
     ssymv_("L", &rows, &one, rough_.values(), &stride, right.data(), &increment, &zero, left.data(), &increment);

@@ -98,7 +98,7 @@ class Writer {
     const mesh::SideSet& set = sideSet(name);
     out_ << "*SURFACE, NAME=" << name << ", TYPE=ELEMENT\n";
     for (std::size_t i = 0; i < set.element.size(); ++i)
-      out_ << set.element[i] + 1 << ", S" << calculixFace[static_cast<std::size_t>(set.side[i])] << "\n";
+      out_ << set.element[i] + 1 << ", S" << calculixFace[set.side[i]] << "\n";
   }
 
   void contactPair(const Parameters& interface, const Parameters& law, const ContactPenalty& contact) {
@@ -117,9 +117,7 @@ class Writer {
     return *std::find_if(all.begin(), all.end(), [&](const mesh::InterfaceSurface& one) { return one.name == name; });
   }
 
-  int meshNode(int part, int node) const {
-    return problem_.bodies.parts[static_cast<std::size_t>(part)].nodes[static_cast<std::size_t>(node)] + 1;
-  }
+  int meshNode(int part, int node) const { return problem_.bodies.parts[part].nodes[node] + 1; }
 
   void preload(const Parameters& interface, const Parameters& law) {
     const int reference = static_cast<int>(problem_.mesh.nodes.size() + references_.size()) + 1;
@@ -216,8 +214,7 @@ class Writer {
         if (std::abs(traction[c] - pull * normal[c] / length) > 1e-9 * std::abs(pull))
           refuse(boundary.where(), "a traction that is not normal to its faces");
       }
-      out_ << set.element[i] + 1 << ", P" << calculixFace[static_cast<std::size_t>(set.side[i])] << ", " << -pull
-           << "\n";
+      out_ << set.element[i] + 1 << ", P" << calculixFace[set.side[i]] << ", " << -pull << "\n";
     }
   }
 

@@ -30,14 +30,14 @@ void check(int info, const char* routine) {
 
 /// Consistent or lumped mass of an interface times its mean stiffness, on the jumps pair by pair, as L of L L^T.
 base::Matrix factoredStiffness(const RandomGlue& glue, std::size_t number) {
-  const assembly::Interface& interface = glue.assembly().interfaces[static_cast<std::size_t>(glue.interfaceOf(number))];
+  const assembly::Interface& interface = glue.assembly().interfaces[glue.interfaceOf(number)];
   const auto [normal, tangential] = glue.stiffness(number);
   const mesh::Point& n = interface.frame[0][0];
   base::Matrix lower(2 * interface.pairs(), 2 * interface.pairs());
   for (const assembly::MassEntry& entry : interface.mass) {
     for (int a = 0; a < 2; ++a) {
       for (int b = 0; b < 2; ++b) {
-        const double projector = n[static_cast<std::size_t>(a)] * n[static_cast<std::size_t>(b)];
+        const double projector = n[a] * n[b];
         const double stiffness = normal * projector + tangential * ((a == b ? 1.0 : 0.0) - projector);
         lower(2 * entry.row + a, 2 * entry.column + b) += entry.value * stiffness;
       }
@@ -81,8 +81,7 @@ GluedMatrices::GluedMatrices(const RandomGlue& glue)
     const latin::DisplacementResponse& response = glue.displacement(static_cast<std::size_t>(c));
     for (const auto& node : response.nodes()) {
       for (int axis = 0; axis < 2; ++axis) {
-        reader_(system_.dofOf(node.body, node.node) + axis, c) +=
-            node.weight * response.direction()[static_cast<std::size_t>(axis)];
+        reader_(system_.dofOf(node.body, node.node) + axis, c) += node.weight * response.direction()[axis];
       }
     }
   }
@@ -128,7 +127,7 @@ CondensedMonteCarlo::CondensedMonteCarlo(const RandomGlue& glue, const GluedMatr
   // J as pairs of dofs: jump = u(second) - u(first).
   std::vector<std::pair<int, int>> jumps;
   for (std::size_t g = 0; g < 2; ++g) {
-    const assembly::Interface& interface = glue.assembly().interfaces[static_cast<std::size_t>(glue.interfaceOf(g))];
+    const assembly::Interface& interface = glue.assembly().interfaces[glue.interfaceOf(g)];
     for (std::size_t p = 0; p < interface.node1.size(); ++p) {
       for (int c = 0; c < 2; ++c) {
         jumps.emplace_back(matrices.system().dofOf(interface.body1, interface.node1[p]) + c,
@@ -155,7 +154,7 @@ CondensedMonteCarlo::CondensedMonteCarlo(const RandomGlue& glue, const GluedMatr
   };
   base::Matrix forces(static_cast<int>(trace.size()), count), traces;
   for (int j = 0; j < count; ++j) {
-    const auto& [first, second] = jumps[static_cast<std::size_t>(j)];
+    const auto& [first, second] = jumps[j];
     forces(rowOf(first), j) = -1.0;
     forces(rowOf(second), j) = 1.0;
   }
@@ -163,7 +162,7 @@ CondensedMonteCarlo::CondensedMonteCarlo(const RandomGlue& glue, const GluedMatr
   compliance_.shape(count, count);
   for (int j = 0; j < count; ++j) {
     for (int i = 0; i < count; ++i) {
-      const auto& [first, second] = jumps[static_cast<std::size_t>(i)];
+      const auto& [first, second] = jumps[i];
       compliance_(i, j) = traces(rowOf(second), j) - traces(rowOf(first), j);
     }
   }
@@ -173,7 +172,7 @@ CondensedMonteCarlo::CondensedMonteCarlo(const RandomGlue& glue, const GluedMatr
   solver.solve(sources, fields);
   base::Matrix onJumps(count, 3);
   for (int i = 0; i < count; ++i) {
-    const auto& [first, second] = jumps[static_cast<std::size_t>(i)];
+    const auto& [first, second] = jumps[i];
     for (int c = 0; c < 3; ++c) onJumps(i, c) = fields(second, c) - fields(first, c);
   }
   mean_ = matrices.read(part(fields, 0, fields.numRows(), 0, 1));
@@ -201,7 +200,7 @@ PointDisplacement CondensedMonteCarlo::solveDense(const std::vector<double>& fac
     for (int i = 0; i < count; ++i) matrix(i, j) *= change;
     matrix(j, j) += 1.0;
   }
-  std::vector<int> pivots(static_cast<std::size_t>(count));
+  std::vector<int> pivots(count);
   int info = 0;
   Teuchos::LAPACK<int, double>().GESV(count, 1, matrix.values(), matrix.stride(), pivots.data(), y.values(), y.stride(),
                                       &info);
@@ -209,7 +208,7 @@ PointDisplacement CondensedMonteCarlo::solveDense(const std::vector<double>& fac
   PointDisplacement result = mean_;
   for (int c = 0; c < 2; ++c) {
     for (int i = 0; i < count; ++i) {
-      result[static_cast<std::size_t>(c)] -= read_(i, c) * (factors[i < size_ ? 0 : 1] - 1.0) * y(i, 0);
+      result[c] -= read_(i, c) * (factors[i < size_ ? 0 : 1] - 1.0) * y(i, 0);
     }
   }
   return result;
@@ -218,12 +217,12 @@ PointDisplacement CondensedMonteCarlo::solveDense(const std::vector<double>& fac
 void CondensedMonteCarlo::diagonalise() {
   const Teuchos::LAPACK<int, double> lapack;
   std::array<base::Matrix, 2> vectors;
-  std::vector<double> work(static_cast<std::size_t>(40 * size_));
+  std::vector<double> work(40 * size_);
   int info = 0;
   for (std::size_t g = 0; g < 2; ++g) {
     const int first = static_cast<int>(g) * size_;
     vectors[g] = part(compliance_, first, size_, first, size_);
-    values_[g].resize(static_cast<std::size_t>(size_));
+    values_[g].resize(size_);
     lapack.SYEV('V', 'L', size_, vectors[g].values(), vectors[g].stride(), values_[g].data(), work.data(),
                 static_cast<int>(work.size()), &info);
     check(info, "SYEV");
@@ -234,7 +233,7 @@ void CondensedMonteCarlo::diagonalise() {
       product(Teuchos::TRANS, vectors[0], Teuchos::NO_TRANS,
               product(Teuchos::NO_TRANS, part(compliance_, 0, size_, size_, size_), Teuchos::NO_TRANS, vectors[1]));
   base::Matrix left(size_, size_), right(size_, size_);
-  std::vector<double> singular(static_cast<std::size_t>(size_));
+  std::vector<double> singular(size_);
   lapack.GESVD('S', 'S', size_, size_, coupling.values(), coupling.stride(), singular.data(), left.values(),
                left.stride(), right.values(), right.stride(), work.data(), static_cast<int>(work.size()), nullptr,
                &info);
@@ -244,7 +243,7 @@ void CondensedMonteCarlo::diagonalise() {
   coupling_[0] = part(left, 0, size_, 0, rank_);
   coupling_[1].shape(size_, rank_);
   for (int j = 0; j < rank_; ++j) {
-    for (int i = 0; i < size_; ++i) coupling_[1](i, j) = singular[static_cast<std::size_t>(j)] * right(j, i);
+    for (int i = 0; i < size_; ++i) coupling_[1](i, j) = singular[j] * right(j, i);
   }
 }
 
@@ -255,7 +254,7 @@ PointDisplacement CondensedMonteCarlo::solve(const std::vector<double>& factors)
   for (std::size_t g = 0; g < 2; ++g) {
     scaled[g] = coupling_[g];
     for (int j = 0; j < rank_; ++j) {
-      for (int i = 0; i < size_; ++i) scaled[g](i, j) /= 1.0 + change[g] * values_[g][static_cast<std::size_t>(i)];
+      for (int i = 0; i < size_; ++i) scaled[g](i, j) /= 1.0 + change[g] * values_[g][i];
     }
     reduced[g] = product(Teuchos::TRANS, scaled[g], Teuchos::NO_TRANS, coupling_[g]);
   }
@@ -267,7 +266,7 @@ PointDisplacement CondensedMonteCarlo::solve(const std::vector<double>& factors)
   base::Matrix t = product(Teuchos::NO_TRANS, reduced[0], Teuchos::NO_TRANS, freeS);
   t.scale(-change[1]);
   t += freeT;
-  std::vector<int> pivots(static_cast<std::size_t>(rank_));
+  std::vector<int> pivots(rank_);
   int info = 0;
   Teuchos::LAPACK<int, double>().GESV(rank_, 1, matrix.values(), matrix.stride(), pivots.data(), t.values(), t.stride(),
                                       &info);
@@ -279,9 +278,8 @@ PointDisplacement CondensedMonteCarlo::solve(const std::vector<double>& factors)
   for (std::size_t g = 0; g < 2; ++g) {
     const base::Matrix pull = product(Teuchos::NO_TRANS, coupling_[g], Teuchos::NO_TRANS, g == 0 ? s : t);
     for (int i = 0; i < size_; ++i) {
-      const double z = (rotatedDriven_[g](i, 0) - change[1 - g] * pull(i, 0)) /
-                       (1.0 + change[g] * values_[g][static_cast<std::size_t>(i)]);
-      for (int c = 0; c < 2; ++c) result[static_cast<std::size_t>(c)] -= rotatedRead_[g](i, c) * change[g] * z;
+      const double z = (rotatedDriven_[g](i, 0) - change[1 - g] * pull(i, 0)) / (1.0 + change[g] * values_[g][i]);
+      for (int c = 0; c < 2; ++c) result[c] -= rotatedRead_[g](i, c) * change[g] * z;
     }
   }
   return result;

@@ -57,7 +57,7 @@ std::vector<std::shared_ptr<const laws::InterfaceLaw>> RandomGlue::laws(const st
   std::vector<std::shared_ptr<const laws::InterfaceLaw>> result;
   for (const assembly::Interface& interface : assembly().interfaces) result.push_back(interface.law);
   for (std::size_t g = 0; g < glues_.size(); ++g) {
-    result[static_cast<std::size_t>(glues_[g].interface)] =
+    result[glues_[g].interface] =
         laws::makeLaw("Linear Elastic", {{"Normal Stiffness", factors[g] * glues_[g].normal},
                                          {"Tangential Stiffness", factors[g] * glues_[g].tangential}});
   }

@@ -78,13 +78,12 @@ double ConvergedSolution::contactForceError(const latin::FixedPoint& state) cons
     double error = 0.0;
     double size = 0.0;
     for (const latin::TraceLayout::Block& block : layout.blocks()) {
-      const assembly::Interface& interface =
-          study_.problem.assembly.interfaces[static_cast<std::size_t>(block.interface)];
+      const assembly::Interface& interface = study_.problem.assembly.interfaces[block.interface];
       if (!interface.law->dissipates()) continue;
       for (int row = block.begin; row < block.begin + layout.dimension() * block.pairs; ++row) {
         const double f = fixedPoint_.hattedTraction()[t][row];
         const double difference = state.hattedTraction()[t][row] - f;
-        const double area = layout.area()[static_cast<std::size_t>(row)];
+        const double area = layout.area()[row];
         error += area * difference * difference;
         size += area * f * f;
       }

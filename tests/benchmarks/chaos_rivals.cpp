@@ -206,9 +206,9 @@ class StudiedDraws : public results::ResultSink {
 
   void record(const results::ConfigurationResult& result) override {
     if (result.curves.empty()) throw base::Error("a draw was not solved: " + result.reason);
-    auto& value = values_[static_cast<std::size_t>(result.id) - 1];
+    auto& value = values_[result.id - 1];
     for (std::size_t c = 0; c < 2; ++c) value[c] = result.curves[c].back();
-    stages_[static_cast<std::size_t>(result.id) - 1] = result.linearStages;
+    stages_[result.id - 1] = result.linearStages;
   }
   const std::vector<PointDisplacement>& values() const { return values_; }
   double stagesPerDraw() const {

@@ -43,10 +43,10 @@ std::vector<design::Configuration> grid() {
 
 /// `count` of 0 .. size - 1, the same in every run.
 std::vector<int> sample(int size, int count, unsigned seed) {
-  std::vector<int> all(static_cast<std::size_t>(size));
+  std::vector<int> all(size);
   std::iota(all.begin(), all.end(), 0);
   std::shuffle(all.begin(), all.end(), std::mt19937(seed));
-  all.resize(static_cast<std::size_t>(std::min(size, count)));
+  all.resize(std::min(size, count));
   return all;
 }
 
@@ -160,9 +160,9 @@ int measure(std::vector<std::string> arguments) {
   std::vector<design::Configuration> open;
   std::vector<int> chosen = sample(static_cast<int>(all.size()), count, 1);
   std::sort(chosen.begin(), chosen.end());
-  for (int i : chosen) open.push_back(all[static_cast<std::size_t>(i)]);
+  for (int i : chosen) open.push_back(all[i]);
   std::map<int, base::Matrix> checked;  // tractions f^
-  for (int i : sample(static_cast<int>(open.size()), checks, 2)) checked[open[static_cast<std::size_t>(i)].id] = {};
+  for (int i : sample(static_cast<int>(open.size()), checks, 2)) checked[open[i].id] = {};
 
   base::Timers timers;
   const auto comm = Tpetra::getDefaultComm();
@@ -208,7 +208,7 @@ int measure(std::vector<std::string> arguments) {
     parametric::ConfigurationIteration iteration(solver.fixedPoint(), joint.problem.responses, 0, joint.options.memory,
                                                  unused);
     for (int i : sample(static_cast<int>(open.size()), coldRuns, 3)) {
-      const design::Configuration& configuration = open[static_cast<std::size_t>(i)];
+      const design::Configuration& configuration = open[i];
       joint.install(configuration.values);
       double start = cpuSeconds();
       certifiedStages.push_back(solver.solve().linearStages);
@@ -245,7 +245,7 @@ int measure(std::vector<std::string> arguments) {
   for (const auto& [id, traction] : checked) {
     const results::ConfigurationResult& result = results.all[id];
     if (traction.numRows() == 0) continue;
-    joint.install(all[static_cast<std::size_t>(id) - 1].values);
+    joint.install(all[id - 1].values);
     exact.updateLaws();
     converge(exact, joint.options.memory);
     const double error = std::max(responseError(exact, joint, result.curves),

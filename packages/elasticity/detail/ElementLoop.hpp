@@ -17,9 +17,9 @@ void forEachElement(const mesh::Mesh& mesh, const mesh::Part& part, const std::v
     const auto perElement = static_cast<std::size_t>(reference.nodes);
     for (int number = 0; number < group.elements(); ++number) {
       const mesh::Point* corners[ElementIntegrals::maximumNodes];
-      const int* nodes = group.block->connectivity.data() +
-                         static_cast<std::size_t>(group.inBlock[static_cast<std::size_t>(number)]) * perElement;
-      for (std::size_t a = 0; a < perElement; ++a) corners[a] = &mesh.nodes[static_cast<std::size_t>(nodes[a])];
+      const int* nodes =
+          group.block->connectivity.data() + static_cast<std::size_t>(group.inBlock[number]) * perElement;
+      for (std::size_t a = 0; a < perElement; ++a) corners[a] = &mesh.nodes[nodes[a]];
       if (!integrate(reference, corners, withProduct, integrals)) {
         throw base::Error("Jacobian not positive in " + nameOf(mesh, part, group, number) +
                               ": the element is turned inside out, folded, or has no volume. Check the order of its "

@@ -71,10 +71,10 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
     // CHOLMOD postorders the elimination tree: trace and other rows may alternate, but nothing else lies above a row of
     // the trace in that tree.
     std::vector<int> inTrace(factor_->n, -1), number(factor_->n, -1);
-    for (std::size_t i = 0; i < trace_.size(); ++i) inTrace[static_cast<std::size_t>(trace_[i])] = static_cast<int>(i);
+    for (std::size_t i = 0; i < trace_.size(); ++i) inTrace[trace_[i]] = static_cast<int>(i);
     auto result = std::make_unique<TraceFactor>();
     for (std::size_t k = 0; k < factor_->n; ++k) {
-      const int at = inTrace[static_cast<std::size_t>(permutation[k])];
+      const int at = inTrace[permutation[k]];
       if (at < 0) continue;
       number[k] = static_cast<int>(result->order.size());
       result->order.push_back(at);
@@ -84,12 +84,11 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
     for (std::size_t super = 0; super < factor_->nsuper; ++super) {
       const int height = firstIndex[super + 1] - firstIndex[super];
       for (int j = firstColumn[super]; j < firstColumn[super + 1]; ++j) {
-        const int column = number[static_cast<std::size_t>(j)];
+        const int column = number[j];
         if (column < 0) continue;
         const int within = j - firstColumn[super];
         for (int i = within; i < height; ++i) {
-          result->lower(number[static_cast<std::size_t>(rows[firstIndex[super] + i])], column) =
-              values[firstValue[super] + within * height + i];
+          result->lower(number[rows[firstIndex[super] + i]], column) = values[firstValue[super] + within * height + i];
         }
       }
     }

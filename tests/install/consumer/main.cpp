@@ -67,7 +67,7 @@ struct Pull {
   static constexpr bool prescribesTraction = true;
   laws::LocalState solve(const laws::LocalLine&, const laws::NodeContext& at, const double*, double*) const {
     laws::LocalState state;
-    state.traction = {traction[static_cast<std::size_t>(at.step)], 0.0, 0.0};
+    state.traction = {traction[at.step], 0.0, 0.0};
     return state;
   }
 };

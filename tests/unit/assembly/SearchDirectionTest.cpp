@@ -18,7 +18,7 @@ using latin::pointInterface;
 constexpr double factor = 0.15;
 
 double k(const Assembly& assembly, int interfaceIndex, int pair = 0, double scale = 1.0) {
-  return SearchDirection(assembly, scale, *Tpetra::getDefaultComm()).of(interfaceIndex)[static_cast<std::size_t>(pair)];
+  return SearchDirection(assembly, scale, *Tpetra::getDefaultComm()).of(interfaceIndex)[pair];
 }
 
 Assembly twoBodies(double spring1, double spring2) {

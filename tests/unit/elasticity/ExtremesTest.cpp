@@ -22,12 +22,12 @@ base::Matrix stressOfStretch(const Case& given, double youngsModulus, const mesh
   base::Matrix load = product(*stiffness, exact);
   substructure::BoundaryTerm springs;
   springs.dimension = dimension;
-  springs.diagonal.assign(static_cast<std::size_t>(exact.numRows()), 0.0);
+  springs.diagonal.assign(exact.numRows(), 0.0);
   const std::vector<double> diagonal = substructure::nodalStiffnessDiagonal(*stiffness, dimension);
   for (int dof = 0; dof < exact.numRows(); ++dof) {
     const auto node = static_cast<std::size_t>(dof / dimension);
     if (patch.mesh.nodes[node][0] > 0.0) continue;
-    springs.diagonal[static_cast<std::size_t>(dof)] = diagonal[node];
+    springs.diagonal[dof] = diagonal[node];
     load(dof, 0) += diagonal[node] * exact(dof, 0);
   }
   base::Matrix solution;

@@ -63,8 +63,7 @@ struct Cylinder {
       const mesh::Point& x = mesh.nodes[node];
       const bool edge = std::abs(x[0]) < 1e-9 || std::abs(x[1]) < 1e-9;
       for (int i = 0; i < 2; ++i) {
-        force(static_cast<int>(node) * dimension + i, 0) =
-            (edge ? 0.5 : 1.0) * total * x[static_cast<std::size_t>(i)] / inner;
+        force(static_cast<int>(node) * dimension + i, 0) = (edge ? 0.5 : 1.0) * total * x[i] / inner;
       }
     }
     substructure::SubstructureSolver(stiffness, supports, {}, "wall").solve(force, u);

@@ -23,7 +23,7 @@ void passPatchTest(const Case& given, const Material& material) {
   int interiorNodes = 0;
   const double scale = largest(force);
   for (int node = 0; node < static_cast<int>(patch.mesh.nodes.size()); ++node) {
-    if (!patch.interior[static_cast<std::size_t>(node)]) continue;
+    if (!patch.interior[node]) continue;
     ++interiorNodes;
     for (int i = 0; i < given.dimension(); ++i)
       EXPECT_LT(std::abs(force(given.dimension() * node + i, 0)), 1e-10 * scale);
@@ -41,7 +41,7 @@ void passPatchTest(const Case& given, const Material& material) {
   for (int e = 0; e < static_cast<int>(patch.part.elements.size()); ++e) {
     for (int m = 0; m < 6; ++m) {
       double expected = 0.0;
-      for (std::size_t n = 0; n < 6; ++n) expected += c[static_cast<std::size_t>(m)][n] * strain[n];
+      for (std::size_t n = 0; n < 6; ++n) expected += c[m][n] * strain[n];
       EXPECT_NEAR(stress(6 * e + m, 0), expected, 1e-10 * largest(stress));
     }
   }
@@ -84,7 +84,7 @@ TEST_P(EveryElement, bodyForceIsForceTimesVolume) {
     double sum = 0.0;
     for (std::size_t k = static_cast<std::size_t>(i); k < forces.size(); k += static_cast<std::size_t>(dimension))
       sum += forces[k];
-    EXPECT_NEAR(sum, density[static_cast<std::size_t>(i)] * volume, 1e-12);
+    EXPECT_NEAR(sum, density[i] * volume, 1e-12);
   }
 }
 

@@ -21,8 +21,8 @@ struct Case {
 
   int dimension() const { return dimensionOf(kinematics); }
   std::string name() const {
-    std::string text = std::string(mesh::exodusName(type)) + kinematicsNames()[static_cast<std::size_t>(kinematics)] +
-                       formulationNames()[static_cast<std::size_t>(formulation)];
+    std::string text =
+        std::string(mesh::exodusName(type)) + kinematicsNames()[kinematics] + formulationNames()[formulation];
     std::string letters;
     for (const char c : text) {
       if (std::isalnum(static_cast<unsigned char>(c))) letters += c;
@@ -56,7 +56,7 @@ struct Patch {
       : mesh(boxOf(given, cells, extent)), part(mesh::makePart(mesh, "patch", {"box"})) {
     for (const mesh::Point& x : mesh.nodes) {
       bool inside = true;
-      for (std::size_t i = 0; i < static_cast<std::size_t>(given.dimension()); ++i) {
+      for (int i = 0; i < given.dimension(); ++i) {
         inside = inside && x[i] > 1e-9 * extent[i] && x[i] < (1.0 - 1e-9) * extent[i];
       }
       interior.push_back(inside);
@@ -67,8 +67,7 @@ struct Patch {
   Patch& distort(double amplitude) {
     double phase = 0.3;
     for (mesh::Point& x : mesh.nodes) {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.dimension); ++i)
-        x[i] += amplitude * std::sin(phase += 1.7);
+      for (int i = 0; i < mesh.dimension; ++i) x[i] += amplitude * std::sin(phase += 1.7);
     }
     return *this;
   }
@@ -103,8 +102,7 @@ inline base::Matrix linearField(const mesh::Mesh& mesh, const double (&gradient)
     for (int i = 0; i < dimension; ++i) {
       u(dimension * node + i, 0) = offset;
       for (int k = 0; k < dimension; ++k) {
-        u(dimension * node + i, 0) +=
-            gradient[i][k] * mesh.nodes[static_cast<std::size_t>(node)][static_cast<std::size_t>(k)];
+        u(dimension * node + i, 0) += gradient[i][k] * mesh.nodes[node][k];
       }
     }
   }

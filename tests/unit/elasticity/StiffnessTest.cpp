@@ -41,7 +41,7 @@ TEST_P(EveryElementStiffness, onlyRigidMotionsHaveNoEnergy) {
     for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k)
       dense(row, view.columns[k]) = view.values[k];
   }
-  std::vector<double> eigenvalues(static_cast<std::size_t>(view.rows)), work(static_cast<std::size_t>(8 * view.rows));
+  std::vector<double> eigenvalues(view.rows), work(8 * view.rows);
   int info = 0;
   Teuchos::LAPACK<int, double>().SYEV('N', 'U', view.rows, dense.values(), dense.stride(), eigenvalues.data(),
                                       work.data(), static_cast<int>(work.size()), &info);

@@ -207,18 +207,18 @@ TEST(SharedMesh, BoltedJointIsTheReferenceMesh) {
     const mesh::Part reference = mesh::makePart(expected, "theirs", {mesh.blocks[b].name});
     ASSERT_EQ(part.nodes.size(), reference.nodes.size());
     std::vector<mesh::Point> points;
-    for (const int node : part.nodes) points.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+    for (const int node : part.nodes) points.push_back(mesh.nodes[node]);
     const mesh::PointSearch search(points);
     for (const int node : reference.nodes) {
-      const auto nearest = search.nearest(expected.nodes[static_cast<std::size_t>(node)]);
+      const auto nearest = search.nearest(expected.nodes[node]);
       ASSERT_LT(nearest.distance, 1e-12);
-      number[static_cast<std::size_t>(node)] = part.nodes[static_cast<std::size_t>(nearest.index)];
+      number[node] = part.nodes[nearest.index];
     }
     const auto keys = [&](const mesh::Elements& from, const mesh::Part& of, bool isReference) {
       std::vector<std::vector<int>> result;
       for (const int element : of.elements) {
         result.emplace_back(from.nodes(element), from.nodes(element) + 8);
-        for (int& node : result.back()) node = isReference ? number[static_cast<std::size_t>(node)] : node;
+        for (int& node : result.back()) node = isReference ? number[node] : node;
         std::sort(result.back().begin(), result.back().end());
       }
       std::sort(result.begin(), result.end());
@@ -233,7 +233,7 @@ TEST(SharedMesh, BoltedJointIsTheReferenceMesh) {
       std::vector<std::vector<int>> result;
       for (std::size_t i = 0; i < set.element.size(); ++i) {
         result.push_back(from.side(set.element[i], set.side[i]));
-        for (int& node : result.back()) node = isReference ? number[static_cast<std::size_t>(node)] : node;
+        for (int& node : result.back()) node = isReference ? number[node] : node;
         std::sort(result.back().begin(), result.back().end());
       }
       std::sort(result.begin(), result.end());

@@ -26,8 +26,7 @@ void addBox(ResultMesh& mesh, const std::string& name, double bottom, bool shuff
   mesh.nodes.resize(mesh.nodes.size() + 18);
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i)
-        mesh.nodes[static_cast<std::size_t>(number(i, j, k))] = {0.5 * i, 0.5 * j, bottom + k};
+      for (int i = 0; i < 3; ++i) mesh.nodes[number(i, j, k)] = {0.5 * i, 0.5 * j, bottom + k};
   ResultMesh::Block block{name, "HEX8", 8, {}};
   std::vector<std::array<int, 8>> elements;
   for (int j = 0; j < 2; ++j)

@@ -25,8 +25,7 @@ struct AffineMap {
     base::Matrix image(shift);
     for (int t = 0; t < alpha.numCols(); ++t) {
       for (int i = 0; i < alpha.numRows(); ++i) {
-        for (int j = 0; j < alpha.numRows(); ++j)
-          image(i, t) += matrices[static_cast<std::size_t>(t)](i, j) * alpha(j, t);
+        for (int j = 0; j < alpha.numRows(); ++j) image(i, t) += matrices[t](i, j) * alpha(j, t);
       }
     }
     return image;
@@ -165,10 +164,9 @@ base::Matrix gramOf(const base::Matrix& columns) {
 }
 
 std::vector<double> productsWith(const base::Matrix& columns, const std::vector<double>& b) {
-  std::vector<double> result(static_cast<std::size_t>(columns.numCols()), 0.0);
+  std::vector<double> result(columns.numCols(), 0.0);
   for (int j = 0; j < columns.numCols(); ++j) {
-    for (int i = 0; i < columns.numRows(); ++i)
-      result[static_cast<std::size_t>(j)] += columns(i, j) * b[static_cast<std::size_t>(i)];
+    for (int i = 0; i < columns.numRows(); ++i) result[j] += columns(i, j) * b[i];
   }
   return result;
 }
@@ -179,7 +177,7 @@ TEST(LeastSquares, FindsTheCoefficients) {
   const std::vector<double> exact{1.0, -2.0, 0.5, 3.0};
   std::vector<double> b(8, 0.0);
   for (int i = 0; i < 8; ++i) {
-    for (int j = 0; j < 4; ++j) b[static_cast<std::size_t>(i)] += columns(i, j) * exact[static_cast<std::size_t>(j)];
+    for (int j = 0; j < 4; ++j) b[i] += columns(i, j) * exact[j];
   }
   const auto found = solveNormalEquations(gramOf(columns), 4, productsWith(columns, b).data());
   for (std::size_t j = 0; j < 4; ++j) EXPECT_NEAR(found[j], exact[j], 1e-12);
@@ -193,12 +191,12 @@ TEST(LeastSquares, SurvivesColumnsThatDependOnOthers) {
     columns(i, 4) = 0.0;
   }
   std::vector<double> b(8);
-  for (int i = 0; i < 8; ++i) b[static_cast<std::size_t>(i)] = columns(i, 0) + columns(i, 2) + columns(i, 3);
+  for (int i = 0; i < 8; ++i) b[i] = columns(i, 0) + columns(i, 2) + columns(i, 3);
   const auto found = solveNormalEquations(gramOf(columns), 5, productsWith(columns, b).data());
   double error = 0.0;
   for (int i = 0; i < 8; ++i) {
-    double residual = b[static_cast<std::size_t>(i)];
-    for (int j = 0; j < 5; ++j) residual -= columns(i, j) * found[static_cast<std::size_t>(j)];
+    double residual = b[i];
+    for (int j = 0; j < 5; ++j) residual -= columns(i, j) * found[j];
     error = std::max(error, std::abs(residual));
   }
   EXPECT_LT(error, 1e-7);
@@ -216,7 +214,7 @@ TEST(LeastSquares, DoesNotCareForTheLengthOfColumns) {
   }
   std::vector<double> b(8, 0.0);
   for (int i = 0; i < 8; ++i) {
-    for (int j = 0; j < 3; ++j) b[static_cast<std::size_t>(i)] += columns(i, j) / lengths[j];
+    for (int j = 0; j < 3; ++j) b[i] += columns(i, j) / lengths[j];
   }
   const auto found = solveNormalEquations(gramOf(columns), 3, productsWith(columns, b).data());
   for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(found[j] * lengths[j], 1.0, 1e-10);
@@ -251,7 +249,7 @@ TEST_F(Anderson, StartsFromKnownDifferences) {
     for (int j = 0; j < rows; ++j) {
       for (int i = 0; i < rows; ++i) {
         const double identity = i == j ? 1.0 : 0.0;
-        residuals.back()(i, j) = metric_.scale()[static_cast<std::size_t>(i)] * (matrix(i, j) - identity);
+        residuals.back()(i, j) = metric_.scale()[i] * (matrix(i, j) - identity);
       }
     }
   }

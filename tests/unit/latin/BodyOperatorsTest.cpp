@@ -133,8 +133,7 @@ TEST(BodyOperators, TurnPrescribedTractionsIntoLoads) {
   }
   EXPECT_GT(force, 0.0);
   mesh::Point sum{};
-  for (int dof = 0; dof < operators.bodies.loads(0).numRows(); ++dof)
-    sum[static_cast<std::size_t>(dof % 3)] += operators.bodies.loads(0)(dof, 1);
+  for (int dof = 0; dof < operators.bodies.loads(0).numRows(); ++dof) sum[dof % 3] += operators.bodies.loads(0)(dof, 1);
   EXPECT_NEAR(std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]), 6.0 * area, 1e-9 * area);
 }
 

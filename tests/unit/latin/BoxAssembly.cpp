@@ -24,7 +24,7 @@ void BoxAssembly::assemble() {
     substructure::Substructure body;
     body.name = part.name;
     body.dimension = mesh_.dimension;
-    for (int node : part.nodes) body.nodes.push_back(mesh_.nodes[static_cast<std::size_t>(node)]);
+    for (int node : part.nodes) body.nodes.push_back(mesh_.nodes[node]);
     body.stiffness =
         elasticity::assembleStiffness(mesh_, part, material, elasticity::Formulation::fullIntegration, kinematics);
     assembly_.bodies.push_back(std::move(body));
@@ -35,7 +35,7 @@ void BoxAssembly::deform(const std::string& box, const std::function<mesh::Point
   for (const mesh::Part& part : parts_) {
     if (part.name != box) continue;
     for (int node : part.nodes) {
-      mesh::Point& x = mesh_.nodes[static_cast<std::size_t>(node)];
+      mesh::Point& x = mesh_.nodes[node];
       x = motion(x);
     }
   }
@@ -73,13 +73,12 @@ void BoxAssembly::hold(const std::string& name, const std::string& sideSet,
 }
 
 void BoxAssembly::share(int representative, int body) {
-  const auto found = mesh::findCongruence(mesh_, parts_[static_cast<std::size_t>(representative)],
-                                          parts_[static_cast<std::size_t>(body)]);
+  const auto found = mesh::findCongruence(mesh_, parts_[representative], parts_[body]);
   auto congruence = std::make_shared<substructure::Congruence>();
   congruence->representative = representative;
   congruence->node = found.value().node;
   congruence->rotation = found->rotation;
-  substructure::Substructure& shared = assembly_.bodies[static_cast<std::size_t>(body)];
+  substructure::Substructure& shared = assembly_.bodies[body];
   shared.congruence = congruence;
   shared.stiffness = Teuchos::null;
 }

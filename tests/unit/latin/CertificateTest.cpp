@@ -46,14 +46,14 @@ Answer solve(bool isDriven, const LatinOptions& options, double throwUpper = 0.0
   for (const TraceLayout::Block& block : layout.blocks()) {
     for (int pair = 0; block.body == 1 && pair < block.pairs; ++pair) {
       const int row = block.begin + layout.dimension() * pair;
-      for (int t = 0; t < steps; ++t) start(row, t) = throwUpper * layout.stiffness()[static_cast<std::size_t>(row)];
+      for (int t = 0; t < steps; ++t) start(row, t) = throwUpper * layout.stiffness()[row];
     }
   }
   Answer answer{solver.solve(throwUpper == 0.0 ? nullptr : &start), solver.state().hattedTraction(),
                 solver.state().trace()};
   for (int t = 0; t < steps; ++t) {
     for (int row = 0; row < answer.force.numRows(); ++row) {
-      const double root = std::sqrt(solver.state().layout().area()[static_cast<std::size_t>(row)]);
+      const double root = std::sqrt(solver.state().layout().area()[row]);
       answer.force(row, t) *= root;
       answer.displacement(row, t) *= root;
     }

@@ -70,7 +70,7 @@ inline Teuchos::RCP<const Teuchos::Comm<int>> self() {
 
 /// 0, 1, .. steps - 1.
 inline std::vector<int> allSteps(int steps) {
-  std::vector<int> result(static_cast<std::size_t>(steps));
+  std::vector<int> result(steps);
   std::iota(result.begin(), result.end(), 0);
   return result;
 }

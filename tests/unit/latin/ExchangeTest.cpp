@@ -44,7 +44,7 @@ TEST(LocalStage, FindsTheSameOnSeveralRanks) {
     results.push_back(joint);
   }
   for (int side = 0; side < 2; ++side) {
-    if (shared.owner[static_cast<std::size_t>(side)] != comm->getRank()) continue;
+    if (shared.owner[side] != comm->getRank()) continue;
     for (int t = 0; t < 2; ++t) {
       for (int c = 0; c < 3; ++c) EXPECT_EQ(results[0](3 * side + c, t), results[1](3 * side + c, t));
     }

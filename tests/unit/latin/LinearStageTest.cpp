@@ -34,13 +34,13 @@ struct Stage {
     base::Matrix forces = linear.operators().loads(body);
     for (const TraceLayout::Block& block : layout.blocks()) {
       if (block.body != body) continue;
-      const assembly::Interface& joint = assembly.interfaces[static_cast<std::size_t>(block.interface)];
-      std::vector<double> force(static_cast<std::size_t>(3 * block.pairs));
+      const assembly::Interface& joint = assembly.interfaces[block.interface];
+      std::vector<double> force(3 * block.pairs);
       for (int t = 0; t < steps; ++t) {
         applyMass(joint, 3, linear.traction()[t] + block.begin, force.data());
         for (int p = 0; p < block.pairs; ++p) {
           for (int c = 0; c < 3; ++c) {
-            forces(3 * joint.nodes(block.side)[static_cast<std::size_t>(p)] + c, t) +=
+            forces(3 * joint.nodes(block.side)[p] + c, t) +=
                 force[3 * static_cast<std::size_t>(p) + static_cast<std::size_t>(c)];
           }
         }
@@ -50,12 +50,12 @@ struct Stage {
   }
 
   base::Matrix displacements(int body) const {
-    const int nodes = static_cast<int>(assembly.bodies[static_cast<std::size_t>(body)].nodes.size());
+    const int nodes = static_cast<int>(assembly.bodies[body].nodes.size());
     base::Matrix u(3 * nodes, steps);
     for (int t = 0; t < steps; ++t) {
       for (int a = 0; a < nodes; ++a) {
         const mesh::Point at = linear.displacement(body, a, t);
-        for (int c = 0; c < 3; ++c) u(3 * a + c, t) = at[static_cast<std::size_t>(c)];
+        for (int c = 0; c < 3; ++c) u(3 * a + c, t) = at[c];
       }
     }
     return u;
@@ -83,7 +83,7 @@ assembly::Assembly loadedCubes(bool isConsistent = false) {
 
 void expectEquilibrium(const Stage& stage) {
   for (int body = 0; body < 2; ++body) {
-    const auto& stiffness = *stage.assembly.bodies[static_cast<std::size_t>(body)].stiffness;
+    const auto& stiffness = *stage.assembly.bodies[body].stiffness;
     const base::Matrix inner = product(stiffness, stage.displacements(body));
     const base::Matrix outer = stage.nodalForces(body);
     for (int t = 0; t < steps; ++t) {
@@ -108,11 +108,10 @@ TEST(LinearStage, BalancesEveryBodyInTheVelocityForm) {
 TEST(LinearStage, TakesTheTraceFromTheBodies) {
   const Stage stage(loadedCubes());
   for (const TraceLayout::Block& block : stage.layout.blocks()) {
-    const auto& nodes = stage.assembly.interfaces[static_cast<std::size_t>(block.interface)].nodes(block.side);
+    const auto& nodes = stage.assembly.interfaces[block.interface].nodes(block.side);
     for (int p = 0; p < block.pairs; ++p) {
-      const mesh::Point u = stage.linear.displacement(block.body, nodes[static_cast<std::size_t>(p)], 2);
-      for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(stage.linear.trace()(block.begin + 3 * p + c, 2), u[static_cast<std::size_t>(c)], 1e-12);
+      const mesh::Point u = stage.linear.displacement(block.body, nodes[p], 2);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(stage.linear.trace()(block.begin + 3 * p + c, 2), u[c], 1e-12);
     }
   }
 }
@@ -122,7 +121,7 @@ TEST(LinearStage, StaysOnTheSearchDirection) {
   const Stage stage(loadedCubes(), false);
   for (int t = 0; t < steps; ++t) {
     for (int row = 0; row < stage.layout.rows(); ++row) {
-      const double kw = stage.layout.stiffness()[static_cast<std::size_t>(row)] * stage.linear.trace()(row, t);
+      const double kw = stage.layout.stiffness()[row] * stage.linear.trace()(row, t);
       const double size = std::abs(kw) + 1.0;
       EXPECT_NEAR(stage.linear.traction()(row, t) + kw, stage.alpha(row, t), 1e-14 * size);
       EXPECT_NEAR(stage.linear.traction()(row, t) - kw, stage.beta(row, t), 1e-14 * size);
@@ -135,8 +134,7 @@ TEST(LinearStage, StaysOnTheSearchDirectionOfIncrements) {
   for (int t = 0; t < steps; ++t) {
     for (int row = 0; row < stage.layout.rows(); ++row) {
       const double before = t > 0 ? stage.linear.trace()(row, t - 1) : 0.0;
-      const double kdw =
-          stage.layout.stiffness()[static_cast<std::size_t>(row)] * (stage.linear.trace()(row, t) - before);
+      const double kdw = stage.layout.stiffness()[row] * (stage.linear.trace()(row, t) - before);
       const double size = std::abs(stage.linear.traction()(row, t)) + std::abs(kdw) + 1.0;
       EXPECT_NEAR(stage.linear.traction()(row, t) + kdw, stage.alpha(row, t), 1e-13 * size);
       EXPECT_NEAR(stage.linear.traction()(row, t) - kdw, stage.beta(row, t), 1e-13 * size);
@@ -153,9 +151,8 @@ TEST(LinearStage, ShiftsTheSearchDirectionOfAnInterfaceRigidly) {
     mesh::Point d{};
     for (int c = 0; c < 3; ++c) {
       const int row = stage.layout.begin(interfaceIndex, side) + 3 * pair + c;
-      const double k = stage.layout.stiffness()[static_cast<std::size_t>(row)];
-      d[static_cast<std::size_t>(c)] =
-          (stage.linear.traction()(row, t) - stage.alpha(row, t)) / k + stage.linear.trace()(row, t);
+      const double k = stage.layout.stiffness()[row];
+      d[c] = (stage.linear.traction()(row, t) - stage.alpha(row, t)) / k + stage.linear.trace()(row, t);
     }
     return d;
   };
@@ -170,8 +167,7 @@ TEST(LinearStage, ShiftsTheSearchDirectionOfAnInterfaceRigidly) {
     const mesh::Point first = shift(1, 0, 0, 1);
     double stretch = 0.0;
     for (std::size_t c = 0; c < 3; ++c) {
-      stretch += (one[c] - first[c]) * (nodes[static_cast<std::size_t>(joint.node1[static_cast<std::size_t>(p)])][c] -
-                                        nodes[static_cast<std::size_t>(joint.node1[0])][c]);
+      stretch += (one[c] - first[c]) * (nodes[joint.node1[p]][c] - nodes[joint.node1[0]][c]);
     }
     EXPECT_NEAR(stretch, 0.0, 1e-12);
   }
@@ -182,14 +178,13 @@ TEST(LinearStage, ShiftsTheSearchDirectionOfAnInterfaceRigidly) {
 
 /// Force and moment of f1 + f2 about the origin.
 std::array<double, 6> resultant(const Stage& stage, int interfaceIndex, int t) {
-  const assembly::Interface& joint = stage.assembly.interfaces[static_cast<std::size_t>(interfaceIndex)];
+  const assembly::Interface& joint = stage.assembly.interfaces[interfaceIndex];
   std::array<double, 6> sum{};
-  std::vector<double> force(static_cast<std::size_t>(3 * joint.pairs()));
+  std::vector<double> force(3 * joint.pairs());
   for (int side = 0; side < 2; ++side) {
     applyMass(joint, 3, stage.linear.traction()[t] + stage.layout.begin(interfaceIndex, side), force.data());
     for (int p = 0; p < joint.pairs(); ++p) {
-      const mesh::Point& x = stage.assembly.bodies[static_cast<std::size_t>(joint.body1)]
-                                 .nodes[static_cast<std::size_t>(joint.node1[static_cast<std::size_t>(p)])];
+      const mesh::Point& x = stage.assembly.bodies[joint.body1].nodes[joint.node1[p]];
       const double* f = force.data() + 3 * p;
       for (std::size_t c = 0; c < 3; ++c) sum[c] += f[c];
       sum[3] += x[1] * f[2] - x[2] * f[1];
@@ -220,7 +215,7 @@ TEST(LinearStage, SolvesAChoiceOfLoadSteps) {
   Stage stage(loadedCubes());
   base::Matrix alpha(stage.layout.rows(), 2), beta(stage.layout.rows(), 2);
   const std::vector<int> chosen{1, 3};
-  for (int t = 0; t < 2; ++t) std::copy_n(stage.alpha[chosen[static_cast<std::size_t>(t)]], alpha.numRows(), alpha[t]);
+  for (int t = 0; t < 2; ++t) std::copy_n(stage.alpha[chosen[t]], alpha.numRows(), alpha[t]);
   EXPECT_EQ(stage.linear.stages(), 1);
   stage.linear.select(chosen);
   stage.linear.solve(alpha, beta);
@@ -228,7 +223,7 @@ TEST(LinearStage, SolvesAChoiceOfLoadSteps) {
   EXPECT_EQ(stage.linear.stages(), 2);  // two halves
   for (int t = 0; t < 2; ++t) {
     for (int row = 0; row < beta.numRows(); ++row) {
-      EXPECT_NEAR(beta(row, t), stage.beta(row, chosen[static_cast<std::size_t>(t)]), 1e-11);
+      EXPECT_NEAR(beta(row, t), stage.beta(row, chosen[t]), 1e-11);
     }
   }
 }

@@ -37,11 +37,11 @@ struct Stage {
     return cubes.assembly();
   }
 
-  double stiffness(int pair) const { return k.of(1)[static_cast<std::size_t>(pair)]; }
+  double stiffness(int pair) const { return k.of(1)[pair]; }
 
   /// Components in the interface's frame.
   mesh::Point inFrame(const mesh::Point& v, int pair) const {
-    const mesh::Frame& frame = cubes_().frame[static_cast<std::size_t>(pair)];
+    const mesh::Frame& frame = cubes_().frame[pair];
     mesh::Point components{};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) components[i] += frame[i][j] * v[j];

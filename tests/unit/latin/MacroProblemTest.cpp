@@ -14,12 +14,11 @@ namespace {
 /// Keeps the pairs of the joint for which `keep` is true.
 template <class Keep>
 void restrictJoint(assembly::Assembly& assembly, int index, const Keep& keep) {
-  assembly::Interface& joint = assembly.interfaces[static_cast<std::size_t>(index)];
+  assembly::Interface& joint = assembly.interfaces[index];
   assembly::Interface kept = joint;
   kept.node1.clear(), kept.node2.clear(), kept.frame.clear(), kept.area.clear(), kept.gap.clear();
   for (std::size_t p = 0; p < joint.node1.size(); ++p) {
-    if (!keep(assembly.bodies[static_cast<std::size_t>(joint.body1)].nodes[static_cast<std::size_t>(joint.node1[p])]))
-      continue;
+    if (!keep(assembly.bodies[joint.body1].nodes[joint.node1[p]])) continue;
     kept.node1.push_back(joint.node1[p]);
     kept.node2.push_back(joint.node2[p]);
     kept.frame.push_back(joint.frame[p]);
@@ -44,8 +43,7 @@ int unknowns(const Keep& keep) {
   mesh::Point sum{};
   for (int side = 0; side < 2; ++side) {
     for (int row = 0; row < 3 * assembly.interfaces[1].pairs(); ++row) {
-      sum[static_cast<std::size_t>(row % 3)] += assembly.interfaces[1].area[static_cast<std::size_t>(row / 3)] *
-                                                fixedPoint.traction()[0][layout.begin(1, side) + row];
+      sum[row % 3] += assembly.interfaces[1].area[row / 3] * fixedPoint.traction()[0][layout.begin(1, side) + row];
     }
   }
   for (double component : sum) EXPECT_NEAR(component, 0.0, 1e-11);

@@ -144,7 +144,7 @@ TEST(March, FindsTheStepThatNothingCarries) {
   const Imbalance& found = march.imbalance();
   EXPECT_GE(found.step, 3);
   EXPECT_EQ(found.body, 1);
-  const double missing = pull[static_cast<std::size_t>(found.step)] - 0.6;
+  const double missing = pull[found.step] - 0.6;
   EXPECT_NEAR(std::abs(found.force[0]), missing, 0.05 * missing);
 }
 

@@ -143,7 +143,7 @@ TEST(PairFields, OfAPrescribedTractionHaveItAndTheDisplacement) {
     EXPECT_NEAR(f[0], -3.0, 1e-12);
     EXPECT_NEAR(std::hypot(f[1], f[2]), std::hypot(1.0, 2.0), 1e-12);
     const auto& top = solved.solver.state().assembly().interfaces[2];
-    const mesh::Point u = solved.solver.state().displacement(1, top.node1[static_cast<std::size_t>(p)], 1);
+    const mesh::Point u = solved.solver.state().displacement(1, top.node1[p], 1);
     EXPECT_NEAR(fields.jump[fields.at(1, p)][0], -u[2], 1e-12);
   }
 }

@@ -32,8 +32,8 @@ TEST(TraceLayout, HasABlockOfRowsForEverySideOwnedHere) {
   for (const TraceLayout::Block& block : layout.blocks()) {
     EXPECT_EQ(block.begin, layout.begin(block.interface, block.side));
     for (int row = block.begin; row < block.begin + 3 * block.pairs; ++row) {
-      EXPECT_EQ(layout.area()[static_cast<std::size_t>(row)], block.interface == 1 ? 2.5 : 1.0);
-      EXPECT_EQ(layout.stiffness()[static_cast<std::size_t>(row)], k.of(block.interface)[0]);
+      EXPECT_EQ(layout.area()[row], block.interface == 1 ? 2.5 : 1.0);
+      EXPECT_EQ(layout.stiffness()[row], k.of(block.interface)[0]);
     }
   }
   // A rank without bodies has one row of no weight.

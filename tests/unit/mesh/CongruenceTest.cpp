@@ -17,9 +17,7 @@ double determinant(const Frame& q) {
 }
 
 void expectCarries(const Mesh& mesh, const Part& first, const Part& second, const Congruence& congruence) {
-  const auto place = [&](const Part& part, std::size_t node) {
-    return mesh.nodes[static_cast<std::size_t>(part.nodes[node])];
-  };
+  const auto place = [&](const Part& part, std::size_t node) { return mesh.nodes[part.nodes[node]]; };
   const auto image = [&](std::size_t a) { return place(second, static_cast<std::size_t>(congruence.node[a])); };
   for (std::size_t a = 1; a < first.nodes.size(); ++a) {
     const Point from = place(first, a) - place(first, 0);
@@ -47,11 +45,10 @@ struct Pair {
     std::shuffle(number.begin() + static_cast<std::ptrdiff_t>(half), number.end(), random);
     for (std::size_t i = half; i < mesh.nodes.size(); ++i) {
       const Point& p = mesh.nodes[i - half];
-      mesh.nodes[static_cast<std::size_t>(number[i])] =
-          Point{dot(q[0], p), dot(q[1], p), dot(q[2], p)} + Point{20.0, 5.0, plane ? 0.0 : -3.0};
+      mesh.nodes[number[i]] = Point{dot(q[0], p), dot(q[1], p), dot(q[2], p)} + Point{20.0, 5.0, plane ? 0.0 : -3.0};
     }
     auto& connectivity = mesh.blocks[1].connectivity;
-    for (int& node : connectivity) node = number[static_cast<std::size_t>(node)];
+    for (int& node : connectivity) node = number[node];
     std::rotate(connectivity.begin(), connectivity.begin() + 2 * nodesPerElement(type), connectivity.end());
     first = makePart(mesh, "a", {"a"});
     second = makePart(mesh, "b", {"b"});
@@ -98,7 +95,7 @@ TEST(Congruence, FindsTheEqualBodiesOfTheBoltedJoint) {
 
 TEST(Congruence, SeesASmallDifference) {
   Pair moved(spaceMotions[0], ElementType::hex8);
-  moved.mesh.nodes[static_cast<std::size_t>(moved.second.nodes[5])][1] += 1e-6;
+  moved.mesh.nodes[moved.second.nodes[5]][1] += 1e-6;
   EXPECT_FALSE(findCongruence(moved.mesh, moved.first, moved.second));
   // The same nodes, but cells divided along the other diagonal.
   Mesh mesh = boxes({{"a", {}, {1.0, 1.0, 0.0}, {2, 3, 0}, ElementType::tri3},

@@ -47,13 +47,12 @@ TEST(BoltedJoint, RefinementMultipliesTheElements) {
   EXPECT_LT(coarse.nodes.size(), 8516u / 3u);
   // An odd number of cells per quarter turn must not leave gaps at the corners: the skin encloses one connected plate.
   const Elements elements(coarse);
-  std::vector<int> plate(static_cast<std::size_t>(coarse.blocks[0].elements()));
+  std::vector<int> plate(coarse.blocks[0].elements());
   std::iota(plate.begin(), plate.end(), 0);
   std::size_t sides = 0;
   for (const Face& face : skin(elements, plate)) {
-    const bool isSide = std::all_of(face.nodes.begin(), face.nodes.end(), [&](int node) {
-      return std::abs(coarse.nodes[static_cast<std::size_t>(node)][1]) == 20.0;
-    });
+    const bool isSide = std::all_of(face.nodes.begin(), face.nodes.end(),
+                                    [&](int node) { return std::abs(coarse.nodes[node][1]) == 20.0; });
     if (isSide) ++sides;
   }
   EXPECT_EQ(sides, 2u * 3u * 3u * 2u);  // two sides, three cells of 40 mm, three elements each, two layers
@@ -69,7 +68,7 @@ TEST(GluedAssembly, HasTheElementsOfTheSource) {
   EXPECT_EQ(sizes["clamped"], 42u);
   EXPECT_EQ(sizes["loaded"], 16u);
   ASSERT_EQ(mesh.nodeSets.at(0).node.size(), 1u);
-  EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(mesh.nodeSets[0].node[0])], (Point{38.0, 240.0, 0.0}));
+  EXPECT_EQ(mesh.nodes[mesh.nodeSets[0].node[0]], (Point{38.0, 240.0, 0.0}));
 }
 
 TEST(GluedAssembly, RefusesCellsThatDoNotFit) {
@@ -87,7 +86,7 @@ TEST_P(BoxElements, FillTheBoxWithoutInnerSurfaces) {
   const bool plane = dimensionOf(type) == 2;
   EXPECT_EQ(mesh.blocks[0].elements(), perCell * (plane ? 6 : 24));
   const Elements elements(mesh);
-  std::vector<int> all(static_cast<std::size_t>(mesh.blocks[0].elements()));
+  std::vector<int> all(mesh.blocks[0].elements());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
   const int cellSides = plane ? 2 * (2 + 3) : 2 * (2 * 3 + 3 * 4 + 4 * 2);
   EXPECT_EQ(static_cast<int>(skin(elements, all).size()), facesPerCellSide * cellSides);

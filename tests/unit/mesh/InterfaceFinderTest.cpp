@@ -32,7 +32,7 @@ std::vector<Part> cutFirstPart(const Mesh& mesh, const std::vector<Part>& parts,
     double centre = 0.0;
     const int count = nodesPerElement(elements.type(element));
     for (int i = 0; i < count; ++i) {
-      centre += mesh.nodes[static_cast<std::size_t>(elements.nodes(element)[i])][axis] / count;
+      centre += mesh.nodes[elements.nodes(element)[i]][axis] / count;
     }
     (centre < at ? below : above).push_back(element);
   }
@@ -50,7 +50,7 @@ double totalArea(const std::vector<InterfaceSurface>& surfaces) {
 
 void expectConsistent(const InterfaceSurface& surface, const Mesh& mesh, const std::vector<Part>& parts) {
   std::vector<double> rowSum(surface.area.size(), 0.0);
-  for (const MassEntry& entry : surface.mass) rowSum[static_cast<std::size_t>(entry.row)] += entry.value;
+  for (const MassEntry& entry : surface.mass) rowSum[entry.row] += entry.value;
   for (std::size_t p = 0; p < surface.area.size(); ++p) {
     if (!surface.mass.empty()) {
       EXPECT_NEAR(rowSum[p], surface.area[p], roundOff * surface.area[p]);
@@ -61,10 +61,7 @@ void expectConsistent(const InterfaceSurface& surface, const Mesh& mesh, const s
     }
     EXPECT_NEAR(dot(cross(frame[0], frame[1]), frame[2]), 1.0, roundOff);
     if (surface.part2 < 0) continue;
-    const auto place = [&](int part, int node) {
-      return mesh
-          .nodes[static_cast<std::size_t>(parts[static_cast<std::size_t>(part)].nodes[static_cast<std::size_t>(node)])];
-    };
+    const auto place = [&](int part, int node) { return mesh.nodes[parts[part].nodes[node]]; };
     const Point apart = place(surface.part2, surface.node2[p]) - place(surface.part1, surface.node1[p]);
     EXPECT_NEAR(distance(apart, surface.gap[p] * frame[0]), 0.0, 1e-9);
   }
@@ -201,7 +198,7 @@ TEST(InterfaceFinder, JoinsSameNodesWithDifferentFaces) {
   EXPECT_EQ(a.face.size(), 12u);
   for (std::size_t p = 0; p < a.area.size(); ++p) {
     const auto same = std::find(b.node2.begin(), b.node2.end(), a.node1[p]) - b.node2.begin();
-    EXPECT_NEAR(a.area[p], b.area[static_cast<std::size_t>(same)], roundOff);
+    EXPECT_NEAR(a.area[p], b.area[same], roundOff);
     EXPECT_NEAR(a.frame[p][0][2], 1.0, roundOff);
   }
 }
@@ -211,7 +208,7 @@ TEST(InterfaceFinder, ProjectsSurfacesThatAreOpen) {
                      {"roller", {-1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {8, 2, 0}, ElementType::quad4}});
   const auto parts = onePartPerBlock(mesh);
   for (const int node : parts[1].nodes) {
-    Point& p = mesh.nodes[static_cast<std::size_t>(node)];
+    Point& p = mesh.nodes[node];
     p[1] += 0.1 + 0.2 * p[0] * p[0];
   }
   const InterfaceFinder finder(mesh, parts);
@@ -222,8 +219,7 @@ TEST(InterfaceFinder, ProjectsSurfacesThatAreOpen) {
     ASSERT_EQ(surface.node1.size(), 9u);
     EXPECT_NEAR(totalArea({surface}), 2.0, roundOff);
     for (std::size_t p = 0; p < 9; ++p) {
-      const Point& place =
-          mesh.nodes[static_cast<std::size_t>(parts[0].nodes[static_cast<std::size_t>(surface.node1[p])])];
+      const Point& place = mesh.nodes[parts[0].nodes[surface.node1[p]]];
       EXPECT_NEAR(surface.gap[p], 0.1 + 0.2 * place[0] * place[0], roundOff);
       EXPECT_NEAR(surface.frame[p][0][1], 1.0, roundOff);
     }

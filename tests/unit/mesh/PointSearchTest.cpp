@@ -25,8 +25,8 @@ TEST(PointSearch, AgreesWithExhaustiveSearch) {
     int best = 0;
     std::vector<int> near;
     for (int i = 0; i < 500; ++i) {
-      const double away = distance(from, points[static_cast<std::size_t>(i)]);
-      if (away < distance(from, points[static_cast<std::size_t>(best)])) best = i;
+      const double away = distance(from, points[i]);
+      if (away < distance(from, points[best])) best = i;
       if (away <= 0.25) near.push_back(i);
     }
     EXPECT_EQ(search.nearest(from).index, best);

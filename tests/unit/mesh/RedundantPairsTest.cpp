@@ -24,9 +24,7 @@ class CutBoxes : public ::testing::Test {
     carriers = mergeRedundantPairs(parts, surfaces);
   }
 
-  int meshNode(int part, int node) const {
-    return parts[static_cast<std::size_t>(part)].nodes[static_cast<std::size_t>(node)];
-  }
+  int meshNode(int part, int node) const { return parts[part].nodes[node]; }
   bool carries(std::size_t s, std::size_t p) const {
     return carriers[s][p].surface == static_cast<int>(s) && carriers[s][p].pair == static_cast<int>(p);
   }
@@ -81,7 +79,7 @@ TEST(RedundantPairs, PartsThatShareNodesBothHaveTheirs) {
   right.name = "right";
   right.id = 2;
   right.connectivity.erase(right.connectivity.begin(), right.connectivity.begin() + half);
-  mesh.blocks[0].connectivity.resize(static_cast<std::size_t>(half));
+  mesh.blocks[0].connectivity.resize(half);
   mesh.blocks.push_back(right);
   const std::vector<Part> parts{makePart(mesh, "left", {"left"}), makePart(mesh, "right", {"right"})};
   const InterfaceFinder finder(mesh, parts);

@@ -214,8 +214,7 @@ TEST(ParametricStudy, GoesOnAfterAFailureAmongMany) {
 TEST(ParametricStudy, GoesOnAfterALawThatFails) {
   JenkinsStudy jenkins(1e-3);
   std::vector<design::Configuration> configurations = frictions(15);
-  for (const int broken : {0, 3, 7, 11})
-    jenkins.broken_.push_back(configurations[static_cast<std::size_t>(broken)].values[0]);
+  for (const int broken : {0, 3, 7, 11}) jenkins.broken_.push_back(configurations[broken].values[0]);
   Results results;
   jenkins.study_->run(configurations, results);
   ASSERT_EQ(results.all.size(), 15u);
@@ -226,8 +225,7 @@ TEST(ParametricStudy, GoesOnAfterALawThatFails) {
     }
     ASSERT_TRUE(result.status == results::Status::calibrated || result.status == results::Status::certified)
         << result.reason;
-    const std::vector<double> exact =
-        JenkinsStudy::exact(configurations[static_cast<std::size_t>(result.id) - 1].values[0]);
+    const std::vector<double> exact = JenkinsStudy::exact(configurations[result.id - 1].values[0]);
     for (std::size_t t = 0; t < exact.size(); ++t) EXPECT_NEAR(result.curves[0][t], exact[t], 1e-3);
   }
 }

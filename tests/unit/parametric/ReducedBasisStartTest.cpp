@@ -179,7 +179,7 @@ TEST_F(Dragged, ShowTheirImbalance) {
       std::array<double, 3> sum{};
       for (int c = 0; c < 3; ++c) {
         for (int row : {first + c, second + c}) {
-          sum[static_cast<std::size_t>(c)] += fixedPoint_.hattedTraction()(row, t) - fixedPoint_.traction()(row, t);
+          sum[c] += fixedPoint_.hattedTraction()(row, t) - fixedPoint_.traction()(row, t);
         }
       }
       largest = std::max(largest, std::hypot(sum[0], sum[1], sum[2]));

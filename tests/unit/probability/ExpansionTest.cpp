@@ -101,7 +101,7 @@ TEST(Expansion, HigherMomentsInManyGerms) {
   constexpr std::size_t germs = 8;
   const std::vector<Variable> variables(germs, {"x", std::make_shared<Normal>(0.0, 1.0)});
   const auto basis = std::make_shared<Basis>(std::make_shared<RandomVector>(variables), 3);
-  std::vector<double> coefficients(static_cast<std::size_t>(basis->size()), 0.0);
+  std::vector<double> coefficients(basis->size(), 0.0);
   coefficients[0] = 4.0;
   for (std::size_t a = 1; a < coefficients.size(); ++a) {
     const auto& index = basis->indices()[a];
@@ -119,7 +119,7 @@ TEST(Expansion, HigherMomentsDoNotDependOnTheWayTheyAreComputed) {
   const auto moments = [](std::size_t germs) {
     const std::vector<Variable> variables(germs, {"k", std::make_shared<Uniform>(0.0, 1.0)});
     const auto basis = std::make_shared<Basis>(std::make_shared<RandomVector>(variables), 4);
-    std::vector<double> coefficients(static_cast<std::size_t>(basis->size()), 0.0);
+    std::vector<double> coefficients(basis->size(), 0.0);
     for (std::size_t a = 0; a < coefficients.size(); ++a) {
       const auto& index = basis->indices()[a];
       if (std::count(index.begin() + 1, index.end(), 0) == static_cast<std::ptrdiff_t>(germs) - 1)

@@ -30,7 +30,7 @@ base::Matrix stiffness(const Basis& basis, int points, std::size_t i) {
 /// Coefficients of u in k u = 1; empty when k is not positive definite.
 // NOLINTNEXTLINE(performance-unnecessary-value-param): LAPACK overwrites it
 std::vector<double> solve(base::Matrix k) {
-  std::vector<double> u(static_cast<std::size_t>(k.numRows()), 0.0);
+  std::vector<double> u(k.numRows(), 0.0);
   u[0] = 1.0;
   int info = 0;
   Teuchos::LAPACK<int, double>().POSV('L', k.numRows(), 1, k.values(), k.stride(), u.data(), k.numRows(), &info);
@@ -67,7 +67,7 @@ TEST(GalerkinMatrix, GaussianSpringIsIndefiniteWhereARulePointHasNegativeStiffne
 
 TEST(GalerkinMatrix, TwoLognormalSpringsInSeries) {
   const auto basis = basisOf({std::make_shared<Lognormal>(2.0, 0.4), std::make_shared<Lognormal>(5.0, 1.25)}, 3);
-  std::vector<double> u(static_cast<std::size_t>(basis->size()), 0.0);
+  std::vector<double> u(basis->size(), 0.0);
   for (std::size_t i = 0; i < 2; ++i) {
     const std::vector<double> part = solve(stiffness(*basis, 20, i));
     for (std::size_t a = 0; a < u.size(); ++a) u[a] += part[a];

@@ -18,7 +18,7 @@ double largestOrthonormalityError(const Polynomials& polynomials, int degree) {
       double product = 0.0;
       for (std::size_t q = 0; q < rule.points.size(); ++q) {
         const auto p = polynomials.evaluate(rule.points[q], degree);
-        product += rule.weights[q] * p[static_cast<std::size_t>(i)] * p[static_cast<std::size_t>(j)];
+        product += rule.weights[q] * p[i] * p[j];
       }
       largest = std::max(largest, std::abs(product - (i == j ? 1.0 : 0.0)));
     }

@@ -40,11 +40,11 @@ TEST(SampledSobolIndices, Ishigami) {
   const double main[] = {0.3139051911, 0.4424111448, 0.0}, total[] = {0.5575888552, 0.4424111448, 0.2436836641};
   ASSERT_EQ(indices[0].size(), 3u);
   for (int germ = 0; germ < 3; ++germ) {
-    const SobolIndex& index = indices[0][static_cast<std::size_t>(germ)];
+    const SobolIndex& index = indices[0][germ];
     EXPECT_EQ(index.germs, std::vector<int>{germ});
     EXPECT_NEAR(index.main, main[germ], 0.03) << germ;
     EXPECT_NEAR(index.total, total[germ], 0.03) << germ;
-    EXPECT_TRUE(std::isnan(indices[1][static_cast<std::size_t>(germ)].main)) << "a constant has no shares of variance";
+    EXPECT_TRUE(std::isnan(indices[1][germ].main)) << "a constant has no shares of variance";
   }
 }
 

@@ -89,7 +89,7 @@ TEST(RandomContact, IsTheSolutionOfEveryRealisationWhereItInterpolates) {
       for (std::size_t i = 0; i < expected.responses.size(); ++i) {
         const base::Matrix values = sampler.sample(static_cast<int>(i), {point});
         for (int t = 0; t < steps; ++t) {
-          const double value = expected.responses[i].values[static_cast<std::size_t>(t)];
+          const double value = expected.responses[i].values[t];
           EXPECT_NEAR(values(t, 0), value, 1e-6 * std::max(1e-2, std::abs(value)))
               << expected.responses[i].name << " at step " << t;
           EXPECT_NEAR(result.responses[i].at(t).evaluate(point), values(t, 0), 1e-9);

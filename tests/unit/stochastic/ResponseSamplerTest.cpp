@@ -64,7 +64,7 @@ TEST_P(RandomElasticChain, SamplesAreSolutions) {
     for (std::size_t i = 0; i < expected.responses.size(); ++i) {
       const base::Matrix found = sampler.sample(static_cast<int>(i), germs);
       for (int t = 0; t < steps; ++t) {
-        const double value = expected.responses[i].values[static_cast<std::size_t>(t)];
+        const double value = expected.responses[i].values[t];
         EXPECT_NEAR(found(t, static_cast<int>(s)), value, 2e-6 * std::abs(value)) << expected.responses[i].name;
       }
     }

@@ -13,8 +13,7 @@ double entriesByElimination(const CrsView& matrix, const Ordering& ordering) {
   std::vector<std::vector<bool>> filled(n, std::vector<bool>(n, false));
   for (std::size_t row = 0; row < n; ++row) {
     for (std::size_t k = matrix.rowPointers[row]; k < matrix.rowPointers[row + 1]; ++k) {
-      filled[static_cast<std::size_t>(ordering.position[row])]
-            [static_cast<std::size_t>(ordering.position[static_cast<std::size_t>(matrix.columns[k])])] = true;
+      filled[ordering.position[row]][ordering.position[matrix.columns[k]]] = true;
     }
   }
   double entries = 0.0;
@@ -37,8 +36,8 @@ TEST(NestedDissection, isAPermutationThatKeepsNodesTogether) {
   const NestedDissection dissection(view.rows, view.rowPointers, view.columns);
   const Ordering& ordering = dissection.ordering();
   for (int row = 0; row < view.rows; ++row) {
-    const int position = ordering.position[static_cast<std::size_t>(row)];
-    ASSERT_EQ(ordering.old[static_cast<std::size_t>(position)], row);
+    const int position = ordering.position[row];
+    ASSERT_EQ(ordering.old[position], row);
     ASSERT_EQ(position % 3, row % 3);
   }
 }
@@ -51,7 +50,7 @@ TEST(NestedDissection, ordersRowsLast) {
   const std::vector<int>& old = mixed.ordering().old;
   EXPECT_EQ(std::vector<int>(old.end() - 2, old.end()), (std::vector<int>{4, 300}));
   for (int row = 0; row < view.rows; ++row) {
-    EXPECT_EQ(old[static_cast<std::size_t>(mixed.ordering().position[static_cast<std::size_t>(row)])], row);
+    EXPECT_EQ(old[mixed.ordering().position[row]], row);
   }
   const NestedDissection whole(view.rows, view.rowPointers, view.columns, {3, 4, 5, 300, 301, 302});
   EXPECT_EQ(whole.factorSize().nonzeros, entriesByElimination(view, whole.ordering()));

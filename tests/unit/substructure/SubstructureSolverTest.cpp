@@ -15,9 +15,9 @@ namespace {
 BoundaryTerm onOneFace(const Lattice& lattice, double value) {
   BoundaryTerm boundary;
   boundary.dimension = lattice.dimension;
-  boundary.diagonal.assign(static_cast<std::size_t>(lattice.dofs()), 0.0);
+  boundary.diagonal.assign(lattice.dofs(), 0.0);
   for (int dof = 0; dof < lattice.dimension * lattice.n * lattice.n; ++dof) {
-    boundary.diagonal[static_cast<std::size_t>(dof)] = value;
+    boundary.diagonal[dof] = value;
   }
   return boundary;
 }
@@ -40,7 +40,7 @@ double residual(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary, 
       for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
         r(row, j) -= view.values[k] * x(view.columns[k], j);
       }
-      if (!boundary.diagonal.empty()) r(row, j) -= boundary.diagonal[static_cast<std::size_t>(row)] * x(row, j);
+      if (!boundary.diagonal.empty()) r(row, j) -= boundary.diagonal[row] * x(row, j);
     }
     for (const auto& entry : boundary.entries) {
       for (int i = 0; i < boundary.dimension; ++i) {
@@ -168,7 +168,7 @@ TEST(SubstructureSolver, solvesTheTraceLikeTheWhole) {
     const base::Matrix b = loads(static_cast<int>(trace.size()), 3);
     base::Matrix x, rough, whole, wholeLoads(lattice.dofs(), 3);
     for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < b.numRows(); ++i) wholeLoads(trace[static_cast<std::size_t>(i)], j) = b(i, j);
+      for (int i = 0; i < b.numRows(); ++i) wholeLoads(trace[i], j) = b(i, j);
     }
     solver.solve(wholeLoads, whole);
     solver.solveTrace(b, x);
@@ -176,7 +176,7 @@ TEST(SubstructureSolver, solvesTheTraceLikeTheWhole) {
     const double size = whole.normInf();
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i < b.numRows(); ++i) {
-        const double exact = whole(trace[static_cast<std::size_t>(i)], j);
+        const double exact = whole(trace[i], j);
         EXPECT_NEAR(x(i, j), exact, 1e-12 * size);  // rounding times condition 1e3
         EXPECT_NEAR(rough(i, j), exact, (invert ? 1e-6 : 1e-12) * size);
       }
@@ -187,7 +187,7 @@ TEST(SubstructureSolver, solvesTheTraceLikeTheWhole) {
 
 TEST(SubstructureSolver, keepsToTheSparseFactorWhereItIsCheaper) {
   const Lattice lattice{6};
-  std::vector<int> all(static_cast<std::size_t>(lattice.dofs()));
+  std::vector<int> all(lattice.dofs());
   std::iota(all.begin(), all.end(), 0);
   const SubstructureSolver solver(lattice.matrix(), onOneFace(lattice, 1.0), {}, "part", all);
   EXPECT_FALSE(solver.solvesTrace());

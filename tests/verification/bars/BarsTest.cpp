@@ -78,7 +78,7 @@ TEST_P(TwoBarsAndAGap, ObeysTheGapOfTheGeometry) {
   scene.add("Interfaces/gap", xmlNumbers("Projection Direction", {1.0, 0.0, 0.0}));
   scene.changeMesh([&](mesh::Mesh& mesh) {
     for (const int node : mesh.blocks[1].connectivity) {
-      double& x = mesh.nodes[static_cast<std::size_t>(node)][0];
+      double& x = mesh.nodes[node][0];
       if (x < 160.0) x = 100.0 + data.gap + (160.0 - 100.0 - data.gap) * std::round((x - 100.0) / 20.0) / 3.0;
     }
   });

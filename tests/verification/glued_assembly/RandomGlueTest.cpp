@@ -181,8 +181,7 @@ TEST(RandomGlue, AgreesWithTheDirectSpectralMethod) {
       const base::Matrix found = rival.coefficients(problem.displacement(name));
       EXPECT_NEAR(found(0, 0), expected.mean(), 1e-6 * std::abs(expected.mean()));
       for (int a = 1; a < found.numRows(); ++a) {
-        EXPECT_NEAR(found(a, 0), expected.coefficients()[static_cast<std::size_t>(a)],
-                    1e-6 * expected.standardDeviation())
+        EXPECT_NEAR(found(a, 0), expected.coefficients()[a], 1e-6 * expected.standardDeviation())
             << name << ", polynomial " << a;
       }
     }

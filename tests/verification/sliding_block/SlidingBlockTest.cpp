@@ -85,7 +85,7 @@ TEST(SlidingBlock, DoesNotDependOnTheNumbering) {
     std::iota(newNumber.begin(), newNumber.end(), 0);
     std::shuffle(newNumber.begin(), newNumber.end(), random);
     std::vector<mesh::Point> nodes(mesh.nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[static_cast<std::size_t>(newNumber[i])] = mesh.nodes[i];
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[newNumber[i]] = mesh.nodes[i];
     mesh.nodes = nodes;
     std::vector<int> newElement;
     for (auto& block : mesh.blocks) {
@@ -100,12 +100,12 @@ TEST(SlidingBlock, DoesNotDependOnTheNumbering) {
         const auto to = static_cast<std::size_t>(order[e]);
         newElement[first + e] = static_cast<int>(first + to);
         for (std::size_t n = 0; n < 8; ++n) {
-          block.connectivity[8 * to + n] = newNumber[static_cast<std::size_t>(old[8 * e + n])];
+          block.connectivity[8 * to + n] = newNumber[old[8 * e + n]];
         }
       }
     }
     for (auto& set : mesh.sideSets) {
-      for (int& element : set.element) element = newElement[static_cast<std::size_t>(element)];
+      for (int& element : set.element) element = newElement[element];
     }
     std::reverse(mesh.sideSets.begin(), mesh.sideSets.end());
   });
