@@ -9,13 +9,6 @@
 
 namespace harmos::assembly {
 
-/// One entry of the consistent interface mass: int N_row N_column dS [area], the same for every component.
-struct MassEntry {
-  int row;
-  int column;
-  double value;
-};
-
 /// An interface: a mechanical object of its own, with a law and unknowns on one or two sides.
 ///
 /// Pair p joins node1[p] of substructure body1 and node2[p] of body2, local node numbers. An outer boundary has
@@ -27,10 +20,10 @@ struct Interface {
   int body2 = -1;
   std::vector<int> node1;
   std::vector<int> node2;
-  std::vector<mesh::Frame> frame;  ///< per pair: rows n, t1, t2
-  std::vector<double> area;        ///< per pair: lumped interface mass h [area], > 0
-  std::vector<double> gap;         ///< per pair: geometric opening [length]
-  std::vector<MassEntry> mass;     ///< consistent interface mass, both triangles; empty: lumped
+  std::vector<base::Frame> frame;     ///< per pair: rows n, t1, t2
+  std::vector<double> area;           ///< per pair: lumped interface mass h [area], > 0
+  std::vector<double> gap;            ///< per pair: geometric opening [length]
+  std::vector<mesh::MassEntry> mass;  ///< consistent interface mass, both triangles; empty: lumped
 
   int pairs() const { return static_cast<int>(node1.size()); }
   int sides() const { return body2 < 0 ? 1 : 2; }

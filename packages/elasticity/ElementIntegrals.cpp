@@ -40,7 +40,7 @@ bool invert(const double (&j)[2][2], double (&cofactor)[2][2], double& determina
 }
 
 template <int D>
-bool integrateIn(const ReferenceElement& reference, const mesh::Point* const* corners, bool withProduct,
+bool integrateIn(const ReferenceElement& reference, const base::Vector3* const* corners, bool withProduct,
                  ElementIntegrals& result) {
   const int nodes = reference.nodes, dofs = D * nodes;
   result = ElementIntegrals{};
@@ -79,7 +79,7 @@ bool integrateIn(const ReferenceElement& reference, const mesh::Point* const* co
 
 }  // namespace
 
-bool integrate(const ReferenceElement& reference, const mesh::Point* const* corners, bool withProduct,
+bool integrate(const ReferenceElement& reference, const base::Vector3* const* corners, bool withProduct,
                ElementIntegrals& integrals) {
   return reference.dimension == 3 ? integrateIn<3>(reference, corners, withProduct, integrals)
                                   : integrateIn<2>(reference, corners, withProduct, integrals);

@@ -9,8 +9,7 @@
 namespace harmos::elasticity {
 namespace {
 
-using Vector = std::array<double, 3>;
-using Matrix3 = std::array<Vector, 3>;
+using Matrix3 = std::array<std::array<double, 3>, 3>;
 
 constexpr const char* pairs[3] = {"12", "23", "13"};
 constexpr std::size_t first[3] = {0, 1, 0};
@@ -20,12 +19,8 @@ constexpr std::size_t second[3] = {1, 2, 2};
   throw base::Error("Orthotropic material: " + reason, base::ExitCode::input);
 }
 
-double norm(const Vector& v) {
-  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 /// Rows are the unit vectors of the material axes.
-Matrix3 frameOf(Vector axis1, Vector axis2) {
+base::Frame frameOf(base::Vector3 axis1, base::Vector3 axis2) {
   const double length1 = norm(axis1), length2 = norm(axis2);
   if (!(length1 > 0.0 && length2 > 0.0)) fail("Axis 1 and Axis 2 must not be zero.");
   double dot = 0.0;
@@ -38,9 +33,7 @@ Matrix3 frameOf(Vector axis1, Vector axis2) {
   const double rest = norm(axis2);
   if (!(rest > 1e-6)) fail("Axis 1 and Axis 2 are parallel; give two directions that are not.");
   for (double& component : axis2) component /= rest;
-  return {axis1, axis2,
-          Vector{axis1[1] * axis2[2] - axis1[2] * axis2[1], axis1[2] * axis2[0] - axis1[0] * axis2[2],
-                 axis1[0] * axis2[1] - axis1[1] * axis2[0]}};
+  return {axis1, axis2, cross(axis1, axis2)};
 }
 
 // Below, the stiffness has too few digits.
@@ -48,7 +41,7 @@ constexpr double leastRelative = 1e-7;
 
 /// Normal stresses from normal strains: the inverse of the compliance, which must be positive definite.
 Matrix3 normalStiffness(const Orthotropic::Constants& c) {
-  const Vector& e = c.youngsModulus;
+  const std::array<double, 3>& e = c.youngsModulus;
   Matrix3 s{};
   for (std::size_t i = 0; i < 3; ++i) s[i][i] = 1.0 / e[i];
   for (std::size_t p = 0; p < 3; ++p) {
@@ -77,14 +70,14 @@ Matrix3 normalStiffness(const Orthotropic::Constants& c) {
         base::toText(relative) + " must be above " + base::toText(leastRelative) +
         " (nu_ji = nu_ij E_j / E_i). Reduce them.");
   }
-  for (Vector& row : inverse) {
+  for (auto& row : inverse) {
     for (double& entry : row) entry /= determinant;
   }
   return inverse;
 }
 
 /// C = T C' T^t, with stress = T stress' from material axes to the global ones.
-ElasticityMatrix rotated(const ElasticityMatrix& c, const Matrix3& axes) {
+ElasticityMatrix rotated(const ElasticityMatrix& c, const base::Frame& axes) {
   constexpr std::size_t row[6] = {0, 1, 2, 0, 1, 2};
   constexpr std::size_t column[6] = {0, 1, 2, 1, 2, 0};
   ElasticityMatrix t{}, tc{}, result{};
@@ -116,7 +109,7 @@ Orthotropic::Constants constantsOf(const input::Parameters& parameters) {
     c.poissonsRatio[i] = parameters.number(std::string("Poisson's Ratio ") + pairs[i]);
     c.shearModulus[i] = parameters.number(std::string("Shear Modulus ") + pairs[i]);
   }
-  const auto axis = [&parameters](const char* name, Vector& into) {
+  const auto axis = [&parameters](const char* name, base::Vector3& into) {
     if (!parameters.has(name)) return;
     const std::vector<double>& given = parameters.numbers(name);
     if (given.size() != 3) {

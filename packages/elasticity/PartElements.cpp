@@ -32,8 +32,9 @@ std::vector<ElementGroup> groupsOf(const mesh::Mesh& mesh, const mesh::Part& par
     }
     if (!group.inBlock.empty()) {
       if (mesh::dimensionOf(block.type) != dimensionOf(kinematics)) {
-        throw base::Error("Kinematics " + kinematicsNames()[kinematics] + " does not suit the " +
-                              mesh::exodusName(block.type) + " elements of " + nameOf(mesh, part, group, 0) + ".",
+        throw base::Error("Kinematics " + kinematicsNames()[static_cast<std::size_t>(kinematics)] +
+                              " does not suit the " + mesh::exodusName(block.type) + " elements of " +
+                              nameOf(mesh, part, group, 0) + ".",
                           base::ExitCode::input);
       }
       groups.push_back(std::move(group));

@@ -208,7 +208,7 @@ Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const me
              : assemble(mesh, part, groups, ElementStiffness<2>(c, formulation, thickness));
 }
 
-std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Part& part, const mesh::Point& force,
+std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Part& part, const base::Vector3& force,
                               Kinematics kinematics, double thickness) {
   const auto dimension = static_cast<std::size_t>(dimensionOf(kinematics));
   if (dimension == 2 && force[2] != 0.0) {

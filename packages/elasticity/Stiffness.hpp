@@ -25,7 +25,7 @@ Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const me
 /// Nodal forces of a uniform body force, f_a = force int N_a dV [force], one entry per dof of the part.
 ///
 /// force [force/volume]; its third component must be 0 in 2-D. Throws base::Error as assembleStiffness does.
-std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Part& part, const mesh::Point& force,
+std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Part& part, const base::Vector3& force,
                               Kinematics kinematics, double thickness = 1.0);
 
 }  // namespace harmos::elasticity

@@ -12,30 +12,24 @@ namespace harmos::files {
 
 namespace {
 
-using mesh::Point;
-
-std::string text(const Point& p) {
+std::string text(const base::Vector3& p) {
   std::ostringstream stream;
   stream << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
   return stream.str();
-}
-
-double distance(const Point& p, const Point& q) {
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
 const int* nodesOf(const ResultMesh::Block& block, int element) {
   return block.connectivity.data() + static_cast<std::ptrdiff_t>(element) * block.nodesPerElement;
 }
 
-const Point& position(const ResultMesh& mesh, int node) {
+const base::Vector3& position(const ResultMesh& mesh, int node) {
   return mesh.nodes[node];
 }
 
-std::vector<Point> centres(const ResultMesh& mesh, const ResultMesh::Block& block) {
-  std::vector<Point> result;
+std::vector<base::Vector3> centres(const ResultMesh& mesh, const ResultMesh::Block& block) {
+  std::vector<base::Vector3> result;
   for (int e = 0; e < block.elements(); ++e) {
-    Point centre{};
+    base::Vector3 centre{};
     for (int k = 0; k < block.nodesPerElement; ++k)
       for (std::size_t d = 0; d < 3; ++d) centre[d] += position(mesh, nodesOf(block, e)[k])[d] / block.nodesPerElement;
     result.push_back(centre);

@@ -18,7 +18,7 @@ const char* const kindNames[] = {"global", "nodal", "element"};
 
 double extent(const ResultMesh& mesh) {
   if (mesh.nodes.empty()) return 0.0;
-  mesh::Point low = mesh.nodes[0], high = mesh.nodes[0];
+  base::Vector3 low = mesh.nodes[0], high = mesh.nodes[0];
   for (const auto& point : mesh.nodes)
     for (std::size_t d = 0; d < 3; ++d) {
       low[d] = std::min(low[d], point[d]);

@@ -19,7 +19,7 @@ struct ResultMesh {
   };
 
   int dimension = 3;
-  std::vector<mesh::Point> nodes;
+  std::vector<base::Vector3> nodes;
   std::vector<Block> blocks;
   std::vector<mesh::SideSet> sideSets;  // ids are given by the writer
   std::vector<mesh::NodeSet> nodeSets;

@@ -67,8 +67,8 @@ class Tolerances {
     Tolerance tolerance;
     std::vector<Variable> variables;
   };
-  Section& section(VariableKind kind) { return sections_[kind]; }
-  const Section& section(VariableKind kind) const { return sections_[kind]; }
+  Section& section(VariableKind kind) { return sections_[static_cast<std::size_t>(kind)]; }
+  const Section& section(VariableKind kind) const { return sections_[static_cast<std::size_t>(kind)]; }
 
   Tolerance coordinates_, times_;
   std::array<Section, 3> sections_;

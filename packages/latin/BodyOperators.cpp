@@ -10,22 +10,11 @@
 namespace harmos::latin {
 namespace {
 
-using Vector3 = std::array<double, 3>;
-
-/// y = Q x, or Q^T x.
-Vector3 rotate(const mesh::Frame& q, const Vector3& x, bool transposed) {
-  Vector3 y{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) y[i] += (transposed ? q[j][i] : q[i][j]) * x[j];
-  }
-  return y;
-}
-
 /// to += Q from (or Q^T from) for the components of one node.
-void addRotated(const mesh::Frame& q, bool transposed, int dimension, const double* from, double* to) {
-  Vector3 x{};
+void addRotated(const base::Frame& q, bool transposed, int dimension, const double* from, double* to) {
+  base::Vector3 x{};
   std::copy(from, from + dimension, x.begin());
-  const Vector3 y = rotate(q, x, transposed);
+  const base::Vector3 y = transposed ? base::toGlobal(q, x) : base::toFrame(q, x);
   for (int c = 0; c < dimension; ++c) to[c] += y[c];
 }
 
@@ -56,7 +45,7 @@ substructure::BoundaryTerm boundaryTerm(const assembly::Assembly& assembly,
           }
         }
       }
-      for (const assembly::MassEntry& entry : interface.mass) {
+      for (const mesh::MassEntry& entry : interface.mass) {
         const auto row = static_cast<std::size_t>(entry.row);
         term.entries.push_back({nodes[row], nodes[entry.column], k[row] * entry.value});
       }
@@ -346,10 +335,10 @@ base::Matrix BodyOperators::solveBody(int body, const base::Matrix& forces) cons
   return solution;
 }
 
-mesh::Point BodyOperators::displacement(int body, int node, int column) const {
+base::Vector3 BodyOperators::displacement(int body, int node, int column) const {
   const Place& place = places_[body];
   const Group& group = groups_[place.group];
-  mesh::Point u{};
+  base::Vector3 u{};
   const int dof = masterDof(place, node);
   const int at = place.member * static_cast<int>(steps_.size()) + column;
   const auto row = std::lower_bound(group.trace.begin(), group.trace.end(), dof);

@@ -35,7 +35,7 @@ class BodyOperators {
   /// Trace w of the last solve: fills the columns first .. first + count - 1 of `trace`.
   void trace(base::Matrix& trace, int first, int count) const;
   /// Displacement u [length] of a node of an owned body as last solved.
-  mesh::Point displacement(int body, int node, int column) const;
+  base::Vector3 displacement(int body, int node, int column) const;
   /// Largest component of the displacement of all owned bodies as last solved, in their representatives' axes; of a
   /// body that is solved on its trace, of the trace, and `share` of what its loads do to it when only k h holds it.
   double largestDisplacement(double share) const;
@@ -60,7 +60,7 @@ class BodyOperators {
     int group = -1;
     int member = 0;
     bool rotates = false;
-    mesh::Frame rotation{};     // Q of the congruence
+    base::Frame rotation{};     // Q of the congruence
     std::vector<int> toMaster;  // the representative's node of each node; empty: the same
   };
   struct BlockMap {

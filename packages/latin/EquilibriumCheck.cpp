@@ -9,21 +9,17 @@
 namespace harmos::latin {
 namespace {
 
-double length(const mesh::Point& v) {
-  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 /// Centre and largest extent of a body's nodes.
-std::pair<mesh::Point, double> extent(const std::vector<mesh::Point>& nodes) {
-  mesh::Point lower = nodes.front();
-  mesh::Point upper = nodes.front();
-  for (const mesh::Point& x : nodes) {
+std::pair<base::Vector3, double> extent(const std::vector<base::Vector3>& nodes) {
+  base::Vector3 lower = nodes.front();
+  base::Vector3 upper = nodes.front();
+  for (const base::Vector3& x : nodes) {
     for (std::size_t c = 0; c < 3; ++c) {
       lower[c] = std::min(lower[c], x[c]);
       upper[c] = std::max(upper[c], x[c]);
     }
   }
-  mesh::Point centre{};
+  base::Vector3 centre{};
   double size = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
     centre[c] = 0.5 * (lower[c] + upper[c]);
@@ -48,7 +44,7 @@ Imbalance worstOfAllRanks(const Imbalance& mine, const Teuchos::Comm<int>& comm)
 constexpr int motions = 6;
 
 /// Work of the force d [force] at the arm r [length] in the unit translations and rotations.
-std::array<double, motions> work(const mesh::Point& r, const mesh::Point& d) {
+std::array<double, motions> work(const base::Vector3& r, const base::Vector3& d) {
   return {d[0], d[1], d[2], r[1] * d[2] - r[2] * d[1], r[2] * d[0] - r[0] * d[2], r[0] * d[1] - r[1] * d[0]};
 }
 
@@ -64,7 +60,7 @@ Imbalance largestImbalance(const FixedPoint& state) {
   const assembly::Assembly& assembly = state.assembly();
   const auto steps = static_cast<std::size_t>(state.traction().numCols());
   const auto dimension = static_cast<std::size_t>(state.layout().dimension());
-  std::vector<std::pair<mesh::Point, double>> extents;
+  std::vector<std::pair<base::Vector3, double>> extents;
   for (const auto& body : assembly.bodies) extents.push_back(extent(body.nodes));
 
   std::vector<StepSums> sums(assembly.bodies.size() * steps);
@@ -74,11 +70,11 @@ Imbalance largestImbalance(const FixedPoint& state) {
     for (std::size_t pair = 0; pair < static_cast<std::size_t>(block.pairs); ++pair) {
       const auto row = static_cast<std::size_t>(block.begin) + pair * dimension;
       const double area = interface.area[pair];
-      mesh::Point r = assembly.bodies[body].nodes[interface.nodes(block.side)[pair]];
+      base::Vector3 r = assembly.bodies[body].nodes[interface.nodes(block.side)[pair]];
       for (std::size_t c = 0; c < 3; ++c) r[c] -= extents[body].first[c];
       for (std::size_t t = 0; t < steps; ++t) {
         StepSums& sum = sums[body * steps + t];
-        mesh::Point d{};
+        base::Vector3 d{};
         for (std::size_t c = 0; c < dimension; ++c) {
           const double hatted = state.hattedTraction()[static_cast<int>(t)][row + c];
           const double traction = state.traction()[static_cast<int>(t)][row + c];
@@ -100,9 +96,9 @@ Imbalance largestImbalance(const FixedPoint& state) {
     for (std::size_t t = 0; t < steps; ++t) {
       const StepSums& sum = sums[body * steps + t];
       const auto& r = sum.resultant;
-      const mesh::Point force{r[0], r[1], r[2]};
-      const mesh::Point moment{r[3], r[4], r[5]};
-      const double relative = std::max(length(force), length(moment) / extents[body].second) / scale;
+      const base::Vector3 force{r[0], r[1], r[2]};
+      const base::Vector3 moment{r[3], r[4], r[5]};
+      const double relative = std::max(base::norm(force), base::norm(moment) / extents[body].second) / scale;
       if (relative <= worst.relative) continue;
       worst = {static_cast<int>(body), static_cast<int>(t),  force,      moment,
                extents[body].first,    extents[body].second, sum.forces, relative};

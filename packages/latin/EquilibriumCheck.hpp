@@ -10,13 +10,13 @@ namespace harmos::latin {
 /// Resultant of f^ - f on one body at one load step: what the interface laws fail to carry.
 struct Imbalance {
   int body = -1;
-  int step = 0;           ///< column of the state, a load step when all are selected
-  mesh::Point force{};    ///< [force], f - f^: the part of the loads that finds no reaction
-  mesh::Point moment{};   ///< [force length], about the body's centre
-  mesh::Point centre{};   ///< [length]
-  double arm = 0.0;       ///< largest extent of the body [length]
-  double load = 0.0;      ///< sum of the absolute forces on the body at this step [force]
-  double relative = 0.0;  ///< |force|, or |moment| / size of the body, over the largest sum of forces on the body
+  int step = 0;            ///< column of the state, a load step when all are selected
+  base::Vector3 force{};   ///< [force], f - f^: the part of the loads that finds no reaction
+  base::Vector3 moment{};  ///< [force length], about the body's centre
+  base::Vector3 centre{};  ///< [length]
+  double arm = 0.0;        ///< largest extent of the body [length]
+  double load = 0.0;       ///< sum of the absolute forces on the body at this step [force]
+  double relative = 0.0;   ///< |force|, or |moment| / size of the body, over the largest sum of forces on the body
 };
 
 /// The body and load step with the largest relative imbalance in the last FixedPoint::apply(), of those selected.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <harmos/mesh/Vector.hpp>
+#include <harmos/base/Vector3.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -14,8 +14,8 @@ constexpr std::ptrdiff_t looks = 4;
 constexpr double spread = 0.05;
 constexpr double smallestScale = 1e-2;
 
-bool agree(const mesh::Point& a, const mesh::Point& b) {
-  return mesh::distance(a, b) <= spread * mesh::norm(b);
+bool agree(const base::Vector3& a, const base::Vector3& b) {
+  return base::distance(a, b) <= spread * base::norm(b);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ class FixedPoint {
   /// f^ [stress] of the local stage, which obeys the interface laws.
   const base::Matrix& hattedTraction() const { return hattedTraction_; }
   /// u [length] of a node of an owned body, linear stage.
-  mesh::Point displacement(int body, int node, int column) const { return linear_.displacement(body, node, column); }
+  base::Vector3 displacement(int body, int node, int column) const { return linear_.displacement(body, node, column); }
 
   const assembly::Assembly& assembly() const { return assembly_; }
   const assembly::SearchDirection& searchDirection() const { return searchDirection_; }

@@ -4,16 +4,10 @@
 #include <cmath>
 #include <set>
 
-#include <harmos/mesh/Vector.hpp>
+#include <harmos/base/Vector3.hpp>
 
 namespace harmos::latin {
 namespace {
-
-// NOLINTBEGIN(misc-unused-using-decls): clang-tidy does not see operators at work
-using mesh::operator+;
-using mesh::operator-;
-using mesh::operator*;
-// NOLINTEND(misc-unused-using-decls)
 
 // How far, in units of imbalance / (k h) with the automatic k: springs a million times softer than k are still felt.
 constexpr double farAhead = 1e6;
@@ -35,10 +29,10 @@ constexpr int maximumLooks = 40;
 
 /// A rigid motion: translation, and rotation about a centre.
 struct Motion {
-  mesh::Point translation{};
-  mesh::Point rotation{};
-  mesh::Point centre{};
-  mesh::Point at(const mesh::Point& x) const { return translation + mesh::cross(rotation, x - centre); }
+  base::Vector3 translation{};
+  base::Vector3 rotation{};
+  base::Vector3 centre{};
+  base::Vector3 at(const base::Vector3& x) const { return translation + base::cross(rotation, x - centre); }
   Motion scaled(double share) const { return {share * translation, share * rotation, centre}; }
 };
 
@@ -54,7 +48,7 @@ class Push {
     visit([&](const TraceLayout::Block& block, int row, int pair) {
       if (block.body != body) return;
       const double k = layout().stiffness()[row];
-      sum[0] += layout().area()[row] * k * mesh::norm(motion.at(node(block, pair)));
+      sum[0] += layout().area()[row] * k * base::norm(motion.at(node(block, pair)));
     });
     fixedPoint_.metric().sum(sum);
     return sum[0];
@@ -79,7 +73,7 @@ class Push {
     base::Matrix moved(alpha_);
     visit([&](const TraceLayout::Block& block, int row, int pair) {
       if (bodies.count(block.body) == 0) return;
-      const mesh::Point way = motion.at(node(block, pair));
+      const base::Vector3 way = motion.at(node(block, pair));
       for (int c = 0; c < layout().dimension(); ++c) {
         moved[step_][row + c] +=
             layout().stiffness()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] * way[c];
@@ -89,7 +83,7 @@ class Push {
   }
 
   /// Change of the resultant on side 1 of every interface [force] when `bodies` make this motion.
-  std::vector<mesh::Point> answers(const std::set<int>& bodies, const Motion& motion) {
+  std::vector<base::Vector3> answers(const std::set<int>& bodies, const Motion& motion) {
     fixedPoint_.apply(moved(bodies, motion), image_);
     const std::size_t interfaces = fixedPoint_.assembly().interfaces.size();
     std::vector<double> sums(3 * interfaces, 0.0);
@@ -102,7 +96,7 @@ class Push {
       }
     });
     fixedPoint_.metric().sum(sums);
-    std::vector<mesh::Point> result;
+    std::vector<base::Vector3> result;
     for (std::size_t i = 0; i < interfaces; ++i) result.push_back({sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]});
     return result;
   }
@@ -113,7 +107,7 @@ class Push {
     std::vector<double> sum(1, 0.0);
     visit([&](const TraceLayout::Block& block, int row, int pair) {
       if (bodies.count(block.body) == 0) return;
-      const mesh::Point way = motion.at(node(block, pair));
+      const base::Vector3 way = motion.at(node(block, pair));
       for (int c = 0; c < layout().dimension(); ++c) {
         sum[0] -= layout().area()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
                   (fixedPoint_.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]) * way[c];
@@ -125,7 +119,7 @@ class Push {
 
  private:
   const TraceLayout& layout() const { return fixedPoint_.layout(); }
-  const mesh::Point& node(const TraceLayout::Block& block, int pair) const {
+  const base::Vector3& node(const TraceLayout::Block& block, int pair) const {
     const auto& interface = fixedPoint_.assembly().interfaces[block.interface];
     const int index = interface.nodes(block.side)[pair];
     return fixedPoint_.assembly().bodies[block.body].nodes[index];
@@ -147,12 +141,12 @@ class Push {
 /// Turns a translation that meets an interface at a grazing angle into the mean plane of the interface; false when it
 /// lies there already, or goes against it.
 bool slideAlong(Motion& motion, const assembly::Interface& interface) {
-  mesh::Point normal{};
-  for (const mesh::Frame& frame : interface.frame) normal = normal + frame[0];
-  if (mesh::norm(normal) == 0.0) return false;
-  normal = (1.0 / mesh::norm(normal)) * normal;
-  const double along = mesh::dot(motion.translation, normal);
-  const double way = mesh::norm(motion.translation);
+  base::Vector3 normal{};
+  for (const base::Frame& frame : interface.frame) normal = normal + frame[0];
+  if (base::norm(normal) == 0.0) return false;
+  normal = (1.0 / base::norm(normal)) * normal;
+  const double along = base::dot(motion.translation, normal);
+  const double way = base::norm(motion.translation);
   if (std::abs(along) > grazing * way || std::abs(along) < 1e-12 * way) return false;
   motion.translation = motion.translation - along * normal;
   return true;
@@ -187,8 +181,8 @@ std::optional<double> findLanding(Push& push, const std::set<int>& bodies, const
 FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, const base::Matrix& alpha,
                            base::Matrix& image) {
   const assembly::Assembly& assembly = fixedPoint.assembly();
-  const double force = mesh::norm(imbalance.force);
-  const double moment = mesh::norm(imbalance.moment) / imbalance.arm;
+  const double force = base::norm(imbalance.force);
+  const double moment = base::norm(imbalance.moment) / imbalance.arm;
   const double size = std::max(force, moment);
   Motion motion;
   motion.centre = imbalance.centre;
@@ -196,7 +190,7 @@ FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, c
   if (force >= moment) {
     motion.translation = (-1.0 / force) * imbalance.force;
   } else {
-    motion.rotation = (-1.0 / mesh::norm(imbalance.moment)) * imbalance.moment;
+    motion.rotation = (-1.0 / base::norm(imbalance.moment)) * imbalance.moment;
   }
   Push push(fixedPoint, alpha, image, imbalance.step);
   const double reach = std::max(farAhead * size, farBack * push.stateOf(imbalance.body)) /
@@ -206,10 +200,10 @@ FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, c
   FreeMotion result;
   std::set<int> bodies{imbalance.body};
   for (int attempt = 0; attempt < maximumTries && !result.isFree; ++attempt) {
-    const std::vector<mesh::Point> answers = push.answers(bodies, motion);
+    const std::vector<base::Vector3> answers = push.answers(bodies, motion);
     std::vector<const assembly::Interface*> resisting;
     for (std::size_t i = 0; i < answers.size(); ++i) {
-      if (mesh::norm(answers[i]) > resistance * size) resisting.push_back(&assembly.interfaces[i]);
+      if (base::norm(answers[i]) > resistance * size) resisting.push_back(&assembly.interfaces[i]);
     }
     if (std::any_of(resisting.begin(), resisting.end(),
                     [&](const assembly::Interface* one) { return slideAlong(motion, *one); })) {
@@ -218,7 +212,7 @@ FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, c
     if (std::any_of(resisting.begin(), resisting.end(),
                     [](const assembly::Interface* one) { return one->sides() == 1; })) {
       const double work =
-          -mesh::dot(imbalance.force, motion.translation) - mesh::dot(imbalance.moment, motion.rotation);
+          -base::dot(imbalance.force, motion.translation) - base::dot(imbalance.moment, motion.rotation);
       // Those that it pushes along must move by themselves.
       const auto share = findLanding(push, {imbalance.body}, motion, work);
       if (share) result.landing = push.moved({imbalance.body}, motion.scaled(*share));

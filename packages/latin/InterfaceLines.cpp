@@ -3,24 +3,6 @@
 #include <Teuchos_CommHelpers.hpp>
 
 namespace harmos::latin {
-namespace {
-
-using laws::Vector3;
-
-Vector3 toFrame(const mesh::Frame& frame, const Vector3& v) {
-  return {frame[0][0] * v[0] + frame[0][1] * v[1] + frame[0][2] * v[2],
-          frame[1][0] * v[0] + frame[1][1] * v[1] + frame[1][2] * v[2],
-          frame[2][0] * v[0] + frame[2][1] * v[1] + frame[2][2] * v[2]};
-}
-
-Vector3 toGlobal(const mesh::Frame& frame, const Vector3& v) {
-  return {frame[0][0] * v[0] + frame[1][0] * v[1] + frame[2][0] * v[2],
-          frame[0][1] * v[0] + frame[1][1] * v[1] + frame[2][1] * v[2],
-          frame[0][2] * v[0] + frame[1][2] * v[1] + frame[2][2] * v[2]};
-}
-
-}  // namespace
-
 InterfaceLines::InterfaceLines(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                                const TraceLayout& layout)
     : assembly_(assembly), searchDirection_(searchDirection), layout_(layout) {
@@ -82,14 +64,14 @@ void InterfaceLines::fill(int interfaceIndex, int column, const base::Matrix& be
   lines.resize(pairs);
   for (int p = 0; p < pairs; ++p) {
     const double compliance = 1.0 / k[p];
-    Vector3 free{};
+    base::Vector3 free{};
     for (int c = 0; c < dimension; ++c) {
       const double b2 = beta2 != nullptr ? beta2[p * dimension + c] : 0.0;
       free[c] = compliance * (beta1[p * dimension + c] - b2);
     }
     laws::LocalLine& line = lines[p];
     line.compliance = sides * compliance;
-    line.freeJump = local ? toFrame(interface.frame[p], free) : free;
+    line.freeJump = local ? base::toFrame(interface.frame[p], free) : free;
   }
 }
 
@@ -101,9 +83,9 @@ double InterfaceLines::write(int interfaceIndex, int column, const laws::LocalSt
   const bool local = interface.law->frame() == laws::Frame::interface;
   double check = 0.0;
   for (int p = 0; p < interface.pairs(); ++p) {
-    const Vector3& f = states[p].traction;
+    const base::Vector3& f = states[p].traction;
     check += f[0] + f[1] + f[2];
-    const Vector3 global = local ? toGlobal(interface.frame[p], f) : f;
+    const base::Vector3 global = local ? base::toGlobal(interface.frame[p], f) : f;
     for (int c = 0; c < dimension; ++c) {
       const double value = global[c];
       if (joint.begin1 >= 0) traction[column][joint.begin1 + p * dimension + c] = value;

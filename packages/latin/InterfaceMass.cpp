@@ -12,7 +12,7 @@ void applyMass(const assembly::Interface& interface, int dimension, const double
     return;
   }
   std::fill(y, y + interface.pairs() * dimension, 0.0);
-  for (const assembly::MassEntry& entry : interface.mass) {
+  for (const mesh::MassEntry& entry : interface.mass) {
     for (int c = 0; c < dimension; ++c) y[entry.row * dimension + c] += entry.value * x[entry.column * dimension + c];
   }
 }

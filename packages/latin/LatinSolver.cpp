@@ -9,8 +9,8 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Vector3.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
-#include <harmos/mesh/Vector.hpp>
 
 namespace harmos::latin {
 namespace {

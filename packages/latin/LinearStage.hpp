@@ -36,7 +36,9 @@ class LinearStage {
   const base::Matrix& traction() const { return traction_; }
 
   /// Displacement u [length] of a node of an owned body in the last solve.
-  mesh::Point displacement(int body, int node, int column) const { return operators_.displacement(body, node, column); }
+  base::Vector3 displacement(int body, int node, int column) const {
+    return operators_.displacement(body, node, column);
+  }
 
   /// Work so far: columns solved over the number of load steps, so that a solve of all load steps counts as one.
   int stages() const { return static_cast<int>((columnsSolved_ + assembly_.steps() - 1) / assembly_.steps()); }

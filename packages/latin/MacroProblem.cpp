@@ -42,9 +42,9 @@ Matrix weighted(const assembly::Interface& interface, int dimension, const std::
 }
 
 /// Rigid motions of an interface about its centre, rotations scaled by its size, so that all columns are lengths alike.
-Matrix rigidMotions(const assembly::Interface& interface, const std::vector<mesh::Point>& nodes, int dimension) {
+Matrix rigidMotions(const assembly::Interface& interface, const std::vector<base::Vector3>& nodes, int dimension) {
   const int pairs = interface.pairs();
-  mesh::Point centre{};
+  base::Vector3 centre{};
   double total = 0.0;
   for (int p = 0; p < pairs; ++p) {
     const auto i = static_cast<std::size_t>(p);
@@ -60,7 +60,7 @@ Matrix rigidMotions(const assembly::Interface& interface, const std::vector<mesh
 
   Matrix motions(pairs * dimension, dimension == 3 ? 6 : 3);
   for (int p = 0; p < pairs; ++p) {
-    const mesh::Point& x = nodes[interface.node1[p]];
+    const base::Vector3& x = nodes[interface.node1[p]];
     const double r[3] = {(x[0] - centre[0]) / size, (x[1] - centre[1]) / size, (x[2] - centre[2]) / size};
     const int row = p * dimension;
     for (int c = 0; c < dimension; ++c) motions(row + c, c) = 1.0;

@@ -44,11 +44,11 @@ NaturalSizes::NaturalSizes(const FixedPoint& state) {
   for (const double a : area) total[0] += a;
   for (auto* sums : {&forces, &springs, &squaredSprings, &total}) state.metric().sum(*sums);
 
-  mesh::Point lower, upper;
+  base::Vector3 lower, upper;
   lower.fill(std::numeric_limits<double>::infinity());
   upper.fill(-std::numeric_limits<double>::infinity());
   for (const auto& body : state.assembly().bodies) {
-    for (const mesh::Point& x : body.nodes) {
+    for (const base::Vector3& x : body.nodes) {
       for (std::size_t c = 0; c < 3; ++c) {
         lower[c] = std::min(lower[c], x[c]);
         upper[c] = std::max(upper[c], x[c]);

@@ -5,14 +5,6 @@ namespace {
 
 constexpr int width = 7;  // traction, jump, status
 
-laws::Vector3 toFrame(const mesh::Frame& frame, const double* global) {
-  laws::Vector3 local{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) local[i] += frame[i][j] * global[j];
-  }
-  return local;
-}
-
 /// Tractions are data here: asks the law, and takes the displacement from the body.
 void fillPrescribed(const FixedPoint& state, const assembly::Interface& interface, std::vector<double>& values) {
   const auto pairs = static_cast<std::size_t>(interface.pairs());
@@ -22,10 +14,10 @@ void fillPrescribed(const FixedPoint& state, const assembly::Interface& interfac
     interface.law->solve(t, {interface.pairs(), lines.data(), interface.gap.data(), nullptr, nullptr, states.data()});
     for (std::size_t p = 0; p < pairs; ++p) {
       double* value = values.data() + (static_cast<std::size_t>(t) * pairs + p) * width;
-      laws::Vector3 f = states[p].traction;
-      if (interface.law->frame() == laws::Frame::global) f = toFrame(interface.frame[p], f.data());
-      const mesh::Point u = state.displacement(interface.body1, interface.node1[p], t);
-      const laws::Vector3 w = toFrame(interface.frame[p], u.data());
+      base::Vector3 f = states[p].traction;
+      if (interface.law->frame() == laws::Frame::global) f = base::toFrame(interface.frame[p], f);
+      const base::Vector3 u = state.displacement(interface.body1, interface.node1[p], t);
+      const base::Vector3 w = base::toFrame(interface.frame[p], u);
       for (std::size_t c = 0; c < 3; ++c) {
         value[c] = f[c];
         value[3 + c] = -w[c];
@@ -45,17 +37,17 @@ void fillSide(const FixedPoint& state, int interfaceIndex, int side, std::vector
   for (int t = 0; t < state.assembly().steps(); ++t) {
     for (std::size_t p = 0; p < pairs; ++p) {
       double* value = values.data() + (static_cast<std::size_t>(t) * pairs + p) * width;
-      mesh::Point w{};
-      mesh::Point f{};
+      base::Vector3 w{};
+      base::Vector3 f{};
       const int row = begin + static_cast<int>(p) * dimension;
       for (int c = 0; c < dimension; ++c) {
         w[c] = state.hattedTrace()[t][row + c];
         f[c] = state.hattedTraction()[t][row + c];
       }
-      const laws::Vector3 localTrace = toFrame(interface.frame[p], w.data());
+      const base::Vector3 localTrace = base::toFrame(interface.frame[p], w);
       for (std::size_t c = 0; c < 3; ++c) value[3 + c] += side == 0 ? -localTrace[c] : localTrace[c];
       if (side != 0) continue;
-      const laws::Vector3 localTraction = toFrame(interface.frame[p], f.data());
+      const base::Vector3 localTraction = base::toFrame(interface.frame[p], f);
       std::copy(localTraction.begin(), localTraction.end(), value);
       value[6] = static_cast<double>(states[static_cast<std::size_t>(t) * pairs + p].status);
     }

@@ -10,8 +10,8 @@ namespace harmos::latin {
 struct PairFields {
   int pairs = 0;
   int steps = 0;
-  std::vector<laws::Vector3> traction;  ///< t = f1^ [stress], steps x pairs
-  std::vector<laws::Vector3> jump;      ///< delta = w2 - w1 [length], steps x pairs; ground: -w1
+  std::vector<base::Vector3> traction;  ///< t = f1^ [stress], steps x pairs
+  std::vector<base::Vector3> jump;      ///< delta = w2 - w1 [length], steps x pairs; ground: -w1
   std::vector<laws::Status> status;     ///< steps x pairs
 
   std::size_t at(int step, int pair) const {

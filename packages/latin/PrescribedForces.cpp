@@ -13,14 +13,8 @@ std::vector<double> prescribedForces(const assembly::Interface& interface, int d
   interface.law->solve(step, {interface.pairs(), lines.data(), interface.gap.data(), nullptr, nullptr, states.data()});
   std::vector<double> traction;
   for (std::size_t p = 0; p < pairs; ++p) {
-    laws::Vector3 f = states[p].traction;
-    if (interface.law->frame() == laws::Frame::interface) {
-      const laws::Vector3 local = f;
-      f = {};
-      for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) f[j] += interface.frame[p][i][j] * local[i];
-      }
-    }
+    base::Vector3 f = states[p].traction;
+    if (interface.law->frame() == laws::Frame::interface) f = base::toGlobal(interface.frame[p], f);
     traction.insert(traction.end(), f.begin(), f.begin() + dimension);
   }
   std::vector<double> force(traction.size());

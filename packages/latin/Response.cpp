@@ -5,17 +5,9 @@
 namespace harmos::latin {
 namespace {
 
-double dot(const mesh::Point& a, const mesh::Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-mesh::Point cross(const mesh::Point& a, const mesh::Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// f [stress] that acts on side 1 at pair p: of the linear stage, or the prescribed one.
-mesh::Point tractionOf(const FixedPoint& state, int interfaceIndex, int begin, int p, int t) {
-  mesh::Point f{};
+base::Vector3 tractionOf(const FixedPoint& state, int interfaceIndex, int begin, int p, int t) {
+  base::Vector3 f{};
   const int dimension = state.layout().dimension();
   if (begin >= 0) {
     std::copy_n(state.traction()[t] + begin + p * dimension, dimension, f.begin());
@@ -25,12 +17,8 @@ mesh::Point tractionOf(const FixedPoint& state, int interfaceIndex, int begin, i
   const laws::LocalLine line;
   laws::LocalState local;
   interface.law->solve(t, {1, &line, interface.gap.data() + p, nullptr, nullptr, &local});
-  if (interface.law->frame() == laws::Frame::global) return local.traction;
-  const mesh::Frame& frame = interface.frame[p];
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) f[j] += frame[i][j] * local.traction[i];
-  }
-  return f;
+  const bool isGlobal = interface.law->frame() == laws::Frame::global;
+  return isGlobal ? local.traction : base::toGlobal(interface.frame[p], local.traction);
 }
 
 }  // namespace
@@ -56,10 +44,10 @@ std::vector<double> ResultantResponse::evaluate(const FixedPoint& state) const {
     const auto& nodes = state.assembly().bodies[interface.body1].nodes;
     for (int p = 0; p < interface.pairs(); ++p) {
       const auto pair = static_cast<std::size_t>(p);
-      const mesh::Point& direction = direction_.empty() ? interface.frame[pair][0] : direction_[0];
-      mesh::Point arm = direction;
+      const base::Vector3& direction = direction_.empty() ? interface.frame[pair][0] : direction_[0];
+      base::Vector3 arm = direction;
       if (!centre_.empty()) {
-        const mesh::Point& x = nodes[interface.node1[pair]];
+        const base::Vector3& x = nodes[interface.node1[pair]];
         arm = cross(direction, {x[0] - centre_[0][0], x[1] - centre_[0][1], x[2] - centre_[0][2]});
       }
       for (int t = 0; t < state.assembly().steps(); ++t) {
@@ -85,9 +73,9 @@ void DissipationResponse::include(const assembly::Interface& interface, const Pa
   double total = 0.0;
   for (int t = 0; t < fields.steps; ++t) {
     for (int p = 0; p < fields.pairs; ++p) {
-      const laws::Vector3& f = fields.traction[fields.at(t, p)];
-      const laws::Vector3& now = fields.jump[fields.at(t, p)];
-      const laws::Vector3 old = t > 0 ? fields.jump[fields.at(t - 1, p)] : laws::Vector3{};
+      const base::Vector3& f = fields.traction[fields.at(t, p)];
+      const base::Vector3& now = fields.jump[fields.at(t, p)];
+      const base::Vector3 old = t > 0 ? fields.jump[fields.at(t - 1, p)] : base::Vector3{};
       total += interface.area[p] * (f[1] * (now[1] - old[1]) + f[2] * (now[2] - old[2]));
     }
     values[t] += total;
@@ -99,8 +87,8 @@ void MaximumResponse::include(const assembly::Interface& interface, const PairFi
   for (int t = 0; t < fields.steps; ++t) {
     double& largest = values[t];
     for (int p = 0; p < fields.pairs; ++p) {
-      const laws::Vector3& f = fields.traction[fields.at(t, p)];
-      const laws::Vector3& jump = fields.jump[fields.at(t, p)];
+      const base::Vector3& f = fields.traction[fields.at(t, p)];
+      const base::Vector3& jump = fields.jump[fields.at(t, p)];
       double value = 0.0;
       switch (field_) {
         case Field::contactPressure:
@@ -110,13 +98,13 @@ void MaximumResponse::include(const assembly::Interface& interface, const PairFi
           value = std::abs(f[0]);
           break;
         case Field::tangentialTraction:
-          value = laws::tangentialNorm(f);
+          value = base::tangentialNorm(f);
           break;
         case Field::opening:
           value = jump[0] + interface.gap[p];
           break;
         case Field::slip:
-          value = laws::tangentialNorm(jump);
+          value = base::tangentialNorm(jump);
           break;
       }
       largest = std::max(largest, value);

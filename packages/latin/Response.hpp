@@ -38,15 +38,15 @@ class DisplacementResponse : public Response {
     int node;
     double weight;
   };
-  DisplacementResponse(std::string name, std::vector<Node> nodes, mesh::Point direction)
+  DisplacementResponse(std::string name, std::vector<Node> nodes, base::Vector3 direction)
       : Response(std::move(name), Quantity::displacement), nodes_(std::move(nodes)), direction_(direction) {}
   const std::vector<Node>& nodes() const { return nodes_; }
-  const mesh::Point& direction() const { return direction_; }
+  const base::Vector3& direction() const { return direction_; }
   std::vector<double> evaluate(const FixedPoint& state) const override;
 
  private:
   std::vector<Node> nodes_;
-  mesh::Point direction_;
+  base::Vector3 direction_;
 };
 
 /// Resultant of the tractions that an interface exerts on its side 1: sum of h f . direction [force], or with a centre
@@ -55,8 +55,8 @@ class DisplacementResponse : public Response {
 class ResultantResponse : public Response {
  public:
   /// `interfaces`: the pieces of one interface.
-  ResultantResponse(std::string name, std::vector<int> interfaces, std::vector<mesh::Point> direction,
-                    std::vector<mesh::Point> centre = {})
+  ResultantResponse(std::string name, std::vector<int> interfaces, std::vector<base::Vector3> direction,
+                    std::vector<base::Vector3> centre = {})
       : Response(std::move(name), centre.empty() ? Quantity::force : Quantity::moment),
         interfaces_(std::move(interfaces)),
         direction_(std::move(direction)),
@@ -65,8 +65,8 @@ class ResultantResponse : public Response {
 
  private:
   std::vector<int> interfaces_;
-  std::vector<mesh::Point> direction_;  // none or one
-  std::vector<mesh::Point> centre_;     // none or one
+  std::vector<base::Vector3> direction_;  // none or one
+  std::vector<base::Vector3> centre_;     // none or one
 };
 
 /// A number that depends on the fields of interfaces, in whatever way.

@@ -54,7 +54,7 @@ struct CoulombFriction {
       // A node that came to rest on the cone would otherwise be told apart by round-off.
       state.status = trial >= (1.0 - onTheCone) * limit ? Status::slip : Status::stick;
     }
-    const Vector3 jump = line.jump(state.traction);
+    const base::Vector3 jump = line.jump(state.traction);
     now[0] = jump[1];
     now[1] = jump[2];
     return state;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <harmos/laws/Vector3.hpp>
+#include <harmos/base/Vector3.hpp>
 
 namespace harmos::laws {
 
@@ -10,11 +10,11 @@ namespace harmos::laws {
 ///   delta^ = delta_free - H t,   delta_free = (w2 - w1) + f1/k1 - f2/k2,   H = 1/k1 + 1/k2,
 /// with t = f1^ = -f2^. On an outer boundary side 2 is the ground at rest: delta_free = -w1 + f1/k1, H = 1/k1.
 struct LocalLine {
-  Vector3 freeJump{};       ///< delta_free [length], components in the law's frame
-  double compliance = 0.0;  ///< H [length/stress], > 0
+  base::Vector3 freeJump{};  ///< delta_free [length], components in the law's frame
+  double compliance = 0.0;   ///< H [length/stress], > 0
 
   /// The jump delta^ [length] that belongs to a traction t [stress] on this line.
-  Vector3 jump(const Vector3& traction) const {
+  base::Vector3 jump(const base::Vector3& traction) const {
     return {freeJump[0] - compliance * traction[0], freeJump[1] - compliance * traction[1],
             freeJump[2] - compliance * traction[2]};
   }
@@ -31,7 +31,7 @@ enum class Status { open = 0, stick = 1, slip = 2, bonded = 3, broken = 4 };
 
 /// A point of the law's graph: traction t = f1^ = -f2^ [stress] on side 1 (t_n < 0 is compression), and its status.
 struct LocalState {
-  Vector3 traction{};
+  base::Vector3 traction{};
   Status status = Status::bonded;
 };
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <harmos/base/Vector3.hpp>
 #include <harmos/input/ParameterSpec.hpp>
 #include <harmos/input/Parameters.hpp>
-#include <harmos/mesh/Vector.hpp>
 #include <harmos/mesh/detail/StructuredMesh.hpp>
 
 namespace harmos::mesh {
@@ -24,12 +24,12 @@ constexpr double boltDistance = 20.0;  // from the middle of the overlap
 constexpr double roundOff = 1e-9;
 
 /// A closed line around the origin, one turn for t from 0 to 1, starting at the corner x = -y > 0.
-using Ring = std::function<Point(double t)>;
+using Ring = std::function<base::Vector3(double t)>;
 
 Ring circle(double radius) {
   return [radius](double t) {
     const double angle = 2.0 * pi * (t - 0.125);
-    return Point{radius * std::cos(angle), radius * std::sin(angle), 0.0};
+    return base::Vector3{radius * std::cos(angle), radius * std::sin(angle), 0.0};
   };
 }
 
@@ -39,13 +39,13 @@ Ring square(double halfSide) {
     const double along = halfSide * (2.0 * (4.0 * t - side) - 1.0);
     switch (static_cast<int>(side) % 4) {
       case 0:
-        return Point{halfSide, along, 0.0};
+        return base::Vector3{halfSide, along, 0.0};
       case 1:
-        return Point{-along, halfSide, 0.0};
+        return base::Vector3{-along, halfSide, 0.0};
       case 2:
-        return Point{-halfSide, -along, 0.0};
+        return base::Vector3{-halfSide, -along, 0.0};
       default:
-        return Point{along, -halfSide, 0.0};
+        return base::Vector3{along, -halfSide, 0.0};
     }
   };
 }
@@ -68,9 +68,9 @@ class Joint {
 
   /// Rings of elements between two closed lines.
   void addRings(double x, int rings, const Ring& inner, const Ring& outer, double z1, double z2, int layers) {
-    mesh_.addGrid({count(rings), 4 * count(6), layers}, [=](const Point& t) {
-      const Point place = (1.0 - t[0]) * inner(t[1]) + t[0] * outer(t[1]);
-      return place + Point{x, 0.0, (1.0 - t[2]) * z1 + t[2] * z2};
+    mesh_.addGrid({count(rings), 4 * count(6), layers}, [=](const base::Vector3& t) {
+      const base::Vector3 place = (1.0 - t[0]) * inner(t[1]) + t[0] * outer(t[1]);
+      return place + base::Vector3{x, 0.0, (1.0 - t[2]) * z1 + t[2] * z2};
     });
   }
 
@@ -115,18 +115,18 @@ class Joint {
 
   void addInterface(const std::string& name, const std::string& lower, const std::string& upper, double z,
                     const StructuredMesh::Region& region) {
-    const auto inside = [=](const Point& p) { return std::abs(p[2] - z) < roundOff && region(p); };
+    const auto inside = [=](const base::Vector3& p) { return std::abs(p[2] - z) < roundOff && region(p); };
     mesh_.addSideSet(name + "_1", lower, inside);
     mesh_.addSideSet(name + "_2", upper, inside);
   }
 
   void addInterfaces() {
     const double top = 3.0 * plateThickness;
-    const auto overlap = [](const Point& p) { return std::abs(p[0]) < 2.0 * boltDistance + roundOff; };
+    const auto overlap = [](const base::Vector3& p) { return std::abs(p[0]) < 2.0 * boltDistance + roundOff; };
     addInterface("plates_bottom", "cover_bottom", "centre", plateThickness, overlap);
     addInterface("plates_top", "centre", "cover_top", 2.0 * plateThickness, overlap);
     const auto between = [](int bolt, double inner, double outer) {
-      return [=](const Point& p) {
+      return [=](const base::Vector3& p) {
         const double radius = std::hypot(p[0] - boltPosition(bolt), p[1]);
         return radius > inner - roundOff && radius < outer + roundOff;
       };
@@ -141,7 +141,7 @@ class Joint {
       const std::string number = std::to_string(bolt);
       addInterface("preload_" + number, "bolt_" + number, "head_" + number, top, between(bolt, 0.0, shankRadius));
     }
-    const auto at = [](double x) { return [x](const Point& p) { return std::abs(p[0] - x) < roundOff; }; };
+    const auto at = [](double x) { return [x](const base::Vector3& p) { return std::abs(p[0] - x) < roundOff; }; };
     mesh_.addSideSet("fixed_bottom", "cover_bottom", at(-plateLength));
     mesh_.addSideSet("fixed_top", "cover_top", at(-plateLength));
     mesh_.addSideSet("loaded", "centre", at(plateLength));

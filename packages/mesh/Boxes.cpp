@@ -100,7 +100,7 @@ Mesh boxes(const std::vector<Box>& list) {
     mesh.addGrid(box.cells, boxMap(box.lower, box.upper));
     for (int d = 0; d < dimension; ++d) {
       const auto at = [d, tolerance = 1e-9 * size](double x) {
-        return [=](const Point& p) { return std::abs(p[d] - x) < tolerance; };
+        return [=](const base::Vector3& p) { return std::abs(p[d] - x) < tolerance; };
       };
       const std::string side = box.name + "_" + "xyz"[d];
       mesh.addSideSet(side + "min", box.name, at(box.lower[d]));

@@ -17,8 +17,8 @@ namespace harmos::mesh {
 /// A box of equal cells, see StructuredMesh::addGrid for how a cell is divided into elements.
 struct Box {
   std::string name;
-  Point lower{};
-  Point upper{};
+  base::Vector3 lower{};
+  base::Vector3 upper{};
   std::array<int, 3> cells{};
   ElementType element = ElementType::hex8;
 };

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <harmos/base/Vector3.hpp>
 #include <harmos/mesh/Elements.hpp>
 #include <harmos/mesh/PointSearch.hpp>
-#include <harmos/mesh/Vector.hpp>
 
 namespace harmos::mesh {
 namespace {
@@ -15,35 +15,31 @@ constexpr double relativeTolerance = 1e-9;
 /// Nodes of a part relative to their centroid.
 struct Cloud {
   Cloud(const Mesh& mesh, const Part& part) : points(pointsOf(mesh, part.nodes)) {
-    Point centroid{};
-    for (const Point& p : points) centroid = centroid + (1.0 / static_cast<double>(points.size())) * p;
-    for (Point& p : points) {
+    base::Vector3 centroid{};
+    for (const base::Vector3& p : points) centroid = centroid + (1.0 / static_cast<double>(points.size())) * p;
+    for (base::Vector3& p : points) {
       p = p - centroid;
       radius.push_back(norm(p));
       size = std::max(size, radius.back());
     }
   }
 
-  std::vector<Point> points;
+  std::vector<base::Vector3> points;
   std::vector<double> radius;
   double size = 0.0;  // largest radius
 };
 
-Point turned(const Frame& q, const Point& p) {
-  return {dot(q[0], p), dot(q[1], p), dot(q[2], p)};
-}
-
 /// Columns e1, e2, e3 of the frame that has a on its first axis and b in the plane of its first two.
-Frame frameOf(const Point& a, const Point& b, double orientation) {
-  const Point e1 = (1.0 / norm(a)) * a;
-  const Point across = b - dot(b, e1) * e1;
-  const Point e2 = (1.0 / norm(across)) * across;
+base::Frame frameOf(const base::Vector3& a, const base::Vector3& b, double orientation) {
+  const base::Vector3 e1 = (1.0 / norm(a)) * a;
+  const base::Vector3 across = b - dot(b, e1) * e1;
+  const base::Vector3 e2 = (1.0 / norm(across)) * across;
   return {e1, e2, orientation * cross(e1, e2)};
 }
 
 /// The orthogonal matrix that carries the axes of `from` onto those of `to`.
-Frame turn(const Frame& from, const Frame& to) {
-  Frame q{};
+base::Frame turn(const base::Frame& from, const base::Frame& to) {
+  base::Frame q{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       for (std::size_t k = 0; k < 3; ++k) q[i][j] += to[k][i] * from[k][j];
@@ -56,7 +52,7 @@ Frame turn(const Frame& from, const Frame& to) {
 
 /// Of the nodes that `isUsable`, one whose `key` the fewest others share.
 template <typename Key, typename Usable>
-std::size_t rarest(const std::vector<Point>& points, double tolerance, const Key& key, const Usable& isUsable) {
+std::size_t rarest(const std::vector<base::Vector3>& points, double tolerance, const Key& key, const Usable& isUsable) {
   std::vector<std::pair<double, std::size_t>> sorted;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (isUsable(points[i])) sorted.emplace_back(key(points[i]), i);
@@ -94,19 +90,20 @@ class CongruenceSearch {
     for (std::size_t i = 0; i < radiiA.size(); ++i) {
       if (std::abs(radiiA[i] - radiiB[i]) > tolerance_) return std::nullopt;
     }
-    if (carries({Point{1.0, 0.0, 0.0}, Point{0.0, 1.0, 0.0}, Point{0.0, 0.0, 1.0}})) return result_;
+    if (carries({base::Vector3{1.0, 0.0, 0.0}, base::Vector3{0.0, 1.0, 0.0}, base::Vector3{0.0, 0.0, 1.0}}))
+      return result_;
     return mesh_.dimension == 2 ? findInPlane() : findInSpace();
   }
 
  private:
   std::optional<Congruence> findInPlane() {
-    const Point a = anchor();
-    const Point up = {0.0, 0.0, 1.0};
-    for (const Point& b : b_.points) {
+    const base::Vector3 a = anchor();
+    const base::Vector3 up = {0.0, 0.0, 1.0};
+    for (const base::Vector3& b : b_.points) {
       if (std::abs(norm(b) - norm(a)) > tolerance_) continue;
       for (const double orientation : {1.0, -1.0}) {
-        const Frame from = {(1.0 / norm(a)) * a, (1.0 / norm(a)) * cross(up, a), up};
-        const Frame to = {(1.0 / norm(b)) * b, (orientation / norm(b)) * cross(up, b), up};
+        const base::Frame from = {(1.0 / norm(a)) * a, (1.0 / norm(a)) * cross(up, a), up};
+        const base::Frame to = {(1.0 / norm(b)) * b, (orientation / norm(b)) * cross(up, b), up};
         if (carries(turn(from, to))) return result_;
       }
     }
@@ -114,17 +111,17 @@ class CongruenceSearch {
   }
 
   std::optional<Congruence> findInSpace() {
-    const Point a1 = anchor();
+    const base::Vector3 a1 = anchor();
     // A second node well away from the line through the centroid and the first.
-    const auto sine = [&](const Point& p) { return norm(cross(p, a1)) / (norm(a1) * a_.size); };
+    const auto sine = [&](const base::Vector3& p) { return norm(cross(p, a1)) / (norm(a1) * a_.size); };
     double largest = 0.0;
-    for (const Point& p : a_.points) largest = std::max(largest, sine(p));
-    const Point a2 = a_.points[rarest(
-        a_.points, tolerance_, [&](const Point& p) { return norm(p) + distance(p, a1); },
-        [&](const Point& p) { return sine(p) >= 0.5 * largest; })];
-    for (const Point& b1 : b_.points) {
+    for (const base::Vector3& p : a_.points) largest = std::max(largest, sine(p));
+    const base::Vector3 a2 = a_.points[rarest(
+        a_.points, tolerance_, [&](const base::Vector3& p) { return norm(p) + distance(p, a1); },
+        [&](const base::Vector3& p) { return sine(p) >= 0.5 * largest; })];
+    for (const base::Vector3& b1 : b_.points) {
       if (std::abs(norm(b1) - norm(a1)) > tolerance_) continue;
-      for (const Point& b2 : b_.points) {
+      for (const base::Vector3& b2 : b_.points) {
         if (std::abs(norm(b2) - norm(a2)) > tolerance_) continue;
         if (std::abs(distance(b1, b2) - distance(a1, a2)) > tolerance_) continue;
         for (const double orientation : {1.0, -1.0}) {
@@ -136,17 +133,17 @@ class CongruenceSearch {
   }
 
   /// A node far from the centroid; a near one would make Q inaccurate.
-  Point anchor() const {
+  base::Vector3 anchor() const {
     return a_.points[rarest(
-        a_.points, tolerance_, [](const Point& p) { return norm(p); },
-        [&](const Point& p) { return norm(p) >= 0.5 * a_.size; })];
+        a_.points, tolerance_, [](const base::Vector3& p) { return norm(p); },
+        [&](const base::Vector3& p) { return norm(p) >= 0.5 * a_.size; })];
   }
 
-  bool carries(const Frame& q) {
+  bool carries(const base::Frame& q) {
     std::vector<int> image(a_.points.size());
     std::vector<bool> isTaken(a_.points.size(), false);
     for (std::size_t i = 0; i < a_.points.size(); ++i) {
-      const auto near = search_.within(turned(q, a_.points[i]), tolerance_);
+      const auto near = search_.within(toFrame(q, a_.points[i]), tolerance_);
       if (near.size() != 1 || isTaken[near[0]]) return false;
       isTaken[near[0]] = true;
       image[i] = near[0];

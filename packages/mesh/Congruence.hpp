@@ -10,8 +10,8 @@ namespace harmos::mesh {
 
 /// A rigid motion or mirror image x -> Q x + c that carries one part onto another, node by node and element by element.
 struct Congruence {
-  std::vector<int> node;  // node[a]: the second part's local node on which local node a of the first falls
-  Frame rotation{};       // rows of Q, orthogonal, determinant +1 or -1; in 2-D the z axis stays
+  std::vector<int> node;   // node[a]: the second part's local node on which local node a of the first falls
+  base::Frame rotation{};  // rows of Q, orthogonal, determinant +1 or -1; in 2-D the z axis stays
 };
 
 /// Finds a congruence of two parts, a translation if there is one; none if they are not equal. Nodes coincide within

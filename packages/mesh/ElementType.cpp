@@ -44,7 +44,7 @@ const std::array<Topology, 6>& topologies() {
 }
 
 const Topology& topologyOf(ElementType type) {
-  return topologies()[type];
+  return topologies()[static_cast<std::size_t>(type)];
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ std::vector<int> Elements::side(int element, int side) const {
   return result;
 }
 
-std::vector<Point> pointsOf(const Mesh& mesh, const std::vector<int>& nodes) {
-  std::vector<Point> points;
+std::vector<base::Vector3> pointsOf(const Mesh& mesh, const std::vector<int>& nodes) {
+  std::vector<base::Vector3> points;
   for (const int node : nodes) points.push_back(mesh.nodes[node]);
   return points;
 }

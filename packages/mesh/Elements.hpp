@@ -29,6 +29,6 @@ class Elements {
 };
 
 /// Coordinates of some mesh nodes.
-std::vector<Point> pointsOf(const Mesh& mesh, const std::vector<int>& nodes);
+std::vector<base::Vector3> pointsOf(const Mesh& mesh, const std::vector<int>& nodes);
 
 }  // namespace harmos::mesh

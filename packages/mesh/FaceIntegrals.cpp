@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include <harmos/mesh/Vector.hpp>
+#include <harmos/base/Vector3.hpp>
 
 namespace harmos::mesh {
 namespace {
@@ -51,18 +51,18 @@ const std::vector<QuadraturePoint>& rule(std::size_t corners) {
 
 }  // namespace
 
-FaceIntegrals integrateFace(const std::vector<Point>& corners, double thickness,
-                            const std::optional<Point>& projection) {
+FaceIntegrals integrateFace(const std::vector<base::Vector3>& corners, double thickness,
+                            const std::optional<base::Vector3>& projection) {
   const std::size_t n = corners.size();
-  FaceIntegrals result{std::vector<double>(n), std::vector<Point>(n), {n, std::vector<double>(n)}};
+  FaceIntegrals result{std::vector<double>(n), std::vector<base::Vector3>(n), {n, std::vector<double>(n)}};
   for (const QuadraturePoint& at : rule(n)) {
-    Point first{}, second{};
+    base::Vector3 first{}, second{};
     for (std::size_t i = 0; i < n; ++i) {
       first = first + at.alongFirst[i] * corners[i];
       second = second + at.alongSecond[i] * corners[i];
     }
     if (n == 2) second = {0.0, 0.0, thickness};
-    const Point normal = at.weight * cross(first, second);
+    const base::Vector3 normal = at.weight * cross(first, second);
     const double area = projection ? std::abs(dot(normal, *projection)) : norm(normal);
     for (std::size_t i = 0; i < n; ++i) {
       result.area[i] += at.shape[i] * area;

@@ -4,35 +4,35 @@
 #include <limits>
 #include <set>
 
+#include <harmos/base/Vector3.hpp>
 #include <harmos/mesh/FaceIntegrals.hpp>
 #include <harmos/mesh/PointSearch.hpp>
-#include <harmos/mesh/Vector.hpp>
 
 namespace harmos::mesh {
 namespace {
 
-Point project(const Point& point, const std::optional<Point>& projection) {
+base::Vector3 project(const base::Vector3& point, const std::optional<base::Vector3>& projection) {
   return projection ? point - dot(point, *projection) * *projection : point;
 }
 
 struct PlacedFace {
-  std::vector<Point> corners;  // projected
-  Point centre{};
-  Point normal{};  // not projected, any length
+  std::vector<base::Vector3> corners;  // projected
+  base::Vector3 centre{};
+  base::Vector3 normal{};  // not projected, any length
 };
 
-std::vector<PlacedFace> place(const std::vector<Point>& nodes, const std::vector<Face>& faces,
-                              const std::optional<Point>& projection) {
+std::vector<PlacedFace> place(const std::vector<base::Vector3>& nodes, const std::vector<Face>& faces,
+                              const std::optional<base::Vector3>& projection) {
   std::vector<PlacedFace> result;
   for (const Face& face : faces) {
     PlacedFace placed;
-    std::vector<Point> corners;
+    std::vector<base::Vector3> corners;
     for (const int node : face.nodes) {
       corners.push_back(nodes[node]);
       placed.corners.push_back(project(corners.back(), projection));
       placed.centre = placed.centre + (1.0 / static_cast<double>(face.nodes.size())) * placed.corners.back();
     }
-    for (const Point& part : integrateFace(corners, 1.0).normal) placed.normal = placed.normal + part;
+    for (const base::Vector3& part : integrateFace(corners, 1.0).normal) placed.normal = placed.normal + part;
     if (projection) placed.normal = dot(placed.normal, *projection) * *projection;
     result.push_back(std::move(placed));
   }
@@ -43,7 +43,7 @@ std::vector<PlacedFace> place(const std::vector<Point>& nodes, const std::vector
 std::vector<int> partners(const PlacedFace& a, const PlacedFace& b, const Face& face2, double tolerance) {
   std::vector<int> result;
   if (a.corners.size() != b.corners.size()) return result;
-  for (const Point& corner : a.corners) {
+  for (const base::Vector3& corner : a.corners) {
     for (std::size_t j = 0; j < b.corners.size(); ++j) {
       if (distance(corner, b.corners[j]) <= tolerance) result.push_back(face2.nodes[j]);
     }
@@ -54,11 +54,11 @@ std::vector<int> partners(const PlacedFace& a, const PlacedFace& b, const Face& 
 
 }  // namespace
 
-std::vector<FacePair> matchFaces(const std::vector<Point>& nodes, const std::vector<Face>& side1,
-                                 const std::vector<Face>& side2, const std::optional<Point>& projection) {
+std::vector<FacePair> matchFaces(const std::vector<base::Vector3>& nodes, const std::vector<Face>& side1,
+                                 const std::vector<Face>& side2, const std::optional<base::Vector3>& projection) {
   const auto placed1 = place(nodes, side1, projection);
   const auto placed2 = place(nodes, side2, projection);
-  std::vector<Point> centres;
+  std::vector<base::Vector3> centres;
   for (const PlacedFace& face : placed2) centres.push_back(face.centre);
   const PointSearch search(std::move(centres));
   std::vector<bool> taken(side2.size(), false);
@@ -78,9 +78,9 @@ std::vector<FacePair> matchFaces(const std::vector<Point>& nodes, const std::vec
   return pairs;
 }
 
-Separation separation(const std::vector<Point>& nodes, const std::vector<int>& from, const std::vector<int>& to,
-                      const std::optional<Point>& projection) {
-  std::vector<Point> points;
+Separation separation(const std::vector<base::Vector3>& nodes, const std::vector<int>& from, const std::vector<int>& to,
+                      const std::optional<base::Vector3>& projection) {
+  std::vector<base::Vector3> points;
   for (const int node : to) points.push_back(project(nodes[node], projection));
   const PointSearch search(std::move(points));
   Separation result{-1, -1.0, std::numeric_limits<double>::infinity()};
@@ -103,7 +103,7 @@ std::vector<int> nodesOf(const std::vector<Face>& faces) {
   return nodes;
 }
 
-double shortestEdge(const std::vector<Point>& corners) {
+double shortestEdge(const std::vector<base::Vector3>& corners) {
   double length = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     length = std::min(length, distance(corners[i], corners[(i + 1) % corners.size()]));

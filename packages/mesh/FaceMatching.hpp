@@ -23,8 +23,9 @@ constexpr double conformingTolerance = 1e-4;
 ///
 /// With a unit vector `projection` the nodes need only coincide when seen along it. Sorted by face1; faces without a
 /// partner do not appear. O(n log n).
-std::vector<FacePair> matchFaces(const std::vector<Point>& nodes, const std::vector<Face>& side1,
-                                 const std::vector<Face>& side2, const std::optional<Point>& projection = std::nullopt);
+std::vector<FacePair> matchFaces(const std::vector<base::Vector3>& nodes, const std::vector<Face>& side1,
+                                 const std::vector<Face>& side2,
+                                 const std::optional<base::Vector3>& projection = std::nullopt);
 
 /// The largest distance from a node of one list to the nearest of the other, seen along `projection` if there is one.
 struct Separation {
@@ -32,8 +33,8 @@ struct Separation {
   double largest = 0.0;
   double smallest = 0.0;
 };
-Separation separation(const std::vector<Point>& nodes, const std::vector<int>& from, const std::vector<int>& to,
-                      const std::optional<Point>& projection = std::nullopt);
+Separation separation(const std::vector<base::Vector3>& nodes, const std::vector<int>& from, const std::vector<int>& to,
+                      const std::optional<base::Vector3>& projection = std::nullopt);
 
 /// The mesh node numbers of faces, ascending, each once.
 std::vector<int> nodesOf(const std::vector<Face>& faces);
@@ -46,6 +47,6 @@ std::vector<std::pair<int, int>> matchNodes(const Mesh& mesh, const std::vector<
 std::map<int, double> localSizes(const Mesh& mesh, const std::vector<Face>& faces);
 
 /// Length of the shortest edge.
-double shortestEdge(const std::vector<Point>& corners);
+double shortestEdge(const std::vector<base::Vector3>& corners);
 
 }  // namespace harmos::mesh

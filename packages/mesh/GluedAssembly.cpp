@@ -21,7 +21,7 @@ constexpr Rectangle parts[] = {
 constexpr double roundOff = 1e-9;
 
 StructuredMesh::Region box(double x1, double x2, double y1, double y2) {
-  return [=](const Point& p) {
+  return [=](const base::Vector3& p) {
     return p[0] > x1 - roundOff && p[0] < x2 + roundOff && p[1] > y1 - roundOff && p[1] < y2 + roundOff;
   };
 }

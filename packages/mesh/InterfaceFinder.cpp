@@ -8,7 +8,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
-#include <harmos/mesh/Vector.hpp>
+#include <harmos/base/Vector3.hpp>
 #include <harmos/mesh/detail/NodalWeights.hpp>
 #include <harmos/mesh/detail/SurfaceBuilder.hpp>
 
@@ -26,7 +26,7 @@ std::string boundaryNamed(const std::string& name) {
   return "Boundary \"" + name + "\"";
 }
 
-std::string text(const Point& p) {
+std::string text(const base::Vector3& p) {
   std::ostringstream out;
   out << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
   return out.str();
@@ -68,13 +68,13 @@ std::vector<Face> InterfaceFinder::facesOf(const std::string& where, const std::
   return faces;
 }
 
-FaceIntegrals InterfaceFinder::integrate(const Face& face, const std::optional<Point>& projection) const {
+FaceIntegrals InterfaceFinder::integrate(const Face& face, const std::optional<base::Vector3>& projection) const {
   return integrateFace(pointsOf(mesh_, face.nodes), thickness_, projection);
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, const std::vector<Face>& side1,
                                                     const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
-                                                    const std::optional<Point>& projection) const {
+                                                    const std::optional<base::Vector3>& projection) const {
   SurfaceBuilders builders(mesh_, parts_, projection);
   for (const FacePair& pair : pairs) {
     const Face& face1 = side1[pair.face1];
@@ -92,18 +92,18 @@ std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, con
 
 std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string& name, const std::string& sideSet1,
                                                                const std::string& sideSet2,
-                                                               const std::optional<Point>& direction) const {
+                                                               const std::optional<base::Vector3>& direction) const {
   const std::string where = interfaceNamed(name);
   const auto side1 = facesOf(where, sideSet1);
   const auto side2 = facesOf(where, sideSet2);
-  std::optional<Point> projection;
+  std::optional<base::Vector3> projection;
   if (direction) {
     if (!(norm(*direction) > 0.0)) refuse(where, "Projection Direction has no length.");
     projection = (1.0 / norm(*direction)) * *direction;
     double outward = 0.0;
     double folded = 0.0;
     for (const Face& face : side1) {
-      for (const Point& normal : integrate(face).normal) {
+      for (const base::Vector3& normal : integrate(face).normal) {
         const double along = dot(normal, *projection);
         (along > 0.0 ? outward : folded) += along;
       }
@@ -157,7 +157,7 @@ std::vector<InterfaceSurface> InterfaceFinder::joinDifferentFaces(const std::str
   std::map<int, int> inverse;
   for (const auto& [node1, node2] : pairs) inverse[node2] = node1;
   SurfaceBuilder builder(mesh_, parts_, piece1, piece2);
-  Point normal1{}, normal2{};
+  base::Vector3 normal1{}, normal2{};
   for (const Face& face : side1) {
     FaceIntegrals half = integrate(face);
     half.mass.clear();

@@ -34,7 +34,7 @@ class InterfaceFinder {
   /// mass. Throws base::Error(input) if the sides do not conform or belong to one body.
   std::vector<InterfaceSurface> betweenSideSets(const std::string& name, const std::string& sideSet1,
                                                 const std::string& sideSet2,
-                                                const std::optional<Point>& projection = std::nullopt) const;
+                                                const std::optional<base::Vector3>& projection = std::nullopt) const;
 
   /// The interface between two bodies: their coincident faces and, besides, mesh nodes that they share outside of these
   /// faces; if there are no such faces, the nodes that coincide. Areas of nodes without faces: mean over the two bodies
@@ -58,10 +58,10 @@ class InterfaceFinder {
 
  private:
   std::vector<Face> facesOf(const std::string& interface, const std::string& sideSet) const;
-  FaceIntegrals integrate(const Face& face, const std::optional<Point>& projection = std::nullopt) const;
+  FaceIntegrals integrate(const Face& face, const std::optional<base::Vector3>& projection = std::nullopt) const;
   std::vector<InterfaceSurface> join(const std::string& name, const std::vector<Face>& side1,
                                      const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
-                                     const std::optional<Point>& projection) const;
+                                     const std::optional<base::Vector3>& projection) const;
   std::vector<InterfaceSurface> joinNodes(const std::string& name, const std::vector<int>& pieces1,
                                           const std::vector<int>& pieces2,
                                           const std::vector<std::pair<int, int>>& nodes) const;

@@ -1,15 +1,11 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include <harmos/mesh/Mesh.hpp>
 
 namespace harmos::mesh {
-
-/// Rows n, t1, t2 of an orthonormal frame; n points from side 1 to side 2 (out of side 1). In 2-D t2 = (0, 0, 1).
-using Frame = std::array<Point, 3>;
 
 /// One entry of the consistent interface mass, int N_row N_column dS [length^2; in 2-D length times thickness].
 struct MassEntry {
@@ -26,7 +22,7 @@ struct InterfaceSurface {
   int part1 = -1;                      // index into the list of parts
   int part2 = -1;                      // -1: outer boundary, one side only
   std::vector<int> node1, node2;       // local node numbers in the parts; node2 is empty for an outer boundary
-  std::vector<Frame> frame;            // per pair, area-weighted mean of the faces' normals
+  std::vector<base::Frame> frame;      // per pair, area-weighted mean of the faces' normals
   std::vector<double> area;            // per pair, int N dS [length^2; in 2-D length times thickness], > 0
   std::vector<double> gap;             // per pair, (x2 - x1).n [length], 0 where the nodes coincide
   std::vector<std::vector<int>> face;  // pair numbers of each face in the node order of side 1; empty for node sets

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include <harmos/base/Vector3.hpp>
 #include <harmos/mesh/ElementType.hpp>
 
 namespace harmos::mesh {
-
-using Point = std::array<double, 3>;
 
 /// Elements of one type that share a name; node numbers are 0-based positions in Mesh::nodes.
 struct ElementBlock {
@@ -38,7 +36,7 @@ struct NodeSet {
 /// A finite element mesh: what an Exodus file holds, no physics. In 2-D the third coordinate is 0.
 struct Mesh {
   int dimension = 3;
-  std::vector<Point> nodes;
+  std::vector<base::Vector3> nodes;
   std::vector<ElementBlock> blocks;
   std::vector<SideSet> sideSets;
   std::vector<NodeSet> nodeSets;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <harmos/mesh/Vector.hpp>
+#include <harmos/base/Vector3.hpp>
 
 namespace harmos::mesh {
 namespace {

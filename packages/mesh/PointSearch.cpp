@@ -4,11 +4,11 @@
 #include <limits>
 #include <numeric>
 
-#include <harmos/mesh/Vector.hpp>
+#include <harmos/base/Vector3.hpp>
 
 namespace harmos::mesh {
 
-PointSearch::PointSearch(std::vector<Point> points)
+PointSearch::PointSearch(std::vector<base::Vector3> points)
     : points_(std::move(points)), order_(points_.size()), axis_(points_.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   build(0, order_.size());
@@ -16,16 +16,16 @@ PointSearch::PointSearch(std::vector<Point> points)
 
 void PointSearch::build(std::size_t begin, std::size_t end) {
   if (begin == end) return;
-  const auto at = [this](int index) -> const Point& { return points_[index]; };
-  Point low = at(order_[begin]);
-  Point high = low;
+  const auto at = [this](int index) -> const base::Vector3& { return points_[index]; };
+  base::Vector3 low = at(order_[begin]);
+  base::Vector3 high = low;
   for (std::size_t i = begin; i < end; ++i) {
     for (std::size_t d = 0; d < 3; ++d) {
       low[d] = std::min(low[d], at(order_[i])[d]);
       high[d] = std::max(high[d], at(order_[i])[d]);
     }
   }
-  const Point extent = high - low;
+  const base::Vector3 extent = high - low;
   const auto axis = static_cast<std::size_t>(std::max_element(extent.begin(), extent.end()) - extent.begin());
   const std::size_t middle = begin + (end - begin) / 2;
   const auto position = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -37,12 +37,12 @@ void PointSearch::build(std::size_t begin, std::size_t end) {
 }
 
 template <typename Visit>
-void PointSearch::visit(const Point& point, std::size_t begin, std::size_t end, double& radius,
+void PointSearch::visit(const base::Vector3& point, std::size_t begin, std::size_t end, double& radius,
                         const Visit& found) const {
   if (begin == end) return;
   const std::size_t middle = begin + (end - begin) / 2;
   const int root = order_[middle];
-  const Point& here = points_[root];
+  const base::Vector3& here = points_[root];
   const double away = distance(point, here);
   if (away <= radius) found(root, away);
   const auto axis = static_cast<std::size_t>(axis_[middle]);
@@ -52,7 +52,7 @@ void PointSearch::visit(const Point& point, std::size_t begin, std::size_t end, 
   if (std::abs(offset) <= radius) visit(point, below ? middle + 1 : begin, below ? end : middle, radius, found);
 }
 
-PointSearch::Nearest PointSearch::nearest(const Point& point) const {
+PointSearch::Nearest PointSearch::nearest(const base::Vector3& point) const {
   Nearest result;
   double radius = std::numeric_limits<double>::infinity();
   visit(point, 0, order_.size(), radius, [&](int index, double away) {
@@ -62,7 +62,7 @@ PointSearch::Nearest PointSearch::nearest(const Point& point) const {
   return result;
 }
 
-std::vector<int> PointSearch::within(const Point& point, double radius) const {
+std::vector<int> PointSearch::within(const base::Vector3& point, double radius) const {
   std::vector<int> result;
   visit(point, 0, order_.size(), radius, [&](int index, double) { result.push_back(index); });
   std::sort(result.begin(), result.end());

@@ -10,22 +10,22 @@ namespace harmos::mesh {
 /// O(log n) per query. Results do not depend on how ties are ordered in the tree.
 class PointSearch {
  public:
-  explicit PointSearch(std::vector<Point> points);
+  explicit PointSearch(std::vector<base::Vector3> points);
 
   struct Nearest {
     int index = -1;         // of the lowest-numbered among equally near points; -1 if there are no points
     double distance = 0.0;  // [length]
   };
-  Nearest nearest(const Point& point) const;
+  Nearest nearest(const base::Vector3& point) const;
   /// Indices of the points within `radius`, ascending.
-  std::vector<int> within(const Point& point, double radius) const;
+  std::vector<int> within(const base::Vector3& point, double radius) const;
 
  private:
   void build(std::size_t begin, std::size_t end);
   template <typename Visit>
-  void visit(const Point& point, std::size_t begin, std::size_t end, double& radius, const Visit& found) const;
+  void visit(const base::Vector3& point, std::size_t begin, std::size_t end, double& radius, const Visit& found) const;
 
-  std::vector<Point> points_;
+  std::vector<base::Vector3> points_;
   std::vector<int> order_;  // of the tree: the middle of a range is its root
   std::vector<int> axis_;   // that the root of each range splits
 };

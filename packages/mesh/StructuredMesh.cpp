@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include <harmos/base/Vector3.hpp>
 #include <harmos/mesh/PointSearch.hpp>
-#include <harmos/mesh/Vector.hpp>
 
 namespace harmos::mesh {
 namespace {
@@ -84,10 +84,11 @@ void StructuredMesh::addNodeSet(const std::string& name, const std::string& bloc
 
 void StructuredMesh::mergeCoincidentNodes() {
   if (mesh_.blocks.empty()) return;
-  const std::vector<Point> points(mesh_.nodes.begin() + static_cast<std::ptrdiff_t>(firstNode_), mesh_.nodes.end());
-  Point low = points.empty() ? Point{} : points.front();
-  Point high = low;
-  for (const Point& point : points) {
+  const std::vector<base::Vector3> points(mesh_.nodes.begin() + static_cast<std::ptrdiff_t>(firstNode_),
+                                          mesh_.nodes.end());
+  base::Vector3 low = points.empty() ? base::Vector3{} : points.front();
+  base::Vector3 high = low;
+  for (const base::Vector3& point : points) {
     for (std::size_t d = 0; d < 3; ++d) {
       low[d] = std::min(low[d], point[d]);
       high[d] = std::max(high[d], point[d]);
@@ -152,9 +153,9 @@ Mesh StructuredMesh::take() {
   return result;
 }
 
-StructuredMesh::Map boxMap(const Point& lower, const Point& upper) {
-  return [lower, upper](const Point& t) {
-    Point place{};
+StructuredMesh::Map boxMap(const base::Vector3& lower, const base::Vector3& upper) {
+  return [lower, upper](const base::Vector3& t) {
+    base::Vector3 place{};
     for (std::size_t d = 0; d < 3; ++d) place[d] = (1.0 - t[d]) * lower[d] + t[d] * upper[d];
     return place;
   };

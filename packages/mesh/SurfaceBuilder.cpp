@@ -4,12 +4,12 @@
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/mesh/Vector.hpp>
+#include <harmos/base/Vector3.hpp>
 
 namespace harmos::mesh {
 
 SurfaceBuilder::SurfaceBuilder(const Mesh& mesh, const std::vector<Part>& parts, int part1, int part2,
-                               const std::optional<Point>& projection)
+                               const std::optional<base::Vector3>& projection)
     : mesh_(mesh), parts_(parts), part1_(part1), part2_(part2), projection_(projection) {}
 
 void SurfaceBuilder::addFace(const std::vector<int>& nodes1, const std::vector<int>& nodes2,
@@ -27,7 +27,7 @@ void SurfaceBuilder::addFace(const std::vector<int>& nodes1, const std::vector<i
   faces_.push_back(std::move(face));
 }
 
-void SurfaceBuilder::addNode(int node1, int node2, double area, const Point& normal) {
+void SurfaceBuilder::addNode(int node1, int node2, double area, const base::Vector3& normal) {
   PairData& data = pairs_[{node1, node2}];
   data.area += area;
   data.normal = data.normal + normal;
@@ -40,7 +40,7 @@ InterfaceSurface SurfaceBuilder::build(const std::string& name) const {
   surface.part2 = part2_;
   std::map<Pair, int> number;
   for (const auto& [pair, data] : pairs_) {
-    const Point& place1 = mesh_.nodes[pair.first];
+    const base::Vector3& place1 = mesh_.nodes[pair.first];
     if (!(data.area > 0.0)) {
       std::ostringstream message;
       message << "Interface \"" << name << "\": the faces around the node at (" << place1[0] << ", " << place1[1]
@@ -79,17 +79,17 @@ std::vector<InterfaceSurface> SurfaceBuilders::build(const std::string& name) co
   return surfaces;
 }
 
-Frame frameFromNormal(const Point& normal, int dimension) {
+base::Frame frameFromNormal(const base::Vector3& normal, int dimension) {
   const double length = norm(normal);
-  const Point n = length > 0.0 ? (1.0 / length) * normal : Point{1.0, 0.0, 0.0};
-  if (dimension == 2) return {n, Point{-n[1], n[0], 0.0}, Point{0.0, 0.0, 1.0}};
+  const base::Vector3 n = length > 0.0 ? (1.0 / length) * normal : base::Vector3{1.0, 0.0, 0.0};
+  if (dimension == 2) return {n, base::Vector3{-n[1], n[0], 0.0}, base::Vector3{0.0, 0.0, 1.0}};
   // A margin decides between axes that are equally far from n but for rounding.
   constexpr double margin = 1e-6;
   std::size_t axis = 0;
   for (std::size_t d = 1; d < 3; ++d) {
     if (std::abs(n[d]) < std::abs(n[axis]) - margin) axis = d;
   }
-  Point t1 = (-n[axis]) * n;
+  base::Vector3 t1 = (-n[axis]) * n;
   t1[axis] += 1.0;
   t1 = (1.0 / norm(t1)) * t1;
   return {n, t1, cross(n, t1)};

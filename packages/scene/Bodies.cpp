@@ -73,7 +73,7 @@ base::Matrix bodyForces(const Parameters& force, const mesh::Mesh& mesh, const m
   base::Matrix loads;
   const char* components[] = {"X", "Y", "Z"};
   for (int c = 0; c < mesh.dimension; ++c) {
-    mesh::Point unit{};
+    base::Vector3 unit{};
     unit[c] = 1.0;
     const std::vector<double> forces = elasticity::bodyForce(mesh, part, unit, model.kinematics, model.thickness);
     const input::Schedule value = force.schedule(components[c]);
@@ -115,7 +115,7 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& 
 
 std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(const Bodies& bodies,
                                                                              const mesh::Mesh& mesh) {
-  constexpr mesh::Frame identity{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  constexpr base::Frame identity{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::vector<std::shared_ptr<const substructure::Congruence>> congruences(bodies.parts.size());
   for (std::size_t b = 0; b < congruences.size(); ++b) {
     for (std::size_t a = 0; a < b && !congruences[b]; ++a) {

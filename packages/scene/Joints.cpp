@@ -41,10 +41,10 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mes
     throw base::Error("both sides belong to the part \"" + *parts1.begin() + "\".\n  An interface joins two parts.",
                       base::ExitCode::input);
   }
-  std::optional<mesh::Point> projection;
+  std::optional<base::Vector3> projection;
   if (list.has("Projection Direction")) {
     const auto& given = list.numbers("Projection Direction");
-    std::copy(given.begin(), given.end(), projection.emplace(mesh::Point{}).begin());
+    std::copy(given.begin(), given.end(), projection.emplace(base::Vector3{}).begin());
   }
   return finder.betweenSideSets(name, list.text("Side 1"), list.text("Side 2"), projection);
 }

@@ -40,18 +40,18 @@ class ResponseBuilder {
     }
     if (type == "Interface Force") {
       return std::make_unique<latin::ResultantResponse>(name, piecesOf({r.text("Interface")}),
-                                                        std::vector<mesh::Point>{vector(r, "Direction", true)});
+                                                        std::vector<base::Vector3>{vector(r, "Direction", true)});
     }
     if (type == "Bolt Force") {
       return std::make_unique<latin::ResultantResponse>(name, piecesOf({r.text("Interface")}),
-                                                        std::vector<mesh::Point>{});
+                                                        std::vector<base::Vector3>{});
     }
     if (type == "Interface Moment") {
       // In the plane the only moment is about z.
-      const mesh::Point axis = r.has("Axis") ? vector(r, "Axis", true) : mesh::Point{0.0, 0.0, 1.0};
+      const base::Vector3 axis = r.has("Axis") ? vector(r, "Axis", true) : base::Vector3{0.0, 0.0, 1.0};
       return std::make_unique<latin::ResultantResponse>(name, piecesOf({r.text("Interface")}),
-                                                        std::vector<mesh::Point>{axis},
-                                                        std::vector<mesh::Point>{vector(r, "Centre", false)});
+                                                        std::vector<base::Vector3>{axis},
+                                                        std::vector<base::Vector3>{vector(r, "Centre", false)});
     }
     const std::vector<int> pieces = piecesOf(r.has("Interfaces") ? r.texts("Interfaces") : std::vector<std::string>());
     if (type == "Dissipation") return std::make_unique<latin::DissipationResponse>(name, pieces);
@@ -61,9 +61,9 @@ class ResponseBuilder {
   }
 
  private:
-  static mesh::Point vector(const Parameters& r, const std::string& entry, bool normalise) {
+  static base::Vector3 vector(const Parameters& r, const std::string& entry, bool normalise) {
     const std::vector<double>& given = r.numbers(entry);
-    mesh::Point point{};
+    base::Vector3 point{};
     std::copy(given.begin(), given.end(), point.begin());
     if (normalise) {
       const double length = std::hypot(point[0], point[1], point[2]);
@@ -140,14 +140,14 @@ class ResponseBuilder {
   }
 
   /// The node at a point, within a millionth of the mesh's extent.
-  int nodeAt(const mesh::Point& point, const std::string& body) const {
+  int nodeAt(const base::Vector3& point, const std::string& body) const {
     int nearest = -1;
     double least = std::numeric_limits<double>::infinity();
-    mesh::Point lower = point, upper = point;
+    base::Vector3 lower = point, upper = point;
     for (const mesh::Part& part : parts_) {
       if (!body.empty() && part.body != body) continue;
       for (const int node : part.nodes) {
-        const mesh::Point& x = mesh_.nodes[node];
+        const base::Vector3& x = mesh_.nodes[node];
         for (std::size_t d = 0; d < 3; ++d) {
           lower[d] = std::min(lower[d], x[d]);
           upper[d] = std::max(upper[d], x[d]);

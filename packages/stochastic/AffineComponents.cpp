@@ -14,7 +14,7 @@ constexpr double rigid = 1e-12;
 // Relative round-off of a probe.
 constexpr double roundOff = 1e-12;
 
-laws::Vector3 tractionOf(const laws::InterfaceLaw& law, int step, const laws::LocalLine& line) {
+base::Vector3 tractionOf(const laws::InterfaceLaw& law, int step, const laws::LocalLine& line) {
   laws::LocalState state;
   const double gap = 0.0;
   law.solve(step, {1, &line, &gap, nullptr, nullptr, &state});
@@ -34,7 +34,7 @@ std::array<AffineComponent, 3> affineComponents(const laws::InterfaceLaw& law, i
   std::array<AffineComponent, 3> result;
   laws::LocalLine line;
   line.compliance = compliance;
-  const laws::Vector3 atRest = tractionOf(law, step, line);
+  const base::Vector3 atRest = tractionOf(law, step, line);
   for (std::size_t c = 0; c < 3; ++c) {
     line.freeJump = {};
     line.freeJump[c] = 1.0;

@@ -10,9 +10,9 @@ namespace {
 constexpr int chunk = 64;
 
 /// (load steps x pairs x 3) x terms from vectors that stand by modal column and pair.
-base::Matrix arranged(const std::vector<laws::Vector3>& vectors, int steps, int pairs, int terms) {
+base::Matrix arranged(const std::vector<base::Vector3>& vectors, int steps, int pairs, int terms) {
   base::Matrix result(3 * steps * pairs, terms);
-  const laws::Vector3* from = vectors.data();
+  const base::Vector3* from = vectors.data();
   for (int t = 0; t < steps; ++t) {
     for (int a = 0; a < terms; ++a) {
       double* to = result[a] + 3 * t * pairs;
@@ -22,8 +22,8 @@ base::Matrix arranged(const std::vector<laws::Vector3>& vectors, int steps, int 
   return result;
 }
 
-void copyVectors(const double* from, std::vector<laws::Vector3>& to) {
-  for (laws::Vector3& vector : to) {
+void copyVectors(const double* from, std::vector<base::Vector3>& to) {
+  for (base::Vector3& vector : to) {
     std::copy_n(from, 3, vector.begin());
     from += 3;
   }

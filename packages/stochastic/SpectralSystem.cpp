@@ -24,16 +24,16 @@ constexpr double straight = 1e-9;
 }
 
 /// Direction of a component of the law at a pair, global components.
-mesh::Point axisOf(const assembly::Interface& interface, std::size_t component, std::size_t pair) {
+base::Vector3 axisOf(const assembly::Interface& interface, std::size_t component, std::size_t pair) {
   if (interface.law->frame() == laws::Frame::interface) return interface.frame[pair][component];
-  mesh::Point axis{};
+  base::Vector3 axis{};
   axis[component] = 1.0;
   return axis;
 }
 
-std::vector<assembly::MassEntry> massOf(const assembly::Interface& interface) {
+std::vector<mesh::MassEntry> massOf(const assembly::Interface& interface) {
   if (!interface.mass.empty()) return interface.mass;
-  std::vector<assembly::MassEntry> lumped;
+  std::vector<mesh::MassEntry> lumped;
   for (int p = 0; p < interface.pairs(); ++p) lumped.push_back({p, p, interface.area[p]});
   return lumped;
 }
@@ -144,9 +144,9 @@ void SpectralSystem::addLoads(const assembly::Interface& boundary) {
 std::vector<SpectralSystem::Entry> SpectralSystem::springs(const assembly::Interface& interface,
                                                            std::size_t component) const {
   std::vector<Entry> entries;
-  for (const assembly::MassEntry& mass : massOf(interface)) {
+  for (const mesh::MassEntry& mass : massOf(interface)) {
     const auto r = static_cast<std::size_t>(mass.row), s = static_cast<std::size_t>(mass.column);
-    const mesh::Point rowAxis = axisOf(interface, component, r), columnAxis = axisOf(interface, component, s);
+    const base::Vector3 rowAxis = axisOf(interface, component, r), columnAxis = axisOf(interface, component, s);
     for (std::size_t c = 0; c < 3; ++c) {
       if (std::abs(rowAxis[c] - columnAxis[c]) > straight) refuse(interface, "takes a consistent mass on planes only");
     }
@@ -168,8 +168,8 @@ std::vector<SpectralSystem::Entry> SpectralSystem::springs(const assembly::Inter
 
 void SpectralSystem::addOffset(const assembly::Interface& interface, std::size_t component, int column,
                                double traction) {
-  for (const assembly::MassEntry& mass : massOf(interface)) {
-    const mesh::Point axis = axisOf(interface, component, static_cast<std::size_t>(mass.column));
+  for (const mesh::MassEntry& mass : massOf(interface)) {
+    const base::Vector3 axis = axisOf(interface, component, static_cast<std::size_t>(mass.column));
     for (int side = 0; side < interface.sides(); ++side) {
       const int dof = dofOf(interface.body(side), interface.nodes(side)[mass.row]);
       for (int c = 0; c < dimension_; ++c) {
@@ -183,7 +183,7 @@ void SpectralSystem::addOffset(const assembly::Interface& interface, std::size_t
 void SpectralSystem::hold(const assembly::Interface& interface, std::size_t component, int column, double jump) {
   if (interface.sides() != 1) refuse(interface, "does not treat rigid joints of two bodies");
   for (std::size_t p = 0; p < interface.node1.size(); ++p) {
-    const mesh::Point axis = axisOf(interface, component, p);
+    const base::Vector3 axis = axisOf(interface, component, p);
     for (int c = 0; c < dimension_; ++c) {
       const double cosine = axis[c];
       if (std::abs(cosine) <= straight) continue;

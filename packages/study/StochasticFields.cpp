@@ -107,7 +107,7 @@ void writeParts(const ChaosStudy& chaos, const Moments& moments, const std::stri
     for (std::size_t body = 0; body < problem.bodies.parts.size(); ++body) {
       if (!solver.state().layout().owns(static_cast<int>(body))) continue;
       for (int node = 0; node < static_cast<int>(problem.bodies.parts[body].nodes.size()); ++node) {
-        std::vector<mesh::Point> u;
+        std::vector<base::Vector3> u;
         for (int a = 0; a < chaos.basis().size(); ++a) {
           u.push_back(solver.state().displacement(static_cast<int>(body), node, solver.column(t, a)));
         }
@@ -149,14 +149,14 @@ void writeInterfaces(const ChaosStudy& chaos, const Moments& moments, const std:
         const auto node = at(layout.firstPair[s]) + p;
         const auto& frame = problem.assembly.interfaces[at(place.interface)].frame[at(place.pair)];
         const latin::PairFields& field = pairs[at(place.interface)];
-        const auto traction = [&](std::size_t a) -> const laws::Vector3& {
+        const auto traction = [&](std::size_t a) -> const base::Vector3& {
           return field.traction[field.at(solver.column(t, static_cast<int>(a)), place.pair)];
         };
         for (std::size_t a = 0; a < coefficients.size(); ++a) coefficients[a] = -traction(a)[0];
         moments.fill(step.nodal, 0, node, coefficients);
         for (std::size_t d = 0; d < at(dimension); ++d) {
           for (std::size_t a = 0; a < coefficients.size(); ++a) {
-            const laws::Vector3& f = traction(a);
+            const base::Vector3& f = traction(a);
             coefficients[a] = frame[0][d] * f[0] + frame[1][d] * f[1] + frame[2][d] * f[2];
           }
           moments.fill(step.nodal, 1 + d, node, coefficients);

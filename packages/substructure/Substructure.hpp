@@ -22,7 +22,7 @@ struct Congruence : mesh::Congruence {
 struct Substructure {
   std::string name;
   int dimension = 3;
-  std::vector<mesh::Point> nodes;                 // coordinates [length], for rigid modes and output
+  std::vector<base::Vector3> nodes;               // coordinates [length], for rigid modes and output
   Teuchos::RCP<const base::CrsMatrix> stiffness;  // symmetric, square, on MPI_COMM_SELF; null on ranks that do not
                                                   // own this body, and for congruent bodies (their representative's)
   base::Matrix loads;                             // nodal forces [force], dofs x steps; 0 x 0 when there are none

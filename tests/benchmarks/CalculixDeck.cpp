@@ -59,7 +59,7 @@ class Writer {
   void mesh() {
     out_ << "*NODE, NSET=ALL\n";
     for (std::size_t i = 0; i < problem_.mesh.nodes.size(); ++i) {
-      const mesh::Point& x = problem_.mesh.nodes[i];
+      const base::Vector3& x = problem_.mesh.nodes[i];
       out_ << i + 1 << ", " << x[0] << ", " << x[1] << ", " << x[2] << "\n";
     }
     int element = 0;
@@ -199,13 +199,13 @@ class Writer {
     }
     if (law.type() != "Prescribed Traction") refuse(boundary.where(), "the law " + law.type());
     const mesh::SideSet& set = sideSet(boundary.text("Side Set"));
-    mesh::Point traction{};
+    base::Vector3 traction{};
     for (std::size_t c = 0; c < 3; ++c) traction[c] = law.schedule(axes[c])[increment];
     out_ << "*DLOAD\n";
     for (std::size_t i = 0; i < set.element.size(); ++i) {
       const auto corners = mesh::pointsOf(problem_.mesh, elements_.side(set.element[i], set.side[i]));
-      mesh::Point normal{};
-      for (const mesh::Point& share : mesh::integrateFace(corners, 1.0).normal)
+      base::Vector3 normal{};
+      for (const base::Vector3& share : mesh::integrateFace(corners, 1.0).normal)
         for (std::size_t c = 0; c < 3; ++c) normal[c] += share[c];
       const double length = std::hypot(normal[0], normal[1], normal[2]);
       double pull = 0.0;

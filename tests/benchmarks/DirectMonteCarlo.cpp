@@ -32,9 +32,9 @@ void check(int info, const char* routine) {
 base::Matrix factoredStiffness(const RandomGlue& glue, std::size_t number) {
   const assembly::Interface& interface = glue.assembly().interfaces[glue.interfaceOf(number)];
   const auto [normal, tangential] = glue.stiffness(number);
-  const mesh::Point& n = interface.frame[0][0];
+  const base::Vector3& n = interface.frame[0][0];
   base::Matrix lower(2 * interface.pairs(), 2 * interface.pairs());
-  for (const assembly::MassEntry& entry : interface.mass) {
+  for (const mesh::MassEntry& entry : interface.mass) {
     for (int a = 0; a < 2; ++a) {
       for (int b = 0; b < 2; ++b) {
         const double projector = n[a] * n[b];

@@ -46,7 +46,7 @@ SolvedScene::SolvedScene(const SceneInput& input, const Teuchos::RCP<const Teuch
   for (std::size_t body = 0; body < assembly.bodies.size(); ++body) {
     const mesh::Part& part = problem.bodies.parts[body];
     for (std::size_t node = 0; node < part.nodes.size(); ++node) {
-      mesh::Point u{};
+      base::Vector3 u{};
       if (solver.state().layout().owns(static_cast<int>(body))) {
         u = solver.state().displacement(static_cast<int>(body), static_cast<int>(node), assembly.steps() - 1);
       }
@@ -83,17 +83,17 @@ std::vector<PairValue> SolvedScene::pairs(const std::string& interface, int step
 }
 
 double displacementDifference(const SolvedScene& run, const SolvedScene& reference) {
-  std::map<int, mesh::Point> expected;
+  std::map<int, base::Vector3> expected;
   double largest = 0.0;
   for (const NodeValue& node : reference.displacements()) {
-    const mesh::Point& u = node.displacement;
+    const base::Vector3& u = node.displacement;
     expected[node.meshNode] = u;
     largest = std::max(largest, std::hypot(u[0], u[1], u[2]));
   }
   double difference = 0.0;
   for (const NodeValue& node : run.displacements()) {
-    const mesh::Point& u = node.displacement;
-    const mesh::Point& v = expected.at(node.meshNode);
+    const base::Vector3& u = node.displacement;
+    const base::Vector3& v = expected.at(node.meshNode);
     difference = std::max(difference, std::hypot(u[0] - v[0], u[1] - v[1], u[2] - v[2]));
   }
   return difference / largest;

@@ -16,16 +16,16 @@ namespace harmos::verification {
 
 /// A pair of nodes of an interface at one load step, in the frame (n, t1, t2).
 struct PairValue {
-  mesh::Point position{};    ///< [length], of side 1
+  base::Vector3 position{};  ///< [length], of side 1
   double area = 0.0;         ///< [area]
-  laws::Vector3 traction{};  ///< on side 1 [stress]
-  laws::Vector3 jump{};      ///< w2 - w1 [length]
+  base::Vector3 traction{};  ///< on side 1 [stress]
+  base::Vector3 jump{};      ///< w2 - w1 [length]
   laws::Status status = laws::Status::bonded;
 };
 
 struct NodeValue {
   int meshNode = 0;
-  mesh::Point displacement{};  ///< [length]
+  base::Vector3 displacement{};  ///< [length]
 };
 
 /// A scene that was solved. Collective over the communicator, by default that of all processes; everything is complete

@@ -22,7 +22,7 @@ struct ElementIntegrals {
 
 /// Integrates over the element with the given corners (unit thickness in 2-D); `product` only when asked for.
 /// Returns false when the Jacobian is not positive at some point: an element turned inside out or without volume.
-bool integrate(const ReferenceElement& reference, const mesh::Point* const* corners, bool withProduct,
+bool integrate(const ReferenceElement& reference, const base::Vector3* const* corners, bool withProduct,
                ElementIntegrals& integrals);
 
 }  // namespace harmos::elasticity

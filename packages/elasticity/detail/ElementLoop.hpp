@@ -16,7 +16,7 @@ void forEachElement(const mesh::Mesh& mesh, const mesh::Part& part, const std::v
     const ReferenceElement reference = referenceElement(group.block->type);
     const auto perElement = static_cast<std::size_t>(reference.nodes);
     for (int number = 0; number < group.elements(); ++number) {
-      const mesh::Point* corners[ElementIntegrals::maximumNodes];
+      const base::Vector3* corners[ElementIntegrals::maximumNodes];
       const int* nodes =
           group.block->connectivity.data() + static_cast<std::size_t>(group.inBlock[number]) * perElement;
       for (std::size_t a = 0; a < perElement; ++a) corners[a] = &mesh.nodes[nodes[a]];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <harmos/base/Vector3.hpp>
 #include <harmos/elasticity/Material.hpp>
 #include <harmos/input/ParameterSpec.hpp>
 #include <harmos/input/Parameters.hpp>
@@ -20,8 +21,8 @@ class Orthotropic : public Material {
     std::array<double, 3> youngsModulus{};  ///< E_1, E_2, E_3 [stress], > 0
     std::array<double, 3> poissonsRatio{};  ///< nu_12, nu_23, nu_13
     std::array<double, 3> shearModulus{};   ///< G_12, G_23, G_13 [stress], > 0
-    std::array<double, 3> axis1{1.0, 0.0, 0.0};
-    std::array<double, 3> axis2{0.0, 1.0, 0.0};
+    base::Vector3 axis1{1.0, 0.0, 0.0};
+    base::Vector3 axis2{0.0, 1.0, 0.0};
   };
 
   /// The axes need no unit length; axis 2 is made orthogonal to axis 1, axis 3 is their cross product.

@@ -19,7 +19,7 @@ class NodalWeights {
  public:
   struct Weight {
     double area = 0.0;
-    Point normal{};
+    base::Vector3 normal{};
   };
 
   /// For the elements of `pieces`; `wanted` are mesh nodes, ascending.

@@ -17,8 +17,8 @@ namespace harmos::mesh {
 class StructuredMesh {
  public:
   /// Carries the unit square or cube into place; must keep the orientation (positive Jacobian).
-  using Map = std::function<Point(const Point&)>;
-  using Region = std::function<bool(const Point&)>;
+  using Map = std::function<base::Vector3(const base::Vector3&)>;
+  using Region = std::function<bool(const base::Vector3&)>;
 
   explicit StructuredMesh(int dimension);
 
@@ -49,6 +49,6 @@ class StructuredMesh {
 };
 
 /// The map of the unit cube onto the box between two corners; exact at both.
-StructuredMesh::Map boxMap(const Point& lower, const Point& upper);
+StructuredMesh::Map boxMap(const base::Vector3& lower, const base::Vector3& upper);
 
 }  // namespace harmos::mesh

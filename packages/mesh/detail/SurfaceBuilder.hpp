@@ -18,12 +18,12 @@ class SurfaceBuilder {
   /// part2 = -1 for an outer boundary. With a unit vector `projection`, from side 1 to side 2, normals are along it and
   /// gaps are measured along it; otherwise gaps are 0.
   SurfaceBuilder(const Mesh& mesh, const std::vector<Part>& parts, int part1, int part2,
-                 const std::optional<Point>& projection = std::nullopt);
+                 const std::optional<base::Vector3>& projection = std::nullopt);
 
   /// nodes2 in the order of nodes1, empty for an outer boundary; mesh node numbers. The mass may be left out.
   void addFace(const std::vector<int>& nodes1, const std::vector<int>& nodes2, const FaceIntegrals& integrals);
   /// A node pair that belongs to no face. `normal` may have any length, also zero if there is no direction.
-  void addNode(int node1, int node2, double area, const Point& normal);
+  void addNode(int node1, int node2, double area, const base::Vector3& normal);
 
   /// Pairs ascend by the local nodes of side 1. Throws base::Error(input) if a pair has no area.
   InterfaceSurface build(const std::string& name) const;
@@ -32,13 +32,13 @@ class SurfaceBuilder {
   using Pair = std::pair<int, int>;  // mesh nodes; second -1 for an outer boundary
   struct PairData {
     double area = 0.0;
-    Point normal{};
+    base::Vector3 normal{};
   };
 
   const Mesh& mesh_;
   const std::vector<Part>& parts_;
   int part1_, part2_;
-  std::optional<Point> projection_;
+  std::optional<base::Vector3> projection_;
   std::map<Pair, PairData> pairs_;
   std::vector<std::vector<Pair>> faces_;
   std::map<std::pair<Pair, Pair>, double> mass_;
@@ -49,7 +49,7 @@ class SurfaceBuilders {
  public:
   /// `projection` as for SurfaceBuilder.
   SurfaceBuilders(const Mesh& mesh, const std::vector<Part>& parts,
-                  const std::optional<Point>& projection = std::nullopt)
+                  const std::optional<base::Vector3>& projection = std::nullopt)
       : mesh_(mesh), parts_(parts), projection_(projection) {}
 
   /// The builder of a pair, made when first asked for; piece2 = -1 for an outer boundary.
@@ -60,12 +60,12 @@ class SurfaceBuilders {
  private:
   const Mesh& mesh_;
   const std::vector<Part>& parts_;
-  std::optional<Point> projection_;
+  std::optional<base::Vector3> projection_;
   std::map<std::pair<int, int>, SurfaceBuilder> all_;
 };
 
 /// The frame of an interface node from its normal (any length; zero: the x axis). t1 is the direction, in the tangent
 /// plane, of the axis that is least normal to the interface, the first of x, y, z among equals; in 2-D t1 = t2 x n.
-Frame frameFromNormal(const Point& normal, int dimension);
+base::Frame frameFromNormal(const base::Vector3& normal, int dimension);
 
 }  // namespace harmos::mesh

@@ -157,7 +157,7 @@ bool solve(const Teuchos::RCP<const Teuchos::Comm<int>>& communicator) {
   latin::LatinSolver solver(assembly, options, communicator, timers);
   std::vector<latin::DisplacementResponse::Node> end;
   for (int node : assembly.interfaces[2].node1) end.push_back({1, node, 1.0 / (width * width)});
-  solver.addResponse(std::make_shared<latin::DisplacementResponse>("end", end, mesh::Point{1.0, 0.0, 0.0}));
+  solver.addResponse(std::make_shared<latin::DisplacementResponse>("end", end, base::Vector3{1.0, 0.0, 0.0}));
   const latin::LatinResult result = solver.solve();
 
   bool isRight = result.outcome == latin::Outcome::certified;

@@ -27,7 +27,7 @@ struct Cylinder {
     box.upper = {1.0, 1.0, solid ? height : 0.0};
     box.cells = {8, 12, solid ? 1 : 0};
     mesh = mesh::boxes({box});
-    for (mesh::Point& x : mesh.nodes) {
+    for (base::Vector3& x : mesh.nodes) {
       const double r = inner + (outer - inner) * x[0], angle = std::acos(0.0) * x[1];
       x[0] = r * std::cos(angle);
       x[1] = r * std::sin(angle);
@@ -60,7 +60,7 @@ struct Cylinder {
     base::Matrix force(static_cast<int>(nodes) * dimension, 1), u;
     const double total = pressure * inner * height * std::acos(0.0) / 12 / (dimension - 1);
     for (const std::size_t node : wall) {
-      const mesh::Point& x = mesh.nodes[node];
+      const base::Vector3& x = mesh.nodes[node];
       const bool edge = std::abs(x[0]) < 1e-9 || std::abs(x[1]) < 1e-9;
       for (int i = 0; i < 2; ++i) {
         force(static_cast<int>(node) * dimension + i, 0) = (edge ? 0.5 : 1.0) * total * x[i] / inner;
@@ -69,7 +69,7 @@ struct Cylinder {
     substructure::SubstructureSolver(stiffness, supports, {}, "wall").solve(force, u);
     double mean = 0.0;
     for (const std::size_t node : wall) {
-      const mesh::Point& x = mesh.nodes[node];
+      const base::Vector3& x = mesh.nodes[node];
       const int first = static_cast<int>(node) * dimension;
       mean += (u(first, 0) * x[0] + u(first + 1, 0) * x[1]) / inner / static_cast<double>(wall.size());
     }

@@ -71,7 +71,7 @@ TEST_P(EveryElement, bodyForceIsForceTimesVolume) {
   const Case given = GetParam();
   const int dimension = given.dimension();
   const Patch patch = Patch(given, 2).distort(0.05);
-  const mesh::Point density{3.0, -2.0, dimension == 3 ? 5.0 : 0.0};
+  const base::Vector3 density{3.0, -2.0, dimension == 3 ? 5.0 : 0.0};
   const std::vector<double> forces = bodyForce(patch.mesh, patch.part, density, given.kinematics, 0.5);
   // Volume from the divergence theorem: with unit pressure stress the forces do the work of the volume change.
   const auto stiffness = assembleStiffness(patch.mesh, patch.part, Isotropic(1.0, 0.0), Formulation::fullIntegration,

@@ -21,8 +21,8 @@ struct Case {
 
   int dimension() const { return dimensionOf(kinematics); }
   std::string name() const {
-    std::string text =
-        std::string(mesh::exodusName(type)) + kinematicsNames()[kinematics] + formulationNames()[formulation];
+    std::string text = std::string(mesh::exodusName(type)) + kinematicsNames()[static_cast<std::size_t>(kinematics)] +
+                       formulationNames()[static_cast<std::size_t>(formulation)];
     std::string letters;
     for (const char c : text) {
       if (std::isalnum(static_cast<unsigned char>(c))) letters += c;
@@ -52,9 +52,9 @@ struct Patch {
   mesh::Part part;
   std::vector<bool> interior;  // per node
 
-  Patch(const Case& given, int cells, const mesh::Point& extent = {1.0, 0.8, 1.2})
+  Patch(const Case& given, int cells, const base::Vector3& extent = {1.0, 0.8, 1.2})
       : mesh(boxOf(given, cells, extent)), part(mesh::makePart(mesh, "patch", {"box"})) {
-    for (const mesh::Point& x : mesh.nodes) {
+    for (const base::Vector3& x : mesh.nodes) {
       bool inside = true;
       for (int i = 0; i < given.dimension(); ++i) {
         inside = inside && x[i] > 1e-9 * extent[i] && x[i] < (1.0 - 1e-9) * extent[i];
@@ -66,13 +66,13 @@ struct Patch {
   /// Moves every node by up to `amplitude` in every direction.
   Patch& distort(double amplitude) {
     double phase = 0.3;
-    for (mesh::Point& x : mesh.nodes) {
+    for (base::Vector3& x : mesh.nodes) {
       for (int i = 0; i < mesh.dimension; ++i) x[i] += amplitude * std::sin(phase += 1.7);
     }
     return *this;
   }
 
-  static mesh::Mesh boxOf(const Case& given, int cells, const mesh::Point& extent) {
+  static mesh::Mesh boxOf(const Case& given, int cells, const base::Vector3& extent) {
     mesh::Box box;
     box.name = "box";
     box.upper = extent;

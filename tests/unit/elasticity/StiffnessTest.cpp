@@ -129,8 +129,8 @@ TEST(Stiffness, namesElementsThatAreInsideOutOrFlat) {
   // Sums of shape functions times a coordinate are not quite zero everywhere.
   for (const double place : {0.0, 1.0, 3.0, 5.0, 1e-3, -1234.5}) {
     Patch line(quadrilaterals, 2), plane(hexahedra, 2);
-    for (mesh::Point& x : line.mesh.nodes) x[1] = place;
-    for (mesh::Point& x : plane.mesh.nodes) x[2] = place;
+    for (base::Vector3& x : line.mesh.nodes) x[1] = place;
+    for (base::Vector3& x : plane.mesh.nodes) x[2] = place;
     message = messageOf(line, Formulation::fullIntegration, Kinematics::planeStress);
     EXPECT_NE(message.find("element 1 of block \"box\""), std::string::npos) << message;
     message = messageOf(plane, Formulation::fullIntegration, Kinematics::threeDimensional);

@@ -11,12 +11,12 @@
 #include <exodusII.h>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Vector3.hpp>
 #include <harmos/files/ExodusMesh.hpp>
 #include <harmos/mesh/BoltedJoint.hpp>
 #include <harmos/mesh/Boxes.hpp>
 #include <harmos/mesh/InterfaceFinder.hpp>
 #include <harmos/mesh/PointSearch.hpp>
-#include <harmos/mesh/Vector.hpp>
 
 namespace harmos::files {
 namespace {
@@ -47,7 +47,7 @@ class ExodusMesh : public ::testing::Test {
                 static_cast<std::int64_t>(mesh.sideSets.size()));
     std::vector<double> x[3];
     for (std::size_t d = 0; d < 3; ++d) {
-      for (const mesh::Point& node : mesh.nodes) x[d].push_back(node[d]);
+      for (const base::Vector3& node : mesh.nodes) x[d].push_back(node[d]);
     }
     ex_put_coord(id, x[0].data(), x[1].data(), x[2].data());
     for (const mesh::ElementBlock& block : mesh.blocks) {
@@ -206,7 +206,7 @@ TEST(SharedMesh, BoltedJointIsTheReferenceMesh) {
     const mesh::Part part = mesh::makePart(mesh, "ours", {mesh.blocks[b].name});
     const mesh::Part reference = mesh::makePart(expected, "theirs", {mesh.blocks[b].name});
     ASSERT_EQ(part.nodes.size(), reference.nodes.size());
-    std::vector<mesh::Point> points;
+    std::vector<base::Vector3> points;
     for (const int node : part.nodes) points.push_back(mesh.nodes[node]);
     const mesh::PointSearch search(points);
     for (const int node : reference.nodes) {

@@ -77,5 +77,5 @@ TEST(ResultLayout, InterfacesAreSurfacesOfPairs) {
   EXPECT_EQ(layout.mesh.blocks[0].type, "SHELL4");
   EXPECT_EQ(layout.mesh.blocks[1].name, "other");
   EXPECT_EQ(layout.mesh.blocks[1].connectivity, (std::vector<int>{4, 5, 7, 6}));
-  EXPECT_EQ(layout.mesh.nodes[0], (mesh::Point{1.0, 0.0, 0.0}));
+  EXPECT_EQ(layout.mesh.nodes[0], (base::Vector3{1.0, 0.0, 0.0}));
 }

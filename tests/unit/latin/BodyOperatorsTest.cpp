@@ -14,21 +14,21 @@ namespace {
 constexpr int steps = 2;
 
 /// Where a second wedge stands that equals the first.
-using Motion = std::function<mesh::Point(const mesh::Point&)>;
+using Motion = std::function<base::Vector3(const base::Vector3&)>;
 
-mesh::Point wedge(const mesh::Point& x) {
+base::Vector3 wedge(const base::Vector3& x) {
   return {x[0], x[1] * (1.0 + 0.3 * x[0]), x[2] * (1.0 + 0.2 * x[0])};
 }
-mesh::Point translated(const mesh::Point& x) {
-  const mesh::Point y = wedge(x);
+base::Vector3 translated(const base::Vector3& x) {
+  const base::Vector3 y = wedge(x);
   return {y[0] + 5.0, y[1], y[2] - 1.0};
 }
-mesh::Point rotated(const mesh::Point& x) {
-  const mesh::Point y = wedge(x);
+base::Vector3 rotated(const base::Vector3& x) {
+  const base::Vector3 y = wedge(x);
   return {5.0 + 0.6 * y[0] - 0.8 * y[1], 0.8 * y[0] + 0.6 * y[1], y[2]};
 }
-mesh::Point mirrored(const mesh::Point& x) {
-  const mesh::Point y = wedge({1.0 - x[0], x[1], x[2]});
+base::Vector3 mirrored(const base::Vector3& x) {
+  const base::Vector3 y = wedge({1.0 - x[0], x[1], x[2]});
   return {5.0 - y[0], y[1], y[2]};
 }
 
@@ -132,7 +132,7 @@ TEST(BodyOperators, TurnPrescribedTractionsIntoLoads) {
     force += value * value;
   }
   EXPECT_GT(force, 0.0);
-  mesh::Point sum{};
+  base::Vector3 sum{};
   for (int dof = 0; dof < operators.bodies.loads(0).numRows(); ++dof) sum[dof % 3] += operators.bodies.loads(0)(dof, 1);
   EXPECT_NEAR(std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]), 6.0 * area, 1e-9 * area);
 }

@@ -31,11 +31,11 @@ void BoxAssembly::assemble() {
   }
 }
 
-void BoxAssembly::deform(const std::string& box, const std::function<mesh::Point(const mesh::Point&)>& motion) {
+void BoxAssembly::deform(const std::string& box, const std::function<base::Vector3(const base::Vector3&)>& motion) {
   for (const mesh::Part& part : parts_) {
     if (part.name != box) continue;
     for (int node : part.nodes) {
-      mesh::Point& x = mesh_.nodes[node];
+      base::Vector3& x = mesh_.nodes[node];
       x = motion(x);
     }
   }

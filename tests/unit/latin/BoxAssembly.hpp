@@ -19,7 +19,7 @@ class BoxAssembly {
   explicit BoxAssembly(const std::vector<mesh::Box>& boxes, int steps = 1);
 
   /// Moves the nodes of one box; before interfaces are made.
-  void deform(const std::string& box, const std::function<mesh::Point(const mesh::Point&)>& motion);
+  void deform(const std::string& box, const std::function<base::Vector3(const base::Vector3&)>& motion);
   void join(const std::string& name, const std::string& sideSet1, const std::string& sideSet2,
             const std::shared_ptr<const laws::InterfaceLaw>& law, bool isConsistent = false);
   void hold(const std::string& name, const std::string& sideSet, const std::shared_ptr<const laws::InterfaceLaw>& law,

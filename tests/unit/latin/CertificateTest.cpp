@@ -38,9 +38,9 @@ Answer solve(bool isDriven, const LatinOptions& options, double throwUpper = 0.0
   LatinSolver solver(cubes.assembly(), options, self(), timers);
   std::vector<DisplacementResponse::Node> top;
   for (int node : cubes.assembly().interfaces[2].node1) top.push_back({1, node, 1.0 / 9.0});
-  solver.addResponse(std::make_shared<DisplacementResponse>("top", top, mesh::Point{1.0, 0.0, 0.0}));
+  solver.addResponse(std::make_shared<DisplacementResponse>("top", top, base::Vector3{1.0, 0.0, 0.0}));
   solver.addResponse(
-      std::make_shared<ResultantResponse>("shear", std::vector<int>{1}, std::vector<mesh::Point>{{1.0, 0.0, 0.0}}));
+      std::make_shared<ResultantResponse>("shear", std::vector<int>{1}, std::vector<base::Vector3>{{1.0, 0.0, 0.0}}));
   const TraceLayout& layout = solver.state().layout();
   base::Matrix start(layout.rows(), steps);
   for (const TraceLayout::Block& block : layout.blocks()) {

@@ -15,10 +15,10 @@ constexpr double left = 10.0, right = 20.0, both = left * right / (left + right)
 
 std::shared_ptr<Response> endDisplacement() {
   return std::make_shared<DisplacementResponse>("end", std::vector<DisplacementResponse::Node>{{1, 2, 1.0}},
-                                                mesh::Point{1.0, 0.0, 0.0});
+                                                base::Vector3{1.0, 0.0, 0.0});
 }
 std::shared_ptr<Response> jointForce() {
-  return std::make_shared<ResultantResponse>("force", std::vector<int>{1}, std::vector<mesh::Point>{});
+  return std::make_shared<ResultantResponse>("force", std::vector<int>{1}, std::vector<base::Vector3>{});
 }
 
 LatinOptions accurate(double accuracy = 1e-8) {
@@ -91,7 +91,7 @@ TEST(LatinSolver, SolvesFrictionOnTheWayBack) {
   base::Timers timers;
   LatinSolver solver(assembly, accurate(), self(), timers);
   const auto shear =
-      std::make_shared<ResultantResponse>("shear", std::vector<int>{1}, std::vector<mesh::Point>{{0.0, 1.0, 0.0}});
+      std::make_shared<ResultantResponse>("shear", std::vector<int>{1}, std::vector<base::Vector3>{{0.0, 1.0, 0.0}});
   solver.addResponse(shear);
   const LatinResult result = solver.solve();
   // Stick: both * way = 0.133; slip at 0.3; from there back by 0.02: 0.3 - 0.133; slip the other way.

@@ -54,7 +54,7 @@ struct Stage {
     base::Matrix u(3 * nodes, steps);
     for (int t = 0; t < steps; ++t) {
       for (int a = 0; a < nodes; ++a) {
-        const mesh::Point at = linear.displacement(body, a, t);
+        const base::Vector3 at = linear.displacement(body, a, t);
         for (int c = 0; c < 3; ++c) u(3 * a + c, t) = at[c];
       }
     }
@@ -110,7 +110,7 @@ TEST(LinearStage, TakesTheTraceFromTheBodies) {
   for (const TraceLayout::Block& block : stage.layout.blocks()) {
     const auto& nodes = stage.assembly.interfaces[block.interface].nodes(block.side);
     for (int p = 0; p < block.pairs; ++p) {
-      const mesh::Point u = stage.linear.displacement(block.body, nodes[p], 2);
+      const base::Vector3 u = stage.linear.displacement(block.body, nodes[p], 2);
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(stage.linear.trace()(block.begin + 3 * p + c, 2), u[c], 1e-12);
     }
   }
@@ -148,7 +148,7 @@ TEST(LinearStage, ShiftsTheSearchDirectionOfAnInterfaceRigidly) {
   const assembly::Interface& joint = stage.assembly.interfaces[1];
   const auto& nodes = stage.assembly.bodies[0].nodes;
   const auto shift = [&](int interfaceIndex, int side, int pair, int t) {
-    mesh::Point d{};
+    base::Vector3 d{};
     for (int c = 0; c < 3; ++c) {
       const int row = stage.layout.begin(interfaceIndex, side) + 3 * pair + c;
       const double k = stage.layout.stiffness()[row];
@@ -158,13 +158,13 @@ TEST(LinearStage, ShiftsTheSearchDirectionOfAnInterfaceRigidly) {
   };
   double largest = 0.0;
   for (int p = 0; p < joint.pairs(); ++p) {
-    const mesh::Point one = shift(1, 0, p, 1), two = shift(1, 1, p, 1);
+    const base::Vector3 one = shift(1, 0, p, 1), two = shift(1, 1, p, 1);
     for (std::size_t c = 0; c < 3; ++c) {
       EXPECT_NEAR(one[c], two[c], 1e-12);
       largest = std::max(largest, std::abs(one[c]));
     }
     // The distance to the other nodes does not change.
-    const mesh::Point first = shift(1, 0, 0, 1);
+    const base::Vector3 first = shift(1, 0, 0, 1);
     double stretch = 0.0;
     for (std::size_t c = 0; c < 3; ++c) {
       stretch += (one[c] - first[c]) * (nodes[joint.node1[p]][c] - nodes[joint.node1[0]][c]);
@@ -184,7 +184,7 @@ std::array<double, 6> resultant(const Stage& stage, int interfaceIndex, int t) {
   for (int side = 0; side < 2; ++side) {
     applyMass(joint, 3, stage.linear.traction()[t] + stage.layout.begin(interfaceIndex, side), force.data());
     for (int p = 0; p < joint.pairs(); ++p) {
-      const mesh::Point& x = stage.assembly.bodies[joint.body1].nodes[joint.node1[p]];
+      const base::Vector3& x = stage.assembly.bodies[joint.body1].nodes[joint.node1[p]];
       const double* f = force.data() + 3 * p;
       for (std::size_t c = 0; c < 3; ++c) sum[c] += f[c];
       sum[3] += x[1] * f[2] - x[2] * f[1];

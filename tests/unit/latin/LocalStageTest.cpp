@@ -40,9 +40,9 @@ struct Stage {
   double stiffness(int pair) const { return k.of(1)[pair]; }
 
   /// Components in the interface's frame.
-  mesh::Point inFrame(const mesh::Point& v, int pair) const {
-    const mesh::Frame& frame = cubes_().frame[pair];
-    mesh::Point components{};
+  base::Vector3 inFrame(const base::Vector3& v, int pair) const {
+    const base::Frame& frame = cubes_().frame[pair];
+    base::Vector3 components{};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) components[i] += frame[i][j] * v[j];
     }
@@ -50,20 +50,20 @@ struct Stage {
   }
   const assembly::Interface& cubes_() const { return const_cast<BoxAssembly&>(cubes).assembly().interfaces[1]; }
 
-  mesh::Point at(const base::Matrix& field, int side, int pair, int column) const {
+  base::Vector3 at(const base::Matrix& field, int side, int pair, int column) const {
     const double* from = field[column] + layout.begin(1, side) + 3 * pair;
     return {from[0], from[1], from[2]};
   }
   /// w^ = (f^ - beta) / k, which is E+ with beta = f - k w; in the velocity form, the increment of the step.
-  mesh::Point hattedTrace(int side, int pair, int column) const {
-    mesh::Point w = at(traction, side, pair, column);
-    const mesh::Point b = at(beta, side, pair, column);
+  base::Vector3 hattedTrace(int side, int pair, int column) const {
+    base::Vector3 w = at(traction, side, pair, column);
+    const base::Vector3 b = at(beta, side, pair, column);
     for (std::size_t c = 0; c < 3; ++c) w[c] = (w[c] - b[c]) / stiffness(pair);
     return w;
   }
-  mesh::Point hattedJump(int pair, int column) const {
-    mesh::Point jump = hattedTrace(1, pair, column);
-    const mesh::Point w1 = hattedTrace(0, pair, column);
+  base::Vector3 hattedJump(int pair, int column) const {
+    base::Vector3 jump = hattedTrace(1, pair, column);
+    const base::Vector3 w1 = hattedTrace(0, pair, column);
     for (std::size_t c = 0; c < 3; ++c) jump[c] -= w1[c];
     return inFrame(jump, pair);
   }
@@ -104,17 +104,17 @@ TEST(LocalStage, ObeysCoulombsLawInTheFrameOfTheNodes) {
   stage.local.solve(stage.beta, stage.traction);
   int statuses[3] = {};
   for (int p = 0; p < stage.cubes_().pairs(); ++p) {
-    mesh::Point old{};
+    base::Vector3 old{};
     for (int t = 0; t < 3; ++t) {
-      const mesh::Point f = stage.inFrame(stage.at(stage.traction, 0, p, t), p);
-      const mesh::Point jump = stage.hattedJump(p, t);
+      const base::Vector3 f = stage.inFrame(stage.at(stage.traction, 0, p, t), p);
+      const base::Vector3 jump = stage.hattedJump(p, t);
       const double k = stage.stiffness(p);
       EXPECT_LE(f[0], roundOff);
       EXPECT_GE(jump[0] * k, -roundOff);
       EXPECT_NEAR(f[0] * jump[0] * k, 0.0, roundOff);
       const double tangential = std::hypot(f[1], f[2]), limit = -mu * f[0];
       EXPECT_LE(tangential, limit + roundOff);
-      const mesh::Point slip{0.0, jump[1] - old[1], jump[2] - old[2]};
+      const base::Vector3 slip{0.0, jump[1] - old[1], jump[2] - old[2]};
       const auto status =
           stage.local
               .states(1)[static_cast<std::size_t>(t) * static_cast<std::size_t>(stage.cubes_().pairs()) +
@@ -146,10 +146,10 @@ TEST(LocalStage, AddsUpIncrementsInTheVelocityForm) {
   randomize(stage.beta);
   stage.local.solve(stage.beta, stage.traction);
   for (int p = 0; p < stage.cubes_().pairs(); ++p) {
-    mesh::Point jump{};
+    base::Vector3 jump{};
     for (int t = 0; t < 4; ++t) {
-      const mesh::Point f = stage.inFrame(stage.at(stage.traction, 0, p, t), p);
-      const mesh::Point increment = stage.hattedJump(p, t);
+      const base::Vector3 f = stage.inFrame(stage.at(stage.traction, 0, p, t), p);
+      const base::Vector3 increment = stage.hattedJump(p, t);
       for (std::size_t c = 0; c < 3; ++c) jump[c] += increment[c];
       EXPECT_GE(jump[0] + gap, -roundOff);
       EXPECT_NEAR(f[0] * (jump[0] + gap), 0.0, roundOff);

@@ -40,7 +40,7 @@ int unknowns(const Keep& keep) {
   base::Matrix alpha(layout.rows(), 1), image(layout.rows(), 1);
   randomize(alpha);
   fixedPoint.apply(alpha, image);
-  mesh::Point sum{};
+  base::Vector3 sum{};
   for (int side = 0; side < 2; ++side) {
     for (int row = 0; row < 3 * assembly.interfaces[1].pairs(); ++row) {
       sum[row % 3] += assembly.interfaces[1].area[row / 3] * fixedPoint.traction()[0][layout.begin(1, side) + row];
@@ -51,10 +51,10 @@ int unknowns(const Keep& keep) {
 }
 
 TEST(MacroProblem, LeavesOutMotionsThatAnInterfaceCannotFeel) {
-  EXPECT_EQ(unknowns([](const mesh::Point&) { return true; }), 6);
-  EXPECT_EQ(unknowns([](const mesh::Point& x) { return x[0] == 0.0; }), 5);  // a line
-  EXPECT_EQ(unknowns([](const mesh::Point& x) { return x[0] == 0.0 && x[1] == 0.0; }), 3);
-  EXPECT_EQ(unknowns([](const mesh::Point& x) { return x[0] == x[1]; }), 5);  // a diagonal
+  EXPECT_EQ(unknowns([](const base::Vector3&) { return true; }), 6);
+  EXPECT_EQ(unknowns([](const base::Vector3& x) { return x[0] == 0.0; }), 5);  // a line
+  EXPECT_EQ(unknowns([](const base::Vector3& x) { return x[0] == 0.0 && x[1] == 0.0; }), 3);
+  EXPECT_EQ(unknowns([](const base::Vector3& x) { return x[0] == x[1]; }), 5);  // a diagonal
 }
 
 TEST(MacroProblem, HasThreeUnknownsInThePlane) {
@@ -64,7 +64,7 @@ TEST(MacroProblem, HasThreeUnknownsInThePlane) {
     boxes.hold("bottom", "lower_ymin", clamp());
     boxes.join("joint", "lower_ymax", "upper_ymin", laws::makeLaw("Perfect"));
     boxes.hold("top", "upper_ymax", laws::makeLaw("Symmetry"));
-    if (onePoint) restrictJoint(boxes.assembly(), 1, [](const mesh::Point& x) { return x[0] == 0.0; });
+    if (onePoint) restrictJoint(boxes.assembly(), 1, [](const base::Vector3& x) { return x[0] == 0.0; });
     base::Timers timers;
     const FixedPoint fixedPoint(boxes.assembly(), {}, self(), timers);
     EXPECT_EQ(fixedPoint.linearStage().macroUnknowns(), onePoint ? 2 : 3);

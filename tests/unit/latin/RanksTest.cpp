@@ -55,10 +55,10 @@ Answer solve(assembly::Assembly assembly, const std::vector<int>& owner,
   base::Timers timers;
   LatinSolver solver(assembly, options, comm, timers);
   solver.addResponse(std::make_shared<DisplacementResponse>(
-      "middle", std::vector<DisplacementResponse::Node>{{2, 1, 1.0}}, mesh::Point{0.0, 1.0, 0.0}));
-  solver.addResponse(std::make_shared<ResultantResponse>("bolt", std::vector<int>{4}, std::vector<mesh::Point>{}));
+      "middle", std::vector<DisplacementResponse::Node>{{2, 1, 1.0}}, base::Vector3{0.0, 1.0, 0.0}));
+  solver.addResponse(std::make_shared<ResultantResponse>("bolt", std::vector<int>{4}, std::vector<base::Vector3>{}));
   solver.addResponse(
-      std::make_shared<ResultantResponse>("pull", std::vector<int>{6}, std::vector<mesh::Point>{{0.0, 1.0, 0.0}}));
+      std::make_shared<ResultantResponse>("pull", std::vector<int>{6}, std::vector<base::Vector3>{{0.0, 1.0, 0.0}}));
   solver.addResponse(std::make_shared<DissipationResponse>("loss", std::vector<int>{2}));
   solver.addResponse(
       std::make_shared<MaximumResponse>("pressure", std::vector<int>{2}, MaximumResponse::Field::contactPressure));

@@ -43,7 +43,7 @@ TEST(ResultantResponse, IsTheForceOnSideOne) {
   for (int joint : {1, 2}) {  // an interface and a boundary with prescribed traction
     const double expected[] = {1.0, 2.0, 3.0};
     for (std::size_t c = 0; c < 3; ++c) {
-      mesh::Point direction{};
+      base::Vector3 direction{};
       direction[c] = 1.0;
       const auto force = solved(ResultantResponse("force", {joint}, {direction}));
       EXPECT_NEAR(force[0], expected[c], 10.0 * accuracy);
@@ -63,10 +63,10 @@ TEST(ResultantResponse, IsTheForceOnSideOne) {
 TEST(ResultantResponse, WithACentreIsTheMoment) {
   const Solved solved(pulled());
   // The traction (1, 2, 3) acts at (0.5, 0.5, 2): about the centre of the joint (0.5, 0.5, 1) it is (-2, 1, 0).
-  const mesh::Point centre{0.5, 0.5, 1.0};
+  const base::Vector3 centre{0.5, 0.5, 1.0};
   const double expected[] = {-2.0, 1.0, 0.0};
   for (std::size_t c = 0; c < 3; ++c) {
-    mesh::Point direction{};
+    base::Vector3 direction{};
     direction[c] = 1.0;
     for (int joint : {1, 2})
       EXPECT_NEAR(solved(ResultantResponse("moment", {joint}, {direction}, {centre}))[0], expected[c], 20.0 * accuracy);
@@ -80,7 +80,7 @@ TEST(DisplacementResponse, IsAWeightedSumAlongADirection) {
   double expected = 0.0;
   for (std::size_t p = 0; p < top.node1.size(); ++p) {
     nodes.push_back({top.body1, top.node1[p], top.area[p]});
-    const mesh::Point u = solved.solver.state().displacement(top.body1, top.node1[p], 0);
+    const base::Vector3 u = solved.solver.state().displacement(top.body1, top.node1[p], 0);
     expected += top.area[p] * (0.6 * u[0] + 0.8 * u[2]);
   }
   EXPECT_NEAR(solved(DisplacementResponse("u", nodes, {0.6, 0.0, 0.8}))[0], expected, 1e-14);
@@ -118,8 +118,8 @@ TEST(MaximumResponse, IsTheLargestOverTheNodes) {
   const PairFields fields = pairFields(solved.solver.state(), 1);
   double pressure = 0.0, slip = 0.0, tangential = 0.0;
   for (int p = 0; p < fields.pairs; ++p) {
-    const laws::Vector3& f = fields.traction[fields.at(2, p)];
-    const laws::Vector3& jump = fields.jump[fields.at(2, p)];
+    const base::Vector3& f = fields.traction[fields.at(2, p)];
+    const base::Vector3& jump = fields.jump[fields.at(2, p)];
     pressure = std::max(pressure, -f[0]);
     tangential = std::max(tangential, std::hypot(f[1], f[2]));
     slip = std::max(slip, std::hypot(jump[1], jump[2]));
@@ -139,11 +139,11 @@ TEST(PairFields, OfAPrescribedTractionHaveItAndTheDisplacement) {
   ASSERT_EQ(fields.pairs, 9);
   for (int p = 0; p < fields.pairs; ++p) {
     // n = z, and t1, t2 are some turn of x, y.
-    const laws::Vector3& f = fields.traction[fields.at(1, p)];
+    const base::Vector3& f = fields.traction[fields.at(1, p)];
     EXPECT_NEAR(f[0], -3.0, 1e-12);
     EXPECT_NEAR(std::hypot(f[1], f[2]), std::hypot(1.0, 2.0), 1e-12);
     const auto& top = solved.solver.state().assembly().interfaces[2];
-    const mesh::Point u = solved.solver.state().displacement(1, top.node1[p], 1);
+    const base::Vector3 u = solved.solver.state().displacement(1, top.node1[p], 1);
     EXPECT_NEAR(fields.jump[fields.at(1, p)][0], -u[2], 1e-12);
   }
 }

@@ -23,7 +23,7 @@ TEST(UnilateralContact, OpensAndCloses) {
   const auto law = makeLaw("Unilateral Contact", {{"Gap", 0.1}});
   Node node(*law, 0.2);  // 0.3 in all
   const LocalState open = node.solve({{-0.25, 1.0, 1.0}, 2.0});
-  EXPECT_EQ(open.traction, Vector3{});
+  EXPECT_EQ(open.traction, base::Vector3{});
   EXPECT_EQ(open.status, Status::open);
   const LocalLine line{{-0.5, 1.0, 1.0}, 2.0};
   const LocalState closed = node.solve(line);
@@ -53,7 +53,7 @@ TEST(CoulombFriction, SticksUntilTheCone) {
   EXPECT_EQ(slip.status, Status::slip);
   EXPECT_NEAR(slip.traction[1], 0.6, roundOff);
   EXPECT_NEAR(slip.traction[2], -0.8, roundOff);
-  const Vector3 jump = sliding.jump(slip.traction);
+  const base::Vector3 jump = sliding.jump(slip.traction);
   EXPECT_NEAR(jump[1], 4.8, roundOff);
   EXPECT_NEAR(jump[2], -6.4, roundOff);
 }
@@ -156,7 +156,7 @@ TEST(LinearElastic, IsASpringInEachDirection) {
   const auto law = makeLaw("Linear Elastic", {{"Normal Stiffness", 2.0}, {"Tangential Stiffness", 0.5}});
   const LocalLine line{{0.4, -0.6, 0.8}, 3.0};
   const LocalState state = Node(*law).solve(line);
-  const Vector3 jump = line.jump(state.traction);
+  const base::Vector3 jump = line.jump(state.traction);
   EXPECT_NEAR(state.traction[0], 2.0 * jump[0], roundOff);
   EXPECT_NEAR(state.traction[1], 0.5 * jump[1], roundOff);
   EXPECT_NEAR(state.traction[2], 0.5 * jump[2], roundOff);
@@ -164,7 +164,7 @@ TEST(LinearElastic, IsASpringInEachDirection) {
 
 TEST(LinearElastic, BetweenFreeAndPerfect) {
   const LocalLine line{{0.4, -0.6, 0.8}, 3.0};
-  const Vector3 perfect = Node(*makeLaw("Perfect")).solve(line).traction;
+  const base::Vector3 perfect = Node(*makeLaw("Perfect")).solve(line).traction;
   for (double stiffness : {1e6, 1e12, 1e300}) {
     const auto law = makeLaw("Linear Elastic", {{"Normal Stiffness", stiffness}, {"Tangential Stiffness", stiffness}});
     EXPECT_LE(norm(Node(*law).solve(line).traction - perfect), norm(perfect) / stiffness + roundOff);
@@ -201,7 +201,7 @@ TEST(PrescribedDisplacement, MovesWhatIsGivenAndFreesTheRest) {
   EXPECT_EQ(law->frame(), Frame::global);
   const LocalLine line{{0.3, -0.2, 0.1}, 2.0};
   const LocalState state = Node(*law).solve(line);
-  const Vector3 jump = line.jump(state.traction);
+  const base::Vector3 jump = line.jump(state.traction);
   EXPECT_NEAR(-jump[0], 0.2, roundOff);  // w1 = -jump
   EXPECT_EQ(state.traction[1], 0.0);
   EXPECT_NEAR(-jump[2], 0.0, roundOff);
@@ -210,14 +210,14 @@ TEST(PrescribedDisplacement, MovesWhatIsGivenAndFreesTheRest) {
 TEST(PrescribedTraction, IsWhatItSays) {
   const auto law = makeLaw("Prescribed Traction", {{"X", 1.0}, {"Y", 2.0}, {"Z", -3.0}});
   EXPECT_TRUE(law->prescribesTraction());
-  EXPECT_EQ(Node(*law).solve({}).traction, (Vector3{1.0, 2.0, -3.0}));
+  EXPECT_EQ(Node(*law).solve({}).traction, (base::Vector3{1.0, 2.0, -3.0}));
 }
 
 TEST(Pressure, PushesAgainstTheOutwardNormal) {
   const auto law = makeLaw("Pressure", {{"Pressure", 4.0}});
   EXPECT_TRUE(law->prescribesTraction());
   EXPECT_EQ(law->frame(), Frame::interface);
-  EXPECT_EQ(Node(*law).solve({}).traction, (Vector3{-4.0, 0.0, 0.0}));
+  EXPECT_EQ(Node(*law).solve({}).traction, (base::Vector3{-4.0, 0.0, 0.0}));
 }
 
 /// A host's law with nothing but what must be given.
@@ -243,8 +243,8 @@ TEST(PointwiseLaw, HandsEachNodeWhatBelongsToIt) {
   std::vector<double> now(2);
   std::vector<LocalState> states(2);
   law.solve(7, {2, lines.data(), gaps.data(), old.data(), now.data(), states.data()});
-  EXPECT_EQ(states[0].traction, (Vector3{2.5, 3.0, 7.0}));
-  EXPECT_EQ(states[1].traction, (Vector3{20.25, 4.0, 7.0}));
+  EXPECT_EQ(states[0].traction, (base::Vector3{2.5, 3.0, 7.0}));
+  EXPECT_EQ(states[1].traction, (base::Vector3{20.25, 4.0, 7.0}));
   EXPECT_EQ(now, (std::vector<double>{4.0, 5.0}));
 }
 

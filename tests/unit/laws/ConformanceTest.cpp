@@ -75,7 +75,7 @@ TEST_P(Conformance, FindsPointsOfOneGraph) {
     for (int step = 0; step < 6; ++step) {
       const LocalLine line = randomLine(random_);
       const LocalState state = node.solve(line);
-      const Vector3 jump = line.jump(state.traction);
+      const base::Vector3 jump = line.jump(state.traction);
       for (double ratio : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
         LocalLine other;
         other.compliance = ratio * line.compliance;
@@ -103,8 +103,8 @@ TEST_P(Conformance, IsMonotoneWithoutMemory) {
       LocalLine b = randomLine(random_);
       b.compliance = a.compliance;
       const LocalState atA = node.solve(a), atB = node.solve(b);
-      const Vector3 difference = atA.traction - atB.traction;
-      const Vector3 distance = a.freeJump - b.freeJump;
+      const base::Vector3 difference = atA.traction - atB.traction;
+      const base::Vector3 distance = a.freeJump - b.freeJump;
       EXPECT_LE(a.compliance * dot(difference, difference),
                 dot(difference, distance) +
                     roundOff * a.compliance * (dot(atA.traction, atA.traction) + dot(atB.traction, atB.traction)) +
@@ -121,15 +121,15 @@ TEST_P(Conformance, IsAffineWhereItSaysSo) {
     EXPECT_EQ(law->historySize(), 0);
     LocalLine all = randomLine(random_), rest = all;
     rest.freeJump = {};
-    const Vector3 offset = Node(*law).solve(rest).traction;
+    const base::Vector3 offset = Node(*law).solve(rest).traction;
     EXPECT_EQ(Node(*law, 0.3).solve(rest).traction, offset);
     const LocalState together = Node(*law).solve(all);
     for (std::size_t c = 0; c < 3; ++c) {
       LocalLine axis = rest;
       axis.freeJump[c] = all.freeJump[c];
-      const Vector3 change = Node(*law).solve(axis).traction - offset;
+      const base::Vector3 change = Node(*law).solve(axis).traction - offset;
       const double error = tolerance(all, together) + roundOff * norm(offset);
-      Vector3 along{};
+      base::Vector3 along{};
       along[c] = together.traction[c] - offset[c];
       EXPECT_LE(norm(change - along), error);
       axis.freeJump[c] *= 3.0;
@@ -147,7 +147,7 @@ TEST_P(Conformance, IsContinuous) {
     node.solve(randomLine(random_));
     node.accept();
     const LocalLine from = randomLine(random_);
-    const Vector3 move = (1.0 / moves) * (randomVector(random_) - from.freeJump);
+    const base::Vector3 move = (1.0 / moves) * (randomVector(random_) - from.freeJump);
     const double slope = 4.0 * largestParameter() / from.compliance;
     LocalLine line = from;
     LocalState before = node.solve(line);
@@ -166,9 +166,9 @@ TEST_P(Conformance, TurnsWithTheTangents) {
     const auto law = draw();
     if (law->frame() != Frame::interface) return;
     const double angle = i == 0 ? std::acos(-1.0) : uniform(random_, 0.0, 6.3);
-    const auto turned = [angle](const Vector3& v) {
+    const auto turned = [angle](const base::Vector3& v) {
       const double c = std::cos(angle), s = std::sin(angle);
-      return Vector3{v[0], c * v[1] - s * v[2], s * v[1] + c * v[2]};
+      return base::Vector3{v[0], c * v[1] - s * v[2], s * v[1] + c * v[2]};
     };
     Node node(*law), other(*law);
     double error = 0.0;
@@ -207,16 +207,16 @@ TEST_P(Conformance, Dissipates) {
     const auto law = draw();
     if (!law->dissipates()) return;
     Node node(*law);
-    std::vector<Vector3> path;
+    std::vector<base::Vector3> path;
     for (int point = 0; point < 8; ++point) path.push_back(randomVector(random_));
     path.push_back({});
     double work = 0.0, error = 0.0;
-    Vector3 old{};
+    base::Vector3 old{};
     for (int cycle = 0; cycle < 3; ++cycle) {
-      for (const Vector3& target : path) {
+      for (const base::Vector3& target : path) {
         const LocalLine line{target, stiff};
-        const Vector3 traction = node.solve(line).traction;
-        const Vector3 jump = line.jump(traction);
+        const base::Vector3 traction = node.solve(line).traction;
+        const base::Vector3 jump = line.jump(traction);
         const double done = traction[1] * (jump[1] - old[1]) + traction[2] * (jump[2] - old[2]);
         work += done;
         error += roundOff * norm(traction) * (norm(target) + norm(jump) + norm(old));
@@ -299,7 +299,7 @@ TEST_P(Conformance, OpenCarriesNothing) {
     for (int step = 0; step < 6; ++step) {
       const LocalState state = node.solve(randomLine(random_));
       if (state.status == Status::open) {
-        EXPECT_EQ(state.traction, Vector3{});
+        EXPECT_EQ(state.traction, base::Vector3{});
       }
       node.accept();
     }
@@ -424,7 +424,8 @@ TEST_P(Conformance, SurvivesZeros) {
   const auto law = registry_.create(
       scaled(*spec_, parameters_, [](const input::ParameterEntry& entry) { return entry.allows(0.0) ? 0.0 : 1.0; }));
   for (double gap : {0.0, -1.0, 1.0}) {
-    for (const Vector3& jump : {Vector3{}, Vector3{1.0, 0.0, 0.0}, Vector3{-1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}}) {
+    for (const base::Vector3& jump :
+         {base::Vector3{}, base::Vector3{1.0, 0.0, 0.0}, base::Vector3{-1.0, 0.0, 0.0}, base::Vector3{0.0, 1.0, 0.0}}) {
       Node node(*law, gap);
       for (int step = 0; step < 2; ++step) {
         for (double t : node.solve({jump, 1.0}).traction) EXPECT_TRUE(std::isfinite(t));

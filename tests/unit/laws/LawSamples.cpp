@@ -25,9 +25,9 @@ double magnitude(Random& random) {
   return std::pow(10.0, uniform(random, -1.5, 1.5));
 }
 
-Vector3 randomVector(Random& random) {
+base::Vector3 randomVector(Random& random) {
   const double size = magnitude(random);
-  Vector3 v;
+  base::Vector3 v;
   for (double& c : v) c = size * uniform(random, -1.0, 1.0);
   return v;
 }

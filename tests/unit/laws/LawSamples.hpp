@@ -18,7 +18,7 @@ using Random = std::mt19937;
 double uniform(Random& random, double lower, double upper);
 /// Positive and of the order of one: 10^-1.5 .. 10^1.5.
 double magnitude(Random& random);
-Vector3 randomVector(Random& random);
+base::Vector3 randomVector(Random& random);
 LocalLine randomLine(Random& random);
 
 /// What a law declares, as parameters for it: random within the declared ranges, of the order of one. Parameters that
@@ -44,21 +44,5 @@ class Node {
   double gap_;
   std::vector<double> old_, new_;
 };
-
-inline Vector3 operator+(const Vector3& a, const Vector3& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-inline Vector3 operator-(const Vector3& a, const Vector3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline Vector3 operator*(double s, const Vector3& a) {
-  return {s * a[0], s * a[1], s * a[2]};
-}
-inline double dot(const Vector3& a, const Vector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline double norm(const Vector3& a) {
-  return std::sqrt(dot(a, a));
-}
 
 }  // namespace harmos::laws

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <random>
 
+#include <harmos/base/Vector3.hpp>
 #include <harmos/mesh/BoltedJoint.hpp>
 #include <harmos/mesh/Boxes.hpp>
 #include <harmos/mesh/Congruence.hpp>
-#include <harmos/mesh/Vector.hpp>
 
 namespace harmos::mesh {
 namespace {
 
-double determinant(const Frame& q) {
+double determinant(const base::Frame& q) {
   return dot(cross(q[0], q[1]), q[2]);
 }
 
@@ -20,8 +20,8 @@ void expectCarries(const Mesh& mesh, const Part& first, const Part& second, cons
   const auto place = [&](const Part& part, std::size_t node) { return mesh.nodes[part.nodes[node]]; };
   const auto image = [&](std::size_t a) { return place(second, static_cast<std::size_t>(congruence.node[a])); };
   for (std::size_t a = 1; a < first.nodes.size(); ++a) {
-    const Point from = place(first, a) - place(first, 0);
-    const Point to = image(a) - image(0);
+    const base::Vector3 from = place(first, a) - place(first, 0);
+    const base::Vector3 to = image(a) - image(0);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(dot(congruence.rotation[i], from), to[i], 1e-8);
   }
   EXPECT_NEAR(std::abs(determinant(congruence.rotation)), 1.0, 1e-12);
@@ -32,11 +32,11 @@ struct Pair {
   Mesh mesh;
   Part first, second;
 
-  Pair(const Frame& q, ElementType type) {
+  Pair(const base::Frame& q, ElementType type) {
     const bool plane = dimensionOf(type) == 2;
     mesh = boxes({{"a", {}, {3.0, 2.0, 1.0}, {3, 2, 2}, type}, {"b", {}, {3.0, 2.0, 1.0}, {3, 2, 2}, type}});
-    for (Point& p : mesh.nodes) {
-      p = p + Point{0.05 * p[1] * p[1], 0.03 * p[0] * p[0] * p[1], plane ? 0.0 : 0.02 * p[0] * p[1] * p[2]};
+    for (base::Vector3& p : mesh.nodes) {
+      p = p + base::Vector3{0.05 * p[1] * p[1], 0.03 * p[0] * p[0] * p[1], plane ? 0.0 : 0.02 * p[0] * p[1] * p[2]};
     }
     const std::size_t half = mesh.nodes.size() / 2;
     std::vector<int> number(mesh.nodes.size());
@@ -44,8 +44,9 @@ struct Pair {
     std::mt19937 random(3);
     std::shuffle(number.begin() + static_cast<std::ptrdiff_t>(half), number.end(), random);
     for (std::size_t i = half; i < mesh.nodes.size(); ++i) {
-      const Point& p = mesh.nodes[i - half];
-      mesh.nodes[number[i]] = Point{dot(q[0], p), dot(q[1], p), dot(q[2], p)} + Point{20.0, 5.0, plane ? 0.0 : -3.0};
+      const base::Vector3& p = mesh.nodes[i - half];
+      mesh.nodes[number[i]] =
+          base::Vector3{dot(q[0], p), dot(q[1], p), dot(q[2], p)} + base::Vector3{20.0, 5.0, plane ? 0.0 : -3.0};
     }
     auto& connectivity = mesh.blocks[1].connectivity;
     for (int& node : connectivity) node = number[node];
@@ -57,19 +58,23 @@ struct Pair {
 
 const double c = std::cos(0.7);
 const double s = std::sin(0.7);
-const std::vector<Frame> planeMotions = {
-    Frame{Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}, Frame{Point{0, -1, 0}, Point{1, 0, 0}, Point{0, 0, 1}},
-    Frame{Point{-1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}, Frame{Point{c, s, 0}, Point{s, -c, 0}, Point{0, 0, 1}}};
-const std::vector<Frame> spaceMotions = {
-    Frame{Point{0, 0, 1}, Point{1, 0, 0}, Point{0, 1, 0}}, Frame{Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, -1}},
-    Frame{Point{c, 0, s}, Point{0, 1, 0}, Point{-s, 0, c}}, Frame{Point{0, c, s}, Point{0, -s, c}, Point{-1, 0, 0}}};
+const std::vector<base::Frame> planeMotions = {
+    base::Frame{base::Vector3{1, 0, 0}, base::Vector3{0, 1, 0}, base::Vector3{0, 0, 1}},
+    base::Frame{base::Vector3{0, -1, 0}, base::Vector3{1, 0, 0}, base::Vector3{0, 0, 1}},
+    base::Frame{base::Vector3{-1, 0, 0}, base::Vector3{0, 1, 0}, base::Vector3{0, 0, 1}},
+    base::Frame{base::Vector3{c, s, 0}, base::Vector3{s, -c, 0}, base::Vector3{0, 0, 1}}};
+const std::vector<base::Frame> spaceMotions = {
+    base::Frame{base::Vector3{0, 0, 1}, base::Vector3{1, 0, 0}, base::Vector3{0, 1, 0}},
+    base::Frame{base::Vector3{1, 0, 0}, base::Vector3{0, 1, 0}, base::Vector3{0, 0, -1}},
+    base::Frame{base::Vector3{c, 0, s}, base::Vector3{0, 1, 0}, base::Vector3{-s, 0, c}},
+    base::Frame{base::Vector3{0, c, s}, base::Vector3{0, -s, c}, base::Vector3{-1, 0, 0}}};
 
 TEST(Congruence, FindsMotionsAndMirrorImages) {
   for (const ElementType type : {ElementType::hex8, ElementType::tet4, ElementType::wedge6, ElementType::pyramid5,
                                  ElementType::quad4, ElementType::tri3}) {
     auto motions = planeMotions;
     if (dimensionOf(type) == 3) motions.insert(motions.end(), spaceMotions.begin(), spaceMotions.end());
-    for (const Frame& q : motions) {
+    for (const base::Frame& q : motions) {
       const Pair pair(q, type);
       const auto found = findCongruence(pair.mesh, pair.first, pair.second);
       ASSERT_TRUE(found) << exodusName(type);
@@ -100,7 +105,7 @@ TEST(Congruence, SeesASmallDifference) {
   // The same nodes, but cells divided along the other diagonal.
   Mesh mesh = boxes({{"a", {}, {1.0, 1.0, 0.0}, {2, 3, 0}, ElementType::tri3},
                      {"b", {}, {1.0, 1.0, 0.0}, {2, 3, 0}, ElementType::tri3}});
-  for (Point& p : mesh.nodes) p[0] += 0.1 * p[1] + 0.07 * p[0] * p[0];
+  for (base::Vector3& p : mesh.nodes) p[0] += 0.1 * p[1] + 0.07 * p[0] * p[0];
   auto& connectivity = mesh.blocks[1].connectivity;
   for (std::size_t cell = 0; cell < connectivity.size(); cell += 6) {
     const int n[4] = {connectivity[cell], connectivity[cell + 1], connectivity[cell + 2], connectivity[cell + 5]};

@@ -68,7 +68,7 @@ TEST(GluedAssembly, HasTheElementsOfTheSource) {
   EXPECT_EQ(sizes["clamped"], 42u);
   EXPECT_EQ(sizes["loaded"], 16u);
   ASSERT_EQ(mesh.nodeSets.at(0).node.size(), 1u);
-  EXPECT_EQ(mesh.nodes[mesh.nodeSets[0].node[0]], (Point{38.0, 240.0, 0.0}));
+  EXPECT_EQ(mesh.nodes[mesh.nodeSets[0].node[0]], (base::Vector3{38.0, 240.0, 0.0}));
 }
 
 TEST(GluedAssembly, RefusesCellsThatDoNotFit) {

@@ -7,11 +7,11 @@
 #include <numeric>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Vector3.hpp>
 #include <harmos/mesh/BoltedJoint.hpp>
 #include <harmos/mesh/Boxes.hpp>
 #include <harmos/mesh/GluedAssembly.hpp>
 #include <harmos/mesh/InterfaceFinder.hpp>
-#include <harmos/mesh/Vector.hpp>
 
 namespace harmos::mesh {
 namespace {
@@ -55,14 +55,14 @@ void expectConsistent(const InterfaceSurface& surface, const Mesh& mesh, const s
     if (!surface.mass.empty()) {
       EXPECT_NEAR(rowSum[p], surface.area[p], roundOff * surface.area[p]);
     }
-    const Frame& frame = surface.frame[p];
+    const base::Frame& frame = surface.frame[p];
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(dot(frame[i], frame[j]), i == j ? 1.0 : 0.0, roundOff);
     }
     EXPECT_NEAR(dot(cross(frame[0], frame[1]), frame[2]), 1.0, roundOff);
     if (surface.part2 < 0) continue;
     const auto place = [&](int part, int node) { return mesh.nodes[parts[part].nodes[node]]; };
-    const Point apart = place(surface.part2, surface.node2[p]) - place(surface.part1, surface.node1[p]);
+    const base::Vector3 apart = place(surface.part2, surface.node2[p]) - place(surface.part1, surface.node1[p]);
     EXPECT_NEAR(distance(apart, surface.gap[p] * frame[0]), 0.0, 1e-9);
   }
 }
@@ -89,7 +89,7 @@ TEST(InterfaceFinder, FindsTheInterfacesOfTheBoltedJoint) {
     EXPECT_EQ(surface.node1.size(), e.pairs) << name;
     EXPECT_EQ(surface.node2.size(), e.pairs) << name;
     EXPECT_NEAR(totalArea(surfaces), e.area, roundOff * e.area) << name;
-    for (const Frame& frame : surface.frame) EXPECT_NEAR(frame[0][2], 1.0, roundOff) << name;
+    for (const base::Frame& frame : surface.frame) EXPECT_NEAR(frame[0][2], 1.0, roundOff) << name;
     expectConsistent(surface, mesh, parts);
   }
   const auto loaded = finder.onSideSet("loaded", "loaded");
@@ -104,7 +104,7 @@ TEST(InterfaceFinder, SwappedSidesHaveTheSameAreasAndOppositeNormals) {
   const InterfaceFinder finder(mesh, parts);
   const auto a = finder.betweenSideSets("seal", "plates_top_1", "plates_top_2")[0];
   const auto b = finder.betweenSideSets("seal", "plates_top_2", "plates_top_1")[0];
-  std::map<int, std::pair<double, Point>> byNode;
+  std::map<int, std::pair<double, base::Vector3>> byNode;
   for (std::size_t p = 0; p < a.area.size(); ++p) byNode[a.node1[p]] = {a.area[p], a.frame[p][0]};
   ASSERT_EQ(a.part1, b.part2);
   for (std::size_t p = 0; p < b.area.size(); ++p) {
@@ -144,7 +144,7 @@ class PieceAreas : public ::testing::TestWithParam<ElementType> {};
 TEST_P(PieceAreas, AddUpToTheUncutInterface) {
   Mesh mesh = boxes({{"lower", {}, {4.0, 3.0, 2.0}, {4, 3, 2}, GetParam()},
                      {"upper", {0.0, 0.0, 2.0}, {4.0, 3.0, 3.0}, {4, 3, 1}, GetParam()}});
-  for (Point& point : mesh.nodes) point[2] += 0.1 * point[0] * point[1];  // warped quadrilaterals
+  for (base::Vector3& point : mesh.nodes) point[2] += 0.1 * point[0] * point[1];  // warped quadrilaterals
   const auto whole = onePartPerBlock(mesh);
   const auto pieces = cutFirstPart(mesh, whole, 0, 2.0);
   const InterfaceFinder uncut(mesh, whole);
@@ -208,24 +208,24 @@ TEST(InterfaceFinder, ProjectsSurfacesThatAreOpen) {
                      {"roller", {-1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {8, 2, 0}, ElementType::quad4}});
   const auto parts = onePartPerBlock(mesh);
   for (const int node : parts[1].nodes) {
-    Point& p = mesh.nodes[node];
+    base::Vector3& p = mesh.nodes[node];
     p[1] += 0.1 + 0.2 * p[0] * p[0];
   }
   const InterfaceFinder finder(mesh, parts);
   EXPECT_THROW(finder.betweenSideSets("roll", "ground_ymax", "roller_ymin"), base::Error);
   for (const double sign : {1.0, -1.0}) {
     const auto surface =
-        finder.betweenSideSets("roll", "ground_ymax", "roller_ymin", Point{0.0, 2.0 * sign, 0.0}).at(0);
+        finder.betweenSideSets("roll", "ground_ymax", "roller_ymin", base::Vector3{0.0, 2.0 * sign, 0.0}).at(0);
     ASSERT_EQ(surface.node1.size(), 9u);
     EXPECT_NEAR(totalArea({surface}), 2.0, roundOff);
     for (std::size_t p = 0; p < 9; ++p) {
-      const Point& place = mesh.nodes[parts[0].nodes[surface.node1[p]]];
+      const base::Vector3& place = mesh.nodes[parts[0].nodes[surface.node1[p]]];
       EXPECT_NEAR(surface.gap[p], 0.1 + 0.2 * place[0] * place[0], roundOff);
       EXPECT_NEAR(surface.frame[p][0][1], 1.0, roundOff);
     }
     expectConsistent(surface, mesh, parts);
   }
-  const auto swapped = finder.betweenSideSets("roll", "roller_ymin", "ground_ymax", Point{0.0, 1.0, 0.0}).at(0);
+  const auto swapped = finder.betweenSideSets("roll", "roller_ymin", "ground_ymax", base::Vector3{0.0, 1.0, 0.0}).at(0);
   EXPECT_NEAR(totalArea({swapped}), 2.0, roundOff);
   EXPECT_NEAR(swapped.frame[0][0][1], -1.0, roundOff);
   EXPECT_NEAR(*std::min_element(swapped.gap.begin(), swapped.gap.end()), 0.1, roundOff);
@@ -241,10 +241,10 @@ TEST(InterfaceFinder, TakesNodeSetsByFacesOrByNodes) {
     }
     return nodes;
   };
-  mesh.nodeSets = {{"face", 1, where([](const Point& p) { return p[0] == 0.0; })},
-                   {"edge", 2, where([](const Point& p) { return p[0] == 0.0 && p[1] == 0.0; })},
-                   {"inside", 3, where([](const Point& p) {
-                      return p == Point{1.0, 1.0, 1.0};
+  mesh.nodeSets = {{"face", 1, where([](const base::Vector3& p) { return p[0] == 0.0; })},
+                   {"edge", 2, where([](const base::Vector3& p) { return p[0] == 0.0 && p[1] == 0.0; })},
+                   {"inside", 3, where([](const base::Vector3& p) {
+                      return p == base::Vector3{1.0, 1.0, 1.0};
                     })}};
   const InterfaceFinder finder(mesh, parts);
   const auto face = finder.onNodeSet("fixed", "face");

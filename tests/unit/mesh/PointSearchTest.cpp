@@ -2,16 +2,16 @@
 
 #include <random>
 
+#include <harmos/base/Vector3.hpp>
 #include <harmos/mesh/PointSearch.hpp>
-#include <harmos/mesh/Vector.hpp>
 
 namespace harmos::mesh {
 namespace {
 
-std::vector<Point> randomPoints(int count) {
+std::vector<base::Vector3> randomPoints(int count) {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> coordinate(0, 9);  // few values, so that many points and distances coincide
-  std::vector<Point> points;
+  std::vector<base::Vector3> points;
   for (int i = 0; i < count; ++i) {
     points.push_back({0.1 * coordinate(random), 0.1 * coordinate(random), 0.1 * coordinate(random)});
   }
@@ -21,7 +21,7 @@ std::vector<Point> randomPoints(int count) {
 TEST(PointSearch, AgreesWithExhaustiveSearch) {
   const auto points = randomPoints(500);
   const PointSearch search(points);
-  for (const Point& from : randomPoints(600)) {
+  for (const base::Vector3& from : randomPoints(600)) {
     int best = 0;
     std::vector<int> near;
     for (int i = 0; i < 500; ++i) {

@@ -30,7 +30,7 @@ std::map<int, results::ConfigurationResult> run(const Teuchos::RCP<const Teuchos
   options.accuracy = 1e-3;
   base::Timers timers;
   const auto shear = std::make_shared<latin::ResultantResponse>("shear", std::vector<int>{1},
-                                                                std::vector<mesh::Point>{{0.0, 1.0, 0.0}});
+                                                                std::vector<base::Vector3>{{0.0, 1.0, 0.0}});
   ParametricStudy study(
       assembly, [&](const auto& values) { assembly.interfaces[1].law = friction(values[0]); }, {shear}, options, comm,
       timers);

@@ -42,7 +42,7 @@ class Chains {
 
   Results run(const std::vector<design::Configuration>& configurations, const ParametricStudy::Install& install) {
     const auto force =
-        std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<mesh::Point>{});
+        std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<base::Vector3>{});
     ParametricStudy study(assembly_, install, {force}, options_, latin::self(), timers_);
     Results results;
     study.run(configurations, results);
@@ -111,7 +111,7 @@ class JenkinsStudy {
   explicit JenkinsStudy(double accuracy) : assembly_(latin::twoChains(friction(0.3), drag(0.8), 4)) {
     options_.accuracy = accuracy;
     shear_ = std::make_shared<latin::ResultantResponse>("shear", std::vector<int>{1},
-                                                        std::vector<mesh::Point>{{0.0, 1.0, 0.0}});
+                                                        std::vector<base::Vector3>{{0.0, 1.0, 0.0}});
     study_ = std::make_unique<ParametricStudy>(
         assembly_, [this](const auto& values) { install(values); },
         std::vector<std::shared_ptr<const latin::Response>>{shear_}, options_, latin::self(), timers_);

@@ -160,7 +160,7 @@ TEST_F(Dragged, ShowTheImbalanceOfASingleStep) {
 // The gap between f and f^ at a point: body "left" carries what the joint does not balance.
 TEST_F(Dragged, ShowTheirImbalance) {
   const std::vector<std::shared_ptr<const latin::Response>> responses = {
-      std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<mesh::Point>{})};
+      std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<base::Vector3>{})};
   base::Matrix alpha = solve(1, 0.3), image(zero());
   fixedPoint_.apply(alpha, image);
   Gauge gauge(fixedPoint_, responses);

@@ -60,7 +60,7 @@ inline assembly::Assembly springsInSeries(std::vector<Law> laws, int steps = 1) 
 }
 
 inline std::shared_ptr<const latin::Response> displacement(const std::string& name, int body, int node,
-                                                           mesh::Point direction = {1.0, 0.0, 0.0}) {
+                                                           base::Vector3 direction = {1.0, 0.0, 0.0}) {
   return std::make_shared<latin::DisplacementResponse>(
       name, std::vector<latin::DisplacementResponse::Node>{{body, node, 1.0}}, direction);
 }

@@ -25,7 +25,7 @@ struct FrictionChain {
   static std::vector<std::shared_ptr<const latin::Response>> responses() {
     using Maximum = latin::MaximumResponse;
     return {displacement("middle", 0, 2, {0.0, 1.0, 0.0}),
-            std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<mesh::Point>{}),
+            std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<base::Vector3>{}),
             std::make_shared<Maximum>("shear", std::vector<int>{1}, Maximum::Field::tangentialTraction),
             std::make_shared<latin::DissipationResponse>("loss", std::vector<int>{1})};
   }

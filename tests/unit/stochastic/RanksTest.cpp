@@ -45,7 +45,7 @@ Answer solve(Method method, const std::vector<int>& owner, const Teuchos::RCP<co
   solver.setLaws(laws);
   solver.addResponse(displacement("end", 1, 2, {0.0, 1.0, 0.0}));
   solver.addResponse(
-      std::make_shared<latin::ResultantResponse>("force", std::vector<int>{3}, std::vector<mesh::Point>{}));
+      std::make_shared<latin::ResultantResponse>("force", std::vector<int>{3}, std::vector<base::Vector3>{}));
   solver.addResponse(std::make_shared<latin::MaximumResponse>("shear", std::vector<int>{1},
                                                               latin::MaximumResponse::Field::tangentialTraction));
   Answer answer{solver.solve(), {}};

@@ -19,7 +19,7 @@ std::vector<Law> lawsOf(const std::vector<double>& x) {
 std::vector<std::shared_ptr<const latin::Response>> responses() {
   using Maximum = latin::MaximumResponse;
   return {displacement("end", 1, 2), displacement("side", 1, 2, {0.0, 1.0, 0.0}),
-          std::make_shared<latin::ResultantResponse>("pull", std::vector<int>{2}, std::vector<mesh::Point>{}),
+          std::make_shared<latin::ResultantResponse>("pull", std::vector<int>{2}, std::vector<base::Vector3>{}),
           std::make_shared<Maximum>("traction", std::vector<int>{0, 1}, Maximum::Field::normalTraction),
           std::make_shared<Maximum>("slip", std::vector<int>{1}, Maximum::Field::slip)};
 }

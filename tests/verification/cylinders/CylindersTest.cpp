@@ -28,7 +28,7 @@ void bend(mesh::Mesh& mesh, double length, double lowerRadius, double upperRadiu
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const int node : nodes) {
-      mesh::Point& point = mesh.nodes[node];
+      base::Vector3& point = mesh.nodes[node];
       const double x = graded(point[0], length), y = graded(point[1], length);
       const bool lower = b == 0;
       const double surface = lower ? -depth(x, lowerRadius) : depth(x, upperRadius);

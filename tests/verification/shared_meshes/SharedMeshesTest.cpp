@@ -27,7 +27,7 @@ std::string pathOf(const File& file) {
   return folder != nullptr && std::filesystem::exists(path) ? path.string() : "";
 }
 
-std::string displacement(const std::string& name, const File& file, const char* set, const mesh::Point& u) {
+std::string displacement(const std::string& name, const File& file, const char* set, const base::Vector3& u) {
   return xmlList(
       name, xmlText(file.kind, set) + xmlList("Law", xmlText("Type", "Prescribed Displacement") + xmlNumber("X", u[0]) +
                                                          xmlNumber("Y", u[1]) + xmlNumber("Z", u[2])));

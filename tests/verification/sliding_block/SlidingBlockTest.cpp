@@ -84,7 +84,7 @@ TEST(SlidingBlock, DoesNotDependOnTheNumbering) {
     std::vector<int> newNumber(mesh.nodes.size());
     std::iota(newNumber.begin(), newNumber.end(), 0);
     std::shuffle(newNumber.begin(), newNumber.end(), random);
-    std::vector<mesh::Point> nodes(mesh.nodes.size());
+    std::vector<base::Vector3> nodes(mesh.nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes[newNumber[i]] = mesh.nodes[i];
     mesh.nodes = nodes;
     std::vector<int> newElement;

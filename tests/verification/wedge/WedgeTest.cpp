@@ -14,7 +14,7 @@ TEST_P(Wedge, DrivingForce) {
   scene.set(assignment("Values/mu", mu));
   // The wedge rises towards its thick, driven end; floor and loaded face stay level.
   scene.changeMesh([&](mesh::Mesh& mesh) {
-    for (mesh::Point& x : mesh.nodes) {
+    for (base::Vector3& x : mesh.nodes) {
       const bool inBlock = x[1] > 10.0;
       x[1] += slope * x[0] * (inBlock ? (30.0 - x[1]) / 20.0 : x[1] / 10.0);
     }
