@@ -1,12 +1,12 @@
 """Reads what Harmos writes into numpy arrays.
 
-    import harmos_results
-    study = harmos_results.read_study("results/bolted_joint_study.h5")
+    import harmos
+    study = harmos.read_study("results/bolted_joint_study.h5")
     study.parameters["mu"], study.responses["F_max"]    one number per configuration
     study.curves["reaction"]                            one row per configuration, one column per load step
     study.table()                                       everything as one structured array
-    study.statistics.responses["u_A_y"].mean            of a study with random parameters; see harmos_stochastic
-    history = harmos_results.read_history("results/bolted_joint_history.csv")
+    study.statistics.responses["u_A_y"].mean            of a study with random parameters; see harmos.stochastic
+    history = harmos.read_history("results/bolted_joint_history.csv")
     history["time"], history["reaction"]
 """
 import csv
@@ -15,7 +15,7 @@ import zlib
 import h5py
 import numpy
 
-import harmos_stochastic
+from harmos.stochastic import Statistics
 
 SCHEMA, SCHEMA_VERSION = "harmos-study", 1
 SEAL_LENGTH = 16
@@ -37,7 +37,7 @@ class Study:
     left_out                 how many points of the design each condition left out
     study_input, scene_input XML with all defaults
     surrogate_models         dictionaries by response: how its surface was fitted, once the study has ended
-    statistics               of a study with random parameters that has ended, else None; see harmos_stochastic
+    statistics               of a study with random parameters that has ended, else None; see harmos.stochastic
     """
 
     def __init__(self, path, name=None):
@@ -72,7 +72,7 @@ class Study:
             self.left_out = dict(group["left_out"].attrs)
             self.surrogate_models = {name: {**dict(model.attrs), **{key: model[key][()] for key in model}}
                                      for name, model in group.get("surrogates", {}).items()}
-            self.statistics = harmos_stochastic.Statistics(group["statistics"]) if "statistics" in group else None
+            self.statistics = Statistics(group["statistics"]) if "statistics" in group else None
             self.study_input = group["input"].attrs["study"]
             self.scene_input = group["input"].attrs["scene"]
 

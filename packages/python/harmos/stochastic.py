@@ -1,4 +1,4 @@
-"""What a study with random parameters has come to; harmos_results.read_study() reads it from the study's file.
+"""What a study with random parameters has come to; harmos.read_study() reads it from the study's file.
 
     statistics = study.statistics                               None: no random parameters, or not ended
     statistics.responses["u_A_y"].standard_deviation

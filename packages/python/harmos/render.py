@@ -1,9 +1,8 @@
-#!/usr/bin/python3
 """Draws the deformed parts, transparent, with the contact pressure on their interfaces to a PNG file.
 
-render.py RESULT.e PICTURE.png [--scale 100] [--step -1] [--width 1600] [--interfaces a,b]
+python3 -m harmos.render RESULT.e PICTURE.png [--scale 100] [--step -1] [--width 1600] [--interfaces a,b]
 
-RESULT_interfaces.e is looked for beside RESULT.e. Without a display, run it as: xvfb-run -a drivers/render.py ...
+RESULT_interfaces.e is looked for beside RESULT.e. Without a display, run it as: xvfb-run -a python3 -m harmos.render ...
 """
 import argparse
 
@@ -81,7 +80,8 @@ def colours(largest):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(prog="python3 -m harmos.render", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("result")
     parser.add_argument("picture")
     parser.add_argument("--scale", type=float, default=100.0)

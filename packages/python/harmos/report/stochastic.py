@@ -5,7 +5,7 @@ import matplotlib.pyplot as pyplot
 import numpy
 from matplotlib.ticker import MaxNLocator
 
-from report_page import label, number, panel_grid, percent, picture, table
+from harmos.report.writing import label, number, panel_grid, percent, picture, table
 
 BLUE, ORANGE = "#31688e", "#d95f02"
 

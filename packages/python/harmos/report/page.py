@@ -1,30 +1,24 @@
-#!/usr/bin/python3
-"""Writes one HTML file with the pictures and tables of a study; `harmos report` calls it.
-
-report.py STUDY.h5 PAGE.html [--abscissa CURVE] [--pictures DIR]
+"""The page of a report: its sections and what they draw.
 
 Works for any number of parameters and responses. On a grid the last two parameters span the pictures and the others
 are fixed, one picture for each of their combinations (nine at most); other designs are shown point by point.
 """
-import argparse
 import html
 import itertools
-import pathlib
-import sys
 
 import matplotlib.pyplot as pyplot
 import numpy
 from matplotlib.colors import ListedColormap
 from matplotlib.ticker import MaxNLocator
 
-import harmos_results
-import report_stochastic
-from report_page import STYLE, label, number, picture, table
+from harmos.report import stochastic
+from harmos.report.writing import STYLE, label, number, picture, table
 
 STATUS_COLOURS = {"certified": "#1b7837", "calibrated": "#7fbf7b", "not converged": "#fdae61",
                   "no equilibrium": "#2c7bb6", "failed": "#d7191c", "inadmissible": "#888888", "open": "#eeeeee"}
 MOST_PANELS = 9
 MOST_ROWS = 200
+
 
 class Grid:
     """The free parameters of a study as the axes of a grid, and arrays of results on it."""
@@ -334,8 +328,8 @@ def page(study, abscissa):
     grid = Grid(study)
     is_grid = grid.fits(len(study.id))
     title = study.title or study.name
-    sections = report_stochastic.sections(study) if study.statistics else []
-    if len(study.id) and (not study.statistics or report_stochastic.is_sample(study)):
+    sections = stochastic.sections(study) if study.statistics else []
+    if len(study.id) and (not study.statistics or stochastic.is_sample(study)):
         sections.append(("Response surfaces", response_section(study, grid, is_grid)))
     if len(study.id):
         sections.append(("Curves", curve_section(study, grid, is_grid, abscissa)))
@@ -347,29 +341,3 @@ def page(study, abscissa):
     body = "".join(f"<h2>{name}</h2>{content}" for name, content in sections)
     return (f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}</title>'
             f"<style>{STYLE}</style></head><body><h1>{html.escape(title)}</h1>{overview(study)}{body}</body></html>\n")
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("study")
-    parser.add_argument("page")
-    parser.add_argument("--abscissa", default="", help="curve to draw the other curves against (default: time)")
-    parser.add_argument("--pictures", type=pathlib.Path, help="folder that also gets the pictures, as PNG files")
-    arguments = parser.parse_args()
-    picture.folder = arguments.pictures
-    try:
-        study = harmos_results.read_study(arguments.study)
-        if arguments.abscissa and arguments.abscissa not in study.curves:
-            raise ValueError(f"there is no curve {arguments.abscissa}; there are {', '.join(study.curves)}")
-    except (OSError, ValueError) as error:
-        print(f"harmos report: {error}", file=sys.stderr)
-        return 2
-    text = page(study, arguments.abscissa)
-    with open(arguments.page, "w", encoding="utf-8") as file:
-        file.write(text)
-    print(arguments.page)
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
