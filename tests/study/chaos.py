@@ -96,6 +96,7 @@ def normal_glue():
     deviation = NORMAL_MOMENTS["u_A_y"][1]
     rows = {(int(row["E_1"]), int(row["E_2"])): float(row["coefficient"])
             for row in table("normal", "coefficients") if row["response"] == "u_A_y"}
+    check(not results("normal").statistics.is_sample, "figures of an expansion are not those of a sample")
     check(list(rows) == [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)],
           f"order of coefficients: {list(rows)}")
     for degrees, value in rows.items():
@@ -199,9 +200,11 @@ def other_methods():
     refused = (study.status == "inadmissible").sum()
     check(refused == (study.parameters["E_1"] < 0).sum() > 0, f"{refused} inadmissible draws")
     check(study.statistics.inadmissible == refused and study.statistics.solved == 200 - refused, "counted draws")
+    check(study.statistics.is_sample, "figures of random configurations are those of a sample")
     run("adaptive", LOGNORMAL + ["Design/Type=Adaptive Collocation", "Accuracy=1e-5"])
     moments_are("adaptive", {name: each[:2] for name, each in LOGNORMAL_MOMENTS.items()}, 1e-3)
     moments_are("adaptive", LOGNORMAL_MOMENTS, 0.1)  # of a sample of the interpolation
+    check(not results("adaptive").statistics.is_sample, "figures of an interpolation are not those of a sample")
     sobol_is("adaptive", {("u_A_y", "E_1"): 0.870854, ("u_A_y", "E_2"): 0.129146}, 0.02)
     run("sparse", LOGNORMAL + ["Design/Type=Collocation", "Design/Points In=Sparse", "Design/Order=4"])
     moments_are("sparse", LOGNORMAL_MOMENTS, 2e-4)

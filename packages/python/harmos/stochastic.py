@@ -14,6 +14,7 @@ class Statistics:
     """Moments, quantiles, densities and Sobol' indices of all responses.
 
     method, distributions    in words
+    is_sample                whether the figures are those of the configurations, not of an expansion or interpolation
     variables                names of the random parameters
     independent              whether they are; if not, germs and Sobol' indices are those of standard normal numbers
     solved, inadmissible     configurations behind the figures; draws that the scene refuses
@@ -35,6 +36,12 @@ class Statistics:
         self.basis = Basis(group["basis"], self.variables, self.independent) if "basis" in group else None
         self.convergence = Table(group["convergence"], names) if "convergence" in group else None
         self.sweep = Table(group["sweep"], names) if "sweep" in group else None
+        if "sample" in group.attrs:
+            self.is_sample = bool(group.attrs["sample"])
+        else:
+            # A file from before Harmos said so: of all that has no convergence, only samples have an error of the mean.
+            self.is_sample = self.convergence is None and any(not numpy.isnan(response.mean_error)
+                                                              for response in self.responses.values())
 
     def expansion(self, response):
         """The expansion of a response; ValueError when there is none."""

@@ -329,7 +329,7 @@ def page(study, abscissa):
     is_grid = grid.fits(len(study.id))
     title = study.title or study.name
     sections = stochastic.sections(study) if study.statistics else []
-    if len(study.id) and (not study.statistics or stochastic.is_sample(study)):
+    if len(study.id) and (not study.statistics or study.statistics.is_sample):
         sections.append(("Response surfaces", response_section(study, grid, is_grid)))
     if len(study.id):
         sections.append(("Curves", curve_section(study, grid, is_grid, abscissa)))

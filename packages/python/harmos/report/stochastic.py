@@ -10,11 +10,6 @@ from harmos.report.writing import label, number, panel_grid, percent, picture, t
 BLUE, ORANGE = "#31688e", "#d95f02"
 
 
-def is_sample(study):
-    """Whether the figures are those of random configurations, not of an expansion or interpolation."""
-    return " sample of " in study.statistics.method
-
-
 def drawn(study):
     """Responses that vary."""
     return [name for name, each in study.statistics.responses.items()
@@ -36,7 +31,7 @@ def curves(study, which, ylabel):
     figure, axes = panel_grid(len(names))
     for axis, name in zip(axes, names):
         response = study.statistics.responses[name]
-        if which == "density" and is_sample(study):
+        if which == "density" and study.statistics.is_sample:
             values = study.responses[name][study.solved]
             axis.hist(values, bins="auto", density=True, color="#c6dbef", edgecolor="white", linewidth=0.4)
         axis.plot(response.values, getattr(response, which), color=BLUE)
@@ -53,7 +48,7 @@ def curves(study, which, ylabel):
 def density_section(study):
     if not drawn(study):
         return '<p class="note">No response varies.</p>'
-    how = ("Bars: histogram of the configurations; line: kernel estimate." if is_sample(study) else
+    how = ("Bars: histogram of the configurations; line: kernel estimate." if study.statistics.is_sample else
            "From samples of the expansions or the interpolation; nothing was solved for them.")
     return (picture(curves(study, "density", "probability density"), "densities") +
             picture(curves(study, "cumulative", "probability"), "cumulative") +
@@ -72,7 +67,7 @@ def moment_section(study):
     moments = table(["response", "mean", "std", "skewness", "kurtosis", "error of mean", "error of std", "last degree",
                      "hold-out"], rows)
     note = ('<p class="note">Kurtosis of a normal response: 3. Errors of mean and std: '
-            + ("standard errors of the sample" if is_sample(study) else
+            + ("standard errors of the sample" if study.statistics.is_sample else
                "what the iteration left, without truncation (last degree: share of the variance; hold-out: root mean "
                "square error over the std)") + ".</p>")
     quantiles = table(["response"] + [f"{level:g}" for level in statistics.levels],
@@ -132,11 +127,11 @@ def running_deviations(values):
 def convergence_section(study):
     statistics = study.statistics
     names = drawn(study)
-    if not names or (statistics.convergence is None and not is_sample(study)):
+    if not names or (statistics.convergence is None and not study.statistics.is_sample):
         return '<p class="note">Nothing to show.</p>'
     figure, axes = panel_grid(len(names))
     for axis, name in zip(axes, names):
-        if is_sample(study):
+        if study.statistics.is_sample:
             counts, deviations = running_deviations(study.responses[name][study.solved])
             axis.semilogx(counts, deviations, color=BLUE)
             axis.set_xlabel("configurations")
