@@ -1,4 +1,4 @@
-"""What `harmos report` starts: python3 FOLDER puts this folder first on the module path, so that no other harmos wins."""
+"""What `harmos report` starts, as python3 FOLDER: this folder comes first on the module path, no other harmos wins."""
 import sys
 
 from harmos.report.__main__ import main
