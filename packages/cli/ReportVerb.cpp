@@ -16,13 +16,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The script lies at the same place relative to the program when built and when installed.
-fs::path scriptPath() {
+// Debian's, which has the libraries that the report needs.
+constexpr const char* interpreter = "/usr/bin/python3";
+
+/// The folder of the Python package lies at the same place relative to the program when built and when installed.
+/// Python puts a folder that it is told to run first on its module path: no other package of that name wins.
+fs::path packagePath() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  fs::path script = program.parent_path().parent_path() / "share" / "harmos" / "report.py";
+  fs::path folder = program.parent_path().parent_path() / "share" / "harmos" / "python";
+  const fs::path script = folder / "__main__.py";
   if (!fs::exists(script, error)) throw base::Error("The script of the report is not at " + script.string() + ".");
-  return script;
+  return folder;
 }
 
 int runScript(std::vector<std::string> words) {
@@ -44,7 +49,7 @@ int report(const Arguments& arguments, const CommandEnvironment& environment) {
   const std::string study = arguments.operands()[0];
   if (!fs::exists(study)) throw base::Error("Cannot read " + study + ": there is no such file.", base::ExitCode::input);
   const std::string page = arguments.value("--output", fs::path(study).replace_extension(".html").string());
-  std::vector<std::string> words = {scriptPath().string(), study, page};
+  std::vector<std::string> words = {interpreter, packagePath().string(), study, page};
   for (const std::string option : {"--abscissa", "--pictures"}) {
     if (arguments.has(option)) words.insert(words.end(), {option, arguments.value(option, "")});
   }

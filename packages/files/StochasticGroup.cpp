@@ -106,6 +106,7 @@ void writeResponse(const Hdf5Group& group, const ResponseStatistics& response, c
 
 void writeStatistics(const Hdf5Group& group, const StochasticSummary& summary) {
   group.attribute("method", summary.method);
+  group.attribute("sample", summary.isSample ? 1 : 0);
   group.attribute("variables", summary.variables);
   group.attribute("distributions", summary.distributions);
   group.attribute("independent", summary.hasIndependentVariables ? 1 : 0);

@@ -39,7 +39,8 @@ struct StochasticSummary {
     std::vector<double> means, deviations;
   };
 
-  std::string method;  // in words
+  std::string method;     // in words
+  bool isSample = false;  // whether the figures are those of the configurations, not of an expansion or interpolation
   std::vector<std::string> variables;
   std::vector<std::string> distributions;  // in words, one per variable
   bool hasIndependentVariables = true;

@@ -129,6 +129,7 @@ class Summariser {
       for (std::size_t r = 0; r < responses.size(); ++r) values[r].push_back(responses[r]);
     }
     if (summary_->solved < 2) return nullptr;
+    summary_->isSample = true;
     summary_->method =
         study_.input.list("Design").type() + " sample of " + std::to_string(summary_->solved) + " configurations";
     fill(values);

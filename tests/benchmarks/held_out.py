@@ -14,13 +14,13 @@ import tempfile
 
 import numpy
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "drivers"))
-import harmos_results
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "packages" / "python"))
+from harmos import read_study
 
 
 def solve(harmos, study, folder, arguments):
     subprocess.run([harmos, "study", study, "--output", folder, "--quiet", *arguments], check=True)
-    return harmos_results.read_study(folder / f"{pathlib.Path(study).stem}.h5")
+    return read_study(folder / f"{pathlib.Path(study).stem}.h5")
 
 
 def main():

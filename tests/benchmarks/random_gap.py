@@ -17,8 +17,8 @@ import tempfile
 import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "drivers"))
-import harmos_results
+sys.path.insert(0, str(ROOT / "packages" / "python"))
+from harmos import read_study
 
 PUSH, MEAN, DEVIATION, STIFFNESS = 0.15, 0.12, 0.04, 75000.0
 LEVELS = numpy.arange(1, 100) / 100
@@ -43,7 +43,7 @@ def solve(harmos, folder, *changes):
                                    f"Statistics/Samples={SAMPLES}", "Statistics/Seed=5") for word in ("--set", change)]
     subprocess.run([harmos, "study", str(ROOT / "xml" / "random_gap.xml"), "--output", folder, "--restart", "--quiet",
                     *options], check=True)
-    return harmos_results.read_study(pathlib.Path(folder) / "random_gap.h5")
+    return read_study(pathlib.Path(folder) / "random_gap.h5")
 
 
 def figures(study):

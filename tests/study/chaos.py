@@ -16,8 +16,8 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "drivers"))
-import harmos_results
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "packages" / "python"))
+from harmos import read_study
 
 HARMOS, STUDY, WORK = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3])
 NAME = STUDY.stem
@@ -47,7 +47,7 @@ def run(folder, changes, code=0, study=STUDY, words=("--restart",)):
 
 
 def results(folder):
-    return harmos_results.read_study(WORK / folder / f"{NAME}.h5")
+    return read_study(WORK / folder / f"{NAME}.h5")
 
 
 def table(folder, which):
@@ -96,6 +96,7 @@ def normal_glue():
     deviation = NORMAL_MOMENTS["u_A_y"][1]
     rows = {(int(row["E_1"]), int(row["E_2"])): float(row["coefficient"])
             for row in table("normal", "coefficients") if row["response"] == "u_A_y"}
+    check(not results("normal").statistics.is_sample, "figures of an expansion are not those of a sample")
     check(list(rows) == [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)],
           f"order of coefficients: {list(rows)}")
     for degrees, value in rows.items():
@@ -199,9 +200,11 @@ def other_methods():
     refused = (study.status == "inadmissible").sum()
     check(refused == (study.parameters["E_1"] < 0).sum() > 0, f"{refused} inadmissible draws")
     check(study.statistics.inadmissible == refused and study.statistics.solved == 200 - refused, "counted draws")
+    check(study.statistics.is_sample, "figures of random configurations are those of a sample")
     run("adaptive", LOGNORMAL + ["Design/Type=Adaptive Collocation", "Accuracy=1e-5"])
     moments_are("adaptive", {name: each[:2] for name, each in LOGNORMAL_MOMENTS.items()}, 1e-3)
     moments_are("adaptive", LOGNORMAL_MOMENTS, 0.1)  # of a sample of the interpolation
+    check(not results("adaptive").statistics.is_sample, "figures of an interpolation are not those of a sample")
     sobol_is("adaptive", {("u_A_y", "E_1"): 0.870854, ("u_A_y", "E_2"): 0.129146}, 0.02)
     run("sparse", LOGNORMAL + ["Design/Type=Collocation", "Design/Points In=Sparse", "Design/Order=4"])
     moments_are("sparse", LOGNORMAL_MOMENTS, 2e-4)
@@ -255,7 +258,7 @@ def distributions():
         study = with_distribution(name, entries)
         printed = run(name, ["Scene/Mesh/Cell Size=1", "Accuracy=1e-5"], study=study)
         check("P(E_1 <= 0) = 0" in printed, f"{name}: {printed}")
-        statistics = harmos_results.read_study(WORK / name / f"{name}.h5").statistics
+        statistics = read_study(WORK / name / f"{name}.h5").statistics
         germ = statistics.basis.germs["E_1"]
         # The figures of the parameter itself, from germs drawn in Python.
         drawn = germ.shift + germ.scale * germ.sample(100000, numpy.random.default_rng(1))
@@ -270,11 +273,11 @@ def distributions():
     study = with_distribution("correlated", None, "0.5")
     run("correlated", ["Scene/Mesh/Cell Size=1", "Accuracy=1e-5"], study=study)
     path = WORK / "correlated" / "correlated.h5"
-    statistics = harmos_results.read_study(path).statistics
+    statistics = read_study(path).statistics
     check(not statistics.independent, "correlated parameters")
     # Correlated germs add up: more variance than with independent ones, all else equal.
     run("independent", ["Scene/Mesh/Cell Size=1", "Accuracy=1e-5"], study=with_distribution("independent", None))
-    alone = harmos_results.read_study(WORK / "independent" / "independent.h5").statistics
+    alone = read_study(WORK / "independent" / "independent.h5").statistics
     main = alone.responses["u_A_y"].sobol
     expected = numpy.sqrt(1 + 2 * 0.5 * numpy.sqrt(main["E_1"][0] * main["E_2"][0]))
     ratio = statistics.responses["u_A_y"].standard_deviation / alone.responses["u_A_y"].standard_deviation

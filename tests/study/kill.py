@@ -17,8 +17,8 @@ import zlib
 
 import numpy
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "drivers"))
-import harmos_results
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "packages" / "python"))
+from harmos import read_study
 
 harmos, study, work, kills = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]), int(sys.argv[4])
 seed = int(sys.argv[5]) if len(sys.argv) > 5 else time.time_ns() % 100000
@@ -81,11 +81,11 @@ while done < kills:
         assert not set(after[len(before):]) & set(before), "configurations are solved again"
         file = killed / f"{name}.h5"
         if file.exists():
-            present = harmos_results.read_study(file)
+            present = read_study(file)
             assert set(present.id[present.status != "open"]) <= set(after)
     ids = journal(killed)
     assert set(ids) == set(range(1, len(reference) + 1)), "each configuration"
-    final = harmos_results.read_study(killed / f"{name}.h5")
+    final = read_study(killed / f"{name}.h5")
     assert final.state == "complete" and final.solved.all()
     result = rows(killed)
     for response in final.responses:

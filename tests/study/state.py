@@ -3,7 +3,7 @@
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "drivers"))
-import harmos_results
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "packages" / "python"))
+from harmos import read_study
 
-print(harmos_results.read_study(sys.argv[1]).state)
+print(read_study(sys.argv[1]).state)

@@ -31,9 +31,9 @@ expect 0 '^%eval_id interface mu pressure push u_max lost u_2$' head -n 1 "$work
 scene=$(dirname "$study")/../regression/sliding_blocks/sliding_blocks.xml
 expect 0 certified "$harmos" run "$scene" --output "$work/one" --set 'Interfaces/contact/Law/Friction Coefficient=0.35' \
   --set Boundaries/top/Law/Pressure=22 --set Boundaries/push/Law/X=17.6
-expect 0 '^(8,) 4.0$' env PYTHONPATH="$(dirname "$0")/../../drivers" /usr/bin/python3 -c '
-import harmos_results, sys
-history = harmos_results.read_history(sys.argv[1])
+expect 0 '^(8,) 4.0$' env PYTHONPATH="$(dirname "$0")/../../packages/python" /usr/bin/python3 -c '
+import harmos, sys
+history = harmos.read_history(sys.argv[1])
 print(history["u_push"].shape, history["time"][-1])' "$work/one/sliding_blocks_history.csv"
 alone=$(awk -F, 'NR > 1 && $3 > m { m = $3 } END { print m }' "$work/one/sliding_blocks_history.csv")
 expect 0 '^same$' awk -F, -v alone="$alone" '$2 == 0.35 && $3 == 22 {

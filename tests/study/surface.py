@@ -9,11 +9,11 @@ import tempfile
 
 import numpy
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "drivers"))
-import harmos_results
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "packages" / "python"))
+from harmos import read_study
 
 harmos, path = sys.argv[1:]
-study = harmos_results.read_study(path)
+study = read_study(path)
 points = numpy.random.default_rng(1).uniform(study.points().min(axis=0), study.points().max(axis=0) * 1.05,
                                              (50, len(study.free)))
 with tempfile.NamedTemporaryFile("w", suffix=".csv") as table:

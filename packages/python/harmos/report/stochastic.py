@@ -3,25 +3,25 @@ import html
 
 import matplotlib.pyplot as pyplot
 import numpy
+from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from report_page import label, number, panel_grid, percent, picture, table
+from harmos.arrays import Floats, Integers
+from harmos.report.writing import Pictures, number, panel_grid, percent, table
+from harmos.results import Study
+from harmos.stochastic import ResponseStatistics, Statistics, Sweep
 
-BLUE, ORANGE = "#31688e", "#d95f02"
+BLUE = "#31688e"
+"""Colour of all lines."""
 
 
-def is_sample(study):
-    """Whether the figures are those of random configurations, not of an expansion or interpolation."""
-    return " sample of " in study.statistics.method
-
-
-def drawn(study):
+def drawn(statistics: Statistics) -> list[str]:
     """Responses that vary."""
-    return [name for name, each in study.statistics.responses.items()
+    return [name for name, each in statistics.responses.items()
             if each.standard_deviation > 0 and not numpy.isnan(each.skewness)]
 
 
-def errors(response):
+def errors(response: ResponseStatistics) -> str:
     """What is known of the errors of a response, for the title of a picture."""
     parts = [f"{what} {percent(value)}" for what, value in (("hold-out", response.hold_out_error),
                                                              ("last degree", response.truncation))
@@ -31,12 +31,13 @@ def errors(response):
     return ", ".join(parts)
 
 
-def curves(study, which, ylabel):
-    names = drawn(study)
+def curves(study: Study, statistics: Statistics, which: str, ylabel: str) -> Figure:
+    """A panel with a curve of probability, "density" or "cumulative", for every response that varies."""
+    names = drawn(statistics)
     figure, axes = panel_grid(len(names))
     for axis, name in zip(axes, names):
-        response = study.statistics.responses[name]
-        if which == "density" and is_sample(study):
+        response = statistics.responses[name]
+        if which == "density" and statistics.is_sample:
             values = study.responses[name][study.solved]
             axis.hist(values, bins="auto", density=True, color="#c6dbef", edgecolor="white", linewidth=0.4)
         axis.plot(response.values, getattr(response, which), color=BLUE)
@@ -50,19 +51,20 @@ def curves(study, which, ylabel):
     return figure
 
 
-def density_section(study):
-    if not drawn(study):
+def density_section(study: Study, statistics: Statistics, picture: Pictures) -> str:
+    """Densities and distributions of the responses."""
+    if not drawn(statistics):
         return '<p class="note">No response varies.</p>'
-    how = ("Bars: histogram of the configurations; line: kernel estimate." if is_sample(study) else
+    how = ("Bars: histogram of the configurations; line: kernel estimate." if statistics.is_sample else
            "From samples of the expansions or the interpolation; nothing was solved for them.")
-    return (picture(curves(study, "density", "probability density"), "densities") +
-            picture(curves(study, "cumulative", "probability"), "cumulative") +
+    return (picture(curves(study, statistics, "density", "probability density"), "densities") +
+            picture(curves(study, statistics, "cumulative", "probability"), "cumulative") +
             f'<p class="note">{how} Dashed: mean. Above each picture: hold-out error (root mean square at random '
             "configurations solved besides, over the standard deviation), variance share of the last degree.</p>")
 
 
-def moment_section(study):
-    statistics = study.statistics
+def moment_section(statistics: Statistics) -> str:
+    """Moments and quantiles of the responses, with their errors."""
     rows = []
     for name, each in statistics.responses.items():
         rows.append([name] + [number(value, "n/a") for value in (each.mean, each.standard_deviation, each.skewness,
@@ -72,7 +74,7 @@ def moment_section(study):
     moments = table(["response", "mean", "std", "skewness", "kurtosis", "error of mean", "error of std", "last degree",
                      "hold-out"], rows)
     note = ('<p class="note">Kurtosis of a normal response: 3. Errors of mean and std: '
-            + ("standard errors of the sample" if is_sample(study) else
+            + ("standard errors of the sample" if statistics.is_sample else
                "what the iteration left, without truncation (last degree: share of the variance; hold-out: root mean "
                "square error over the std)") + ".</p>")
     quantiles = table(["response"] + [f"{level:g}" for level in statistics.levels],
@@ -81,9 +83,9 @@ def moment_section(study):
     return moments + note + "<h3>Quantiles</h3>" + quantiles
 
 
-def sobol_section(study):
-    statistics = study.statistics
-    shown = [name for name in drawn(study) if statistics.responses[name].sobol]
+def sobol_section(statistics: Statistics, picture: Pictures) -> str:
+    """Shares of the parameters in the variance of the responses."""
+    shown = [name for name in drawn(statistics) if statistics.responses[name].sobol]
     if not shown:
         return '<p class="note">There are no indices.</p>'
     figure, axis = pyplot.subplots(figsize=(7, 0.5 + 0.55 * len(shown)), layout="constrained")
@@ -110,11 +112,12 @@ def sobol_section(study):
     return picture(figure, "sobol") + note + table(["response", "variables", "main", "total"], rows, (1,))
 
 
-def coefficient_section(study):
-    basis = study.statistics.basis
+def coefficient_section(statistics: Statistics) -> str:
+    """Coefficients of all expansions."""
+    basis = statistics.basis
     if basis is None:
         return '<p class="note">There are no expansions.</p>'
-    known = {name: each.coefficients for name, each in study.statistics.responses.items()
+    known = {name: each.coefficients for name, each in statistics.responses.items()
              if each.coefficients is not None}
     rows = [[" ".join(map(str, degrees))] + [f"{coefficients[a]:.6e}" for coefficients in known.values()]
             for a, degrees in enumerate(basis.degrees)]
@@ -123,24 +126,24 @@ def coefficient_section(study):
             table(["degrees"] + list(known), rows))
 
 
-def running_deviations(values):
-    """Standard deviation of the first n values, and n, about a hundred of them."""
+def running_deviations(values: Floats) -> tuple[Integers, Floats]:
+    """About a hundred numbers n up to that of the values, and the standard deviation of the first n values."""
     counts = numpy.unique(numpy.geomspace(2, len(values), 100).astype(int))
     return counts, numpy.array([values[:n].std(ddof=1) for n in counts])
 
 
-def convergence_section(study):
-    statistics = study.statistics
-    names = drawn(study)
-    if not names or (statistics.convergence is None and not is_sample(study)):
+def convergence_section(study: Study, statistics: Statistics, picture: Pictures) -> str:
+    """Standard deviations of the responses over the number of configurations or over the order."""
+    names = drawn(statistics)
+    if not names or (statistics.convergence is None and not statistics.is_sample):
         return '<p class="note">Nothing to show.</p>'
     figure, axes = panel_grid(len(names))
     for axis, name in zip(axes, names):
-        if is_sample(study):
+        if statistics.is_sample:
             counts, deviations = running_deviations(study.responses[name][study.solved])
             axis.semilogx(counts, deviations, color=BLUE)
             axis.set_xlabel("configurations")
-        else:
+        elif statistics.convergence is not None:
             axis.plot(statistics.convergence.size, statistics.convergence.standard_deviation[name], "o-", color=BLUE)
             axis.xaxis.set_major_locator(MaxNLocator(integer=True))
             axis.set_xlabel("order")
@@ -149,16 +152,16 @@ def convergence_section(study):
     return picture(figure, "convergence")
 
 
-def sweep_section(study):
+def sweep_section(sweep: Sweep, picture: Pictures) -> str:
     """Mean and standard deviation over coefficients of variation: the last two as axes, the others at their largest."""
-    sweep, parts = study.statistics.sweep, []
+    parts = []
     names = sweep.names[-2:]
     mask = (sweep.coefficients[:, :-2] == sweep.coefficients[:, :-2].max(axis=0, initial=-1)).all(axis=1)
     axes_values = [numpy.unique(column) for column in sweep.coefficients[:, -len(names):].T]
     shape = [len(values) for values in axes_values]
     if numpy.prod(shape) != mask.sum():
         return '<p class="note">The sweep is not complete.</p>'
-    for response in study.statistics.responses:
+    for response in sweep.mean:
         fields = [("mean", sweep.mean[response][mask]), ("std", sweep.standard_deviation[response][mask])]
         is_surface = len(names) == 2 and min(shape) > 1
         figure = pyplot.figure(figsize=(9.5, 3.9), layout="constrained")
@@ -182,8 +185,8 @@ def sweep_section(study):
             f'<p class="note">Over the coefficients of variation {html.escape(", ".join(sweep.names))}.</p>')
 
 
-def parameter_table(study):
-    statistics = study.statistics
+def parameter_table(statistics: Statistics) -> str:
+    """How the study was solved, and its random parameters."""
     rows = [[sentence] for sentence in statistics.distributions]
     text = f"<p>{html.escape(statistics.method)}</p>" + table(["random parameters"], rows)
     if statistics.inadmissible:
@@ -192,11 +195,12 @@ def parameter_table(study):
     return text
 
 
-def sections(study):
+def sections(study: Study, statistics: Statistics, picture: Pictures) -> list[tuple[str, str]]:
     """Names and contents."""
-    result = [("Random parameters", parameter_table(study)), ("Densities", density_section(study)),
-              ("Moments", moment_section(study)), ("Sobol' indices", sobol_section(study)),
-              ("Expansions", coefficient_section(study)), ("Convergence", convergence_section(study))]
-    if study.statistics.sweep is not None:
-        result.append(("Sweep", sweep_section(study)))
+    result = [("Random parameters", parameter_table(statistics)),
+              ("Densities", density_section(study, statistics, picture)), ("Moments", moment_section(statistics)),
+              ("Sobol' indices", sobol_section(statistics, picture)), ("Expansions", coefficient_section(statistics)),
+              ("Convergence", convergence_section(study, statistics, picture))]
+    if statistics.sweep is not None:
+        result.append(("Sweep", sweep_section(statistics.sweep, picture)))
     return result

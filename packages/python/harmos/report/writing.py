@@ -2,12 +2,18 @@
 import base64
 import html
 import io
+import pathlib
+from collections.abc import Collection, Iterable, Sequence
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot
 import numpy
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from harmos.results import Study
 
 STYLE = """
 body { font: 15px/1.45 system-ui, sans-serif; max-width: 1100px; margin: 2em auto; padding: 0 1em; color: #222; }
@@ -17,15 +23,22 @@ th { border-bottom: 1px solid #888; } td:first-child, th:first-child, td.text { 
 img { max-width: 100%; } pre { background: #f6f6f6; padding: 1em; overflow: auto; font-size: 12px; }
 .note { color: #555; }
 """
+"""The style sheet of the page."""
 
 
 class Pictures:
-    """Puts figures into the page, and keeps them as files in a folder, if one is given."""
+    """Puts figures into the page, and keeps them as files in a folder, if one is given.
 
-    def __init__(self):
-        self.folder = None
+    Attributes:
+        folder: that also gets the figures, as PNG files; None: there is none.
+    """
 
-    def __call__(self, figure, name):
+    def __init__(self, folder: pathlib.Path | None = None) -> None:
+        """Makes the folder only when there is a figure."""
+        self.folder = folder
+
+    def __call__(self, figure: Figure, name: str) -> str:
+        """The figure, which is closed, as HTML; `name` is that of its file, without suffix."""
         buffer = io.BytesIO()
         figure.savefig(buffer, format="png", dpi=110, bbox_inches="tight")
         pyplot.close(figure)
@@ -35,10 +48,8 @@ class Pictures:
         return f'<img alt="" src="data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}">'
 
 
-picture = Pictures()
-
-
-def table(header, rows, text_columns=()):
+def table(header: Iterable[str], rows: Iterable[Iterable[object]], text_columns: Collection[int] = ()) -> str:
+    """A table as HTML; `text_columns` are those that hold text and no numbers, besides the first."""
     cells = "".join(f"<th>{html.escape(name)}</th>" for name in header)
     lines = [f"<tr>{cells}</tr>"]
     for row in rows:
@@ -48,21 +59,24 @@ def table(header, rows, text_columns=()):
     return "<table>" + "".join(lines) + "</table>"
 
 
-def number(value, otherwise=""):
+def number(value: float, otherwise: str = "") -> str:
+    """A number with five digits; `otherwise` stands for NaN."""
     return otherwise if numpy.isnan(value) else f"{value:.5g}"
 
 
-def percent(value):
+def percent(value: float) -> str:
+    """A share in percent with two digits, "n/a" for NaN."""
     return "n/a" if numpy.isnan(value) else f"{100 * value:.2g} %"
 
 
-def label(study, name):
+def label(study: Study, name: str) -> str:
+    """The name of a parameter with its unit, if it has one."""
     unit = study.units.get(name, "")
     return f"{name} [{unit}]" if unit else name
 
 
-def panel_grid(count, width=4.6, height=3.1, columns=2):
-    """A figure with `count` panels, and these."""
+def panel_grid(count: int, width: float = 4.6, height: float = 3.1, columns: int = 2) -> tuple[Figure, Sequence[Axes]]:
+    """A figure with `count` panels, and these; width and height of a panel are in inches."""
     columns = min(columns, count)
     rows = -(-count // columns)
     figure, axes = pyplot.subplots(rows, columns, figsize=(width * columns, height * rows), squeeze=False,

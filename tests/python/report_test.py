@@ -1,0 +1,105 @@
+"""The report: its numbers, and the page of a small study."""
+import contextlib
+import io
+import pathlib
+import tempfile
+import unittest
+from unittest import mock
+
+import numpy
+
+import harmos
+import small_study
+from harmos.report.__main__ import main
+from harmos.report.maps import Grid, panels
+from harmos.report.page import span
+from harmos.report.sensitivities import main_effects, quadratic_fit
+from harmos.report.stochastic import running_deviations
+from harmos.report.writing import label, number, percent, table
+
+
+class WritingTest(unittest.TestCase):
+    def test_numbers(self) -> None:
+        self.assertEqual((number(1 / 3), number(numpy.nan, "n/a")), ("0.33333", "n/a"))
+        self.assertEqual((percent(0.12345), percent(numpy.nan)), ("12 %", "n/a"))
+
+    def test_tables_are_escaped(self) -> None:
+        self.assertEqual(table(("a", "b"), [(1, "<")], (1,)), "<table><tr><th>a</th><th>b</th></tr>"
+                                                              "<tr><td>1</td><td class=text>&lt;</td></tr></table>")
+
+
+class NumbersTest(unittest.TestCase):
+    def test_quadratic_fit_finds_derivatives(self) -> None:
+        x = numpy.random.default_rng(1).uniform(size=(30, 2))
+        low, high = x.min(axis=0), x.max(axis=0)
+        scaled = (2 * x - low - high) / (high - low)
+        fit = quadratic_fit(x, 5 + 2 * scaled[:, 0] - 3 * scaled[:, 1] + scaled[:, 0] * scaled[:, 1])
+        assert fit is not None
+        numpy.testing.assert_allclose(fit.derivatives, [2.0, -3.0])
+        numpy.testing.assert_allclose(fit.errors, 0.0, atol=1e-12)
+        self.assertAlmostEqual(fit.share, 1.0)
+
+    def test_quadratic_fit_needs_points(self) -> None:
+        points = numpy.column_stack([small_study.MU, small_study.LOAD])[:3]
+        self.assertIsNone(quadratic_fit(points, numpy.ones(3)))
+
+    def test_running_deviations_end_with_that_of_all(self) -> None:
+        values = numpy.random.default_rng(1).normal(size=1000)
+        counts, deviations = running_deviations(values)
+        self.assertEqual((counts[0], counts[-1]), (2, 1000))
+        self.assertEqual(deviations[-1], values.std(ddof=1))
+
+    def test_span_is_never_zero(self) -> None:
+        self.assertEqual(span(numpy.array([1.0, numpy.nan, 4.0])), 3.0)
+        self.assertEqual(span(numpy.array([2.0, 2.0])), 1.0)
+
+
+class PageTest(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        small_study.write(self.folder / "joint.h5")
+        self.study = harmos.read_study(self.folder / "joint.h5")
+
+    def run_main(self, *options: str) -> tuple[int, str]:
+        """Exit code and what is printed."""
+        words = ["report", str(self.folder / "joint.h5"), str(self.folder / "joint.html"), *options]
+        with mock.patch("sys.argv", words), contextlib.redirect_stdout(io.StringIO()) as printed, \
+                contextlib.redirect_stderr(printed):
+            return main(), printed.getvalue()
+
+    def test_grid_holds_results(self) -> None:
+        grid = Grid(self.study)
+        self.assertEqual((grid.names, grid.shape), (["mu", "load"], (3, 2)))
+        self.assertTrue(grid.fits(6))
+        self.assertFalse(grid.fits(1))
+        field = grid.of(self.study.responses["F"])
+        self.assertEqual(field[1].tolist(), [2.0, 4.0])
+        self.assertTrue(numpy.isnan(field[2, 1]))
+        self.assertEqual(panels(grid), [()])
+
+    def test_main_effect_explains_what_one_parameter_does(self) -> None:
+        levels, means, share = main_effects(self.study, "mu", 2 * small_study.MU)
+        self.assertEqual(levels.tolist(), [0.1, 0.2, 0.3])
+        numpy.testing.assert_allclose(means, [0.2, 0.4, 0.6])
+        self.assertAlmostEqual(share, 1.0)
+
+    def test_label_has_the_unit(self) -> None:
+        self.assertEqual((label(self.study, "load"), label(self.study, "mu")), ("load [N]", "mu"))
+
+    def test_page_is_written(self) -> None:
+        code, printed = self.run_main("--abscissa", "", "--pictures", str(self.folder / "pictures"))
+        self.assertEqual((code, printed), (0, f"{self.folder / 'joint.html'}\n"))
+        text = (self.folder / "joint.html").read_text(encoding="utf-8")
+        self.assertTrue(text.endswith("</html>\n"))
+        self.assertIn("<h1>A &lt;joint&gt;</h1>", text)
+        self.assertIn("too much", text)
+        self.assertTrue((self.folder / "pictures" / "F_maps.png").exists())
+
+    def test_unknown_curves_are_refused(self) -> None:
+        self.assertEqual(self.run_main("--abscissa", "u"), (2, "harmos report: there is no curve u; there are force\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
