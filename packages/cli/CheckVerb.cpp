@@ -22,7 +22,7 @@ void printProblem(std::ostream& out, const scene::Problem& problem) {
   out << assembly.bodies.size() << " substructures:\n";
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b)
     out << "  " << std::left << std::setw(34) << assembly.bodies[b].name << std::right << std::setw(10)
-        << assembly.bodies[b].nodes.size() << " nodes " << std::setw(10) << problem.bodies.parts[b].elements.size()
+        << assembly.bodies[b].nodes.size() << " nodes " << std::setw(10) << problem.bodies.pieces[b].elements.size()
         << " elements, rank " << assembly.ownerOf(static_cast<int>(b)) << "\n";
   out << assembly.interfaces.size() << " interfaces and boundaries:\n";
   for (const auto& joint : assembly.interfaces) {

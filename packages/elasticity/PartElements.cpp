@@ -6,53 +6,53 @@
 
 namespace harmos::elasticity {
 
-std::vector<ElementGroup> groupsOf(const mesh::Mesh& mesh, const mesh::Part& part, Kinematics kinematics) {
+std::vector<ElementGroup> groupsOf(const mesh::Mesh& mesh, const mesh::Piece& piece, Kinematics kinematics) {
   std::vector<ElementGroup> groups;
   int firstOfBlock = 0;
-  auto element = part.elements.begin();
+  auto element = piece.elements.begin();
   for (const mesh::ElementBlock& block : mesh.blocks) {
     const int endOfBlock = firstOfBlock + block.elements();
     ElementGroup group;
     group.block = &block;
-    group.firstElement = static_cast<int>(element - part.elements.begin());
+    group.firstElement = static_cast<int>(element - piece.elements.begin());
     const auto perElement = static_cast<std::size_t>(mesh::nodesPerElement(block.type));
-    for (; element != part.elements.end() && *element < endOfBlock; ++element) {
+    for (; element != piece.elements.end() && *element < endOfBlock; ++element) {
       const int position = *element - firstOfBlock;
-      if (position < 0) throw base::Error("The elements of part \"" + part.name + "\" are not in ascending order.");
+      if (position < 0) throw base::Error("The elements of part \"" + piece.name + "\" are not in ascending order.");
       group.inBlock.push_back(position);
       const int* nodes = block.connectivity.data() + static_cast<std::size_t>(position) * perElement;
       for (std::size_t a = 0; a < perElement; ++a) {
-        const auto found = std::lower_bound(part.nodes.begin(), part.nodes.end(), nodes[a]);
-        if (found == part.nodes.end() || *found != nodes[a]) {
-          throw base::Error("Part \"" + part.name + "\" lacks node " + std::to_string(nodes[a] + 1) +
+        const auto found = std::lower_bound(piece.nodes.begin(), piece.nodes.end(), nodes[a]);
+        if (found == piece.nodes.end() || *found != nodes[a]) {
+          throw base::Error("Part \"" + piece.name + "\" lacks node " + std::to_string(nodes[a] + 1) +
                             " of its element " + std::to_string(*element + 1) + ".");
         }
-        group.nodes.push_back(static_cast<int>(found - part.nodes.begin()));
+        group.nodes.push_back(static_cast<int>(found - piece.nodes.begin()));
       }
     }
     if (!group.inBlock.empty()) {
       if (mesh::dimensionOf(block.type) != dimensionOf(kinematics)) {
         throw base::Error("Kinematics " + kinematicsNames()[static_cast<std::size_t>(kinematics)] +
                               " does not suit the " + mesh::exodusName(block.type) + " elements of " +
-                              nameOf(mesh, part, group, 0) + ".",
+                              nameOf(mesh, piece, group, 0) + ".",
                           base::ExitCode::input);
       }
       groups.push_back(std::move(group));
     }
     firstOfBlock = endOfBlock;
   }
-  if (element != part.elements.end()) {
-    throw base::Error("Part \"" + part.name + "\" has element " + std::to_string(*element + 1) + "; the mesh has " +
+  if (element != piece.elements.end()) {
+    throw base::Error("Part \"" + piece.name + "\" has element " + std::to_string(*element + 1) + "; the mesh has " +
                       std::to_string(firstOfBlock) + " elements.");
   }
   return groups;
 }
 
-std::string nameOf(const mesh::Mesh& mesh, const mesh::Part& part, const ElementGroup& group, int element) {
+std::string nameOf(const mesh::Mesh& mesh, const mesh::Piece& piece, const ElementGroup& group, int element) {
   int number = group.inBlock[element] + 1;
   const std::string inBlock = std::to_string(number);
   for (const mesh::ElementBlock* block = mesh.blocks.data(); block != group.block; ++block) number += block->elements();
-  return "part \"" + part.name + "\", element " + inBlock + " of block \"" + group.block->name + "\" (element " +
+  return "part \"" + piece.name + "\", element " + inBlock + " of block \"" + group.block->name + "\" (element " +
          std::to_string(number) + " of the mesh)";
 }
 

@@ -134,11 +134,11 @@ class ElementStiffness {
   bool bBar_;
 };
 
-void checkFormulation(const mesh::Mesh& mesh, const mesh::Part& part, const std::vector<ElementGroup>& groups,
+void checkFormulation(const mesh::Mesh& mesh, const mesh::Piece& piece, const std::vector<ElementGroup>& groups,
                       Formulation formulation, Kinematics kinematics) {
   if (formulation != Formulation::bBar) return;
   if (kinematics == Kinematics::planeStress) {
-    throw base::Error("Part \"" + part.name +
+    throw base::Error("Part \"" + piece.name +
                           "\" asks for the formulation B-Bar in plane stress, where nothing locks as "
                           "Poisson's ratio approaches 0.5. Use Full Integration.",
                       base::ExitCode::input);
@@ -147,7 +147,7 @@ void checkFormulation(const mesh::Mesh& mesh, const mesh::Part& part, const std:
     const mesh::ElementType type = group.block->type;
     if (type != mesh::ElementType::tri3 && type != mesh::ElementType::tet4) continue;
     throw base::Error(
-        "The formulation B-Bar is asked for " + nameOf(mesh, part, group, 0) + ", a " + mesh::exodusName(type) +
+        "The formulation B-Bar is asked for " + nameOf(mesh, piece, group, 0) + ", a " + mesh::exodusName(type) +
             ", whose volume change is constant already: it would lock all the same. Use HEX8 or QUAD4 elements, "
             "or Full Integration with Poisson's ratio below about 0.45.",
         base::ExitCode::input);
@@ -155,9 +155,9 @@ void checkFormulation(const mesh::Mesh& mesh, const mesh::Part& part, const std:
 }
 
 template <int D>
-Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Part& part,
+Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece& piece,
                                        const std::vector<ElementGroup>& groups, const ElementStiffness<D>& element) {
-  const std::size_t nodes = part.nodes.size();
+  const std::size_t nodes = piece.nodes.size();
   const NodeGraph graph(groups, nodes);
   std::vector<std::size_t> pointers(1, 0);
   std::vector<int> columns;
@@ -173,7 +173,7 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Part&
   }
   std::vector<double> values(columns.size(), 0.0);
   forEachElement(
-      mesh, part, groups, true, [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
+      mesh, piece, groups, true, [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
         const int perElement = group.nodesPerElement(), dofs = D * perElement;
         const int* local = group.nodesOf(number);
         double stiffness[ElementIntegrals::maximumDofs * ElementIntegrals::maximumDofs];
@@ -197,30 +197,30 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Part&
 
 }  // namespace
 
-Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const mesh::Part& part,
+Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const mesh::Piece& piece,
                                                 const Material& material, Formulation formulation,
                                                 Kinematics kinematics, double thickness) {
-  const std::vector<ElementGroup> groups = groupsOf(mesh, part, kinematics);
-  checkFormulation(mesh, part, groups, formulation, kinematics);
+  const std::vector<ElementGroup> groups = groupsOf(mesh, piece, kinematics);
+  checkFormulation(mesh, piece, groups, formulation, kinematics);
   const ElasticityMatrix c = reduced(material.elasticity(), kinematics);
   return kinematics == Kinematics::threeDimensional
-             ? assemble(mesh, part, groups, ElementStiffness<3>(c, formulation, 1.0))
-             : assemble(mesh, part, groups, ElementStiffness<2>(c, formulation, thickness));
+             ? assemble(mesh, piece, groups, ElementStiffness<3>(c, formulation, 1.0))
+             : assemble(mesh, piece, groups, ElementStiffness<2>(c, formulation, thickness));
 }
 
-std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Part& part, const base::Vector3& force,
+std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Piece& piece, const base::Vector3& force,
                               Kinematics kinematics, double thickness) {
   const auto dimension = static_cast<std::size_t>(dimensionOf(kinematics));
   if (dimension == 2 && force[2] != 0.0) {
-    throw base::Error("The body force of part \"" + part.name + "\" has a z component of " + std::to_string(force[2]) +
+    throw base::Error("The body force of part \"" + piece.name + "\" has a z component of " + std::to_string(force[2]) +
                           "; in 2-D it must be 0.",
                       base::ExitCode::input);
   }
   const double depth = dimension == 2 ? thickness : 1.0;
-  std::vector<double> forces(dimension * part.nodes.size(), 0.0);
-  const std::vector<ElementGroup> groups = groupsOf(mesh, part, kinematics);
+  std::vector<double> forces(dimension * piece.nodes.size(), 0.0);
+  const std::vector<ElementGroup> groups = groupsOf(mesh, piece, kinematics);
   forEachElement(
-      mesh, part, groups, false, [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
+      mesh, piece, groups, false, [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
         const auto perElement = static_cast<std::size_t>(group.nodesPerElement());
         const int* local = group.nodesOf(number);
         for (std::size_t a = 0; a < perElement; ++a) {

@@ -6,7 +6,7 @@
 #include <harmos/elasticity/Kinematics.hpp>
 #include <harmos/elasticity/Material.hpp>
 #include <harmos/mesh/Mesh.hpp>
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 
 namespace harmos::elasticity {
 
@@ -18,14 +18,14 @@ namespace harmos::elasticity {
 /// Throws base::Error naming part, block and element: elements turned inside out or without volume, elements of another
 /// dimension than the kinematics, and those that B-bar cannot keep from locking (tri3, tet4) or need not (plane
 /// stress).
-Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const mesh::Part& part,
+Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const mesh::Piece& piece,
                                                 const Material& material, Formulation formulation,
                                                 Kinematics kinematics, double thickness = 1.0);
 
 /// Nodal forces of a uniform body force, f_a = force int N_a dV [force], one entry per dof of the part.
 ///
 /// force [force/volume]; its third component must be 0 in 2-D. Throws base::Error as assembleStiffness does.
-std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Part& part, const base::Vector3& force,
+std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Piece& piece, const base::Vector3& force,
                               Kinematics kinematics, double thickness = 1.0);
 
 }  // namespace harmos::elasticity

@@ -6,17 +6,17 @@
 
 namespace harmos::elasticity {
 
-base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Part& part, const Material& material,
+base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, const Material& material,
                            Kinematics kinematics, const base::Matrix& displacements) {
-  const int dimension = dimensionOf(kinematics), dofs = dimension * static_cast<int>(part.nodes.size());
+  const int dimension = dimensionOf(kinematics), dofs = dimension * static_cast<int>(piece.nodes.size());
   if (displacements.numRows() != dofs) {
-    throw base::Error("Part \"" + part.name + "\" has " + std::to_string(dofs) +
+    throw base::Error("Part \"" + piece.name + "\" has " + std::to_string(dofs) +
                       " degrees of freedom; displacements of " + std::to_string(displacements.numRows()) +
                       " were given.");
   }
   const ElasticityMatrix c = reduced(material.elasticity(), kinematics);
-  base::Matrix stress(6 * static_cast<int>(part.elements.size()), displacements.numCols());
-  forEachElement(mesh, part, groupsOf(mesh, part, kinematics), false,
+  base::Matrix stress(6 * static_cast<int>(piece.elements.size()), displacements.numCols());
+  forEachElement(mesh, piece, groupsOf(mesh, piece, kinematics), false,
                  [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
                    const int perElement = group.nodesPerElement();
                    const int* local = group.nodesOf(number);

@@ -4,16 +4,16 @@
 #include <harmos/elasticity/Kinematics.hpp>
 #include <harmos/elasticity/Material.hpp>
 #include <harmos/mesh/Mesh.hpp>
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 
 namespace harmos::elasticity {
 
 /// Mean stress of every element of a part [stress], tension positive, from nodal displacements (dofs x columns).
 ///
-/// Row 6 e + c of the result is component c = xx, yy, zz, xy, yz, zx of the element Part::elements[e]; same columns as
+/// Row 6 e + c of the result is component c = xx, yy, zz, xy, yz, zx of the element Piece::elements[e]; same columns as
 /// the displacements. The mean is that of the stress of both formulations. In plane strain zz is the stress that keeps
 /// eps_zz = 0. Throws base::Error as assembleStiffness does, and when the displacements have other rows than the part.
-base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Part& part, const Material& material,
+base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, const Material& material,
                            Kinematics kinematics, const base::Matrix& displacements);
 
 /// von Mises stress sqrt(3/2 s:s), s the deviator, of six components in the order above.

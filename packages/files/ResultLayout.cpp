@@ -38,23 +38,23 @@ class Names {
   std::set<std::string> used_;
 };
 
-void addBlocks(const mesh::Mesh& mesh, const mesh::Elements& elements, const mesh::Part& part, int firstNode,
+void addBlocks(const mesh::Mesh& mesh, const mesh::Elements& elements, const mesh::Piece& piece, int firstNode,
                Names& names, PartsLayout& layout) {
   std::map<mesh::ElementType, std::vector<std::size_t>> byType;  // positions in part.elements
-  for (std::size_t i = 0; i < part.elements.size(); ++i) byType[elements.type(part.elements[i])].push_back(i);
+  for (std::size_t i = 0; i < piece.elements.size(); ++i) byType[elements.type(piece.elements[i])].push_back(i);
   std::vector<int> local(mesh.nodes.size(), -1);
-  for (std::size_t i = 0; i < part.nodes.size(); ++i) local[at(part.nodes[i])] = firstNode + static_cast<int>(i);
+  for (std::size_t i = 0; i < piece.nodes.size(); ++i) local[at(piece.nodes[i])] = firstNode + static_cast<int>(i);
 
   int next = layout.mesh.elements();
-  std::vector<int> position(part.elements.size());
+  std::vector<int> position(piece.elements.size());
   for (const auto& [type, members] : byType) {
     const std::string typeName = mesh::exodusName(type);
     ResultMesh::Block block;
-    block.name = names.take(byType.size() == 1 ? part.name : part.name + "_" + lowerCase(typeName));
+    block.name = names.take(byType.size() == 1 ? piece.name : piece.name + "_" + lowerCase(typeName));
     block.type = typeName;
     block.nodesPerElement = mesh::nodesPerElement(type);
     for (std::size_t i : members) {
-      const int* nodes = elements.nodes(part.elements[i]);
+      const int* nodes = elements.nodes(piece.elements[i]);
       for (int k = 0; k < block.nodesPerElement; ++k) block.connectivity.push_back(local[at(nodes[k])]);
       position[i] = next++;
     }
@@ -64,9 +64,9 @@ void addBlocks(const mesh::Mesh& mesh, const mesh::Elements& elements, const mes
 }
 
 /// Outer sides of a part by their mesh nodes.
-std::map<std::vector<int>, mesh::Face> skinByNodes(const mesh::Elements& elements, const mesh::Part& part) {
+std::map<std::vector<int>, mesh::Face> skinByNodes(const mesh::Elements& elements, const mesh::Piece& piece) {
   std::map<std::vector<int>, mesh::Face> result;
-  for (auto& face : mesh::skin(elements, part.elements)) {
+  for (auto& face : mesh::skin(elements, piece.elements)) {
     auto key = sorted(face.nodes);
     result.emplace(std::move(key), std::move(face));
   }
@@ -75,19 +75,19 @@ std::map<std::vector<int>, mesh::Face> skinByNodes(const mesh::Elements& element
 
 }  // namespace
 
-PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Part>& parts,
+PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
                         const std::vector<mesh::InterfaceSurface>& surfaces) {
   const mesh::Elements elements(mesh);
   PartsLayout layout;
   layout.mesh.dimension = mesh.dimension;
   Names names;
   std::vector<std::map<std::vector<int>, mesh::Face>> skins;
-  for (const auto& part : parts) {
+  for (const auto& piece : pieces) {
     const int first = static_cast<int>(layout.mesh.nodes.size());
     layout.firstNode.push_back(first);
-    for (int node : part.nodes) layout.mesh.nodes.push_back(mesh.nodes[at(node)]);
-    addBlocks(mesh, elements, part, first, names, layout);
-    skins.push_back(skinByNodes(elements, part));
+    for (int node : piece.nodes) layout.mesh.nodes.push_back(mesh.nodes[at(node)]);
+    addBlocks(mesh, elements, piece, first, names, layout);
+    skins.push_back(skinByNodes(elements, piece));
   }
 
   // Pieces of one interface between cut parts share its name and go into one set.
@@ -96,11 +96,11 @@ PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Part>& p
   std::vector<std::string> order;
   for (const auto& surface : surfaces) {
     for (const int side : {0, 1}) {
-      const int p = side == 0 ? surface.part1 : surface.part2;
+      const int p = side == 0 ? surface.piece1 : surface.piece2;
       if (p < 0) continue;
-      const auto& part = parts[at(p)];
+      const auto& piece = pieces[at(p)];
       const auto& nodes = side == 0 ? surface.node1 : surface.node2;
-      const std::string name = surface.part2 < 0 ? surface.name : surface.name + (side == 0 ? "_1" : "_2");
+      const std::string name = surface.piece2 < 0 ? surface.name : surface.name + (side == 0 ? "_1" : "_2");
       if (std::find(order.begin(), order.end(), name) == order.end()) order.push_back(name);
       if (surface.face.empty()) {
         for (int node : nodes) nodeSets[name].node.push_back(layout.firstNode[at(p)] + node);
@@ -108,11 +108,11 @@ PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Part>& p
       }
       for (const auto& face : surface.face) {
         std::vector<int> key;
-        for (int pair : face) key.push_back(part.nodes[at(nodes[at(pair)])]);
+        for (int pair : face) key.push_back(piece.nodes[at(nodes[at(pair)])]);
         const auto found = skins[at(p)].find(sorted(std::move(key)));
         if (found == skins[at(p)].end()) continue;  // a face of the other side that this mesh does not have
-        const auto position =
-            std::lower_bound(part.elements.begin(), part.elements.end(), found->second.element) - part.elements.begin();
+        const auto position = std::lower_bound(piece.elements.begin(), piece.elements.end(), found->second.element) -
+                              piece.elements.begin();
         sideSets[name].element.push_back(layout.element[at(p)][position]);
         sideSets[name].side.push_back(found->second.side);
       }
@@ -131,7 +131,7 @@ PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Part>& p
   return layout;
 }
 
-InterfacesLayout layOutInterfaces(const mesh::Mesh& mesh, const std::vector<mesh::Part>& parts,
+InterfacesLayout layOutInterfaces(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
                                   const std::vector<mesh::InterfaceSurface>& surfaces) {
   InterfacesLayout layout;
   layout.mesh.dimension = mesh.dimension;
@@ -142,7 +142,7 @@ InterfacesLayout layOutInterfaces(const mesh::Mesh& mesh, const std::vector<mesh
     const int first = static_cast<int>(layout.mesh.nodes.size());
     layout.firstPair.push_back(first);
     for (int node : surface.node1)
-      layout.mesh.nodes.push_back(mesh.nodes[at(parts[at(surface.part1)].nodes[at(node)])]);
+      layout.mesh.nodes.push_back(mesh.nodes[at(pieces[at(surface.piece1)].nodes[at(node)])]);
     const auto add = [&](const std::vector<int>& face) {
       const std::pair<std::string, std::size_t> key{surface.name, face.size()};
       if (faces.find(key) == faces.end()) order.push_back(key);

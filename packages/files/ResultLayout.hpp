@@ -4,7 +4,7 @@
 
 #include <harmos/files/ResultMesh.hpp>
 #include <harmos/mesh/InterfaceSurface.hpp>
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 
 namespace harmos::files {
 
@@ -14,9 +14,9 @@ namespace harmos::files {
 struct PartsLayout {
   ResultMesh mesh;
   std::vector<int> firstNode;             // result node of a part's local node 0; the others follow
-  std::vector<std::vector<int>> element;  // [part][position in Part::elements]: result element
+  std::vector<std::vector<int>> element;  // [part][position in Piece::elements]: result element
 };
-PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Part>& parts,
+PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
                         const std::vector<mesh::InterfaceSurface>& surfaces);
 
 /// The file of interfaces: its nodes are the node pairs, at the place of side 1; blocks of SHELL4 and TRI3, in 2-D
@@ -25,7 +25,7 @@ struct InterfacesLayout {
   ResultMesh mesh;
   std::vector<int> firstPair;  // result node of a surface's pair 0; the others follow
 };
-InterfacesLayout layOutInterfaces(const mesh::Mesh& mesh, const std::vector<mesh::Part>& parts,
+InterfacesLayout layOutInterfaces(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
                                   const std::vector<mesh::InterfaceSurface>& surfaces);
 
 }  // namespace harmos::files

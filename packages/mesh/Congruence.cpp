@@ -14,7 +14,7 @@ constexpr double relativeTolerance = 1e-9;
 
 /// Nodes of a part relative to their centroid.
 struct Cloud {
-  Cloud(const Mesh& mesh, const Part& part) : points(pointsOf(mesh, part.nodes)) {
+  Cloud(const Mesh& mesh, const Piece& piece) : points(pointsOf(mesh, piece.nodes)) {
     base::Vector3 centroid{};
     for (const base::Vector3& p : points) centroid = centroid + (1.0 / static_cast<double>(points.size())) * p;
     for (base::Vector3& p : points) {
@@ -72,7 +72,7 @@ std::size_t rarest(const std::vector<base::Vector3>& points, double tolerance, c
 
 class CongruenceSearch {
  public:
-  CongruenceSearch(const Mesh& mesh, const Part& first, const Part& second)
+  CongruenceSearch(const Mesh& mesh, const Piece& first, const Piece& second)
       : mesh_(mesh),
         elements_(mesh),
         first_(first),
@@ -156,12 +156,12 @@ class CongruenceSearch {
   /// Sorted sides of sorted local nodes: equal if and only if the elements are.
   using Key = std::pair<ElementType, std::vector<std::vector<int>>>;
 
-  Key keyOf(const Part& part, int element, const std::vector<int>* image) const {
+  Key keyOf(const Piece& piece, int element, const std::vector<int>* image) const {
     Key key{elements_.type(element), {}};
     for (int side = 0; side < sidesPerElement(key.first); ++side) {
       key.second.push_back(elements_.side(element, side));
       for (int& node : key.second.back()) {
-        node = localNode(part, node);
+        node = localNode(piece, node);
         if (image != nullptr) node = (*image)[node];
       }
       std::sort(key.second.back().begin(), key.second.back().end());
@@ -182,8 +182,8 @@ class CongruenceSearch {
 
   const Mesh& mesh_;
   Elements elements_;
-  const Part& first_;
-  const Part& second_;
+  const Piece& first_;
+  const Piece& second_;
   Cloud a_, b_;
   double tolerance_;
   PointSearch search_;
@@ -193,7 +193,7 @@ class CongruenceSearch {
 
 }  // namespace
 
-std::optional<Congruence> findCongruence(const Mesh& mesh, const Part& first, const Part& second) {
+std::optional<Congruence> findCongruence(const Mesh& mesh, const Piece& first, const Piece& second) {
   if (first.nodes.size() != second.nodes.size() || first.elements.size() != second.elements.size()) {
     return std::nullopt;
   }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <harmos/mesh/InterfaceSurface.hpp>
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 
 namespace harmos::mesh {
 
@@ -19,6 +19,6 @@ struct Congruence {
 ///
 /// Tries the motions that carry two nodes of which few others have the same distances from the centroid (in 2-D one
 /// node) onto nodes with these distances, so that every congruence is found whatever the symmetries of the part.
-std::optional<Congruence> findCongruence(const Mesh& mesh, const Part& first, const Part& second);
+std::optional<Congruence> findCongruence(const Mesh& mesh, const Piece& first, const Piece& second);
 
 }  // namespace harmos::mesh

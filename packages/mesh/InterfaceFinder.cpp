@@ -45,12 +45,12 @@ const Set& findSet(const std::string& where, const std::vector<Set>& sets, const
 
 }  // namespace
 
-InterfaceFinder::InterfaceFinder(const Mesh& mesh, const std::vector<Part>& parts, double thickness)
+InterfaceFinder::InterfaceFinder(const Mesh& mesh, const std::vector<Piece>& pieces, double thickness)
     : mesh_(mesh),
-      parts_(parts),
+      pieces_(pieces),
       thickness_(mesh.dimension == 2 ? thickness : 1.0),
       elements_(mesh),
-      pieces_(mesh, elements_, parts) {}
+      map_(mesh, elements_, pieces) {}
 
 std::vector<Face> InterfaceFinder::facesOf(const std::string& where, const std::string& sideSet) const {
   const SideSet& set = findSet(where, mesh_.sideSets, sideSet, "side set");
@@ -59,7 +59,7 @@ std::vector<Face> InterfaceFinder::facesOf(const std::string& where, const std::
   for (std::size_t i = 0; i < set.element.size(); ++i) sides.emplace(set.element[i], set.side[i]);
   std::vector<Face> faces;
   for (const auto& [element, side] : sides) {
-    if (pieces_.of(element) < 0) {
+    if (map_.of(element) < 0) {
       refuse(where, "side set \"" + sideSet + "\" has faces of block \"" + mesh_.blocks[elements_.block(element)].name +
                         "\", which belongs to no part. Add a part with this block, or choose another side set.");
     }
@@ -75,14 +75,14 @@ FaceIntegrals InterfaceFinder::integrate(const Face& face, const std::optional<b
 std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, const std::vector<Face>& side1,
                                                     const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
                                                     const std::optional<base::Vector3>& projection) const {
-  SurfaceBuilders builders(mesh_, parts_, projection);
+  SurfaceBuilders builders(mesh_, pieces_, projection);
   for (const FacePair& pair : pairs) {
     const Face& face1 = side1[pair.face1];
     const Face& face2 = side2[pair.face2];
-    const int piece1 = pieces_.of(face1.element);
-    const int piece2 = pieces_.of(face2.element);
-    if (pieces_.body(piece1) == pieces_.body(piece2)) {
-      refuse(interfaceNamed(name), "both sides belong to part \"" + pieces_.body(piece1) +
+    const int piece1 = map_.of(face1.element);
+    const int piece2 = map_.of(face2.element);
+    if (map_.part(piece1) == map_.part(piece2)) {
+      refuse(interfaceNamed(name), "both sides belong to part \"" + map_.part(piece1) +
                                        "\"; an interface joins two parts. Divide the part into two blocks there.");
     }
     builders.at(piece1, piece2).addFace(face1.nodes, pair.nodes2, integrate(face1, projection));
@@ -146,17 +146,17 @@ std::vector<InterfaceSurface> InterfaceFinder::joinDifferentFaces(const std::str
                                                                   const std::vector<Face>& side2) const {
   const auto onePiece = [&](const std::vector<Face>& side) {
     return std::all_of(side.begin(), side.end(),
-                       [&](const Face& face) { return pieces_.of(face.element) == pieces_.of(side[0].element); });
+                       [&](const Face& face) { return map_.of(face.element) == map_.of(side[0].element); });
   };
-  const int piece1 = pieces_.of(side1[0].element);
-  const int piece2 = pieces_.of(side2[0].element);
-  if (!onePiece(side1) || !onePiece(side2) || pieces_.body(piece1) == pieces_.body(piece2)) return {};
+  const int piece1 = map_.of(side1[0].element);
+  const int piece2 = map_.of(side2[0].element);
+  if (!onePiece(side1) || !onePiece(side2) || map_.part(piece1) == map_.part(piece2)) return {};
   const auto pairs = matchNodes(mesh_, side1, side2);
   if (pairs.size() != nodesOf(side1).size() || pairs.size() != nodesOf(side2).size()) return {};
   const std::map<int, int> partner(pairs.begin(), pairs.end());
   std::map<int, int> inverse;
   for (const auto& [node1, node2] : pairs) inverse[node2] = node1;
-  SurfaceBuilder builder(mesh_, parts_, piece1, piece2);
+  SurfaceBuilder builder(mesh_, pieces_, piece1, piece2);
   base::Vector3 normal1{}, normal2{};
   for (const Face& face : side1) {
     FaceIntegrals half = integrate(face);
@@ -190,13 +190,13 @@ std::vector<InterfaceSurface> InterfaceFinder::joinNodes(const std::string& name
   }
   std::sort(nodes1.begin(), nodes1.end());
   std::sort(nodes2.begin(), nodes2.end());
-  const NodalWeights weights1(mesh_, elements_, pieces_, pieces1, nodes1, thickness_);
-  const NodalWeights weights2(mesh_, elements_, pieces_, pieces2, nodes2, thickness_);
-  SurfaceBuilders builders(mesh_, parts_);
+  const NodalWeights weights1(mesh_, elements_, map_, pieces1, nodes1, thickness_);
+  const NodalWeights weights2(mesh_, elements_, map_, pieces2, nodes2, thickness_);
+  SurfaceBuilders builders(mesh_, pieces_);
   for (const auto& [node1, node2] : pairs) {
     // Where a body is cut, its pieces are tied to each other: one of them is enough.
     const auto holder = [&](const std::vector<int>& pieces, int node) {
-      return *std::find_if(pieces.begin(), pieces.end(), [&](int piece) { return pieces_.has(piece, node); });
+      return *std::find_if(pieces.begin(), pieces.end(), [&](int piece) { return map_.has(piece, node); });
     };
     const auto weight1 = weights1.total(node1);
     const auto weight2 = weights2.total(node2);
@@ -206,14 +206,14 @@ std::vector<InterfaceSurface> InterfaceFinder::joinNodes(const std::string& name
   return builders.build(name);
 }
 
-std::vector<InterfaceSurface> InterfaceFinder::betweenBodies(const std::string& name, const std::string& body1,
-                                                             const std::string& body2) const {
+std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& name, const std::string& part1,
+                                                            const std::string& part2) const {
   const std::string where = interfaceNamed(name);
-  const auto pieces1 = pieces_.named(where, body1);
-  const auto pieces2 = pieces_.named(where, body2);
-  if (body1 == body2) refuse(where, "Part 1 and Part 2 are both \"" + body1 + "\"; an interface joins two parts.");
-  const auto skin1 = skin(elements_, pieces_.elements(pieces1));
-  const auto skin2 = skin(elements_, pieces_.elements(pieces2));
+  const auto pieces1 = map_.named(where, part1);
+  const auto pieces2 = map_.named(where, part2);
+  if (part1 == part2) refuse(where, "Part 1 and Part 2 are both \"" + part1 + "\"; an interface joins two parts.");
+  const auto skin1 = skin(elements_, map_.elements(pieces1));
+  const auto skin2 = skin(elements_, map_.elements(pieces2));
   const auto faces = matchFaces(mesh_.nodes, skin1, skin2);
   auto surfaces = join(name, skin1, skin2, faces, std::nullopt);
 
@@ -226,7 +226,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenBodies(const std::string& 
   const auto nodesIn = [&](const std::vector<int>& pieces) {
     std::set<int> nodes;
     for (const int piece : pieces) {
-      const auto& more = parts_[piece].nodes;
+      const auto& more = pieces_[piece].nodes;
       nodes.insert(more.begin(), more.end());
     }
     return nodes;
@@ -243,7 +243,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenBodies(const std::string& 
   if (surfaces.empty()) {
     std::ostringstream message;
     message
-        << "parts \"" << body1 << "\" and \"" << body2
+        << "parts \"" << part1 << "\" and \"" << part2
         << "\" have no coincident faces and no shared or coincident nodes; their nearest nodes are "
         << separation(mesh_.nodes, nodesOf(skin1), nodesOf(skin2)).smallest
         << " apart. Mesh both with the same nodes where they touch; for sides that are open initially, name two side "
@@ -254,26 +254,26 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenBodies(const std::string& 
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::cuts() const {
-  std::map<std::string, std::vector<int>> bodies;
-  for (int piece = 0; piece < pieces_.count(); ++piece) bodies[pieces_.body(piece)].push_back(piece);
+  std::map<std::string, std::vector<int>> parts;
+  for (int piece = 0; piece < map_.count(); ++piece) parts[map_.part(piece)].push_back(piece);
   std::vector<InterfaceSurface> surfaces;
-  for (const auto& [body, pieces] : bodies) {
+  for (const auto& [part, pieces] : parts) {
     if (pieces.size() < 2) continue;
-    const auto more = cut(body + " cut", pieces);
+    const auto more = cut(part + " cut", pieces);
     surfaces.insert(surfaces.end(), more.begin(), more.end());
   }
   return surfaces;
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::cut(const std::string& name, const std::vector<int>& pieces) const {
-  SurfaceBuilders builders(mesh_, parts_);
+  SurfaceBuilders builders(mesh_, pieces_);
   std::map<std::vector<int>, Face> open;           // by sorted nodes: faces whose other side has not come yet
   std::map<int, std::vector<std::set<int>>> tied;  // per node: groups of pieces that faces join there
   for (const int piece : pieces) {
-    for (const int node : parts_[piece].nodes) tied[node].push_back({piece});
+    for (const int node : pieces_[piece].nodes) tied[node].push_back({piece});
   }
   for (const int piece : pieces) {
-    for (Face& face : skin(elements_, parts_[piece].elements)) {
+    for (Face& face : skin(elements_, pieces_[piece].elements)) {
       std::vector<int> key = face.nodes;
       std::sort(key.begin(), key.end());
       const auto other = open.find(key);
@@ -282,7 +282,7 @@ std::vector<InterfaceSurface> InterfaceFinder::cut(const std::string& name, cons
         continue;
       }
       const Face& first = other->second;
-      const int firstPiece = pieces_.of(first.element);
+      const int firstPiece = map_.of(first.element);
       builders.at(firstPiece, piece).addFace(first.nodes, first.nodes, integrate(first));
       for (const int node : first.nodes) {
         auto& groups = tied[node];
@@ -313,9 +313,9 @@ std::vector<InterfaceSurface> InterfaceFinder::cut(const std::string& name, cons
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::onFaces(const std::string& name, const std::vector<Face>& faces) const {
-  SurfaceBuilders builders(mesh_, parts_);
+  SurfaceBuilders builders(mesh_, pieces_);
   for (const Face& face : faces) {
-    builders.at(pieces_.of(face.element), -1).addFace(face.nodes, {}, integrate(face));
+    builders.at(map_.of(face.element), -1).addFace(face.nodes, {}, integrate(face));
   }
   return builders.build(name);
 }
@@ -325,34 +325,34 @@ std::vector<InterfaceSurface> InterfaceFinder::onSideSet(const std::string& name
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name, const std::string& nodeSet,
-                                                         const std::string& body) const {
+                                                         const std::string& part) const {
   const std::string where = boundaryNamed(name);
   const NodeSet& set = findSet(where, mesh_.nodeSets, nodeSet, "node set");
   if (set.node.empty()) refuse(where, "node set \"" + nodeSet + "\" is empty.");
-  std::vector<int> pieces(pieces_.count());
+  std::vector<int> pieces(map_.count());
   std::iota(pieces.begin(), pieces.end(), 0);
-  if (!body.empty()) pieces = pieces_.named(where, body);
+  if (!part.empty()) pieces = map_.named(where, part);
   std::set<int> nodes;
   for (const int node : set.node) {
-    if (std::any_of(pieces.begin(), pieces.end(), [&](int piece) { return pieces_.has(piece, node); })) {
+    if (std::any_of(pieces.begin(), pieces.end(), [&](int piece) { return map_.has(piece, node); })) {
       nodes.insert(node);
-    } else if (body.empty()) {
+    } else if (part.empty()) {
       refuse(where, "node set \"" + nodeSet + "\" has a node at " + text(mesh_.nodes[node]) +
                         " that belongs to no part. Add a part with its block, or choose another node set.");
     }
   }
-  if (nodes.empty()) refuse(where, "node set \"" + nodeSet + "\" has no node of part \"" + body + "\".");
+  if (nodes.empty()) refuse(where, "node set \"" + nodeSet + "\" has no node of part \"" + part + "\".");
 
   std::vector<Face> faces;
-  for (Face& face : skin(elements_, pieces_.elements(pieces))) {
+  for (Face& face : skin(elements_, map_.elements(pieces))) {
     if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](int node) { return nodes.count(node) > 0; })) {
       faces.push_back(std::move(face));
     }
   }
   if (nodesOf(faces).size() == nodes.size()) return onFaces(name, faces);
 
-  const NodalWeights weights(mesh_, elements_, pieces_, pieces, {nodes.begin(), nodes.end()}, thickness_);
-  SurfaceBuilders builders(mesh_, parts_);
+  const NodalWeights weights(mesh_, elements_, map_, pieces, {nodes.begin(), nodes.end()}, thickness_);
+  SurfaceBuilders builders(mesh_, pieces_);
   for (const int node : nodes) {
     for (const auto& [piece, weight] : weights.at(node)) {
       builders.at(piece, -1).addNode(node, -1, weight.area, weight.normal);

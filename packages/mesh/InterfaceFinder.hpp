@@ -8,22 +8,22 @@
 #include <harmos/mesh/FaceIntegrals.hpp>
 #include <harmos/mesh/FaceMatching.hpp>
 #include <harmos/mesh/InterfaceSurface.hpp>
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 #include <harmos/mesh/PieceMap.hpp>
 
 namespace harmos::mesh {
 
 /// Finds the surfaces of interfaces and outer boundaries between the parts of a mesh.
 ///
-/// A part that was cut into pieces is addressed by the name of its body. Every function returns one surface per pair of
+/// A part that was cut into pieces is addressed by its name. Every function returns one surface per pair of
 /// pieces that meet (per piece on an outer boundary); a node on a cut is in the surfaces of both pieces, each with the
 /// area of its own faces, so that the areas add up to those of the uncut interface. Names in errors are the user's.
 /// All throw base::Error(input) for unknown names, sets and interfaces without faces or nodes, and faces that belong to
-/// no part. Keeps references to the mesh and the parts.
+/// no part. Keeps references to the mesh and the pieces.
 class InterfaceFinder {
  public:
   /// `thickness` [length] multiplies lengths in 2-D. Throws base::Error(input) if two parts share an element.
-  InterfaceFinder(const Mesh& mesh, const std::vector<Part>& parts, double thickness = 1.0);
+  InterfaceFinder(const Mesh& mesh, const std::vector<Piece>& pieces, double thickness = 1.0);
 
   /// The interface between two side sets whose faces coincide node by node (within conformingTolerance).
   ///
@@ -31,30 +31,30 @@ class InterfaceFinder {
   /// along it, the normal is along it, the gap is measured along it, and areas are the areas seen along it. Without it,
   /// sides that are meshed with the same nodes but with different faces (triangles against quadrilaterals, other
   /// diagonals) are accepted between uncut parts: areas are then the mean of both sides, and there is no consistent
-  /// mass. Throws base::Error(input) if the sides do not conform or belong to one body.
+  /// mass. Throws base::Error(input) if the sides do not conform or belong to one part.
   std::vector<InterfaceSurface> betweenSideSets(const std::string& name, const std::string& sideSet1,
                                                 const std::string& sideSet2,
                                                 const std::optional<base::Vector3>& projection = std::nullopt) const;
 
   /// The interface between two bodies: their coincident faces and, besides, mesh nodes that they share outside of these
   /// faces; if there are no such faces, the nodes that coincide. Areas of nodes without faces: mean over the two bodies
-  /// of their nodal skin areas, of volume^(2/3) for nodes inside a body. Throws base::Error(input) if they do not
+  /// of their nodal skin areas, of volume^(2/3) for nodes inside a part. Throws base::Error(input) if they do not
   /// touch.
-  std::vector<InterfaceSurface> betweenBodies(const std::string& name, const std::string& body1,
-                                              const std::string& body2) const;
+  std::vector<InterfaceSurface> betweenParts(const std::string& name, const std::string& part1,
+                                             const std::string& part2) const;
 
-  /// Perfect interfaces between the pieces of every body that was cut, named "<body> cut".
+  /// Perfect interfaces between the pieces of every part that was cut, named "<part> cut".
   std::vector<InterfaceSurface> cuts() const;
 
   /// Outer boundary on a side set.
   std::vector<InterfaceSurface> onSideSet(const std::string& name, const std::string& sideSet) const;
 
   /// Outer boundary on a node set: its faces if every node belongs to a face of the skin that lies in the set, else the
-  /// nodes alone, with their share of the skin's area, inner nodes with volume^(2/3). `body` (empty: all) restricts the
-  /// set to the nodes of a body and takes that body's skin; otherwise faces between bodies that share nodes do not
+  /// nodes alone, with their share of the skin's area, inner nodes with volume^(2/3). `part` (empty: all) restricts the
+  /// set to the nodes of a part and takes that part's skin; otherwise faces between parts that share nodes do not
   /// count.
   std::vector<InterfaceSurface> onNodeSet(const std::string& name, const std::string& nodeSet,
-                                          const std::string& body = "") const;
+                                          const std::string& part = "") const;
 
  private:
   std::vector<Face> facesOf(const std::string& interface, const std::string& sideSet) const;
@@ -71,10 +71,10 @@ class InterfaceFinder {
   std::vector<InterfaceSurface> cut(const std::string& name, const std::vector<int>& pieces) const;
 
   const Mesh& mesh_;
-  const std::vector<Part>& parts_;
+  const std::vector<Piece>& pieces_;
   double thickness_;
   Elements elements_;
-  PieceMap pieces_;
+  PieceMap map_;
 };
 
 }  // namespace harmos::mesh

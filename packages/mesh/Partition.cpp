@@ -18,7 +18,7 @@ struct FaceGraph {
   int size() const { return static_cast<int>(first.size()) - 1; }
 };
 
-[[noreturn]] void refuse(const Part& part, int pieces, const std::string& what) {
+[[noreturn]] void refuse(const Piece& part, int pieces, const std::string& what) {
   throw base::Error("Part \"" + part.name + "\": Pieces = " + std::to_string(pieces) + ", but " + what,
                     base::ExitCode::input);
 }
@@ -189,7 +189,7 @@ std::vector<int> shares(const std::vector<int>& sizes, int pieces) {
 
 }  // namespace
 
-std::vector<Part> cutPart(const Mesh& mesh, const Part& part, int pieces) {
+std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces) {
   if (pieces == 1) return {part};
   if (pieces < 1 || static_cast<std::size_t>(pieces) > part.elements.size()) {
     refuse(part, pieces,
@@ -224,10 +224,10 @@ std::vector<Part> cutPart(const Mesh& mesh, const Part& part, int pieces) {
     }
   }
   std::sort(pieceElements.begin(), pieceElements.end());
-  std::vector<Part> result;
+  std::vector<Piece> result;
   for (auto& list : pieceElements) {
-    result.push_back(makePart(mesh, part.name + "." + std::to_string(result.size() + 1),
-                              part.body.empty() ? part.name : part.body, std::move(list)));
+    result.push_back(makePiece(mesh, part.name + "." + std::to_string(result.size() + 1),
+                               part.part.empty() ? part.name : part.part, std::move(list)));
   }
   return result;
 }

@@ -2,15 +2,16 @@
 
 #include <vector>
 
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 
 namespace harmos::mesh {
 
 /// Cuts a part into `pieces` parts of about the same number of elements with few faces between them, by METIS.
 ///
 /// The pieces are named "<name>.1", "<name>.2", ... in the order of their first elements, are each connected through
-/// element faces, and are the same in every run. A part of several unconnected bodies is cut body by body. One piece
-/// gives the part itself. Throws base::Error(input) if there are more pieces than elements or fewer than bodies.
-std::vector<Part> cutPart(const Mesh& mesh, const Part& part, int pieces);
+/// element faces, and are the same in every run. A part of several unconnected groups of elements is cut group by
+/// group. One piece gives the part itself. Throws base::Error(input) if there are more pieces than elements or fewer
+/// than groups.
+std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces);
 
 }  // namespace harmos::mesh

@@ -7,13 +7,13 @@
 
 namespace harmos::mesh {
 
-PieceMap::PieceMap(const Mesh& mesh, const Elements& elements, const std::vector<Part>& parts)
-    : parts_(parts), piece_(static_cast<std::size_t>(elements.count()), -1) {
+PieceMap::PieceMap(const Mesh& mesh, const Elements& elements, const std::vector<Piece>& pieces)
+    : pieces_(pieces), piece_(static_cast<std::size_t>(elements.count()), -1) {
   for (int piece = 0; piece < count(); ++piece) {
-    for (const int element : parts[piece].elements) {
+    for (const int element : pieces[piece].elements) {
       int& owner = piece_[element];
       if (owner >= 0) {
-        throw base::Error("Parts \"" + body(owner) + "\" and \"" + body(piece) + "\": both have elements of block \"" +
+        throw base::Error("Parts \"" + part(owner) + "\" and \"" + part(piece) + "\": both have elements of block \"" +
                               mesh.blocks[elements.block(element)].name + "\"; give every block to one part only.",
                           base::ExitCode::input);
       }
@@ -22,17 +22,17 @@ PieceMap::PieceMap(const Mesh& mesh, const Elements& elements, const std::vector
   }
 }
 
-const std::string& PieceMap::body(int piece) const {
-  const Part& part = parts_[piece];
-  return part.body.empty() ? part.name : part.body;
+const std::string& PieceMap::part(int piece) const {
+  const Piece& one = pieces_[piece];
+  return one.part.empty() ? one.name : one.part;
 }
 
 std::vector<int> PieceMap::named(const std::string& where, const std::string& name) const {
   std::vector<int> pieces;
   std::vector<std::string> known;
   for (int piece = 0; piece < count(); ++piece) {
-    if (body(piece) == name) pieces.push_back(piece);
-    if (known.empty() || known.back() != body(piece)) known.push_back(body(piece));
+    if (part(piece) == name) pieces.push_back(piece);
+    if (known.empty() || known.back() != part(piece)) known.push_back(part(piece));
   }
   if (pieces.empty()) {
     throw base::Error(where + ": there is no part \"" + name + "\". " + base::suggestName(name, known, "Parts"),
@@ -44,7 +44,7 @@ std::vector<int> PieceMap::named(const std::string& where, const std::string& na
 std::vector<int> PieceMap::elements(const std::vector<int>& pieces) const {
   std::vector<int> elements;
   for (const int piece : pieces) {
-    const auto& more = parts_[piece].elements;
+    const auto& more = pieces_[piece].elements;
     elements.insert(elements.end(), more.begin(), more.end());
   }
   std::sort(elements.begin(), elements.end());

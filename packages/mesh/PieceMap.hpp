@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <harmos/mesh/Elements.hpp>
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 
 namespace harmos::mesh {
 
@@ -12,22 +12,22 @@ namespace harmos::mesh {
 class PieceMap {
  public:
   /// Throws base::Error(input) if two parts share an element.
-  PieceMap(const Mesh& mesh, const Elements& elements, const std::vector<Part>& parts);
+  PieceMap(const Mesh& mesh, const Elements& elements, const std::vector<Piece>& pieces);
 
-  int count() const { return static_cast<int>(parts_.size()); }
+  int count() const { return static_cast<int>(pieces_.size()); }
   /// Piece of an element; -1 if it is in no part.
   int of(int element) const { return piece_[element]; }
   /// Name of the part before it was cut.
-  const std::string& body(int piece) const;
-  /// The pieces of a body, ascending. Throws base::Error(input), starting with `where`, if there is no such body.
+  const std::string& part(int piece) const;
+  /// The pieces of a part, ascending. Throws base::Error(input), starting with `where`, if there is no such part.
   std::vector<int> named(const std::string& where, const std::string& name) const;
   /// Elements of some pieces, ascending.
   std::vector<int> elements(const std::vector<int>& pieces) const;
   /// Whether a piece has a mesh node.
-  bool has(int piece, int node) const { return localNode(parts_[piece], node) >= 0; }
+  bool has(int piece, int node) const { return localNode(pieces_[piece], node) >= 0; }
 
  private:
-  const std::vector<Part>& parts_;
+  const std::vector<Piece>& pieces_;
   std::vector<int> piece_;
 };
 

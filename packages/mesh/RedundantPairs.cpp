@@ -9,16 +9,16 @@ namespace {
 
 using Carriers = std::vector<std::vector<PairCarrier>>;
 
-const Part& at(const std::vector<Part>& parts, int part) {
-  return parts[part];
+const Piece& at(const std::vector<Piece>& pieces, int piece) {
+  return pieces[piece];
 }
 
-bool isCut(const std::vector<Part>& parts, const InterfaceSurface& surface) {
-  return surface.part2 >= 0 && at(parts, surface.part1).body == at(parts, surface.part2).body;
+bool isCut(const std::vector<Piece>& pieces, const InterfaceSurface& surface) {
+  return surface.piece2 >= 0 && at(pieces, surface.piece1).part == at(pieces, surface.piece2).part;
 }
 
-int meshNode(const std::vector<Part>& parts, int part, int node) {
-  return at(parts, part).nodes[node];
+int meshNode(const std::vector<Piece>& pieces, int piece, int node) {
+  return at(pieces, piece).nodes[node];
 }
 
 double& areaOf(std::vector<InterfaceSurface>& surfaces, const PairCarrier& pair) {
@@ -36,16 +36,17 @@ struct Place {
 };
 
 /// All pairs of one interface that join the same nodes of the same bodies have one carrier.
-void mergeCopies(const std::vector<Part>& parts, std::vector<InterfaceSurface>& surfaces, Carriers& carriers) {
+void mergeCopies(const std::vector<Piece>& pieces, std::vector<InterfaceSurface>& surfaces, Carriers& carriers) {
   std::map<Place, std::vector<PairCarrier>> copies;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const InterfaceSurface& surface = surfaces[s];
-    if (isCut(parts, surface)) continue;
-    const bool hasTwoSides = surface.part2 >= 0;
-    Place place{surface.name, at(parts, surface.part1).body, hasTwoSides ? at(parts, surface.part2).body : "", -1, -1};
+    if (isCut(pieces, surface)) continue;
+    const bool hasTwoSides = surface.piece2 >= 0;
+    Place place{surface.name, at(pieces, surface.piece1).part, hasTwoSides ? at(pieces, surface.piece2).part : "", -1,
+                -1};
     for (std::size_t p = 0; p < surface.node1.size(); ++p) {
-      place.meshNode1 = meshNode(parts, surface.part1, surface.node1[p]);
-      if (hasTwoSides) place.meshNode2 = meshNode(parts, surface.part2, surface.node2[p]);
+      place.meshNode1 = meshNode(pieces, surface.piece1, surface.node1[p]);
+      if (hasTwoSides) place.meshNode2 = meshNode(pieces, surface.piece2, surface.node2[p]);
       copies[place].push_back({static_cast<int>(s), static_cast<int>(p)});
     }
   }
@@ -63,12 +64,12 @@ void mergeCopies(const std::vector<Part>& parts, std::vector<InterfaceSurface>& 
 }
 
 /// Of the pairs between the pieces at a mesh node, those of a spanning tree carry themselves, the others nothing.
-void keepSpanningTrees(const std::vector<Part>& parts, std::vector<InterfaceSurface>& surfaces, Carriers& carriers) {
+void keepSpanningTrees(const std::vector<Piece>& pieces, std::vector<InterfaceSurface>& surfaces, Carriers& carriers) {
   std::map<int, std::vector<PairCarrier>> links;  // by mesh node
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    if (!isCut(parts, surfaces[s])) continue;
+    if (!isCut(pieces, surfaces[s])) continue;
     for (std::size_t p = 0; p < surfaces[s].node1.size(); ++p) {
-      links[meshNode(parts, surfaces[s].part1, surfaces[s].node1[p])].push_back(
+      links[meshNode(pieces, surfaces[s].piece1, surfaces[s].node1[p])].push_back(
           {static_cast<int>(s), static_cast<int>(p)});
     }
   }
@@ -83,8 +84,8 @@ void keepSpanningTrees(const std::vector<Part>& parts, std::vector<InterfaceSurf
     };
     for (const PairCarrier& pair : pairs) {
       const InterfaceSurface& surface = surfaces[pair.surface];
-      const int first = representative(surface.part1);
-      const int second = representative(surface.part2);
+      const int first = representative(surface.piece1);
+      const int second = representative(surface.piece2);
       if (first == second) continue;
       tied[first] = second;
       carriers[pair.surface][pair.pair] = pair;
@@ -94,11 +95,11 @@ void keepSpanningTrees(const std::vector<Part>& parts, std::vector<InterfaceSurf
 
 }  // namespace
 
-Carriers mergeRedundantPairs(const std::vector<Part>& parts, std::vector<InterfaceSurface>& surfaces) {
+Carriers mergeRedundantPairs(const std::vector<Piece>& pieces, std::vector<InterfaceSurface>& surfaces) {
   Carriers carriers;
   for (const InterfaceSurface& surface : surfaces) carriers.emplace_back(surface.node1.size());
-  mergeCopies(parts, surfaces, carriers);
-  keepSpanningTrees(parts, surfaces, carriers);
+  mergeCopies(pieces, surfaces, carriers);
+  keepSpanningTrees(pieces, surfaces, carriers);
   return carriers;
 }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <harmos/mesh/InterfaceSurface.hpp>
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 
 namespace harmos::mesh {
 
@@ -13,14 +13,14 @@ struct PairCarrier {
   int pair = -1;
 };
 
-/// Leaves every joint of pieces of cut bodies as many node pairs as it needs, so that interface forces are determinate.
+/// Leaves every joint of pieces of cut parts as many node pairs as it needs, so that interface forces are determinate.
 ///
-/// Where a cut meets an interface or a boundary, the same nodes of a body are paired once for every piece: the pair
+/// Where a cut meets an interface or a boundary, the same nodes of a part are paired once for every piece: the pair
 /// with the largest area keeps the sum of the areas and carries them all. Where several pieces share a node, only pairs
 /// that tie pieces not yet tied keep theirs (a spanning tree, largest areas first). The result is the joint of the
-/// uncut bodies. `surfaces` keeps all pairs and faces; the areas of carriers change. Returns one entry per pair of
+/// uncut parts. `surfaces` keeps all pairs and faces; the areas of carriers change. Returns one entry per pair of
 /// every surface.
-std::vector<std::vector<PairCarrier>> mergeRedundantPairs(const std::vector<Part>& parts,
+std::vector<std::vector<PairCarrier>> mergeRedundantPairs(const std::vector<Piece>& pieces,
                                                           std::vector<InterfaceSurface>& surfaces);
 
 }  // namespace harmos::mesh

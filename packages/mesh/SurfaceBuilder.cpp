@@ -8,9 +8,9 @@
 
 namespace harmos::mesh {
 
-SurfaceBuilder::SurfaceBuilder(const Mesh& mesh, const std::vector<Part>& parts, int part1, int part2,
+SurfaceBuilder::SurfaceBuilder(const Mesh& mesh, const std::vector<Piece>& pieces, int piece1, int piece2,
                                const std::optional<base::Vector3>& projection)
-    : mesh_(mesh), parts_(parts), part1_(part1), part2_(part2), projection_(projection) {}
+    : mesh_(mesh), pieces_(pieces), piece1_(piece1), piece2_(piece2), projection_(projection) {}
 
 void SurfaceBuilder::addFace(const std::vector<int>& nodes1, const std::vector<int>& nodes2,
                              const FaceIntegrals& integrals) {
@@ -36,8 +36,8 @@ void SurfaceBuilder::addNode(int node1, int node2, double area, const base::Vect
 InterfaceSurface SurfaceBuilder::build(const std::string& name) const {
   InterfaceSurface surface;
   surface.name = name;
-  surface.part1 = part1_;
-  surface.part2 = part2_;
+  surface.piece1 = piece1_;
+  surface.piece2 = piece2_;
   std::map<Pair, int> number;
   for (const auto& [pair, data] : pairs_) {
     const base::Vector3& place1 = mesh_.nodes[pair.first];
@@ -49,12 +49,12 @@ InterfaceSurface SurfaceBuilder::build(const std::string& name) const {
       throw base::Error(message.str(), base::ExitCode::input);
     }
     number[pair] = static_cast<int>(surface.node1.size());
-    surface.node1.push_back(localNode(parts_[part1_], pair.first));
+    surface.node1.push_back(localNode(pieces_[piece1_], pair.first));
     surface.frame.push_back(frameFromNormal(projection_ ? *projection_ : data.normal, mesh_.dimension));
     surface.area.push_back(data.area);
     surface.gap.push_back(0.0);
-    if (part2_ < 0) continue;
-    surface.node2.push_back(localNode(parts_[part2_], pair.second));
+    if (piece2_ < 0) continue;
+    surface.node2.push_back(localNode(pieces_[piece2_], pair.second));
     if (projection_) {
       surface.gap.back() = dot(mesh_.nodes[pair.second] - place1, surface.frame.back()[0]);
     }
@@ -70,7 +70,7 @@ InterfaceSurface SurfaceBuilder::build(const std::string& name) const {
 }
 
 SurfaceBuilder& SurfaceBuilders::at(int piece1, int piece2) {
-  return all_.try_emplace({piece1, piece2}, mesh_, parts_, piece1, piece2, projection_).first->second;
+  return all_.try_emplace({piece1, piece2}, mesh_, pieces_, piece1, piece2, projection_).first->second;
 }
 
 std::vector<InterfaceSurface> SurfaceBuilders::build(const std::string& name) const {

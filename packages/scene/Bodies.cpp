@@ -68,14 +68,14 @@ bool isIsotropic(const elasticity::ElasticityMatrix& c) {
   return true;
 }
 
-base::Matrix bodyForces(const Parameters& force, const mesh::Mesh& mesh, const mesh::Part& part, const Model& model,
+base::Matrix bodyForces(const Parameters& force, const mesh::Mesh& mesh, const mesh::Piece& piece, const Model& model,
                         int steps) {
   base::Matrix loads;
   const char* components[] = {"X", "Y", "Z"};
   for (int c = 0; c < mesh.dimension; ++c) {
     base::Vector3 unit{};
     unit[c] = 1.0;
-    const std::vector<double> forces = elasticity::bodyForce(mesh, part, unit, model.kinematics, model.thickness);
+    const std::vector<double> forces = elasticity::bodyForce(mesh, piece, unit, model.kinematics, model.thickness);
     const input::Schedule value = force.schedule(components[c]);
     if (loads.numRows() == 0) loads.shape(static_cast<int>(forces.size()), steps);
     for (int t = 0; t < steps; ++t) {
@@ -102,9 +102,9 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& 
   if (errors.count() > 0) return bodies;
   for (const Parameters& input : scene.input.lists("Parts")) {
     errors.collect(input.where(), [&] {
-      const mesh::Part part = mesh::makePart(mesh, input.name(), blocksOf(input));
-      for (mesh::Part& piece : mesh::cutPart(mesh, part, input.integer("Pieces"))) {
-        bodies.parts.push_back(std::move(piece));
+      const mesh::Piece part = mesh::makePiece(mesh, input.name(), blocksOf(input));
+      for (mesh::Piece& piece : mesh::cutPart(mesh, part, input.integer("Pieces"))) {
+        bodies.pieces.push_back(std::move(piece));
         bodies.inputs.push_back(&input);
         bodies.materials.push_back(scene.materials.at(input.text("Material")));
       }
@@ -116,14 +116,14 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& 
 std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(const Bodies& bodies,
                                                                              const mesh::Mesh& mesh) {
   constexpr base::Frame identity{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  std::vector<std::shared_ptr<const substructure::Congruence>> congruences(bodies.parts.size());
+  std::vector<std::shared_ptr<const substructure::Congruence>> congruences(bodies.pieces.size());
   for (std::size_t b = 0; b < congruences.size(); ++b) {
     for (std::size_t a = 0; a < b && !congruences[b]; ++a) {
       if (congruences[a] || bodies.materials[a] != bodies.materials[b] ||
           bodies.inputs[a]->text("Formulation") != bodies.inputs[b]->text("Formulation")) {
         continue;
       }
-      auto found = mesh::findCongruence(mesh, bodies.parts[a], bodies.parts[b]);
+      auto found = mesh::findCongruence(mesh, bodies.pieces[a], bodies.pieces[b]);
       if (!found || !(found->rotation == identity || isIsotropic(bodies.materials[a]->elasticity()))) continue;
       auto congruence = std::make_shared<substructure::Congruence>();
       congruence->representative = static_cast<int>(a);
@@ -138,8 +138,8 @@ std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(con
 std::vector<int> distribute(const Bodies& bodies, int ranks) {
   // A direct solve in space costs about n^(4/3); the solves, not the factorisation, are repeated.
   std::vector<double> cost;
-  for (const mesh::Part& part : bodies.parts)
-    cost.push_back(std::pow(static_cast<double>(part.nodes.size()), 4.0 / 3.0));
+  for (const mesh::Piece& piece : bodies.pieces)
+    cost.push_back(std::pow(static_cast<double>(piece.nodes.size()), 4.0 / 3.0));
   std::vector<std::size_t> order(cost.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cost[a] > cost[b]; });
@@ -156,7 +156,7 @@ std::vector<int> distribute(const Bodies& bodies, int ranks) {
 std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh::Mesh& mesh, const Model& model,
                                                  const Bodies& bodies, const std::vector<int>& owner, int rank,
                                                  input::ErrorList& errors) {
-  std::vector<substructure::Substructure> assembled(bodies.parts.size());
+  std::vector<substructure::Substructure> assembled(bodies.pieces.size());
   const auto congruences = findCongruences(bodies, mesh);
   std::vector<bool> needsStiffness(assembled.size(), false);
   for (std::size_t b = 0; b < assembled.size(); ++b) {
@@ -164,21 +164,21 @@ std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh:
     needsStiffness[congruences[b] ? static_cast<std::size_t>(congruences[b]->representative) : b] = true;
   }
   for (std::size_t b = 0; b < assembled.size(); ++b) {
-    const mesh::Part& part = bodies.parts[b];
+    const mesh::Piece& piece = bodies.pieces[b];
     const Parameters& input = *bodies.inputs[b];
-    assembled[b].name = part.name;
+    assembled[b].name = piece.name;
     assembled[b].dimension = mesh.dimension;
     assembled[b].congruence = congruences[b];
-    for (const int node : part.nodes) assembled[b].nodes.push_back(mesh.nodes[node]);
+    for (const int node : piece.nodes) assembled[b].nodes.push_back(mesh.nodes[node]);
     errors.collect(input.where(), [&] {
       if (needsStiffness[b]) {
-        assembled[b].stiffness = elasticity::assembleStiffness(mesh, part, *bodies.materials[b],
+        assembled[b].stiffness = elasticity::assembleStiffness(mesh, piece, *bodies.materials[b],
                                                                elasticity::formulationNamed(input.text("Formulation")),
                                                                model.kinematics, model.thickness);
       }
       if (owner[b] == rank && input.hasList("Body Force")) {
         assembled[b].loads =
-            bodyForces(input.list("Body Force"), mesh, part, model, static_cast<int>(scene.times.size()));
+            bodyForces(input.list("Body Force"), mesh, piece, model, static_cast<int>(scene.times.size()));
       }
     });
   }

@@ -9,7 +9,7 @@
 #include <harmos/elasticity/Material.hpp>
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/mesh/Mesh.hpp>
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 #include <harmos/scene/Scene.hpp>
 #include <harmos/substructure/Substructure.hpp>
 
@@ -27,7 +27,7 @@ Model makeModel(const input::Parameters& model, const mesh::Mesh& mesh);
 /// The elastic bodies of the assembly: the parts of the scene, or the pieces they were cut into. The lists are
 /// parallel.
 struct Bodies {
-  std::vector<mesh::Part> parts;
+  std::vector<mesh::Piece> pieces;
   std::vector<const input::Parameters*> inputs;  // of the scene's parts; the scene must outlive them
   std::vector<std::shared_ptr<const elasticity::Material>> materials;
 };

@@ -29,7 +29,7 @@ std::vector<std::size_t> stressesOf(int dimension) {
 
 void writeParts(const Problem& problem, const latin::FixedPoint& state, const std::string& path,
                 const FieldFile& file) {
-  const auto layout = files::layOutParts(problem.mesh, problem.bodies.parts, problem.surfaces);
+  const auto layout = files::layOutParts(problem.mesh, problem.bodies.pieces, problem.surfaces);
   const int dimension = problem.mesh.dimension, steps = problem.assembly.steps();
   const auto components = stressesOf(dimension);
   ResultVariables variables;
@@ -38,10 +38,10 @@ void writeParts(const Problem& problem, const latin::FixedPoint& state, const st
   variables.element.push_back("von_mises");
 
   // Stresses of all steps at once: the integrals over an element are formed only once.
-  std::vector<base::Matrix> stress(problem.bodies.parts.size());
+  std::vector<base::Matrix> stress(problem.bodies.pieces.size());
   for (std::size_t body = 0; body < stress.size(); ++body) {
     if (!state.layout().owns(static_cast<int>(body))) continue;
-    const auto& part = problem.bodies.parts[body];
+    const auto& part = problem.bodies.pieces[body];
     base::Matrix displacement(static_cast<int>(part.nodes.size()) * dimension, steps);
     for (int t = 0; t < steps; ++t)
       for (int node = 0; node < static_cast<int>(part.nodes.size()); ++node) {
@@ -57,7 +57,7 @@ void writeParts(const Problem& problem, const latin::FixedPoint& state, const st
     ResultStep step = files::zeroStep(layout.mesh, variables, file.time(t));
     for (std::size_t body = 0; body < stress.size(); ++body) {
       if (!state.layout().owns(static_cast<int>(body))) continue;
-      const auto& part = problem.bodies.parts[body];
+      const auto& part = problem.bodies.pieces[body];
       for (int node = 0; node < static_cast<int>(part.nodes.size()); ++node) {
         const auto u = state.displacement(static_cast<int>(body), node, t);
         for (int c = 0; c < dimension; ++c) step.nodal[at(c)][at(layout.firstNode[body] + node)] = u[at(c)];
@@ -136,7 +136,7 @@ void addDissipation(const assembly::Interface& interface, const latin::PairField
 
 void writeInterfaces(const Problem& problem, const latin::FixedPoint& state, const std::string& path,
                      const FieldFile& file) {
-  const auto layout = files::layOutInterfaces(problem.mesh, problem.bodies.parts, problem.surfaces);
+  const auto layout = files::layOutInterfaces(problem.mesh, problem.bodies.pieces, problem.surfaces);
   const int dimension = problem.mesh.dimension;
   const auto& interfaces = problem.assembly.interfaces;
   std::vector<latin::PairFields> fields;
@@ -164,9 +164,9 @@ void writeInterfaces(const Problem& problem, const latin::FixedPoint& state, con
       auto& values = step.nodal[at(c)];
       for (std::size_t s = 0; s < problem.surfaces.size(); ++s) {
         const mesh::InterfaceSurface& surface = problem.surfaces[s];
-        if (!state.layout().owns(surface.part1)) continue;
+        if (!state.layout().owns(surface.piece1)) continue;
         for (std::size_t p = 0; p < surface.node1.size(); ++p)
-          values[at(layout.firstPair[s]) + p] = state.displacement(surface.part1, surface.node1[p], t)[at(c)];
+          values[at(layout.firstPair[s]) + p] = state.displacement(surface.piece1, surface.node1[p], t)[at(c)];
       }
       file.gather(values);
     }

@@ -14,13 +14,13 @@ using input::Parameters;
 
 /// Names of the parts on which a side set lies; none if there is no such set.
 std::set<std::string> partsOf(const std::string& sideSet, const mesh::Mesh& mesh,
-                              const std::vector<mesh::Part>& parts) {
+                              const std::vector<mesh::Piece>& pieces) {
   std::set<std::string> names;
   for (const mesh::SideSet& set : mesh.sideSets) {
     if (set.name != sideSet) continue;
     for (const int element : set.element) {
-      for (const mesh::Part& part : parts) {
-        if (std::binary_search(part.elements.begin(), part.elements.end(), element)) names.insert(part.body);
+      for (const mesh::Piece& piece : pieces) {
+        if (std::binary_search(piece.elements.begin(), piece.elements.end(), element)) names.insert(piece.part);
       }
     }
   }
@@ -28,16 +28,16 @@ std::set<std::string> partsOf(const std::string& sideSet, const mesh::Mesh& mesh
 }
 
 std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mesh::Mesh& mesh,
-                                               const std::vector<mesh::Part>& parts,
+                                               const std::vector<mesh::Piece>& pieces,
                                                const mesh::InterfaceFinder& finder) {
   const std::string& name = list.name();
   if (list.has("Side Set")) return finder.onSideSet(name, list.text("Side Set"));
   if (list.has("Node Set")) {
     return finder.onNodeSet(name, list.text("Node Set"), list.has("Part") ? list.text("Part") : "");
   }
-  if (list.has("Part 1")) return finder.betweenBodies(name, list.text("Part 1"), list.text("Part 2"));
-  const auto parts1 = partsOf(list.text("Side 1"), mesh, parts);
-  if (parts1.size() == 1 && parts1 == partsOf(list.text("Side 2"), mesh, parts)) {
+  if (list.has("Part 1")) return finder.betweenParts(name, list.text("Part 1"), list.text("Part 2"));
+  const auto parts1 = partsOf(list.text("Side 1"), mesh, pieces);
+  if (parts1.size() == 1 && parts1 == partsOf(list.text("Side 2"), mesh, pieces)) {
     throw base::Error("both sides belong to the part \"" + *parts1.begin() + "\".\n  An interface joins two parts.",
                       base::ExitCode::input);
   }
@@ -63,7 +63,7 @@ std::vector<std::vector<mesh::PairCarrier>> everyPairItself(const std::vector<me
 }  // namespace
 
 std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh::Mesh& mesh,
-                                                 const std::vector<mesh::Part>& parts,
+                                                 const std::vector<mesh::Piece>& pieces,
                                                  const mesh::InterfaceFinder& finder, input::ErrorList& errors) {
   std::vector<mesh::InterfaceSurface> surfaces;
   const auto append = [&](std::vector<mesh::InterfaceSurface> found) {
@@ -72,14 +72,14 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
   const int before = errors.count();
   for (const char* kind : {"Interfaces", "Boundaries"}) {
     for (const Parameters& list : scene.input.lists(kind)) {
-      errors.collect(list.where(), [&] { append(surfacesOf(list, mesh, parts, finder)); });
+      errors.collect(list.where(), [&] { append(surfacesOf(list, mesh, pieces, finder)); });
     }
   }
   if (errors.count() > before) return surfaces;  // else parts would be reported that a faulty interface should touch
   for (const Parameters& part : scene.input.lists("Parts")) {
     const bool isTouched = std::any_of(surfaces.begin(), surfaces.end(), [&](const mesh::InterfaceSurface& surface) {
-      const auto is = [&](int piece) { return piece >= 0 && parts[piece].body == part.name(); };
-      return is(surface.part1) || is(surface.part2);
+      const auto is = [&](int piece) { return piece >= 0 && pieces[piece].part == part.name(); };
+      return is(surface.piece1) || is(surface.piece2);
     });
     if (!isTouched) {
       errors.add(part.where(), "no interface and no boundary touches this part, so that nothing holds it.",
@@ -90,9 +90,9 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
   return surfaces;
 }
 
-Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Part>& parts,
+Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pieces,
                       std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent) {
-  const auto carriers = isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(parts, surfaces);
+  const auto carriers = isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(pieces, surfaces);
   Joints joints;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const mesh::InterfaceSurface& surface = surfaces[s];
@@ -101,13 +101,13 @@ Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Part>& parts,
     const auto law = scene.laws.find(surface.name);
     interface.law = law == scene.laws.end() ? scene.cutLaw : law->second;
     interface.name = surface.name;
-    interface.body1 = surface.part1;
-    interface.body2 = surface.part2;
+    interface.body1 = surface.piece1;
+    interface.body2 = surface.piece2;
     for (std::size_t p = 0; p < surface.node1.size(); ++p) {
       if (carriers[s][p].surface != static_cast<int>(s)) continue;
       joints.places[s][p] = {static_cast<int>(joints.interfaces.size()), interface.pairs()};
       interface.node1.push_back(surface.node1[p]);
-      if (surface.part2 >= 0) interface.node2.push_back(surface.node2[p]);
+      if (surface.piece2 >= 0) interface.node2.push_back(surface.node2[p]);
       interface.frame.push_back(surface.frame[p]);
       interface.area.push_back(surface.area[p]);
       interface.gap.push_back(surface.gap[p]);

@@ -13,7 +13,7 @@ namespace harmos::scene {
 /// Finds the surfaces of all interfaces and boundaries of a scene and, between the pieces of a part that was cut, of
 /// perfect interfaces. Reports sets that do not exist, sides that do not fit together and parts that nothing touches.
 std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh::Mesh& mesh,
-                                                 const std::vector<mesh::Part>& parts,
+                                                 const std::vector<mesh::Piece>& pieces,
                                                  const mesh::InterfaceFinder& finder, input::ErrorList& errors);
 
 /// Where the unknowns of a surface's pair are: a pair of an interface of the assembly; interface = -1: it has none.
@@ -31,7 +31,7 @@ struct Joints {
 /// An interface for every surface that carries unknowns, with the law of that name. Merges pairs that cuts make
 /// redundant (the areas of `surfaces` change), unless `isConsistent`: then every pair of a surface is kept, with the
 /// consistent interface mass where the surface has faces.
-Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Part>& parts,
+Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pieces,
                       std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent);
 
 }  // namespace harmos::scene

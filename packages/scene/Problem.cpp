@@ -46,17 +46,17 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   problem.bodies = makeBodies(scene, problem.mesh, errors);
   throwTogether(errors, comm);
 
-  const mesh::InterfaceFinder finder(problem.mesh, problem.bodies.parts, problem.model.thickness);
-  problem.surfaces = findSurfaces(scene, problem.mesh, problem.bodies.parts, finder, errors);
+  const mesh::InterfaceFinder finder(problem.mesh, problem.bodies.pieces, problem.model.thickness);
+  problem.surfaces = findSurfaces(scene, problem.mesh, problem.bodies.pieces, finder, errors);
   assembly::Assembly& assembly = problem.assembly;
   assembly.dimension = problem.mesh.dimension;
   assembly.times = scene.times;
-  Joints joints = makeInterfaces(scene, problem.bodies.parts, problem.surfaces,
+  Joints joints = makeInterfaces(scene, problem.bodies.pieces, problem.surfaces,
                                  scene.input.list("Solver").text("Interface Mass") == "Consistent");
   assembly.interfaces = std::move(joints.interfaces);
   problem.places = std::move(joints.places);
   problem.responses =
-      makeResponses(scene.input.lists("Responses"), problem.mesh, problem.bodies.parts, finder, assembly, errors);
+      makeResponses(scene.input.lists("Responses"), problem.mesh, problem.bodies.pieces, finder, assembly, errors);
   assembly.owner = distribute(problem.bodies, comm.getSize());
   assembly.bodies =
       assemble(scene, problem.mesh, problem.model, problem.bodies, assembly.owner, comm.getRank(), errors);

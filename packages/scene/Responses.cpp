@@ -25,9 +25,9 @@ const std::vector<std::pair<std::string, Field>> fields = {{"Contact Pressure", 
 
 class ResponseBuilder {
  public:
-  ResponseBuilder(const mesh::Mesh& mesh, const std::vector<mesh::Part>& parts, const mesh::InterfaceFinder& finder,
+  ResponseBuilder(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces, const mesh::InterfaceFinder& finder,
                   const assembly::Assembly& assembly)
-      : mesh_(mesh), parts_(parts), finder_(finder), assembly_(assembly) {}
+      : mesh_(mesh), pieces_(pieces), finder_(finder), assembly_(assembly) {}
 
   std::shared_ptr<const latin::Response> make(const Parameters& r) const {
     const std::string& type = r.type();
@@ -93,7 +93,7 @@ class ResponseBuilder {
     Nodes nodes;
     for (const mesh::InterfaceSurface& surface : surfaces) {
       for (std::size_t i = 0; i < surface.node1.size(); ++i) {
-        nodes.push_back({surface.part1, surface.node1[i], surface.area[i]});
+        nodes.push_back({surface.piece1, surface.node1[i], surface.area[i]});
         total += surface.area[i];
       }
     }
@@ -102,23 +102,23 @@ class ResponseBuilder {
   }
 
   Nodes pointNodes(const Parameters& r) const {
-    const std::string body = r.has("Part") ? r.text("Part") : "";
-    const int node = r.has("Point") ? nodeAt(vector(r, "Point", false), body) : onlyNodeOf(r.text("Node Set"));
+    const std::string part = r.has("Part") ? r.text("Part") : "";
+    const int node = r.has("Point") ? nodeAt(vector(r, "Point", false), part) : onlyNodeOf(r.text("Node Set"));
     Nodes nodes;
-    std::vector<std::string> bodies;
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-      const int local = mesh::localNode(parts_[p], node);
-      if (local < 0 || (!body.empty() && parts_[p].body != body)) continue;
+    std::vector<std::string> parts;
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      const int local = mesh::localNode(pieces_[p], node);
+      if (local < 0 || (!part.empty() && pieces_[p].part != part)) continue;
       nodes = {{static_cast<int>(p), local, 1.0}};
-      if (bodies.empty() || bodies.back() != parts_[p].body) bodies.push_back(parts_[p].body);
+      if (parts.empty() || parts.back() != pieces_[p].part) parts.push_back(pieces_[p].part);
     }
     if (nodes.empty()) {
-      throw base::Error("the node does not belong to " + (body.empty() ? "any part." : "the part \"" + body + "\"."),
+      throw base::Error("the node does not belong to " + (part.empty() ? "any part." : "the part \"" + part + "\"."),
                         base::ExitCode::input);
     }
-    if (bodies.size() > 1) {
+    if (parts.size() > 1) {
       throw base::Error(
-          "the node belongs to several parts: " + base::joinNames(bodies) + ".\n  Say which with \"Part\".",
+          "the node belongs to several parts: " + base::joinNames(parts) + ".\n  Say which with \"Part\".",
           base::ExitCode::input);
     }
     return nodes;
@@ -140,13 +140,13 @@ class ResponseBuilder {
   }
 
   /// The node at a point, within a millionth of the mesh's extent.
-  int nodeAt(const base::Vector3& point, const std::string& body) const {
+  int nodeAt(const base::Vector3& point, const std::string& part) const {
     int nearest = -1;
     double least = std::numeric_limits<double>::infinity();
     base::Vector3 lower = point, upper = point;
-    for (const mesh::Part& part : parts_) {
-      if (!body.empty() && part.body != body) continue;
-      for (const int node : part.nodes) {
+    for (const mesh::Piece& piece : pieces_) {
+      if (!part.empty() && piece.part != part) continue;
+      for (const int node : piece.nodes) {
         const base::Vector3& x = mesh_.nodes[node];
         for (std::size_t d = 0; d < 3; ++d) {
           lower[d] = std::min(lower[d], x[d]);
@@ -171,7 +171,7 @@ class ResponseBuilder {
   }
 
   const mesh::Mesh& mesh_;
-  const std::vector<mesh::Part>& parts_;
+  const std::vector<mesh::Piece>& pieces_;
   const mesh::InterfaceFinder& finder_;
   const assembly::Assembly& assembly_;
 };
@@ -220,9 +220,9 @@ std::vector<input::ParameterSpec> responseForms() {
 }
 
 std::vector<std::shared_ptr<const latin::Response>> makeResponses(
-    const std::vector<input::Parameters>& responses, const mesh::Mesh& mesh, const std::vector<mesh::Part>& parts,
+    const std::vector<input::Parameters>& responses, const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
     const mesh::InterfaceFinder& finder, const assembly::Assembly& assembly, input::ErrorList& errors) {
-  const ResponseBuilder builder(mesh, parts, finder, assembly);
+  const ResponseBuilder builder(mesh, pieces, finder, assembly);
   std::vector<std::shared_ptr<const latin::Response>> made;
   for (const Parameters& response : responses) {
     errors.collect(response.where(), [&] { made.push_back(builder.make(response)); });

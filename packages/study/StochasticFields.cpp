@@ -94,7 +94,7 @@ void writeParts(const ChaosStudy& chaos, const Moments& moments, const std::stri
                 const scene::FieldFile& file) {
   const scene::Problem& problem = chaos.problem();
   const auto& solver = chaos.solver();
-  const auto layout = files::layOutParts(problem.mesh, problem.bodies.parts, problem.surfaces);
+  const auto layout = files::layOutParts(problem.mesh, problem.bodies.pieces, problem.surfaces);
   const int dimension = problem.mesh.dimension;
   std::vector<std::string> fields;
   scene::addVector(fields, "disp", dimension);
@@ -104,9 +104,9 @@ void writeParts(const ChaosStudy& chaos, const Moments& moments, const std::stri
   std::vector<double> coefficients(at(chaos.basis().size()));
   for (int t = 0; t < problem.assembly.steps(); ++t) {
     ResultStep step = files::zeroStep(layout.mesh, variables, file.time(t));
-    for (std::size_t body = 0; body < problem.bodies.parts.size(); ++body) {
+    for (std::size_t body = 0; body < problem.bodies.pieces.size(); ++body) {
       if (!solver.state().layout().owns(static_cast<int>(body))) continue;
-      for (int node = 0; node < static_cast<int>(problem.bodies.parts[body].nodes.size()); ++node) {
+      for (int node = 0; node < static_cast<int>(problem.bodies.pieces[body].nodes.size()); ++node) {
         std::vector<base::Vector3> u;
         for (int a = 0; a < chaos.basis().size(); ++a) {
           u.push_back(solver.state().displacement(static_cast<int>(body), node, solver.column(t, a)));
@@ -128,7 +128,7 @@ void writeInterfaces(const ChaosStudy& chaos, const Moments& moments, const std:
                      const scene::FieldFile& file) {
   const scene::Problem& problem = chaos.problem();
   const auto& solver = chaos.solver();
-  const auto layout = files::layOutInterfaces(problem.mesh, problem.bodies.parts, problem.surfaces);
+  const auto layout = files::layOutInterfaces(problem.mesh, problem.bodies.pieces, problem.surfaces);
   const int dimension = problem.mesh.dimension;
   std::vector<std::string> fields = {"contact_pressure"};
   scene::addVector(fields, "traction", dimension);

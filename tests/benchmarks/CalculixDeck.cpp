@@ -117,7 +117,7 @@ class Writer {
     return *std::find_if(all.begin(), all.end(), [&](const mesh::InterfaceSurface& one) { return one.name == name; });
   }
 
-  int meshNode(int part, int node) const { return problem_.bodies.parts[part].nodes[node] + 1; }
+  int meshNode(int part, int node) const { return problem_.bodies.pieces[part].nodes[node] + 1; }
 
   void preload(const Parameters& interface, const Parameters& law) {
     const int reference = static_cast<int>(problem_.mesh.nodes.size() + references_.size()) + 1;
@@ -129,8 +129,8 @@ class Writer {
         const double n = surface.frame[p][0][c];
         const bool isTangential = std::abs(n) < 1e-12;
         out_ << (isTangential ? 2 : 3) << "\n"
-             << meshNode(surface.part2, surface.node2[p]) << ", " << c + 1 << ", 1, "
-             << meshNode(surface.part1, surface.node1[p]) << ", " << c + 1 << ", -1";
+             << meshNode(surface.piece2, surface.node2[p]) << ", " << c + 1 << ", 1, "
+             << meshNode(surface.piece1, surface.node1[p]) << ", " << c + 1 << ", -1";
         if (!isTangential) out_ << ", " << reference << ", 1, " << n;
         out_ << "\n";
       }
@@ -140,7 +140,7 @@ class Writer {
   void nodeSet(const std::string& name) {
     const mesh::InterfaceSurface& surface = interfaceSurface(name);
     out_ << "*NSET, NSET=" << name << "\n";
-    for (const int node : surface.node1) out_ << meshNode(surface.part1, node) << "\n";
+    for (const int node : surface.node1) out_ << meshNode(surface.piece1, node) << "\n";
   }
 
   void mean(const Parameters& response) {

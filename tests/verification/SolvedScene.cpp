@@ -44,7 +44,7 @@ SolvedScene::SolvedScene(const SceneInput& input, const Teuchos::RCP<const Teuch
 
   std::vector<double> components;
   for (std::size_t body = 0; body < assembly.bodies.size(); ++body) {
-    const mesh::Part& part = problem.bodies.parts[body];
+    const mesh::Piece& part = problem.bodies.pieces[body];
     for (std::size_t node = 0; node < part.nodes.size(); ++node) {
       base::Vector3 u{};
       if (solver.state().layout().owns(static_cast<int>(body))) {

@@ -8,16 +8,16 @@
 
 #include <harmos/mesh/FaceIntegrals.hpp>
 #include <harmos/mesh/InterfaceSurface.hpp>
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 
 namespace harmos::mesh {
 
 /// Collects the faces or the single nodes that one pair of parts (or one part and the ground) share at an interface.
 class SurfaceBuilder {
  public:
-  /// part2 = -1 for an outer boundary. With a unit vector `projection`, from side 1 to side 2, normals are along it and
-  /// gaps are measured along it; otherwise gaps are 0.
-  SurfaceBuilder(const Mesh& mesh, const std::vector<Part>& parts, int part1, int part2,
+  /// piece2 = -1 for an outer boundary. With a unit vector `projection`, from side 1 to side 2, normals are along it
+  /// and gaps are measured along it; otherwise gaps are 0.
+  SurfaceBuilder(const Mesh& mesh, const std::vector<Piece>& pieces, int piece1, int piece2,
                  const std::optional<base::Vector3>& projection = std::nullopt);
 
   /// nodes2 in the order of nodes1, empty for an outer boundary; mesh node numbers. The mass may be left out.
@@ -36,8 +36,8 @@ class SurfaceBuilder {
   };
 
   const Mesh& mesh_;
-  const std::vector<Part>& parts_;
-  int part1_, part2_;
+  const std::vector<Piece>& pieces_;
+  int piece1_, piece2_;
   std::optional<base::Vector3> projection_;
   std::map<Pair, PairData> pairs_;
   std::vector<std::vector<Pair>> faces_;
@@ -48,9 +48,9 @@ class SurfaceBuilder {
 class SurfaceBuilders {
  public:
   /// `projection` as for SurfaceBuilder.
-  SurfaceBuilders(const Mesh& mesh, const std::vector<Part>& parts,
+  SurfaceBuilders(const Mesh& mesh, const std::vector<Piece>& pieces,
                   const std::optional<base::Vector3>& projection = std::nullopt)
-      : mesh_(mesh), parts_(parts), projection_(projection) {}
+      : mesh_(mesh), pieces_(pieces), projection_(projection) {}
 
   /// The builder of a pair, made when first asked for; piece2 = -1 for an outer boundary.
   SurfaceBuilder& at(int piece1, int piece2);
@@ -59,7 +59,7 @@ class SurfaceBuilders {
 
  private:
   const Mesh& mesh_;
-  const std::vector<Part>& parts_;
+  const std::vector<Piece>& pieces_;
   std::optional<base::Vector3> projection_;
   std::map<std::pair<int, int>, SurfaceBuilder> all_;
 };

@@ -19,7 +19,7 @@ std::vector<input::ParameterSpec> responseForms();
 ///
 /// `parts` are the bodies of the assembly; interfaces carry the names of the scene.
 std::vector<std::shared_ptr<const latin::Response>> makeResponses(
-    const std::vector<input::Parameters>& responses, const mesh::Mesh& mesh, const std::vector<mesh::Part>& parts,
+    const std::vector<input::Parameters>& responses, const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
     const mesh::InterfaceFinder& finder, const assembly::Assembly& assembly, input::ErrorList& errors);
 
 }  // namespace harmos::scene

@@ -16,7 +16,7 @@ base::Matrix stressOfStretch(const Case& given, double youngsModulus, const base
   const Patch patch(given, 2, extent);
   const Isotropic material(youngsModulus, 0.0);
   const int dimension = given.dimension();
-  const auto stiffness = assembleStiffness(patch.mesh, patch.part, material, given.formulation, given.kinematics);
+  const auto stiffness = assembleStiffness(patch.mesh, patch.piece, material, given.formulation, given.kinematics);
   const base::Matrix exact =
       linearField(patch.mesh, {{1.0 / youngsModulus, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}, 1.0 / youngsModulus);
   base::Matrix load = product(*stiffness, exact);
@@ -32,7 +32,7 @@ base::Matrix stressOfStretch(const Case& given, double youngsModulus, const base
   }
   base::Matrix solution;
   substructure::SubstructureSolver(stiffness, springs, {}, "sliver").solve(load, solution);
-  return elementStress(patch.mesh, patch.part, material, given.kinematics, solution);
+  return elementStress(patch.mesh, patch.piece, material, given.kinematics, solution);
 }
 
 TEST(Extremes, stiffnessScalesFromRubberToRigid) {

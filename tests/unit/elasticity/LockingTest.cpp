@@ -17,7 +17,7 @@ constexpr double inner = 1.0, outer = 2.0, height = 0.2, pressure = 3.0, youngsM
 /// A quarter of a thick cylinder in plane strain (3-D: no displacement along z) under internal pressure.
 struct Cylinder {
   mesh::Mesh mesh;
-  mesh::Part part;
+  mesh::Piece piece;
 
   explicit Cylinder(mesh::ElementType type) {
     mesh::Box box;
@@ -32,7 +32,7 @@ struct Cylinder {
       x[0] = r * std::cos(angle);
       x[1] = r * std::sin(angle);
     }
-    part = mesh::makePart(mesh, "wall", {"wall"});
+    piece = mesh::makePiece(mesh, "wall", {"wall"});
   }
 
   double radius(std::size_t node) const { return std::hypot(mesh.nodes[node][0], mesh.nodes[node][1]); }
@@ -41,7 +41,7 @@ struct Cylinder {
   double relativeDisplacement(double nu, Formulation formulation) const {
     const int dimension = mesh.dimension;
     const auto stiffness =
-        assembleStiffness(mesh, part, Isotropic(youngsModulus, nu), formulation,
+        assembleStiffness(mesh, piece, Isotropic(youngsModulus, nu), formulation,
                           dimension == 3 ? Kinematics::threeDimensional : Kinematics::planeStrain, height);
     const std::size_t nodes = mesh.nodes.size();
     substructure::BoundaryTerm supports;

@@ -18,7 +18,7 @@ class EveryElement : public testing::TestWithParam<Case> {};
 void passPatchTest(const Case& given, const Material& material) {
   const Patch patch = Patch(given, 3).distort(0.04);
   const base::Matrix u = linearField(patch.mesh, gradient, 0.2);
-  const auto stiffness = assembleStiffness(patch.mesh, patch.part, material, given.formulation, given.kinematics, 0.7);
+  const auto stiffness = assembleStiffness(patch.mesh, patch.piece, material, given.formulation, given.kinematics, 0.7);
   const base::Matrix force = product(*stiffness, u);
   int interiorNodes = 0;
   const double scale = largest(force);
@@ -37,8 +37,8 @@ void passPatchTest(const Case& given, const Material& material) {
     strain[4] = gradient[1][2] + gradient[2][1];
     strain[5] = gradient[2][0] + gradient[0][2];
   }
-  const base::Matrix stress = elementStress(patch.mesh, patch.part, material, given.kinematics, u);
-  for (int e = 0; e < static_cast<int>(patch.part.elements.size()); ++e) {
+  const base::Matrix stress = elementStress(patch.mesh, patch.piece, material, given.kinematics, u);
+  for (int e = 0; e < static_cast<int>(patch.piece.elements.size()); ++e) {
     for (int m = 0; m < 6; ++m) {
       double expected = 0.0;
       for (std::size_t n = 0; n < 6; ++n) expected += c[m][n] * strain[n];
@@ -58,7 +58,7 @@ TEST_P(EveryElement, passesThePatchTestWithSkewOrthotropy) {
 TEST_P(EveryElement, hasNoForceInRigidMotion) {
   const Case given = GetParam();
   const Patch patch = Patch(given, 2).distort(0.05);
-  const auto stiffness = assembleStiffness(patch.mesh, patch.part, skewOrthotropic(given.dimension()),
+  const auto stiffness = assembleStiffness(patch.mesh, patch.piece, skewOrthotropic(given.dimension()),
                                            given.formulation, given.kinematics);
   const double turn3[3][3] = {{0.0, -0.3, 0.2}, {0.3, 0.0, -0.5}, {-0.2, 0.5, 0.0}};
   const base::Matrix force = product(*stiffness, linearField(patch.mesh, turn3, 1.0));
@@ -72,9 +72,9 @@ TEST_P(EveryElement, bodyForceIsForceTimesVolume) {
   const int dimension = given.dimension();
   const Patch patch = Patch(given, 2).distort(0.05);
   const base::Vector3 density{3.0, -2.0, dimension == 3 ? 5.0 : 0.0};
-  const std::vector<double> forces = bodyForce(patch.mesh, patch.part, density, given.kinematics, 0.5);
+  const std::vector<double> forces = bodyForce(patch.mesh, patch.piece, density, given.kinematics, 0.5);
   // Volume from the divergence theorem: with unit pressure stress the forces do the work of the volume change.
-  const auto stiffness = assembleStiffness(patch.mesh, patch.part, Isotropic(1.0, 0.0), Formulation::fullIntegration,
+  const auto stiffness = assembleStiffness(patch.mesh, patch.piece, Isotropic(1.0, 0.0), Formulation::fullIntegration,
                                            given.kinematics, 0.5);
   const base::Matrix u = linearField(patch.mesh, {{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}});
   const base::Matrix f = product(*stiffness, u);

@@ -8,7 +8,7 @@
 #include <harmos/elasticity/Kinematics.hpp>
 #include <harmos/elasticity/detail/Orthotropic.hpp>
 #include <harmos/mesh/Boxes.hpp>
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
 
 namespace harmos::elasticity {
@@ -49,11 +49,11 @@ inline std::vector<Case> everyCase() {
 /// A box of the element type in block "box", 1 x 0.8 x 1.2, and the part that it is.
 struct Patch {
   mesh::Mesh mesh;
-  mesh::Part part;
+  mesh::Piece piece;
   std::vector<bool> interior;  // per node
 
   Patch(const Case& given, int cells, const base::Vector3& extent = {1.0, 0.8, 1.2})
-      : mesh(boxOf(given, cells, extent)), part(mesh::makePart(mesh, "patch", {"box"})) {
+      : mesh(boxOf(given, cells, extent)), piece(mesh::makePiece(mesh, "patch", {"box"})) {
     for (const base::Vector3& x : mesh.nodes) {
       bool inside = true;
       for (int i = 0; i < given.dimension(); ++i) {

@@ -17,7 +17,7 @@ class EveryElementStiffness : public testing::TestWithParam<Case> {};
 TEST_P(EveryElementStiffness, isSymmetricToTheLastBit) {
   const Case given = GetParam();
   const Patch patch = Patch(given, 2).distort(0.05);
-  const auto stiffness = assembleStiffness(patch.mesh, patch.part, skewOrthotropic(given.dimension()),
+  const auto stiffness = assembleStiffness(patch.mesh, patch.piece, skewOrthotropic(given.dimension()),
                                            given.formulation, given.kinematics);
   const substructure::CrsView view = substructure::viewOf(*stiffness, "patch");
   base::Matrix dense(view.rows, view.rows);
@@ -34,7 +34,7 @@ TEST_P(EveryElementStiffness, onlyRigidMotionsHaveNoEnergy) {
   const Case given = GetParam();
   const Patch patch = Patch(given, 1).distort(0.05);
   const auto stiffness =
-      assembleStiffness(patch.mesh, patch.part, Isotropic(1.0, 0.3), given.formulation, given.kinematics);
+      assembleStiffness(patch.mesh, patch.piece, Isotropic(1.0, 0.3), given.formulation, given.kinematics);
   const substructure::CrsView view = substructure::viewOf(*stiffness, "patch");
   base::Matrix dense(view.rows, view.rows);
   for (int row = 0; row < view.rows; ++row) {
@@ -65,9 +65,9 @@ constexpr Case quadrilaterals{mesh::ElementType::quad4, Kinematics::planeStrain,
 TEST(Stiffness, growsWithTheThickness) {
   const Patch patch(quadrilaterals, 2);
   const auto thin =
-      assembleStiffness(patch.mesh, patch.part, Isotropic(1.0, 0.3), Formulation::bBar, Kinematics::planeStrain, 1.0);
+      assembleStiffness(patch.mesh, patch.piece, Isotropic(1.0, 0.3), Formulation::bBar, Kinematics::planeStrain, 1.0);
   const auto thick =
-      assembleStiffness(patch.mesh, patch.part, Isotropic(1.0, 0.3), Formulation::bBar, Kinematics::planeStrain, 4.0);
+      assembleStiffness(patch.mesh, patch.piece, Isotropic(1.0, 0.3), Formulation::bBar, Kinematics::planeStrain, 4.0);
   EXPECT_DOUBLE_EQ(4.0 * substructure::viewOf(*thin, "").values[0], substructure::viewOf(*thick, "").values[0]);
 }
 
@@ -76,9 +76,9 @@ TEST(Stiffness, bBarChangesNothingForConstantVolumeChange) {
   const Patch patch = Patch(hexahedra, 2).distort(0.05);
   const Isotropic material(1.0, 0.4);
   const auto full =
-      assembleStiffness(patch.mesh, patch.part, material, Formulation::fullIntegration, Kinematics::threeDimensional);
+      assembleStiffness(patch.mesh, patch.piece, material, Formulation::fullIntegration, Kinematics::threeDimensional);
   const auto bBar =
-      assembleStiffness(patch.mesh, patch.part, material, Formulation::bBar, Kinematics::threeDimensional);
+      assembleStiffness(patch.mesh, patch.piece, material, Formulation::bBar, Kinematics::threeDimensional);
   const base::Matrix u = linearField(patch.mesh, {{1.0, 0.2, 0.0}, {0.0, 0.5, 0.0}, {0.3, 0.0, -0.4}});
   base::Matrix difference = product(*full, u);
   difference -= product(*bBar, u);
@@ -96,14 +96,14 @@ TEST(Stiffness, takesPartsOfSeveralBlocks) {
   left.cells = right.cells = {2, 2, 2};
   right.element = mesh::ElementType::tet4;
   const mesh::Mesh mesh = mesh::boxes({left, right});
-  const mesh::Part both = mesh::makePart(mesh, "both", {"left", "right"}),
-                   second = mesh::makePart(mesh, "second", {"right"});
-  const auto stiffness = [&](const mesh::Part& part) {
-    return assembleStiffness(mesh, part, Isotropic(1.0, 0.3), Formulation::fullIntegration,
+  const mesh::Piece both = mesh::makePiece(mesh, "both", {"left", "right"}),
+                    second = mesh::makePiece(mesh, "second", {"right"});
+  const auto stiffness = [&](const mesh::Piece& piece) {
+    return assembleStiffness(mesh, piece, Isotropic(1.0, 0.3), Formulation::fullIntegration,
                              Kinematics::threeDimensional);
   };
-  const auto whole = stiffness(both), part = stiffness(second);
-  const substructure::CrsView wholeView = substructure::viewOf(*whole, ""), partView = substructure::viewOf(*part, "");
+  const auto whole = stiffness(both), piece = stiffness(second);
+  const substructure::CrsView wholeView = substructure::viewOf(*whole, ""), partView = substructure::viewOf(*piece, "");
   const std::size_t offset = wholeView.rowPointers[wholeView.rows] - partView.rowPointers[partView.rows];
   for (std::size_t k = 0; k < partView.rowPointers[partView.rows]; ++k) {
     ASSERT_EQ(wholeView.values[offset + k], partView.values[k]);
@@ -112,7 +112,7 @@ TEST(Stiffness, takesPartsOfSeveralBlocks) {
 
 std::string messageOf(const Patch& patch, Formulation formulation, Kinematics kinematics) {
   try {
-    assembleStiffness(patch.mesh, patch.part, Isotropic(1.0, 0.3), formulation, kinematics);
+    assembleStiffness(patch.mesh, patch.piece, Isotropic(1.0, 0.3), formulation, kinematics);
   } catch (const base::Error& error) {
     return error.what();
   }
@@ -155,7 +155,7 @@ TEST(Stiffness, refusesKinematicsOfOtherDimension) {
 
 TEST(BodyForce, hasNoThirdComponentInThePlane) {
   const Patch patch(quadrilaterals, 1);
-  EXPECT_THROW(bodyForce(patch.mesh, patch.part, {0.0, 0.0, 1.0}, Kinematics::planeStrain), base::Error);
+  EXPECT_THROW(bodyForce(patch.mesh, patch.piece, {0.0, 0.0, 1.0}, Kinematics::planeStrain), base::Error);
 }
 
 }  // namespace

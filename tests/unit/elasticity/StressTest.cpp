@@ -17,9 +17,9 @@ constexpr Case quadrilaterals{mesh::ElementType::quad4, Kinematics::planeStrain,
 TEST(ElementStress, keepsThicknessInPlaneStrain) {
   const Patch patch(quadrilaterals, 2);
   const base::Matrix u = linearField(patch.mesh, {{1e-3, 0.0, 0.0}, {0.0, 2e-3, 0.0}, {0.0, 0.0, 0.0}});
-  const base::Matrix strain = elementStress(patch.mesh, patch.part, Isotropic(100.0, 0.3), Kinematics::planeStrain, u);
+  const base::Matrix strain = elementStress(patch.mesh, patch.piece, Isotropic(100.0, 0.3), Kinematics::planeStrain, u);
   EXPECT_NEAR(strain(2, 0), 0.3 * (strain(0, 0) + strain(1, 0)), 1e-14);
-  const base::Matrix stress = elementStress(patch.mesh, patch.part, Isotropic(100.0, 0.3), Kinematics::planeStress, u);
+  const base::Matrix stress = elementStress(patch.mesh, patch.piece, Isotropic(100.0, 0.3), Kinematics::planeStress, u);
   EXPECT_EQ(stress(2, 0), 0.0);
   EXPECT_NEAR(stress(0, 0), 100.0 / 0.91 * (1e-3 + 0.3 * 2e-3), 1e-14);
 }
@@ -33,13 +33,13 @@ TEST(ElementStress, takesColumnsOneByOne) {
     two(i, 1) = -2.0 * u(i, 0);
   }
   const base::Matrix stress =
-      elementStress(patch.mesh, patch.part, Isotropic(100.0, 0.3), Kinematics::planeStrain, two);
+      elementStress(patch.mesh, patch.piece, Isotropic(100.0, 0.3), Kinematics::planeStrain, two);
   for (int i = 0; i < stress.numRows(); ++i) EXPECT_DOUBLE_EQ(stress(i, 1), -2.0 * stress(i, 0));
 }
 
 TEST(ElementStress, refusesDisplacementsOfOtherSize) {
   const Patch patch(quadrilaterals, 1);
-  EXPECT_THROW(elementStress(patch.mesh, patch.part, Isotropic(1.0, 0.3), Kinematics::planeStrain, base::Matrix(7, 1)),
+  EXPECT_THROW(elementStress(patch.mesh, patch.piece, Isotropic(1.0, 0.3), Kinematics::planeStrain, base::Matrix(7, 1)),
                base::Error);
 }
 

@@ -203,8 +203,8 @@ TEST(SharedMesh, BoltedJointIsTheReferenceMesh) {
   std::vector<int> number(expected.nodes.size());  // of the reference node's image
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     EXPECT_EQ(mesh.blocks[b].name, expected.blocks[b].name);
-    const mesh::Part part = mesh::makePart(mesh, "ours", {mesh.blocks[b].name});
-    const mesh::Part reference = mesh::makePart(expected, "theirs", {mesh.blocks[b].name});
+    const mesh::Piece part = mesh::makePiece(mesh, "ours", {mesh.blocks[b].name});
+    const mesh::Piece reference = mesh::makePiece(expected, "theirs", {mesh.blocks[b].name});
     ASSERT_EQ(part.nodes.size(), reference.nodes.size());
     std::vector<base::Vector3> points;
     for (const int node : part.nodes) points.push_back(mesh.nodes[node]);
@@ -214,7 +214,7 @@ TEST(SharedMesh, BoltedJointIsTheReferenceMesh) {
       ASSERT_LT(nearest.distance, 1e-12);
       number[node] = part.nodes[nearest.index];
     }
-    const auto keys = [&](const mesh::Elements& from, const mesh::Part& of, bool isReference) {
+    const auto keys = [&](const mesh::Elements& from, const mesh::Piece& of, bool isReference) {
       std::vector<std::vector<int>> result;
       for (const int element : of.elements) {
         result.emplace_back(from.nodes(element), from.nodes(element) + 8);
@@ -247,11 +247,11 @@ TEST(SharedMesh, TurbineIsJoinedByWholeFaces) {
   const std::string path = sharedFile("meshes/lcm_turbine_tet4_3named.e");
   if (path.empty()) GTEST_SKIP() << "HARMOS_SHARED is not set";
   const mesh::Mesh mesh = readExodus(path);
-  std::vector<mesh::Part> parts;
-  for (const mesh::ElementBlock& block : mesh.blocks) parts.push_back(mesh::makePart(mesh, block.name, {block.name}));
+  std::vector<mesh::Piece> parts;
+  for (const mesh::ElementBlock& block : mesh.blocks) parts.push_back(mesh::makePiece(mesh, block.name, {block.name}));
   const mesh::InterfaceFinder finder(mesh, parts);
   for (const char* wheel : {"compressor", "turbine"}) {
-    const auto joint = finder.betweenBodies("joint", wheel, "middle");
+    const auto joint = finder.betweenParts("joint", wheel, "middle");
     ASSERT_EQ(joint.size(), 1u);
     EXPECT_EQ(joint[0].node1.size(), 19u);
     EXPECT_EQ(joint[0].face.size(), 24u);

@@ -14,16 +14,16 @@ struct SharedFace {
         for (int j = 0; j < 2; ++j) mesh.nodes.push_back({1.0 * i, 1.0 * j, 1.0 * k});
     mesh.blocks = {{"left", 1, mesh::ElementType::hex8, {0, 4, 5, 1, 2, 6, 7, 3}},
                    {"right", 2, mesh::ElementType::hex8, {4, 8, 9, 5, 6, 10, 11, 7}}};
-    parts = {mesh::makePart(mesh, "left", {"left"}), mesh::makePart(mesh, "right", {"right"})};
+    parts = {mesh::makePiece(mesh, "left", {"left"}), mesh::makePiece(mesh, "right", {"right"})};
     surface.name = "joint";
-    surface.part1 = 0;
-    surface.part2 = 1;
+    surface.piece1 = 0;
+    surface.piece2 = 1;
     surface.node1 = {4, 5, 6, 7};
     surface.node2 = {0, 1, 2, 3};
     surface.face = {{0, 1, 3, 2}};
   }
   mesh::Mesh mesh;
-  std::vector<mesh::Part> parts;
+  std::vector<mesh::Piece> parts;
   mesh::InterfaceSurface surface;
 };
 
@@ -55,7 +55,7 @@ TEST(ResultLayout, BoundariesWithoutFacesBecomeNodeSetsAndPoints) {
   SharedFace scene;
   mesh::InterfaceSurface fixed;
   fixed.name = "left";  // as the part: sets and blocks must not share a name
-  fixed.part1 = 0;
+  fixed.piece1 = 0;
   fixed.node1 = {0, 1};
   const auto parts = files::layOutParts(scene.mesh, scene.parts, {fixed});
   ASSERT_EQ(parts.mesh.nodeSets.size(), 1u);

@@ -11,7 +11,7 @@ namespace harmos::latin {
 BoxAssembly::BoxAssembly(const std::vector<mesh::Box>& boxes, int steps) : mesh_(mesh::boxes(boxes)) {
   assembly_.dimension = mesh_.dimension;
   for (int t = 0; t < steps; ++t) assembly_.times.push_back(t + 1.0);
-  for (const mesh::Box& box : boxes) parts_.push_back(mesh::makePart(mesh_, box.name, {box.name}));
+  for (const mesh::Box& box : boxes) parts_.push_back(mesh::makePiece(mesh_, box.name, {box.name}));
   assemble();
 }
 
@@ -20,7 +20,7 @@ void BoxAssembly::assemble() {
   const auto kinematics =
       mesh_.dimension == 3 ? elasticity::Kinematics::threeDimensional : elasticity::Kinematics::planeStrain;
   assembly_.bodies.clear();
-  for (const mesh::Part& part : parts_) {
+  for (const mesh::Piece& part : parts_) {
     substructure::Substructure body;
     body.name = part.name;
     body.dimension = mesh_.dimension;
@@ -32,7 +32,7 @@ void BoxAssembly::assemble() {
 }
 
 void BoxAssembly::deform(const std::string& box, const std::function<base::Vector3(const base::Vector3&)>& motion) {
-  for (const mesh::Part& part : parts_) {
+  for (const mesh::Piece& part : parts_) {
     if (part.name != box) continue;
     for (int node : part.nodes) {
       base::Vector3& x = mesh_.nodes[node];
@@ -48,8 +48,8 @@ void BoxAssembly::add(const std::vector<mesh::InterfaceSurface>& surfaces,
     assembly::Interface joint;
     joint.name = surface.name;
     joint.law = law;
-    joint.body1 = surface.part1;
-    joint.body2 = surface.part2;
+    joint.body1 = surface.piece1;
+    joint.body2 = surface.piece2;
     joint.node1 = surface.node1;
     joint.node2 = surface.node2;
     joint.frame = surface.frame;

@@ -28,7 +28,7 @@ class BoxAssembly {
   void share(int representative, int body);
 
   assembly::Assembly& assembly() { return assembly_; }
-  const std::vector<mesh::Part>& parts() const { return parts_; }
+  const std::vector<mesh::Piece>& parts() const { return parts_; }
 
  private:
   void add(const std::vector<mesh::InterfaceSurface>& surfaces, const std::shared_ptr<const laws::InterfaceLaw>& law,
@@ -36,7 +36,7 @@ class BoxAssembly {
   void assemble();
 
   mesh::Mesh mesh_;
-  std::vector<mesh::Part> parts_;
+  std::vector<mesh::Piece> parts_;
   assembly::Assembly assembly_;
 };
 

@@ -16,8 +16,8 @@ double determinant(const base::Frame& q) {
   return dot(cross(q[0], q[1]), q[2]);
 }
 
-void expectCarries(const Mesh& mesh, const Part& first, const Part& second, const Congruence& congruence) {
-  const auto place = [&](const Part& part, std::size_t node) { return mesh.nodes[part.nodes[node]]; };
+void expectCarries(const Mesh& mesh, const Piece& first, const Piece& second, const Congruence& congruence) {
+  const auto place = [&](const Piece& piece, std::size_t node) { return mesh.nodes[piece.nodes[node]]; };
   const auto image = [&](std::size_t a) { return place(second, static_cast<std::size_t>(congruence.node[a])); };
   for (std::size_t a = 1; a < first.nodes.size(); ++a) {
     const base::Vector3 from = place(first, a) - place(first, 0);
@@ -30,7 +30,7 @@ void expectCarries(const Mesh& mesh, const Part& first, const Part& second, cons
 /// Boxes without symmetry, the second moved by Q and with its nodes and elements shuffled.
 struct Pair {
   Mesh mesh;
-  Part first, second;
+  Piece first, second;
 
   Pair(const base::Frame& q, ElementType type) {
     const bool plane = dimensionOf(type) == 2;
@@ -51,8 +51,8 @@ struct Pair {
     auto& connectivity = mesh.blocks[1].connectivity;
     for (int& node : connectivity) node = number[node];
     std::rotate(connectivity.begin(), connectivity.begin() + 2 * nodesPerElement(type), connectivity.end());
-    first = makePart(mesh, "a", {"a"});
-    second = makePart(mesh, "b", {"b"});
+    first = makePiece(mesh, "a", {"a"});
+    second = makePiece(mesh, "b", {"b"});
   }
 };
 
@@ -86,16 +86,16 @@ TEST(Congruence, FindsMotionsAndMirrorImages) {
 
 TEST(Congruence, FindsTheEqualBodiesOfTheBoltedJoint) {
   const Mesh mesh = boltedJoint();
-  const auto part = [&](const char* block) { return makePart(mesh, block, {block}); };
+  const auto piece = [&](const char* block) { return makePiece(mesh, block, {block}); };
   for (const auto& [a, b, turn] :
        {std::tuple("bolt_1", "bolt_2", 1.0), std::tuple("head_1", "head_2", 1.0),
         std::tuple("cover_bottom", "cover_top", 1.0), std::tuple("cover_bottom", "centre", -1.0)}) {
-    const auto found = findCongruence(mesh, part(a), part(b));
+    const auto found = findCongruence(mesh, piece(a), piece(b));
     ASSERT_TRUE(found) << a << " " << b;
-    expectCarries(mesh, part(a), part(b), *found);
+    expectCarries(mesh, piece(a), piece(b), *found);
     EXPECT_EQ(found->rotation[0][0], turn) << a << " " << b;
   }
-  EXPECT_FALSE(findCongruence(mesh, part("bolt_1"), part("head_1")));
+  EXPECT_FALSE(findCongruence(mesh, piece("bolt_1"), piece("head_1")));
 }
 
 TEST(Congruence, SeesASmallDifference) {
@@ -112,7 +112,7 @@ TEST(Congruence, SeesASmallDifference) {
     const int other[6] = {n[0], n[1], n[3], n[1], n[2], n[3]};
     std::copy(other, other + 6, connectivity.begin() + static_cast<std::ptrdiff_t>(cell));
   }
-  EXPECT_FALSE(findCongruence(mesh, makePart(mesh, "a", {"a"}), makePart(mesh, "b", {"b"})));
+  EXPECT_FALSE(findCongruence(mesh, makePiece(mesh, "a", {"a"}), makePiece(mesh, "b", {"b"})));
 }
 
 }  // namespace

@@ -18,14 +18,14 @@ namespace {
 
 constexpr double roundOff = 1e-12;
 
-std::vector<Part> onePartPerBlock(const Mesh& mesh) {
-  std::vector<Part> parts;
-  for (const ElementBlock& block : mesh.blocks) parts.push_back(makePart(mesh, block.name, {block.name}));
+std::vector<Piece> onePartPerBlock(const Mesh& mesh) {
+  std::vector<Piece> parts;
+  for (const ElementBlock& block : mesh.blocks) parts.push_back(makePiece(mesh, block.name, {block.name}));
   return parts;
 }
 
 /// The first part cut in two by a plane, as METIS would do it.
-std::vector<Part> cutFirstPart(const Mesh& mesh, const std::vector<Part>& parts, std::size_t axis, double at) {
+std::vector<Piece> cutFirstPart(const Mesh& mesh, const std::vector<Piece>& parts, std::size_t axis, double at) {
   const Elements elements(mesh);
   std::vector<int> below, above;
   for (const int element : parts[0].elements) {
@@ -36,8 +36,8 @@ std::vector<Part> cutFirstPart(const Mesh& mesh, const std::vector<Part>& parts,
     }
     (centre < at ? below : above).push_back(element);
   }
-  std::vector<Part> result = {makePart(mesh, parts[0].name + ".1", parts[0].name, below),
-                              makePart(mesh, parts[0].name + ".2", parts[0].name, above)};
+  std::vector<Piece> result = {makePiece(mesh, parts[0].name + ".1", parts[0].name, below),
+                               makePiece(mesh, parts[0].name + ".2", parts[0].name, above)};
   result.insert(result.end(), parts.begin() + 1, parts.end());
   return result;
 }
@@ -48,7 +48,7 @@ double totalArea(const std::vector<InterfaceSurface>& surfaces) {
   return total;
 }
 
-void expectConsistent(const InterfaceSurface& surface, const Mesh& mesh, const std::vector<Part>& parts) {
+void expectConsistent(const InterfaceSurface& surface, const Mesh& mesh, const std::vector<Piece>& parts) {
   std::vector<double> rowSum(surface.area.size(), 0.0);
   for (const MassEntry& entry : surface.mass) rowSum[entry.row] += entry.value;
   for (std::size_t p = 0; p < surface.area.size(); ++p) {
@@ -60,9 +60,9 @@ void expectConsistent(const InterfaceSurface& surface, const Mesh& mesh, const s
       for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(dot(frame[i], frame[j]), i == j ? 1.0 : 0.0, roundOff);
     }
     EXPECT_NEAR(dot(cross(frame[0], frame[1]), frame[2]), 1.0, roundOff);
-    if (surface.part2 < 0) continue;
+    if (surface.piece2 < 0) continue;
     const auto place = [&](int part, int node) { return mesh.nodes[parts[part].nodes[node]]; };
-    const base::Vector3 apart = place(surface.part2, surface.node2[p]) - place(surface.part1, surface.node1[p]);
+    const base::Vector3 apart = place(surface.piece2, surface.node2[p]) - place(surface.piece1, surface.node1[p]);
     EXPECT_NEAR(distance(apart, surface.gap[p] * frame[0]), 0.0, 1e-9);
   }
 }
@@ -106,7 +106,7 @@ TEST(InterfaceFinder, SwappedSidesHaveTheSameAreasAndOppositeNormals) {
   const auto b = finder.betweenSideSets("seal", "plates_top_2", "plates_top_1")[0];
   std::map<int, std::pair<double, base::Vector3>> byNode;
   for (std::size_t p = 0; p < a.area.size(); ++p) byNode[a.node1[p]] = {a.area[p], a.frame[p][0]};
-  ASSERT_EQ(a.part1, b.part2);
+  ASSERT_EQ(a.piece1, b.piece2);
   for (std::size_t p = 0; p < b.area.size(); ++p) {
     EXPECT_NEAR(byNode.at(b.node2[p]).first, b.area[p], roundOff * b.area[p]);
     EXPECT_NEAR(dot(byNode.at(b.node2[p]).second, b.frame[p][0]), -1.0, roundOff);
@@ -117,14 +117,14 @@ TEST(InterfaceFinder, FindsTheSameSurfaceFromBodiesAsFromSideSets) {
   const Mesh mesh = boltedJoint(0.5);
   const auto parts = onePartPerBlock(mesh);
   const InterfaceFinder finder(mesh, parts);
-  const auto a = finder.betweenBodies("seal", "centre", "cover_top");
+  const auto a = finder.betweenParts("seal", "centre", "cover_top");
   const auto b = finder.betweenSideSets("seal", "plates_top_1", "plates_top_2");
   ASSERT_EQ(a.size(), 1u);
   EXPECT_EQ(a[0].node1, b[0].node1);
   EXPECT_EQ(a[0].node2, b[0].node2);
   EXPECT_EQ(a[0].area, b[0].area);
   // Shank and head meet in a disc, cover and head in an annulus: two interfaces of the same head.
-  EXPECT_EQ(totalArea(finder.betweenBodies("preload", "bolt_1", "head_1")),
+  EXPECT_EQ(totalArea(finder.betweenParts("preload", "bolt_1", "head_1")),
             totalArea(finder.betweenSideSets("preload", "preload_1_1", "preload_1_2")));
 }
 
@@ -174,10 +174,10 @@ TEST(InterfaceFinder, TiesPiecesThatTouchInAnEdgeOnly) {
   // Of 2 x 2 x 1 cubes, one piece holds two diagonal cubes, the others one each: at the middle edge no chain of faces
   // is missing. Without the two single cubes, the diagonal ones touch in the edge alone.
   const Mesh mesh = boxes({{"block", {}, {2.0, 2.0, 1.0}, {2, 2, 1}}});
-  const std::vector<Part> all = {makePart(mesh, "a", "block", {0}), makePart(mesh, "b", "block", {1, 2}),
-                                 makePart(mesh, "c", "block", {3})};
+  const std::vector<Piece> all = {makePiece(mesh, "a", "block", {0}), makePiece(mesh, "b", "block", {1, 2}),
+                                  makePiece(mesh, "c", "block", {3})};
   for (const auto& surface : InterfaceFinder(mesh, all).cuts()) EXPECT_FALSE(surface.face.empty());
-  const std::vector<Part> diagonal = {all[0], all[2]};
+  const std::vector<Piece> diagonal = {all[0], all[2]};
   const auto surfaces = InterfaceFinder(mesh, diagonal).cuts();
   ASSERT_EQ(surfaces.size(), 1u);
   EXPECT_EQ(surfaces[0].node1.size(), 2u);
@@ -275,7 +275,7 @@ TEST(InterfaceFinder, SharedNodesCountOnceOnTheOuterBoundary) {
   const InterfaceFinder finder(mesh, parts);
   EXPECT_NEAR(totalArea(finder.onNodeSet("held", "all")), 10.0, roundOff);
   EXPECT_NEAR(totalArea(finder.onNodeSet("held", "all", "right")), 6.0, roundOff);
-  const auto joint = finder.betweenBodies("joint", "block", "right");
+  const auto joint = finder.betweenParts("joint", "block", "right");
   ASSERT_EQ(joint.size(), 1u);
   EXPECT_EQ(joint[0].node1.size(), 4u);
   EXPECT_NEAR(totalArea(joint), 1.0, roundOff);
@@ -306,23 +306,23 @@ TEST(InterfaceFinder, SaysWhatIsWrong) {
   expect(messageOf([&] { finder.betweenSideSets("seal", "a_xmax", "a_xmax"); }), {"do not conform"});
   expect(messageOf([&] { finder.betweenSideSets("seal", "a_xmx", "b_xmin"); }),
          {"no side set \"a_xmx\"", "\"a_xmax\""});
-  expect(messageOf([&] { finder.betweenBodies("seal", "a", "c"); }), {"no coincident faces", "4 apart"});
-  expect(messageOf([&] { finder.betweenBodies("seal", "a", "a"); }), {"Part 1 and Part 2 are both \"a\""});
-  expect(messageOf([&] { finder.betweenBodies("seal", "a", "d"); }), {"no part \"d\""});
+  expect(messageOf([&] { finder.betweenParts("seal", "a", "c"); }), {"no coincident faces", "4 apart"});
+  expect(messageOf([&] { finder.betweenParts("seal", "a", "a"); }), {"Part 1 and Part 2 are both \"a\""});
+  expect(messageOf([&] { finder.betweenParts("seal", "a", "d"); }), {"no part \"d\""});
   expect(messageOf([&] { finder.onSideSet("fix", "nothing"); }), {"Boundary \"fix\"", "no side set \"nothing\""});
-  const std::vector<Part> onlyA = {parts[0]};
+  const std::vector<Piece> onlyA = {parts[0]};
   expect(messageOf([&] { InterfaceFinder(mesh, onlyA).onSideSet("fix", "b_xmin"); }),
          {"block \"b\"", "belongs to no part"});
   expect(messageOf([&] { InterfaceFinder(mesh, {parts[0], parts[0]}); }), {"both have elements of block \"a\""});
 }
 
-TEST(Part, refusesAnElementThatIsThereTwice) {
+TEST(Piece, refusesAnElementThatIsThereTwice) {
   Mesh mesh = boxes({{"box", {0, 0, 0}, {2, 1, 1}, {2, 1, 1}}});
   std::vector<int>& nodes = mesh.blocks[0].connectivity;
   const std::vector<int> first(nodes.begin(), nodes.begin() + 8);
   nodes.insert(nodes.end(), first.begin(), first.end());
   try {
-    makePart(mesh, "box", {"box"});
+    makePiece(mesh, "box", {"box"});
     FAIL() << "accepted";
   } catch (const base::Error& error) {
     EXPECT_STREQ(error.what(), "Part \"box\": elements 1 and 3 of the mesh have the same nodes; remove one of them.");

@@ -12,10 +12,10 @@
 namespace harmos::mesh {
 namespace {
 
-bool isConnected(const Mesh& mesh, const Part& part) {
+bool isConnected(const Mesh& mesh, const Piece& piece) {
   const Elements elements(mesh);
-  std::vector<int> reached = {part.elements.front()};
-  std::vector<int> left(part.elements.begin() + 1, part.elements.end());
+  std::vector<int> reached = {piece.elements.front()};
+  std::vector<int> left(piece.elements.begin() + 1, piece.elements.end());
   const auto sides = [&](int element) {
     std::vector<std::vector<int>> keys;
     for (int side = 0; side < sidesPerElement(elements.type(element)); ++side) {
@@ -38,27 +38,27 @@ bool isConnected(const Mesh& mesh, const Part& part) {
   return left.empty();
 }
 
-void expectPartition(const Mesh& mesh, const Part& part, const std::vector<Part>& pieces, std::size_t count) {
+void expectPartition(const Mesh& mesh, const Piece& piece, const std::vector<Piece>& pieces, std::size_t count) {
   ASSERT_EQ(pieces.size(), count);
   std::vector<int> all;
   for (std::size_t p = 0; p < count; ++p) {
-    EXPECT_EQ(pieces[p].name, part.name + "." + std::to_string(p + 1));
-    EXPECT_EQ(pieces[p].body, part.name);
+    EXPECT_EQ(pieces[p].name, piece.name + "." + std::to_string(p + 1));
+    EXPECT_EQ(pieces[p].part, piece.name);
     ASSERT_FALSE(pieces[p].elements.empty());
     EXPECT_TRUE(isConnected(mesh, pieces[p])) << count << " pieces, piece " << p + 1;
     all.insert(all.end(), pieces[p].elements.begin(), pieces[p].elements.end());
   }
   std::sort(all.begin(), all.end());
-  EXPECT_EQ(all, part.elements);
+  EXPECT_EQ(all, piece.elements);
 }
 
 TEST(Partition, CutsAPlateIntoEvenConnectedPieces) {
   const Mesh mesh = boltedJoint(0.5);
-  const Part plate = makePart(mesh, "plate", {"centre"});
+  const Piece plate = makePiece(mesh, "plate", {"centre"});
   for (const int count : {2, 3, 8}) {
     const auto pieces = cutPart(mesh, plate, count);
     expectPartition(mesh, plate, pieces, static_cast<std::size_t>(count));
-    for (const Part& piece : pieces) {
+    for (const Piece& piece : pieces) {
       EXPECT_GT(piece.elements.size() * static_cast<std::size_t>(count), plate.elements.size() * 3 / 4);
     }
     const auto again = cutPart(mesh, plate, count);
@@ -71,17 +71,17 @@ TEST(Partition, CutsEveryElementTypeDownToSingleElements) {
   for (const ElementType type : {ElementType::hex8, ElementType::tet4, ElementType::wedge6, ElementType::pyramid5,
                                  ElementType::quad4, ElementType::tri3}) {
     const Mesh mesh = boxes({{"box", {}, {3.0, 2.0, 1.0}, {3, 2, 1}, type}});
-    const Part part = makePart(mesh, "box", {"box"});
+    const Piece piece = makePiece(mesh, "box", {"box"});
     const int elements = mesh.blocks[0].elements();
     for (int count = 2; count <= elements; ++count) {
-      expectPartition(mesh, part, cutPart(mesh, part, count), static_cast<std::size_t>(count));
+      expectPartition(mesh, piece, cutPart(mesh, piece, count), static_cast<std::size_t>(count));
     }
   }
 }
 
 TEST(Partition, CutsUnconnectedBodiesOneByOne) {
   const Mesh mesh = boxes({{"a", {}, {4.0, 1.0, 1.0}, {8, 1, 1}}, {"b", {5.0, 0.0, 0.0}, {6.0, 1.0, 1.0}, {2, 1, 1}}});
-  const Part both = makePart(mesh, "both", {"b", "a"});
+  const Piece both = makePiece(mesh, "both", {"b", "a"});
   expectPartition(mesh, both, cutPart(mesh, both, 2), 2);
   const auto pieces = cutPart(mesh, both, 5);
   expectPartition(mesh, both, pieces, 5);
@@ -89,23 +89,23 @@ TEST(Partition, CutsUnconnectedBodiesOneByOne) {
   const Mesh three = boxes({{"a", {}, {1.0, 1.0, 1.0}, {1, 1, 1}},
                             {"b", {5.0, 0.0, 0.0}, {6.0, 1.0, 1.0}, {1, 1, 1}},
                             {"c", {8.0, 0.0, 0.0}, {9.0, 1.0, 1.0}, {1, 1, 1}}});
-  EXPECT_THROW(cutPart(three, makePart(three, "all", {"a", "b", "c"}), 2), base::Error);
-  EXPECT_THROW(cutPart(three, makePart(three, "all", {"a", "b", "c"}), 4), base::Error);
-  EXPECT_THROW(cutPart(three, makePart(three, "all", {"a", "b", "c"}), 0), base::Error);
+  EXPECT_THROW(cutPart(three, makePiece(three, "all", {"a", "b", "c"}), 2), base::Error);
+  EXPECT_THROW(cutPart(three, makePiece(three, "all", {"a", "b", "c"}), 4), base::Error);
+  EXPECT_THROW(cutPart(three, makePiece(three, "all", {"a", "b", "c"}), 0), base::Error);
 }
 
-TEST(Part, NamesUnknownAndRepeatedBlocks) {
+TEST(Piece, NamesUnknownAndRepeatedBlocks) {
   const Mesh mesh = boxes({{"plate", {}, {1.0, 1.0, 1.0}, {1, 1, 1}}});
   try {
-    makePart(mesh, "cover", {"plat"});
+    makePiece(mesh, "cover", {"plat"});
     FAIL();
   } catch (const base::Error& error) {
     EXPECT_NE(std::string(error.what()).find("Did you mean \"plate\"?"), std::string::npos) << error.what();
   }
-  EXPECT_THROW(makePart(mesh, "cover", {"plate", "plate"}), base::Error);
-  const Part part = makePart(mesh, "cover", {"plate"});
-  EXPECT_EQ(localNode(part, 7), 7);
-  EXPECT_EQ(localNode(part, 8), -1);
+  EXPECT_THROW(makePiece(mesh, "cover", {"plate", "plate"}), base::Error);
+  const Piece piece = makePiece(mesh, "cover", {"plate"});
+  EXPECT_EQ(localNode(piece, 7), 7);
+  EXPECT_EQ(localNode(piece, 8), -1);
 }
 
 }  // namespace

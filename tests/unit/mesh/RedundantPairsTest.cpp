@@ -16,21 +16,21 @@ class CutBoxes : public ::testing::Test {
  protected:
   CutBoxes() : mesh(boxes({{"lower", {0, 0, 0}, {4, 4, 2}, {4, 4, 2}}, {"upper", {0, 0, 2}, {4, 4, 4}, {4, 4, 2}}})) {
     for (const char* name : {"lower", "upper"}) {
-      for (Part& piece : cutPart(mesh, makePart(mesh, name, {name}), 4)) parts.push_back(std::move(piece));
+      for (Piece& piece : cutPart(mesh, makePiece(mesh, name, {name}), 4)) pieces.push_back(std::move(piece));
     }
-    const InterfaceFinder finder(mesh, parts);
-    surfaces = finder.betweenBodies("contact", "lower", "upper");
+    const InterfaceFinder finder(mesh, pieces);
+    surfaces = finder.betweenParts("contact", "lower", "upper");
     for (InterfaceSurface& cut : finder.cuts()) surfaces.push_back(std::move(cut));
-    carriers = mergeRedundantPairs(parts, surfaces);
+    carriers = mergeRedundantPairs(pieces, surfaces);
   }
 
-  int meshNode(int part, int node) const { return parts[part].nodes[node]; }
+  int meshNode(int piece, int node) const { return pieces[piece].nodes[node]; }
   bool carries(std::size_t s, std::size_t p) const {
     return carriers[s][p].surface == static_cast<int>(s) && carriers[s][p].pair == static_cast<int>(p);
   }
 
   Mesh mesh;
-  std::vector<Part> parts;
+  std::vector<Piece> pieces;
   std::vector<InterfaceSurface> surfaces;
   std::vector<std::vector<PairCarrier>> carriers;
 };
@@ -43,7 +43,7 @@ TEST_F(CutBoxes, EveryContactNodeHasOneCarrierAndTheAreaOfTheUncutContact) {
     for (std::size_t p = 0; p < surfaces[s].node1.size(); ++p) {
       EXPECT_GE(carriers[s][p].surface, 0);
       if (!carries(s, p)) continue;
-      EXPECT_TRUE(nodes.insert(meshNode(surfaces[s].part1, surfaces[s].node1[p])).second);
+      EXPECT_TRUE(nodes.insert(meshNode(surfaces[s].piece1, surfaces[s].node1[p])).second);
       area += surfaces[s].area[p];
     }
   }
@@ -53,14 +53,14 @@ TEST_F(CutBoxes, EveryContactNodeHasOneCarrierAndTheAreaOfTheUncutContact) {
 
 TEST_F(CutBoxes, PiecesThatShareANodeAreTiedOnce) {
   std::map<int, int> copies;
-  for (const Part& part : parts) {
-    for (const int node : part.nodes) ++copies[node];
+  for (const Piece& piece : pieces) {
+    for (const int node : piece.nodes) ++copies[node];
   }
   std::map<int, int> ties;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (surfaces[s].name == "contact") continue;
     for (std::size_t p = 0; p < surfaces[s].node1.size(); ++p) {
-      if (carries(s, p)) ++ties[meshNode(surfaces[s].part1, surfaces[s].node1[p])];
+      if (carries(s, p)) ++ties[meshNode(surfaces[s].piece1, surfaces[s].node1[p])];
     }
   }
   bool meetsThree = false;
@@ -81,12 +81,12 @@ TEST(RedundantPairs, PartsThatShareNodesBothHaveTheirs) {
   right.connectivity.erase(right.connectivity.begin(), right.connectivity.begin() + half);
   mesh.blocks[0].connectivity.resize(half);
   mesh.blocks.push_back(right);
-  const std::vector<Part> parts{makePart(mesh, "left", {"left"}), makePart(mesh, "right", {"right"})};
-  const InterfaceFinder finder(mesh, parts);
+  const std::vector<Piece> pieces{makePiece(mesh, "left", {"left"}), makePiece(mesh, "right", {"right"})};
+  const InterfaceFinder finder(mesh, pieces);
   std::vector<InterfaceSurface> surfaces = finder.onSideSet("held", "left_xmin");
   ASSERT_EQ(surfaces.size(), 2u) << "the halves are above each other";
   const auto shared = surfaces;
-  const auto carriers = mergeRedundantPairs(parts, surfaces);
+  const auto carriers = mergeRedundantPairs(pieces, surfaces);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     EXPECT_EQ(surfaces[s].node1.size(), 10u);
     EXPECT_EQ(surfaces[s].area, shared[s].area);

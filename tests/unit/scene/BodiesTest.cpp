@@ -13,7 +13,7 @@ TEST(Bodies, PiecesKeepTheInputOfTheirPart) {
   input::ErrorList errors;
   const Bodies bodies = makeBodies(scene, mesh, errors);
   ASSERT_EQ(errors.count(), 0);
-  ASSERT_EQ(bodies.parts.size(), 3u);
+  ASSERT_EQ(bodies.pieces.size(), 3u);
   EXPECT_EQ(bodies.inputs[0]->name(), "lower");
   EXPECT_EQ(bodies.inputs[1]->name(), "lower");
   EXPECT_EQ(bodies.inputs[2]->name(), "upper");
@@ -33,8 +33,8 @@ TEST(Bodies, EqualBodiesAreFoundButNotAcrossFormulations) {
 TEST(Bodies, LargestGoFirstToTheLeastBusyRank) {
   Bodies bodies;
   for (const std::size_t nodes : {10u, 100u, 60u, 50u}) {
-    bodies.parts.emplace_back();
-    bodies.parts.back().nodes.resize(nodes);
+    bodies.pieces.emplace_back();
+    bodies.pieces.back().nodes.resize(nodes);
   }
   EXPECT_EQ(distribute(bodies, 1), (std::vector<int>{0, 0, 0, 0}));
   EXPECT_EQ(distribute(bodies, 2), (std::vector<int>{1, 0, 1, 1}));

@@ -1,4 +1,4 @@
-#include <harmos/mesh/Part.hpp>
+#include <harmos/mesh/Piece.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -28,7 +28,7 @@ std::pair<int, int> copies(const Elements& all, const std::vector<int>& elements
 
 }  // namespace
 
-Part makePart(const Mesh& mesh, const std::string& name, const std::vector<std::string>& blocks) {
+Piece makePiece(const Mesh& mesh, const std::string& name, const std::vector<std::string>& blocks) {
   const auto refuse = [&](const std::string& what) {
     throw base::Error("Part \"" + name + "\": " + what, base::ExitCode::input);
   };
@@ -53,24 +53,24 @@ Part makePart(const Mesh& mesh, const std::string& name, const std::vector<std::
     refuse("elements " + std::to_string(first + 1) + " and " + std::to_string(second + 1) +
            " of the mesh have the same nodes; remove one of them.");
   }
-  return makePart(mesh, name, name, std::move(elements));
+  return makePiece(mesh, name, name, std::move(elements));
 }
 
-Part makePart(const Mesh& mesh, const std::string& name, const std::string& body, std::vector<int> elements) {
+Piece makePiece(const Mesh& mesh, const std::string& name, const std::string& part, std::vector<int> elements) {
   const Elements all(mesh);
-  Part part{name, std::move(elements), {}, body};
-  for (const int element : part.elements) {
+  Piece piece{name, std::move(elements), {}, part};
+  for (const int element : piece.elements) {
     const int* nodes = all.nodes(element);
-    part.nodes.insert(part.nodes.end(), nodes, nodes + nodesPerElement(all.type(element)));
+    piece.nodes.insert(piece.nodes.end(), nodes, nodes + nodesPerElement(all.type(element)));
   }
-  std::sort(part.nodes.begin(), part.nodes.end());
-  part.nodes.erase(std::unique(part.nodes.begin(), part.nodes.end()), part.nodes.end());
-  return part;
+  std::sort(piece.nodes.begin(), piece.nodes.end());
+  piece.nodes.erase(std::unique(piece.nodes.begin(), piece.nodes.end()), piece.nodes.end());
+  return piece;
 }
 
-int localNode(const Part& part, int node) {
-  const auto found = std::lower_bound(part.nodes.begin(), part.nodes.end(), node);
-  return found == part.nodes.end() || *found != node ? -1 : static_cast<int>(found - part.nodes.begin());
+int localNode(const Piece& piece, int node) {
+  const auto found = std::lower_bound(piece.nodes.begin(), piece.nodes.end(), node);
+  return found == piece.nodes.end() || *found != node ? -1 : static_cast<int>(found - piece.nodes.begin());
 }
 
 }  // namespace harmos::mesh

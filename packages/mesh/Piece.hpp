@@ -7,22 +7,22 @@
 
 namespace harmos::mesh {
 
-/// The elements of one substructure: a block, several blocks, or one piece of a part that METIS has cut.
-struct Part {
+/// What is meshed and factored as one: a whole part of the scene, or what METIS has cut off one.
+struct Piece {
   std::string name;
   std::vector<int> elements;  // mesh element numbers, ascending
   std::vector<int> nodes;     // mesh node numbers, ascending; the position is the part's local node number
-  std::string body;           // name of the part before it was cut; the name itself if it is whole
+  std::string part;           // name of the part of the scene; the same as `name` if it is whole
 };
 
 /// The part that consists of the named blocks. Throws base::Error(input) if a block does not exist, is named twice,
 /// there are no elements, or two of them have the same nodes.
-Part makePart(const Mesh& mesh, const std::string& name, const std::vector<std::string>& blocks);
+Piece makePiece(const Mesh& mesh, const std::string& name, const std::vector<std::string>& blocks);
 
 /// A part of the given elements, ascending.
-Part makePart(const Mesh& mesh, const std::string& name, const std::string& body, std::vector<int> elements);
+Piece makePiece(const Mesh& mesh, const std::string& name, const std::string& part, std::vector<int> elements);
 
 /// Local number of a mesh node in the part; -1 if the part does not have it.
-int localNode(const Part& part, int node);
+int localNode(const Piece& piece, int node);
 
 }  // namespace harmos::mesh
