@@ -83,10 +83,6 @@ int dispatch(const std::vector<std::string>& words, const CommandEnvironment& en
 
 }  // namespace
 
-bool CommandEnvironment::isRoot() const {
-  return communicator->getRank() == 0;
-}
-
 std::vector<Command> commands() {
   return {runCommand(),     checkCommand(), docCommand(),    meshCommand(),
           compareCommand(), studyCommand(), reportCommand(), predictCommand()};

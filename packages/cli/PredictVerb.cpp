@@ -8,7 +8,7 @@
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/StoredExpansions.hpp>
-#include <harmos/files/StudyData.hpp>
+#include <harmos/files/StoredSurfaceData.hpp>
 #include <harmos/study/PointsFile.hpp>
 
 namespace harmos::cli {
@@ -70,7 +70,7 @@ std::string evaluate(const files::StoredExpansions& expansions, const Arguments&
   return text;
 }
 
-std::string evaluate(const files::StudyData& data, const Arguments& arguments) {
+std::string evaluate(const results::SurfaceData& data, const Arguments& arguments) {
   const auto points = pointsOf(arguments, data.parameters);
   std::vector<design::Surrogate> surrogates;
   for (std::size_t r = 0; r < data.responses.size(); ++r) {
@@ -99,7 +99,7 @@ int predict(const Arguments& arguments, const CommandEnvironment& environment) {
   arguments.requireOperands({"STUDY.h5"});
   if (!environment.isRoot()) return 0;
   const std::string& path = arguments.operands()[0];
-  const files::StudyData data = files::readStudyData(path);
+  const results::SurfaceData data = files::readSurfaceData(path);
   if (arguments.has("--points") == arguments.has("--at")) {
     throw base::Error("harmos predict wants either --points or --at. Try \"harmos predict --help\".",
                       base::ExitCode::input);

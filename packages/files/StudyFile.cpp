@@ -5,11 +5,11 @@
 #include <limits>
 
 #include <harmos/files/AtomicFile.hpp>
-#include <harmos/files/StudyData.hpp>
 #include <harmos/files/Version.hpp>
 #include <harmos/files/detail/Hdf5.hpp>
 #include <harmos/files/detail/StochasticGroup.hpp>
 #include <harmos/results/StatusName.hpp>
+#include <harmos/results/SurfaceData.hpp>
 
 namespace harmos::files {
 
@@ -110,7 +110,7 @@ class Writer {
   }
 
   void writeSurrogates() const {
-    const StudyData data = dataOf(results_);
+    const results::SurfaceData data = results::surfaceDataOf(results_);
     const Hdf5Group surrogates = group_.group("surrogates");
     surrogates.attribute("parameters", data.parameters);
     for (std::size_t r = 0; r < data.values.size(); ++r) {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <harmos/cli/CommandLine.hpp>
+#include <harmos/cli/Command.hpp>
 
 namespace harmos::cli {
 
-/// Each verb stands in a file of its own, CommandLine<Verb>.cpp.
+/// Each verb stands in a file of its own, <Verb>Verb.cpp.
 Command runCommand();
 Command checkCommand();
 Command docCommand();

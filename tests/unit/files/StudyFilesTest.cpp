@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/files/StudyData.hpp>
+#include <harmos/files/StoredSurfaceData.hpp>
 #include <harmos/files/StudyWriter.hpp>
 #include <harmos/files/detail/StudyFile.hpp>
 #include <harmos/files/detail/StudyTables.hpp>
@@ -230,14 +230,14 @@ TEST_F(StudyFilesTest, ResponseSurfacesAreMadeOfWhatIsSolved) {
     results.set(result);
   }
   writeStudyFile(files.file, results, "complete");
-  const StudyData data = readStudyData(files.file);
+  const results::SurfaceData data = readSurfaceData(files.file);
   EXPECT_EQ(data.parameters, std::vector<std::string>{"mu"});  // the other one is derived
   EXPECT_EQ(data.responses, std::vector<std::string>{"F_max"});
   EXPECT_EQ(data.points[2], std::vector<double>{0.2});
   EXPECT_EQ(data.values[0][2], 9.0);
   EXPECT_TRUE(std::isnan(data.values[0][3]));
   EXPECT_TRUE(std::isnan(data.values[0][7]));
-  EXPECT_EQ(dataOf(results).points, data.points);
+  EXPECT_EQ(results::surfaceDataOf(results).points, data.points);
   const auto surrogate = data.surrogate(0);
   ASSERT_TRUE(surrogate.has_value());
   EXPECT_NEAR(surrogate->evaluate({0.3}).value, 12.0, 1e-4);
@@ -250,7 +250,7 @@ TEST_F(StudyFilesTest, WhatIsNoStudyIsRefused) {
   const std::string refusal = files.file +
                               " is no file of a study, or was damaged or changed since. Run the study again to restore "
                               "it.";
-  const auto message = [&] { return messageOf([&] { readStudyData(files.file); }); };
+  const auto message = [&] { return messageOf([&] { readSurfaceData(files.file); }); };
   EXPECT_EQ(message(), refusal);
   std::filesystem::remove(files.file);
   EXPECT_EQ(message(), "Cannot read " + files.file + ": No such file or directory.");
