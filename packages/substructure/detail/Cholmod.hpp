@@ -69,7 +69,8 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
     const auto* rows = static_cast<const int*>(factor_->s);
     const auto* values = static_cast<const double*>(factor_->x);
     // CHOLMOD postorders the elimination tree: trace and other rows may alternate, but nothing else lies above a row of
-    // the trace in that tree.
+    // the trace in that tree. A supernode may still hold other rows below a column of the trace: those of a sibling
+    // that was merged into their common parent. L is zero there.
     std::vector<int> inTrace(factor_->n, -1), number(factor_->n, -1);
     for (std::size_t i = 0; i < trace_.size(); ++i) inTrace[trace_[i]] = static_cast<int>(i);
     auto result = std::make_unique<TraceFactor>();
@@ -88,7 +89,8 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
         if (column < 0) continue;
         const int within = j - firstColumn[super];
         for (int i = within; i < height; ++i) {
-          result->lower(number[rows[firstIndex[super] + i]], column) = values[firstValue[super] + within * height + i];
+          const int row = number[rows[firstIndex[super] + i]];
+          if (row >= 0) result->lower(row, column) = values[firstValue[super] + within * height + i];
         }
       }
     }
