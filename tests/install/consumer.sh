@@ -10,7 +10,8 @@ source_dir=$(cd "$(dirname "$0")/consumer" && pwd)
 prefix=$work_dir/prefix
 rm -rf "$prefix" "$work_dir/consumer"
 cmake --install "$build_dir" --prefix "$prefix" >/dev/null
-cmake -G Ninja -S "$source_dir" -B "$work_dir/consumer" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release "$@"
+cmake -G Ninja -S "$source_dir" -B "$work_dir/consumer" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@"
 cmake --build "$work_dir/consumer"
 "$work_dir/consumer/consumer"
 mpirun -np 2 "$work_dir/consumer/consumer"
