@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,7 +40,7 @@ class InterfaceFinder {
   /// The interface between two bodies: their coincident faces and, besides, mesh nodes that they share outside of these
   /// faces; if there are no such faces, the nodes that coincide. Areas of nodes without faces: mean over the two bodies
   /// of their nodal skin areas, of volume^(2/3) for nodes inside a part. Throws base::Error(input) if they do not
-  /// touch.
+  /// touch, or if faces lie on each other whose nodes do not coincide.
   std::vector<InterfaceSurface> betweenParts(const std::string& name, const std::string& part1,
                                              const std::string& part2) const;
 
@@ -67,6 +68,11 @@ class InterfaceFinder {
                                           const std::vector<std::pair<int, int>>& nodes) const;
   std::vector<InterfaceSurface> joinDifferentFaces(const std::string& name, const std::vector<Face>& side1,
                                                    const std::vector<Face>& side2) const;
+  /// Of faces that lie on each other without matching, adds the nodes to `single` when all of them coincide with one of
+  /// the other side, and refuses them otherwise: they would be joined at the few nodes that happen to coincide.
+  void joinOverlaps(const std::string& where, const std::pair<std::string, std::string>& parts,
+                    const std::vector<Face>& skin1, const std::vector<Face>& skin2, const std::vector<FacePair>& faces,
+                    std::set<std::pair<int, int>>& single) const;
   std::vector<InterfaceSurface> onFaces(const std::string& name, const std::vector<Face>& faces) const;
   std::vector<InterfaceSurface> cut(const std::string& name, const std::vector<int>& pieces) const;
 

@@ -291,6 +291,78 @@ std::string messageOf(const std::function<void()>& action) {
   return "no error";
 }
 
+/// What joining the boxes "a" and "b" by their names ends with.
+std::string joined(const std::vector<Box>& list, const std::function<void(Mesh&)>& change = {}) {
+  Mesh mesh = boxes(list);
+  if (change) change(mesh);
+  const auto parts = onePartPerBlock(mesh);
+  const InterfaceFinder finder(mesh, parts);
+  return messageOf([&] { finder.betweenParts("seal", "a", "b"); });
+}
+
+TEST(InterfaceFinder, RefusesPartsThatLieOnEachOtherWithOtherNodes) {
+  const auto expect = [](const std::string& message, const std::vector<std::string>& fragments) {
+    for (const auto& fragment : fragments)
+      EXPECT_NE(message.find(fragment), std::string::npos) << fragment << ": " << message;
+  };
+  const Box a{"a", {}, {1.0, 1.0, 1.0}, {2, 2, 2}};
+  expect(joined({a, {"b", {0.0, 0.0, 1.0}, {1.0, 1.0, 2.0}, {3, 3, 3}}}),
+         {"Interface \"seal\"", "4 faces of part \"a\" and 9 faces of part \"b\" lie on each other",
+          "of the others 0 of each"});
+  expect(joined({a, {"b", {0.0, 0.0, 1.0}, {1.0, 1.0, 2.0}, {1, 1, 1}}}),
+         {"4 faces of part \"a\" and 1 face of part \"b\" lie"});
+  // b overlaps half of a, and what is beyond.
+  expect(joined({a, {"b", {0.5, 0.0, 1.0}, {1.5, 1.0, 2.0}, {1, 2, 1}}}), {"2 faces of part \"a\" and 2 faces"});
+  // In the plane, and by any motion of both.
+  expect(joined({{"a", {}, {1.0, 1.0, 0.0}, {2, 2, 0}, ElementType::quad4},
+                 {"b", {0.0, 1.0, 0.0}, {1.0, 2.0, 0.0}, {3, 3, 0}, ElementType::quad4}}),
+         {"2 faces of part \"a\" and 3 faces"});
+  expect(joined({a, {"b", {0.0, 0.0, 1.0}, {1.0, 1.0, 2.0}, {3, 3, 3}}},
+                [](Mesh& mesh) {
+                  for (base::Vector3& x : mesh.nodes) {
+                    x = {0.6 * x[0] - 0.8 * x[2] + 7.0, 1.3 * x[1] - 2.0, 0.8 * x[0] + 0.6 * x[2]};
+                  }
+                }),
+         {"4 faces of part \"a\" and 9 faces"});
+}
+
+TEST(InterfaceFinder, RefusesTwoMeshesOfOneCurvedSurface) {
+  // A ring in a ring: 12 facets in 16.
+  const auto wind = [](Mesh& mesh) {
+    for (base::Vector3& x : mesh.nodes) x = {x[1] * std::cos(x[0]), x[1] * std::sin(x[0]), x[2]};
+  };
+  const double turn = 1.5;
+  EXPECT_NE(joined({{"a", {0.0, 1.0, 0.0}, {turn, 2.0, 1.0}, {8, 2, 1}},
+                    {"b", {0.0, 2.0, 0.0}, {turn, 3.0, 1.0}, {12, 2, 1}}},
+                   wind)
+                .find("lie on each other"),
+            std::string::npos);
+  EXPECT_EQ(
+      joined({{"a", {0.0, 1.0, 0.0}, {turn, 2.0, 1.0}, {8, 2, 1}}, {"b", {0.0, 2.0, 0.0}, {turn, 3.0, 1.0}, {8, 2, 1}}},
+             wind),
+      "no error");
+}
+
+TEST(InterfaceFinder, AcceptsPartsThatPartFromEachOther) {
+  // Joined at x < 1, and from there on apart by a gap or by an opening angle.
+  const auto apart = [](double gap, double slope) {
+    return [gap, slope](Mesh& mesh) {
+      for (base::Vector3& x : mesh.nodes) {
+        const bool isUpper = &x - mesh.nodes.data() >= static_cast<std::ptrdiff_t>(mesh.nodes.size() / 2);
+        if (isUpper && x[0] > 1.0) x[2] += gap + slope * (x[0] - 1.0);
+      }
+    };
+  };
+  const std::vector<Box> list = {{"a", {}, {3.0, 1.0, 1.0}, {6, 2, 2}},
+                                 {"b", {0.0, 0.0, 1.0}, {3.0, 1.0, 2.0}, {6, 2, 2}}};
+  EXPECT_EQ(joined(list), "no error");
+  EXPECT_EQ(joined(list, apart(0.02, 0.0)), "no error");
+  EXPECT_EQ(joined(list, apart(0.0, 0.2)), "no error");
+  // They touch in an edge only.
+  EXPECT_EQ(joined({{"a", {}, {1.0, 1.0, 1.0}, {1, 1, 1}}, {"b", {1.0, 0.0, 1.0}, {2.0, 1.0, 2.0}, {2, 1, 1}}}),
+            "no error");
+}
+
 TEST(InterfaceFinder, SaysWhatIsWrong) {
   const Mesh mesh = boxes({{"a", {}, {1.0, 1.0, 1.0}, {2, 2, 2}},
                            {"b", {1.0, 0.0, 0.0}, {2.0, 1.0, 1.0}, {2, 3, 2}},
