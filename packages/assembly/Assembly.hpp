@@ -6,23 +6,26 @@
 #include <harmos/assembly/Interface.hpp>
 #include <harmos/substructure/Substructure.hpp>
 
+/// Bodies joined by interfaces, and the search directions between them.
 namespace harmos::assembly {
 
 /// Elastic bodies joined by interfaces, and the times of the load steps: all that LATIN needs to know.
 ///
 /// The lists are the same on every rank; a rank holds the stiffness matrices of the bodies that it owns.
 struct Assembly {
-  int dimension = 3;
-  std::vector<substructure::Substructure> bodies;
-  std::vector<Interface> interfaces;
-  std::vector<double> times;  ///< end of each load step; the unloaded start at time 0 is not listed
+  int dimension = 3;                               ///< 2 or 3, that of all bodies
+  std::vector<substructure::Substructure> bodies;  ///< their positions are the numbers of the bodies
+  std::vector<Interface> interfaces;               ///< of all bodies, whoever owns them
+  std::vector<double> times;  ///< end of each load step, ascending; the unloaded start at time 0 is not listed
   std::vector<int> owner;     ///< rank that owns each body; empty: rank 0 owns all
 
+  /// How many load steps there are.
   int steps() const { return static_cast<int>(times.size()); }
-  /// Every law is, so that both stages are affine maps.
+  /// Every law is affine, so that both stages are affine maps.
   bool isAffine() const {
     return std::all_of(interfaces.begin(), interfaces.end(), [](const Interface& one) { return one.law->isAffine(); });
   }
+  /// Rank that owns a body.
   int ownerOf(int body) const { return owner.empty() ? 0 : owner[body]; }
 };
 

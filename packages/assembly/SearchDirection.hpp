@@ -14,12 +14,15 @@ namespace harmos::assembly {
 /// of the node's diagonal entries, so that k does not depend on the frame and friction's cone keeps its shape; three
 /// times that where the law bonds. A boundary uses its own side. With a consistent interface mass k is constant over an
 /// interface (its area-weighted geometric mean), because only then the operator stays symmetric and the discrete
-/// solution independent of k.
+/// solution independent of k. A boundary with a prescribed traction has a value too, which nothing uses.
+/// Units: diag(K) [force/length], h [area], `scale` [-]. The values are the same on every rank.
 class SearchDirection {
  public:
-  /// Collective over comm. `scale` multiplies the automatic value, > 0. Throws base::Error when a body has a
-  /// non-positive diagonal.
+  /// Collective over comm. `scale` multiplies the automatic value, > 0. Throws base::Error on every rank when a body
+  /// has a non-positive diagonal at a node of an interface, on the owner when a matrix is not as substructure::viewOf()
+  /// wants it. Keeps nothing of the assembly.
   SearchDirection(const Assembly& assembly, double scale, const Teuchos::Comm<int>& comm);
+  /// k [stress/length] of the pairs of an interface, in their order; owned by this object.
   const std::vector<double>& of(int interfaceIndex) const { return k_[interfaceIndex]; }
 
  private:

@@ -7,12 +7,12 @@
 
 namespace harmos::elasticity {
 
-/// How strains follow from displacements: in space, with eps_zz = 0, or with sigma_zz = 0.
+/// How strains follow from displacements: in space, in the plane with eps_zz = 0, or in the plane with sigma_zz = 0.
 enum class Kinematics { threeDimensional, planeStrain, planeStress };
 
 /// Names for input: 3-D, Plane Strain, Plane Stress.
 const std::vector<std::string>& kinematicsNames();
-/// Throws base::Error for any other name.
+/// The kinematics of this name. Throws base::Error (input) for any other name.
 Kinematics kinematicsNamed(const std::string& name);
 
 /// How the volume change enters: as it is, or as its mean over the element (no locking as nu approaches 0.5).
@@ -20,15 +20,16 @@ enum class Formulation { fullIntegration, bBar };
 
 /// Names for input: Full Integration, B-Bar.
 const std::vector<std::string>& formulationNames();
-/// Throws base::Error for any other name.
+/// The formulation of this name. Throws base::Error (input) for any other name.
 Formulation formulationNamed(const std::string& name);
 
+/// Components of a displacement: 3, or 2 in the plane.
 inline int dimensionOf(Kinematics kinematics) {
   return kinematics == Kinematics::threeDimensional ? 3 : 2;
 }
 
-/// Stress from strain under the kinematics: for plane stress zz, yz and zx are eliminated (their rows and columns are
-/// zero); otherwise the matrix itself.
+/// Stress from strain under the kinematics, C [stress], components as in ElasticityMatrix: for plane stress zz, yz and
+/// zx are eliminated (their rows and columns are zero); otherwise the matrix itself.
 ElasticityMatrix reduced(const ElasticityMatrix& elasticity, Kinematics kinematics);
 
 }  // namespace harmos::elasticity

@@ -8,7 +8,7 @@ namespace harmos::elasticity {
 /// The materials that a scene may name; an object, so that a host can add its own.
 using MaterialRegistry = input::Registry<Material>;
 
-/// All materials that come with Harmos.
+/// A new registry of all materials that come with Harmos: Isotropic and Orthotropic.
 MaterialRegistry builtInMaterials();
 
 }  // namespace harmos::elasticity

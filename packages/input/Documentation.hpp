@@ -9,10 +9,11 @@ namespace harmos::input {
 
 /// Reference of all that `spec` declares, in Markdown: name, type, unit, default or required, range, doc and source of
 /// every parameter, and a snippet of XML for every list; a type that is allowed in several lists is described once.
-/// `topic` restricts it to the lists and types of this name. Throws base::Error (input) when there is no such topic.
+/// `topic` restricts it to the lists and types of this name; empty: all. Throws base::Error (input), listing the
+/// topics, when there is no such one.
 std::string documentation(const ParameterSpec& spec, const std::string& topic = "");
 
-/// The same for several inputs, one after the other.
+/// The same for several inputs, one after the other; `topic` need be in one of them only.
 std::string documentation(const std::vector<ParameterSpec>& specs, const std::string& topic = "");
 
 }  // namespace harmos::input

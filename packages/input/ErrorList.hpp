@@ -5,14 +5,17 @@
 
 namespace harmos::input {
 
-/// Collects the errors of an input, so that the user sees all of them at once.
+/// Collects the errors of an input, so that the user sees all of them at once, in the order in which they were added.
 class ErrorList {
  public:
-  /// `where` as from Parameters::where(); `what` and `repair` are complete sentences, the second may be empty.
+  /// Adds an error, "where: what" and, indented below it, `repair`. `where` as from Parameters::where(); `what` and
+  /// `repair` are complete sentences, the second may be empty.
   void add(const std::string& where, const std::string& what, const std::string& repair = "");
   /// Runs `action`; a base::Error (input) that it throws becomes an error at `where`
-  /// (or at a place of its own, when it begins with one). Returns whether there was none.
+  /// (or at a place of its own, when it begins with one: the same file, or "--set"). Returns whether there was none.
+  /// Passes on every other exception, also a base::Error of another code.
   bool collect(const std::string& where, const std::function<void()>& action);
+  /// How many errors were added.
   int count() const { return count_; }
   /// All errors, ended by "N errors; nothing was run."; empty when there are none.
   std::string message() const;

@@ -17,9 +17,10 @@ namespace harmos::input {
 template <class T>
 class Registry {
  public:
+  /// Makes an object from its checked parameters, which it must not refer to later; the caller owns it.
   using Factory = std::function<std::unique_ptr<T>(const Parameters&)>;
 
-  /// Adds a class under the name of its spec. Throws base::Error when the name is taken.
+  /// Adds a class under the name of its spec. Throws base::Error when the name is taken. Returns the registry itself.
   Registry& add(ParameterSpec spec, Factory factory) {
     for (const ParameterSpec& form : forms_) {
       if (form.name() == spec.name()) throw base::Error("\"" + spec.name() + "\" is registered already.");
@@ -29,7 +30,8 @@ class Registry {
     return *this;
   }
 
-  /// Builds the class that parameters.type() names. Throws base::Error when there is none of this name.
+  /// Builds the class that parameters.type() names; the caller owns the object. Throws base::Error (input) when there
+  /// is none of this name, and what the factory throws.
   std::unique_ptr<T> create(const Parameters& parameters) const {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < forms_.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <harmos/laws/LocalLine.hpp>
 
+/// What happens where two bodies meet: laws of interfaces, asked pair by pair.
 namespace harmos::laws {
 
 /// In which frame a law sees jumps and tractions.
@@ -10,42 +11,49 @@ enum class Frame {
   global      ///< (x, y, z)
 };
 
-/// On how many bodies a law acts.
+/// On how many bodies a law acts: on the two of an interface, on the one of a boundary, or on either.
 enum class Sides { two, one, any };
 
-/// The nodes of one interface at one load step, as contiguous arrays of length `count`.
+/// The pairs of one interface at one load step, as contiguous arrays of length `count`, in the order of the interface.
+///
+/// The arrays belong to the caller and are valid during the call only; the written ones overlap no other.
 struct NodeArrays {
-  int count = 0;
-  const LocalLine* line = nullptr;
-  const double* gap = nullptr;         ///< geometric opening [length]
+  int count = 0;                       ///< pairs, on a boundary nodes
+  const LocalLine* line = nullptr;     ///< what the jump and the traction of each pair must lie on
+  const double* gap = nullptr;         ///< geometric opening [length], positive when open
   const double* oldHistory = nullptr;  ///< count x historySize(), state at the end of the previous load step
-  double* newHistory = nullptr;        ///< count x historySize(), written
+  double* newHistory = nullptr;        ///< count x historySize(), all of it written
   LocalState* state = nullptr;         ///< written
 };
 
 /// Behaviour of an interface: intersects its graph t = R(delta, history) with the line of every node.
 ///
 /// A law knows nothing of meshes, matrices, files or ranks, holds only constants, and is safe to use from several
-/// threads. Write laws as small structs and wrap them with PointwiseLaw. Source: Champaney, Blanze, Boucard (2004), eqs
-/// (4)-(7).
+/// threads. Write laws as small structs and wrap them with PointwiseLaw. delta: jump w2 - w1 [length], on a boundary
+/// -w1; t: traction on side 1 [stress]; both in frame(). Source: Champaney, Blanze, Boucard (2004), eqs (4)-(7).
 class InterfaceLaw {
  public:
   virtual ~InterfaceLaw() = default;
+  /// As written in XML.
   virtual const char* name() const = 0;
   /// Numbers kept per node from one load step to the next; 0 at the unloaded start.
   virtual int historySize() const = 0;
+  /// The frame of delta and t.
   virtual Frame frame() const = 0;
+  /// What the law may be given to; a scene refuses anything else.
   virtual Sides sides() const = 0;
   /// The traction is data and does not depend on the jump: the search direction of such a boundary is k = 0.
   virtual bool prescribesTraction() const = 0;
-  /// Work done against the law is lost: t.(delta - delta_old) is reported as dissipation.
+  /// Work done against the law is lost: the part in the plane of the interface, t_t.(delta_t - delta_t_old) [stress
+  /// length], is reported as dissipation. delta_old: at the end of the previous load step.
   virtual bool dissipates() const = 0;
   /// The jump is 0 whatever the traction: the sides move as one.
   virtual bool bonds() const { return false; }
   /// Without memory, and every component by itself affine: at each load step t_i = k_i delta_i + c_i with 0 <= k_i <=
   /// infinity, in the law's frame; k_i and c_i are the same at all nodes, whatever their gap.
   virtual bool isAffine() const { return false; }
-  /// Solves all nodes at one load step. With prescribesTraction() the lines are not read.
+  /// Solves all pairs at one load step, counted from 0. With prescribesTraction() the lines are not read. Not
+  /// collective: a rank asks for the interfaces of its bodies. A traction that is not finite ends the computation.
   virtual void solve(int step, const NodeArrays& nodes) const = 0;
 };
 

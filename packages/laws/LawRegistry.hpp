@@ -12,7 +12,7 @@ namespace harmos::laws {
 /// The laws that a scene may name; an object, so that a host can add its own.
 using LawRegistry = input::Registry<InterfaceLaw>;
 
-/// Adds the law written as struct L (see PointwiseLaw) under L::name.
+/// Adds the law written as struct L (see PointwiseLaw) under L::name. Throws base::Error when the name is taken.
 template <class L>
 void addLaw(LawRegistry& laws) {
   input::ParameterSpec spec(L::name);
@@ -22,7 +22,7 @@ void addLaw(LawRegistry& laws) {
   });
 }
 
-/// All laws that come with Harmos: the list in packages/laws/CMakeLists.txt.
+/// A new registry of all laws that come with Harmos: the list in packages/laws/CMakeLists.txt.
 LawRegistry builtInLaws();
 
 }  // namespace harmos::laws

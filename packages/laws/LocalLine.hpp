@@ -8,7 +8,8 @@ namespace harmos::laws {
 ///
 /// Eliminating both sides with E+ (f^ - f = k (w^ - w)) and interface equilibrium (f1^ + f2^ = 0) gives
 ///   delta^ = delta_free - H t,   delta_free = (w2 - w1) + f1/k1 - f2/k2,   H = 1/k1 + 1/k2,
-/// with t = f1^ = -f2^. On an outer boundary side 2 is the ground at rest: delta_free = -w1 + f1/k1, H = 1/k1.
+/// with t = f1^ = -f2^, k1 and k2 the search directions of the sides [stress/length]. On an outer boundary side 2 is
+/// the ground at rest: delta_free = -w1 + f1/k1, H = 1/k1.
 struct LocalLine {
   base::Vector3 freeJump{};  ///< delta_free [length], components in the law's frame
   double compliance = 0.0;   ///< H [length/stress], > 0
@@ -20,19 +21,23 @@ struct LocalLine {
   }
 };
 
-/// Where and when a law is asked.
+/// Where and when a law is asked: one pair at one load step.
 struct NodeContext {
   int step = 0;      ///< load step, counted from 0
-  double gap = 0.0;  ///< geometric opening of the undeformed surfaces at the node [length], (x2 - x1).n
+  double gap = 0.0;  ///< geometric opening of the undeformed surfaces at the pair [length], (x2 - x1).n
 };
 
-/// Written to Exodus as the variable `contact_status`.
+/// What a pair does; written to Exodus as the variable `contact_status`.
+///
+/// open: the sides are apart. stick: in contact, without sliding over the load step. slip: in contact, sliding or free
+/// to slide. bonded: joined, by springs too; also all of a law that knows no states. broken: was bonded; of the laws
+/// that come with Harmos none says so.
 enum class Status { open = 0, stick = 1, slip = 2, bonded = 3, broken = 4 };
 
-/// A point of the law's graph: traction t = f1^ = -f2^ [stress] on side 1 (t_n < 0 is compression), and its status.
+/// A point of the law's graph: the traction, and the status that goes with it.
 struct LocalState {
-  base::Vector3 traction{};
-  Status status = Status::bonded;
+  base::Vector3 traction{};        ///< t = f1^ = -f2^ on side 1 [stress], in the law's frame; t_n < 0 is compression
+  Status status = Status::bonded;  ///< of the pair at the end of the load step
 };
 
 }  // namespace harmos::laws

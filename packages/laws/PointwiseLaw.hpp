@@ -22,21 +22,33 @@ namespace harmos::laws {
 ///   static constexpr bool dissipates = true;              default false
 ///   static constexpr bool bonds = true;                   default false
 ///   static constexpr bool isAffine = true;                default false
+/// What they mean is said at the functions of InterfaceLaw of these names. `old` and `now` are the pair's numbers at
+/// the end of the previous load step and of this one; solve() writes all of `now`.
 template <class L>
 class PointwiseLaw final : public InterfaceLaw {
  public:
+  /// Makes the struct of these arguments, and owns it. Throws what its constructor throws.
   template <class... Arguments>
   explicit PointwiseLaw(Arguments&&... arguments) : law_(std::forward<Arguments>(arguments)...) {}
 
+  /// L::name.
   const char* name() const override { return L::name; }
+  /// L::historySize.
   int historySize() const override { return L::historySize; }
+  /// L::sides.
   Sides sides() const override { return L::sides; }
+  /// L::frame, or the frame of the interface.
   Frame frame() const override { return frameOf<L>(0); }
+  /// L::prescribesTraction, or false.
   bool prescribesTraction() const override { return prescribesTractionOf<L>(0); }
+  /// L::dissipates, or false.
   bool dissipates() const override { return dissipatesOf<L>(0); }
+  /// L::bonds, or false.
   bool bonds() const override { return bondsOf<L>(0); }
+  /// L::isAffine, or false.
   bool isAffine() const override { return isAffineOf<L>(0); }
 
+  /// Calls L::solve() for one pair after the other.
   void solve(int step, const NodeArrays& nodes) const override {
     for (int i = 0; i < nodes.count; ++i) {
       const NodeContext at{step, nodes.gap[i]};

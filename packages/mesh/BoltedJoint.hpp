@@ -9,6 +9,7 @@ class Parameters;
 
 namespace harmos::mesh {
 
+/// The form that boltedJoint() reads: its one entry is Refinement [-], above 0, at most 20.
 input::ParameterSpec describeBoltedJoint();
 
 /// Three plates held by two bolts, in hexahedra with conforming nodes at every interface; lengths in mm.
@@ -16,9 +17,11 @@ input::ParameterSpec describeBoltedJoint();
 /// Blocks cover_bottom, centre, cover_top, bolt_1, head_1, bolt_2, head_2. Side sets plates_bottom, plates_top,
 /// head_1_cover, nut_1_cover, head_2_cover, nut_2_cover, preload_1, preload_2, each with _1 (the lower body) and _2,
 /// and fixed_bottom, fixed_top, loaded. `refinement` multiplies the number of elements in every direction, rounded and
-/// at least 1; at 1 the mesh has 8516 nodes and 5796 elements. Source: after the first example of Champaney, Blanze,
-/// Boucard (2004), dimensions our own.
+/// at least 1; at 1 the mesh has 8516 nodes and 5796 elements. The plates lie normal to z, from z = 0 to 30, the covers
+/// reach from the overlap to x = -80, where they are fixed, the centre to x = 80, where it is loaded. Source: after the
+/// first example of Champaney, Blanze, Boucard (2004), dimensions our own.
 Mesh boltedJoint(double refinement = 1.0);
+/// The same from a list that was checked against describeBoltedJoint(). Throws base::Error when it was not.
 Mesh boltedJoint(const input::Parameters& parameters);
 
 }  // namespace harmos::mesh

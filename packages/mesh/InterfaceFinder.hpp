@@ -20,10 +20,12 @@ namespace harmos::mesh {
 /// pieces that meet (per piece on an outer boundary); a node on a cut is in the surfaces of both pieces, each with the
 /// area of its own faces, so that the areas add up to those of the uncut interface. Names in errors are the user's.
 /// All throw base::Error(input) for unknown names, sets and interfaces without faces or nodes, and faces that belong to
-/// no part. Keeps references to the mesh and the pieces.
+/// no part, and pairs without area. Keeps references to the mesh and the pieces, which must outlive it and stay as they
+/// are. Not collective: the whole mesh is on the rank that asks.
 class InterfaceFinder {
  public:
-  /// `thickness` [length] multiplies lengths in 2-D. Throws base::Error(input) if two parts share an element.
+  /// `thickness` [length] multiplies lengths in 2-D and does not count in 3-D. Throws base::Error(input) if two parts
+  /// share an element.
   InterfaceFinder(const Mesh& mesh, const std::vector<Piece>& pieces, double thickness = 1.0);
 
   /// The interface between two side sets whose faces coincide node by node (within conformingTolerance).
@@ -39,20 +41,21 @@ class InterfaceFinder {
 
   /// The interface between two bodies: their coincident faces and, besides, mesh nodes that they share outside of these
   /// faces; if there are no such faces, the nodes that coincide. Areas of nodes without faces: mean over the two bodies
-  /// of their nodal skin areas, of volume^(2/3) for nodes inside a part. Throws base::Error(input) if they do not
-  /// touch, or if faces lie on each other whose nodes do not coincide.
+  /// of their nodal skin areas, of volume^(2/3) for nodes inside a part (in 2-D thickness times the root of the plane
+  /// area). Throws base::Error(input) if they do not touch, or if faces lie on each other whose nodes do not coincide.
   std::vector<InterfaceSurface> betweenParts(const std::string& name, const std::string& part1,
                                              const std::string& part2) const;
 
-  /// Perfect interfaces between the pieces of every part that was cut, named "<part> cut".
+  /// The surfaces between the pieces of every part that was cut, named "<part> cut": by their common faces, and by
+  /// single nodes where no chain of faces ties pieces that share one. A scene gives them the law Perfect.
   std::vector<InterfaceSurface> cuts() const;
 
-  /// Outer boundary on a side set.
+  /// Outer boundary on a side set: one surface per piece that has faces in it, normals out of the part.
   std::vector<InterfaceSurface> onSideSet(const std::string& name, const std::string& sideSet) const;
 
   /// Outer boundary on a node set: its faces if every node belongs to a face of the skin that lies in the set, else the
-  /// nodes alone, with their share of the skin's area, inner nodes with volume^(2/3). `part` (empty: all) restricts the
-  /// set to the nodes of a part and takes that part's skin; otherwise faces between parts that share nodes do not
+  /// nodes alone, with their share of the skin's area, inner nodes as in betweenParts(). `part` (empty: all) restricts
+  /// the set to the nodes of a part and takes that part's skin; otherwise faces between parts that share nodes do not
   /// count.
   std::vector<InterfaceSurface> onNodeSet(const std::string& name, const std::string& nodeSet,
                                           const std::string& part = "") const;

@@ -10,8 +10,9 @@ namespace harmos::mesh {
 ///
 /// The pieces are named "<name>.1", "<name>.2", ... in the order of their first elements, are each connected through
 /// element faces, and are the same in every run. A part of several unconnected groups of elements is cut group by
-/// group. One piece gives the part itself. Throws base::Error(input) if there are more pieces than elements or fewer
-/// than groups.
+/// group. One piece gives the part itself, whatever its groups. Throws base::Error(input) if there are more pieces than
+/// elements, fewer than groups or less than one; base::Error when METIS fails. Not collective.
+/// Source: Karypis, Kumar (1998), doi:10.1137/S1064827595287997.
 std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces);
 
 }  // namespace harmos::mesh

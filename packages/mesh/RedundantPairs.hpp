@@ -9,8 +9,8 @@ namespace harmos::mesh {
 
 /// Which pair of which surface carries the unknowns of a pair; surface = -1: none, its nodes are tied by other pairs.
 struct PairCarrier {
-  int surface = -1;
-  int pair = -1;
+  int surface = -1;  // index into the list of surfaces
+  int pair = -1;     // of that surface
 };
 
 /// Leaves every joint of pieces of cut parts as many node pairs as it needs, so that interface forces are determinate.
@@ -18,8 +18,8 @@ struct PairCarrier {
 /// Where a cut meets an interface or a boundary, the same nodes of a part are paired once for every piece: the pair
 /// with the largest area keeps the sum of the areas and carries them all. Where several pieces share a node, only pairs
 /// that tie pieces not yet tied keep theirs (a spanning tree, largest areas first). The result is the joint of the
-/// uncut parts. `surfaces` keeps all pairs and faces; the areas of carriers change. Returns one entry per pair of
-/// every surface.
+/// uncut parts. `surfaces` keeps all pairs and faces; the areas of carriers at interfaces and boundaries change,
+/// their mass does not. Returns one entry per pair of every surface.
 std::vector<std::vector<PairCarrier>> mergeRedundantPairs(const std::vector<Piece>& pieces,
                                                           std::vector<InterfaceSurface>& surfaces);
 

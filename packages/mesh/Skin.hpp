@@ -8,13 +8,13 @@ namespace harmos::mesh {
 
 /// One side of one element (an edge in 2-D); nodes counter-clockwise seen from outside.
 struct Face {
-  int element = -1;
-  int side = -1;
+  int element = -1;        // mesh element number
+  int side = -1;           // of that element, counted from 0
   std::vector<int> nodes;  // mesh node numbers
 };
 
 /// The sides of `elements` that no two of them share, by element and side. Sides are shared if they have the same
-/// nodes.
+/// nodes. `elements` are mesh element numbers, each once.
 std::vector<Face> skin(const Elements& mesh, const std::vector<int>& elements);
 
 }  // namespace harmos::mesh

@@ -11,23 +11,26 @@ namespace harmos::substructure {
 /// A sparse matrix on MPI_COMM_SELF from compressed rows; the arrays are copied.
 ///
 /// rowPointers has one entry per row and a last one equal to the number of entries; the columns of a row are ascending
-/// and counted from 0. Square. Throws base::Error when the arrays do not fit together.
+/// and counted from 0. Square. Throws base::Error when the arrays do not fit together. Not collective; MPI and Kokkos
+/// must be running.
 Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::vector<std::size_t>& rowPointers,
                                             const std::vector<int>& columns, const std::vector<double>& values);
 
-/// The compressed rows of a matrix, owned by the matrix.
+/// The compressed rows of a matrix, owned by the matrix and valid as long as it lives and keeps its structure.
 struct CrsView {
-  int rows = 0;
-  const std::size_t* rowPointers = nullptr;
-  const int* columns = nullptr;
-  const double* values = nullptr;
+  int rows = 0;                              ///< also columns
+  const std::size_t* rowPointers = nullptr;  ///< rows + 1: where each row begins in the other two
+  const int* columns = nullptr;              ///< from 0, ascending in each row
+  const double* values = nullptr;            ///< in the unit of the matrix
 };
 
-/// Throws base::Error unless the matrix is square, complete, on one process, its columns counted as its rows and
-/// ascending in each row: what assembled stiffness matrices are. `name` is the part's, for the message.
+/// Looks into a matrix, copying nothing. Throws base::Error unless the matrix is square, complete, on one process, its
+/// columns counted as its rows and ascending in each row: what assembled stiffness matrices are. `name` is the part's,
+/// for the message.
 CrsView viewOf(const base::CrsMatrix& matrix, const std::string& name);
 
-/// Mean over the components of the diagonal entries of each node [force/length]; dofs are node by node.
+/// Mean over the components of the diagonal entries of each node [force/length]; dofs are node by node, `dimension` of
+/// them each, which must divide the rows. An entry that is not stored counts as 0. Throws base::Error as viewOf().
 std::vector<double> nodalStiffnessDiagonal(const base::CrsMatrix& stiffness, int dimension);
 
 }  // namespace harmos::substructure

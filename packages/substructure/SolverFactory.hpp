@@ -14,15 +14,16 @@ class Solver;
 
 namespace harmos::substructure {
 
+/// A direct solver behind Amesos2's interface, of Harmos or of Trilinos.
 using DirectSolver = Amesos2::Solver<base::CrsMatrix, base::MultiVector>;
 
-/// The solver that the options name, nothing factored yet. Throws as requireSolver(). `trace`: the rows, ascending,
-/// that solves with traceFactor() will be about; empty: none.
+/// The solver that the options name, nothing factored yet; it shares the matrix. Throws as requireSolver().
+/// `trace`: the rows, ascending, that solves with traceFactor() will be about; empty: none.
 Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teuchos::RCP<const base::CrsMatrix>& matrix,
                                       const std::vector<int>& trace);
 
-/// What a factored solver made with a trace offers for it: null when its sparse factor is cheaper, or when it is not
-/// CHOLMOD.
+/// What a factored solver made with a trace offers for it, a copy that the caller owns: null when its sparse factor is
+/// cheaper, or when it is not CHOLMOD.
 std::unique_ptr<TraceFactor> traceFactor(const DirectSolver& solver);
 
 }  // namespace harmos::substructure

@@ -15,15 +15,21 @@ class Parameters;
 namespace harmos::substructure {
 
 /// Which direct solver factors the substructures: a name of availableSolvers(), in upper or lower case.
+/// The name is not checked before requireSolver() or makeSolver().
 struct SolverOptions {
+  /// The default solver.
   SolverOptions();
+  /// The solver of this name.
   explicit SolverOptions(std::string solverName) : name(std::move(solverName)) {}
+  /// From a list that was checked against describe().
   explicit SolverOptions(const input::Parameters& given);
+  /// Declares the one entry, Name.
   static void describe(input::ParameterSpec& spec);
 
   std::string name;                                   ///< default: cholmod, or tacho where CHOLMOD is not built in
   Teuchos::RCP<Teuchos::ParameterList> parameters{};  ///< handed to Amesos2 as they are; null: its defaults
   /// A dense trace is inverted too, in single precision, which pays when single load steps are solved many times.
+  /// CHOLMOD only: other solvers have no dense trace.
   bool invertTrace = false;
 };
 

@@ -9,24 +9,27 @@
 #include <harmos/mesh/Congruence.hpp>
 #include <harmos/mesh/Mesh.hpp>
 
+/// Bodies as the solver sees them: a stiffness matrix each, its factor, and solves with it.
 namespace harmos::substructure {
 
-/// The rigid motion or mirror image that carries the representative body onto this one.
+/// The rigid motion or mirror image that carries the representative body onto this one: x -> Q x + c, and K = R K' R^t
+/// with K' its stiffness matrix and R the renumbering that turns every node by Q.
 struct Congruence : mesh::Congruence {
-  int representative = -1;  // index of the substructure whose operator is shared
+  int representative = -1;  // index of the body whose operator is shared; has one of its own
 };
 
 /// One elastic body: a stiffness matrix and where its nodes are. It does not know where the matrix comes from.
 ///
-/// Degrees of freedom are numbered node by node: dof = dimension * node + component.
+/// Degrees of freedom are numbered node by node: dof = dimension * node + component, components x, y, z.
 struct Substructure {
-  std::string name;
-  int dimension = 3;
-  std::vector<base::Vector3> nodes;               // coordinates [length], for rigid modes and output
-  Teuchos::RCP<const base::CrsMatrix> stiffness;  // symmetric, square, on MPI_COMM_SELF; null on ranks that do not
-                                                  // own this body, and for congruent bodies (their representative's)
-  base::Matrix loads;                             // nodal forces [force], dofs x steps; 0 x 0 when there are none
-  std::shared_ptr<const Congruence> congruence;   // null: has an operator of its own
+  std::string name;                  // of the piece; messages call it the part's
+  int dimension = 3;                 // 2 or 3
+  std::vector<base::Vector3> nodes;  // coordinates [length], for rigid modes and output
+  /// K [force/length], dofs x dofs, symmetric, both triangles stored, on MPI_COMM_SELF. Null on ranks that do not own
+  /// this body, and for congruent bodies (their representative's counts).
+  Teuchos::RCP<const base::CrsMatrix> stiffness;
+  base::Matrix loads;                            // nodal forces [force], dofs x steps; 0 x 0 when there are none
+  std::shared_ptr<const Congruence> congruence;  // null: has an operator of its own
 };
 
 }  // namespace harmos::substructure

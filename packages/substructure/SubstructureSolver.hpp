@@ -16,22 +16,28 @@
 
 namespace harmos::substructure {
 
-/// The factored operator A = K + k h of one substructure, for any number of right-hand sides at once.
+/// The factored operator A = K + k h [force/length] of one substructure, for any number of right-hand sides at once: x
+/// [length] from b [force]. K is the stiffness, k the search direction [stress/length], h the interface mass [area].
 ///
 /// Not collective: the matrix lives on one process. Not for several threads at once: solves share workspaces.
 class SubstructureSolver {
  public:
-  /// Builds and factors the sum and checks it with one solve. Nothing of the arguments is kept but a reference to K.
+  /// Builds and factors the sum and checks it with one solve. Nothing of the arguments is kept but a shared reference
+  /// to K; solvers other than cholmod and tacho keep A, too.
   ///
   /// stiffness: K [force/length], symmetric, both triangles stored. boundary: k h. partName: for messages. trace: dofs,
   /// ascending, that right-hand sides of solveTrace() load; empty: none.
   /// Throws base::Error naming the part when the sum is singular (a part that nothing holds) or indefinite; then says
-  /// which node has an unusable diagonal entry, if one has. Limit: an LU solver such as klu2 factors indefinite
-  /// matrices without complaint; only the diagonal and the energy of one solve are checked then.
+  /// which node has an unusable diagonal entry, if one has. Also when memory does not suffice, K is not as viewOf()
+  /// wants it, or the boundary term has other rows; as requireSolver(). Limit: an LU solver such as klu2 factors
+  /// indefinite matrices without complaint; only the diagonal and the energy of one solve are checked then.
   SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness, const BoundaryTerm& boundary,
                      const SolverOptions& options, std::string partName, const std::vector<int>& trace = {});
+  /// Frees the factors.
   ~SubstructureSolver();
+  /// Takes over the factors; the other one may only be destroyed or assigned to then.
   SubstructureSolver(SubstructureSolver&&) noexcept;
+  /// The same.
   SubstructureSolver& operator=(SubstructureSolver&&) noexcept;
 
   /// x = A^-1 b, column by column; b and x are dofs x any number, different objects. x is reshaped when it does not
@@ -40,23 +46,26 @@ class SubstructureSolver {
 
   /// True when solveTrace() exists because it is cheaper than solve().
   bool solvesTrace() const { return trace_ || inverse_; }
-  /// x = B A^-1 B^T b with B the restriction to the trace: rows as in `trace`, any number of columns, different
-  /// objects. x is reshaped when it does not have the shape of b.
+  /// x = B A^-1 B^T b with B the restriction to the trace: rows as in `trace`, which is not checked, any number of
+  /// columns, different objects. x is reshaped when it does not have the shape of b. Only if solvesTrace().
   void solveTrace(const base::Matrix& b, base::Matrix& x) const {
     inverse_ ? inverse_->solve(b, x) : trace_->solve(b, x);
   }
   /// The same, to about six digits where the options ask for the inverse of the trace; for few columns.
+  /// Only if solvesTrace().
   void solveTraceRoughly(const base::Matrix& b, base::Matrix& x) const {
     inverse_ ? inverse_->solveRoughly(b, x) : trace_->solve(b, x);
   }
 
+  /// Rows of A.
   int dofs() const { return dofs_; }
   /// Entries of the factors, zeros stored for speed included; 0 when the solver does not say.
   std::size_t factorNonzeros() const;
-  /// Memory of the factors [bytes], estimated from factorNonzeros().
+  /// Memory of the factors [byte], estimated from factorNonzeros(), without that of the trace.
   std::size_t memory() const { return factorNonzeros() * sizeof(double); }
 
-  /// Predicts the factor of a matrix from its structure, in a small part of the time of factoring it.
+  /// Predicts the factor of a matrix from its structure, in a small part of the time of factoring it. Throws
+  /// base::Error as viewOf(), and when METIS fails.
   static FactorSize predict(const base::CrsMatrix& stiffness);
 
  private:

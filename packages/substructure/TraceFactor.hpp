@@ -7,12 +7,14 @@
 namespace harmos::substructure {
 
 /// The inverse of an operator restricted to some rows, its trace, as a dense Cholesky factor of the Schur complement of
-/// the other rows: B A^-1 B^T = P^T (L L^T)^-1 P.
+/// the other rows: B A^-1 B^T = P^T (L L^T)^-1 P, with A [force/length] the operator, B the restriction to the trace
+/// and P the permutation `order`.
 struct TraceFactor {
   std::vector<int> order;  ///< position in the trace of each row of L
-  base::Matrix lower;      ///< L; zero above the diagonal
+  base::Matrix lower;      ///< L, square; zero above the diagonal
 
-  /// x = B A^-1 B^T b, column by column, rows in the order of the trace; different objects.
+  /// x = B A^-1 B^T b [length], column by column, b [force], rows in the order of the trace; different objects. x is
+  /// reshaped when it does not have the shape of b, whose rows are not checked.
   void solve(const base::Matrix& b, base::Matrix& x) const;
 };
 

@@ -6,10 +6,11 @@
 
 namespace harmos::substructure {
 
-/// B A^-1 B^T of a TraceFactor as a dense matrix: faster to apply than the factor, and dearer to make than it.
+/// B A^-1 B^T [length/force] of a TraceFactor as a dense matrix, in double and in single precision: faster to apply
+/// than the factor, and dearer to make than it.
 class TraceInverse {
  public:
-  /// Throws base::Error when the factor is singular.
+  /// Keeps nothing of the factor. Throws base::Error when it is singular.
   explicit TraceInverse(const TraceFactor& factor);
 
   /// x = B A^-1 B^T b, as TraceFactor::solve().
