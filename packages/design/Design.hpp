@@ -10,7 +10,8 @@ namespace harmos::design {
 class Design {
  public:
   virtual ~Design() = default;
-  /// One row per point, one column per axis. The same axes give the same points, on every machine and rank.
+  /// One row per point, one column per axis, each in the unit of its parameter. The same axes give the same points, on
+  /// every machine and rank.
   virtual std::vector<std::vector<double>> points(const std::vector<Axis>& axes) const = 0;
 };
 

@@ -9,8 +9,8 @@ namespace harmos::design {
 
 /// The points of a design in the unit cube as germs of random parameters: each coordinate is taken for a probability.
 ///
-/// A coordinate of 0, which a Sobol' sequence begins with, has no finite quantile: it is raised to 0.5 / count. Returns
-/// one row per point.
+/// A coordinate of 0 may have no finite quantile: it is raised to 0.5 / count, `count` being the number of points.
+/// Returns one row per point, one column per germ of `variables` [-].
 std::vector<std::vector<double>> germsOf(const Design& design, int count, const probability::RandomVector& variables);
 
 }  // namespace harmos::design

@@ -20,9 +20,9 @@ struct PlannedParameter {
 
 /// A demand on the parameters: configurations where the formula is 0 (false) are left out.
 struct Condition {
-  std::string name;
-  std::string formula;
-  std::string where;  // its place in the input
+  std::string name;     // as in leftOut() and messages
+  std::string formula;  // over all parameters, see Formula
+  std::string where;    // its place in the input
 };
 
 /// All configurations of a study: the points of a design, completed by derived parameters and sifted by conditions.
@@ -32,15 +32,18 @@ class Plan {
   /// parameters derive from each other.
   Plan(std::vector<PlannedParameter> parameters, const std::vector<Condition>& conditions);
 
-  /// Numbers the configurations from 1. Throws base::Error (input), beginning with a place, when the conditions leave
-  /// none or a formula has no value; without a place, when the design has no point.
+  /// Numbers the configurations from 1; values are in the order of the parameters. Throws base::Error (input),
+  /// beginning with a place, when the conditions leave none or a formula has no value; without a place, when the design
+  /// has no point.
   std::vector<Configuration> configurations(const Design& design);
-  /// The values of all parameters for those of the free ones; nothing when a condition leaves the point out. Throws
+  /// The values of all parameters for those of the free ones, both in the order of the parameters and in their units;
+  /// nothing when a condition leaves the point out, which leftOut() counts. Throws
   /// base::Error (input), beginning with a place, when a formula has no value.
   std::optional<std::vector<double>> complete(const std::vector<double>& point);
-  /// Of the free parameters.
+  /// Of the free parameters, in their order: the columns of a design.
   std::vector<Axis> axes() const;
-  /// How many points of the last design each condition left out, the first that is violated counting.
+  /// By name how many points of the last design each condition left out, and of those that were completed since; the
+  /// first that is violated counts.
   const std::vector<std::pair<std::string, int>>& leftOut() const { return leftOut_; }
 
  private:

@@ -17,24 +17,27 @@ namespace harmos::design {
 /// before they were solved. The same results give the same points.
 class Refinement {
  public:
+  /// How fine the surface shall be, and at what expense.
   struct Options {
-    double tolerance = 1e-2;  // relative to the largest value of the response
-    int initialCount = 0;     // 0: twice as many as a quadratic polynomial has terms
-    int maximumCount = 200;
-    int seed = 0;  // of the Sobol' sequence, see SobolDesign
+    double tolerance = 1e-2;  // relative to the largest magnitude of the response
+    int initialCount = 0;     // with the corners; 0: twice as many as a quadratic polynomial has terms
+    int maximumCount = 200;   // of all points; the corners are taken in any case
+    int seed = 0;             // of the Sobol' sequence, see SobolDesign
   };
+  /// [point][axis], in the units of the parameters.
   using Points = std::vector<std::vector<double>>;
 
   /// `isAllowed` of a point: whether the conditions of the study admit it; empty: every point is.
   Refinement(std::vector<Axis> axes, const Options& options,
              std::function<bool(const std::vector<double>&)> isAllowed = {});
 
-  /// The points to begin with.
+  /// The points to begin with: the corners for up to 5 axes, then a Sobol' sequence.
   Points begin() const;
-  /// The next points; none when the tolerance is reached or no more may be chosen. `values` of the `points` so far, not
-  /// a number where there is no solution; `accuracy` of the values, relative to the largest.
+  /// The next points; none when the tolerance is reached, no more may be chosen or the solutions are too few for a
+  /// surface. `values` of the `points` so far, not a number where there is no solution; `accuracy` of the values,
+  /// relative to the largest.
   Points next(const Points& points, const std::vector<double>& values, double accuracy);
-  /// Whether the last call of next() found the tolerance reached.
+  /// Whether the last call of next() found the tolerance reached, or no point left to choose from.
   bool isReached() const { return isReached_; }
   /// What it found, one sentence.
   const std::string& summary() const { return summary_; }

@@ -16,9 +16,11 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
+  /// As given.
   const std::string& path() const { return path_; }
+  /// PATH.partial.PID; the writer creates it.
   const std::string& temporaryPath() const { return temporary_; }
-  /// Throws base::Error when the file cannot be renamed.
+  /// The writer must have closed the file. Throws base::Error when it cannot be renamed.
   void commit();
 
  private:

@@ -8,12 +8,12 @@ namespace harmos::files {
 /// The responses over the time steps.
 struct History {
   std::vector<std::string> responses;       // names
-  std::vector<double> times;                // one per row; row 0 is the unloaded start
-  std::vector<std::vector<double>> values;  // [row][response]
+  std::vector<double> times;                // one per row [time]; row 0 is the unloaded start
+  std::vector<std::vector<double>> values;  // [row][response], each in its unit
 };
 
-/// Writes a CSV file "step,time,<response>,..." with one row per time step; numbers read back exactly. Replaces an
-/// older file in one step; throws base::Error when it cannot.
+/// Writes a CSV file "step,time,<response>,..." with one row per time step, counted from 0; numbers read back exactly.
+/// Replaces an older file in one step; throws base::Error when it cannot.
 void writeHistory(const std::string& path, const History& history);
 
 }  // namespace harmos::files

@@ -16,9 +16,10 @@ struct ResultFiles {
   std::string effectiveInput;  // SCENE_effective.xml
   std::string record;          // SCENE_result.json
 
+  /// These five paths, whether there are such files or not.
   std::vector<std::string> all() const { return {parts, interfaces, history, effectiveInput, record}; }
   /// Removes the files of an earlier run, so that nobody reads them as results of this one; creates the directory.
-  /// Throws base::Error when one of them cannot be removed.
+  /// Throws base::Error when it cannot.
   void removeOld() const;
 };
 

@@ -8,23 +8,27 @@
 
 namespace harmos::files {
 
-/// The file of parts: one element block per part and element type, named after the part. Every part has nodes of its
-/// own, so that they are doubled at interfaces. Side sets <interface>_1 and <interface>_2, for outer boundaries
-/// <boundary>; of interfaces without faces node sets of the same names. A name already in use gets "_set" appended.
+/// The file of parts: one element block per piece and element type, named after the piece, PIECE or where it has
+/// several types PIECE_TYPE. Every piece has nodes of its own, so that they are doubled at interfaces. Side sets
+/// INTERFACE_1 and INTERFACE_2, for outer boundaries BOUNDARY; of interfaces without faces node sets of the same names.
+/// A name already in use gets "_set" appended.
 struct PartsLayout {
-  ResultMesh mesh;
-  std::vector<int> firstNode;             // result node of a part's local node 0; the others follow
-  std::vector<std::vector<int>> element;  // [part][position in Piece::elements]: result element
+  ResultMesh mesh;                        // coordinates as in the mesh [length]
+  std::vector<int> firstNode;             // result node of a piece's local node 0; the others follow
+  std::vector<std::vector<int>> element;  // [piece][position in Piece::elements]: result element
 };
+/// Lays out the file of parts, on one rank that has all pieces; nothing is kept of the arguments.
 PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
                         const std::vector<mesh::InterfaceSurface>& surfaces);
 
 /// The file of interfaces: its nodes are the node pairs, at the place of side 1; blocks of SHELL4 and TRI3, in 2-D
-/// BAR2, named after the interface, or of SPHERE (points) where an interface has no faces.
+/// BAR2, named after the interface, or of SPHERE (points) where an interface has no faces. INTERFACE_TYPE where an
+/// interface has faces of two types.
 struct InterfacesLayout {
-  ResultMesh mesh;
+  ResultMesh mesh;             // coordinates as in the mesh [length]; no sets
   std::vector<int> firstPair;  // result node of a surface's pair 0; the others follow
 };
+/// Lays out the file of interfaces, likewise.
 InterfacesLayout layOutInterfaces(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
                                   const std::vector<mesh::InterfaceSurface>& surfaces);
 

@@ -12,22 +12,24 @@ namespace harmos::files {
 
 /// How a run went; what SCENE_result.json says.
 struct RunRecord {
-  std::string scene;   // path as given
-  std::string status;  // running, certified, not converged, no equilibrium, interrupted, failed
-  std::string reason;  // why it stopped, one sentence
-  int exitCode = 0;
-  double accuracy = 0.0;                                            // asked for
+  std::string scene;      // path as given
+  std::string status;     // running, certified, not converged, no equilibrium, interrupted, failed
+  std::string reason;     // why it stopped, one sentence
+  int exitCode = 0;       // of the process, see base::ExitCode; 130: interrupted
+  double accuracy = 0.0;  // relative error that was asked for
   double errorEstimate = std::numeric_limits<double>::quiet_NaN();  // relative, of the whole solution; NaN: none
-  std::vector<std::pair<std::string, double>> responseErrors;       // relative estimate per response
-  int iterations = 0;
-  int linearStages = 0;
-  int ranks = 1;
-  std::vector<base::Timers::Phase> phases;
-  double wallSeconds = 0.0, cpuSeconds = 0.0;  // whole process on rank 0
+  std::vector<std::pair<std::string, double>> responseErrors;       // relative estimate per response and field
+  int iterations = 0;                                               // of LATIN
+  int linearStages = 0;                                             // whatever for
+  int ranks = 1;                                                    // of MPI
+  std::vector<base::Timers::Phase> phases;                          // of rank 0
+  /// From when the scene had been read, on rank 0 [s].
+  double wallSeconds = 0.0, cpuSeconds = 0.0;  // of the whole process on rank 0, all threads [s]
   std::size_t peakMemory = 0;                  // largest of the ranks [byte]
 };
 
-/// Writes the record as JSON; numbers that are not finite become null. Replaces an older file in one step.
+/// Writes the record as JSON; numbers that are not finite become null. Replaces an older file in one step; throws
+/// base::Error when it cannot.
 void writeRunRecord(const std::string& path, const RunRecord& record);
 
 }  // namespace harmos::files

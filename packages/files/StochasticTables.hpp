@@ -9,6 +9,7 @@ namespace harmos::files {
 
 /// Where the results of a study with random parameters lie; `base`: DIR/STUDY.
 struct StochasticFiles {
+  /// Appends the endings below to `base`.
   explicit StochasticFiles(const std::string& base);
 
   std::string moments;       // STUDY_moments.csv
@@ -18,6 +19,7 @@ struct StochasticFiles {
   std::string parts;         // STUDY.e and
   std::string interfaces;    // STUDY_interfaces.e, where fields were expanded
 
+  /// These six paths, whether there are such files or not.
   std::vector<std::string> all() const { return {moments, sobol, coefficients, sweep, parts, interfaces}; }
   /// Those that there are.
   std::vector<std::string> written() const;

@@ -18,16 +18,19 @@ class StoredExpansions {
   /// of a study, or expansions are not in terms of its parameters.
   static std::optional<StoredExpansions> read(const std::string& path);
 
-  /// Random parameters, and responses that have an expansion.
+  /// Names of the random parameters, in the order of a point.
   const std::vector<std::string>& parameters() const { return parameters_; }
+  /// Names of the responses that have an expansion.
   const std::vector<std::string>& responses() const { return responses_; }
 
-  /// Of all responses at a point of values of the parameters. Throws base::Error (input) for a value that the parameter
-  /// never takes.
+  /// Of all responses, each in its unit, at a point of values of the parameters in theirs. Throws base::Error (input)
+  /// for a lognormal parameter that is not positive; beyond the bounds of other parameters the polynomials go on.
   std::vector<double> evaluate(const std::vector<double>& point) const;
   /// Whether each germ lies between the outermost points of the Gauss rule of the expansions' order.
+  /// Throws as evaluate().
   bool isInside(const std::vector<double>& point) const;
-  /// Root mean square error of a response at the configurations that were held out; not a number without these.
+  /// Root mean square error of a response, counted from 0, at the configurations that were held out or left out of the
+  /// fit, in the unit of the response; not a number without these.
   double deviation(std::size_t response) const { return deviations_[response]; }
 
  private:

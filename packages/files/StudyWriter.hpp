@@ -15,31 +15,41 @@ struct StudyFiles {
   /// `study` is the path of the study's file; its name without folder and ending names the results.
   StudyFiles(const std::string& directory, const std::string& study);
 
-  std::string file;     // STUDY.h5
-  std::string journal;  // STUDY.journal
-  std::string table;    // STUDY.csv
-  std::string dakota;   // STUDY_dakota.dat
-  StochasticFiles stochastic;
+  std::string file;            // STUDY.h5
+  std::string journal;         // STUDY.journal
+  std::string table;           // STUDY.csv
+  std::string dakota;          // STUDY_dakota.dat
+  StochasticFiles stochastic;  // of studies with random parameters
 };
 
 /// Writes the files of a study as results come. For one process; others learn the results by other ways.
 class StudyWriter : public results::ResultSink {
  public:
-  /// Opens the journal, see there what it throws, and takes over the results of an earlier run. A table of an earlier
-  /// run is removed, so that nobody reads it as that of this one. `description` must outlive the writer.
+  /// Opens the journal, see there what it throws, takes over the results of an earlier run and writes the HDF5 file.
+  /// Tables of an earlier run are removed, so that nobody reads them as those of this one. `restart` forgets the
+  /// results of an earlier run. `description` must outlive the writer.
+  ///
+  /// Throws base::Error (input) when there is an HDF5 file without its journal, unless `restart`; base::Error when an
+  /// old table cannot be removed or the HDF5 file cannot be written.
   StudyWriter(const StudyFiles& files, const results::StudyDescription& description, bool restart);
 
+  /// What is known so far; lives as long as the writer.
   const results::StudyResults& results() const { return results_; }
+  /// See StudyJournal::damaged().
   int damaged() const { return journal_.damaged(); }
-  /// Appends to the journal, and brings the HDF5 file up to date every few seconds.
+  /// Appends to the journal, and brings the HDF5 file up to date every few seconds. Throws base::Error when one of
+  /// them cannot be written.
   void record(const results::ConfigurationResult& result) override;
+  /// Appends to the journal; throws as record().
   void note(const std::string& name, const std::string& text) override;
+  /// What finish() shall write of a study with random parameters; shared.
   void setStatistics(std::shared_ptr<const results::StochasticSummary> statistics) {
     results_.setStatistics(std::move(statistics));
   }
-  /// A configuration that an adaptive design has chosen.
+  /// A configuration that an adaptive design has chosen; its id must be the next one. Throws as record().
   void add(const design::Configuration& configuration);
-  /// Writes the HDF5 file and the tables; `state` as in writeStudyFile().
+  /// Writes the HDF5 file and the tables; `state` says how far the study is: complete, interrupted, aborted. Throws
+  /// base::Error when it cannot.
   void finish(const std::string& state);
 
  private:

@@ -9,18 +9,22 @@ namespace harmos::files {
 
 /// When two values count as equal.
 struct Tolerance {
+  /// What the difference is divided by; ignore: it is 0.
   enum class Kind { relative, absolute, combined, ignore };
-  Kind kind = Kind::relative;
-  double value = 1e-6;
-  double floor = 0.0;  // two values that are both not above it in magnitude are equal
+  Kind kind = Kind::relative;  // how differences are measured
+  double value = 1e-6;         // largest difference of equal values; of absolute ones in the unit of the variable
+  double floor = 0.0;          // two values that are both not above it in magnitude are equal
 
   /// |a - b|, divided by max(|a|, |b|) (relative) or by max(|a|, |b|, 1) (combined); 0 below the floor, infinite when
-  /// exactly one of them, or both, are not finite.
+  /// one of them, or both, are not finite. Of ignored ones 0.
   double difference(double a, double b) const;
+  /// Whether the difference is not above `value`.
   bool accepts(double a, double b) const { return !(difference(a, b) > value); }
+  /// As in a command file: "relative 1e-06 floor 1e-12".
   std::string text() const;
 };
 
+/// What a variable has one value of at each time: the whole model, a node or an element.
 enum class VariableKind { global, nodal, element };
 
 /// What `harmos compare` compares and how strictly, as in a command file of exodiff, of which this is a subset:
@@ -37,7 +41,8 @@ enum class VariableKind { global, nodal, element };
 ///     GLOBAL VARIABLES
 ///
 /// Variable lines are indented. A section without variables takes all of them; one with names takes only those, unless
-/// it says "(all)" or all its names are excluded with "!"; a kind without a section is not compared. Names and keywords
+/// it says "(all)" or all its names are excluded with "!"; a kind without a section is not compared. The default
+/// is that of the sections after it; coordinates and times without a section have relative 1e-6. Names and keywords
 /// may be in upper or lower case. Kinds of tolerance: relative, absolute, combined, ignore.
 class Tolerances {
  public:
@@ -45,14 +50,17 @@ class Tolerances {
   Tolerances();
   /// Throws base::Error(ExitCode::input) naming file, line and what is allowed, also when nothing is to be compared.
   static Tolerances read(const std::string& path);
+  /// The same of the text of such a file.
   static Tolerances parse(const std::string& text, const std::string& nameInMessages);
 
   /// Nothing: the variable is not to be compared.
   std::optional<Tolerance> find(VariableKind kind, const std::string& variable) const;
-  /// Names that the file asks for, in its order; they must exist in both files.
+  /// Names that the file asks for, in lower case and in its order; they must exist in both files.
   std::vector<std::string> requested(VariableKind kind) const;
+  /// That of the times of the steps.
   const Tolerance& times() const { return times_; }
-  /// Distance up to which two nodes are the same, for a model of extent `size` [length]. The default is 1e-6 of it.
+  /// Distance up to which two nodes are the same [length], for a model of extent `size` [length]. An absolute tolerance
+  /// of coordinates is this distance, any other one is relative to `size`. The default is 1e-6 of it.
   double distance(double size) const;
 
  private:

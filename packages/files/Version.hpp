@@ -2,7 +2,7 @@
 
 namespace harmos::files {
 
-/// Version of Harmos, for example "0.1.0".
+/// Version of Harmos that was built, for example "0.1.0".
 const char* version();
 
 }  // namespace harmos::files

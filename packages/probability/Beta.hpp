@@ -8,11 +8,14 @@ namespace harmos::probability {
 /// X scaled to [-1, 1].
 class Beta : public Distribution {
  public:
-  /// lower < upper; alpha and beta are positive.
+  /// Bounds in the unit of X, lower < upper; the shapes `alpha` and `beta` are positive [-]. Throws base::Error (input)
+  /// for others.
   Beta(double lower, double upper, double alpha, double beta);
 
   const char* name() const override { return "Beta"; }
+  /// lower + (upper - lower) alpha / (alpha + beta).
   double mean() const override;
+  /// (upper - lower) / (alpha + beta) sqrt(alpha beta / (alpha + beta + 1)).
   double standardDeviation() const override;
   double value(double germ) const override;
   double germ(double u) const override;

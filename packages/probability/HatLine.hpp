@@ -12,23 +12,27 @@ namespace harmos::probability {
 ///
 /// The nodes lie as densely as the cube root of the probability density, which gives the least error of the mean of a
 /// smooth function. Between two neighbouring nodes of the finest level the probability counts as evenly spread.
-/// Source: Ma, Zabaras, J. Comput. Phys. 228 (2009), sec. 3.1 (the hierarchy).
+/// Source: Ma, Zabaras, J. Comput. Phys. 228 (2009), doi:10.1016/j.jcp.2009.01.006, sec. 3.1 (the hierarchy).
 class HatLine {
  public:
   /// Nodes are numbered 0 to `last` from the lower end of the range to the upper.
-  static constexpr int last = 4096, middle = last / 2;
+  static constexpr int last = 4096, middle = last / 2;  // the node of the constant
 
-  /// `cumulative`: of the germ; what lies out of the range counts as if it were at its ends.
+  /// The range of the germ, from < to; `cumulative`: its probability not to exceed a value, asked for here only. What
+  /// lies out of the range counts as if it were at its ends.
   HatLine(double from, double to, const std::function<double(double)>& cumulative);
 
+  /// Position of a node on the line of the germ [-].
   double germ(int node) const { return germs_[node]; }
   /// The node from whose hat this one refines; none of the middle.
   static std::optional<int> parent(int node);
+  /// The nodes whose hats refine this one: two of the middle, one of an end, none on the finest level, else two.
   static std::vector<int> children(int node);
-  /// The hat of a node at a germ.
+  /// The hat of a node at a germ, 0 to 1; beyond the range its value at the end.
   double value(int node, double germ) const;
-  /// Expectation of the hat of a node, and of the product of two.
+  /// Expectation of the hat of a node, 0 to 1.
   double mean(int node) const;
+  /// Expectation of the product of two hats.
   double product(int node, int other) const;
 
  private:

@@ -9,11 +9,14 @@ namespace harmos::probability {
 /// s^2 = ln(1 + (standard deviation / mean)^2), m = ln(mean) - s^2 / 2, mean and standard deviation being those of X.
 class Lognormal : public Distribution {
  public:
-  /// The mean is positive, the standard deviation at least 0: X may be constant.
+  /// Of X itself and in its unit: the mean is positive, the standard deviation at least 0: X may be constant. Throws
+  /// base::Error (input) for others.
   Lognormal(double mean, double standardDeviation);
 
   const char* name() const override { return "Lognormal"; }
+  /// As given.
   double mean() const override { return mean_; }
+  /// As given.
   double standardDeviation() const override { return deviation_; }
   double value(double germ) const override;
   double germ(double u) const override;

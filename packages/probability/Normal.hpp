@@ -8,11 +8,13 @@ namespace harmos::probability {
 /// variance.
 class Normal : public Distribution {
  public:
-  /// The standard deviation is at least 0: X may be constant.
+  /// In the unit of X. The standard deviation is at least 0: X may be constant. Throws base::Error (input) for others.
   Normal(double mean, double standardDeviation);
 
   const char* name() const override { return "Normal"; }
+  /// As given.
   double mean() const override { return mean_; }
+  /// As given.
   double standardDeviation() const override { return deviation_; }
   double value(double germ) const override { return mean_ + deviation_ * germ; }
   double germ(double u) const override;

@@ -15,16 +15,17 @@ namespace harmos::probability {
 ///
 /// Ask and tell: while `next` gives points, solve there and `tell` the values.
 /// Each germ ranges over all but the 3e-7 least probable of its values on either side (5 standard deviations of a
-/// normal one); beyond, responses count as constant. Source: Ma, Zabaras, J. Comput. Phys. 228 (2009) 3084
-/// (hierarchical surpluses, local refinement).
+/// normal one); beyond, responses count as constant. Source: Ma, Zabaras, J. Comput. Phys. 228 (2009) 3084,
+/// doi:10.1016/j.jcp.2009.01.006 (hierarchical surpluses, local refinement).
 class PiecewiseLinear {
  public:
+  /// When the refinement ends.
   struct Options {
     /// Of the estimated errors of mean and standard deviation, relative to the standard deviation.
     double tolerance = 1e-3;
     /// Of points; refinement ends before it would exceed them.
     int largestCount = 1000;
-    /// The response that drives the refinement; all when not given.
+    /// The response that drives the refinement, from 0; all when not given.
     std::optional<int> response;
   };
 
@@ -32,22 +33,28 @@ class PiecewiseLinear {
   static double omittedProbability();
 
   /// Throws base::Error (input) unless there are one to three germs, a positive tolerance and a positive count.
+  /// `variables` is shared.
   PiecewiseLinear(std::shared_ptr<const RandomVector> variables, const Options& options);
 
-  /// The next points of germs; none when the tolerance is reached or the largest count is.
+  /// The next points of germs, [point][germ]; none when the tolerance is reached or the largest count is.
   std::vector<std::vector<double>> next();
   /// Values at the points that `next` gave last, [point][response]. Throws base::Error when one is missing or not
-  /// finite.
+  /// finite, or the response that drives the refinement does not exist.
   void tell(const std::vector<std::vector<double>>& values);
 
+  /// Number of points that were told.
   int count() const { return static_cast<int>(points_.size()); }
-  /// All responses at a point of germs.
+  /// All responses at a point of germs, each in its unit. Throws base::Error before the first values.
   std::vector<double> evaluate(const std::vector<double>& germs) const;
+  /// Of one response, in its unit.
   double mean(int response) const;
+  /// The same.
   double standardDeviation(int response) const;
   /// Estimated error of mean and standard deviation, relative to the standard deviation; the largest of the responses
-  /// that drive the refinement. An extrapolation of the last corrections, not a bound.
+  /// that drive the refinement. An extrapolation of the last corrections, not a bound. Infinite before values are told;
+  /// `next` brings it up to date.
   double errorIndicator() const { return error_; }
+  /// Whether the indicator is not above the tolerance.
   bool isReached() const { return error_ <= options_.tolerance; }
 
  private:

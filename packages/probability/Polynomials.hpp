@@ -7,8 +7,8 @@ namespace harmos::probability {
 
 /// Points and weights of a Gauss rule in one variable; the weights add up to 1.
 struct GaussRule {
-  std::vector<double> points;
-  std::vector<double> weights;
+  std::vector<double> points;   // germs, ascending
+  std::vector<double> weights;  // one per point
 };
 
 /// Orthonormal polynomials in one random number xi, the germ: E[p_i(xi) p_j(xi)] = delta_ij, p_0 = 1.
@@ -22,10 +22,11 @@ class Polynomials {
   /// Of a germ that is uniform on [-1, 1] (Legendre).
   static Polynomials legendre();
   /// Of a germ on [-1, 1] with the density (1 - x)^alpha (1 + x)^beta, but for a factor (Jacobi); alpha, beta > -1.
+  /// Throws base::Error for others.
   static Polynomials jacobi(double alpha, double beta);
   /// Of a germ that takes these values with these probabilities, which add up to 1 (Stieltjes' procedure). The largest
   /// degree is one less than the number of different points, and at most 64. Throws base::Error when the two differ in
-  /// length, a probability is negative or the sum is not 1.
+  /// length or are empty, a probability is negative or the sum is not 1 (to 1e-6).
   static Polynomials discrete(const std::vector<double>& points, const std::vector<double>& probabilities);
   /// From the coefficients of their recurrence, one of each for every degree. Throws base::Error (input) when their
   /// numbers differ or a b is not positive.
@@ -33,13 +34,15 @@ class Polynomials {
 
   /// Highest degree that is known.
   int largestDegree() const { return static_cast<int>(a_.size()) - 1; }
-  /// Coefficients of the recurrence, one for every degree; b()[0] = 1 is not used.
+  /// Coefficients a_i of the recurrence, one for every degree from 0.
   const std::vector<double>& a() const { return a_; }
+  /// Coefficients b_i, as many; b()[0] = 1 is not used.
   const std::vector<double>& b() const { return b_; }
   /// p_0(xi) .. p_degree(xi). Throws base::Error when the degree is not known.
   std::vector<double> evaluate(double xi, int degree) const;
   /// Exact for polynomials up to degree 2 count - 1. Of a germ that takes fewer values than `count` these values and
   /// their probabilities, which is exact for any function. Throws base::Error when degree count - 1 is not known.
+  /// Source: Golub, Welsch, Math. Comput. 23 (1969).
   GaussRule gauss(int count) const;
 
  private:

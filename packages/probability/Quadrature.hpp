@@ -11,17 +11,20 @@ namespace harmos::probability {
 /// may be negative.
 struct Quadrature {
   std::vector<std::vector<double>> points;  // [point][germ]
-  std::vector<double> weights;
+  std::vector<double> weights;              // one per point [-]
 
+  /// Number of points.
   int size() const { return static_cast<int>(weights.size()); }
 };
 
-/// All combinations of the Gauss points of each germ, the last germ fastest.
+/// All combinations of the Gauss points of each germ, the last germ fastest. Throws base::Error when a germ has no
+/// polynomials up to degree pointsPerGerm - 1.
 Quadrature tensorQuadrature(const RandomVector& variables, int pointsPerGerm);
-/// The same with a number of points for each germ.
+/// The same with a number of points for each germ, `points` [germ].
 Quadrature tensorQuadrature(const RandomVector& variables, const std::vector<int>& points);
 
-/// Smolyak's sparse grid of Gauss rules, exact for products of two polynomials of the basis.
+/// Smolyak's sparse grid of Gauss rules, exact for products of two polynomials of the basis. Source: Smolyak, Dokl.
+/// Akad. Nauk SSSR 148 (1963).
 Quadrature sparseQuadrature(const Basis& basis);
 
 /// psi_a(xi_q), points x polynomials.

@@ -14,18 +14,20 @@ namespace harmos::probability {
 /// each polynomial, give a well-conditioned fit.
 class Regression {
  public:
+  /// An expansion through values, and how far to trust it.
   struct Fit {
-    Expansion expansion;
+    Expansion expansion;  // shares the basis
     /// Root mean square of the differences between each value and the fit to all others, relative to the standard
     /// deviation of the values; NaN when all values are equal or the points are no more than the polynomials. Source:
-    /// Blatman, Sudret, J. Comput. Phys. 230 (2011), sec. 4.
+    /// Blatman, Sudret, J. Comput. Phys. 230 (2011), doi:10.1016/j.jcp.2010.12.021, sec. 4.
     double leaveOneOutError;
   };
 
-  /// Throws base::Error (input) when the points are too few or too alike to tell the polynomials apart.
+  /// `basis` is shared; `points` [sample][germ]. Throws base::Error (input) when the points are too few or too alike to
+  /// tell the polynomials apart.
   Regression(std::shared_ptr<const Basis> basis, const std::vector<std::vector<double>>& points);
 
-  /// One value per point. Throws base::Error when a value is missing or not finite.
+  /// One value per point, in the unit of the response. Throws base::Error when a value is missing or not finite.
   Fit fit(const std::vector<double>& values) const;
 
  private:

@@ -11,14 +11,16 @@ namespace harmos::probability {
 /// deviation 1 (that of the list itself, divided by n).
 ///
 /// The cumulative probability rises in steps at the values, and quantiles are values of the list. There are as many
-/// polynomials as different values.
+/// polynomials as different values, at most 65.
 class Sample : public Distribution {
  public:
-  /// At least two values must differ.
+  /// In the unit of X, in any order, finite; at least two must differ. Throws base::Error (input) for others.
   explicit Sample(std::vector<double> values);
 
   const char* name() const override { return "Sample"; }
+  /// Of the list.
   double mean() const override { return mean_; }
+  /// Of the list, divided by n.
   double standardDeviation() const override { return deviation_; }
   double value(double germ) const override { return mean_ + deviation_ * germ; }
   double germ(double u) const override;

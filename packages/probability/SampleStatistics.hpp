@@ -4,10 +4,10 @@
 
 namespace harmos::probability {
 
-/// Points of a density, per unit of the sample.
+/// Points of a density.
 struct DensityCurve {
-  std::vector<double> points;
-  std::vector<double> values;
+  std::vector<double> points;  // in the unit of the sample, ascending
+  std::vector<double> values;  // one per point, per unit of the sample
 };
 
 /// What a sample of independent numbers tells of the law that they were drawn from.
@@ -18,14 +18,17 @@ class SampleStatistics {
   /// Throws base::Error when there is no value or one is not finite.
   explicit SampleStatistics(std::vector<double> values);
 
+  /// Number of values.
   int count() const { return static_cast<int>(values_.size()); }
   /// Ascending.
   const std::vector<double>& values() const { return values_; }
+  /// In the unit of the sample.
   double mean() const { return mean_; }
-  /// With n - 1.
+  /// In the unit of the sample, with n - 1.
   double standardDeviation() const { return deviation_; }
-  /// Third and fourth central moment, divided by the cube and the square of the second one; 0 and 3 of a normal law.
+  /// Third central moment divided by the second one to the power 3/2 (both with n) [-]; 0 of a normal law.
   double skewness() const { return skewness_; }
+  /// Fourth central moment divided by the square of the second one (both with n) [-]; 3 of a normal law.
   double kurtosis() const { return kurtosis_; }
   /// Standard error of the mean, s / sqrt(n).
   double meanError() const;
@@ -37,8 +40,9 @@ class SampleStatistics {
   /// Share of the values that are not above x.
   double cumulative(double x) const;
   /// Sum of Gaussian kernels at evenly spaced points, four kernel widths beyond the values on both sides. The width is
-  /// 0.9 min(s, interquartile range / 1.34) / n^(1/5). Empty when all values are equal. Source: Silverman, Density
-  /// Estimation (1986), eq. 3.31.
+  /// 0.9 min(s, interquartile range / 1.34) / n^(1/5), with s alone where this range is 0. Empty when all values are
+  /// equal or there is only one. Throws base::Error for fewer than 2 points. Source: Silverman, Density Estimation
+  /// (1986), eq. 3.31.
   DensityCurve density(int points) const;
 
  private:

@@ -10,14 +10,17 @@ namespace harmos::probability {
 /// and standard deviation 1.
 ///
 /// Polynomials, mean and standard deviation come from the density at the points of Gauss rules on panels (Gautschi,
-/// Orthogonal Polynomials (2004), sec. 2.2: discretised Stieltjes).
+/// Orthogonal Polynomials (2004), sec. 2.2: discretised Stieltjes). They are known up to degree 64.
 class TruncatedNormal : public Distribution {
  public:
-  /// Mean and standard deviation of the parent; at least one bound.
+  /// Mean and standard deviation (above 0) of the parent, and at least one bound, all in the unit of X; lower < upper.
+  /// Throws base::Error (input) for others, and when the parent lies between the bounds with less than 1e-250.
   TruncatedNormal(double parentMean, double parentDeviation, std::optional<double> lower, std::optional<double> upper);
 
   const char* name() const override { return "Truncated Normal"; }
+  /// Of X, not of the parent.
   double mean() const override { return mean_; }
+  /// Of X, not of the parent.
   double standardDeviation() const override { return deviation_; }
   double value(double germ) const override { return mean_ + deviation_ * germ; }
   double germ(double u) const override;

@@ -7,11 +7,13 @@ namespace harmos::probability {
 /// X is anywhere between two bounds with equal probability; the germ is uniform on [-1, 1].
 class Uniform : public Distribution {
  public:
-  /// lower < upper.
+  /// Bounds in the unit of X, lower < upper. Throws base::Error (input) for others.
   Uniform(double lower, double upper);
 
   const char* name() const override { return "Uniform"; }
+  /// (lower + upper) / 2.
   double mean() const override { return 0.5 * (lower_ + upper_); }
+  /// (upper - lower) / sqrt(12).
   double standardDeviation() const override;
   double value(double germ) const override { return mean() + 0.5 * (upper_ - lower_) * germ; }
   double germ(double u) const override;

@@ -18,18 +18,18 @@ enum class Status {
 
 /// What is known about one configuration; the curves are those of the scene's responses.
 struct ConfigurationResult {
-  int id = 0;
-  Status status = Status::failed;
-  std::string reason;
-  std::vector<std::vector<double>> curves;  // [response][load step]; empty without a solution
+  int id = 0;                               // of the design::Configuration, from 1
+  Status status = Status::failed;           // how it ended
+  std::string reason;                       // why, one sentence
+  std::vector<std::vector<double>> curves;  // [response][load step], in their units; empty without a solution
   std::vector<double> curveErrors;          // per response, estimate of the relative error; NaN: none
-  // Largest of the responses and of the field of interface forces; only a certificate also covers the field of
-  // displacements. NaN: none.
+  /// Relative; the largest of the responses and of the field of interface forces; only a certificate also covers the
+  /// field of displacements. NaN: none.
   double errorEstimate = std::numeric_limits<double>::quiet_NaN();
-  int iterations = 0;
-  int linearStages = 0;
+  int iterations = 0;       // of LATIN; of a calibrated configuration marches
+  int linearStages = 0;     // whatever for
   std::vector<int> starts;  // ids of the configurations whose solutions it started from; empty: cold
-  double cpuSeconds = 0.0;
+  double cpuSeconds = 0.0;  // of one process of its team [s]
 };
 
 }  // namespace harmos::results

@@ -10,6 +10,7 @@ namespace harmos::results {
 class ResultSink {
  public:
   virtual ~ResultSink() = default;
+  /// What is known of one configuration; replaces an earlier result of the same id.
   virtual void record(const ConfigurationResult& result) = 0;
   /// Something about the study as a whole that its report shall say, such as how its estimates were calibrated. A later
   /// note of the same name replaces the first.

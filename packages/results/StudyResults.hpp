@@ -18,6 +18,7 @@ class StudyResults {
   /// `description` must outlive the results.
   explicit StudyResults(const StudyDescription& description);
 
+  /// As given.
   const StudyDescription& description() const { return description_; }
   /// Those of the description and those that were added since.
   const std::vector<design::Configuration>& configurations() const { return configurations_; }
@@ -25,19 +26,25 @@ class StudyResults {
   void add(const design::Configuration& configuration);
   /// Replaces what was known of this configuration; ids that the study does not have are ignored.
   void set(const ConfigurationResult& result);
-  /// Null while the configuration with this id is open.
+  /// Null while the configuration with this id is open; 1 <= id <= number of configurations. Valid until the next set()
+  /// or add().
   const ConfigurationResult* find(int id) const;
+  /// How many configurations have a result.
   int count() const { return count_; }
+  /// How many have a result with this status.
   int count(Status status) const;
-  /// The scalar responses of a configuration: of its solution, if it has one as accurate as asked for, else what the
-  /// study wants in its place, else not a number.
+  /// The scalar responses of a configuration, in the order of the description: of its solution, if it has one as
+  /// accurate as asked for, else what the study wants in its place, else not a number, as while it is open.
   std::vector<double> responses(int id) const;
+  /// Replaces the note of this name.
   void note(const std::string& name, const std::string& text) { notes_[name] = text; }
+  /// Texts about the study as a whole, by name.
   const std::map<std::string, std::string>& notes() const { return notes_; }
   /// What a study with random parameters has come to; null before its end and in other studies.
   void setStatistics(std::shared_ptr<const StochasticSummary> statistics) { statistics_ = std::move(statistics); }
+  /// What setStatistics() was given, else null.
   const StochasticSummary* statistics() const { return statistics_.get(); }
-  /// In the order of their ids.
+  /// The results that are known, in the order of their ids.
   std::vector<ConfigurationResult> all() const;
 
  private:
