@@ -54,7 +54,12 @@ double customaryIndicator(const FixedPoint& state) {
 
 LatinSolver::LatinSolver(const assembly::Assembly& assembly, const LatinOptions& options,
                          const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers)
-    : assembly_(assembly), options_(options), timers_(timers), fixedPoint_(assembly, options.stages, comm, timers) {}
+    : assembly_(assembly),
+      options_(options),
+      timers_(timers),
+      fixedPoint_(assembly, options.stages, comm, timers),
+      alpha_(fixedPoint_.layout().rows(), assembly.steps()),
+      image_(alpha_) {}
 
 bool LatinSolver::mustStop() const {
   const int here = interrupted_ && interrupted_() ? 1 : 0;
@@ -80,9 +85,10 @@ bool LatinSolver::hasDiverged(const base::Matrix& state) {
 }
 
 LatinResult LatinSolver::solve(const base::Matrix* start) {
-  alpha_.shape(fixedPoint_.layout().rows(), assembly_.steps());
-  image_.shape(alpha_.numRows(), alpha_.numCols());
-  if (start != nullptr) alpha_.assign(*start);
+  if (start != &alpha_) {
+    alpha_.putScalar(0.0);
+    if (start != nullptr) alpha_.assign(*start);
+  }
   stagesBefore_ = fixedPoint_.linearStage().stages();
   startSize_ = 0.0;
   snapshots_.clear();

@@ -32,7 +32,8 @@ StochasticSolver::StochasticSolver(const assembly::Assembly& assembly, std::shar
       modal_(modalAssembly(assembly, projection_)),
       fixedPoint_(modal_, options.stages, std::move(comm), timers),
       metric_(fixedPoint_.layout(), projection_->terms()),
-      local_(modal_, fixedPoint_.searchDirection(), fixedPoint_.layout(), projection_) {
+      local_(modal_, fixedPoint_.searchDirection(), fixedPoint_.layout(), projection_),
+      alpha_(fixedPoint_.layout().rows() * projection_->terms(), assembly.steps()) {
   if (options.stages.formulation != latin::Formulation::displacement) {
     throw base::Error("random interfaces need the displacement form", base::ExitCode::input);
   }
@@ -124,8 +125,10 @@ StochasticSolver::End StochasticSolver::run(double tolerance, bool isFresh) {
 }
 
 StochasticResult StochasticSolver::solve(const base::Matrix* start) {
-  alpha_.shape(fixedPoint_.layout().rows() * projection_->terms(), assembly_.steps());
-  if (start != nullptr) alpha_.assign(*start);
+  if (start != &alpha_) {
+    alpha_.putScalar(0.0);
+    if (start != nullptr) alpha_.assign(*start);
+  }
   columnsBefore_ = fixedPoint_.linearStage().columns();
   largestForce_ = 0.0;
   const auto blocks = static_cast<std::size_t>(local_.hasMemory() ? assembly_.steps() : 1);
