@@ -12,6 +12,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
+#include <harmos/substructure/detail/TooLarge.hpp>
 
 namespace harmos::substructure {
 namespace {
@@ -148,12 +149,11 @@ void SubstructureSolver::factor(const Teuchos::RCP<base::CrsMatrix>& sum) {
   } catch (const std::bad_alloc&) {
     throw base::Error("Part \"" + part_ + "\" with " + std::to_string(dofs_) +
                       " unknowns is too large to be factored in the memory at hand. Cut it into pieces (\"Pieces\").");
-  } catch (const std::runtime_error& error) {
-    const std::string reason = error.what();
-    if (reason.find("too large") != std::string::npos || reason.find("out of memory") != std::string::npos) {
-      throw base::Error("Part \"" + part_ + "\" with " + std::to_string(dofs_) +
-                        " unknowns is too large to be factored (" + reason + "). Cut it into pieces (\"Pieces\").");
-    }
+  } catch (const TooLarge& error) {
+    throw base::Error("Part \"" + part_ + "\" with " + std::to_string(dofs_) +
+                      " unknowns is too large to be factored (" + error.what() + "). Cut it into pieces (\"Pieces\").");
+  } catch (const std::runtime_error&) {
+    // Not positive definite: what follows finds out why.
   }
   // A singular matrix differs from an indefinite one in that a small shift makes it factorable.
   const CrsView view = viewOf(*sum, part_);
