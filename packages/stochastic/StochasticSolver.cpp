@@ -14,12 +14,6 @@ namespace {
 
 // Residuals below this share of the state are round-off.
 constexpr double noise = 1e-12;
-// Of the residual from one run to the next; their difference is the error of the first.
-constexpr double tightening = 0.1;
-// A load step that is not done by then is left as it is; a tighter run comes back to it.
-constexpr int maximumIterationsOfAStep = 100;
-// Of the accuracy: the gap between the fields of both stages that a claim allows, see latin::Certificate.
-constexpr double gapFactor = 10.0;
 
 }  // namespace
 
@@ -78,7 +72,8 @@ StochasticSolver::End StochasticSolver::iterate(latin::AndersonAcceleration& acc
   base::Matrix modalImage(Teuchos::View, image.values(), rows, rows, columns);
   acceleration.resume();
   End end = End::stalled;
-  for (int iteration = 0; iteration < maximumIterationsOfAStep; ++iteration) {
+  // A load step that is not done by then is left as it is; a tighter run comes back to it.
+  for (int iteration = 0; iteration < latin::March::maximumIterations; ++iteration) {
     fixedPoint_.apply(modalState, modalImage);
     residual.assign(image);
     residual -= state;
@@ -144,13 +139,13 @@ StochasticResult StochasticSolver::solve(const base::Matrix* start) {
   };
   End end = reach(start == nullptr);
   while (end == End::reached && tolerance > noise) {
-    tolerance *= tightening;
+    tolerance *= latin::March::tightening;
     const auto before = std::move(snapshot_);
     end = reach(false);
     if (end != End::reached) break;
     estimates = snapshot_->distance(*before);
     if (*std::max_element(estimates.begin(), estimates.end()) <= options_.accuracy &&
-        latin::fieldGap(fixedPoint_) <= gapFactor * options_.accuracy) {
+        latin::fieldGap(fixedPoint_) <= latin::allowedGap * options_.accuracy) {
       result.outcome = latin::Outcome::certified;
       result.reason = "the error estimate is below the accuracy asked for";
       break;

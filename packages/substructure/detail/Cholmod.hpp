@@ -37,8 +37,8 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
 
   /// `trace`: rows, ascending; empty: all. `entries`: of the square of the trace that are worth as much as one of the
   /// sparse factor.
-  Cholmod(Teuchos::RCP<const Matrix> a, Teuchos::RCP<Vector> x, Teuchos::RCP<const Vector> b,
-          std::vector<int> trace = {}, double entries = 2.0)
+  Cholmod(Teuchos::RCP<const Matrix> a, Teuchos::RCP<Vector> x, Teuchos::RCP<const Vector> b, std::vector<int> trace,
+          double entries)
       : Core(a, x, b), trace_(std::move(trace)), entries_(entries) {
     cholmod_start(&common_);
     common_.print = 0;
