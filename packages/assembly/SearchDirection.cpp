@@ -10,8 +10,6 @@
 namespace harmos::assembly {
 namespace {
 
-// Measured to be near the optimum on bolted and glued assemblies; the exact value matters little.
-constexpr double factor = 0.15;
 // Where nothing can part, a stiffer one carries information faster: it matters where METIS has cut a part.
 constexpr double factorOfBonds = 3.0;
 

@@ -7,6 +7,7 @@
 #include <Teuchos_BLAS.hpp>
 
 #include <harmos/latin/NormalEquations.hpp>
+#include <harmos/latin/SafeRelaxation.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -185,7 +186,7 @@ void AndersonAcceleration::move(Step& step, bool isDrifting, const double* extra
   if (step.isGivenUp) {
     for (int row = 0; row < rows; ++row) {
       const auto i = static_cast<std::size_t>(row);
-      alpha[row] = 0.5 * (step.goodAlpha[i] + step.goodImage[i]);
+      alpha[row] = relaxSafely(step.goodAlpha[i], step.goodImage[i]);
     }
     return;
   }

@@ -202,7 +202,7 @@ void BodyOperators::select(const std::vector<int>& steps) {
   }
 }
 
-void BodyOperators::solve(const base::Matrix& forces, int first, int count) {
+void BodyOperators::solve(const base::Matrix& forces, int first, int count, substructure::Precision precision) {
   const int columns = static_cast<int>(steps_.size());
   for (Group& group : groups_) {
     const int rows = group.right.numRows();
@@ -234,20 +234,18 @@ void BodyOperators::solve(const base::Matrix& forces, int first, int count) {
       }
     }
   }
-  for (Group& group : groups_) solveGroup(group, first, count);
+  for (Group& group : groups_) solveGroup(group, first, count, precision);
 }
 
-void BodyOperators::solveGroup(Group& group, int first, int count) {
+void BodyOperators::solveGroup(Group& group, int first, int count, substructure::Precision precision) {
   const int columns = static_cast<int>(steps_.size());
   const int members = static_cast<int>(group.bodies.size());
   const int rows = group.right.numRows();
   const auto solveBlock = [&](const base::Matrix& right, base::Matrix& solution) {
     if (group.trace.empty()) {
       group.solver->solve(right, solution);
-    } else if (columns == 1 && allSteps_ > 1) {
-      group.solver->solveTraceRoughly(right, solution);
     } else {
-      group.solver->solveTrace(right, solution);
+      group.solver->solveTrace(right, solution, precision);
     }
   };
   if (count == columns) {

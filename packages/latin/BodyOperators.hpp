@@ -27,8 +27,9 @@ class BodyOperators {
   /// Reads body forces and prescribed tractions anew from the assembly, of which nothing else may have changed.
   void updateLoads(const assembly::Assembly& assembly);
   /// Solves S u = B^T r + l for all owned bodies and the columns first .. first + count - 1, where r are the nodal
-  /// forces [force] on the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement().
-  void solve(const base::Matrix& forces, int first, int count);
+  /// forces [force] on the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement(). Bodies
+  /// that are solved on their traces only are solved to this precision.
+  void solve(const base::Matrix& forces, int first, int count, substructure::Precision precision);
   /// Solves S u = r for one owned body and arbitrary columns, in the body's own numbering.
   base::Matrix solveBody(int body, const base::Matrix& forces) const;
 
@@ -70,7 +71,7 @@ class BodyOperators {
   };
 
   void mapBlocks(const assembly::Assembly& assembly, const TraceLayout& layout);
-  void solveGroup(Group& group, int first, int count);
+  void solveGroup(Group& group, int first, int count, substructure::Precision precision);
   const base::Matrix& wholeSolution(const Group& group) const;
   int masterDof(const Place& place, int node) const {
     return dimension_ * (place.toMaster.empty() ? node : place.toMaster[node]);

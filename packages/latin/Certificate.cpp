@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <harmos/latin/SafeRelaxation.hpp>
+
 namespace harmos::latin {
 namespace {
 
@@ -94,7 +96,7 @@ Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::
       result.estimates = errors;
       result.state = state;
       if (step.hidden <= hiddenLimit && previous <= farAway && largest(errors) <= accuracy_ &&
-          gap <= 10.0 * accuracy_ && !isThrown(fixedPoint_, corrected, next)) {
+          gap <= allowedGap * accuracy_ && !isThrown(fixedPoint_, corrected, next)) {
         result.claimed = true;
         return result;
       }
@@ -103,7 +105,7 @@ Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::
     state.assign(corrected);
     for (int i = 0; i < smoothingIterations; ++i) {
       for (int t = 0; t < state.numCols(); ++t) {
-        for (int row = 0; row < state.numRows(); ++row) state[t][row] = 0.5 * (state[t][row] + next[t][row]);
+        for (int row = 0; row < state.numRows(); ++row) state[t][row] = relaxSafely(state[t][row], next[t][row]);
       }
       fixedPoint_.apply(state, next);
     }

@@ -44,6 +44,9 @@ class Certificate {
   NewtonCorrection newton_;
 };
 
+/// The gap that a claim allows, over the accuracy.
+inline constexpr double allowedGap = 10.0;
+
 /// The gap of the last FixedPoint::apply(), see Certificate. Collective.
 double fieldGap(const FixedPoint& state);
 

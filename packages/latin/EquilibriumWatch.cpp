@@ -9,8 +9,8 @@ namespace harmos::latin {
 namespace {
 
 // Odd, so that an iteration that jumps to and fro is not taken for one that stays.
-constexpr int lookEvery = 9;
-constexpr std::ptrdiff_t looks = 4;
+constexpr int iterationsPerFinding = 9;
+constexpr std::ptrdiff_t findingsThatAgree = 4;
 constexpr double spread = 0.05;
 constexpr double smallestScale = 1e-2;
 
@@ -21,9 +21,9 @@ bool agree(const base::Vector3& a, const base::Vector3& b) {
 }  // namespace
 
 bool EquilibriumWatch::persists() const {
-  if (static_cast<std::ptrdiff_t>(history_.size()) < looks) return false;
+  if (static_cast<std::ptrdiff_t>(history_.size()) < findingsThatAgree) return false;
   const Imbalance& last = history_.back();
-  return std::all_of(history_.end() - looks, history_.end(), [&](const Imbalance& one) {
+  return std::all_of(history_.end() - findingsThatAgree, history_.end(), [&](const Imbalance& one) {
     return one.body == last.body && one.step == last.step && one.relative >= accuracy_ &&
            std::abs(one.load - last.load) <= spread * last.load &&
            (agree(one.force, last.force) || agree(one.moment, last.moment));
@@ -32,7 +32,8 @@ bool EquilibriumWatch::persists() const {
 
 EquilibriumWatch::Finding EquilibriumWatch::look(FixedPoint& fixedPoint, base::Matrix& alpha, base::Matrix& image) {
   // With a k far too small the interfaces have not felt their forces yet.
-  if (++iterations_ % lookEvery != 0 || fixedPoint.searchDirectionScale() < smallestScale) return Finding::nothing;
+  if (++iterations_ % iterationsPerFinding != 0 || fixedPoint.searchDirectionScale() < smallestScale)
+    return Finding::nothing;
   history_.push_back(largestImbalance(fixedPoint));
   if (!persists()) return Finding::nothing;
   const FreeMotion motion = followImbalance(history_.back(), fixedPoint, alpha, image);

@@ -20,6 +20,8 @@ constexpr double resistance = 0.1;
 // Sine of the largest angle between the way and an interface that counts as sliding along it: the direction of the
 // imbalance is not exact.
 constexpr double grazing = 0.2;
+// Sine of an angle that is nothing but round-off.
+constexpr double parallel = 1e-12;
 constexpr int maximumTries = 20;
 // The body has landed when it is answered with the imbalance, and at most so many times of it.
 constexpr double landed = 2.0;
@@ -147,7 +149,7 @@ bool slideAlong(Motion& motion, const assembly::Interface& interface) {
   normal = (1.0 / base::norm(normal)) * normal;
   const double along = base::dot(motion.translation, normal);
   const double way = base::norm(motion.translation);
-  if (std::abs(along) > grazing * way || std::abs(along) < 1e-12 * way) return false;
+  if (std::abs(along) > grazing * way || std::abs(along) < parallel * way) return false;
   motion.translation = motion.translation - along * normal;
   return true;
 }

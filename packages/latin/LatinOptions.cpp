@@ -6,10 +6,11 @@
 namespace harmos::latin {
 
 void LatinOptions::describe(input::ParameterSpec& spec) {
+  const LatinOptions defaults;
   spec.summary("The LATIN solver. Only the accuracy should need a thought.");
   spec.number("Accuracy")
       .unit("-")
-      .defaultValue(1e-3)
+      .defaultValue(defaults.accuracy)
       .atLeast(1e-10)
       .atMost(3e-2)
       .doc(
@@ -26,9 +27,14 @@ void LatinOptions::describe(input::ParameterSpec& spec) {
       .defaultValue("Default")
       .oneOf({"Default", "Plain", "Relaxed"})
       .doc("Default: Anderson acceleration per time step. Plain and Relaxed: the iterations of the literature.");
-  spec.number("Relaxation").unit("-").defaultValue(0.8).above(0.0).atMost(1.0).doc("Of the algorithm Relaxed.");
+  spec.number("Relaxation")
+      .unit("-")
+      .defaultValue(defaults.relaxation)
+      .above(0.0)
+      .atMost(1.0)
+      .doc("Of the algorithm Relaxed.");
   spec.integer("Maximum Iterations")
-      .defaultValue(1000)
+      .defaultValue(defaults.maximumIterations)
       .atLeast(1)
       .doc("Linear stages after which the run stops without a certificate.");
   spec.flag("Macro Problem")
@@ -36,11 +42,19 @@ void LatinOptions::describe(input::ParameterSpec& spec) {
       .doc("Balance the resultants of every interface in the linear stage. Absent: only with the algorithm Default.");
   input::ParameterSpec& search = spec.list("Search Direction");
   search.summary("The parameter k of the search directions, found automatically at every node.");
-  search.number("Scale").unit("-").defaultValue(1.0).atLeast(1e-9).atMost(1e9).doc("Multiplies the automatic value.");
+  search.number("Scale")
+      .unit("-")
+      .defaultValue(defaults.stages.searchDirectionScale)
+      .atLeast(1e-9)
+      .atMost(1e9)
+      .doc("Multiplies the automatic value.");
   input::ParameterSpec& acceleration = spec.list("Acceleration");
   acceleration.summary("Anderson acceleration.");
-  acceleration.integer("Memory").defaultValue(30).atLeast(1).atMost(1000).doc(
-      "Iterations remembered; 10 when memory is short.");
+  acceleration.integer("Memory")
+      .defaultValue(defaults.memory)
+      .atLeast(1)
+      .atMost(1000)
+      .doc("Iterations remembered; 10 when memory is short.");
   input::ParameterSpec& solver = spec.list("Linear Solver");
   solver.summary("Direct solver that factors the substructures.");
   substructure::SolverOptions::describe(solver);

@@ -16,16 +16,18 @@ namespace harmos::latin {
 namespace {
 
 // Promised quantities are compared with those of four iterations before; looking every second time is enough.
-constexpr int lookEvery = 2;
-constexpr std::size_t lookBack = 2;
+constexpr int iterationsPerSnapshot = 2;
+constexpr std::size_t snapshotsBack = 2;
 // A correction gains about a factor of ten, so a certificate is worth its price from here on.
 constexpr double triggerFactor = 15.0;
-
-// After a good start little changes at first; the gap tells that this is not yet the end.
-constexpr double gapFactor = 0.02;
+// Of the trigger, after a certificate that failed.
+constexpr double triggerAfterFailure = 0.3;
+// Most linear stages from a certificate that failed to the next.
+constexpr int longestWait = 15;
+// Gap over the trigger: after a good start little changes at first; the gap tells that this is not yet the end.
+constexpr double settledGap = 0.02;
 // Of the accuracy asked for: the residual that the first march goes to. A correction then gains about a factor of ten.
 constexpr double marchShare = 1.0;
-constexpr double tightening = 0.1;
 
 // A state this many times larger than the first one was extrapolated beyond all measure: the digits of the forces are
 // lost in k w, and everything finite would look small beside it.
@@ -54,7 +56,12 @@ double customaryIndicator(const FixedPoint& state) {
 
 LatinSolver::LatinSolver(const assembly::Assembly& assembly, const LatinOptions& options,
                          const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers)
-    : assembly_(assembly), options_(options), timers_(timers), fixedPoint_(assembly, options.stages, comm, timers) {}
+    : assembly_(assembly),
+      options_(options),
+      timers_(timers),
+      fixedPoint_(assembly, options.stages, comm, timers),
+      alpha_(fixedPoint_.layout().rows(), assembly.steps()),
+      image_(alpha_) {}
 
 bool LatinSolver::mustStop() const {
   const int here = interrupted_ && interrupted_() ? 1 : 0;
@@ -64,13 +71,13 @@ bool LatinSolver::mustStop() const {
 }
 
 bool LatinSolver::settled(int iteration, double tolerance, double& change) {
-  if (iteration % lookEvery != 0) return false;
+  if (iteration % iterationsPerSnapshot != 0) return false;
   snapshots_.push_back(std::make_unique<Snapshot>(fixedPoint_, responses_));
-  if (snapshots_.size() <= lookBack) return false;
-  const std::vector<double> changes = snapshots_.back()->distance(*snapshots_[snapshots_.size() - 1 - lookBack]);
+  if (snapshots_.size() <= snapshotsBack) return false;
+  const std::vector<double> changes = snapshots_.back()->distance(*snapshots_[snapshots_.size() - 1 - snapshotsBack]);
   change = *std::max_element(changes.begin(), changes.end());
   snapshots_.erase(snapshots_.begin());
-  return change <= tolerance && fieldGap(fixedPoint_) <= gapFactor * tolerance;
+  return change <= tolerance && fieldGap(fixedPoint_) <= settledGap * tolerance;
 }
 
 bool LatinSolver::hasDiverged(const base::Matrix& state) {
@@ -80,9 +87,10 @@ bool LatinSolver::hasDiverged(const base::Matrix& state) {
 }
 
 LatinResult LatinSolver::solve(const base::Matrix* start) {
-  alpha_.shape(fixedPoint_.layout().rows(), assembly_.steps());
-  image_.shape(alpha_.numRows(), alpha_.numCols());
-  if (start != nullptr) alpha_.assign(*start);
+  if (start != &alpha_) {
+    alpha_.putScalar(0.0);
+    if (start != nullptr) alpha_.assign(*start);
+  }
   stagesBefore_ = fixedPoint_.linearStage().stages();
   startSize_ = 0.0;
   snapshots_.clear();
@@ -128,7 +136,7 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
     const auto running = timers_.start("acceleration");
     end = march.run(alpha_, tolerance, guess);
     fixedPoint_.apply(alpha_, image_);
-    tolerance *= tightening;
+    tolerance *= March::tightening;
     guess = March::Guess::state;
   } while (end == March::End::reached && stages() < options_.maximumIterations && !certify(result));
   result.iterations = stages() - stagesOfCertificates_;
@@ -185,8 +193,8 @@ void LatinSolver::iterate(LatinResult& result) {
       const int before = stages();
       if (certify(result)) return;
       // What was spent on an estimate that failed is spent on iterations before the next one.
-      nextAttempt = stages() + std::min(stages() - before, 15);
-      trigger *= 0.3;
+      nextAttempt = stages() + std::min(stages() - before, longestWait);
+      trigger *= triggerAfterFailure;
       if (acceleration) acceleration->restart();
       snapshots_.clear();
       continue;

@@ -43,7 +43,7 @@ class LatinSolver {
   /// Collective. What all ranks make of it.
   bool mustStop() const;
 
-  /// Runs from alpha = 0, or from `start` (rows as in the layout).
+  /// Runs from alpha = 0, or from `start` (rows as in the layout), which may be alpha().
   LatinResult solve(const base::Matrix* start = nullptr);
   /// Fields of the delivered state.
   const FixedPoint& state() const { return fixedPoint_; }

@@ -20,6 +20,8 @@ LinearStage::LinearStage(const assembly::Assembly& assembly, const assembly::Sea
 
 void LinearStage::select(const std::vector<int>& steps) {
   steps_ = steps;
+  const bool isOneOfSeveral = steps.size() == 1 && assembly_.steps() > 1;
+  precision_ = isOneOfSeveral ? substructure::Precision::single : substructure::Precision::exact;
   operators_.select(steps);
   for (base::Matrix* field : {&corrected_, &forces_, &trace_, &traction_}) {
     field->shape(layout_.rows(), static_cast<int>(steps.size()));
@@ -48,7 +50,7 @@ void LinearStage::solveSteps(base::Matrix& alpha, int first, int count) {
   }
   {
     const auto running = timers_.start("block solve");
-    operators_.solve(forces_, first, count);
+    operators_.solve(forces_, first, count, precision_);
   }
   operators_.trace(trace_, first, count);
 }

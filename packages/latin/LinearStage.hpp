@@ -22,7 +22,8 @@ class LinearStage {
               const TraceLayout& layout, Formulation formulation, bool withMacroProblem,
               const substructure::SolverOptions& options, base::Timers& timers);
 
-  /// Sets which load step each column of a field is; to be called before the first solve.
+  /// Sets which load step each column of a field is; to be called before the first solve. One load step out of several
+  /// is solved in single precision, where the options of the solver provide it: all of them together come after it.
   void select(const std::vector<int>& steps);
 
   /// To be called when the laws of boundaries with prescribed tractions have been replaced.
@@ -55,6 +56,7 @@ class LinearStage {
   const TraceLayout& layout_;
   Formulation formulation_;
   std::vector<int> steps_;  // load step of every column
+  substructure::Precision precision_ = substructure::Precision::exact;
   base::Timers& timers_;
   BodyOperators operators_;
   std::unique_ptr<MacroProblem> macro_;

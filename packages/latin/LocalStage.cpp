@@ -1,5 +1,6 @@
 #include <harmos/latin/LocalStage.hpp>
 
+#include <cassert>
 #include <cmath>
 
 #include <harmos/base/Error.hpp>
@@ -31,6 +32,7 @@ void LocalStage::select(const std::vector<int>& steps) {
 }
 
 void LocalStage::startFromHere() {
+  assert(formulation_ == Formulation::displacement && "the velocity form keeps no jump to start from");
   for (Joint& joint : joints_) joint.start = joint.history[0];
 }
 
@@ -68,19 +70,26 @@ void LocalStage::accept() {
   for (Joint& joint : joints_) joint.history[0].swap(joint.history[1]);
 }
 
+void LocalStage::beginAtLastJump(Joint& joint) {
+  for (std::size_t i = 0; i < joint.jump.size(); ++i) joint.line[i / 3].freeJump[i % 3] += joint.jump[i];
+}
+
+void LocalStage::keepJump(Joint& joint, const laws::LocalState* state) {
+  for (std::size_t i = 0; i < joint.jump.size(); ++i) {
+    joint.jump[i] = joint.line[i / 3].jump(state[i / 3].traction)[i % 3];
+  }
+}
+
 void LocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const base::Matrix& beta, base::Matrix& traction) {
   const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];
   lines_.fill(interfaceIndex, t, beta, joint.line);
-  for (std::size_t i = 0; i < joint.jump.size(); ++i) joint.line[i / 3].freeJump[i % 3] += joint.jump[i];
-
+  if (formulation_ == Formulation::velocity) beginAtLastJump(joint);
   laws::LocalState* state = joint.state.data() + static_cast<std::size_t>(t) * joint.line.size();
   const int step = steps_[t];
   interface.law->solve(step, {interface.pairs(), joint.line.data(), interface.gap.data(), joint.history[0].data(),
                               joint.history[1].data(), state});
   const double check = lines_.write(interfaceIndex, t, state, traction);
-  for (std::size_t i = 0; i < joint.jump.size(); ++i) {
-    joint.jump[i] = joint.line[i / 3].jump(state[i / 3].traction)[i % 3];
-  }
+  if (formulation_ == Formulation::velocity) keepJump(joint, state);
   if (!std::isfinite(check)) {
     throw base::Error("interface \"" + interface.name + "\", load step " + std::to_string(step + 1) + ": law \"" +
                           interface.law->name() + "\" met or returned a value that is not finite (NaN or infinity)",

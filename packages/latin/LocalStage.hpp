@@ -54,6 +54,9 @@ class LocalStage {
     std::vector<double> jump;  // velocity form: hatted jump of the previous step, law's frame
   };
 
+  /// Velocity form: what was met at one load step is where the lines of the next one begin.
+  static void beginAtLastJump(Joint& joint);
+  static void keepJump(Joint& joint, const laws::LocalState* state);
   void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
 
   const assembly::Assembly& assembly_;

@@ -19,6 +19,11 @@ namespace {
 
 using base::Matrix;
 
+// Eigenvalue of a rigid motion over the largest one, below which an interface cannot feel the motion.
+constexpr double felt = 1e-10;
+// Share in the floating motion from which on the parts of an interface are named.
+constexpr double takesPart = 1e-3;
+
 /// Eigenvalues in ascending order; the columns of `matrix` become the eigenvectors.
 std::vector<double> symmetricEigenvalues(Matrix& matrix) {
   const int n = matrix.numRows();
@@ -83,7 +88,7 @@ Matrix orthonormal(const assembly::Interface& interface, int dimension, const st
   gram.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, motions, weighted(interface, dimension, k, motions), 0.0);
   const std::vector<double> values = symmetricEigenvalues(gram);
   // A point, or nodes on a line, cannot feel some rotations: their eigenvalues are round-off.
-  const double threshold = 1e-10 * values.back();
+  const double threshold = felt * values.back();
   const auto kept =
       static_cast<int>(std::count_if(values.begin(), values.end(), [&](double v) { return v > threshold; }));
   Matrix basis(gram.numRows(), kept);
@@ -262,7 +267,7 @@ void MacroProblem::reportFloating(const assembly::Assembly& assembly, const Matr
   std::set<std::string> names;
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     for (int m = 0; m < modes_[i].numCols(); ++m) {
-      if (std::abs(vectors(firstMode_[i] + m, 0)) < 1e-3) continue;
+      if (std::abs(vectors(firstMode_[i] + m, 0)) < takesPart) continue;
       for (int side = 0; side < 2; ++side) {
         names.insert(assembly.bodies[assembly.interfaces[i].body(side)].name);
       }

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include <harmos/latin/SafeRelaxation.hpp>
+
 namespace harmos::latin {
 namespace {
 
-constexpr int maximumIterations = 100;  // without landing
 constexpr int maximumLandings = 20;
 // When so many have not removed a relative imbalance of this size, a body may be flying: the acceleration is left out,
 // so that the bodies that it flies among come to rest and the watch sees what is lacking.
-constexpr int patience = 36;
+constexpr int iterationsBeforeListening = 36;
 constexpr double flying = 0.1;
-// Residuals below this share of the state are round-off.
-constexpr double noise = 1e-13;
 
 }  // namespace
 
@@ -72,12 +71,12 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
       end = End::noEquilibrium;
       break;
     }
-    if (sinceLanding == patience) isListening = largestImbalance(fixedPoint_).relative > flying;
+    if (sinceLanding == iterationsBeforeListening) isListening = largestImbalance(fixedPoint_).relative > flying;
     if (!isListening) {
       acceleration.advance(state, image);
       continue;
     }
-    for (int row = 0; row < state.numRows(); ++row) state(row, 0) = 0.5 * (state(row, 0) + image(row, 0));
+    for (int row = 0; row < state.numRows(); ++row) state(row, 0) = relaxSafely(state(row, 0), image(row, 0));
   }
   state.assign(image);
   if (observer_) observer_(step, iteration);

@@ -26,6 +26,13 @@ class March {
     state           ///< from what alpha holds for it
   };
 
+  /// Iterations of a load step, after its last landing, by which it is left as it is.
+  static constexpr int maximumIterations = 100;
+  /// Residuals below this share of the state are round-off.
+  static constexpr double noise = 1e-13;
+  /// Of the residual from one march to the next, when what has come of the first is not enough.
+  static constexpr double tightening = 0.1;
+
   /// `memory` of the acceleration; loads that are not carried are those above `accuracy`.
   March(FixedPoint& fixedPoint, int memory, double accuracy);
 
@@ -34,8 +41,9 @@ class March {
   /// Told on every rank after every load step: step, iterations that it took.
   void setObserver(std::function<void(int, int)> observer) { observer_ = std::move(observer); }
 
-  /// Collective. Replaces the columns of `alpha`, one per load step. A step that does not get there in 100 iterations
-  /// after its last landing is left as it is. After an early end the remaining columns hold the last state.
+  /// Collective. Replaces the columns of `alpha`, one per load step. A step that does not get there in
+  /// maximumIterations after its last landing is left as it is. After an early end the remaining columns hold the last
+  /// state.
   End run(base::Matrix& alpha, double tolerance, Guess guess);
   const Imbalance& imbalance() const { return imbalance_; }
 

@@ -20,9 +20,11 @@ class NaturalSizes {
   double squaredDisplacementFloor() const { return squaredDisplacement_; }
 
   /// True when something is a hundred times as far from its place as the assembly is large.
-  bool isBeyondReach() const { return displacement_ > 100.0 * length_; }
+  bool isBeyondReach() const { return displacement_ > beyondReach * length_; }
 
  private:
+  static constexpr double beyondReach = 100.0;
+
   double displacement_ = 0.0;
   double force_ = 0.0;
   double stress_ = 0.0;

@@ -13,6 +13,13 @@ namespace {
 
 using base::Matrix;
 
+// Step of the difference quotients over the interface forces, and its bounds over the state: small beside the forces,
+// for the tangent; large beside the round-off of T, which is that of k w.
+constexpr double differenceOfForces = 1e-6;
+constexpr double leastDifference = 1e-9;
+constexpr double largestDifference = 1e-6;
+// Length of what a new Krylov vector adds to the others below which it is nothing but round-off.
+constexpr double breakdown = 1e-14;
 // A residual below this share of the state is that of a fixed point.
 constexpr double roundOff = 1e-14;
 
@@ -69,9 +76,8 @@ NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matr
     result.reduction = 0.0;
     return result;
   }
-  // Small beside the forces, for the tangent; large beside the round-off of T, which is that of k w.
   const double forces = metric.norm(fixedPoint_.hattedTraction());
-  const double difference = std::clamp(1e-6 * forces, 1e-9 * size, 1e-6 * size);
+  const double difference = std::clamp(differenceOfForces * forces, leastDifference * size, largestDifference * size);
 
   std::vector<Matrix> basis;
   Matrix hessenberg(maximumVectors + 1, maximumVectors);
@@ -103,7 +109,7 @@ NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matr
     result.smallestSingularValue = smallest;
     slowest_ = std::min(slowest_, smallest);
     result.hidden = left / (slowest_ * norm(y));
-    if (length <= 1e-14 || (result.reduction <= target && result.hidden <= allowedToHide)) break;
+    if (length <= breakdown || (result.reduction <= target && result.hidden <= allowedToHide)) break;
     next.scale(1.0 / length);
     basis.push_back(next);
   }

@@ -54,7 +54,7 @@ class DisplacementResponse : public Response {
 /// f1.n > 0 in tension this is the force of a bolt.
 class ResultantResponse : public Response {
  public:
-  /// `interfaces`: the pieces of one interface.
+  /// `interfaces`: those of one name.
   ResultantResponse(std::string name, std::vector<int> interfaces, std::vector<base::Vector3> direction,
                     std::vector<base::Vector3> centre = {})
       : Response(std::move(name), centre.empty() ? Quantity::force : Quantity::moment),

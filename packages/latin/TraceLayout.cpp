@@ -13,19 +13,19 @@ TraceLayout::TraceLayout(const assembly::Assembly& assembly, const assembly::Sea
   }
   std::map<std::pair<int, int>, int> number;  // of (body, node)
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    const assembly::Interface& joint = assembly.interfaces[i];
+    const assembly::Interface& interface = assembly.interfaces[i];
     const std::vector<double>& k = searchDirection.of(static_cast<int>(i));
     begin_.push_back({-1, -1});
-    if (joint.law->prescribesTraction()) continue;
-    for (int side = 0; side < joint.sides(); ++side) {
-      if (!owns(joint.body(side))) continue;
+    if (interface.law->prescribesTraction()) continue;
+    for (int side = 0; side < interface.sides(); ++side) {
+      if (!owns(interface.body(side))) continue;
       begin_.back()[side] = rows_;
-      blocks_.push_back({static_cast<int>(i), side, joint.body(side), rows_, joint.pairs()});
-      rows_ += joint.pairs() * dimension_;
+      blocks_.push_back({static_cast<int>(i), side, interface.body(side), rows_, interface.pairs()});
+      rows_ += interface.pairs() * dimension_;
       for (std::size_t p = 0; p < k.size(); ++p) {
-        area_.insert(area_.end(), dimension_, joint.area[p]);
+        area_.insert(area_.end(), dimension_, interface.area[p]);
         stiffness_.insert(stiffness_.end(), dimension_, k[p]);
-        const auto [at, isNew] = number.emplace(std::pair(joint.body(side), joint.nodes(side)[p]), nodes_);
+        const auto [at, isNew] = number.emplace(std::pair(interface.body(side), interface.nodes(side)[p]), nodes_);
         nodes_ += isNew ? 1 : 0;
         nodeOf_.push_back(at->second);
       }

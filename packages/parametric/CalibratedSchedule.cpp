@@ -13,7 +13,7 @@ namespace {
 constexpr int auditEvery = 100;
 constexpr int attemptsToCalibrate = 10;
 // An iteration that needs more than this many times the median number of stages has lost its way.
-constexpr int patience = 4;
+constexpr int stagesOverMedian = 4;
 constexpr int leastLimit = 20;
 constexpr int coldLimit = 150;
 // A march that has met its target ends a little above or below it; one that was not enough goes so much further.
@@ -29,10 +29,13 @@ constexpr double tightChange = 0.03;
 constexpr double referenceShare = 0.2;
 constexpr int tightLimit = 100;
 
+constexpr int lastCalibration = 16;
+constexpr unsigned seedOfOrder = 20040601;
+
 /// Calibrations that a study should have after so many configurations: numbers 1, 2, 4, 8 and 16 are.
 int calibrationsUntil(int number) {
   int count = 0;
-  for (int next = 1; next <= std::min(number, 16); next *= 2) ++count;
+  for (int next = 1; next <= std::min(number, lastCalibration); next *= 2) ++count;
   return count;
 }
 
@@ -40,7 +43,7 @@ int calibrationsUntil(int number) {
 std::vector<std::size_t> randomOrder(std::size_t count) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::mt19937 generator(20040601);
+  std::mt19937 generator(seedOfOrder);
   for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[generator() % i]);
   return order;
 }
@@ -68,7 +71,7 @@ int CalibratedSchedule::stageLimit() const {
   std::vector<int> stages = stagesOfAccepted_;
   const auto middle = stages.begin() + static_cast<std::ptrdiff_t>(stages.size() / 2);
   std::nth_element(stages.begin(), middle, stages.end());
-  return std::max(leastLimit, patience * *middle);
+  return std::max(leastLimit, stagesOverMedian * *middle);
 }
 
 void CalibratedSchedule::estimate(const Indicators& indicators, results::ConfigurationResult& result) const {

@@ -5,20 +5,19 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/latin/March.hpp>
+
 namespace harmos::parametric {
 namespace {
 
 // Fewer solved states are worth less than a cold start: the iteration first has to get rid of their contact status.
 constexpr int fewestStates = 3;
-constexpr int maximumIterations = 100;
-// Residuals below this share of the state are round-off.
-constexpr double noise = 1e-13;
 // Tangents of the start mislead when the contact status has moved on: without them when the residual has not fallen to
 // this share over so many iterations.
-constexpr std::size_t patience = 4;
+constexpr std::size_t iterationsToFall = 4;
 constexpr double slow = 0.5;
 // Differences across many changes of status mislead as well.
-constexpr std::size_t latePatience = 8;
+constexpr std::size_t iterationsToFallLater = 8;
 
 }  // namespace
 
@@ -124,7 +123,7 @@ bool ConfigurationIteration::meets(int step, const Indicators& target) {
   }
   fixedPoint_.metric().sum(sums);
   residual_ = std::sqrt(sums[0]);
-  if (residual_ <= noise * std::sqrt(sums[2])) return true;
+  if (residual_ <= latin::March::noise * std::sqrt(sums[2])) return true;
   const bool isCold = isFirstMarch_ && starts_.empty();
   const double traction = isCold ? std::sqrt((traction_ * traction_ * step + sums[1]) / (step + 1.0)) : traction_;
   if (residual_ > target.force * traction) return false;
@@ -166,14 +165,14 @@ void ConfigurationIteration::iterate(int step, const Indicators& target) {
   const int rows = column_.numRows();
   base::Matrix change(rows, 1), unused(rows, 1);
   std::vector<double> residuals;  // since the last restart of the acceleration
-  std::size_t back = patience;
+  std::size_t back = iterationsToFall;
   int iterations = 0;
-  for (; !meets(step, target) && iterations < maximumIterations; ++iterations) {
+  for (; !meets(step, target) && iterations < latin::March::maximumIterations; ++iterations) {
     residuals.push_back(residual_);
     if (residuals.size() > back && residual_ > slow * residuals[residuals.size() - 1 - back]) {
       acceleration.restart();
       residuals.clear();
-      back = latePatience;
+      back = iterationsToFallLater;
     }
     for (int row = 0; row < rows; ++row) change[0][row] = -column_[0][row];
     acceleration.advance(column_, columnImage_);

@@ -16,6 +16,7 @@ constexpr double demanding = 5e-3;
 constexpr int neighbours = 12;
 constexpr int neighboursWhenDemanding = 24;
 constexpr std::size_t memoryForStates = std::size_t{1} << 30;  // byte, all ranks alike
+constexpr std::size_t mostStates = 100000;
 
 results::Status statusOf(latin::Outcome outcome) {
   switch (outcome) {
@@ -32,7 +33,7 @@ results::Status statusOf(latin::Outcome outcome) {
 
 int statesThatFit(const latin::TraceLayout& layout, int steps) {
   const std::size_t one = 2 * sizeof(float) * static_cast<std::size_t>(layout.rows()) * static_cast<std::size_t>(steps);
-  const int here = static_cast<int>(one == 0 ? 100000 : std::min<std::size_t>(memoryForStates / one, 100000));
+  const int here = static_cast<int>(one == 0 ? mostStates : std::min(memoryForStates / one, mostStates));
   int everywhere = here;
   Teuchos::reduceAll(layout.comm(), Teuchos::REDUCE_MIN, here, Teuchos::outArg(everywhere));
   return std::max(everywhere, 1);

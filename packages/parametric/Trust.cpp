@@ -3,6 +3,12 @@
 #include <cmath>
 
 namespace harmos::parametric {
+namespace {
+
+// Probability below which a number of false claims is not believed: confidence of 95 %.
+constexpr double disbelief = 0.05;
+
+}  // namespace
 
 double falseClaimBound(int audits, int found) {
   if (found >= audits) return 1.0;
@@ -18,7 +24,7 @@ double falseClaimBound(int audits, int found) {
   double below = 0.0, above = 1.0;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (below + above);
-    (probabilityOfAtMost(middle) >= 0.05 ? below : above) = middle;
+    (probabilityOfAtMost(middle) >= disbelief ? below : above) = middle;
   }
   return above;
 }

@@ -14,12 +14,6 @@ namespace {
 
 // Residuals below this share of the state are round-off.
 constexpr double noise = 1e-12;
-// Of the residual from one run to the next; their difference is the error of the first.
-constexpr double tightening = 0.1;
-// A load step that is not done by then is left as it is; a tighter run comes back to it.
-constexpr int maximumIterationsOfAStep = 100;
-// Of the accuracy: the gap between the fields of both stages that a claim allows, see latin::Certificate.
-constexpr double gapFactor = 10.0;
 
 }  // namespace
 
@@ -32,7 +26,8 @@ StochasticSolver::StochasticSolver(const assembly::Assembly& assembly, std::shar
       modal_(modalAssembly(assembly, projection_)),
       fixedPoint_(modal_, options.stages, std::move(comm), timers),
       metric_(fixedPoint_.layout(), projection_->terms()),
-      local_(modal_, fixedPoint_.searchDirection(), fixedPoint_.layout(), projection_) {
+      local_(modal_, fixedPoint_.searchDirection(), fixedPoint_.layout(), projection_),
+      alpha_(fixedPoint_.layout().rows() * projection_->terms(), assembly.steps()) {
   if (options.stages.formulation != latin::Formulation::displacement) {
     throw base::Error("random interfaces need the displacement form", base::ExitCode::input);
   }
@@ -77,7 +72,8 @@ StochasticSolver::End StochasticSolver::iterate(latin::AndersonAcceleration& acc
   base::Matrix modalImage(Teuchos::View, image.values(), rows, rows, columns);
   acceleration.resume();
   End end = End::stalled;
-  for (int iteration = 0; iteration < maximumIterationsOfAStep; ++iteration) {
+  // A load step that is not done by then is left as it is; a tighter run comes back to it.
+  for (int iteration = 0; iteration < latin::March::maximumIterations; ++iteration) {
     fixedPoint_.apply(modalState, modalImage);
     residual.assign(image);
     residual -= state;
@@ -124,8 +120,10 @@ StochasticSolver::End StochasticSolver::run(double tolerance, bool isFresh) {
 }
 
 StochasticResult StochasticSolver::solve(const base::Matrix* start) {
-  alpha_.shape(fixedPoint_.layout().rows() * projection_->terms(), assembly_.steps());
-  if (start != nullptr) alpha_.assign(*start);
+  if (start != &alpha_) {
+    alpha_.putScalar(0.0);
+    if (start != nullptr) alpha_.assign(*start);
+  }
   columnsBefore_ = fixedPoint_.linearStage().columns();
   largestForce_ = 0.0;
   const auto blocks = static_cast<std::size_t>(local_.hasMemory() ? assembly_.steps() : 1);
@@ -141,13 +139,13 @@ StochasticResult StochasticSolver::solve(const base::Matrix* start) {
   };
   End end = reach(start == nullptr);
   while (end == End::reached && tolerance > noise) {
-    tolerance *= tightening;
+    tolerance *= latin::March::tightening;
     const auto before = std::move(snapshot_);
     end = reach(false);
     if (end != End::reached) break;
     estimates = snapshot_->distance(*before);
     if (*std::max_element(estimates.begin(), estimates.end()) <= options_.accuracy &&
-        latin::fieldGap(fixedPoint_) <= gapFactor * options_.accuracy) {
+        latin::fieldGap(fixedPoint_) <= latin::allowedGap * options_.accuracy) {
       result.outcome = latin::Outcome::certified;
       result.reason = "the error estimate is below the accuracy asked for";
       break;

@@ -44,7 +44,7 @@ class StochasticSolver {
   /// Asked on every rank after every iteration; the run stops when it is true on any rank.
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
 
-  /// Collective. Runs from 0, or from a state that another run has left in alpha().
+  /// Collective. Runs from 0, or from a state that a run has left in alpha(), its own or another one's.
   StochasticResult solve(const base::Matrix* start = nullptr);
   /// Fields of the delivered state: their coefficients. See column().
   const latin::FixedPoint& state() const { return fixedPoint_; }

@@ -23,6 +23,13 @@ constexpr const char* defaultSolver = "cholmod";
 constexpr const char* defaultSolver = "tacho";
 #endif
 
+#ifdef HARMOS_CHOLMOD
+// Entries of the square of the trace that are worth as much as one of the sparse factor. A triangular solve reads every
+// entry of a factor twice, in double precision; the inverse half of its entries once in single precision.
+constexpr double entriesOfTraceFactor = 2.0;
+constexpr double entriesOfTraceInverse = 8.0;
+#endif
+
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   return text;
@@ -74,9 +81,7 @@ Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teucho
   Teuchos::RCP<DirectSolver> solver;
 #ifdef HARMOS_CHOLMOD
   if (name == "cholmod") {
-    // A triangular solve reads every entry of a factor twice, in double precision; the inverse half of its entries once
-    // in single precision.
-    const double entries = options.invertTrace ? 8.0 : 2.0;
+    const double entries = options.invertTrace ? entriesOfTraceInverse : entriesOfTraceFactor;
     solver = Teuchos::rcp(new Cholmod<base::CrsMatrix, base::MultiVector>(matrix, none, none, trace, entries));
   }
 #endif

@@ -12,9 +12,15 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
+#include <harmos/substructure/detail/TooLarge.hpp>
 
 namespace harmos::substructure {
 namespace {
+
+// Of the diagonal: makes a singular matrix factorable, but no indefinite one.
+constexpr double shift = 1e-8;
+// Residual of a random right-hand side, times the square root of the unknowns, above which a matrix is singular.
+constexpr double singularResidual = 1e-3;
 
 std::size_t positionOf(const CrsView& matrix, int row, int column) {
   const int* begin = matrix.columns + matrix.rowPointers[row];
@@ -148,17 +154,16 @@ void SubstructureSolver::factor(const Teuchos::RCP<base::CrsMatrix>& sum) {
   } catch (const std::bad_alloc&) {
     throw base::Error("Part \"" + part_ + "\" with " + std::to_string(dofs_) +
                       " unknowns is too large to be factored in the memory at hand. Cut it into pieces (\"Pieces\").");
-  } catch (const std::runtime_error& error) {
-    const std::string reason = error.what();
-    if (reason.find("too large") != std::string::npos || reason.find("out of memory") != std::string::npos) {
-      throw base::Error("Part \"" + part_ + "\" with " + std::to_string(dofs_) +
-                        " unknowns is too large to be factored (" + reason + "). Cut it into pieces (\"Pieces\").");
-    }
+  } catch (const TooLarge& error) {
+    throw base::Error("Part \"" + part_ + "\" with " + std::to_string(dofs_) +
+                      " unknowns is too large to be factored (" + error.what() + "). Cut it into pieces (\"Pieces\").");
+  } catch (const std::runtime_error&) {
+    // Not positive definite: what follows finds out why.
   }
   // A singular matrix differs from an indefinite one in that a small shift makes it factorable.
   const CrsView view = viewOf(*sum, part_);
   const auto local = sum->getLocalMatrixHost();
-  for (int row = 0; row < dofs_; ++row) local.values(positionOf(view, row, row)) *= 1.0 + 1e-8;
+  for (int row = 0; row < dofs_; ++row) local.values(positionOf(view, row, row)) *= 1.0 + shift;
   try {
     solver_->numericFactorization();
   } catch (const std::exception&) {
@@ -186,7 +191,7 @@ void SubstructureSolver::checkSolution(const base::CrsMatrix& sum) const {
     norm += b(row, 0) * b(row, 0);
     energy += b(row, 0) * x(row, 0);
   }
-  const double limit = 1e-3 / std::sqrt(static_cast<double>(dofs_));
+  const double limit = singularResidual / std::sqrt(static_cast<double>(dofs_));
   if (!(std::sqrt(residual / norm) <= limit)) throwSingular();
   if (!(energy > 0.0)) throwIndefinite();
 }

@@ -16,6 +16,12 @@
 
 namespace harmos::substructure {
 
+/// How exactly a trace is solved.
+enum class Precision {
+  exact,  ///< double
+  single  ///< about six digits where the options ask for the inverse of the trace, else exact; for few columns
+};
+
 /// The factored operator A = K + k h [force/length] of one substructure, for any number of right-hand sides at once: x
 /// [length] from b [force]. K is the stiffness, k the search direction [stress/length], h the interface mass [area].
 ///
@@ -48,13 +54,14 @@ class SubstructureSolver {
   bool solvesTrace() const { return trace_ || inverse_; }
   /// x = B A^-1 B^T b with B the restriction to the trace: rows as in `trace`, which is not checked, any number of
   /// columns, different objects. x is reshaped when it does not have the shape of b. Only if solvesTrace().
-  void solveTrace(const base::Matrix& b, base::Matrix& x) const {
-    inverse_ ? inverse_->solve(b, x) : trace_->solve(b, x);
-  }
-  /// The same, to about six digits where the options ask for the inverse of the trace; for few columns.
-  /// Only if solvesTrace().
-  void solveTraceRoughly(const base::Matrix& b, base::Matrix& x) const {
-    inverse_ ? inverse_->solveRoughly(b, x) : trace_->solve(b, x);
+  void solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision) const {
+    if (!inverse_) {
+      trace_->solve(b, x);
+    } else if (precision == Precision::single) {
+      inverse_->solveRoughly(b, x);
+    } else {
+      inverse_->solve(b, x);
+    }
   }
 
   /// Rows of A.

@@ -12,12 +12,14 @@
 
 #include <harmos/substructure/TraceFactor.hpp>
 #include <harmos/substructure/detail/SolverAdapter.hpp>
+#include <harmos/substructure/detail/TooLarge.hpp>
 
 namespace harmos::substructure {
 
 /// CHOLMOD's supernodal Cholesky factorisation as an Amesos2 solver, for symmetric positive definite matrices on one
 /// process. A numeric factorisation after the first reuses the symbolic one; block solves reuse their workspaces and
-/// read and write the vectors in place. Throws std::runtime_error when the matrix is not positive definite.
+/// read and write the vectors in place. Throws std::runtime_error when the matrix is not positive definite,
+/// TooLarge when it does not fit.
 ///
 /// Systems that are loaded and read at some rows only (the trace) need nothing but the part of the factor that belongs
 /// to these rows when they are eliminated last: A = L L^T gives A^-1 = (L_bb L_bb^T)^-1 on the trace. They are ordered
@@ -35,8 +37,8 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
 
   /// `trace`: rows, ascending; empty: all. `entries`: of the square of the trace that are worth as much as one of the
   /// sparse factor.
-  Cholmod(Teuchos::RCP<const Matrix> a, Teuchos::RCP<Vector> x, Teuchos::RCP<const Vector> b,
-          std::vector<int> trace = {}, double entries = 2.0)
+  Cholmod(Teuchos::RCP<const Matrix> a, Teuchos::RCP<Vector> x, Teuchos::RCP<const Vector> b, std::vector<int> trace,
+          double entries)
       : Core(a, x, b), trace_(std::move(trace)), entries_(entries) {
     cholmod_start(&common_);
     common_.print = 0;
@@ -177,8 +179,8 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
   void check() const {
     const int status = common_.status;
     common_.status = CHOLMOD_OK;
-    if (status == CHOLMOD_OUT_OF_MEMORY) throw std::runtime_error("Cholmod: out of memory");
-    if (status == CHOLMOD_TOO_LARGE) throw std::runtime_error("Cholmod: the factor is too large for 32-bit indices");
+    if (status == CHOLMOD_OUT_OF_MEMORY) throw TooLarge("Cholmod: out of memory");
+    if (status == CHOLMOD_TOO_LARGE) throw TooLarge("Cholmod: the factor is too large for 32-bit indices");
     if (status < 0) throw std::runtime_error("Cholmod: error " + std::to_string(status));
     if (status == CHOLMOD_NOT_POSDEF || (factor_ && factor_->minor < factor_->n)) {
       throw std::runtime_error("Cholmod: the matrix is not positive definite");

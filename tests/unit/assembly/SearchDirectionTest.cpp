@@ -15,7 +15,7 @@ namespace {
 using latin::chain;
 using latin::pointInterface;
 
-constexpr double factor = 0.15;
+constexpr double factor = SearchDirection::factor;
 
 double k(const Assembly& assembly, int interfaceIndex, int pair = 0, double scale = 1.0) {
   return SearchDirection(assembly, scale, *Tpetra::getDefaultComm()).of(interfaceIndex)[pair];

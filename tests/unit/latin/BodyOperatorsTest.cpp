@@ -73,8 +73,8 @@ TEST(BodyOperators, OfEqualBodiesAreOne) {
 
       base::Matrix forces(own.layout.rows(), steps);
       randomize(forces);
-      own.bodies.solve(forces, 0, steps);
-      shared.bodies.solve(forces, 0, steps);
+      own.bodies.solve(forces, 0, steps, substructure::Precision::exact);
+      shared.bodies.solve(forces, 0, steps, substructure::Precision::exact);
       base::Matrix trace(own.layout.rows(), steps), sharedTrace(own.layout.rows(), steps);
       own.bodies.trace(trace, 0, steps);
       shared.bodies.trace(sharedTrace, 0, steps);
@@ -110,10 +110,10 @@ TEST(BodyOperators, SolveAPartOfTheColumns) {
   Operators all(wedges(rotated, true).assembly());
   base::Matrix forces(all.layout.rows(), steps), trace(all.layout.rows(), steps), parts(all.layout.rows(), steps);
   randomize(forces);
-  all.bodies.solve(forces, 0, steps);
+  all.bodies.solve(forces, 0, steps, substructure::Precision::exact);
   all.bodies.trace(trace, 0, steps);
   for (int t = 0; t < steps; ++t) {
-    all.bodies.solve(forces, t, 1);
+    all.bodies.solve(forces, t, 1, substructure::Precision::exact);
     all.bodies.trace(parts, t, 1);
   }
   for (int t = 0; t < steps; ++t) {

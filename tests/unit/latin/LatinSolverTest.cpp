@@ -167,6 +167,23 @@ TEST(LatinSolver, StartsFromAnEarlierState) {
   EXPECT_EQ(third.linearStages, first.linearStages);
 }
 
+TEST(LatinSolver, GoesOnFromItsOwnState) {
+  const assembly::Assembly assembly =
+      twoChains(laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}}), move(-0.15, {0.5, 1.0}), 2);
+  base::Timers timers;
+  LatinSolver solver(assembly, accurate(), self(), timers);
+  solver.addResponse(jointForce());
+  expectValues(solver.solve(&solver.alpha()), 0, {-both * 0.075, -both * 0.15});
+  const base::Matrix copy(solver.alpha());
+  LatinSolver other(assembly, accurate(), self(), timers);
+  other.addResponse(jointForce());
+  const LatinResult fromCopy = other.solve(&copy);
+  const LatinResult again = solver.solve(&solver.alpha());
+  EXPECT_EQ(again.iterations, fromCopy.iterations);
+  EXPECT_EQ(again.linearStages, fromCopy.linearStages);
+  EXPECT_EQ(again.responses[0].values, fromCopy.responses[0].values);
+}
+
 TEST(LatinSolver, StopsWhenAsked) {
   const assembly::Assembly assembly = twoChains(laws::makeLaw("Perfect"), pull(1.0, {1}), 1);
   base::Timers timers;

@@ -171,8 +171,8 @@ TEST(SubstructureSolver, solvesTheTraceLikeTheWhole) {
       for (int i = 0; i < b.numRows(); ++i) wholeLoads(trace[i], j) = b(i, j);
     }
     solver.solve(wholeLoads, whole);
-    solver.solveTrace(b, x);
-    solver.solveTraceRoughly(b, rough);
+    solver.solveTrace(b, x, Precision::exact);
+    solver.solveTrace(b, rough, Precision::single);
     const double size = whole.normInf();
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i < b.numRows(); ++i) {

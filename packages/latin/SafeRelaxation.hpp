@@ -1,0 +1,13 @@
+#pragma once
+
+namespace harmos::latin {
+
+/// Relaxation where it must be safe: the mean of a state and its image cannot lie farther from a fixed point than the
+/// state when T does not expand.
+inline constexpr double safeRelaxation = 0.5;
+
+inline double relaxSafely(double state, double image) {
+  return (1.0 - safeRelaxation) * state + safeRelaxation * image;
+}
+
+}  // namespace harmos::latin
