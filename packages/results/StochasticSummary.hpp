@@ -28,9 +28,9 @@ struct ResponseStatistics {
 
 /// What a study with random parameters ends with.
 struct StochasticSummary {
-  /// Moments by order of the expansion, or by size of the design.
-  struct Stage {
-    int size = 0;  // order, or number of configurations
+  /// Moments of an expansion of one order.
+  struct Order {
+    int order = 0;
     std::vector<double> means, deviations;
   };
   /// Of one combination of coefficients of variation.
@@ -46,7 +46,7 @@ struct StochasticSummary {
   bool hasIndependentVariables = true;
   std::vector<double> levels;  // of quantiles
   std::vector<ResponseStatistics> responses;
-  std::vector<Stage> convergence;
+  std::vector<Order> convergence;
   std::vector<std::string> sweepNames;
   std::vector<Point> sweep;
   int solved = 0;        // configurations behind the figures

@@ -97,8 +97,8 @@ stochastic::Realisations ChaosStudy::realise(const probability::RandomVector& va
     const scene::Scene scene = study_.sceneFor(*study_.plan->complete(variables.values(germs)), laws_);
     auto& row = laws.emplace_back();
     for (std::size_t i = 0; i < isRandom_.size(); ++i) {
-      const assembly::Interface& joint = problem_.assembly.interfaces[i];
-      row.push_back(isRandom_[i] ? scene.laws.at(joint.name) : joint.law);
+      const assembly::Interface& interface = problem_.assembly.interfaces[i];
+      row.push_back(isRandom_[i] ? scene.laws.at(interface.name) : interface.law);
     }
   }
   return laws;
@@ -119,9 +119,9 @@ latin::Outcome ChaosStudy::raiseOrder(int largest) {
     start(order);
     const latin::Outcome outcome = run(nullptr);
     if (outcome != latin::Outcome::certified) return outcome;
-    stages_.push_back(stageOf(order));
+    orders_.push_back(momentsAt(order));
     if (order == 1) continue;
-    const auto &before = stages_[stages_.size() - 2].deviations, &now = stages_.back().deviations;
+    const auto &before = orders_[orders_.size() - 2].deviations, &now = orders_.back().deviations;
     double largestChange = 0.0;
     for (std::size_t r = 0; r < now.size(); ++r) {
       if (isAsked(r) && now[r] > 0.0) largestChange = std::max(largestChange, std::abs(now[r] - before[r]) / now[r]);
@@ -159,8 +159,8 @@ latin::Outcome ChaosStudy::sweep() {
     outcome = run(&start);
     start = solver_->alpha();
     if (outcome != latin::Outcome::certified) break;
-    const auto stage = stageOf(basis().order());
-    points_.push_back({coefficients, stage.means, stage.deviations});
+    const auto moments = momentsAt(basis().order());
+    points_.push_back({coefficients, moments.means, moments.deviations});
     std::size_t s = at.size();
     while (s > 0 && ++at[s - 1] == plan.sweeps[s - 1].coefficients.size()) at[--s] = 0;
     if (s == 0) break;
@@ -208,18 +208,18 @@ std::vector<probability::Expansion> ChaosStudy::expansions() const {
   return expansions;
 }
 
-results::StochasticSummary::Stage ChaosStudy::stageOf(int size) const {
-  results::StochasticSummary::Stage stage;
-  stage.size = size;
+results::StochasticSummary::Order ChaosStudy::momentsAt(int order) const {
+  results::StochasticSummary::Order moments;
+  moments.order = order;
   for (const probability::Expansion& expansion : expansions_) {
-    stage.means.push_back(expansion.mean());
-    stage.deviations.push_back(expansion.standardDeviation());
+    moments.means.push_back(expansion.mean());
+    moments.deviations.push_back(expansion.standardDeviation());
   }
-  return stage;
+  return moments;
 }
 
 void ChaosStudy::summarise(results::StochasticSummary& summary) const {
-  summary.convergence = stages_;
+  summary.convergence = orders_;
   for (const auto& sweep : study_.stochastic->sweeps) summary.sweepNames.push_back(sweep.name);
   summary.sweep = points_;
   for (std::size_t r = 0; r < expansions_.size(); ++r) {

@@ -275,12 +275,12 @@ class StudyReader {
     const Parameters& design = input_.list("Design");
     if (design.text("Local Stage") != "Galerkin") return;
     for (const char* kind : {"Interfaces", "Boundaries"}) {
-      for (const Parameters& joint : study_.scene.input.lists(kind)) {
-        if (study_.scene.laws.at(joint.name())->isAffine()) continue;
-        errors_.add(
-            design.where("Local Stage"),
-            "Galerkin wants affine laws, but that of \"" + joint.name() + "\" is " + joint.list("Law").type() + ".",
-            "Take Pseudo-Spectral, or Automatic.");
+      for (const Parameters& interface : study_.scene.input.lists(kind)) {
+        if (study_.scene.laws.at(interface.name())->isAffine()) continue;
+        errors_.add(design.where("Local Stage"),
+                    "Galerkin wants affine laws, but that of \"" + interface.name() + "\" is " +
+                        interface.list("Law").type() + ".",
+                    "Take Pseudo-Spectral, or Automatic.");
       }
     }
   }
