@@ -28,15 +28,12 @@ std::vector<double> meanValues(const Study& study) {
 
 /// Whose laws change with the parameters of the study.
 std::vector<bool> randomInterfaces(const Study& study, const assembly::Assembly& assembly) {
-  std::vector<bool> isRandom(assembly.interfaces.size(), false);
-  for (const StudyParameter& parameter : study.parameters) {
-    for (const std::string& effect : parameter.effects) {
-      const bool isHistory = effect.compare(0, 10, "Histories/") == 0;
-      for (std::size_t i = 0; i < isRandom.size(); ++i) {
-        const std::string path = "/" + assembly.interfaces[i].name + "/Law/";
-        if (isHistory || effect.find(path) != std::string::npos) isRandom[i] = true;
-      }
-    }
+  std::vector<bool> isRandom;
+  for (const assembly::Interface& interface : assembly.interfaces) {
+    isRandom.push_back(std::any_of(study.parameters.begin(), study.parameters.end(), [&](const auto& parameter) {
+      return std::any_of(parameter.effects.begin(), parameter.effects.end(),
+                         [&](const Effect& effect) { return effect.changesLawOf(interface.name); });
+    }));
   }
   return isRandom;
 }

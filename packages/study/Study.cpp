@@ -254,7 +254,7 @@ class StudyReader {
     }
     for (std::size_t p = 0; p < planned_.size(); ++p) {
       const design::Axis& axis = planned_[p].axis;
-      if (study_.parameters[p].phase == StudyPhase::operators) {
+      if (study_.parameters[p].effect == Effect::Kind::operators) {
         errors_.add(study_.parameters[p].where,
                     "an adaptive design varies laws and loads only, but this changes bodies.", "Take another design.");
       }

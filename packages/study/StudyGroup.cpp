@@ -126,7 +126,7 @@ std::vector<std::vector<design::Configuration>> groupByOperators(
   for (const design::Configuration& configuration : configurations) {
     std::vector<double> key;
     for (std::size_t p = 0; p < parameters.size(); ++p) {
-      if (parameters[p].phase == StudyPhase::operators) key.push_back(configuration.values[p]);
+      if (parameters[p].effect == Effect::Kind::operators) key.push_back(configuration.values[p]);
     }
     const auto [place, isNew] = places.emplace(key, groups.size());
     if (isNew) groups.emplace_back();
