@@ -25,16 +25,16 @@ void printProblem(std::ostream& out, const scene::Problem& problem) {
         << assembly.bodies[b].nodes.size() << " nodes " << std::setw(10) << problem.bodies.pieces[b].elements.size()
         << " elements, rank " << assembly.ownerOf(static_cast<int>(b)) << "\n";
   out << assembly.interfaces.size() << " interfaces and boundaries:\n";
-  for (const auto& joint : assembly.interfaces) {
+  for (const auto& interface : assembly.interfaces) {
     // Users must see clearances and overclosures before the solution, not guess them from it.
     double least = 0.0, largest = 0.0;
-    for (double gap : joint.gap) {
+    for (double gap : interface.gap) {
       least = std::min(least, gap);
       largest = std::max(largest, gap);
     }
-    out << "  " << std::left << std::setw(34) << joint.name << std::right << std::setw(10) << joint.pairs()
-        << (joint.sides() == 2 ? " node pairs, " : " nodes, ") << joint.law->name();
-    if (joint.sides() == 2 && (least != 0.0 || largest != 0.0))
+    out << "  " << std::left << std::setw(34) << interface.name << std::right << std::setw(10) << interface.pairs()
+        << (interface.sides() == 2 ? " node pairs, " : " nodes, ") << interface.law->name();
+    if (interface.sides() == 2 && (least != 0.0 || largest != 0.0))
       out << ", initial opening " << std::defaultfloat << std::setprecision(3) << least << " to " << largest;
     out << "\n";
   }

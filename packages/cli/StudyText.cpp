@@ -17,15 +17,15 @@ namespace harmos::cli {
 
 namespace {
 
-const char* consequenceOf(study::StudyPhase phase) {
-  switch (phase) {
-    case study::StudyPhase::nothing:
+const char* consequenceOf(study::Effect::Kind effect) {
+  switch (effect) {
+    case study::Effect::Kind::nothing:
       return "stands in formulas";
-    case study::StudyPhase::localStage:
+    case study::Effect::Kind::localStage:
       return "local stage only, all operators stay";
-    case study::StudyPhase::loads:
+    case study::Effect::Kind::loads:
       return "loads, all operators stay";
-    case study::StudyPhase::operators:
+    case study::Effect::Kind::operators:
       return "bodies are assembled and factored anew";
   }
   return "";
@@ -46,8 +46,10 @@ void printPlan(std::ostream& out, const study::Study& study) {
   }
   for (const study::StudyParameter& parameter : study.parameters) {
     const std::string name = parameter.name + (parameter.unit.empty() ? "" : " [" + parameter.unit + "]");
-    out << "  " << std::left << std::setw(20) << name << std::right << consequenceOf(parameter.phase);
-    if (!parameter.effects.empty()) out << ": " << base::joinNames(parameter.effects, 3);
+    out << "  " << std::left << std::setw(20) << name << std::right << consequenceOf(parameter.effect);
+    std::vector<std::string> entries;
+    for (const study::Effect& effect : parameter.effects) entries.push_back(effect.entry);
+    if (!entries.empty()) out << ": " << base::joinNames(entries, 3);
     out << "\n";
   }
   if (!study.stochastic) return;

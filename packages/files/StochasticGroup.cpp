@@ -127,10 +127,10 @@ void writeStatistics(const Hdf5Group& group, const StochasticSummary& summary) {
     const Hdf5Group convergence = group.group("convergence");
     std::vector<int> sizes;
     std::vector<double> means, deviations;
-    for (const auto& stage : summary.convergence) {
-      sizes.push_back(stage.size);
-      means.insert(means.end(), stage.means.begin(), stage.means.end());
-      deviations.insert(deviations.end(), stage.deviations.begin(), stage.deviations.end());
+    for (const auto& order : summary.convergence) {
+      sizes.push_back(order.order);
+      means.insert(means.end(), order.means.begin(), order.means.end());
+      deviations.insert(deviations.end(), order.deviations.begin(), order.deviations.end());
     }
     convergence.array("size", sizes);
     convergence.array("mean", means, names.size());

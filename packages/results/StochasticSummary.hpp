@@ -38,9 +38,9 @@ struct ResponseStatistics {
 
 /// What a study with random parameters ends with.
 struct StochasticSummary {
-  /// Moments by order of the expansion, or by size of the design.
-  struct Stage {
-    int size = 0;                           // order, or number of configurations
+  /// Moments of an expansion of one order.
+  struct Order {
+    int order = 0;
     std::vector<double> means, deviations;  // per response, in its unit
   };
   /// Of one combination of coefficients of variation.
@@ -56,7 +56,7 @@ struct StochasticSummary {
   bool hasIndependentVariables = true;        // false: a Gaussian copula joins them
   std::vector<double> levels;                 // of quantiles: probabilities, 0 to 1
   std::vector<ResponseStatistics> responses;  // in the order of the study
-  std::vector<Stage> convergence;             // by ascending size; may be empty
+  std::vector<Order> convergence;             // ascending; may be empty
   std::vector<std::string> sweepNames;        // of the parameters whose coefficients of variation are swept
   std::vector<Point> sweep;                   // empty without a sweep
   int solved = 0;                             // configurations behind the figures

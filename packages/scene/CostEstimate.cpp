@@ -25,8 +25,8 @@ CostEstimate estimateCost(const Problem& problem, const Teuchos::Comm<int>& comm
   }
   std::vector<double> mine{matrixEntries, factorEntries, cost.factorSeconds}, sum(3);
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 3, mine.data(), sum.data());
-  for (const auto& joint : assembly.interfaces)
-    cost.interfaceUnknowns += static_cast<std::int64_t>(joint.pairs()) * joint.sides() * assembly.dimension;
+  for (const auto& interface : assembly.interfaces)
+    cost.interfaceUnknowns += static_cast<std::int64_t>(interface.pairs()) * interface.sides() * assembly.dimension;
   cost.matrixBytes = matrixEntryBytes * sum[0];
   cost.factorBytes = entryBytes * sum[1];
   cost.factorSeconds = sum[2];

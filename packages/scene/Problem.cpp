@@ -5,7 +5,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/mesh/InterfaceFinder.hpp>
-#include <harmos/scene/Joints.hpp>
+#include <harmos/scene/Interfaces.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
 #include <harmos/scene/detail/Responses.hpp>
@@ -51,10 +51,10 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   assembly::Assembly& assembly = problem.assembly;
   assembly.dimension = problem.mesh.dimension;
   assembly.times = scene.times;
-  Joints joints = makeInterfaces(scene, problem.bodies.pieces, problem.surfaces,
-                                 scene.input.list("Solver").text("Interface Mass") == "Consistent");
-  assembly.interfaces = std::move(joints.interfaces);
-  problem.places = std::move(joints.places);
+  Interfaces made = makeInterfaces(scene, problem.bodies.pieces, problem.surfaces,
+                                   scene.input.list("Solver").text("Interface Mass") == "Consistent");
+  assembly.interfaces = std::move(made.interfaces);
+  problem.places = std::move(made.places);
   problem.responses =
       makeResponses(scene.input.lists("Responses"), problem.mesh, problem.bodies.pieces, finder, assembly, errors);
   assembly.owner = distribute(problem.bodies, comm.getSize());

@@ -10,7 +10,7 @@
 #include <harmos/latin/Response.hpp>
 #include <harmos/mesh/InterfaceSurface.hpp>
 #include <harmos/scene/Bodies.hpp>
-#include <harmos/scene/Joints.hpp>
+#include <harmos/scene/Interfaces.hpp>
 #include <harmos/scene/Scene.hpp>
 
 namespace harmos::scene {

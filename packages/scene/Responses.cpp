@@ -39,25 +39,26 @@ class ResponseBuilder {
       return std::make_unique<latin::DisplacementResponse>(name, pointNodes(r), vector(r, "Direction", true));
     }
     if (type == "Interface Force") {
-      return std::make_unique<latin::ResultantResponse>(name, piecesOf({r.text("Interface")}),
+      return std::make_unique<latin::ResultantResponse>(name, interfacesNamed({r.text("Interface")}),
                                                         std::vector<base::Vector3>{vector(r, "Direction", true)});
     }
     if (type == "Bolt Force") {
-      return std::make_unique<latin::ResultantResponse>(name, piecesOf({r.text("Interface")}),
+      return std::make_unique<latin::ResultantResponse>(name, interfacesNamed({r.text("Interface")}),
                                                         std::vector<base::Vector3>{});
     }
     if (type == "Interface Moment") {
       // In the plane the only moment is about z.
       const base::Vector3 axis = r.has("Axis") ? vector(r, "Axis", true) : base::Vector3{0.0, 0.0, 1.0};
-      return std::make_unique<latin::ResultantResponse>(name, piecesOf({r.text("Interface")}),
+      return std::make_unique<latin::ResultantResponse>(name, interfacesNamed({r.text("Interface")}),
                                                         std::vector<base::Vector3>{axis},
                                                         std::vector<base::Vector3>{vector(r, "Centre", false)});
     }
-    const std::vector<int> pieces = piecesOf(r.has("Interfaces") ? r.texts("Interfaces") : std::vector<std::string>());
-    if (type == "Dissipation") return std::make_unique<latin::DissipationResponse>(name, pieces);
+    const std::vector<int> interfaces =
+        interfacesNamed(r.has("Interfaces") ? r.texts("Interfaces") : std::vector<std::string>());
+    if (type == "Dissipation") return std::make_unique<latin::DissipationResponse>(name, interfaces);
     const auto field =
         std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.first == r.text("Field"); });
-    return std::make_unique<latin::MaximumResponse>(name, pieces, field->second);
+    return std::make_unique<latin::MaximumResponse>(name, interfaces, field->second);
   }
 
  private:
@@ -72,16 +73,16 @@ class ResponseBuilder {
     return point;
   }
 
-  /// Pieces of the named interfaces; without names, of all interfaces of the scene.
-  std::vector<int> piecesOf(const std::vector<std::string>& names) const {
-    std::vector<int> pieces;
+  /// Positions of the interfaces of these names, an interface between pieces having several; without names, of all.
+  std::vector<int> interfacesNamed(const std::vector<std::string>& names) const {
+    std::vector<int> named;
     for (std::size_t i = 0; i < assembly_.interfaces.size(); ++i) {
       const std::string& name = assembly_.interfaces[i].name;
       if (names.empty() || std::find(names.begin(), names.end(), name) != names.end()) {
-        pieces.push_back(static_cast<int>(i));
+        named.push_back(static_cast<int>(i));
       }
     }
-    return pieces;
+    return named;
   }
 
   /// The nodes of a set with their shares of its area, which add up to 1.

@@ -174,14 +174,14 @@ class SceneChecker {
   }
 
   void checkResponse(const Parameters& response) {
-    Names joints = namesOf(input_.lists("Interfaces"));
+    Names interfaces = namesOf(input_.lists("Interfaces"));
     const Names boundaries = namesOf(input_.lists("Boundaries"));
-    joints.insert(joints.end(), boundaries.begin(), boundaries.end());
-    knownName(response, "Interface", joints, "Interfaces or Boundaries");
+    interfaces.insert(interfaces.end(), boundaries.begin(), boundaries.end());
+    knownName(response, "Interface", interfaces, "Interfaces or Boundaries");
     knownName(response, "Part", namesOf(input_.lists("Parts")), "Parts");
     if (response.has("Interfaces")) {
       for (const std::string& name : response.texts("Interfaces")) {
-        knownName(response.where("Interfaces"), name, joints, "Interfaces or Boundaries");
+        knownName(response.where("Interfaces"), name, interfaces, "Interfaces or Boundaries");
       }
     }
     if (response.type() == "Mean Displacement") checkPlace(response, "surface", "Side Set");

@@ -28,15 +28,12 @@ std::vector<double> meanValues(const Study& study) {
 
 /// Whose laws change with the parameters of the study.
 std::vector<bool> randomInterfaces(const Study& study, const assembly::Assembly& assembly) {
-  std::vector<bool> isRandom(assembly.interfaces.size(), false);
-  for (const StudyParameter& parameter : study.parameters) {
-    for (const std::string& effect : parameter.effects) {
-      const bool isHistory = effect.compare(0, 10, "Histories/") == 0;
-      for (std::size_t i = 0; i < isRandom.size(); ++i) {
-        const std::string path = "/" + assembly.interfaces[i].name + "/Law/";
-        if (isHistory || effect.find(path) != std::string::npos) isRandom[i] = true;
-      }
-    }
+  std::vector<bool> isRandom;
+  for (const assembly::Interface& interface : assembly.interfaces) {
+    isRandom.push_back(std::any_of(study.parameters.begin(), study.parameters.end(), [&](const auto& parameter) {
+      return std::any_of(parameter.effects.begin(), parameter.effects.end(),
+                         [&](const Effect& effect) { return effect.changesLawOf(interface.name); });
+    }));
   }
   return isRandom;
 }
@@ -97,8 +94,8 @@ stochastic::Realisations ChaosStudy::realise(const probability::RandomVector& va
     const scene::Scene scene = study_.sceneFor(*study_.plan->complete(variables.values(germs)), laws_);
     auto& row = laws.emplace_back();
     for (std::size_t i = 0; i < isRandom_.size(); ++i) {
-      const assembly::Interface& joint = problem_.assembly.interfaces[i];
-      row.push_back(isRandom_[i] ? scene.laws.at(joint.name) : joint.law);
+      const assembly::Interface& interface = problem_.assembly.interfaces[i];
+      row.push_back(isRandom_[i] ? scene.laws.at(interface.name) : interface.law);
     }
   }
   return laws;
@@ -119,9 +116,9 @@ latin::Outcome ChaosStudy::raiseOrder(int largest) {
     start(order);
     const latin::Outcome outcome = run(nullptr);
     if (outcome != latin::Outcome::certified) return outcome;
-    stages_.push_back(stageOf(order));
+    orders_.push_back(momentsAt(order));
     if (order == 1) continue;
-    const auto &before = stages_[stages_.size() - 2].deviations, &now = stages_.back().deviations;
+    const auto &before = orders_[orders_.size() - 2].deviations, &now = orders_.back().deviations;
     double largestChange = 0.0;
     for (std::size_t r = 0; r < now.size(); ++r) {
       if (isAsked(r) && now[r] > 0.0) largestChange = std::max(largestChange, std::abs(now[r] - before[r]) / now[r]);
@@ -159,8 +156,8 @@ latin::Outcome ChaosStudy::sweep() {
     outcome = run(&start);
     start = solver_->alpha();
     if (outcome != latin::Outcome::certified) break;
-    const auto stage = stageOf(basis().order());
-    points_.push_back({coefficients, stage.means, stage.deviations});
+    const auto moments = momentsAt(basis().order());
+    points_.push_back({coefficients, moments.means, moments.deviations});
     std::size_t s = at.size();
     while (s > 0 && ++at[s - 1] == plan.sweeps[s - 1].coefficients.size()) at[--s] = 0;
     if (s == 0) break;
@@ -208,18 +205,18 @@ std::vector<probability::Expansion> ChaosStudy::expansions() const {
   return expansions;
 }
 
-results::StochasticSummary::Stage ChaosStudy::stageOf(int size) const {
-  results::StochasticSummary::Stage stage;
-  stage.size = size;
+results::StochasticSummary::Order ChaosStudy::momentsAt(int order) const {
+  results::StochasticSummary::Order moments;
+  moments.order = order;
   for (const probability::Expansion& expansion : expansions_) {
-    stage.means.push_back(expansion.mean());
-    stage.deviations.push_back(expansion.standardDeviation());
+    moments.means.push_back(expansion.mean());
+    moments.deviations.push_back(expansion.standardDeviation());
   }
-  return stage;
+  return moments;
 }
 
 void ChaosStudy::summarise(results::StochasticSummary& summary) const {
-  summary.convergence = stages_;
+  summary.convergence = orders_;
   for (const auto& sweep : study_.stochastic->sweeps) summary.sweepNames.push_back(sweep.name);
   summary.sweep = points_;
   for (std::size_t r = 0; r < expansions_.size(); ++r) {

@@ -96,7 +96,7 @@ class Reader {
     }
     if (plan.method == Method::chaos) {
       for (const StudyParameter& parameter : parameters_) {
-        if (parameter.phase != StudyPhase::operators) continue;
+        if (parameter.effect != Effect::Kind::operators) continue;
         errors_.add(parameter.where, "Chaos varies laws and loads only, but this changes bodies.", "Take Collocation.");
       }
     }

@@ -234,8 +234,8 @@ class Summariser {
     const auto& indices = summary_->responses.front().expansion->basis().indices();
     const int order = summary_->responses.front().expansion->basis().order();
     for (int degree = 1; degree <= order; ++degree) {
-      auto& stage = summary_->convergence.emplace_back();
-      stage.size = degree;
+      auto& moments = summary_->convergence.emplace_back();
+      moments.order = degree;
       for (const ResponseStatistics& response : summary_->responses) {
         const auto& coefficients = response.expansion->coefficients();
         double variance = 0.0;
@@ -244,8 +244,8 @@ class Summariser {
           for (const int each : indices[a]) total += each;
           if (total <= degree) variance += coefficients[a] * coefficients[a];
         }
-        stage.means.push_back(coefficients[0]);
-        stage.deviations.push_back(std::sqrt(variance));
+        moments.means.push_back(coefficients[0]);
+        moments.deviations.push_back(std::sqrt(variance));
       }
     }
   }

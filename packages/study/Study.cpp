@@ -254,7 +254,7 @@ class StudyReader {
     }
     for (std::size_t p = 0; p < planned_.size(); ++p) {
       const design::Axis& axis = planned_[p].axis;
-      if (study_.parameters[p].phase == StudyPhase::operators) {
+      if (study_.parameters[p].effect == Effect::Kind::operators) {
         errors_.add(study_.parameters[p].where,
                     "an adaptive design varies laws and loads only, but this changes bodies.", "Take another design.");
       }
@@ -275,12 +275,12 @@ class StudyReader {
     const Parameters& design = input_.list("Design");
     if (design.text("Local Stage") != "Galerkin") return;
     for (const char* kind : {"Interfaces", "Boundaries"}) {
-      for (const Parameters& joint : study_.scene.input.lists(kind)) {
-        if (study_.scene.laws.at(joint.name())->isAffine()) continue;
-        errors_.add(
-            design.where("Local Stage"),
-            "Galerkin wants affine laws, but that of \"" + joint.name() + "\" is " + joint.list("Law").type() + ".",
-            "Take Pseudo-Spectral, or Automatic.");
+      for (const Parameters& interface : study_.scene.input.lists(kind)) {
+        if (study_.scene.laws.at(interface.name())->isAffine()) continue;
+        errors_.add(design.where("Local Stage"),
+                    "Galerkin wants affine laws, but that of \"" + interface.name() + "\" is " +
+                        interface.list("Law").type() + ".",
+                    "Take Pseudo-Spectral, or Automatic.");
       }
     }
   }

@@ -113,9 +113,9 @@ std::unique_ptr<parametric::ParametricStudy> StudyGroup::makeEngine(std::size_t 
 void StudyGroup::install(const std::vector<double>& values) {
   const auto installing = timers_.start("laws");
   const scene::Scene scene = study_.sceneFor(values, laws_);
-  for (assembly::Interface& joint : problem_.assembly.interfaces) {
-    const auto law = scene.laws.find(joint.name);
-    if (law != scene.laws.end()) joint.law = law->second;  // else a cut through a part, which no parameter changes
+  for (assembly::Interface& interface : problem_.assembly.interfaces) {
+    const auto law = scene.laws.find(interface.name);
+    if (law != scene.laws.end()) interface.law = law->second;  // else a cut through a part, which no parameter changes
   }
 }
 
@@ -126,7 +126,7 @@ std::vector<std::vector<design::Configuration>> groupByOperators(
   for (const design::Configuration& configuration : configurations) {
     std::vector<double> key;
     for (std::size_t p = 0; p < parameters.size(); ++p) {
-      if (parameters[p].phase == StudyPhase::operators) key.push_back(configuration.values[p]);
+      if (parameters[p].effect == Effect::Kind::operators) key.push_back(configuration.values[p]);
     }
     const auto [place, isNew] = places.emplace(key, groups.size());
     if (isNew) groups.emplace_back();

@@ -86,7 +86,7 @@ results::StudyDescription describe(const Study& study) {
   description.accuracy = study.scene.input.list("Solver").number("Accuracy");
   for (const StudyParameter& parameter : study.parameters) {
     description.parameters.push_back(
-        {parameter.name, parameter.unit, parameter.formula, parameter.entries, phaseName(parameter.phase)});
+        {parameter.name, parameter.unit, parameter.formula, parameter.entries, effectName(parameter.effect)});
   }
   description.configurations = study.configurations;
   for (const Parameters& response : study.scene.input.lists("Responses")) {

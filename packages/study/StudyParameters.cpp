@@ -63,19 +63,19 @@ void StudyParameterReader::readEntries(const Parameters& list, StudyParameter& p
       errors_.add(where, "\"" + entry + "\" is not a number.", "A study varies numbers.");
       continue;
     }
-    if (entry.compare(0, 6, "Steps/") == 0) {
+    if (effectOf(entry, *scene_).target == Effect::Target::step) {
       errors_.add(where, "the load steps are the same for the whole study.",
                   "Vary a history, or make two studies of them.");
       continue;
     }
-    const auto effects = effectsOf(entry, tree_);
+    const auto effects = effectsOf(entry, tree_, *scene_);
     if (effects.empty()) {
       errors_.add(where, "nothing in the scene uses \"" + entry + "\".",
                   "Write \"$" + entry.substr(entry.find('/') + 1) + "\" as the value of a number of the scene.");
     }
-    for (const std::string& effect : effects) {
+    for (const Effect& effect : effects) {
       parameter.effects.push_back(effect);
-      parameter.phase = std::max(parameter.phase, phaseOf(effect, *scene_));
+      parameter.effect = std::max(parameter.effect, effect.kind);
     }
   }
 }

@@ -10,7 +10,7 @@
 #include <harmos/input/Parameters.hpp>
 #include <harmos/probability/Distribution.hpp>
 #include <harmos/scene/Scene.hpp>
-#include <harmos/study/StudyPhase.hpp>
+#include <harmos/study/Effect.hpp>
 
 namespace harmos::study {
 
@@ -18,11 +18,11 @@ namespace harmos::study {
 struct StudyParameter {
   std::string name;
   std::string unit;
-  std::string formula;               // of a derived parameter, else empty
-  std::string where;                 // it stands, for messages
-  std::vector<std::string> entries;  // of the scene that it sets, "List/Sublist/Name"
-  std::vector<std::string> effects;  // where these entries are used
-  StudyPhase phase = StudyPhase::nothing;
+  std::string formula;                          // of a derived parameter, else empty
+  std::string where;                            // it stands, for messages
+  std::vector<std::string> entries;             // of the scene that it sets, "List/Sublist/Name"
+  std::vector<Effect> effects;                  // where these entries are used
+  Effect::Kind effect = Effect::Kind::nothing;  // the strongest of them
   bool isRandom = false;
   std::shared_ptr<const probability::Distribution> distribution;  // of a random parameter; null when it has errors
 };

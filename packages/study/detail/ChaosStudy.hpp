@@ -61,7 +61,7 @@ class ChaosStudy {
   bool admits(int order) const;
   latin::Outcome sweep();
   std::vector<probability::Expansion> expansions() const;
-  results::StochasticSummary::Stage stageOf(int size) const;
+  results::StochasticSummary::Order momentsAt(int order) const;
 
   const Study& study_;
   const laws::LawRegistry& laws_;
@@ -78,7 +78,7 @@ class ChaosStudy {
   std::unique_ptr<stochastic::StochasticSolver> solver_;
   stochastic::StochasticResult result_;
   std::vector<probability::Expansion> expansions_;
-  std::vector<results::StochasticSummary::Stage> stages_;
+  std::vector<results::StochasticSummary::Order> orders_;
   std::vector<results::StochasticSummary::Point> points_;
   long columns_ = 0;
   std::string reason_;

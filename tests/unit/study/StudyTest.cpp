@@ -59,11 +59,43 @@ TEST_F(StudyTest, KnowsWhatAParameterChanges) {
                             parameter("p", "Boundaries/pressed/Law/Pressure", "{5}") +
                             parameter("weight", "Parts/upper/Body Force/Z", "{-3}") +
                             parameter("E", "Materials/steel/Young's Modulus", "{1000}"));
-  std::vector<StudyPhase> phases;
-  for (const auto& each : found.parameters) phases.push_back(each.phase);
-  EXPECT_EQ(phases, (std::vector<StudyPhase>{StudyPhase::localStage, StudyPhase::localStage, StudyPhase::localStage,
-                                             StudyPhase::loads, StudyPhase::operators, StudyPhase::operators}));
-  EXPECT_EQ(found.parameters[0].effects, std::vector<std::string>{"Interfaces/seal/Law/Friction Coefficient"});
+  using Kind = Effect::Kind;
+  std::vector<Kind> effects;
+  for (const auto& each : found.parameters) effects.push_back(each.effect);
+  EXPECT_EQ(effects, (std::vector<Kind>{Kind::localStage, Kind::localStage, Kind::localStage, Kind::loads,
+                                        Kind::operators, Kind::operators}));
+  ASSERT_EQ(found.parameters[0].effects.size(), 1u);
+  EXPECT_EQ(found.parameters[0].effects[0].entry, "Interfaces/seal/Law/Friction Coefficient");
+}
+
+TEST_F(StudyTest, KnowsWhatAnEntryBelongsTo) {
+  using Kind = Effect::Kind;
+  using Target = Effect::Target;
+  const scene::Scene scene = study(parameter("mu", "Values/mu", "{0.2}")).scene;
+  const auto expect = [&](const std::string& entry, Kind kind, Target target, const std::string& name) {
+    const Effect effect = effectOf(entry, scene);
+    EXPECT_EQ(effect.kind, kind) << entry;
+    EXPECT_EQ(effect.target, target) << entry;
+    EXPECT_EQ(effect.name, name) << entry;
+    EXPECT_EQ(effect.entry, entry);
+  };
+  expect("Interfaces/seal/Law/Gap", Kind::localStage, Target::law, "seal");
+  expect("Boundaries/pressed/Law/Pressure", Kind::loads, Target::law, "pressed");
+  expect("Interfaces/seal/Side 1", Kind::operators, Target::other, "");
+  expect("Histories/ramp/Values", Kind::operators, Target::history, "ramp");  // a part has a body force
+  expect("Parts/upper/Body Force/Z", Kind::operators, Target::part, "upper");
+  expect("Materials/steel/Young's Modulus", Kind::operators, Target::material, "steel");
+  expect("Steps/wait/Duration", Kind::operators, Target::step, "wait");
+  expect("Solver/Maximum Iterations", Kind::operators, Target::other, "");
+}
+
+TEST_F(StudyTest, LawsChangeByTheirOwnEntriesAndByHistories) {
+  const scene::Scene scene = study(parameter("mu", "Values/mu", "{0.2}")).scene;
+  EXPECT_TRUE(effectOf("Interfaces/seal/Law/Gap", scene).changesLawOf("seal"));
+  EXPECT_FALSE(effectOf("Interfaces/seal/Law/Gap", scene).changesLawOf("sea"));
+  EXPECT_FALSE(effectOf("Interfaces/seal/Law/Gap", scene).changesLawOf("pressed"));
+  EXPECT_TRUE(effectOf("Histories/ramp/Values", scene).changesLawOf("pressed"));
+  EXPECT_FALSE(effectOf("Parts/seal/Body Force/Z", scene).changesLawOf("seal"));
 }
 
 TEST_F(StudyTest, MakesTheSceneOfAConfiguration) {

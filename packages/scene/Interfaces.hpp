@@ -23,7 +23,7 @@ struct PairPlace {
 };
 
 /// The interfaces of an assembly and the way back to the surfaces that they were made of.
-struct Joints {
+struct Interfaces {
   std::vector<assembly::Interface> interfaces;
   std::vector<std::vector<PairPlace>> places;  // per surface and pair
 };
@@ -31,7 +31,7 @@ struct Joints {
 /// An interface for every surface that carries unknowns, with the law of that name. Merges pairs that cuts make
 /// redundant (the areas of `surfaces` change), unless `isConsistent`: then every pair of a surface is kept, with the
 /// consistent interface mass where the surface has faces.
-Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pieces,
-                      std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent);
+Interfaces makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pieces,
+                          std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent);
 
 }  // namespace harmos::scene

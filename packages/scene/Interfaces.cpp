@@ -1,4 +1,4 @@
-#include <harmos/scene/Joints.hpp>
+#include <harmos/scene/Interfaces.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -90,13 +90,13 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
   return surfaces;
 }
 
-Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pieces,
-                      std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent) {
+Interfaces makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pieces,
+                          std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent) {
   const auto carriers = isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(pieces, surfaces);
-  Joints joints;
+  Interfaces made;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const mesh::InterfaceSurface& surface = surfaces[s];
-    joints.places.emplace_back(surface.node1.size());
+    made.places.emplace_back(surface.node1.size());
     assembly::Interface interface;
     const auto law = scene.laws.find(surface.name);
     interface.law = law == scene.laws.end() ? scene.cutLaw : law->second;
@@ -105,7 +105,7 @@ Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pieces
     interface.body2 = surface.piece2;
     for (std::size_t p = 0; p < surface.node1.size(); ++p) {
       if (carriers[s][p].surface != static_cast<int>(s)) continue;
-      joints.places[s][p] = {static_cast<int>(joints.interfaces.size()), interface.pairs()};
+      made.places[s][p] = {static_cast<int>(made.interfaces.size()), interface.pairs()};
       interface.node1.push_back(surface.node1[p]);
       if (surface.piece2 >= 0) interface.node2.push_back(surface.node2[p]);
       interface.frame.push_back(surface.frame[p]);
@@ -118,16 +118,16 @@ Joints makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pieces
         interface.mass.push_back({entry.row, entry.column, entry.value});
       }
     }
-    joints.interfaces.push_back(std::move(interface));
+    made.interfaces.push_back(std::move(interface));
   }
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     for (std::size_t p = 0; p < carriers[s].size(); ++p) {
       const mesh::PairCarrier& carrier = carriers[s][p];
       if (carrier.surface < 0) continue;
-      joints.places[s][p] = joints.places[carrier.surface][carrier.pair];
+      made.places[s][p] = made.places[carrier.surface][carrier.pair];
     }
   }
-  return joints;
+  return made;
 }
 
 }  // namespace harmos::scene

@@ -1,0 +1,98 @@
+#include <harmos/study/Effect.hpp>
+
+#include <algorithm>
+
+#include <harmos/base/Numerals.hpp>
+
+namespace harmos::study {
+
+namespace {
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> names(1);
+  for (const char c : path) {
+    if (c == '/') {
+      names.emplace_back();
+    } else {
+      names.back() += c;
+    }
+  }
+  return names;
+}
+
+bool refersTo(const input::InputNode& node, const std::string& reference) {
+  const std::string* value = node.attribute("value");
+  if (!value) return false;
+  if (*value == reference) return true;
+  const auto items = base::parseItems(*value);
+  return items && std::find(items->begin(), items->end(), reference) != items->end();
+}
+
+void collect(const input::InputNode& list, const std::string& path, const std::string& reference,
+             std::vector<std::string>& found) {
+  for (const input::InputNode& child : list.children) {
+    const std::string below = path.empty() ? child.name() : path + "/" + child.name();
+    if (child.isList()) {
+      collect(child, below, reference, found);
+    } else if (refersTo(child, reference)) {
+      found.push_back(below);
+    }
+  }
+}
+
+bool anyPartHasBodyForce(const scene::Scene& scene) {
+  const auto& parts = scene.input.lists("Parts");
+  return std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.hasList("Body Force"); });
+}
+
+}  // namespace
+
+const char* effectName(Effect::Kind kind) {
+  switch (kind) {
+    case Effect::Kind::nothing:
+      return "nothing";
+    case Effect::Kind::localStage:
+      return "local stage";
+    case Effect::Kind::loads:
+      return "loads";
+    case Effect::Kind::operators:
+      return "operators";
+  }
+  return "";
+}
+
+Effect effectOf(const std::string& entry, const scene::Scene& scene) {
+  using Kind = Effect::Kind;
+  using Target = Effect::Target;
+  const std::vector<std::string> names = split(entry);
+  const std::string& list = names.front();
+  const std::string name = names.size() > 2 ? names[1] : "";
+  const bool hasLaw = list == "Interfaces" || list == "Boundaries";
+  if (hasLaw && names.size() == 4 && names[2] == "Law") {
+    const auto law = scene.laws.find(name);
+    const bool isLoad = law != scene.laws.end() && law->second->prescribesTraction();
+    return {isLoad ? Kind::loads : Kind::localStage, Target::law, name, entry};
+  }
+  // A history may belong to laws, to tractions and to body forces; the last are part of the bodies.
+  if (list == "Histories") {
+    return {anyPartHasBodyForce(scene) ? Kind::operators : Kind::loads, Target::history, name, entry};
+  }
+  if (list == "Parts") return {Kind::operators, Target::part, name, entry};
+  if (list == "Materials") return {Kind::operators, Target::material, name, entry};
+  if (list == "Steps") return {Kind::operators, Target::step, name, entry};
+  return {Kind::operators, Target::other, "", entry};
+}
+
+std::vector<Effect> effectsOf(const std::string& entry, const input::InputTree& tree, const scene::Scene& scene) {
+  const std::vector<std::string> names = split(entry);
+  std::vector<std::string> entries = {entry};
+  if (names.size() == 2 && names[0] == "Values") {
+    entries.clear();
+    collect(tree.root, "", "$" + names[1], entries);
+  }
+  std::vector<Effect> effects;
+  for (const std::string& each : entries) effects.push_back(effectOf(each, scene));
+  return effects;
+}
+
+}  // namespace harmos::study

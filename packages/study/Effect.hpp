@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/input/InputTree.hpp>
+#include <harmos/scene/Scene.hpp>
+
+namespace harmos::study {
+
+/// What a new value of one entry of the scene changes.
+struct Effect {
+  /// What becomes invalid, from nothing to everything; each includes those before it.
+  enum class Kind {
+    nothing,     // no entry of the scene
+    localStage,  // interface laws: all operators stay
+    loads,       // prescribed tractions: new right-hand sides, all operators stay
+    operators    // materials, meshes, parts: bodies are assembled and factored anew
+  };
+  /// Where the entry stands.
+  enum class Target { law, history, part, material, step, other };
+
+  Kind kind = Kind::nothing;
+  Target target = Target::other;
+  std::string name;   // of the interface or boundary that has the law, of the history, part, material or step
+  std::string entry;  // its path "List/Sublist/Name"
+
+  /// Whether the law of an interface or boundary is another one then. Histories may belong to any.
+  bool changesLawOf(const std::string& interface) const {
+    return target == Target::history || (target == Target::law && name == interface);
+  }
+};
+
+/// The kind in words, as files have it.
+const char* effectName(Effect::Kind kind);
+
+/// The effect of an entry outside of Values, by its path "List/Sublist/Name".
+Effect effectOf(const std::string& entry, const scene::Scene& scene);
+
+/// The effects of an entry of `tree`, of which `scene` is made: its own, or for an entry of Values those of all entries
+/// that name it by "$name".
+std::vector<Effect> effectsOf(const std::string& entry, const input::InputTree& tree, const scene::Scene& scene);
+
+}  // namespace harmos::study
