@@ -1,9 +1,10 @@
 # One package = one folder, one library target Harmos::<name>, one namespace harmos::<name>.
-#   harmos_package(<name> [USES <packages>] [PUBLIC <targets>] [PRIVATE <targets>] [SOURCES <generated files>])
+#   harmos_package(<name> [LIGHT] [USES <packages>] [PUBLIC <targets>] [PRIVATE <targets>] [SOURCES <generated files>])
 # USES is the package's row in docs/develop/architecture.md: an include of a package that is not in it does not compile,
 # neither by itself nor through the headers of others. Every .cpp of the folder belongs to the library. The headers of
 # the folder are reached as <harmos/<name>/Header.hpp>, in the build tree and when installed; those in detail/, as
-# <harmos/<name>/detail/Header.hpp>, only by the package itself and by tests, and are not installed.
+# <harmos/<name>/detail/Header.hpp>, only by the package itself and by tests, and are not installed. LIGHT: the package
+# reads, writes and hands on, but computes nothing that takes time; it is optimised less and compiles faster.
 add_library(harmos_warnings INTERFACE)
 target_compile_options(harmos_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
                        $<$<BOOL:${HARMOS_WERROR}>:-Werror>)
@@ -18,7 +19,7 @@ set(HARMOS_DETAILS ${PROJECT_BINARY_DIR}/detail)
 file(REMOVE_RECURSE ${HARMOS_HEADERS} ${HARMOS_DETAILS})
 
 function(harmos_package name)
-  cmake_parse_arguments(arg "" "" "USES;PUBLIC;PRIVATE;SOURCES" ${ARGN})
+  cmake_parse_arguments(arg "LIGHT" "" "USES;PUBLIC;PRIVATE;SOURCES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
 
@@ -37,6 +38,9 @@ function(harmos_package name)
   list(TRANSFORM arg_USES PREPEND Harmos:: OUTPUT_VARIABLE used)
   target_link_libraries(harmos_${name} PUBLIC ${used} ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:harmos_warnings>)
   target_compile_features(harmos_${name} PUBLIC cxx_std_17)
+  if(arg_LIGHT)
+    target_compile_options(harmos_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
 
   # The package sees its row and nothing else; programs, tests and hosts see whatever they link.
   list(TRANSFORM arg_USES PREPEND ${HARMOS_HEADERS}/ OUTPUT_VARIABLE row)

@@ -7,7 +7,7 @@
 #include <Teuchos_BLAS.hpp>
 
 #include <harmos/latin/NormalEquations.hpp>
-#include <harmos/latin/SafeRelaxation.hpp>
+#include <harmos/latin/detail/SafeRelaxation.hpp>
 
 namespace harmos::latin {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <harmos/latin/SafeRelaxation.hpp>
+#include <harmos/latin/detail/SafeRelaxation.hpp>
 
 namespace harmos::latin {
 namespace {
