@@ -22,7 +22,7 @@ namespace harmos::stochastic {
 /// together; all load steps at once, or one after the other when a law remembers.
 ///
 /// Stop: a run to a residual and a run to a tenth of it differ by about the error of the first. This difference is the
-/// estimate for the second, which is delivered when the estimate is within the accuracy; and the gap of the fields
+/// estimate for the second, which is delivered when the estimate is within the accuracy and the gap of the fields
 /// within ten times it; otherwise the residual is lowered. Source: Champaney, Blanze, Boucard (2004), section 4, eqs
 /// (25)-(27).
 class StochasticSolver {
