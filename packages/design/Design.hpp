@@ -4,6 +4,7 @@
 
 #include <harmos/design/Axis.hpp>
 
+/// Designs: which configurations a study solves, from grids to points that follow the results.
 namespace harmos::design {
 
 /// Chooses the points of a study in the space of its free parameters.

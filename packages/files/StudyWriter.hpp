@@ -8,6 +8,7 @@
 #include <harmos/results/ResultSink.hpp>
 #include <harmos/results/StudyResults.hpp>
 
+/// Files that are read and written: Exodus meshes and fields, tables, records and journals.
 namespace harmos::files {
 
 /// Where the results of a study lie: DIR/STUDY.h5 and its companions.

@@ -25,10 +25,11 @@ namespace harmos::latin {
 /// combination that reduces the residual, however far it leads.
 class AndersonAcceleration {
  public:
-  /// `memory`: differences kept, >= 1. `isAffine`: T is, in all that it is used for.
+  /// `memory`: differences kept, >= 1. `isAffine`: T is, in all that it is used for. `metric` must outlive it.
   AndersonAcceleration(const StateMetric& metric, int memory, bool isAffine = false);
 
-  /// Collective. Replaces `alpha` by the next iterate, given image = T(alpha).
+  /// Collective. Replaces `alpha` by the next iterate, given image = T(alpha); both [stress], rows of the metric x load
+  /// steps.
   void advance(base::Matrix& alpha, const base::Matrix& image);
   /// Collective. Forgets all differences and starts with those that are known from elsewhere: per load step dF in the
   /// scale of the metric, and dG, one column each and at most as many as the memory. New ones replace them in their

@@ -17,8 +17,8 @@ namespace harmos::latin {
 /// solved on their traces only; their inner displacements follow when they are asked for.
 class BodyOperators {
  public:
-  /// Factors the operators, which is charged to the phase "factor". Throws base::Error naming the body when one is
-  /// singular or indefinite.
+  /// Factors the operators S [force/length], which is charged to the phase "factor". Throws base::Error naming the body
+  /// when one is singular or indefinite.
   BodyOperators(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                 const TraceLayout& layout, const substructure::SolverOptions& options, base::Timers& timers);
 
@@ -30,7 +30,8 @@ class BodyOperators {
   /// forces [force] on the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement(). Bodies
   /// that are solved on their traces only are solved to this precision.
   void solve(const base::Matrix& forces, int first, int count, substructure::Precision precision);
-  /// Solves S u = r for one owned body and arbitrary columns, in the body's own numbering.
+  /// Solves S u = r for one owned body and arbitrary columns, in the body's own numbering: u [length] from r [force],
+  /// dofs x columns.
   base::Matrix solveBody(int body, const base::Matrix& forces) const;
 
   /// Trace w of the last solve: fills the columns first .. first + count - 1 of `trace`.
@@ -40,9 +41,10 @@ class BodyOperators {
   /// Largest component of the displacement of all owned bodies as last solved, in their representatives' axes; of a
   /// body that is solved on its trace, of the trace, and `share` of what its loads do to it when only k h holds it.
   double largestDisplacement(double share) const;
-  /// Loads on a body's own nodes: body forces and prescribed tractions, dofs x steps.
+  /// Loads on a body's own nodes [force]: body forces and prescribed tractions, dofs x steps.
   const base::Matrix& loads(int body) const { return loads_[body]; }
 
+  /// Factored operators on this rank: congruent bodies count once.
   int operators() const { return static_cast<int>(groups_.size()); }
 
  private:

@@ -16,25 +16,27 @@ namespace harmos::latin {
 /// when E <= accuracy, e1 <= 0.3, kappa <= 1 (or e2 is a tenth of the accuracy), both Krylov solves reduced their
 /// residual to 0.15 and hide no more than their step in it (NewtonCorrection::Result::hidden), the gap between the two
 /// fields of the iteration is below ten times the accuracy, and no body was thrown far away. If E is too large the
-/// state moves on to a1 + d2 and the next correction is compared with this one.
+/// state moves on to a1 + d2 and the next correction is compared with this one. In E, kappa counts as 0.8 at most.
 ///
 /// The gap is max(|f - f^| / |f^|, |w - w^| / |w|): with f - f^ = -k (w - w^) one of them is large for any k far from
 /// the stiffness of the bodies, so an absurd k cannot hide behind small changes.
 class Certificate {
  public:
+  /// What came of an attempt.
   struct Result {
-    bool claimed = false;
+    bool claimed = false;           ///< E is within the accuracy, and all else that a claim needs is given
     bool conclusive = false;        ///< both corrections could be computed; `estimates` holds E
     std::vector<double> estimates;  ///< as Snapshot::distance: responses, force field, displacement field
     base::Matrix state;             ///< the state that the estimates belong to, or the best one to go on from
-    double contraction = 1.0;       ///< kappa
+    double contraction = 1.0;       ///< kappa [-]
   };
 
+  /// All arguments must outlive it. `accuracy`: relative [-].
   Certificate(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses, double accuracy)
       : fixedPoint_(fixedPoint), responses_(responses), accuracy_(accuracy), newton_(fixedPoint) {}
 
   /// Collective. `image` = T(alpha), and the fields of fixedPoint are those of alpha. Leaves at most at `stageLimit`
-  /// linear stages in all.
+  /// linear stages in all, counted as LinearStage::stages(). Throws base::Error as Snapshot.
   Result attempt(const base::Matrix& alpha, const base::Matrix& image, int stageLimit);
 
  private:

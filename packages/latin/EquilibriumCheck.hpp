@@ -7,16 +7,16 @@
 
 namespace harmos::latin {
 
-/// Resultant of f^ - f on one body at one load step: what the interface laws fail to carry.
+/// Resultant of f - f^ on one body at one load step: what the interface laws fail to carry.
 struct Imbalance {
-  int body = -1;
+  int body = -1;           ///< position in the assembly; -1: there is none
   int step = 0;            ///< column of the state, a load step when all are selected
   base::Vector3 force{};   ///< [force], f - f^: the part of the loads that finds no reaction
   base::Vector3 moment{};  ///< [force length], about the body's centre
   base::Vector3 centre{};  ///< [length]
   double arm = 0.0;        ///< largest extent of the body [length]
   double load = 0.0;       ///< sum of the absolute forces on the body at this step [force]
-  double relative = 0.0;   ///< |force|, or |moment| / size of the body, over the largest sum of forces on the body
+  double relative = 0.0;   ///< |force|, or |moment| / size of the body, over the largest sum of forces on the body [-]
 };
 
 /// The body and load step with the largest relative imbalance in the last FixedPoint::apply(), of those selected.
@@ -26,7 +26,7 @@ struct Imbalance {
 /// does, the imbalance stays while everything else settles.
 Imbalance largestImbalance(const FixedPoint& state);
 
-/// One line for the user: part, step, resultant in N and N mm (the scene's units).
+/// One line for the user: part, step, force and moment in the units of the scene, which are not named.
 std::string describe(const Imbalance& imbalance, const assembly::Assembly& assembly);
 
 }  // namespace harmos::latin

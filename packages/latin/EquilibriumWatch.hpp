@@ -9,18 +9,20 @@ namespace harmos::latin {
 /// Notices during an iteration that the interface laws cannot carry the loads, or not yet.
 ///
 /// Looks at every ninth iteration. When a body has lacked the same reaction under the same forces four times in a row,
-/// to within 5 %, it is followed along; see followImbalance().
+/// to within 5 %, it is followed along; see followImbalance(). With a scale of the
+/// search direction below 0.01 it does not look.
 class EquilibriumWatch {
  public:
   /// Imbalances below `accuracy` (relative, see Imbalance) do not count.
   explicit EquilibriumWatch(double accuracy) : accuracy_(accuracy) {}
 
+  /// Nothing yet; the laws cannot carry the loads; something stops the body farther on.
   enum class Finding { nothing, noEquilibrium, landing };
 
   /// Collective; to be asked after every iteration, with image = T(alpha). After `landing`, alpha has been moved to
   /// where something stops the body.
   Finding look(FixedPoint& fixedPoint, base::Matrix& alpha, base::Matrix& image);
-  /// The last one looked at.
+  /// The last one looked at; there is none before the ninth iteration, and after a landing.
   const Imbalance& imbalance() const { return history_.back(); }
 
  private:

@@ -12,8 +12,10 @@ namespace harmos::latin {
 ///
 /// With beta = f - k w from the linear stage, E+ reads f^ - k w^ = beta, so the line of a node pair is
 ///   delta_free = beta1/k - beta2/k,  H = 2/k   (outer boundary: delta_free = beta1/k, H = 1/k).
+/// beta and f^: [stress], k: [stress/length], w^ and delta_free: [length], H: [length/stress].
 class InterfaceLines {
  public:
+  /// All arguments must outlive it.
   InterfaceLines(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                  const TraceLayout& layout);
 

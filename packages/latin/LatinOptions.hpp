@@ -20,13 +20,15 @@ enum class Algorithm {
 struct LatinOptions {
   double accuracy = 1e-3;        ///< largest relative error of every response and of the interface fields
   int maximumIterations = 1000;  ///< linear stages, those of the error estimate included
-  Algorithm algorithm = Algorithm::accelerated;
-  double relaxation = 0.8;
-  int memory = 30;  ///< differences that the acceleration keeps per load step
-  StageOptions stages;
+  Algorithm algorithm = Algorithm::accelerated;  ///< plain and relaxed: the iterations of the literature
+  double relaxation = 0.8;                       ///< of Algorithm::relaxed [-], in (0, 1]
+  int memory = 30;                               ///< differences that the acceleration keeps per load step
+  StageOptions stages;                           ///< how both stages are built
 
   LatinOptions() = default;
+  /// From a checked list Solver, of which nothing is kept.
   explicit LatinOptions(const input::Parameters& parameters);
+  /// Declares the entries of the list Solver with their defaults and limits.
   static void describe(input::ParameterSpec& spec);
 };
 

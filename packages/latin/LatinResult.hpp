@@ -15,22 +15,22 @@ enum class Outcome {
 
 /// One response at every load step, with the estimate of its relative error.
 struct ResponseResult {
-  std::string name;
-  std::vector<double> values;
+  std::string name;            ///< of the response
+  std::vector<double> values;  ///< per load step, in the unit of its Quantity
   double errorEstimate = 0.0;  ///< relative to its own size; not a number without a certificate or an attempt at one
 };
 
 /// What a run achieved. The fields are read from LatinSolver::state().
 struct LatinResult {
-  Outcome outcome = Outcome::iterationLimit;
-  std::string reason;  ///< one sentence for the user
-  std::vector<ResponseResult> responses;
-  double forceErrorEstimate = 0.0;         ///< relative, field of interface forces
-  double displacementErrorEstimate = 0.0;  ///< relative, field of interface displacements
-  double errorEstimate = 0.0;              ///< largest of all estimates
-  double indicator = 0.0;                  ///< the customary |s - s^| / |s|: not an error, for comparison only
-  int iterations = 0;                      ///< applications of T outside the error estimate, in linear stages
-  int linearStages = 0;                    ///< all applications of T, those of the error estimate included
+  Outcome outcome = Outcome::iterationLimit;  ///< how it ended
+  std::string reason;                         ///< one sentence for the user
+  std::vector<ResponseResult> responses;      ///< in the order of LatinSolver::addResponse()
+  double forceErrorEstimate = 0.0;            ///< relative, field of interface forces
+  double displacementErrorEstimate = 0.0;     ///< relative, field of interface displacements
+  double errorEstimate = 0.0;                 ///< largest of all estimates
+  double indicator = 0.0;                     ///< the customary |s - s^| / |s|: not an error, for comparison only
+  int iterations = 0;                         ///< applications of T outside the error estimate, in linear stages
+  int linearStages = 0;                       ///< all applications of T, those of the error estimate included
 };
 
 }  // namespace harmos::latin

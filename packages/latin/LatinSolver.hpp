@@ -11,12 +11,13 @@
 #include <harmos/latin/March.hpp>
 #include <harmos/latin/Response.hpp>
 
+/// The LATIN iteration: local stage, linear stage, acceleration, error estimates and responses.
 namespace harmos::latin {
 
 /// What an observer is told after every iteration over all load steps, or after every load step of a march.
 struct IterationReport {
-  int iteration = 0;
-  int linearStages = 0;
+  int iteration = 0;       ///< applications of T outside of the error estimate so far, in linear stages
+  int linearStages = 0;    ///< all of them so far
   double indicator = 0.0;  ///< |s - s^| / |s|
   double change = 0.0;  ///< largest relative change of the promised quantities over the last iterations; 0: not known
   int loadStep = -1;    ///< of a march; -1: all
@@ -35,6 +36,7 @@ class LatinSolver {
   LatinSolver(const assembly::Assembly& assembly, const LatinOptions& options,
               const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
 
+  /// Adds a response whose accuracy is promised as well, and shares it. To be called before solve().
   void addResponse(std::shared_ptr<const Response> response) { responses_.push_back(std::move(response)); }
   /// Called on every rank after every iteration; after every load step of a march, when state() holds only that one.
   void addObserver(std::function<void(const IterationReport&)> observer) { observers_.push_back(std::move(observer)); }

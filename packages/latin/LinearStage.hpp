@@ -15,9 +15,11 @@ namespace harmos::latin {
 /// Displacement form, eq. (24): (K + k h) u = h alpha + l with alpha = f^ + k w^; all load steps in one block solve.
 /// Velocity form, eqs. (19)-(23) with k = k_v / dt, so that one factor serves every step size: the state is
 /// alpha = f^ + k dw^ with dw the displacement increment of the step, and (K + k h) u_t = h (alpha_t + k w_{t-1}) +
-/// l_t, step after step.
+/// l_t, step after step. K: [force/length], h: [area], k: [stress/length], l: loads of the body [force].
 class LinearStage {
  public:
+  /// Collective. Factors all operators. `assembly`, `layout` and `timers` must outlive it. Throws base::Error as
+  /// BodyOperators and MacroProblem.
   LinearStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
               const TraceLayout& layout, Formulation formulation, bool withMacroProblem,
               const substructure::SolverOptions& options, base::Timers& timers);
@@ -34,6 +36,7 @@ class LinearStage {
 
   /// Trace w [length] and traction f [stress] of the last solve.
   const base::Matrix& trace() const { return trace_; }
+  /// The latter [stress].
   const base::Matrix& traction() const { return traction_; }
 
   /// Displacement u [length] of a node of an owned body in the last solve.
@@ -45,7 +48,9 @@ class LinearStage {
   int stages() const { return static_cast<int>((columnsSolved_ + assembly_.steps() - 1) / assembly_.steps()); }
   /// Columns solved so far.
   long columns() const { return columnsSolved_; }
+  /// The factored operators of the bodies owned here.
   const BodyOperators& operators() const { return operators_; }
+  /// Unknowns of the macro problem; 0 without one.
   int macroUnknowns() const { return macro_ ? macro_->unknowns() : 0; }
 
  private:

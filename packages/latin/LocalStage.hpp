@@ -20,6 +20,7 @@ enum class Formulation {
 /// of the previous step.
 class LocalStage {
  public:
+  /// The first three arguments must outlive it.
   LocalStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
              const TraceLayout& layout, Formulation formulation);
 
@@ -29,6 +30,7 @@ class LocalStage {
   /// From now on the first column follows on the last one that was solved, or again on the unloaded state. Displacement
   /// form only.
   void startFromHere();
+  /// See startFromHere().
   void startUnloaded();
 
   /// Collective. Overwrites `traction` with f^ [stress] of every row, given `beta` [stress].
@@ -39,10 +41,13 @@ class LocalStage {
   /// any number of times for the next column and starts from the history of the columns before, accept() makes its last
   /// call final. solveColumn() is collective. In the displacement form only.
   void begin();
+  /// Collective. Overwrites one column of `traction`; see begin(). Throws base::Error as solve().
   void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction);
+  /// See begin().
   void accept();
 
-  /// Status of the pairs of one interface at one step, as last solved on this rank; empty if no side is owned here.
+  /// Traction and status of the pairs of one interface, columns x pairs, as last solved on this rank; empty if no side
+  /// is owned here.
   const std::vector<laws::LocalState>& states(int interfaceIndex) const { return joints_[interfaceIndex].state; }
 
  private:

@@ -17,9 +17,10 @@ namespace harmos::latin {
 ///   G c = -sum over bodies [(P - X)^T h alpha - X^T l],   G = sum over bodies [P^T h k P - (h k P)^T X],
 /// symmetric, and positive definite when the boundaries hold the assembly as a whole.
 /// Source: Ladeveze, Nouy (2003), doi:10.1016/S0045-7825(03)00341-4; with the resultants as the only coarse unknowns.
+/// alpha, f: [stress], k: [stress/length], h: [area], w and P c: [length], S: [force/length], l: [force].
 class MacroProblem {
  public:
-  /// Collective. Throws base::Error (no equilibrium) naming the bodies that nothing holds.
+  /// Collective. `layout` must outlive it. Throws base::Error (no equilibrium) naming the bodies that nothing holds.
   MacroProblem(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                const TraceLayout& layout, const BodyOperators& operators, const substructure::SolverOptions& options);
 
@@ -30,6 +31,7 @@ class MacroProblem {
   /// first .. first + steps.size() - 1, which are the load steps `steps`.
   void correct(base::Matrix& alpha, base::Matrix& forces, int first, const std::vector<int>& steps) const;
 
+  /// Coarse unknowns of all interfaces, the same on every rank.
   int unknowns() const { return unknowns_; }
 
  private:

@@ -15,6 +15,7 @@ namespace harmos::latin {
 /// down on what stops them (EquilibriumWatch), relaxed iterations help to find them. Displacement form only.
 class March {
  public:
+  /// How a march ended.
   enum class End {
     reached,        ///< all load steps were visited
     stopped,        ///< the caller asked to stop
@@ -33,7 +34,7 @@ class March {
   /// Of the residual from one march to the next, when what has come of the first is not enough.
   static constexpr double tightening = 0.1;
 
-  /// `memory` of the acceleration; loads that are not carried are those above `accuracy`.
+  /// `fixedPoint` must outlive it. `memory` of the acceleration; loads that are not carried are those above `accuracy`.
   March(FixedPoint& fixedPoint, int memory, double accuracy);
 
   /// Asked on every rank after every iteration.
@@ -45,6 +46,7 @@ class March {
   /// maximumIterations after its last landing is left as it is. After an early end the remaining columns hold the last
   /// state.
   End run(base::Matrix& alpha, double tolerance, Guess guess);
+  /// What the laws cannot carry, after End::noEquilibrium.
   const Imbalance& imbalance() const { return imbalance_; }
 
  private:

@@ -12,11 +12,13 @@ class NaturalSizes {
   explicit NaturalSizes(const FixedPoint& state);
 
   /// The size below which a response of this kind counts as zero: 1e-3 of the largest displacement, sum of interface
-  /// forces, or interface traction; of an energy 1e-6 of force times displacement, because rigid motions count there.
+  /// forces, or interface traction; of an energy 1e-6 of force times displacement, because rigid motions count there;
+  /// of a moment that of a force times the size of the assembly. Forces and tractions are not measured by less than
+  /// 1e-7 of k w, k the automatic search direction: fewer digits are left.
   double floor(Quantity quantity) const;
-  /// The same for the field of interface forces: least sum over an interface side's rows of h f^2.
+  /// The same for the field of interface forces: least sum over all rows of h f^2 [area stress^2].
   double squaredForceFloor() const { return squaredForce_; }
-  /// Of interface displacements: least sum of h w^2.
+  /// Of interface displacements: least sum of h w^2 [area length^2].
   double squaredDisplacementFloor() const { return squaredDisplacement_; }
 
   /// True when something is a hundred times as far from its place as the assembly is large.

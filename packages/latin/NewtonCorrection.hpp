@@ -10,6 +10,7 @@ namespace harmos::latin {
 /// iteration. Source: Knoll, Keyes (2004), doi:10.1016/j.jcp.2003.08.010.
 class NewtonCorrection {
  public:
+  /// The step and what is known of it.
   struct Result {
     base::Matrix step;                 ///< d [stress]
     double reduction = 1.0;            ///< |(I - J) d - r| / |r|
@@ -17,13 +18,15 @@ class NewtonCorrection {
     /// What the remaining residual can hide: |(I - J) d - r| over the smallest singular value met so far, over |d|.
     /// Slow modes are all but absent from the residual.
     double hidden = 0.0;
-    int vectors = 0;
+    int vectors = 0;  ///< of Krylov: applications of T
   };
 
+  /// `fixedPoint` must outlive it.
   explicit NewtonCorrection(FixedPoint& fixedPoint) : fixedPoint_(fixedPoint) {}
 
   /// Collective. `image` = T(alpha). Stops at the relative residual `target` when no more than half of the step can be
-  /// hidden, or at the largest number of vectors.
+  /// hidden, or at the largest number of vectors. The fields of fixedPoint are to be those of `alpha`, and are others
+  /// afterwards.
   Result solve(const base::Matrix& alpha, const base::Matrix& image, double target, int maximumVectors);
 
  private:

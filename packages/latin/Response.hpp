@@ -16,11 +16,15 @@ enum class Quantity { displacement, force, moment, stress, energy };
 /// It is linear in the fields of the linear stage and in the prescribed tractions, or else a PairResponse.
 class Response {
  public:
+  /// `name`: for results and messages.
   Response(std::string name, Quantity quantity) : name_(std::move(name)), quantity_(quantity) {}
   virtual ~Response() = default;
+  /// The name that was given.
   const std::string& name() const { return name_; }
+  /// What it is measured in.
   Quantity quantity() const { return quantity_; }
-  /// Collective: the same values on every rank. Reads the state of the last FixedPoint::apply().
+  /// One value per load step. Collective: the same values on every rank. Reads the state of the last
+  /// FixedPoint::apply(), which was about all load steps.
   virtual std::vector<double> evaluate(const FixedPoint& state) const = 0;
 
  private:
@@ -33,14 +37,18 @@ class Response {
 /// With area weights that add up to 1 it is the mean over a surface, with one node the value at a point.
 class DisplacementResponse : public Response {
  public:
+  /// A node that is displaced, and what it counts.
   struct Node {
-    int body;
-    int node;
-    double weight;
+    int body;       ///< position in the assembly
+    int node;       ///< of the body, from 0
+    double weight;  ///< [-]
   };
+  /// `direction`: global components, taken as it is: not made a unit vector.
   DisplacementResponse(std::string name, std::vector<Node> nodes, base::Vector3 direction)
       : Response(std::move(name), Quantity::displacement), nodes_(std::move(nodes)), direction_(direction) {}
+  /// As they were given.
   const std::vector<Node>& nodes() const { return nodes_; }
+  /// As it was given.
   const base::Vector3& direction() const { return direction_; }
   std::vector<double> evaluate(const FixedPoint& state) const override;
 
@@ -54,7 +62,7 @@ class DisplacementResponse : public Response {
 /// f1.n > 0 in tension this is the force of a bolt.
 class ResultantResponse : public Response {
  public:
-  /// `interfaces`: those of one name.
+  /// `interfaces`: those of one name. `direction`: none, or one in global components; `centre`: none, or one [length].
   ResultantResponse(std::string name, std::vector<int> interfaces, std::vector<base::Vector3> direction,
                     std::vector<base::Vector3> centre = {})
       : Response(std::move(name), centre.empty() ? Quantity::force : Quantity::moment),
@@ -72,6 +80,7 @@ class ResultantResponse : public Response {
 /// A number that depends on the fields of interfaces, in whatever way.
 class PairResponse : public Response {
  public:
+  /// `interfaces`: positions in the assembly.
   PairResponse(std::string name, Quantity quantity, std::vector<int> interfaces)
       : Response(std::move(name), quantity), interfaces_(std::move(interfaces)) {}
   std::vector<double> evaluate(const FixedPoint& state) const final;
@@ -88,6 +97,7 @@ class PairResponse : public Response {
 /// Energy [force length] lost in interfaces up to each load step: sum over steps and nodes of h t_t . (d_t - d_t,old).
 class DissipationResponse : public PairResponse {
  public:
+  /// `interfaces`: positions in the assembly; those whose laws do not dissipate add nothing.
   DissipationResponse(std::string name, std::vector<int> interfaces)
       : PairResponse(std::move(name), Quantity::energy, std::move(interfaces)) {}
   void include(const assembly::Interface& interface, const PairFields& fields,
@@ -97,7 +107,9 @@ class DissipationResponse : public PairResponse {
 /// Largest value over the nodes of an interface, of the local stage's fields (which obey the laws).
 class MaximumResponse : public PairResponse {
  public:
+  /// -t_n, |t_n| and |t_t| [stress]; delta_n + gap and |delta_t| [length].
   enum class Field { contactPressure, normalTraction, tangentialTraction, opening, slip };
+  /// `interfaces`: positions in the assembly. No value is below 0.
   MaximumResponse(std::string name, std::vector<int> interfaces, Field field)
       : PairResponse(std::move(name),
                      field == Field::opening || field == Field::slip ? Quantity::displacement : Quantity::stress,

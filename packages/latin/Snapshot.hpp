@@ -14,13 +14,15 @@ namespace harmos::latin {
 /// The forces are those of nodalForces().
 class Snapshot {
  public:
-  /// Collective. Reads the last FixedPoint::apply().
+  /// Collective. Reads the last FixedPoint::apply(), which was about all load steps. `state` must outlive it. Throws
+  /// base::Error (not converged) naming response and load step when a value is not finite.
   Snapshot(const FixedPoint& state, const std::vector<std::shared_ptr<const Response>>& responses);
 
-  /// Relative distances to another snapshot, largest over the load steps: one per response, then force field, then
-  /// displacement field. Each is measured against its own largest value over the steps, but not against less than its
-  /// floor in NaturalSizes.
+  /// Collective. Relative distances [-] to another snapshot, largest over the load steps: one per response, then force
+  /// field, then displacement field. Each is measured against its own largest value over the steps, but not against
+  /// less than its floor in NaturalSizes.
   std::vector<double> distance(const Snapshot& other) const;
+  /// Per response and load step, in the unit of the response.
   const std::vector<std::vector<double>>& responses() const { return responses_; }
 
  private:

@@ -7,11 +7,12 @@
 
 namespace harmos::latin {
 
-/// Inner product of states per load step: (a, b)_t = sum of (area/k) a b, an energy, so that units and k drop out.
+/// Inner product of states per load step: (a, b)_t = sum of (area/k) a b [force length], an energy, so that units and k
+/// drop out.
 class StateMetric {
  public:
   /// `copies`: of the rows of the layout that stand below each other in a column, for states that are made of several
-  /// fields.
+  /// fields. `layout` must outlive it.
   explicit StateMetric(const TraceLayout& layout, int copies = 1);
   /// sqrt(area/k) of every row.
   const std::vector<double>& scale() const { return scale_; }
@@ -19,7 +20,9 @@ class StateMetric {
   std::vector<double> squaredNorms(const base::Matrix& a) const;
   /// Sum over rows and columns of (area/k) a b. Collective.
   double dot(const base::Matrix& a, const base::Matrix& b) const;
+  /// Square root of dot(a, a): over all columns. Collective.
   double norm(const base::Matrix& a) const;
+  /// Replaces each number by its sum over all ranks. Collective.
   void sum(std::vector<double>& values) const;
 
  private:

@@ -19,18 +19,22 @@ class TraceLayout {
  public:
   /// The block of rows of one interface side that this rank owns.
   struct Block {
-    int interface = -1;
-    int side = 0;
-    int body = -1;
-    int begin = 0;  ///< first row
-    int pairs = 0;
+    int interface = -1;  ///< position in the assembly
+    int side = 0;        ///< 0 or 1
+    int body = -1;       ///< position in the assembly
+    int begin = 0;       ///< first row
+    int pairs = 0;       ///< of the interface, each with a row per dimension
   };
 
+  /// Not collective. Keeps the communicator and nothing else.
   TraceLayout(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
               Teuchos::RCP<const Teuchos::Comm<int>> comm);
 
+  /// Rows per pair: 2 or 3.
   int dimension() const { return dimension_; }
+  /// Rows of a field on this rank, at least 1: a rank without unknowns has one of no area.
   int rows() const { return rows_; }
+  /// The blocks of this rank, in the order of their rows.
   const std::vector<Block>& blocks() const { return blocks_; }
   /// First row of an interface side, or -1 when another rank owns it or it has no unknowns.
   int begin(int interfaceIndex, int side) const { return begin_[interfaceIndex][side]; }
@@ -42,8 +46,11 @@ class TraceLayout {
   int nodes() const { return nodes_; }
   /// Which of these nodes each group of `dimension` rows belongs to.
   const std::vector<int>& nodeOf() const { return nodeOf_; }
+  /// The communicator of all ranks that share the assembly.
   const Teuchos::Comm<int>& comm() const { return *comm_; }
+  /// The same, to be kept.
   Teuchos::RCP<const Teuchos::Comm<int>> commPointer() const { return comm_; }
+  /// Whether this rank owns a body.
   bool owns(int body) const { return owned_[body]; }
 
  private:

@@ -18,10 +18,11 @@ namespace harmos::parametric {
 /// An iteration that loses its way begins anew from a cold start, and then with a certificate.
 class CalibratedSchedule {
  public:
+  /// `solver` must outlive it; its accuracy is what is met.
   explicit CalibratedSchedule(StudySolver& solver) : solver_(solver), calibration_(solver.options().accuracy) {}
 
-  /// Leaves early when interrupted; what is in flight is not recorded. Returns the configurations that are left because
-  /// a certificate has contradicted the calibration: nothing can be said of them without one.
+  /// Collective. Leaves early when interrupted; what is in flight is not recorded. Returns the configurations that are
+  /// left because a certificate has contradicted the calibration: nothing can be said of them without one.
   std::vector<design::Configuration> run(const std::vector<design::Configuration>& open, results::ResultSink& sink);
 
  private:

@@ -18,20 +18,23 @@ class Calibration {
   /// One state on the way of a calibration run, with its errors against the end of the run.
   struct Observation {
     Indicators indicators;
-    double forceError = 0.0;
-    double responseError = 0.0;
+    double forceError = 0.0;     // relative [-], of the field of interface forces
+    double responseError = 0.0;  // relative [-], the largest of all responses
   };
 
+  /// `accuracy`: the relative error that is asked for [-], > 0.
   explicit Calibration(double accuracy) : accuracy_(accuracy) {}
 
   /// The states of one run; true when a ratio fell, so that what was accepted must be looked at again.
   bool add(const std::vector<Observation>& run);
   /// Runs so far.
   int runs() const { return runs_; }
+  /// kf [-], at most 1; 1 before the first run.
   double forceRatio() const { return forceRatio_; }
+  /// kc [-], at most 1; 1 before the first run.
   double responseRatio() const { return responseRatio_; }
 
-  /// E; infinite before the first run.
+  /// E [-]; infinite before the first run.
   double estimate(const Indicators& indicators) const;
   /// True when E with its factor of safety, 1.5, or 2 before the fifth run, meets the accuracy.
   bool accepts(const Indicators& indicators) const;

@@ -9,9 +9,10 @@ namespace harmos::parametric {
 /// then, if need be, from a cold start.
 class CertifiedSchedule {
  public:
+  /// `solver` must outlive it.
   explicit CertifiedSchedule(StudySolver& solver) : solver_(solver) {}
 
-  /// Leaves early when interrupted; what is in flight is not recorded.
+  /// Collective. Leaves early when interrupted; what is in flight is not recorded.
   void run(const std::vector<design::Configuration>& open, results::ResultSink& sink);
 
  private:

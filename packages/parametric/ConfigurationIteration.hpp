@@ -19,8 +19,9 @@ namespace harmos::parametric {
 /// indicators are reported. Displacement form only.
 class ConfigurationIteration {
  public:
-  /// `memory`: differences that the acceleration keeps beyond those of the start. The phases "start", "indicators" and
-  /// "acceleration" are charged to `timers`. All arguments must outlive it.
+  /// `neighbours`: solved states that a start is made of, at most. `memory`: differences that the acceleration keeps
+  /// beyond those of the start. The phases "start", "indicators" and "acceleration" are charged to `timers`. All
+  /// arguments must outlive it.
   ConfigurationIteration(latin::FixedPoint& fixedPoint,
                          const std::vector<std::shared_ptr<const latin::Response>>& responses, int neighbours,
                          int memory, base::Timers& timers);
@@ -28,7 +29,7 @@ class ConfigurationIteration {
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
 
   /// Collective. Begins the configuration whose laws are in the assembly, cold when there are only few `states`, which
-  /// must stay as they are.
+  /// must stay as they are. `values`: of all parameters of the study, in their order.
   void begin(const SolvedStates& states, const std::vector<double>& values);
   /// Collective. Goes on from a state found elsewhere, with a stage of all load steps.
   Indicators beginAt(const base::Matrix& alpha);
@@ -42,6 +43,7 @@ class ConfigurationIteration {
   const std::vector<int>& starts() const { return starts_; }
   /// alpha [stress] of the last stage of all load steps, and its image under the linear part of the linear stage.
   const base::Matrix& alpha() const { return alpha_; }
+  /// The latter: A alpha = beta - b [stress], rows of the layout x load steps; see SolvedStates.
   base::Matrix linear() const;
   /// What the response indicator is measured by [force].
   double force() const { return gauge_.force(); }

@@ -16,7 +16,8 @@ class Gauge {
   Gauge(const latin::FixedPoint& state, const std::vector<std::shared_ptr<const latin::Response>>& responses)
       : state_(state), responses_(responses) {}
 
-  /// Collective. Reads the last FixedPoint::apply(), which was about all load steps and made `image` of `alpha`.
+  /// Collective. Reads the last FixedPoint::apply(), which was about all load steps and made `image` of `alpha`
+  /// [stress], rows of the layout x load steps.
   Indicators measure(const base::Matrix& alpha, const base::Matrix& image);
   /// What the response indicator was last measured by [force].
   double force() const { return force_; }
@@ -24,7 +25,8 @@ class Gauge {
   void forgetLoads() { balance_.clear(); }
 
   /// Collective. Largest imbalance of a body at one load step, one column, by what f balanced when all load steps were
-  /// measured last under the same loads; 0 when there is no such measurement.
+  /// measured last under the same loads; 0 when there is no such measurement. In
+  /// [force]; `hattedTraction` is f^ [stress].
   double imbalance(int step, const base::Matrix& hattedTraction) const;
 
  private:

@@ -5,7 +5,8 @@ namespace harmos::parametric {
 /// What an iteration shows of its own error for nothing; see Calibration for what it takes to read it.
 ///
 /// Both compare the two fields of the LATIN method, which agree at the solution: tractions f of the linear stage, in
-/// equilibrium with the bodies, and f^ of the local stage, which obey the interface laws.
+/// equilibrium with the bodies, and f^ of the local stage, which obey the interface laws. Both are ratios [-]. h: the
+/// interface mass [area].
 struct Indicators {
   /// |T(alpha) - alpha| / |f^|, both in the state metric: goes with the error of the field of interface forces.
   double force = 0.0;

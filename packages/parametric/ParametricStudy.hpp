@@ -3,6 +3,7 @@
 #include <harmos/parametric/CalibratedSchedule.hpp>
 #include <harmos/parametric/CertifiedSchedule.hpp>
 
+/// Many configurations on the same operators: starts from solved states, and estimates calibrated with them.
 namespace harmos::parametric {
 
 /// Solves the configurations of a study on operators that are factored once.
@@ -13,9 +14,11 @@ namespace harmos::parametric {
 /// for each configuration; see CertifiedSchedule. All calls are collective over the communicator.
 class ParametricStudy {
  public:
+  /// Puts the laws of a configuration into the assembly.
   using Install = StudySolver::Install;
 
-  /// Factors all operators. `assembly` and `timers` must outlive this object.
+  /// Factors all operators. `assembly` and `timers` must outlive this object. Throws base::Error as
+  /// latin::LatinSolver.
   ParametricStudy(assembly::Assembly& assembly, Install install,
                   std::vector<std::shared_ptr<const latin::Response>> responses, const latin::LatinOptions& options,
                   Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
@@ -30,7 +33,7 @@ class ParametricStudy {
   /// Solves all of `open`. `sink` is called on every rank; a configuration may be reported again when its estimate or
   /// its solution has changed. What is solved serves later calls as well.
   void run(const std::vector<design::Configuration>& open, results::ResultSink& sink);
-  /// Of all calls of run() together.
+  /// Of all calls of run() together; lives as long as this object.
   const Trust& summary() { return solver_.summary(); }
 
  private:

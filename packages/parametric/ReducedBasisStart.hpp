@@ -20,6 +20,7 @@ class ReducedBasisStart {
   /// Columns of V at most, beyond one per state.
   static constexpr int furtherColumns = 3;
 
+  /// `fixedPoint`, whose local stage is asked, must outlive it.
   explicit ReducedBasisStart(latin::FixedPoint& fixedPoint) : fixedPoint_(fixedPoint) {}
 
   /// Chooses at most `neighbours` states around the configuration whose laws are in the assembly. `offset`: b, the
@@ -30,6 +31,7 @@ class ReducedBasisStart {
   /// Of the first of them: root mean square over the load steps of |f^| in the state metric, and what its responses are
   /// measured by [force].
   double traction() const { return traction_; }
+  /// The latter [force], as it was given to SolvedStates::add().
   double force() const { return force_; }
 
   /// The start of a load step that alone is selected, after those before it; ends when |T(alpha) - alpha| in the state
@@ -37,13 +39,16 @@ class ReducedBasisStart {
   void find(int step, double tolerance);
   /// alpha [stress] and its image beta under the linear stage, one column.
   const base::Matrix& state() const { return state_; }
+  /// The latter [stress].
   const base::Matrix& beta() const { return beta_; }
   /// Whether find() needed the tangents; else differentiate() provides them.
   bool hasTangents() const { return hasTangents_; }
+  /// Collective. Computes the tangents at state(), with one local stage per column of V.
   void differentiate();
   /// How residual (in the scale of the metric) and image change along the columns of V: what
   /// latin::AndersonAcceleration::seed() takes.
   const base::Matrix& residualTangents() const { return residualTangents_; }
+  /// The latter [stress], rows of the layout x columns of V.
   const base::Matrix& imageTangents() const { return imageTangents_; }
 
   /// To be told what the iteration has made of the load step: alpha and beta, one column.

@@ -20,16 +20,22 @@ class SolvedStates {
   /// Parameters are measured by the range of what they are in a study: to be called for all its configurations.
   void widen(const std::vector<double>& values);
   /// alpha and A alpha [stress], rows x load steps. `force`: what the responses of this state are measured by [force].
+  /// A state of the same id is replaced.
   void add(int id, const std::vector<double>& values, const base::Matrix& alpha, const base::Matrix& linear,
            double force = 0.0);
+  /// States kept.
   int count() const { return static_cast<int>(states_.size()); }
+  /// The id given to add(), of the state at a position < count(), which is not checked, here and below.
   int id(int state) const { return states_[state].id; }
   /// Positions of the states nearest to a configuration, the nearest first; ties in the order of adding.
   std::vector<int> nearest(const std::vector<double>& values, int count) const;
+  /// alpha and A alpha [stress] of all load steps, into matrices that have their shape already.
   void copy(int state, base::Matrix& alpha, base::Matrix& linear) const;
-  /// The rows of one load step, and the force given to add().
+  /// The rows of alpha [stress] at one load step; valid until the next add().
   const float* alpha(int state, int step) const { return column(state, step, &State::alpha); }
+  /// The same of A alpha [stress].
   const float* linear(int state, int step) const { return column(state, step, &State::linear); }
+  /// What the responses of the state are measured by [force].
   double force(int state) const { return states_[state].force; }
 
  private:

@@ -27,13 +27,17 @@ class StudySolver {
   /// Told the fields of every solution, also of one that replaces an earlier one.
   using Observer = std::function<void(const design::Configuration&, const latin::FixedPoint&)>;
 
-  /// Factors all operators. `assembly` and `timers` must outlive this object.
+  /// Factors all operators. `assembly` and `timers` must outlive this object. Throws base::Error as
+  /// latin::LatinSolver.
   StudySolver(assembly::Assembly& assembly, Install install,
               std::vector<std::shared_ptr<const latin::Response>> responses, const latin::LatinOptions& options,
               Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
 
+  /// Asked on every rank between iterations; true on any rank makes mustStop().
   void setInterrupt(std::function<bool()> interrupted) { solver_.setInterrupt(std::move(interrupted)); }
+  /// Replaces the observer; it may be empty.
   void setObserver(Observer observer) { observer_ = std::move(observer); }
+  /// What all ranks make of the interrupt. Collective.
   bool mustStop() const { return solver_.mustStop(); }
 
   /// Empties the result and installs the laws; false, with the reason in the result, when they are inadmissible.
@@ -43,15 +47,23 @@ class StudySolver {
   bool certify(const base::Matrix* start, results::ConfigurationResult& result);
   /// The same, from nothing that may mislead; what is thrown makes a failure. A solution is remembered.
   bool certifyAnew(const design::Configuration& configuration, results::ConfigurationResult& result);
-  /// Stores what was iterated or certified last for the starts of others, and shows it to the observer.
+  /// Stores what was iterated last for the starts of others, and shows it to the observer.
   void remember(const design::Configuration& configuration);
+  /// The same of what was certified last; in the displacement form a stage of its own, which is added to the result,
+  /// finds its image.
   void rememberCertified(const design::Configuration& configuration, results::ConfigurationResult& result);
 
+  /// As they were given.
   const latin::LatinOptions& options() const { return options_; }
+  /// As they were given, in their order.
   const std::vector<std::shared_ptr<const latin::Response>>& responses() const { return responses_; }
+  /// The fields of what was iterated or certified last.
   const latin::FixedPoint& fixedPoint() const { return fixedPoint_; }
+  /// The iteration on these operators.
   ConfigurationIteration& iteration() { return iteration_; }
+  /// What remember() has stored: as many as fit into 1 GiB on every rank.
   SolvedStates& states() { return states_; }
+  /// Where the schedules count.
   Trust& summary() { return summary_; }
 
  private:

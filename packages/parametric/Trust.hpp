@@ -5,8 +5,8 @@ namespace harmos::parametric {
 /// How far the results of a study can be trusted; see Calibration.
 struct Trust {
   int calibrations = 0;          // configurations that were iterated on to a tight stop to calibrate the estimate
-  double forceRatio = 1.0;       // kf
-  double responseRatio = 1.0;    // kc
+  double forceRatio = 1.0;       // kf [-], see Calibration
+  double responseRatio = 1.0;    // kc [-]
   int audits = 0;                // accepted configurations, chosen at random, that were iterated on or certified
   int openAudits = 0;            // others that came to no end, so that nothing is known of their errors
   int falseClaims = 0;           // audited configurations whose error was above the accuracy
@@ -17,7 +17,7 @@ struct Trust {
 };
 
 /// Largest share p of false claims for which `found` or fewer among `audits` have a probability of 5 % or more
-/// (Clopper and Pearson); 1 without audits.
+/// (Clopper and Pearson); 1 without audits, and when all were found.
 double falseClaimBound(int audits, int found);
 
 }  // namespace harmos::parametric

@@ -7,6 +7,7 @@
 #include <harmos/base/Matrix.hpp>
 #include <harmos/probability/Distribution.hpp>
 
+/// Random parameters: distributions, polynomials of germs, quadratures, expansions and statistics.
 namespace harmos::probability {
 
 /// One random parameter.

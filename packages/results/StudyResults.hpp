@@ -10,6 +10,7 @@
 #include <harmos/results/StochasticSummary.hpp>
 #include <harmos/results/StudyDescription.hpp>
 
+/// What is known of a study: results of configurations, statistics, and surfaces through them.
 namespace harmos::results {
 
 /// What is known so far of the configurations of a study.

@@ -17,33 +17,41 @@ namespace harmos::scene {
 
 /// How elements turn displacements into stress, the same for the whole scene.
 struct Model {
-  elasticity::Kinematics kinematics = elasticity::Kinematics::threeDimensional;
-  double thickness = 1.0;  // [length], 2-D only
+  elasticity::Kinematics kinematics = elasticity::Kinematics::threeDimensional;  // of all parts
+  double thickness = 1.0;                                                        // [length], 2-D only
 };
 
-/// The kinematics asked for, see checkDimensions(); else those that are usual for the mesh.
+/// The kinematics asked for, see checkDimensions(); else those that are usual for the mesh: plane strain in the plane.
+/// `model` is the list Model of the scene.
 Model makeModel(const input::Parameters& model, const mesh::Mesh& mesh);
 
 /// The elastic bodies of the assembly: the parts of the scene, or the pieces they were cut into. The lists are
 /// parallel.
 struct Bodies {
-  std::vector<mesh::Piece> pieces;
+  std::vector<mesh::Piece> pieces;  // in the order of the list Parts; bodies are counted in this order everywhere
   std::vector<const input::Parameters*> inputs;  // of the scene's parts; the scene must outlive them
-  std::vector<std::shared_ptr<const elasticity::Material>> materials;
+  std::vector<std::shared_ptr<const elasticity::Material>> materials;  // shared with the scene
 };
 
-/// Reports blocks that do not exist, belong to two parts or to none to `errors`.
+/// Cuts the parts of the scene into pieces. Reports blocks that do not exist, belong to two parts or to none, and parts
+/// that cannot be cut, to `errors`; after errors in blocks there are no bodies. Every rank makes all of them.
 Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors);
 
 /// For every body the earlier one that it equals up to a rigid motion or mirror image, elasticity and all; null: none.
+/// That one equals none itself. Bodies with materials of two names are never equal; a turned one is equal only when it
+/// is isotropic.
 std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(const Bodies& bodies,
                                                                              const mesh::Mesh& mesh);
 
-/// Which rank owns which body: the largest first, each to the rank that has least to do.
+/// Which rank owns which body: the largest first, each to the rank that has least to do. One rank, from 0, per body.
+/// The work of a body goes with the number of its nodes to the power 4/3.
 std::vector<int> distribute(const Bodies& bodies, int ranks);
 
 /// Stiffness and loads of the bodies that this rank owns; of congruent bodies the stiffness of what they equal. Reports
 /// elements that cannot be used to `errors`, on the ranks that own them.
+///
+/// Every rank gets all bodies, in their order, with names and nodes; the rest is empty where it has no use. Stiffness
+/// is in [force/length], loads are nodal forces [force], degrees of freedom x load steps. Not collective.
 std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh::Mesh& mesh, const Model& model,
                                                  const Bodies& bodies, const std::vector<int>& owner, int rank,
                                                  input::ErrorList& errors);

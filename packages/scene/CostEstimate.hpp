@@ -6,7 +6,7 @@
 
 namespace harmos::scene {
 
-/// What solving a problem will roughly take; orders of magnitude, from sizes alone.
+/// What solving a problem will roughly take, on all ranks together; orders of magnitude, from sizes alone.
 struct CostEstimate {
   std::int64_t unknowns = 0;           // displacements of all bodies
   std::int64_t interfaceUnknowns = 0;  // components of all interface sides
@@ -18,7 +18,8 @@ struct CostEstimate {
 };
 
 /// Collective. Factors are estimated as 25 n^(4/3) entries in space and 8 n log2 n in the plane, which reproduces
-/// CHOLMOD with METIS on cubes of 5 000 to 100 000 unknowns within 20 %; times are of one core of 2020.
+/// CHOLMOD with METIS on cubes of 5 000 to 100 000 unknowns within 20 %; times are of one core of 2020. n: the unknowns
+/// of a body. The result is the same on every rank.
 CostEstimate estimateCost(const Problem& problem, const Teuchos::Comm<int>& comm);
 
 }  // namespace harmos::scene

@@ -12,26 +12,31 @@ namespace harmos::scene {
 
 /// A number per load step for the Exodus files.
 struct GlobalVariable {
-  std::string name;
-  std::vector<double> values;
+  std::string name;            // as it stands in the file
+  std::vector<double> values;  // per load step, in its own unit
 };
 
-/// Adds "<name>_x", "<name>_y" and in 3-D "<name>_z".
+/// Adds "<name>_x", "<name>_y" and in 3-D "<name>_z" to `names`.
 void addVector(std::vector<std::string>& names, const std::string& name, int dimension);
 
 /// What the Exodus files of one run have in common; rank 0 writes.
 class FieldFile {
  public:
-  /// `input` goes into the information records. `times` and `comm` must outlive this object.
+  /// `title` and `input`, line by line, go into every file, the latter into the information records. `times`, the
+  /// ends of the load steps [time], and `comm` must outlive this object; `globals` have a value for each of them.
   FieldFile(std::string title, const std::string& input, const std::vector<double>& times,
             std::vector<GlobalVariable> globals, const Teuchos::Comm<int>& comm);
 
+  /// End of load step `step`, from 0 [time]; not checked.
   double time(int step) const { return times_[step]; }
-  /// A file that holds the unloaded state already; null but on rank 0.
+  /// A file that holds the unloaded state already; null but on rank 0. The global variables are added to `variables`.
+  /// Throws what files::ExodusWriter throws.
   std::unique_ptr<files::ExodusWriter> open(const std::string& path, const files::ResultMesh& mesh,
                                             files::ResultVariables variables) const;
+  /// Puts the global variables of load step `number`, from 0, into `step`, instead of those that it has.
   void fillGlobals(files::ResultStep& step, int number) const;
-  /// Adds up on rank 0 what each rank has filled in. Collective.
+  /// Adds up on rank 0 what each rank has filled in; elsewhere the values are lost. Collective; as many values on every
+  /// rank.
   void gather(std::vector<double>& values) const;
 
  private:

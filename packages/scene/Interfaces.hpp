@@ -11,26 +11,29 @@
 namespace harmos::scene {
 
 /// Finds the surfaces of all interfaces and boundaries of a scene and, between the pieces of a part that was cut, of
-/// perfect interfaces. Reports sets that do not exist, sides that do not fit together and parts that nothing touches.
+/// perfect interfaces. Reports sets that do not exist, sides that do not fit together and parts that nothing touches
+/// to `errors`. In the order of Interfaces, then Boundaries, then cuts; after errors in the first two the rest is not
+/// looked at. Every rank finds all of them.
 std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh::Mesh& mesh,
                                                  const std::vector<mesh::Piece>& pieces,
                                                  const mesh::InterfaceFinder& finder, input::ErrorList& errors);
 
 /// Where the unknowns of a surface's pair are: a pair of an interface of the assembly; interface = -1: it has none.
 struct PairPlace {
-  int interface = -1;
-  int pair = -1;
+  int interface = -1;  // position in Interfaces::interfaces
+  int pair = -1;       // position in that interface
 };
 
 /// The interfaces of an assembly and the way back to the surfaces that they were made of.
 struct Interfaces {
-  std::vector<assembly::Interface> interfaces;
-  std::vector<std::vector<PairPlace>> places;  // per surface and pair
+  std::vector<assembly::Interface> interfaces;  // those with unknowns, in the order of the surfaces
+  std::vector<std::vector<PairPlace>> places;   // per surface and pair
 };
 
 /// An interface for every surface that carries unknowns, with the law of that name. Merges pairs that cuts make
 /// redundant (the areas of `surfaces` change), unless `isConsistent`: then every pair of a surface is kept, with the
 /// consistent interface mass where the surface has faces.
+/// Laws are shared with the scene.
 Interfaces makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pieces,
                           std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent);
 

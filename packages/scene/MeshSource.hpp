@@ -11,7 +11,8 @@
 
 namespace harmos::scene {
 
-/// Where a scene may take its mesh from: an Exodus file or one of the generators.
+/// Where a scene may take its mesh from: an Exodus file or one of the generators. Each form is the
+/// list Mesh with another Type.
 std::vector<input::ParameterSpec> meshForms();
 
 /// Number of dimensions of the mesh that a generator will make; nothing for a file, which is not read here. Reports
@@ -19,7 +20,7 @@ std::vector<input::ParameterSpec> meshForms();
 std::optional<int> meshDimension(const input::Parameters& source, input::ErrorList& errors);
 
 /// Reads or generates the mesh. A relative file name is looked up from the folder of `scenePath`.
-/// Throws base::Error (input) when the file cannot be used.
+/// Throws base::Error (input) when the file cannot be used. Not collective: every rank that calls it reads the file.
 mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath);
 
 }  // namespace harmos::scene

@@ -17,16 +17,16 @@ namespace harmos::scene {
 
 /// A scene made of numbers: mesh, bodies and interfaces, ready to be solved.
 struct Problem {
-  mesh::Mesh mesh;
-  Model model;
-  Bodies bodies;
-  std::vector<mesh::InterfaceSurface> surfaces;
-  std::vector<std::vector<PairPlace>> places;  // per surface and pair: where its unknowns are
-  assembly::Assembly assembly;
-  std::vector<std::shared_ptr<const latin::Response>> responses;
+  mesh::Mesh mesh;                                                // whole, on every rank
+  Model model;                                                    // kinematics and thickness
+  Bodies bodies;                                                  // geometry and materials, parallel to assembly.bodies
+  std::vector<mesh::InterfaceSurface> surfaces;                   // of interfaces, boundaries and cuts
+  std::vector<std::vector<PairPlace>> places;                     // per surface and pair: where its unknowns are
+  assembly::Assembly assembly;                                    // what LATIN solves
+  std::vector<std::shared_ptr<const latin::Response>> responses;  // in the order of the list Responses
 };
 
-/// Reads the mesh and builds everything. Collective over comm; throws on all ranks or on none.
+/// Reads the mesh and builds everything. Collective over comm, which is not kept; throws on all ranks or on none.
 ///
 /// The scene must outlive the problem. Time is charged to the phases "read" and "assemble". Throws one base::Error
 /// (input) that lists all errors found in the names of blocks and sets, in the fit of interfaces, and in elements.

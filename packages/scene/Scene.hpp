@@ -10,24 +10,26 @@
 #include <harmos/input/Parameters.hpp>
 #include <harmos/laws/LawRegistry.hpp>
 
+/// Scenes: from XML to an assembly and its responses, and from the solution to files.
 namespace harmos::scene {
 
 /// A checked scene: all that can be known before a mesh is read.
 struct Scene {
   std::string path;           // of the scene's file
   input::Parameters input;    // all defaults filled in, histories attached
-  std::vector<double> times;  // end of each load step
-  std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;
-  std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;  // by name of interface or boundary
+  std::vector<double> times;  // end of each load step [time], ascending from above 0
+  std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;  // by name in the list Materials
+  std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;         // by name of interface or boundary
   std::shared_ptr<const laws::InterfaceLaw> cutLaw;  // between the pieces of one part; null when no part is cut
 };
 
 /// Checks an input against sceneSpec(), and every name that it refers to except those of the mesh.
-/// Each of `overrides` is "List/Sublist/Name=value". Throws one base::Error (input) that lists all errors.
+/// Each of `overrides` is "List/Sublist/Name=value". `path` is where the input comes from: relative names of files
+/// start at its folder. Throws one base::Error (input) that lists all errors. Keeps nothing of `laws`.
 Scene makeScene(input::InputTree input, const std::string& path, const std::vector<std::string>& overrides,
                 const laws::LawRegistry& laws);
 
-/// makeScene() of a file.
+/// makeScene() of a file. Throws base::Error (input) also when it cannot be read. Not collective: every rank reads it.
 Scene readScene(const std::string& path, const std::vector<std::string>& overrides, const laws::LawRegistry& laws);
 
 }  // namespace harmos::scene

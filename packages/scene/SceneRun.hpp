@@ -23,13 +23,15 @@ struct SceneRunRequest {
   std::function<bool()> interrupted;                            // asked after every iteration; may be empty
 };
 
+/// What came of a run.
 struct SceneRunResult {
-  latin::LatinResult solution;
-  files::RunRecord record;
-  files::ResultFiles files;
+  latin::LatinResult solution;  // responses and error estimates; fields are in the files only
+  files::RunRecord record;      // as it was written last
+  files::ResultFiles files;     // where the files are
 };
 
-/// From XML to result files: what `harmos run` does, without printing. Collective.
+/// From XML to result files: what `harmos run` does, without printing. Collective over `comm`. Nothing of the request
+/// is kept.
 ///
 /// The input and the mesh are checked first; if they are wrong, base::Error (input) leaves the directory as it was.
 /// Then the files of an earlier run are removed and the record says "running". The outcome, also an interruption or a

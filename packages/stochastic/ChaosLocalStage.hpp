@@ -23,19 +23,21 @@ enum class Method {
 /// the line of the search direction, so that a truncated solution depends on it, within the error of truncation: from
 /// Galerkin's for stiffnesses (H to 0) to that for compliances (H to infinity). It does not where the points are as
 /// many as the polynomials and the projection interpolates. Galerkin: GalerkinSprings where a stiffness is random, and
-/// the points elsewhere, which is then the same.
+/// the points elsewhere, which is then the same. psi_a: polynomials, w_q and xi_q: weights and points of the
+/// quadrature, beta and f^: [stress], H: compliance of the lines [length/stress].
 class ChaosLocalStage {
  public:
   /// `modal`, `searchDirection`, `layout` and `projection` must outlive this object.
   ChaosLocalStage(const assembly::Assembly& modal, const assembly::SearchDirection& searchDirection,
                   const latin::TraceLayout& layout, std::shared_ptr<const Projection> projection);
 
-  /// Throws base::Error (input) as GalerkinSprings.
+  /// Histories begin anew. Throws base::Error (input) as GalerkinSprings, on all ranks or on none.
   void setLaws(const Realisations& laws, Method method);
   /// The columns of fields are the load steps first .. first + count - 1; all load steps at first.
   void select(int first, int count);
   /// From now on the first column follows on the last one that was solved, or again on the unloaded state.
   void startFromHere();
+  /// See startFromHere().
   void startUnloaded();
   /// A law remembers, so that its load steps depend on each other.
   bool hasMemory() const;

@@ -11,17 +11,19 @@ namespace harmos::stochastic {
 /// the fields of interface forces and displacements.
 class ChaosSnapshot {
  public:
-  /// Collective. Reads the last FixedPoint::apply() on all modal columns.
+  /// Collective. Reads the last FixedPoint::apply() on all modal columns. `terms`: polynomials. The metric of `state`
+  /// must outlive it.
   ChaosSnapshot(const latin::FixedPoint& state, const ResponseSampler& sampler,
                 const std::vector<std::shared_ptr<const latin::Response>>& responses, int terms);
 
-  /// Relative distances to another snapshot: one per response, then force field, then displacement field.
+  /// Collective. Relative distances [-] to another snapshot: one per response, then force field, then displacement
+  /// field.
   ///
   /// Each is the larger of two: the difference of the means over the largest mean of all load steps, and the standard
   /// deviation of the difference over the largest standard deviation. A mean does not count as less than its floor in
   /// latin::NaturalSizes, and a standard deviation not as less than 1e-3 of the mean.
   std::vector<double> distance(const ChaosSnapshot& other) const;
-  /// Terms x load steps of a response.
+  /// Terms x load steps of a response, in its unit.
   const base::Matrix& response(std::size_t i) const { return quantities_[i].coefficients; }
 
  private:

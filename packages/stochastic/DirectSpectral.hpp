@@ -20,6 +20,7 @@ namespace harmos::stochastic {
 /// for conjugate gradients preconditioned by the factored mean matrix.
 class DirectSpectral {
  public:
+  /// What solves the equations of SpectralSystem.
   enum class Solver {
     conjugateGradients,  ///< the operator is applied block by block and never assembled
     factorisation        ///< of the assembled matrix of all polynomials
@@ -35,8 +36,9 @@ class DirectSpectral {
   /// iterations do not do.
   void solve(Solver solver, double tolerance = 1e-10);
 
-  /// Of the last solve, terms x load steps.
+  /// Of the last solve, terms x load steps [length].
   base::Matrix coefficients(const latin::DisplacementResponse& response) const;
+  /// Degrees of freedom of all bodies times polynomials, held ones included.
   int unknowns() const { return system_.dofs() * projection_->terms(); }
   /// Of the conjugate gradients in the last solve; 0 of a factorisation.
   int iterations() const { return iterations_; }

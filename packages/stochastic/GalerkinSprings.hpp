@@ -14,11 +14,13 @@ namespace harmos::stochastic {
 ///
 /// With G_ab = E[k psi_a psi_b] of a component and t = k delta + c, the coefficients of the traction on the line
 /// delta = delta_free - H t are t = (I + H G)^-1 (G delta_free + c) = V (I + H diag(lambda))^-1 (diag(lambda) V^T
-/// delta_free + V^T c), G = V diag(lambda) V^T, at all nodes with one decomposition.
+/// delta_free + V^T c), G = V diag(lambda) V^T, at all nodes with one decomposition. k: [stress/length], c:
+/// offset [stress], xi: germs, H: [length/stress]; delta_free, delta: [length].
 class GalerkinSprings {
  public:
   /// `laws`: at the points. Their stiffness is found by a probe on lines of the given compliance [length/stress].
-  /// Throws base::Error (input) naming the interface when a law is not affine or a matrix G not positive definite.
+  /// Throws base::Error (input) naming the interface when a law is not affine or a matrix G not positive definite, or a
+  /// component rigid at some points only. Not collective.
   GalerkinSprings(const assembly::Interface& interface,
                   const std::vector<std::shared_ptr<const laws::InterfaceLaw>>& laws, const Projection& projection,
                   int steps, double compliance);

@@ -11,11 +11,16 @@ namespace harmos::stochastic {
 /// The way between the coefficients of random numbers on a basis and their values at the points of a quadrature.
 class Projection {
  public:
+  /// The basis is shared. The points of the quadrature have the germs of the basis.
   Projection(std::shared_ptr<const probability::Basis> basis, probability::Quadrature quadrature);
 
+  /// The polynomials psi_a, orthonormal.
   const std::shared_ptr<const probability::Basis>& basis() const { return basis_; }
+  /// Points xi_q and weights w_q.
   const probability::Quadrature& quadrature() const { return quadrature_; }
+  /// Polynomials of the basis.
   int terms() const { return basis_->size(); }
+  /// Points of the quadrature.
   int points() const { return quadrature_.size(); }
   /// psi_a(xi_q), points x terms.
   const base::Matrix& values() const { return values_; }

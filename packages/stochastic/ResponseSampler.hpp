@@ -15,14 +15,14 @@ namespace harmos::stochastic {
 class ResponseSampler {
  public:
   /// Collective. Reads the last FixedPoint::apply() on all modal columns; `assembly` is the one of the load steps and
-  /// must outlive this object.
+  /// must outlive this object; `state` need not.
   ResponseSampler(const assembly::Assembly& assembly, const latin::FixedPoint& state,
                   std::shared_ptr<const Projection> projection,
                   std::vector<std::shared_ptr<const latin::Response>> responses);
 
-  /// Of a response, terms x load steps; of responses on interface fields by the quadrature.
+  /// Of a response, counted from 0, terms x load steps in its unit; of responses on interface fields by the quadrature.
   base::Matrix coefficients(int response) const;
-  /// Of a response at points of germs, load steps x points.
+  /// Of a response at points of germs, load steps x points in its unit. Not collective.
   base::Matrix sample(int response, const std::vector<std::vector<double>>& germs) const;
 
  private:

@@ -23,15 +23,19 @@ namespace harmos::stochastic {
 /// naming the part when this process does not hold its own stiffness matrix.
 class SpectralSystem {
  public:
+  /// Keeps nothing of its arguments. `laws`: of every point of the projection.
   SpectralSystem(const assembly::Assembly& assembly, const std::shared_ptr<const Projection>& projection,
                  const Realisations& laws);
 
+  /// Of space: 2 or 3.
   int dimension() const { return dimension_; }
+  /// Of all bodies, held ones included.
   int dofs() const { return dofs_; }
+  /// Number of the first dof of a body's node; the others of the node follow.
   int dofOf(int body, int node) const { return firstDof_[body] + dimension_ * node; }
-  /// y = A x for one column.
+  /// y = A x for one column of dofs x terms numbers: x displacements [length], y forces [force], held dofs as they are.
   void apply(const double* x, double* y) const;
-  /// (dofs x terms) x load steps, with the values of held dofs.
+  /// (dofs x terms) x load steps [force], with the values of held dofs [length].
   const base::Matrix& right() const { return right_; }
   /// K_0 + sum over j of E[k_j] K_j, held dofs as in A: dofs x dofs.
   Teuchos::RCP<base::CrsMatrix> meanMatrix() const;

@@ -11,6 +11,7 @@
 #include <harmos/stochastic/StochasticOptions.hpp>
 #include <harmos/stochastic/StochasticResult.hpp>
 
+/// Random laws and loads by polynomial chaos inside LATIN, and the direct method that it is compared with.
 namespace harmos::stochastic {
 
 /// Solves an assembly whose interface laws and prescribed tractions are random by polynomial chaos inside LATIN.
@@ -21,8 +22,9 @@ namespace harmos::stochastic {
 /// together; all load steps at once, or one after the other when a law remembers.
 ///
 /// Stop: a run to a residual and a run to a tenth of it differ by about the error of the first. This difference is the
-/// estimate for the second, which is delivered when the estimate is within the accuracy; otherwise the residual is
-/// lowered. Source: Champaney, Blanze, Boucard (2004), section 4, eqs (25)-(27).
+/// estimate for the second, which is delivered when the estimate is within the accuracy and the gap of the fields
+/// within ten times it; otherwise the residual is lowered. Source: Champaney, Blanze, Boucard (2004), section 4, eqs
+/// (25)-(27).
 class StochasticSolver {
  public:
   /// Collective. Factors all operators. The laws of `assembly` are not random; `assembly` and `timers` must outlive the
@@ -36,6 +38,7 @@ class StochasticSolver {
   /// Replaces the laws; the operators stay. Throws base::Error (input) when they are not of the kind of those of the
   /// assembly, or not fit for the method.
   void setLaws(const Realisations& laws);
+  /// Adds a response whose accuracy is promised as well, and shares it. To be called before solve().
   void addResponse(std::shared_ptr<const latin::Response> response) { responses_.push_back(std::move(response)); }
   /// Called on every rank after every iteration over all load steps, or after every load step of a march.
   void addObserver(std::function<void(const latin::IterationReport&)> observer) {
@@ -48,7 +51,7 @@ class StochasticSolver {
   StochasticResult solve(const base::Matrix* start = nullptr);
   /// Fields of the delivered state: their coefficients. See column().
   const latin::FixedPoint& state() const { return fixedPoint_; }
-  /// Column of state() that holds a coefficient.
+  /// Column of state() that holds a coefficient; load step and polynomial from 0.
   int column(int step, int term) const { return step * projection_->terms() + term; }
   /// The delivered state [stress]: the rows of the layout for every polynomial below each other, x load steps.
   const base::Matrix& alpha() const { return alpha_; }

@@ -17,11 +17,12 @@ struct Effect {
     loads,       // prescribed tractions: new right-hand sides, all operators stay
     operators    // materials, meshes, parts: bodies are assembled and factored anew
   };
-  /// Where the entry stands.
+  /// Where the entry stands: in the law of an interface or boundary, in Histories, Parts, Materials or Steps,
+  /// elsewhere.
   enum class Target { law, history, part, material, step, other };
 
-  Kind kind = Kind::nothing;
-  Target target = Target::other;
+  Kind kind = Kind::nothing;      // what must be made anew
+  Target target = Target::other;  // what the entry belongs to
   std::string name;   // of the interface or boundary that has the law, of the history, part, material or step
   std::string entry;  // its path "List/Sublist/Name"
 
@@ -34,11 +35,11 @@ struct Effect {
 /// The kind in words, as files have it.
 const char* effectName(Effect::Kind kind);
 
-/// The effect of an entry outside of Values, by its path "List/Sublist/Name".
+/// The effect of an entry outside of Values, by its path "List/Sublist/Name", which is not checked.
 Effect effectOf(const std::string& entry, const scene::Scene& scene);
 
 /// The effects of an entry of `tree`, of which `scene` is made: its own, or for an entry of Values those of all entries
-/// that name it by "$name".
+/// that name it by "$name"; then none when nothing does.
 std::vector<Effect> effectsOf(const std::string& entry, const input::InputTree& tree, const scene::Scene& scene);
 
 }  // namespace harmos::study

@@ -7,13 +7,15 @@ namespace harmos::study {
 
 /// What a study does with a configuration that has no solution as accurate as asked for.
 struct FailurePolicy {
+  /// Solve it again, cold and by itself; record it only; end the study; put given values in place of its responses;
+  /// walk to it from the nearest solved configuration.
   enum class Kind { retry, record, abort, recover, continuation };
 
-  Kind kind = Kind::retry;
-  int attempts = 1;  // of retry
-  int steps = 8;     // of continuation, the most
+  Kind kind = Kind::retry;  // what is done
+  int attempts = 1;         // of retry, the most
+  int steps = 8;            // of continuation, the most; they begin at 2 and are doubled
 
-  /// Of the input of a study.
+  /// Of the input of a study, from its list Failure Policy; retry when there is none. Keeps nothing of it.
   explicit FailurePolicy(const input::Parameters& study);
 };
 

@@ -13,28 +13,30 @@
 #include <harmos/study/StochasticPlan.hpp>
 #include <harmos/study/StudyParameters.hpp>
 
+/// Studies: many configurations of one scene, their random parameters, teams of ranks, and what comes of them.
 namespace harmos::study {
 
 /// A checked study: its scene, parameters and all configurations (of an adaptive design the first
 /// ones); all that can be known before a mesh is read.
 struct Study {
-  std::string path;            // of the study's file
-  input::Parameters input;     // all defaults filled in
-  std::string pointsFile;      // of a listed design, else empty
-  input::InputTree sceneTree;  // the scene with the changes that hold for the whole study
-  scene::Scene scene;          // made of it, with the values that it has itself
-  std::vector<StudyParameter> parameters;
-  std::vector<design::Configuration> configurations;
-  std::vector<std::pair<std::string, int>> leftOut;  // by condition
-  std::vector<results::ScalarResponse> responses;
-  std::shared_ptr<design::Plan> plan;                // completes further points
-  std::shared_ptr<const StochasticPlan> stochastic;  // null when no parameter is random, or points are listed
+  std::string path;                                   // of the study's file
+  input::Parameters input;                            // all defaults filled in
+  std::string pointsFile;                             // of a listed design, else empty
+  input::InputTree sceneTree;                         // the scene with the changes that hold for the whole study
+  scene::Scene scene;                                 // made of it, with the values that it has itself
+  std::vector<StudyParameter> parameters;             // in the order of the list Parameters, derived ones as well
+  std::vector<design::Configuration> configurations;  // values in the order of `parameters`
+  std::vector<std::pair<std::string, int>> leftOut;   // how many, by name of condition
+  std::vector<results::ScalarResponse> responses;     // in the order of the list Responses
+  std::shared_ptr<design::Plan> plan;                 // completes further points
+  std::shared_ptr<const StochasticPlan> stochastic;   // null when no parameter is random, or points are listed
 
   /// Whether the design chooses points as results come.
   bool isAdaptive() const;
   /// Whether expansions are solved for, rather than configurations.
   bool isChaos() const { return stochastic && stochastic->method == StochasticPlan::Method::chaos; }
-  /// The scene for values of the parameters. Throws base::Error (input) when they are not admissible.
+  /// The scene for values of all parameters, in their order and units. Throws base::Error (input) when they are not
+  /// admissible.
   scene::Scene sceneFor(const std::vector<double>& values, const laws::LawRegistry& laws) const;
 };
 
@@ -43,7 +45,8 @@ bool isStudyFile(const std::string& path);
 
 /// Reads a study and its scene and checks both. Each of `overrides` is "List/Sublist/Name=value" for an entry of the
 /// study, or "Scene/List/Sublist/Name=value" for one of its scene. `pointsFile`, if not empty, replaces the design by
-/// the rows of a CSV file. Throws one base::Error (input) that lists all errors.
+/// the rows of a CSV file. Throws one base::Error (input) that lists all errors. Not collective: every rank reads
+/// the files. Keeps nothing of `laws`.
 Study readStudy(const std::string& path, const std::vector<std::string>& overrides, const std::string& pointsFile,
                 const laws::LawRegistry& laws);
 

@@ -19,7 +19,8 @@ namespace harmos::study {
 
 /// The configurations of a study that share mesh, bodies and factors.
 ///
-/// All calls are collective over the communicator.
+/// All calls are collective over the communicator. The factors are made by the first solve() and kept; solveAlone() and
+/// walk() make their own.
 class StudyGroup {
  public:
   /// Builds mesh and bodies for the first of `configurations` whose values are admissible. The study, the laws and the
@@ -30,14 +31,17 @@ class StudyGroup {
   StudyGroup(const StudyGroup&) = delete;  // the problem refers to the scene
   StudyGroup& operator=(const StudyGroup&) = delete;
 
+  /// Asked on every rank between iterations; true on any rank ends the call. To be set before the first solve(), which
+  /// keeps it.
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
   /// Solves those of the configurations, which share the operators, that `done` does not hold. What is solved serves
-  /// later calls.
+  /// later calls. Throws base::Error when an operator cannot be factored; what fails in one configuration is its
+  /// result.
   void solve(const std::vector<design::Configuration>& configurations,
              const std::vector<results::ConfigurationResult>& done, results::ResultSink& sink);
   /// Solves one configuration by itself, from a cold start.
   void solveAlone(const design::Configuration& configuration, results::ResultSink& sink);
-  /// Walks to a configuration from another one in `steps` equal steps; only its own result reaches the sink.
+  /// Walks to a configuration from another one in `steps` equal steps, >= 1; only its own result reaches the sink.
   void walk(const design::Configuration& from, const design::Configuration& to, int steps, results::ResultSink& sink);
 
  private:
@@ -55,7 +59,7 @@ class StudyGroup {
 };
 
 /// Splits configurations into those that share operators, in the order of their first; one group when no parameter
-/// changes any.
+/// changes any. Compares values of parameters exactly.
 std::vector<std::vector<design::Configuration>> groupByOperators(
     const std::vector<StudyParameter>& parameters, const std::vector<design::Configuration>& configurations);
 

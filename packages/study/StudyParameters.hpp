@@ -16,18 +16,18 @@ namespace harmos::study {
 
 /// A parameter of a study and what it does to the scene.
 struct StudyParameter {
-  std::string name;
-  std::string unit;
-  std::string formula;                          // of a derived parameter, else empty
-  std::string where;                            // it stands, for messages
-  std::vector<std::string> entries;             // of the scene that it sets, "List/Sublist/Name"
-  std::vector<Effect> effects;                  // where these entries are used
-  Effect::Kind effect = Effect::Kind::nothing;  // the strongest of them
-  bool isRandom = false;
+  std::string name;                                               // heads a column of the results
+  std::string unit;                                               // for tables and pictures; may be empty
+  std::string formula;                                            // of a derived parameter, else empty
+  std::string where;                                              // it stands, for messages
+  std::vector<std::string> entries;                               // of the scene that it sets, "List/Sublist/Name"
+  std::vector<Effect> effects;                                    // where these entries are used
+  Effect::Kind effect = Effect::Kind::nothing;                    // the strongest of them
+  bool isRandom = false;                                          // has a Distribution
   std::shared_ptr<const probability::Distribution> distribution;  // of a random parameter; null when it has errors
 };
 
-/// Reports a name that cannot head a column of the results or, of a parameter, stand in formulas.
+/// Reports to `errors` a name that cannot head a column of the results or stand in formulas.
 void checkStudyName(const input::Parameters& list, input::ErrorList& errors);
 
 /// Reads the parameters of a study one after the other and holds them against its scene.
@@ -44,7 +44,9 @@ class StudyParameterReader {
         isListed_(isListed),
         errors_(errors) {}
 
+  /// Adds the parameter that `list`, an entry of Parameters, describes. Its errors are reported.
   void read(const input::Parameters& list);
+  /// Those read so far, in their order, also those with errors.
   const std::vector<StudyParameter>& parameters() const { return parameters_; }
   /// The same parameters as a design sees them.
   const std::vector<design::PlannedParameter>& planned() const { return planned_; }

@@ -27,23 +27,24 @@ struct StudyRunRequest {
   std::function<void(const Study&, const results::StudyResults&, int damaged)> started;
   /// After every result that a rank keeps (rank 0: all); may be empty.
   std::function<void(const results::StudyResults&)> observer;
-  /// On rank 0: what happens before configurations are solved, one sentence at a time; may be empty.
+  /// On rank 0: what happens before configurations are solved, one sentence at a time; may be empty. Only the solver of
+  /// expansions says anything.
   std::function<void(const std::string&)> message;
   std::function<bool()> interrupted;  // asked between iterations; may be empty
 };
 
 /// A study and what became of it.
 struct StudyRunResult {
-  std::unique_ptr<const Study> study;
-  std::unique_ptr<const results::StudyDescription> description;
+  std::unique_ptr<const Study> study;                            // as it was read
+  std::unique_ptr<const results::StudyDescription> description;  // `results` refers to it
   std::unique_ptr<results::StudyResults> results;  // on rank 0 all of them, elsewhere those of the own team
-  files::StudyFiles files;
-  std::string state;  // complete, interrupted, aborted
-  int exitCode = 0;   // 0: all solved; 3, 4, 130 as for a scene; 1: aborted
+  files::StudyFiles files;                         // where the files are
+  std::string state;                               // complete, interrupted, aborted
+  int exitCode = 0;                                // 0: all solved; 3, 4, 130 as for a scene; 1: aborted
 };
 
 /// Solves all configurations of a study that are not solved yet and writes its files: what `harmos study` does, without
-/// printing. Collective.
+/// printing. Collective over `comm`. `laws` and the request are not kept.
 ///
 /// Input, mesh and the files of an earlier run are checked first; if they are wrong, base::Error (input) leaves all
 /// files as they were. An error inside one configuration is recorded with it, and the study goes on as its failure

@@ -4,7 +4,7 @@
 
 namespace harmos::study {
 
-/// The whole input of a parametric study.
+/// The whole input of a parametric study; that of its scene is scene::sceneSpec().
 input::ParameterSpec studySpec();
 
 }  // namespace harmos::study

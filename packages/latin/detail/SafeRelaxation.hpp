@@ -6,6 +6,7 @@ namespace harmos::latin {
 /// state when T does not expand.
 inline constexpr double safeRelaxation = 0.5;
 
+/// A number of the state moved so far towards that of its image, in their unit.
 inline double relaxSafely(double state, double image) {
   return (1.0 - safeRelaxation) * state + safeRelaxation * image;
 }
