@@ -1,11 +1,13 @@
 #include <harmos/latin/FixedPoint.hpp>
 
+#include <cassert>
 #include <numeric>
 
 namespace harmos::latin {
 
 FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& options,
-                       const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers)
+                       const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers,
+                       const MakeLocalStage& makeLocalStage)
     : assembly_(assembly),
       formulation_(options.formulation),
       searchDirectionScale_(options.searchDirectionScale),
@@ -14,13 +16,18 @@ FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& o
       layout_(assembly, searchDirection_, comm),
       metric_(layout_),
       linear_(assembly, searchDirection_, layout_, options.formulation, options.macroProblem, options.solver, timers),
-      local_(assembly, searchDirection_, layout_, options.formulation) {
+      local_([&]() -> std::unique_ptr<LocalStage> {
+        if (makeLocalStage) return makeLocalStage(searchDirection_, layout_);
+        auto stage = std::make_unique<PointwiseLocalStage>(assembly, searchDirection_, layout_, options.formulation);
+        pointwise_ = stage.get();
+        return stage;
+      }()) {
   selectAll();
 }
 
 void FixedPoint::select(const std::vector<int>& steps) {
   linear_.select(steps);
-  local_.select(steps);
+  local_->select(steps);
   beta_.shape(layout_.rows(), static_cast<int>(steps.size()));
   hattedTraction_.shape(layout_.rows(), static_cast<int>(steps.size()));
   hasHattedTrace_ = false;
@@ -36,14 +43,15 @@ void FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image) {
   linear_.solve(alpha, beta_);
   hasHattedTrace_ = false;
   const auto running = timers_.start("local");
-  if (replacement_) {
-    replacement_(beta_, hattedTraction_);
-  } else {
-    local_.solve(beta_, hattedTraction_);
-  }
+  local_->solve(beta_, hattedTraction_);
   for (int t = 0; t < alpha.numCols(); ++t) {
     for (int row = 0; row < alpha.numRows(); ++row) image[t][row] = 2.0 * hattedTraction_[t][row] - beta_[t][row];
   }
+}
+
+PointwiseLocalStage& FixedPoint::pointwiseStage() {
+  assert(pointwise_ != nullptr && "the local stage is another one");
+  return *pointwise_;
 }
 
 const base::Matrix& FixedPoint::hattedTrace() const {

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include <harmos/latin/LinearStage.hpp>
-#include <harmos/latin/LocalStage.hpp>
+#include <harmos/latin/PointwiseLocalStage.hpp>
 #include <harmos/latin/StateMetric.hpp>
 
 namespace harmos::latin {
@@ -19,27 +20,27 @@ struct StageOptions {
 /// The LATIN iteration as a map: alpha -> T(alpha), one linear stage (with macro problem) and one local stage.
 class FixedPoint {
  public:
-  /// Collective. Factors all operators. `assembly` and `timers` must outlive this object.
+  /// Makes the local stage; the arguments outlive it.
+  using MakeLocalStage =
+      std::function<std::unique_ptr<LocalStage>(const assembly::SearchDirection&, const TraceLayout&)>;
+
+  /// Collective. Factors all operators. `assembly` and `timers` must outlive this object. The local stage is
+  /// PointwiseLocalStage, or what is made instead of it.
   FixedPoint(const assembly::Assembly& assembly, const StageOptions& options,
-             const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
+             const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers,
+             const MakeLocalStage& makeLocalStage = {});
 
   /// Restricts the iteration to some load steps, in ascending order: the columns of a state are then these steps. All
   /// load steps after construction. Responses and pairFields() need all.
   void select(const std::vector<int>& steps);
   void selectAll();
   /// From now on the first column follows on the last one of the last apply(), or again on the unloaded state.
-  void startFromHere() { local_.startFromHere(); }
-  void startUnloaded() { local_.startUnloaded(); }
+  void startFromHere() { local_->startFromHere(); }
+  void startUnloaded() { local_->startUnloaded(); }
 
   /// To be called when laws of the assembly have been replaced by others of the same kind: the operators do not depend
   /// on them, but loads do.
   void updateLaws() { linear_.updateLoads(); }
-
-  /// Puts another map from beta to f^ [stress] in the place of the local stage. Columns, histories and statuses are
-  /// then its own affair.
-  void replaceLocalStage(std::function<void(const base::Matrix& beta, base::Matrix& traction)> stage) {
-    replacement_ = std::move(stage);
-  }
 
   /// Collective. image = T(alpha) [stress]; the fields of the iteration are kept.
   void apply(const base::Matrix& alpha, base::Matrix& image);
@@ -63,8 +64,9 @@ class FixedPoint {
   const TraceLayout& layout() const { return layout_; }
   const StateMetric& metric() const { return metric_; }
   const LinearStage& linearStage() const { return linear_; }
-  const LocalStage& localStage() const { return local_; }
-  LocalStage& localStage() { return local_; }
+  const LocalStage& localStage() const { return *local_; }
+  /// Only where no other local stage was made.
+  PointwiseLocalStage& pointwiseStage();
   Formulation formulation() const { return formulation_; }
   /// Factor on the automatic search direction.
   double searchDirectionScale() const { return searchDirectionScale_; }
@@ -78,8 +80,8 @@ class FixedPoint {
   TraceLayout layout_;
   StateMetric metric_;
   LinearStage linear_;
-  LocalStage local_;
-  std::function<void(const base::Matrix&, base::Matrix&)> replacement_;  // of local_; empty: none
+  PointwiseLocalStage* pointwise_ = nullptr;  // local_, or null when that is another one
+  std::unique_ptr<LocalStage> local_;
   base::Matrix beta_;
   base::Matrix hattedTraction_;
   mutable base::Matrix hattedTrace_;  // computed when asked for

@@ -5,7 +5,7 @@
 #include <harmos/base/Matrix.hpp>
 #include <harmos/base/Timers.hpp>
 #include <harmos/latin/BodyOperators.hpp>
-#include <harmos/latin/LocalStage.hpp>
+#include <harmos/latin/Formulation.hpp>
 #include <harmos/latin/MacroProblem.hpp>
 
 namespace harmos::latin {

@@ -49,7 +49,8 @@ void fillSide(const FixedPoint& state, int interfaceIndex, int side, std::vector
       if (side != 0) continue;
       const base::Vector3 localTraction = base::toFrame(interface.frame[p], f);
       std::copy(localTraction.begin(), localTraction.end(), value);
-      value[6] = static_cast<double>(states[static_cast<std::size_t>(t) * pairs + p].status);
+      const laws::LocalState none;
+      value[6] = static_cast<double>((states.empty() ? none : states[static_cast<std::size_t>(t) * pairs + p]).status);
     }
   }
 }

@@ -103,8 +103,8 @@ Indicators ConfigurationIteration::applyAll() {
 }
 
 void ConfigurationIteration::applyLaws() {
-  fixedPoint_.localStage().begin();
-  fixedPoint_.localStage().solveColumn(0, columnBeta_, columnTraction_);
+  fixedPoint_.pointwiseStage().begin();
+  fixedPoint_.pointwiseStage().solveColumn(0, columnBeta_, columnTraction_);
   for (int row = 0; row < column_.numRows(); ++row) {
     columnImage_[0][row] = 2.0 * columnTraction_[0][row] - columnBeta_[0][row];
   }
@@ -223,7 +223,7 @@ Indicators ConfigurationIteration::march(const Indicators& target) {
       if (mustStop_ && mustStop_()) break;
       fixedPoint_.select({t});
       settle(t, target);
-      fixedPoint_.localStage().accept();
+      fixedPoint_.pointwiseStage().accept();
       fixedPoint_.startFromHere();
     }
   }

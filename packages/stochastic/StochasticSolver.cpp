@@ -24,21 +24,23 @@ StochasticSolver::StochasticSolver(const assembly::Assembly& assembly, std::shar
       projection_(std::move(projection)),
       options_(options),
       modal_(modalAssembly(assembly, projection_)),
-      fixedPoint_(modal_, options.stages, std::move(comm), timers),
+      fixedPoint_(modal_, options.stages, std::move(comm), timers,
+                  [this](const assembly::SearchDirection& searchDirection, const latin::TraceLayout& layout) {
+                    auto stage = std::make_unique<ChaosLocalStage>(modal_, searchDirection, layout, projection_);
+                    local_ = stage.get();
+                    return stage;
+                  }),
       metric_(fixedPoint_.layout(), projection_->terms()),
-      local_(modal_, fixedPoint_.searchDirection(), fixedPoint_.layout(), projection_),
       alpha_(fixedPoint_.layout().rows() * projection_->terms(), assembly.steps()) {
   if (options.stages.formulation != latin::Formulation::displacement) {
     throw base::Error("random interfaces need the displacement form", base::ExitCode::input);
   }
-  local_.setLaws(constantLaws(assembly, *projection_), options_.method);
-  fixedPoint_.replaceLocalStage(
-      [this](const base::Matrix& beta, base::Matrix& traction) { local_.solve(beta, traction); });
+  local_->setLaws(constantLaws(assembly, *projection_), options_.method);
 }
 
 void StochasticSolver::setLaws(const Realisations& laws) {
   stochastic::setLaws(modal_, laws, projection_);
-  local_.setLaws(laws, options_.method);
+  local_->setLaws(laws, options_.method);
   fixedPoint_.updateLaws();
 }
 
@@ -57,7 +59,6 @@ void StochasticSolver::select(int first, int count) {
   std::vector<int> columns(count * projection_->terms());
   std::iota(columns.begin(), columns.end(), column(first, 0));
   fixedPoint_.select(columns);
-  local_.select(first, count);
 }
 
 StochasticSolver::End StochasticSolver::iterate(latin::AndersonAcceleration& acceleration, int first, int count,
@@ -96,21 +97,21 @@ StochasticSolver::End StochasticSolver::iterate(latin::AndersonAcceleration& acc
 
 StochasticSolver::End StochasticSolver::run(double tolerance, bool isFresh) {
   const int steps = assembly_.steps();
-  const int count = local_.hasMemory() ? 1 : steps;
-  local_.startUnloaded();
+  const int count = local_->hasMemory() ? 1 : steps;
+  local_->startUnloaded();
   End end = End::reached;
   for (int first = 0; first < steps && (end == End::reached || end == End::stalled); first += count) {
     if (isFresh && count == 1) latin::extrapolate(alpha_, first, assembly_.times, alpha_[first]);
     select(first, count);
     const End here = iterate(accelerations_[first / count], first, count, tolerance);
     if (here != End::reached) end = here;
-    local_.startFromHere();
+    local_->startFromHere();
     if (count == 1) {
       for (const auto& observer : observers_) observer({iterations(), iterations(), 0.0, 0.0, first});
     }
   }
   select(0, steps);
-  local_.startUnloaded();
+  local_->startUnloaded();
   const int rows = fixedPoint_.layout().rows();
   const base::Matrix modalState(Teuchos::View, alpha_.values(), rows, rows, modal_.steps());
   base::Matrix image(rows, modal_.steps());
@@ -126,7 +127,7 @@ StochasticResult StochasticSolver::solve(const base::Matrix* start) {
   }
   columnsBefore_ = fixedPoint_.linearStage().columns();
   largestForce_ = 0.0;
-  const auto blocks = static_cast<std::size_t>(local_.hasMemory() ? assembly_.steps() : 1);
+  const auto blocks = static_cast<std::size_t>(local_->hasMemory() ? assembly_.steps() : 1);
   accelerations_ = std::vector(blocks, latin::AndersonAcceleration(metric_, options_.memory, modal_.isAffine()));
 
   StochasticResult result;

@@ -71,9 +71,9 @@ class StochasticSolver {
   std::shared_ptr<const Projection> projection_;
   StochasticOptions options_;
   assembly::Assembly modal_;
+  ChaosLocalStage* local_ = nullptr;  // of fixedPoint_
   latin::FixedPoint fixedPoint_;
   latin::StateMetric metric_;  // of states with all polynomials
-  ChaosLocalStage local_;
   std::vector<std::shared_ptr<const latin::Response>> responses_;
   std::vector<std::function<void(const latin::IterationReport&)>> observers_;
   std::function<bool()> interrupted_;

@@ -59,9 +59,9 @@ class Dragged : public testing::Test {
       std::copy_n(start.state()[0], alpha.numRows(), alpha[t]);
       base::Matrix traction(alpha.numRows(), 1);
       start.settle(t, start.state(), start.beta());
-      fixedPoint_.localStage().begin();
-      fixedPoint_.localStage().solveColumn(0, start.beta(), traction);
-      fixedPoint_.localStage().accept();
+      fixedPoint_.pointwiseStage().begin();
+      fixedPoint_.pointwiseStage().solveColumn(0, start.beta(), traction);
+      fixedPoint_.pointwiseStage().accept();
       fixedPoint_.startFromHere();
     }
     fixedPoint_.startUnloaded();
