@@ -3,9 +3,8 @@
 #include <functional>
 #include <memory>
 
-#include <harmos/latin/LinearStage.hpp>
+#include <harmos/latin/Iterate.hpp>
 #include <harmos/latin/PointwiseLocalStage.hpp>
-#include <harmos/latin/StateMetric.hpp>
 
 namespace harmos::latin {
 
@@ -29,6 +28,8 @@ class FixedPoint {
   FixedPoint(const assembly::Assembly& assembly, const StageOptions& options,
              const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers,
              const MakeLocalStage& makeLocalStage = {});
+  FixedPoint(const FixedPoint&) = delete;
+  FixedPoint& operator=(const FixedPoint&) = delete;
 
   /// Restricts the iteration to some load steps, in ascending order: the columns of a state are then these steps. All
   /// load steps after construction. Responses and pairFields() need all.
@@ -42,29 +43,15 @@ class FixedPoint {
   /// on them, but loads do.
   void updateLaws() { linear_.updateLoads(); }
 
-  /// Collective. image = T(alpha) [stress]; the fields of the iteration are kept.
-  void apply(const base::Matrix& alpha, base::Matrix& image);
-
-  // Fields of the last apply(); rows as in TraceLayout, one column per load step.
-  /// beta = f - k w [stress] of the linear stage (velocity form: f - k dw).
-  const base::Matrix& beta() const { return beta_; }
-  /// w [length] of the linear stage.
-  const base::Matrix& trace() const { return linear_.trace(); }
-  /// f [stress] of the linear stage, in equilibrium with the bodies.
-  const base::Matrix& traction() const { return linear_.traction(); }
-  /// w^ [length] of the local stage.
-  const base::Matrix& hattedTrace() const;
-  /// f^ [stress] of the local stage, which obeys the interface laws.
-  const base::Matrix& hattedTraction() const { return hattedTraction_; }
-  /// u [length] of a node of an owned body, linear stage.
-  base::Vector3 displacement(int body, int node, int column) const { return linear_.displacement(body, node, column); }
+  /// Collective. image = T(alpha) [stress]. The fields of both stages are valid until the next apply(), select() or
+  /// selectAll().
+  const Iterate& apply(const base::Matrix& alpha, base::Matrix& image);
 
   const assembly::Assembly& assembly() const { return assembly_; }
   const assembly::SearchDirection& searchDirection() const { return searchDirection_; }
   const TraceLayout& layout() const { return layout_; }
   const StateMetric& metric() const { return metric_; }
   const LinearStage& linearStage() const { return linear_; }
-  const LocalStage& localStage() const { return *local_; }
   /// Only where no other local stage was made.
   PointwiseLocalStage& pointwiseStage();
   Formulation formulation() const { return formulation_; }
@@ -82,10 +69,8 @@ class FixedPoint {
   LinearStage linear_;
   PointwiseLocalStage* pointwise_ = nullptr;  // local_, or null when that is another one
   std::unique_ptr<LocalStage> local_;
-  base::Matrix beta_;
-  base::Matrix hattedTraction_;
-  mutable base::Matrix hattedTrace_;  // computed when asked for
-  mutable bool hasHattedTrace_ = false;
+  Iterate::Fields fields_;
+  std::vector<Iterate> iterates_;  // in turns, so that an old one is known to be no longer valid
 };
 
 }  // namespace harmos::latin

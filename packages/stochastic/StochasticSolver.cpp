@@ -75,10 +75,10 @@ StochasticSolver::End StochasticSolver::iterate(latin::AndersonAcceleration& acc
   End end = End::stalled;
   // A load step that is not done by then is left as it is; a tighter run comes back to it.
   for (int iteration = 0; iteration < latin::March::maximumIterations; ++iteration) {
-    fixedPoint_.apply(modalState, modalImage);
+    const latin::Iterate& iterate = fixedPoint_.apply(modalState, modalImage);
     residual.assign(image);
     residual -= state;
-    const double force = std::max(largestForce_, fixedPoint_.metric().norm(fixedPoint_.hattedTraction()));
+    const double force = std::max(largestForce_, fixedPoint_.metric().norm(iterate.hattedTraction()));
     if (metric_.norm(residual) <= std::max(tolerance * force, noise * metric_.norm(image))) {
       largestForce_ = force;
       end = End::reached;
@@ -115,8 +115,8 @@ StochasticSolver::End StochasticSolver::run(double tolerance, bool isFresh) {
   const int rows = fixedPoint_.layout().rows();
   const base::Matrix modalState(Teuchos::View, alpha_.values(), rows, rows, modal_.steps());
   base::Matrix image(rows, modal_.steps());
-  fixedPoint_.apply(modalState, image);
-  snapshot_ = std::make_unique<ChaosSnapshot>(fixedPoint_, sampler(), responses_, projection_->terms());
+  state_ = &fixedPoint_.apply(modalState, image);
+  snapshot_ = std::make_unique<ChaosSnapshot>(*state_, sampler(), responses_, projection_->terms());
   return end;
 }
 
@@ -146,7 +146,7 @@ StochasticResult StochasticSolver::solve(const base::Matrix* start) {
     if (end != End::reached) break;
     estimates = snapshot_->distance(*before);
     if (*std::max_element(estimates.begin(), estimates.end()) <= options_.accuracy &&
-        latin::fieldGap(fixedPoint_) <= latin::allowedGap * options_.accuracy) {
+        latin::fieldGap(*state_) <= latin::allowedGap * options_.accuracy) {
       result.outcome = latin::Outcome::certified;
       result.reason = "the error estimate is below the accuracy asked for";
       break;
@@ -176,7 +176,7 @@ void StochasticSolver::deliver(StochasticResult& result, const std::vector<doubl
     result.reason = "the residual no longer falls; the estimate stays above the accuracy asked for";
     return;
   }
-  latin::Imbalance imbalance = latin::largestImbalance(fixedPoint_);
+  latin::Imbalance imbalance = latin::largestImbalance(*state_);
   imbalance.step /= projection_->terms();
   result.reason = "limit of " + std::to_string(options_.maximumIterations) + " iterations; worst coefficient: " +
                   (imbalance.body < 0 ? "none" : latin::describe(imbalance, assembly_));
