@@ -60,10 +60,9 @@ class LinearStage {
   base::Timers& timers_;
   BodyOperators operators_;
   std::unique_ptr<MacroProblem> macro_;
-  base::Matrix corrected_;
   base::Matrix forces_;
   base::Matrix trace_;
-  base::Matrix traction_;
+  base::Matrix traction_;  // during a solve alpha with the correction of the macro problem
   long columnsSolved_ = 0;
 };
 

@@ -37,7 +37,6 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
   acceleration.resume();
   EquilibriumWatch watch(accuracy_);
   base::Matrix image(state.numRows(), 1);
-  base::Matrix residual(state.numRows(), 1);
   int iteration = 0, sinceLanding = 0, landings = 0;
   bool isListening = false;
   End end = End::reached;
@@ -46,9 +45,7 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
     iterate = &fixedPoint_.apply(state, image);
     ++iteration;
     ++sinceLanding;
-    residual.assign(image);
-    residual -= state;
-    const double size = metric.norm(residual);
+    const double size = metric.distance(image, state);
     const double force = std::max(largestForce_, metric.norm(iterate->hattedTraction()));
     if (size <= std::max(tolerance * force, noise * metric.norm(image))) {
       largestForce_ = force;
@@ -86,7 +83,7 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
 
 March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
   const int rows = alpha.numRows();
-  base::Matrix state(rows, 1);
+  base::Matrix state(rows, 1);  // no view of alpha: copies of a view share its values
   End end = End::reached;
   // All load steps are selected again at the end, also when a law throws.
   const struct Restore {

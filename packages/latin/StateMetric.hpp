@@ -20,6 +20,8 @@ class StateMetric {
   /// Sum over rows and columns of (area/k) a b. Collective.
   double dot(const base::Matrix& a, const base::Matrix& b) const;
   double norm(const base::Matrix& a) const;
+  /// |a - b|. Collective.
+  double distance(const base::Matrix& a, const base::Matrix& b) const;
   void sum(std::vector<double>& values) const;
 
  private:

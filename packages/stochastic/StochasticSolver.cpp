@@ -66,7 +66,6 @@ StochasticSolver::End StochasticSolver::iterate(latin::AndersonAcceleration& acc
   const int rows = fixedPoint_.layout().rows();
   const int columns = count * projection_->terms();
   base::Matrix image(alpha_.numRows(), count);
-  base::Matrix residual(alpha_.numRows(), count);
   // The same numbers, once with a column per load step and once with a column per coefficient.
   base::Matrix state(Teuchos::View, alpha_[first], alpha_.stride(), alpha_.numRows(), count);
   const base::Matrix modalState(Teuchos::View, alpha_[first], rows, rows, columns);
@@ -76,10 +75,8 @@ StochasticSolver::End StochasticSolver::iterate(latin::AndersonAcceleration& acc
   // A load step that is not done by then is left as it is; a tighter run comes back to it.
   for (int iteration = 0; iteration < latin::March::maximumIterations; ++iteration) {
     const latin::Iterate& iterate = fixedPoint_.apply(modalState, modalImage);
-    residual.assign(image);
-    residual -= state;
     const double force = std::max(largestForce_, fixedPoint_.metric().norm(iterate.hattedTraction()));
-    if (metric_.norm(residual) <= std::max(tolerance * force, noise * metric_.norm(image))) {
+    if (metric_.distance(image, state) <= std::max(tolerance * force, noise * metric_.norm(image))) {
       largestForce_ = force;
       end = End::reached;
       break;
