@@ -133,7 +133,7 @@ void AndersonAcceleration::append(const base::Matrix& image) {
     // What lies between an iterate that was given up and the next one is no direction of progress.
     for (int row = 0; row < rows; ++row) {
       difference[row] = step.isGivenUp ? 0.0 : residual_[i][row] - lastResidual_[i][row];
-      imageDifference[row] = step.isGivenUp ? 0.0 : image[i][row] - lastImage_[i][row];
+      imageDifference[row] = step.isGivenUp ? 0.0 : image[i][row] - step.goodImage[row];
     }
     blas.GEMV(Teuchos::TRANS, rows, stored_, 1.0, step.residuals.values(), step.residuals.stride(), difference, 1, 0.0,
               products.data() + t * static_cast<std::size_t>(stored_), 1);
@@ -181,7 +181,8 @@ double AndersonAcceleration::extrapolate(const Step& step, const Sizes& size, co
   return remaining;
 }
 
-void AndersonAcceleration::move(Step& step, bool isDrifting, const double* extrapolation, double* alpha) const {
+void AndersonAcceleration::move(Step& step, bool isDrifting, const double* image, const double* extrapolation,
+                                double* alpha) const {
   const int rows = residual_.numRows();
   if (step.isGivenUp) {
     for (int row = 0; row < rows; ++row) {
@@ -194,7 +195,9 @@ void AndersonAcceleration::move(Step& step, bool isDrifting, const double* extra
   for (int row = 0; row < rows; ++row) {
     // Not the scaled residual: a rank without rows has one that weighs nothing.
     const auto i = static_cast<std::size_t>(row);
-    alpha[row] += isDrifting ? (step.stretch - 1.0) * (step.goodImage[i] - step.goodAlpha[i]) : -extrapolation[row];
+    const double further =
+        isDrifting ? (step.stretch - 1.0) * (step.goodImage[i] - step.goodAlpha[i]) : -extrapolation[row];
+    alpha[row] = image[row] + further;
   }
 }
 
@@ -206,7 +209,6 @@ void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& imag
   const std::vector<Sizes> sizes = measure(image);
   if (started_) append(image);
   judge(alpha, image, sizes);
-  alpha.assign(image);
   const auto stored = static_cast<std::size_t>(stored_);
   std::vector<double> products(steps_.size() * stored);
   for (std::size_t t = 0; stored > 0 && t < steps_.size(); ++t) {
@@ -232,10 +234,9 @@ void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& imag
     if (isDrifting) forget(steps_[t]);
     steps_[t].predicted = isDrifting ? residual : remaining[t];
     const int i = static_cast<int>(t);
-    move(steps_[t], isDrifting, extrapolation[i], alpha[i]);
+    move(steps_[t], isDrifting, image[i], extrapolation[i], alpha[i]);
   }
   std::swap(lastResidual_, residual_);
-  lastImage_ = image;
   started_ = true;
 }
 

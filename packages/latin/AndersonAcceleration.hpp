@@ -67,7 +67,7 @@ class AndersonAcceleration {
   void judge(const base::Matrix& alpha, const base::Matrix& image, const std::vector<Sizes>& sizes);
   /// Writes dG gamma, returns |f - dF gamma|^2.
   double extrapolate(const Step& step, const Sizes& size, const double* products, double* extrapolation) const;
-  void move(Step& step, bool isDrifting, const double* extrapolation, double* alpha) const;
+  void move(Step& step, bool isDrifting, const double* image, const double* extrapolation, double* alpha) const;
 
   const StateMetric& metric_;
   int memory_;
@@ -77,7 +77,6 @@ class AndersonAcceleration {
   std::vector<Step> steps_;
   base::Matrix residual_;  // scaled
   base::Matrix lastResidual_;
-  base::Matrix lastImage_;
   bool started_ = false;
 };
 

@@ -28,9 +28,9 @@ constexpr double farAway = 0.3;
 constexpr double thrownSize = 1e4;
 
 /// An iterate has thrown a body so far away that forces are lost beside k w and everything is small beside its way. The
-/// image of nothing tells ways that are prescribed. Leaves `image` and the fields of the iteration as they were.
-bool isThrown(FixedPoint& fixedPoint, const base::Matrix& alpha, base::Matrix& image) {
-  if (!NaturalSizes(fixedPoint).isBeyondReach()) return false;
+/// image of nothing tells ways that are prescribed. `iterate` and `image` are those of alpha; leaves `image` as it was.
+bool isThrown(FixedPoint& fixedPoint, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image) {
+  if (!NaturalSizes(iterate).isBeyondReach()) return false;
   const base::Matrix nothing(alpha.numRows(), alpha.numCols());
   fixedPoint.apply(nothing, image);
   const double size = fixedPoint.metric().norm(image);
@@ -44,7 +44,7 @@ double largest(const std::vector<double>& values) {
 
 }  // namespace
 
-double fieldGap(const FixedPoint& state) {
+double fieldGap(const Iterate& state) {
   const std::vector<double>& area = state.layout().area();
   std::vector<double> sums(4, 0.0);
   for (int t = 0; t < state.assembly().steps(); ++t) {
@@ -67,25 +67,28 @@ double fieldGap(const FixedPoint& state) {
   return std::max(force, displacement);
 }
 
-Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::Matrix& image, int stageLimit) {
+Certificate::Result Certificate::attempt(const Iterate& first, const base::Matrix& alpha, const base::Matrix& image,
+                                         int stageLimit) {
   Result result;
   result.state = alpha;
   base::Matrix state(alpha);
   base::Matrix next(image);
-  auto before = std::make_unique<Snapshot>(fixedPoint_, responses_);
+  const Iterate* iterate = &first;
+  auto before = std::make_unique<Snapshot>(*iterate, responses_);
   double previous = 0.0;
   for (int correction = 0; correction < maximumCorrections; ++correction) {
-    const double gap = fieldGap(fixedPoint_);
+    const double gap = fieldGap(*iterate);
     const int vectors =
         std::min(maximumVectors, stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2);
     if (vectors < leastVectors) return result;
     const bool isClose = correction > 0 && previous <= settledShare * accuracy_;
-    const NewtonCorrection::Result step = newton_.solve(state, next, isClose ? closeTarget : krylovTarget, vectors);
+    const NewtonCorrection::Result step =
+        newton_.solve(*iterate, state, next, isClose ? closeTarget : krylovTarget, vectors);
     if (step.reduction > krylovLimit) return result;
     base::Matrix corrected(state);
     corrected += step.step;
-    fixedPoint_.apply(corrected, next);
-    auto after = std::make_unique<Snapshot>(fixedPoint_, responses_);
+    iterate = &fixedPoint_.apply(corrected, next);
+    auto after = std::make_unique<Snapshot>(*iterate, responses_);
     std::vector<double> errors = after->distance(*before);
     const double error = largest(errors);
     if (correction > 0) {
@@ -96,7 +99,7 @@ Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::
       result.estimates = errors;
       result.state = state;
       if (step.hidden <= hiddenLimit && previous <= farAway && largest(errors) <= accuracy_ &&
-          gap <= allowedGap * accuracy_ && !isThrown(fixedPoint_, corrected, next)) {
+          gap <= allowedGap * accuracy_ && !isThrown(fixedPoint_, *iterate, corrected, next)) {
         result.claimed = true;
         return result;
       }
@@ -107,11 +110,11 @@ Certificate::Result Certificate::attempt(const base::Matrix& alpha, const base::
       for (int t = 0; t < state.numCols(); ++t) {
         for (int row = 0; row < state.numRows(); ++row) state[t][row] = relaxSafely(state[t][row], next[t][row]);
       }
-      fixedPoint_.apply(state, next);
+      iterate = &fixedPoint_.apply(state, next);
     }
     result.state = state;
     result.conclusive = false;
-    before = std::make_unique<Snapshot>(fixedPoint_, responses_);
+    before = std::make_unique<Snapshot>(*iterate, responses_);
   }
   return result;
 }

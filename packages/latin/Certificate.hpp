@@ -35,9 +35,9 @@ class Certificate {
   Certificate(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses, double accuracy)
       : fixedPoint_(fixedPoint), responses_(responses), accuracy_(accuracy), newton_(fixedPoint) {}
 
-  /// Collective. `image` = T(alpha), and the fields of fixedPoint are those of alpha. Leaves at most at `stageLimit`
-  /// linear stages in all, counted as LinearStage::stages(). Throws base::Error as Snapshot.
-  Result attempt(const base::Matrix& alpha, const base::Matrix& image, int stageLimit);
+  /// Collective. `image` = T(alpha), and `iterate` is that of alpha, at the beginning. Leaves at most at `stageLimit`
+  /// linear stages in all.
+  Result attempt(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int stageLimit);
 
  private:
   FixedPoint& fixedPoint_;
@@ -49,7 +49,7 @@ class Certificate {
 /// The gap that a claim allows, over the accuracy.
 inline constexpr double allowedGap = 10.0;
 
-/// The gap of the last FixedPoint::apply(), see Certificate. Collective.
-double fieldGap(const FixedPoint& state);
+/// The gap between the fields of both stages, see Certificate. Collective.
+double fieldGap(const Iterate& state);
 
 }  // namespace harmos::latin

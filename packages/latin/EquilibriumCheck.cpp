@@ -56,7 +56,7 @@ struct StepSums {
 
 }  // namespace
 
-Imbalance largestImbalance(const FixedPoint& state) {
+Imbalance largestImbalance(const Iterate& state) {
   const assembly::Assembly& assembly = state.assembly();
   const auto steps = static_cast<std::size_t>(state.traction().numCols());
   const auto dimension = static_cast<std::size_t>(state.layout().dimension());

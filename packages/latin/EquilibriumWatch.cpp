@@ -30,13 +30,15 @@ bool EquilibriumWatch::persists() const {
   });
 }
 
-EquilibriumWatch::Finding EquilibriumWatch::look(FixedPoint& fixedPoint, base::Matrix& alpha, base::Matrix& image) {
+EquilibriumWatch::Finding EquilibriumWatch::look(FixedPoint& fixedPoint, const Iterate*& iterate, base::Matrix& alpha,
+                                                 base::Matrix& image) {
   // With a k far too small the interfaces have not felt their forces yet.
   if (++iterations_ % iterationsPerFinding != 0 || fixedPoint.searchDirectionScale() < smallestScale)
     return Finding::nothing;
-  history_.push_back(largestImbalance(fixedPoint));
+  history_.push_back(largestImbalance(*iterate));
   if (!persists()) return Finding::nothing;
-  const FreeMotion motion = followImbalance(history_.back(), fixedPoint, alpha, image);
+  const FreeMotion motion = followImbalance(history_.back(), fixedPoint, *iterate, alpha, image);
+  iterate = motion.iterate;
   if (motion.isFree) return Finding::noEquilibrium;
   if (!motion.landing) return Finding::nothing;
   history_.clear();

@@ -19,10 +19,10 @@ class EquilibriumWatch {
   /// Nothing yet; the laws cannot carry the loads; something stops the body farther on.
   enum class Finding { nothing, noEquilibrium, landing };
 
-  /// Collective; to be asked after every iteration, with image = T(alpha). After `landing`, alpha has been moved to
-  /// where something stops the body.
-  Finding look(FixedPoint& fixedPoint, base::Matrix& alpha, base::Matrix& image);
-  /// The last one looked at; there is none before the ninth iteration, and after a landing.
+  /// Collective; to be asked after every iteration, with image = T(alpha) and its iterate, which may be replaced by
+  /// another one of the same alpha. After `landing`, alpha has been moved to where something stops the body.
+  Finding look(FixedPoint& fixedPoint, const Iterate*& iterate, base::Matrix& alpha, base::Matrix& image);
+  /// The last one looked at.
   const Imbalance& imbalance() const { return history_.back(); }
 
  private:

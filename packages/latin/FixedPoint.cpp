@@ -3,9 +3,15 @@
 #include <numeric>
 
 namespace harmos::latin {
+namespace {
+
+constexpr int iteratesKept = 7;
+
+}  // namespace
 
 FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& options,
-                       const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers)
+                       const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers,
+                       const MakeLocalStage& makeLocalStage)
     : assembly_(assembly),
       formulation_(options.formulation),
       searchDirectionScale_(options.searchDirectionScale),
@@ -14,16 +20,25 @@ FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& o
       layout_(assembly, searchDirection_, comm),
       metric_(layout_),
       linear_(assembly, searchDirection_, layout_, options.formulation, options.macroProblem, options.solver, timers),
-      local_(assembly, searchDirection_, layout_, options.formulation) {
+      local_([&]() -> std::unique_ptr<LocalStage> {
+        if (makeLocalStage) return makeLocalStage(searchDirection_, layout_);
+        auto stage = std::make_unique<PointwiseLocalStage>(assembly, searchDirection_, layout_, options.formulation);
+        pointwise_ = stage.get();
+        return stage;
+      }()),
+      fields_{
+          assembly_, searchDirection_, searchDirectionScale_, layout_, metric_, formulation_, linear_, *local_, {}, {},
+          {}},
+      iterates_(iteratesKept, Iterate(fields_, 0)) {
   selectAll();
 }
 
 void FixedPoint::select(const std::vector<int>& steps) {
   linear_.select(steps);
-  local_.select(steps);
-  beta_.shape(layout_.rows(), static_cast<int>(steps.size()));
-  hattedTraction_.shape(layout_.rows(), static_cast<int>(steps.size()));
-  hasHattedTrace_ = false;
+  local_->select(steps);
+  fields_.beta.shape(layout_.rows(), static_cast<int>(steps.size()));
+  fields_.hattedTraction.shape(layout_.rows(), static_cast<int>(steps.size()));
+  ++fields_.present;
 }
 
 void FixedPoint::selectAll() {
@@ -32,32 +47,25 @@ void FixedPoint::selectAll() {
   select(all);
 }
 
-void FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image) {
-  linear_.solve(alpha, beta_);
-  hasHattedTrace_ = false;
+const Iterate& FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image) {
+  ++fields_.present;
+  base::Matrix& beta = fields_.beta;
+  base::Matrix& traction = fields_.hattedTraction;
+  linear_.solve(alpha, beta);
+  fields_.hasHattedTrace = false;
   const auto running = timers_.start("local");
-  if (replacement_) {
-    replacement_(beta_, hattedTraction_);
-  } else {
-    local_.solve(beta_, hattedTraction_);
-  }
+  local_->solve(beta, traction);
   for (int t = 0; t < alpha.numCols(); ++t) {
-    for (int row = 0; row < alpha.numRows(); ++row) image[t][row] = 2.0 * hattedTraction_[t][row] - beta_[t][row];
+    for (int row = 0; row < alpha.numRows(); ++row) image[t][row] = 2.0 * traction[t][row] - beta[t][row];
   }
+  Iterate& iterate = iterates_[fields_.present % iteratesKept];
+  iterate = Iterate(fields_, fields_.present);
+  return iterate;
 }
 
-const base::Matrix& FixedPoint::hattedTrace() const {
-  if (hasHattedTrace_) return hattedTrace_;
-  const std::vector<double>& k = layout_.stiffness();
-  hattedTrace_.shapeUninitialized(beta_.numRows(), beta_.numCols());
-  for (int t = 0; t < beta_.numCols(); ++t) {
-    for (std::size_t row = 0; row < k.size(); ++row) {
-      hattedTrace_[t][row] = (hattedTraction_[t][row] - beta_[t][row]) / k[row];
-      if (formulation_ == Formulation::velocity && t > 0) hattedTrace_[t][row] += hattedTrace_[t - 1][row];
-    }
-  }
-  hasHattedTrace_ = true;
-  return hattedTrace_;
+PointwiseLocalStage& FixedPoint::pointwiseStage() {
+  assert(pointwise_ != nullptr && "the local stage is another one");
+  return *pointwise_;
 }
 
 }  // namespace harmos::latin

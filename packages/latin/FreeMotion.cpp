@@ -41,8 +41,8 @@ struct Motion {
 /// Moves bodies at one load step and asks the interfaces.
 class Push {
  public:
-  Push(FixedPoint& fixedPoint, const base::Matrix& alpha, base::Matrix& image, int step)
-      : fixedPoint_(fixedPoint), alpha_(alpha), image_(image), step_(step), unmoved_(fixedPoint.hattedTraction()) {}
+  Push(FixedPoint& fixedPoint, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image, int step)
+      : fixedPoint_(fixedPoint), alpha_(alpha), image_(image), step_(step), unmoved_(iterate.hattedTraction()) {}
 
   /// Sum over the rows of a body of h k |motion| [force].
   double stiffnessAlong(int body, const Motion& motion) const {
@@ -86,7 +86,7 @@ class Push {
 
   /// Change of the resultant on side 1 of every interface [force] when `bodies` make this motion.
   std::vector<base::Vector3> answers(const std::set<int>& bodies, const Motion& motion) {
-    fixedPoint_.apply(moved(bodies, motion), image_);
+    const Iterate& iterate = fixedPoint_.apply(moved(bodies, motion), image_);
     const std::size_t interfaces = fixedPoint_.assembly().interfaces.size();
     std::vector<double> sums(3 * interfaces, 0.0);
     visit([&](const TraceLayout::Block& block, int row, int) {
@@ -94,7 +94,7 @@ class Push {
       for (int c = 0; c < layout().dimension(); ++c) {
         sums[3 * static_cast<std::size_t>(block.interface) + static_cast<std::size_t>(c)] +=
             layout().area()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
-            (fixedPoint_.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]);
+            (iterate.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]);
       }
     });
     fixedPoint_.metric().sum(sums);
@@ -105,14 +105,14 @@ class Push {
 
   /// Against this motion of `bodies` after a share of it: minus the sum of h (f^ - f^ before) . motion [force length].
   double workAgainst(const std::set<int>& bodies, const Motion& motion, double share) {
-    fixedPoint_.apply(moved(bodies, motion.scaled(share)), image_);
+    const Iterate& iterate = fixedPoint_.apply(moved(bodies, motion.scaled(share)), image_);
     std::vector<double> sum(1, 0.0);
     visit([&](const TraceLayout::Block& block, int row, int pair) {
       if (bodies.count(block.body) == 0) return;
       const base::Vector3 way = motion.at(node(block, pair));
       for (int c = 0; c < layout().dimension(); ++c) {
         sum[0] -= layout().area()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
-                  (fixedPoint_.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]) * way[c];
+                  (iterate.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]) * way[c];
       }
     });
     fixedPoint_.metric().sum(sum);
@@ -180,8 +180,8 @@ std::optional<double> findLanding(Push& push, const std::set<int>& bodies, const
 
 }  // namespace
 
-FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, const base::Matrix& alpha,
-                           base::Matrix& image) {
+FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, const Iterate& iterate,
+                           const base::Matrix& alpha, base::Matrix& image) {
   const assembly::Assembly& assembly = fixedPoint.assembly();
   const double force = base::norm(imbalance.force);
   const double moment = base::norm(imbalance.moment) / imbalance.arm;
@@ -194,7 +194,7 @@ FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, c
   } else {
     motion.rotation = (-1.0 / base::norm(imbalance.moment)) * imbalance.moment;
   }
-  Push push(fixedPoint, alpha, image, imbalance.step);
+  Push push(fixedPoint, iterate, alpha, image, imbalance.step);
   const double reach = std::max(farAhead * size, farBack * push.stateOf(imbalance.body)) /
                        (push.stiffnessAlong(imbalance.body, motion) / fixedPoint.searchDirectionScale());
   motion = motion.scaled(force >= moment ? std::max(reach, widestGap * imbalance.arm) : reach);
@@ -224,7 +224,7 @@ FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, c
     for (const assembly::Interface* one : resisting) bodies.insert({one->body1, one->body2});
     result.isFree = bodies.size() == before;
   }
-  fixedPoint.apply(alpha, image);
+  result.iterate = &fixedPoint.apply(alpha, image);
   return result;
 }
 

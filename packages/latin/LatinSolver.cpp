@@ -34,7 +34,7 @@ constexpr double marchShare = 1.0;
 constexpr double divergedSize = 1e8;
 
 /// The customary indicator |s - s^| / |s| with s = (f, w) in the norm that k makes.
-double customaryIndicator(const FixedPoint& state) {
+double customaryIndicator(const Iterate& state) {
   const std::vector<double>& area = state.layout().area();
   const std::vector<double>& k = state.layout().stiffness();
   std::vector<double> sums(2, 0.0);
@@ -70,14 +70,14 @@ bool LatinSolver::mustStop() const {
   return anywhere != 0;
 }
 
-bool LatinSolver::settled(int iteration, double tolerance, double& change) {
+bool LatinSolver::settled(int iteration, const Iterate& iterate, double tolerance, double& change) {
   if (iteration % iterationsPerSnapshot != 0) return false;
-  snapshots_.push_back(std::make_unique<Snapshot>(fixedPoint_, responses_));
+  snapshots_.push_back(std::make_unique<Snapshot>(iterate, responses_));
   if (snapshots_.size() <= snapshotsBack) return false;
   const std::vector<double> changes = snapshots_.back()->distance(*snapshots_[snapshots_.size() - 1 - snapshotsBack]);
   change = *std::max_element(changes.begin(), changes.end());
   snapshots_.erase(snapshots_.begin());
-  return change <= tolerance && fieldGap(fixedPoint_) <= settledGap * tolerance;
+  return change <= tolerance && fieldGap(iterate) <= settledGap * tolerance;
 }
 
 bool LatinSolver::hasDiverged(const base::Matrix& state) {
@@ -107,11 +107,12 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   return result;
 }
 
-bool LatinSolver::certify(LatinResult& result) {
+bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   const int before = stages();
   const auto running = timers_.start("certificate");
   if (!certificate_) certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
-  const Certificate::Result attempt = certificate_->attempt(alpha_, image_, stagesBefore_ + options_.maximumIterations);
+  const Certificate::Result attempt =
+      certificate_->attempt(iterate, alpha_, image_, stagesBefore_ + options_.maximumIterations);
   if (attempt.conclusive) estimates_ = attempt.estimates;
   alpha_.assign(attempt.state);
   stagesOfCertificates_ += stages() - before;
@@ -125,7 +126,8 @@ bool LatinSolver::certify(LatinResult& result) {
 void LatinSolver::march(LatinResult& result, March::Guess guess) {
   March march(fixedPoint_, options_.memory, options_.accuracy);
   march.setStop([&] { return mustStop() || stages() >= options_.maximumIterations; });
-  march.setObserver([&](int step, int iterations) {
+  march.setObserver([&](int step, int iterations, const Iterate& iterate) {
+    state_ = &iterate;
     result.iterations += iterations;
     for (const auto& observer : observers_) observer({result.iterations, stages(), 0.0, 0.0, step});
   });
@@ -135,10 +137,10 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
   do {
     const auto running = timers_.start("acceleration");
     end = march.run(alpha_, tolerance, guess);
-    fixedPoint_.apply(alpha_, image_);
+    state_ = &fixedPoint_.apply(alpha_, image_);
     tolerance *= March::tightening;
     guess = March::Guess::state;
-  } while (end == March::End::reached && stages() < options_.maximumIterations && !certify(result));
+  } while (end == March::End::reached && stages() < options_.maximumIterations && !certify(*state_, result));
   result.iterations = stages() - stagesOfCertificates_;
   if (end == March::End::noEquilibrium) {
     result.outcome = Outcome::noEquilibrium;
@@ -158,7 +160,7 @@ void LatinSolver::iterate(LatinResult& result) {
   double trigger = triggerFactor * options_.accuracy;
   int nextAttempt = 0;  // linear stages before which a failed certificate is not tried again
   while (stages() < options_.maximumIterations) {
-    fixedPoint_.apply(alpha_, image_);
+    state_ = &fixedPoint_.apply(alpha_, image_);
     ++result.iterations;
     if (hasDiverged(image_)) {
       // Kinks of the laws can mislead the acceleration that far: without it, from the start.
@@ -168,9 +170,9 @@ void LatinSolver::iterate(LatinResult& result) {
       continue;
     }
     double change = 0.0;
-    const bool quiet = settled(result.iterations, trigger, change);
+    const bool quiet = settled(result.iterations, *state_, trigger, change);
     if (!observers_.empty()) {
-      const IterationReport report{result.iterations, stages(), customaryIndicator(fixedPoint_), change, -1};
+      const IterationReport report{result.iterations, stages(), customaryIndicator(*state_), change, -1};
       for (const auto& observer : observers_) observer(report);
     }
     if (mustStop()) {
@@ -178,7 +180,7 @@ void LatinSolver::iterate(LatinResult& result) {
       result.reason = "interrupted";
       return;
     }
-    const EquilibriumWatch::Finding finding = watch.look(fixedPoint_, alpha_, image_);
+    const EquilibriumWatch::Finding finding = watch.look(fixedPoint_, state_, alpha_, image_);
     if (finding == EquilibriumWatch::Finding::landing) {
       if (acceleration) acceleration->restart();
       snapshots_.clear();
@@ -191,7 +193,7 @@ void LatinSolver::iterate(LatinResult& result) {
     }
     if (quiet && stages() >= nextAttempt) {
       const int before = stages();
-      if (certify(result)) return;
+      if (certify(*state_, result)) return;
       // What was spent on an estimate that failed is spent on iterations before the next one.
       nextAttempt = stages() + std::min(stages() - before, longestWait);
       trigger *= triggerAfterFailure;
@@ -212,9 +214,9 @@ void LatinSolver::iterate(LatinResult& result) {
 }
 
 void LatinSolver::deliver(LatinResult& result) {
-  fixedPoint_.apply(alpha_, image_);
-  result.indicator = customaryIndicator(fixedPoint_);
-  const Snapshot last(fixedPoint_, responses_);
+  state_ = &fixedPoint_.apply(alpha_, image_);
+  result.indicator = customaryIndicator(*state_);
+  const Snapshot last(*state_, responses_);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < responses_.size(); ++i) {
     result.responses.push_back(
@@ -224,7 +226,7 @@ void LatinSolver::deliver(LatinResult& result) {
   result.displacementErrorEstimate = estimates_.empty() ? unknown : estimates_.back();
   result.errorEstimate = estimates_.empty() ? unknown : *std::max_element(estimates_.begin(), estimates_.end());
   if (result.outcome != Outcome::iterationLimit) return;
-  const Imbalance imbalance = largestImbalance(fixedPoint_);
+  const Imbalance imbalance = largestImbalance(*state_);
   result.reason = "iteration limit of " + std::to_string(options_.maximumIterations) + " linear stages; worst " +
                   (imbalance.body < 0 ? "imbalance: none" : describe(imbalance, assembly_));
 }

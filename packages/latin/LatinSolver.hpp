@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -47,15 +48,19 @@ class LatinSolver {
 
   /// Runs from alpha = 0, or from `start` (rows as in the layout), which may be alpha().
   LatinResult solve(const base::Matrix* start = nullptr);
-  /// Fields of the delivered state.
-  const FixedPoint& state() const { return fixedPoint_; }
+  /// Fields of the delivered state, or to an observer those of the present one; until the next application of
+  /// fixedPoint(). To be asked after a solve() only.
+  const Iterate& state() const {
+    assert(state_ != nullptr && "nothing has been solved");
+    return *state_;
+  }
   /// The iteration itself, for those who go on from here.
   FixedPoint& fixedPoint() { return fixedPoint_; }
   /// The delivered state alpha [stress]: a start for another run, or a checkpoint.
   const base::Matrix& alpha() const { return alpha_; }
 
  private:
-  bool settled(int iteration, double tolerance, double& change);
+  bool settled(int iteration, const Iterate& iterate, double tolerance, double& change);
   /// Collective. The first image that it sees is the measure of all others.
   bool hasDiverged(const base::Matrix& image);
   void deliver(LatinResult& result);
@@ -63,8 +68,9 @@ class LatinSolver {
   void march(LatinResult& result, March::Guess guess);
   /// All load steps at once.
   void iterate(LatinResult& result);
-  /// Tries for a certificate; true when it claims. Leaves its corrected state in alpha_.
-  bool certify(LatinResult& result);
+  /// Tries for a certificate of alpha_, whose iterate is given; true when it claims. Leaves its corrected state in
+  /// alpha_.
+  bool certify(const Iterate& iterate, LatinResult& result);
   int stages() const { return fixedPoint_.linearStage().stages() - stagesBefore_; }
 
   const assembly::Assembly& assembly_;
@@ -77,6 +83,7 @@ class LatinSolver {
   std::function<bool()> interrupted_;
   base::Matrix alpha_;
   base::Matrix image_;
+  const Iterate* state_ = nullptr;
   double startSize_ = 0.0;
   int stagesBefore_ = 0;
   int stagesOfCertificates_ = 0;

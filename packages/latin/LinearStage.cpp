@@ -23,7 +23,7 @@ void LinearStage::select(const std::vector<int>& steps) {
   const bool isOneOfSeveral = steps.size() == 1 && assembly_.steps() > 1;
   precision_ = isOneOfSeveral ? substructure::Precision::single : substructure::Precision::exact;
   operators_.select(steps);
-  for (base::Matrix* field : {&corrected_, &forces_, &trace_, &traction_}) {
+  for (base::Matrix* field : {&forces_, &trace_, &traction_}) {
     field->shape(layout_.rows(), static_cast<int>(steps.size()));
   }
 }
@@ -59,23 +59,23 @@ void LinearStage::solve(const base::Matrix& alpha, base::Matrix& beta) {
   const auto running = timers_.start("linear");
   columnsSolved_ += alpha.numCols();
   const std::vector<double>& k = layout_.stiffness();
-  corrected_.assign(alpha);
+  traction_.assign(alpha);
   const int steps = alpha.numCols();
   if (formulation_ == Formulation::displacement) {
-    solveSteps(corrected_, 0, steps);
+    solveSteps(traction_, 0, steps);
   } else {
     for (int t = 0; t < steps; ++t) {
       if (t > 0) {
-        for (std::size_t row = 0; row < k.size(); ++row) corrected_[t][row] += k[row] * trace_[t - 1][row];
+        for (std::size_t row = 0; row < k.size(); ++row) traction_[t][row] += k[row] * trace_[t - 1][row];
       }
-      solveSteps(corrected_, t, 1);
+      solveSteps(traction_, t, 1);
     }
   }
   for (int t = 0; t < steps; ++t) {
     const bool incremental = formulation_ == Formulation::velocity && t > 0;
     for (std::size_t row = 0; row < k.size(); ++row) {
       const double kw = k[row] * trace_[t][row];
-      traction_[t][row] = corrected_[t][row] - kw;
+      traction_[t][row] -= kw;
       beta[t][row] = traction_[t][row] - kw + (incremental ? k[row] * trace_[t - 1][row] : 0.0);
     }
   }

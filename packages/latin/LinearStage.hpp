@@ -5,7 +5,7 @@
 #include <harmos/base/Matrix.hpp>
 #include <harmos/base/Timers.hpp>
 #include <harmos/latin/BodyOperators.hpp>
-#include <harmos/latin/LocalStage.hpp>
+#include <harmos/latin/Formulation.hpp>
 #include <harmos/latin/MacroProblem.hpp>
 
 namespace harmos::latin {
@@ -65,10 +65,9 @@ class LinearStage {
   base::Timers& timers_;
   BodyOperators operators_;
   std::unique_ptr<MacroProblem> macro_;
-  base::Matrix corrected_;
   base::Matrix forces_;
   base::Matrix trace_;
-  base::Matrix traction_;
+  base::Matrix traction_;  // during a solve alpha with the correction of the macro problem
   long columnsSolved_ = 0;
 };
 

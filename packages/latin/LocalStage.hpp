@@ -3,72 +3,33 @@
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
-#include <harmos/latin/InterfaceLines.hpp>
+#include <harmos/laws/LocalLine.hpp>
 
 namespace harmos::latin {
 
-/// Kinematic unknown of the interfaces.
-enum class Formulation {
-  displacement,  ///< eq. (24): all load steps at once
-  velocity       ///< eqs. (19)-(23): implicit Euler, step after step
-};
-
-/// Local stage: at every interface node, intersects the law's graph with the ascent search direction E+ (12).
+/// Local stage: from beta = f - k w of the linear stage to tractions f^ that obey the laws of the interfaces.
 ///
-/// The lines are those of InterfaceLines, and the new state is alpha = f^ + k w^ = 2 f^ - beta. In the velocity form w
-/// stands for the displacement increment of the load step (k = k_v / dt), and the line starts from the jump at the end
-/// of the previous step.
+/// The new state is alpha = f^ + k w^ = 2 f^ - beta.
 class LocalStage {
  public:
-  /// The first three arguments must outlive it.
-  LocalStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-             const TraceLayout& layout, Formulation formulation);
+  LocalStage() = default;
+  virtual ~LocalStage() = default;
+  LocalStage(const LocalStage&) = delete;
+  LocalStage& operator=(const LocalStage&) = delete;
 
   /// Sets which load step each column of a field is, in ascending order; to be called before the first solve().
-  void select(const std::vector<int>& steps);
-
-  /// From now on the first column follows on the last one that was solved, or again on the unloaded state. Displacement
-  /// form only.
-  void startFromHere();
-  /// See startFromHere().
-  void startUnloaded();
+  virtual void select(const std::vector<int>& steps) = 0;
+  /// From now on the first column follows on the last one that was solved, or again on the unloaded state.
+  virtual void startFromHere() = 0;
+  virtual void startUnloaded() = 0;
 
   /// Collective. Overwrites `traction` with f^ [stress] of every row, given `beta` [stress].
   /// Throws base::Error naming interface and step when a law returns a value that is not finite.
-  void solve(const base::Matrix& beta, base::Matrix& traction);
+  virtual void solve(const base::Matrix& beta, base::Matrix& traction) = 0;
 
-  /// The same for one load step after the other: begin() goes back before the first column, solveColumn() may be called
-  /// any number of times for the next column and starts from the history of the columns before, accept() makes its last
-  /// call final. solveColumn() is collective. In the displacement form only.
-  void begin();
-  /// Collective. Overwrites one column of `traction`; see begin(). Throws base::Error as solve().
-  void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction);
-  /// See begin().
-  void accept();
-
-  /// Traction and status of the pairs of one interface, columns x pairs, as last solved on this rank; empty if no side
-  /// is owned here.
-  const std::vector<laws::LocalState>& states(int interfaceIndex) const { return joints_[interfaceIndex].state; }
-
- private:
-  struct Joint {
-    std::vector<laws::LocalLine> line;
-    std::vector<laws::LocalState> state;  // pairs x columns
-    std::vector<double> start;            // history at the beginning of the first column
-    std::vector<double> history[2];
-    std::vector<double> jump;  // velocity form: hatted jump of the previous step, law's frame
-  };
-
-  /// Velocity form: what was met at one load step is where the lines of the next one begin.
-  static void beginAtLastJump(Joint& joint);
-  static void keepJump(Joint& joint, const laws::LocalState* state);
-  void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
-
-  const assembly::Assembly& assembly_;
-  InterfaceLines lines_;
-  Formulation formulation_;
-  std::vector<int> steps_;  // load step of every column
-  std::vector<Joint> joints_;
+  /// States of the pairs of one interface as last solved on this rank, pairs x columns; empty if no side is owned here,
+  /// or where the stage does not meet laws pair by pair.
+  virtual const std::vector<laws::LocalState>& states(int interfaceIndex) const = 0;
 };
 
 }  // namespace harmos::latin

@@ -37,18 +37,16 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
   acceleration.resume();
   EquilibriumWatch watch(accuracy_);
   base::Matrix image(state.numRows(), 1);
-  base::Matrix residual(state.numRows(), 1);
   int iteration = 0, sinceLanding = 0, landings = 0;
   bool isListening = false;
   End end = End::reached;
+  const Iterate* iterate = nullptr;
   while (sinceLanding < maximumIterations && landings < maximumLandings) {
-    fixedPoint_.apply(state, image);
+    iterate = &fixedPoint_.apply(state, image);
     ++iteration;
     ++sinceLanding;
-    residual.assign(image);
-    residual -= state;
-    const double size = metric.norm(residual);
-    const double force = std::max(largestForce_, metric.norm(fixedPoint_.hattedTraction()));
+    const double size = metric.distance(image, state);
+    const double force = std::max(largestForce_, metric.norm(iterate->hattedTraction()));
     if (size <= std::max(tolerance * force, noise * metric.norm(image))) {
       largestForce_ = force;
       break;
@@ -57,7 +55,7 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
       end = End::stopped;
       break;
     }
-    const EquilibriumWatch::Finding finding = watch.look(fixedPoint_, state, image);
+    const EquilibriumWatch::Finding finding = watch.look(fixedPoint_, iterate, state, image);
     if (finding == EquilibriumWatch::Finding::landing) {
       acceleration.restart();
       sinceLanding = 0;
@@ -71,7 +69,7 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
       end = End::noEquilibrium;
       break;
     }
-    if (sinceLanding == iterationsBeforeListening) isListening = largestImbalance(fixedPoint_).relative > flying;
+    if (sinceLanding == iterationsBeforeListening) isListening = largestImbalance(*iterate).relative > flying;
     if (!isListening) {
       acceleration.advance(state, image);
       continue;
@@ -79,13 +77,13 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
     for (int row = 0; row < state.numRows(); ++row) state(row, 0) = relaxSafely(state(row, 0), image(row, 0));
   }
   state.assign(image);
-  if (observer_) observer_(step, iteration);
+  if (observer_) observer_(step, iteration, *iterate);
   return end;
 }
 
 March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
   const int rows = alpha.numRows();
-  base::Matrix state(rows, 1);
+  base::Matrix state(rows, 1);  // no view of alpha: copies of a view share its values
   End end = End::reached;
   // All load steps are selected again at the end, also when a law throws.
   const struct Restore {

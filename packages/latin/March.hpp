@@ -39,8 +39,8 @@ class March {
 
   /// Asked on every rank after every iteration.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
-  /// Told on every rank after every load step: step, iterations that it took.
-  void setObserver(std::function<void(int, int)> observer) { observer_ = std::move(observer); }
+  /// Told on every rank after every load step: step, iterations that it took, fields of the last one.
+  void setObserver(std::function<void(int, int, const Iterate&)> observer) { observer_ = std::move(observer); }
 
   /// Collective. Replaces the columns of `alpha`, one per load step. A step that does not get there in
   /// maximumIterations after its last landing is left as it is. After an early end the remaining columns hold the last
@@ -55,7 +55,7 @@ class March {
   FixedPoint& fixedPoint_;
   double accuracy_;
   std::function<bool()> mustStop_;
-  std::function<void(int, int)> observer_;
+  std::function<void(int, int, const Iterate&)> observer_;
   std::vector<AndersonAcceleration> accelerations_;  // per load step
   Imbalance imbalance_;
   double largestForce_ = 0.0;

@@ -17,7 +17,7 @@ constexpr double cancellation = 1e-7;
 
 }  // namespace
 
-NaturalSizes::NaturalSizes(const FixedPoint& state) {
+NaturalSizes::NaturalSizes(const Iterate& state) {
   const TraceLayout& layout = state.layout();
   const std::vector<double>& area = layout.area();
   const std::vector<double>& k = layout.stiffness();
@@ -26,8 +26,7 @@ NaturalSizes::NaturalSizes(const FixedPoint& state) {
   std::vector<double> total(1, 0.0);
   double stress = 0.0, springStress = 0.0;
   // What the loads do to a body that only k holds grows as 1/k; with the automatic k it is a natural size.
-  double displacement =
-      state.linearStage().operators().largestDisplacement(std::min(1.0, state.searchDirectionScale()));
+  double displacement = state.largestDisplacement(std::min(1.0, state.searchDirectionScale()));
   for (std::size_t t = 0; t < steps; ++t) {
     const double* f = state.hattedTraction()[static_cast<int>(t)];
     const double* w = state.trace()[static_cast<int>(t)];

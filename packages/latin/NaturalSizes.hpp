@@ -8,8 +8,8 @@ namespace harmos::latin {
 /// beside the rest of its kind, needs no relative accuracy of its own.
 class NaturalSizes {
  public:
-  /// Collective. Reads the last FixedPoint::apply().
-  explicit NaturalSizes(const FixedPoint& state);
+  /// Collective.
+  explicit NaturalSizes(const Iterate& state);
 
   /// The size below which a response of this kind counts as zero: 1e-3 of the largest displacement, sum of interface
   /// forces, or interface traction; of an energy 1e-6 of force times displacement, because rigid motions count there;

@@ -63,8 +63,8 @@ std::pair<double, double> solveHessenberg(const Matrix& hessenberg, int columns,
 
 }  // namespace
 
-NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matrix& image, double target,
-                                                 int maximumVectors) {
+NewtonCorrection::Result NewtonCorrection::solve(const Iterate& iterate, const Matrix& alpha, const Matrix& image,
+                                                 double target, int maximumVectors) {
   const StateMetric& metric = fixedPoint_.metric();
   Result result;
   result.step.shape(alpha.numRows(), alpha.numCols());
@@ -76,7 +76,7 @@ NewtonCorrection::Result NewtonCorrection::solve(const Matrix& alpha, const Matr
     result.reduction = 0.0;
     return result;
   }
-  const double forces = metric.norm(fixedPoint_.hattedTraction());
+  const double forces = metric.norm(iterate.hattedTraction());
   const double difference = std::clamp(differenceOfForces * forces, leastDifference * size, largestDifference * size);
 
   std::vector<Matrix> basis;

@@ -24,10 +24,10 @@ class NewtonCorrection {
   /// `fixedPoint` must outlive it.
   explicit NewtonCorrection(FixedPoint& fixedPoint) : fixedPoint_(fixedPoint) {}
 
-  /// Collective. `image` = T(alpha). Stops at the relative residual `target` when no more than half of the step can be
-  /// hidden, or at the largest number of vectors. The fields of fixedPoint are to be those of `alpha`, and are others
-  /// afterwards.
-  Result solve(const base::Matrix& alpha, const base::Matrix& image, double target, int maximumVectors);
+  /// Collective. `image` = T(alpha), `iterate` that of alpha, at the beginning. Stops at the relative residual `target`
+  /// when no more than half of the step can be hidden, or at the largest number of vectors.
+  Result solve(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, double target,
+               int maximumVectors);
 
  private:
   FixedPoint& fixedPoint_;

@@ -6,7 +6,7 @@ namespace {
 constexpr int width = 7;  // traction, jump, status
 
 /// Tractions are data here: asks the law, and takes the displacement from the body.
-void fillPrescribed(const FixedPoint& state, const assembly::Interface& interface, std::vector<double>& values) {
+void fillPrescribed(const Iterate& state, const assembly::Interface& interface, std::vector<double>& values) {
   const auto pairs = static_cast<std::size_t>(interface.pairs());
   const std::vector<laws::LocalLine> lines(pairs);
   std::vector<laws::LocalState> states(pairs);
@@ -27,13 +27,13 @@ void fillPrescribed(const FixedPoint& state, const assembly::Interface& interfac
   }
 }
 
-void fillSide(const FixedPoint& state, int interfaceIndex, int side, std::vector<double>& values) {
+void fillSide(const Iterate& state, int interfaceIndex, int side, std::vector<double>& values) {
   const assembly::Interface& interface = state.assembly().interfaces[interfaceIndex];
   const int begin = state.layout().begin(interfaceIndex, side);
   if (begin < 0) return;
   const int dimension = state.layout().dimension();
   const auto pairs = static_cast<std::size_t>(interface.pairs());
-  const auto& states = state.localStage().states(interfaceIndex);
+  const auto& states = state.states(interfaceIndex);
   for (int t = 0; t < state.assembly().steps(); ++t) {
     for (std::size_t p = 0; p < pairs; ++p) {
       double* value = values.data() + (static_cast<std::size_t>(t) * pairs + p) * width;
@@ -49,14 +49,15 @@ void fillSide(const FixedPoint& state, int interfaceIndex, int side, std::vector
       if (side != 0) continue;
       const base::Vector3 localTraction = base::toFrame(interface.frame[p], f);
       std::copy(localTraction.begin(), localTraction.end(), value);
-      value[6] = static_cast<double>(states[static_cast<std::size_t>(t) * pairs + p].status);
+      const laws::LocalState none;
+      value[6] = static_cast<double>((states.empty() ? none : states[static_cast<std::size_t>(t) * pairs + p]).status);
     }
   }
 }
 
 }  // namespace
 
-PairFields pairFields(const FixedPoint& state, int interfaceIndex) {
+PairFields pairFields(const Iterate& state, int interfaceIndex) {
   const assembly::Interface& interface = state.assembly().interfaces[interfaceIndex];
   PairFields fields;
   fields.pairs = interface.pairs();

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/Iterate.hpp>
 
 namespace harmos::latin {
 
@@ -20,8 +20,7 @@ struct PairFields {
   }
 };
 
-/// Collective. Reads the last FixedPoint::apply(). Boundaries with prescribed traction have that traction, and the
-/// jump -w1 of the linear stage.
-PairFields pairFields(const FixedPoint& state, int interfaceIndex);
+/// Collective. All load steps must be selected. Boundaries with prescribed traction have the traction and no jump.
+PairFields pairFields(const Iterate& state, int interfaceIndex);
 
 }  // namespace harmos::latin

@@ -6,7 +6,7 @@ namespace harmos::latin {
 namespace {
 
 /// f [stress] that acts on side 1 at pair p: of the linear stage, or the prescribed one.
-base::Vector3 tractionOf(const FixedPoint& state, int interfaceIndex, int begin, int p, int t) {
+base::Vector3 tractionOf(const Iterate& state, int interfaceIndex, int begin, int p, int t) {
   base::Vector3 f{};
   const int dimension = state.layout().dimension();
   if (begin >= 0) {
@@ -23,7 +23,7 @@ base::Vector3 tractionOf(const FixedPoint& state, int interfaceIndex, int begin,
 
 }  // namespace
 
-std::vector<double> DisplacementResponse::evaluate(const FixedPoint& state) const {
+std::vector<double> DisplacementResponse::evaluate(const Iterate& state) const {
   std::vector<double> values(state.assembly().steps(), 0.0);
   for (const Node& node : nodes_) {
     if (!state.layout().owns(node.body)) continue;
@@ -35,7 +35,7 @@ std::vector<double> DisplacementResponse::evaluate(const FixedPoint& state) cons
   return values;
 }
 
-std::vector<double> ResultantResponse::evaluate(const FixedPoint& state) const {
+std::vector<double> ResultantResponse::evaluate(const Iterate& state) const {
   std::vector<double> values(state.assembly().steps(), 0.0);
   for (int i : interfaces_) {
     const assembly::Interface& interface = state.assembly().interfaces[i];
@@ -59,7 +59,7 @@ std::vector<double> ResultantResponse::evaluate(const FixedPoint& state) const {
   return values;
 }
 
-std::vector<double> PairResponse::evaluate(const FixedPoint& state) const {
+std::vector<double> PairResponse::evaluate(const Iterate& state) const {
   std::vector<double> values(state.assembly().steps(), 0.0);
   for (int i : interfaces_) {
     include(state.assembly().interfaces[i], pairFields(state, i), values);

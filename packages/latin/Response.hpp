@@ -23,9 +23,8 @@ class Response {
   const std::string& name() const { return name_; }
   /// What it is measured in.
   Quantity quantity() const { return quantity_; }
-  /// One value per load step. Collective: the same values on every rank. Reads the state of the last
-  /// FixedPoint::apply(), which was about all load steps.
-  virtual std::vector<double> evaluate(const FixedPoint& state) const = 0;
+  /// Collective: the same values on every rank. All load steps must be selected.
+  virtual std::vector<double> evaluate(const Iterate& state) const = 0;
 
  private:
   std::string name_;
@@ -50,7 +49,7 @@ class DisplacementResponse : public Response {
   const std::vector<Node>& nodes() const { return nodes_; }
   /// As it was given.
   const base::Vector3& direction() const { return direction_; }
-  std::vector<double> evaluate(const FixedPoint& state) const override;
+  std::vector<double> evaluate(const Iterate& state) const override;
 
  private:
   std::vector<Node> nodes_;
@@ -69,7 +68,7 @@ class ResultantResponse : public Response {
         interfaces_(std::move(interfaces)),
         direction_(std::move(direction)),
         centre_(std::move(centre)) {}
-  std::vector<double> evaluate(const FixedPoint& state) const override;
+  std::vector<double> evaluate(const Iterate& state) const override;
 
  private:
   std::vector<int> interfaces_;
@@ -83,7 +82,7 @@ class PairResponse : public Response {
   /// `interfaces`: positions in the assembly.
   PairResponse(std::string name, Quantity quantity, std::vector<int> interfaces)
       : Response(std::move(name), quantity), interfaces_(std::move(interfaces)) {}
-  std::vector<double> evaluate(const FixedPoint& state) const final;
+  std::vector<double> evaluate(const Iterate& state) const final;
   /// On which the number depends.
   const std::vector<int>& interfaces() const { return interfaces_; }
   /// Includes the share of one interface in `values`, one per load step and 0 before the first interface.

@@ -9,7 +9,7 @@
 namespace harmos::latin {
 namespace {
 
-base::Matrix scaledTrace(const FixedPoint& state) {
+base::Matrix scaledTrace(const Iterate& state) {
   base::Matrix trace(state.trace());
   for (int t = 0; t < trace.numCols(); ++t) {
     for (int row = 0; row < trace.numRows(); ++row) {
@@ -40,8 +40,8 @@ double fieldDistance(const base::Matrix& a, const base::Matrix& b, double floor,
 
 }  // namespace
 
-Snapshot::Snapshot(const FixedPoint& state, const std::vector<std::shared_ptr<const Response>>& responses)
-    : state_(&state),
+Snapshot::Snapshot(const Iterate& state, const std::vector<std::shared_ptr<const Response>>& responses)
+    : metric_(&state.metric()),
       sizes_(state),
       force_(nodalForces(state.layout(), state.hattedTraction())),
       displacement_(scaledTrace(state)) {
@@ -69,9 +69,8 @@ std::vector<double> Snapshot::distance(const Snapshot& other) const {
     }
     result.push_back(difference == 0.0 ? 0.0 : difference / size);
   }
-  result.push_back(fieldDistance(force_, other.force_, sizes_.squaredForceFloor(), state_->metric()));
-  result.push_back(
-      fieldDistance(displacement_, other.displacement_, sizes_.squaredDisplacementFloor(), state_->metric()));
+  result.push_back(fieldDistance(force_, other.force_, sizes_.squaredForceFloor(), *metric_));
+  result.push_back(fieldDistance(displacement_, other.displacement_, sizes_.squaredDisplacementFloor(), *metric_));
   return result;
 }
 

@@ -14,9 +14,8 @@ namespace harmos::latin {
 /// The forces are those of nodalForces().
 class Snapshot {
  public:
-  /// Collective. Reads the last FixedPoint::apply(), which was about all load steps. `state` must outlive it. Throws
-  /// base::Error (not converged) naming response and load step when a value is not finite.
-  Snapshot(const FixedPoint& state, const std::vector<std::shared_ptr<const Response>>& responses);
+  /// Collective. Keeps nothing of the iterate but the metric of its FixedPoint.
+  Snapshot(const Iterate& state, const std::vector<std::shared_ptr<const Response>>& responses);
 
   /// Collective. Relative distances [-] to another snapshot, largest over the load steps: one per response, then force
   /// field, then displacement field. Each is measured against its own largest value over the steps, but not against
@@ -26,7 +25,7 @@ class Snapshot {
   const std::vector<std::vector<double>>& responses() const { return responses_; }
 
  private:
-  const FixedPoint* state_;
+  const StateMetric* metric_;
   NaturalSizes sizes_;
   std::vector<std::vector<double>> responses_;
   std::vector<double> floors_;

@@ -46,4 +46,16 @@ double StateMetric::norm(const base::Matrix& a) const {
   return std::sqrt(dot(a, a));
 }
 
+double StateMetric::distance(const base::Matrix& a, const base::Matrix& b) const {
+  std::vector<double> result{0.0};
+  for (int t = 0; t < a.numCols(); ++t) {
+    for (std::size_t row = 0; row < scale_.size(); ++row) {
+      const double difference = a[t][row] - b[t][row];
+      result[0] += scale_[row] * scale_[row] * difference * difference;
+    }
+  }
+  sum(result);
+  return std::sqrt(result[0]);
+}
+
 }  // namespace harmos::latin

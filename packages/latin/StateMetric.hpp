@@ -22,7 +22,8 @@ class StateMetric {
   double dot(const base::Matrix& a, const base::Matrix& b) const;
   /// Square root of dot(a, a): over all columns. Collective.
   double norm(const base::Matrix& a) const;
-  /// Replaces each number by its sum over all ranks. Collective.
+  /// |a - b|. Collective.
+  double distance(const base::Matrix& a, const base::Matrix& b) const;
   void sum(std::vector<double>& values) const;
 
  private:

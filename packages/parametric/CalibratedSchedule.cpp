@@ -87,7 +87,8 @@ void CalibratedSchedule::deliver(results::ConfigurationResult& result) const {
   result.reason = isCertified ? "the error estimate of a certificate is below the accuracy asked for"
                               : "the calibrated error estimate is below the accuracy asked for";
   result.curves.clear();
-  for (const auto& response : solver_.responses()) result.curves.push_back(response->evaluate(solver_.fixedPoint()));
+  for (const auto& response : solver_.responses())
+    result.curves.push_back(response->evaluate(solver_.iteration().state()));
   estimate(indicators_, result);
 }
 
@@ -97,7 +98,7 @@ bool CalibratedSchedule::march(const Indicators& target, bool isToBeKept, result
   ++result.iterations;
   if (isToBeKept) {
     way_.push_back(indicators_);
-    snapshots_.push_back(std::make_unique<latin::Snapshot>(solver_.fixedPoint(), solver_.responses()));
+    snapshots_.push_back(std::make_unique<latin::Snapshot>(solver_.iteration().state(), solver_.responses()));
   }
   return true;
 }
@@ -149,7 +150,7 @@ bool CalibratedSchedule::refer(const latin::Snapshot& claimed, results::Configur
   solver_.summary().certificates = certificates;  // it is not what is delivered
   if (!goesOn) return false;
   if (certified.status == results::Status::certified) {
-    record(latin::Snapshot(solver_.fixedPoint(), solver_.responses()), certified.errorEstimate, claimed);
+    record(latin::Snapshot(solver_.certifiedState(), solver_.responses()), certified.errorEstimate, claimed);
   } else {
     ++solver_.summary().openAudits;
   }
@@ -206,9 +207,9 @@ bool CalibratedSchedule::iterate(const design::Configuration& configuration, Pur
 
 bool CalibratedSchedule::confirm(results::ConfigurationResult& result) {
   const base::Matrix tight(solver_.iteration().alpha());
-  const latin::Snapshot claimed(solver_.fixedPoint(), solver_.responses());
+  const latin::Snapshot claimed(solver_.iteration().state(), solver_.responses());
   if (!solver_.certify(&tight, result)) return false;
-  const latin::Snapshot certified(solver_.fixedPoint(), solver_.responses());
+  const latin::Snapshot certified(solver_.certifiedState(), solver_.responses());
   const auto [responseError, forceError] = errorsAgainst(certified, claimed);
   isContradicted_ =
       result.status == results::Status::certified && std::max(responseError, forceError) > solver_.options().accuracy;

@@ -58,8 +58,8 @@ void ConfigurationIteration::updateOffset() {
   gauge_.forgetLoads();
   offset_.shape(fixedPoint_.layout().rows(), fixedPoint_.assembly().steps());
   if (all[1] == 0) return;
-  fixedPoint_.apply(offset_, image_);
-  offset_.assign(fixedPoint_.beta());
+  const latin::Iterate& unloaded = fixedPoint_.apply(offset_, image_);
+  offset_.assign(unloaded.beta());
 }
 
 void ConfigurationIteration::prepare() {
@@ -93,18 +93,18 @@ Indicators ConfigurationIteration::beginAt(const base::Matrix& alpha) {
 
 Indicators ConfigurationIteration::applyAll() {
   alpha_.assign(next_);
-  fixedPoint_.apply(alpha_, image_);
-  beta_.assign(fixedPoint_.beta());
+  state_ = &fixedPoint_.apply(alpha_, image_);
+  beta_.assign(state_->beta());
   const auto running = timers_.start("indicators");
-  const Indicators indicators = gauge_.measure(alpha_, image_);
+  const Indicators indicators = gauge_.measure(*state_, alpha_, image_);
   force_ = gauge_.force();
-  traction_ = fixedPoint_.metric().norm(fixedPoint_.hattedTraction()) / std::sqrt(alpha_.numCols());
+  traction_ = fixedPoint_.metric().norm(state_->hattedTraction()) / std::sqrt(alpha_.numCols());
   return indicators;
 }
 
 void ConfigurationIteration::applyLaws() {
-  fixedPoint_.localStage().begin();
-  fixedPoint_.localStage().solveColumn(0, columnBeta_, columnTraction_);
+  fixedPoint_.pointwiseStage().begin();
+  fixedPoint_.pointwiseStage().solveColumn(0, columnBeta_, columnTraction_);
   for (int row = 0; row < column_.numRows(); ++row) {
     columnImage_[0][row] = 2.0 * columnTraction_[0][row] - columnBeta_[0][row];
   }
@@ -177,8 +177,8 @@ void ConfigurationIteration::iterate(int step, const Indicators& target) {
     for (int row = 0; row < rows; ++row) change[0][row] = -column_[0][row];
     acceleration.advance(column_, columnImage_);
     change += column_;
-    fixedPoint_.apply(change, unused);
-    for (int row = 0; row < rows; ++row) columnBeta_[0][row] += fixedPoint_.beta()[0][row] - offset_[step][row];
+    const latin::Iterate& iterate = fixedPoint_.apply(change, unused);
+    for (int row = 0; row < rows; ++row) columnBeta_[0][row] += iterate.beta()[0][row] - offset_[step][row];
     applyLaws();
   }
   std::copy_n(column_[0], rows, alpha_[step]);
@@ -223,7 +223,7 @@ Indicators ConfigurationIteration::march(const Indicators& target) {
       if (mustStop_ && mustStop_()) break;
       fixedPoint_.select({t});
       settle(t, target);
-      fixedPoint_.localStage().accept();
+      fixedPoint_.pointwiseStage().accept();
       fixedPoint_.startFromHere();
     }
   }

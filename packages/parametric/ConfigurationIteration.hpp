@@ -34,13 +34,18 @@ class ConfigurationIteration {
   /// Collective. Goes on from a state found elsewhere, with a stage of all load steps.
   Indicators beginAt(const base::Matrix& alpha);
   /// Collective. Iterates every load step until its share of the indicators is at most `target`, or a limit of
-  /// iterations is reached, and then all of them once; the fields are those of fixedPoint.
+  /// iterations is reached, and then all of them once; the fields are those of state().
   Indicators march(const Indicators& target);
 
   /// Linear stages since begin(), that for the loads included: solves of single load steps add up.
   int stages() const;
   /// ids of the configurations that the start came from.
   const std::vector<int>& starts() const { return starts_; }
+  /// Fields of the last stage of all load steps; until the next application of the FixedPoint.
+  const latin::Iterate& state() const {
+    assert(state_ != nullptr && "no stage of all load steps has been made");
+    return *state_;
+  }
   /// alpha [stress] of the last stage of all load steps, and its image under the linear part of the linear stage.
   const base::Matrix& alpha() const { return alpha_; }
   /// The latter: A alpha = beta - b [stress], rows of the layout x load steps; see SolvedStates.
@@ -73,6 +78,7 @@ class ConfigurationIteration {
   base::Matrix column_, columnImage_;         // alpha and T(alpha) of the present load step,
   base::Matrix columnBeta_, columnTraction_;  // beta and f^
   base::Matrix offset_;                       // image of alpha = 0
+  const latin::Iterate* state_ = nullptr;     // of all load steps
   std::vector<base::Matrix> loads_;           // of the bodies, for which the offset was computed
   bool isFirstMarch_ = true;
   double traction_ = 0.0;  // root mean square over the load steps of |f^|; when cold, over those so far

@@ -8,7 +8,7 @@
 namespace harmos::parametric {
 namespace {
 
-double forceIndicator(const latin::FixedPoint& state, const base::Matrix& alpha, const base::Matrix& image) {
+double forceIndicator(const latin::Iterate& state, const base::Matrix& alpha, const base::Matrix& image) {
   const std::vector<double>& scale = state.metric().scale();
   std::vector<double> sums(2, 0.0);
   for (int t = 0; t < alpha.numCols(); ++t) {
@@ -54,47 +54,47 @@ double largestVector(const double* begin, const double* end) {
 
 }  // namespace
 
-Indicators Gauge::measure(const base::Matrix& alpha, const base::Matrix& image) {
-  const latin::TraceLayout& layout = state_.layout();
-  const std::size_t steps = static_cast<std::size_t>(state_.assembly().steps());
-  const std::size_t bodies = 3 * state_.assembly().bodies.size();
-  const std::size_t interfaces = 3 * state_.assembly().interfaces.size();
+Indicators Gauge::measure(const latin::Iterate& state, const base::Matrix& alpha, const base::Matrix& image) {
+  const latin::TraceLayout& layout = state.layout();
+  const std::size_t steps = static_cast<std::size_t>(state.assembly().steps());
+  const std::size_t bodies = 3 * state.assembly().bodies.size();
+  const std::size_t interfaces = 3 * state.assembly().interfaces.size();
   std::vector<double> sums((2 * bodies + interfaces) * steps, 0.0);
   for (std::size_t t = 0; t < steps; ++t) {
     const int column = static_cast<int>(t);
     double* here = sums.data() + t * bodies;
-    addResultants(layout, state_.traction()[column], bodyOf, here);
-    addResultants(layout, state_.hattedTraction()[column], bodyOf, here + bodies * steps);
-    addResultants(layout, state_.hattedTraction()[column], interfaceOf,
+    addResultants(layout, state.traction()[column], bodyOf, here);
+    addResultants(layout, state.hattedTraction()[column], bodyOf, here + bodies * steps);
+    addResultants(layout, state.hattedTraction()[column], interfaceOf,
                   sums.data() + 2 * bodies * steps + t * interfaces);
   }
-  state_.metric().sum(sums);
+  state.metric().sum(sums);
   const std::size_t ofBodies = bodies * steps;
   const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(ofBodies);
   balance_.assign(sums.begin(), middle);
   for (std::size_t i = 0; i < ofBodies; ++i) sums[ofBodies + i] -= sums[i];
   const double imbalance = largestVector(sums.data() + ofBodies, sums.data() + 2 * ofBodies);
 
-  const latin::NaturalSizes sizes(state_);
+  const latin::NaturalSizes sizes(state);
   force_ = largestVector(sums.data() + 2 * ofBodies, sums.data() + sums.size());
   for (const auto& response : responses_) {
     if (response->quantity() != latin::Quantity::force) continue;
     double largest = sizes.floor(response->quantity());
-    for (double value : response->evaluate(state_)) largest = std::max(largest, std::abs(value));
+    for (double value : response->evaluate(state)) largest = std::max(largest, std::abs(value));
     force_ = std::min(force_, largest);
   }
   Indicators indicators;
-  indicators.force = forceIndicator(state_, alpha, image);
+  indicators.force = forceIndicator(state, alpha, image);
   indicators.response = imbalance == 0.0 ? 0.0 : force_ > 0.0 ? imbalance / force_ : 1.0;
   return indicators;
 }
 
 double Gauge::imbalance(int step, const base::Matrix& hattedTraction) const {
   if (balance_.empty()) return 0.0;
-  const std::size_t bodies = 3 * state_.assembly().bodies.size();
+  const std::size_t bodies = 3 * fixedPoint_.assembly().bodies.size();
   std::vector<double> sums(bodies, 0.0);
-  addResultants(state_.layout(), hattedTraction[0], bodyOf, sums.data());
-  state_.metric().sum(sums);
+  addResultants(fixedPoint_.layout(), hattedTraction[0], bodyOf, sums.data());
+  fixedPoint_.metric().sum(sums);
   for (std::size_t i = 0; i < bodies; ++i) sums[i] -= balance_[static_cast<std::size_t>(step) * bodies + i];
   return largestVector(sums.data(), sums.data() + bodies);
 }

@@ -13,12 +13,11 @@ namespace harmos::parametric {
 class Gauge {
  public:
   /// All arguments must outlive it.
-  Gauge(const latin::FixedPoint& state, const std::vector<std::shared_ptr<const latin::Response>>& responses)
-      : state_(state), responses_(responses) {}
+  Gauge(const latin::FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const latin::Response>>& responses)
+      : fixedPoint_(fixedPoint), responses_(responses) {}
 
-  /// Collective. Reads the last FixedPoint::apply(), which was about all load steps and made `image` of `alpha`
-  /// [stress], rows of the layout x load steps.
-  Indicators measure(const base::Matrix& alpha, const base::Matrix& image);
+  /// Collective. `state`: that of alpha, of all load steps; `image` = T(alpha).
+  Indicators measure(const latin::Iterate& state, const base::Matrix& alpha, const base::Matrix& image);
   /// What the response indicator was last measured by [force].
   double force() const { return force_; }
   /// To be called when loads have changed: f balances others then.
@@ -30,7 +29,7 @@ class Gauge {
   double imbalance(int step, const base::Matrix& hattedTraction) const;
 
  private:
-  const latin::FixedPoint& state_;
+  const latin::FixedPoint& fixedPoint_;
   const std::vector<std::shared_ptr<const latin::Response>>& responses_;
   std::vector<double> balance_;  // sum of h f: per load step, per body, per component
   double force_ = 0.0;

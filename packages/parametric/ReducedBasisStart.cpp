@@ -33,7 +33,7 @@ void shape(base::Matrix& matrix, int rows, int columns) {
 }  // namespace
 
 double ReducedBasisStart::evaluate(const base::Matrix& alpha, const base::Matrix& beta, std::vector<double>& residual) {
-  fixedPoint_.localStage().solveColumn(0, beta, hatted_);
+  fixedPoint_.pointwiseStage().solveColumn(0, beta, hatted_);
   const std::vector<double>& scale = fixedPoint_.metric().scale();
   residual.resize(scale.size());
   std::vector<double> square{0.0};
@@ -63,10 +63,10 @@ void ReducedBasisStart::begin(const SolvedStates& states, const std::vector<doub
     states.copy(order_[i], alpha, beta);
     beta += offset;
     std::vector<double> sums(2, 0.0);
-    fixedPoint_.localStage().begin();
+    fixedPoint_.pointwiseStage().begin();
     for (int t = 0; t < steps; ++t) {
-      fixedPoint_.localStage().solveColumn(t, beta, traction);
-      fixedPoint_.localStage().accept();
+      fixedPoint_.pointwiseStage().solveColumn(t, beta, traction);
+      fixedPoint_.pointwiseStage().accept();
       for (std::size_t row = 0; row < scale.size(); ++row) {
         const double residual = scale[row] * (2.0 * traction[t][row] - beta[t][row] - alpha[t][row]);
         sums[0] += residual * residual;
@@ -161,7 +161,7 @@ void ReducedBasisStart::differentiate() {
       continue;
     }
     for (int row = 0; row < rows; ++row) trialBeta_[0][row] = beta_[0][row] + length * linear_[j][row];
-    fixedPoint_.localStage().solveColumn(0, trialBeta_, hatted_);
+    fixedPoint_.pointwiseStage().solveColumn(0, trialBeta_, hatted_);
     for (int row = 0; row < rows; ++row) {
       image[row] = 2.0 * (hatted_[0][row] - here[row]) / length - linear_[j][row];
       residual[row] = scale[row] * (image[row] - columns_[j][row]);
@@ -224,7 +224,7 @@ void ReducedBasisStart::minimise(double tolerance) {
 }
 
 void ReducedBasisStart::find(int step, double tolerance) {
-  fixedPoint_.localStage().begin();
+  fixedPoint_.pointwiseStage().begin();
   gather(step);
   minimise(tolerance);
 }

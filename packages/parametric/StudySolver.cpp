@@ -101,13 +101,13 @@ bool StudySolver::certifyAnew(const design::Configuration& configuration, result
   return true;
 }
 
-void StudySolver::observe(const design::Configuration& configuration) {
-  if (observer_) observer_(configuration, fixedPoint_);
+void StudySolver::observe(const design::Configuration& configuration, const latin::Iterate& state) {
+  if (observer_) observer_(configuration, state);
 }
 
 void StudySolver::remember(const design::Configuration& configuration) {
   states_.add(configuration.id, configuration.values, iteration_.alpha(), iteration_.linear(), iteration_.force());
-  observe(configuration);
+  observe(configuration, iteration_.state());
 }
 
 void StudySolver::rememberCertified(const design::Configuration& configuration, results::ConfigurationResult& result) {
@@ -120,7 +120,7 @@ void StudySolver::rememberCertified(const design::Configuration& configuration, 
   // Its images are of no use to others.
   const base::Matrix none(solver_.alpha().numRows(), solver_.alpha().numCols());
   states_.add(configuration.id, configuration.values, solver_.alpha(), none, 0.0);
-  observe(configuration);
+  observe(configuration, certifiedState());
 }
 
 double cpuSeconds() {

@@ -25,7 +25,7 @@ class StudySolver {
   /// Puts the laws for these parameter values into the assembly; throws base::Error when they are inadmissible.
   using Install = std::function<void(const std::vector<double>& values)>;
   /// Told the fields of every solution, also of one that replaces an earlier one.
-  using Observer = std::function<void(const design::Configuration&, const latin::FixedPoint&)>;
+  using Observer = std::function<void(const design::Configuration&, const latin::Iterate&)>;
 
   /// Factors all operators. `assembly` and `timers` must outlive this object. Throws base::Error as
   /// latin::LatinSolver.
@@ -59,7 +59,8 @@ class StudySolver {
   const std::vector<std::shared_ptr<const latin::Response>>& responses() const { return responses_; }
   /// The fields of what was iterated or certified last.
   const latin::FixedPoint& fixedPoint() const { return fixedPoint_; }
-  /// The iteration on these operators.
+  /// Fields that certify() has left.
+  const latin::Iterate& certifiedState() const { return solver_.state(); }
   ConfigurationIteration& iteration() { return iteration_; }
   /// What remember() has stored: as many as fit into 1 GiB on every rank.
   SolvedStates& states() { return states_; }
@@ -67,7 +68,7 @@ class StudySolver {
   Trust& summary() { return summary_; }
 
  private:
-  void observe(const design::Configuration& configuration);
+  void observe(const design::Configuration& configuration, const latin::Iterate& state);
 
   Install install_;
   std::vector<std::shared_ptr<const latin::Response>> responses_;

@@ -27,8 +27,7 @@ std::vector<std::size_t> stressesOf(int dimension) {
   return dimension == 2 ? std::vector<std::size_t>{0, 1, 2, 3} : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
 }
 
-void writeParts(const Problem& problem, const latin::FixedPoint& state, const std::string& path,
-                const FieldFile& file) {
+void writeParts(const Problem& problem, const latin::Iterate& state, const std::string& path, const FieldFile& file) {
   const auto layout = files::layOutParts(problem.mesh, problem.bodies.pieces, problem.surfaces);
   const int dimension = problem.mesh.dimension, steps = problem.assembly.steps();
   const auto components = stressesOf(dimension);
@@ -134,7 +133,7 @@ void addDissipation(const assembly::Interface& interface, const latin::PairField
     }
 }
 
-void writeInterfaces(const Problem& problem, const latin::FixedPoint& state, const std::string& path,
+void writeInterfaces(const Problem& problem, const latin::Iterate& state, const std::string& path,
                      const FieldFile& file) {
   const auto layout = files::layOutInterfaces(problem.mesh, problem.bodies.pieces, problem.surfaces);
   const int dimension = problem.mesh.dimension;
@@ -178,7 +177,7 @@ void writeInterfaces(const Problem& problem, const latin::FixedPoint& state, con
 
 }  // namespace
 
-void writeFields(const Scene& scene, const Problem& problem, const latin::FixedPoint& state,
+void writeFields(const Scene& scene, const Problem& problem, const latin::Iterate& state,
                  const std::vector<GlobalVariable>& globals, const files::ResultFiles& files,
                  const Teuchos::Comm<int>& comm) {
   std::string title = scene.input.text("Title");

@@ -1,6 +1,7 @@
 #include <harmos/stochastic/ChaosLocalStage.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <harmos/base/Error.hpp>
@@ -15,7 +16,7 @@ ChaosLocalStage::ChaosLocalStage(const assembly::Assembly& modal, const assembly
       lines_(modal, searchDirection, layout),
       joints_(modal.interfaces.size()) {
   lines_.reserve(modal.steps());
-  select(0, steps());
+  count_ = steps();
 }
 
 void ChaosLocalStage::setLaws(const Realisations& laws, Method method) {
@@ -38,9 +39,12 @@ void ChaosLocalStage::setLaws(const Realisations& laws, Method method) {
   }
 }
 
-void ChaosLocalStage::select(int first, int count) {
-  first_ = first;
-  count_ = count;
+void ChaosLocalStage::select(const std::vector<int>& columns) {
+  const int terms = projection_->terms();
+  first_ = columns.front() / terms;
+  count_ = static_cast<int>(columns.size()) / terms;
+  assert(columns.front() == first_ * terms && columns.back() == (first_ + count_) * terms - 1 &&
+         "the polynomials of a load step are solved together");
 }
 
 void ChaosLocalStage::startFromHere() {

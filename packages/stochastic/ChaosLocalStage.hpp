@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <harmos/latin/InterfaceLines.hpp>
+#include <harmos/latin/LocalStage.hpp>
 #include <harmos/stochastic/GalerkinSprings.hpp>
 #include <harmos/stochastic/Realisations.hpp>
 
@@ -23,9 +24,8 @@ enum class Method {
 /// the line of the search direction, so that a truncated solution depends on it, within the error of truncation: from
 /// Galerkin's for stiffnesses (H to 0) to that for compliances (H to infinity). It does not where the points are as
 /// many as the polynomials and the projection interpolates. Galerkin: GalerkinSprings where a stiffness is random, and
-/// the points elsewhere, which is then the same. psi_a: polynomials, w_q and xi_q: weights and points of the
-/// quadrature, beta and f^: [stress], H: compliance of the lines [length/stress].
-class ChaosLocalStage {
+/// the points elsewhere, which is then the same.
+class ChaosLocalStage final : public latin::LocalStage {
  public:
   /// `modal`, `searchDirection`, `layout` and `projection` must outlive this object.
   ChaosLocalStage(const assembly::Assembly& modal, const assembly::SearchDirection& searchDirection,
@@ -33,18 +33,16 @@ class ChaosLocalStage {
 
   /// Histories begin anew. Throws base::Error (input) as GalerkinSprings, on all ranks or on none.
   void setLaws(const Realisations& laws, Method method);
-  /// The columns of fields are the load steps first .. first + count - 1; all load steps at first.
-  void select(int first, int count);
-  /// From now on the first column follows on the last one that was solved, or again on the unloaded state.
-  void startFromHere();
-  /// See startFromHere().
-  void startUnloaded();
+  /// All modal columns of consecutive load steps; all load steps at first.
+  void select(const std::vector<int>& columns) override;
+  void startFromHere() override;
+  void startUnloaded() override;
   /// A law remembers, so that its load steps depend on each other.
   bool hasMemory() const;
 
-  /// Collective. Overwrites `traction` with f^ [stress] of every row, given `beta` [stress]; one column per load step
-  /// and polynomial. Throws base::Error naming interface and step when a law returns a value that is not finite.
-  void solve(const base::Matrix& beta, base::Matrix& traction);
+  void solve(const base::Matrix& beta, base::Matrix& traction) override;
+  /// A coefficient of a traction is the state of no pair.
+  const std::vector<laws::LocalState>& states(int) const override { return noStates_; }
 
  private:
   struct Histories {
@@ -66,7 +64,8 @@ class ChaosLocalStage {
   std::shared_ptr<const Projection> projection_;
   latin::InterfaceLines lines_;
   std::vector<Joint> joints_;
-  int first_ = 0;
+  const std::vector<laws::LocalState> noStates_;
+  int first_ = 0;  // load step of the first columns
   int count_ = 0;
   // Of the interface in hand, (pairs x 3) x terms or points:
   std::vector<laws::LocalLine> line_;

@@ -18,7 +18,7 @@ base::Matrix stacked(const base::Matrix& columns, int terms) {
 
 }  // namespace
 
-ChaosSnapshot::ChaosSnapshot(const latin::FixedPoint& state, const ResponseSampler& sampler,
+ChaosSnapshot::ChaosSnapshot(const latin::Iterate& state, const ResponseSampler& sampler,
                              const std::vector<std::shared_ptr<const latin::Response>>& responses, int terms)
     : metric_(state.metric()), terms_(terms) {
   const latin::NaturalSizes sizes(state);

@@ -11,9 +11,8 @@ namespace harmos::stochastic {
 /// the fields of interface forces and displacements.
 class ChaosSnapshot {
  public:
-  /// Collective. Reads the last FixedPoint::apply() on all modal columns. `terms`: polynomials. The metric of `state`
-  /// must outlive it.
-  ChaosSnapshot(const latin::FixedPoint& state, const ResponseSampler& sampler,
+  /// Collective. `state`: on all modal columns.
+  ChaosSnapshot(const latin::Iterate& state, const ResponseSampler& sampler,
                 const std::vector<std::shared_ptr<const latin::Response>>& responses, int terms);
 
   /// Collective. Relative distances [-] to another snapshot: one per response, then force field, then displacement

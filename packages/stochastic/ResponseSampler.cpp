@@ -38,7 +38,7 @@ base::Matrix product(const base::Matrix& coefficients, const base::Matrix& polyn
 
 }  // namespace
 
-ResponseSampler::ResponseSampler(const assembly::Assembly& assembly, const latin::FixedPoint& state,
+ResponseSampler::ResponseSampler(const assembly::Assembly& assembly, const latin::Iterate& state,
                                  std::shared_ptr<const Projection> projection,
                                  std::vector<std::shared_ptr<const latin::Response>> responses)
     : assembly_(assembly), projection_(std::move(projection)), responses_(std::move(responses)) {

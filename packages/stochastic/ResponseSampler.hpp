@@ -14,9 +14,8 @@ namespace harmos::stochastic {
 /// point by point from the expansions of tractions and jumps of the local stage, complete on every rank.
 class ResponseSampler {
  public:
-  /// Collective. Reads the last FixedPoint::apply() on all modal columns; `assembly` is the one of the load steps and
-  /// must outlive this object; `state` need not.
-  ResponseSampler(const assembly::Assembly& assembly, const latin::FixedPoint& state,
+  /// Collective. `state`: on all modal columns; `assembly` is the one of the load steps and must outlive this object.
+  ResponseSampler(const assembly::Assembly& assembly, const latin::Iterate& state,
                   std::shared_ptr<const Projection> projection,
                   std::vector<std::shared_ptr<const latin::Response>> responses);
 

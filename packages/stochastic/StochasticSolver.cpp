@@ -24,21 +24,23 @@ StochasticSolver::StochasticSolver(const assembly::Assembly& assembly, std::shar
       projection_(std::move(projection)),
       options_(options),
       modal_(modalAssembly(assembly, projection_)),
-      fixedPoint_(modal_, options.stages, std::move(comm), timers),
+      fixedPoint_(modal_, options.stages, std::move(comm), timers,
+                  [this](const assembly::SearchDirection& searchDirection, const latin::TraceLayout& layout) {
+                    auto stage = std::make_unique<ChaosLocalStage>(modal_, searchDirection, layout, projection_);
+                    local_ = stage.get();
+                    return stage;
+                  }),
       metric_(fixedPoint_.layout(), projection_->terms()),
-      local_(modal_, fixedPoint_.searchDirection(), fixedPoint_.layout(), projection_),
       alpha_(fixedPoint_.layout().rows() * projection_->terms(), assembly.steps()) {
   if (options.stages.formulation != latin::Formulation::displacement) {
     throw base::Error("random interfaces need the displacement form", base::ExitCode::input);
   }
-  local_.setLaws(constantLaws(assembly, *projection_), options_.method);
-  fixedPoint_.replaceLocalStage(
-      [this](const base::Matrix& beta, base::Matrix& traction) { local_.solve(beta, traction); });
+  local_->setLaws(constantLaws(assembly, *projection_), options_.method);
 }
 
 void StochasticSolver::setLaws(const Realisations& laws) {
   stochastic::setLaws(modal_, laws, projection_);
-  local_.setLaws(laws, options_.method);
+  local_->setLaws(laws, options_.method);
   fixedPoint_.updateLaws();
 }
 
@@ -57,7 +59,6 @@ void StochasticSolver::select(int first, int count) {
   std::vector<int> columns(count * projection_->terms());
   std::iota(columns.begin(), columns.end(), column(first, 0));
   fixedPoint_.select(columns);
-  local_.select(first, count);
 }
 
 StochasticSolver::End StochasticSolver::iterate(latin::AndersonAcceleration& acceleration, int first, int count,
@@ -65,7 +66,6 @@ StochasticSolver::End StochasticSolver::iterate(latin::AndersonAcceleration& acc
   const int rows = fixedPoint_.layout().rows();
   const int columns = count * projection_->terms();
   base::Matrix image(alpha_.numRows(), count);
-  base::Matrix residual(alpha_.numRows(), count);
   // The same numbers, once with a column per load step and once with a column per coefficient.
   base::Matrix state(Teuchos::View, alpha_[first], alpha_.stride(), alpha_.numRows(), count);
   const base::Matrix modalState(Teuchos::View, alpha_[first], rows, rows, columns);
@@ -74,11 +74,9 @@ StochasticSolver::End StochasticSolver::iterate(latin::AndersonAcceleration& acc
   End end = End::stalled;
   // A load step that is not done by then is left as it is; a tighter run comes back to it.
   for (int iteration = 0; iteration < latin::March::maximumIterations; ++iteration) {
-    fixedPoint_.apply(modalState, modalImage);
-    residual.assign(image);
-    residual -= state;
-    const double force = std::max(largestForce_, fixedPoint_.metric().norm(fixedPoint_.hattedTraction()));
-    if (metric_.norm(residual) <= std::max(tolerance * force, noise * metric_.norm(image))) {
+    const latin::Iterate& iterate = fixedPoint_.apply(modalState, modalImage);
+    const double force = std::max(largestForce_, fixedPoint_.metric().norm(iterate.hattedTraction()));
+    if (metric_.distance(image, state) <= std::max(tolerance * force, noise * metric_.norm(image))) {
       largestForce_ = force;
       end = End::reached;
       break;
@@ -96,26 +94,26 @@ StochasticSolver::End StochasticSolver::iterate(latin::AndersonAcceleration& acc
 
 StochasticSolver::End StochasticSolver::run(double tolerance, bool isFresh) {
   const int steps = assembly_.steps();
-  const int count = local_.hasMemory() ? 1 : steps;
-  local_.startUnloaded();
+  const int count = local_->hasMemory() ? 1 : steps;
+  local_->startUnloaded();
   End end = End::reached;
   for (int first = 0; first < steps && (end == End::reached || end == End::stalled); first += count) {
     if (isFresh && count == 1) latin::extrapolate(alpha_, first, assembly_.times, alpha_[first]);
     select(first, count);
     const End here = iterate(accelerations_[first / count], first, count, tolerance);
     if (here != End::reached) end = here;
-    local_.startFromHere();
+    local_->startFromHere();
     if (count == 1) {
       for (const auto& observer : observers_) observer({iterations(), iterations(), 0.0, 0.0, first});
     }
   }
   select(0, steps);
-  local_.startUnloaded();
+  local_->startUnloaded();
   const int rows = fixedPoint_.layout().rows();
   const base::Matrix modalState(Teuchos::View, alpha_.values(), rows, rows, modal_.steps());
   base::Matrix image(rows, modal_.steps());
-  fixedPoint_.apply(modalState, image);
-  snapshot_ = std::make_unique<ChaosSnapshot>(fixedPoint_, sampler(), responses_, projection_->terms());
+  state_ = &fixedPoint_.apply(modalState, image);
+  snapshot_ = std::make_unique<ChaosSnapshot>(*state_, sampler(), responses_, projection_->terms());
   return end;
 }
 
@@ -126,7 +124,7 @@ StochasticResult StochasticSolver::solve(const base::Matrix* start) {
   }
   columnsBefore_ = fixedPoint_.linearStage().columns();
   largestForce_ = 0.0;
-  const auto blocks = static_cast<std::size_t>(local_.hasMemory() ? assembly_.steps() : 1);
+  const auto blocks = static_cast<std::size_t>(local_->hasMemory() ? assembly_.steps() : 1);
   accelerations_ = std::vector(blocks, latin::AndersonAcceleration(metric_, options_.memory, modal_.isAffine()));
 
   StochasticResult result;
@@ -145,7 +143,7 @@ StochasticResult StochasticSolver::solve(const base::Matrix* start) {
     if (end != End::reached) break;
     estimates = snapshot_->distance(*before);
     if (*std::max_element(estimates.begin(), estimates.end()) <= options_.accuracy &&
-        latin::fieldGap(fixedPoint_) <= latin::allowedGap * options_.accuracy) {
+        latin::fieldGap(*state_) <= latin::allowedGap * options_.accuracy) {
       result.outcome = latin::Outcome::certified;
       result.reason = "the error estimate is below the accuracy asked for";
       break;
@@ -175,7 +173,7 @@ void StochasticSolver::deliver(StochasticResult& result, const std::vector<doubl
     result.reason = "the residual no longer falls; the estimate stays above the accuracy asked for";
     return;
   }
-  latin::Imbalance imbalance = latin::largestImbalance(fixedPoint_);
+  latin::Imbalance imbalance = latin::largestImbalance(*state_);
   imbalance.step /= projection_->terms();
   result.reason = "limit of " + std::to_string(options_.maximumIterations) + " iterations; worst coefficient: " +
                   (imbalance.body < 0 ? "none" : latin::describe(imbalance, assembly_));

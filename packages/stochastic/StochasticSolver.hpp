@@ -49,14 +49,17 @@ class StochasticSolver {
 
   /// Collective. Runs from 0, or from a state that a run has left in alpha(), its own or another one's.
   StochasticResult solve(const base::Matrix* start = nullptr);
-  /// Fields of the delivered state: their coefficients. See column().
-  const latin::FixedPoint& state() const { return fixedPoint_; }
-  /// Column of state() that holds a coefficient; load step and polynomial from 0.
+  /// Fields of the delivered state: their coefficients. See column(). To be asked after a solve() only.
+  const latin::Iterate& state() const {
+    assert(state_ != nullptr && "nothing has been solved");
+    return *state_;
+  }
+  /// Column of state() that holds a coefficient.
   int column(int step, int term) const { return step * projection_->terms() + term; }
   /// The delivered state [stress]: the rows of the layout for every polynomial below each other, x load steps.
   const base::Matrix& alpha() const { return alpha_; }
   /// Collective. The responses of the delivered state as functions of the germs.
-  ResponseSampler sampler() const { return {assembly_, fixedPoint_, projection_, responses_}; }
+  ResponseSampler sampler() const { return {assembly_, state(), projection_, responses_}; }
 
  private:
   enum class End { reached, stalled, stopped, interrupted };
@@ -74,14 +77,15 @@ class StochasticSolver {
   std::shared_ptr<const Projection> projection_;
   StochasticOptions options_;
   assembly::Assembly modal_;
+  ChaosLocalStage* local_ = nullptr;  // of fixedPoint_
   latin::FixedPoint fixedPoint_;
   latin::StateMetric metric_;  // of states with all polynomials
-  ChaosLocalStage local_;
   std::vector<std::shared_ptr<const latin::Response>> responses_;
   std::vector<std::function<void(const latin::IterationReport&)>> observers_;
   std::function<bool()> interrupted_;
   std::vector<latin::AndersonAcceleration> accelerations_;  // one, or one per load step
   base::Matrix alpha_;
+  const latin::Iterate* state_ = nullptr;  // on all modal columns
   std::unique_ptr<ChaosSnapshot> snapshot_;
   double largestForce_ = 0.0;
   long columnsBefore_ = 0;

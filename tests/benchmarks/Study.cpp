@@ -57,20 +57,20 @@ ConvergedSolution::ConvergedSolution(const Study& study)
   base::Matrix image(alpha), residual(alpha);
   latin::AndersonAcceleration acceleration(metric, study.options.memory);
   for (int i = 0; i < maximumIterations && residual_ > target; ++i) {
-    fixedPoint_.apply(alpha, image);
+    iterate_ = &fixedPoint_.apply(alpha, image);
     residual.assign(image);
     residual -= alpha;
     residual_ = metric.norm(residual) / metric.norm(image);
     acceleration.advance(alpha, image);
   }
-  snapshot_ = std::make_unique<latin::Snapshot>(fixedPoint_, study.problem.responses);
+  snapshot_ = std::make_unique<latin::Snapshot>(*iterate_, study.problem.responses);
 }
 
-std::vector<double> ConvergedSolution::errorsOf(const latin::FixedPoint& state) const {
+std::vector<double> ConvergedSolution::errorsOf(const latin::Iterate& state) const {
   return snapshot_->distance(latin::Snapshot(state, study_.problem.responses));
 }
 
-double ConvergedSolution::contactForceError(const latin::FixedPoint& state) const {
+double ConvergedSolution::contactForceError(const latin::Iterate& state) const {
   const latin::TraceLayout& layout = fixedPoint_.layout();
   double largestError = 0.0;
   double largest = 0.0;
@@ -81,7 +81,7 @@ double ConvergedSolution::contactForceError(const latin::FixedPoint& state) cons
       const assembly::Interface& interface = study_.problem.assembly.interfaces[block.interface];
       if (!interface.law->dissipates()) continue;
       for (int row = block.begin; row < block.begin + layout.dimension() * block.pairs; ++row) {
-        const double f = fixedPoint_.hattedTraction()[t][row];
+        const double f = iterate_->hattedTraction()[t][row];
         const double difference = state.hattedTraction()[t][row] - f;
         const double area = layout.area()[row];
         error += area * difference * difference;

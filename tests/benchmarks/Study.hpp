@@ -50,14 +50,15 @@ class ConvergedSolution {
   double residual() const { return residual_; }
   /// True relative errors of the last iteration of `state`: one per response, then the fields of interface forces and
   /// displacements; see latin::Snapshot.
-  std::vector<double> errorsOf(const latin::FixedPoint& state) const;
+  std::vector<double> errorsOf(const latin::Iterate& state) const;
   /// True relative error of the forces on the interfaces that dissipate, largest over the load steps.
-  double contactForceError(const latin::FixedPoint& state) const;
+  double contactForceError(const latin::Iterate& state) const;
 
  private:
   const Study& study_;
   base::Timers timers_;
   latin::FixedPoint fixedPoint_;
+  const latin::Iterate* iterate_ = nullptr;
   std::unique_ptr<latin::Snapshot> snapshot_;
   double residual_ = 1.0;
 };

@@ -56,7 +56,7 @@ Count solve(const std::string& path, int pieces, double accuracy) {
   for (const auto& response : study.problem.responses) solver.addResponse(response);
   Count count;
   count.bodies = static_cast<int>(study.problem.assembly.bodies.size());
-  count.macroUnknowns = solver.state().linearStage().macroUnknowns();
+  count.macroUnknowns = solver.fixedPoint().linearStage().macroUnknowns();
   count.result = solver.solve();
   return count;
 }

@@ -37,9 +37,9 @@ Record solve(const benchmarks::Study& study, const benchmarks::ConvergedSolution
     latin::March march(fixedPoint, study.options.memory, study.options.accuracy);
     march.run(alpha, tolerance, latin::March::Guess::extrapolation);
     record.stages.push_back(fixedPoint.linearStage().stages() - before);
-    fixedPoint.apply(alpha, image);
-    record.curve.push_back(reference.errorsOf(fixedPoint)[response]);
-    record.contact.push_back(reference.contactForceError(fixedPoint));
+    const latin::Iterate& iterate = fixedPoint.apply(alpha, image);
+    record.curve.push_back(reference.errorsOf(iterate)[response]);
+    record.contact.push_back(reference.contactForceError(iterate));
   }
   return record;
 }

@@ -102,17 +102,17 @@ double largest(const std::vector<double>& values) {
 }
 
 /// Iterates until the residual |T(alpha) - alpha| / |T(alpha)| is 1e-9 or stagnates.
-void converge(latin::FixedPoint& fixedPoint, int memory) {
+const latin::Iterate& converge(latin::FixedPoint& fixedPoint, int memory) {
   base::Matrix alpha(fixedPoint.layout().rows(), fixedPoint.assembly().steps()), image(alpha), residual(alpha);
   latin::AndersonAcceleration acceleration(fixedPoint.metric(), memory);
   for (int i = 0; i < 250; ++i) {
-    fixedPoint.apply(alpha, image);
+    const latin::Iterate& iterate = fixedPoint.apply(alpha, image);
     residual.assign(image);
     residual -= alpha;
-    if (fixedPoint.metric().norm(residual) <= 1e-9 * fixedPoint.metric().norm(image)) return;
+    if (fixedPoint.metric().norm(residual) <= 1e-9 * fixedPoint.metric().norm(image)) return iterate;
     acceleration.advance(alpha, image);
   }
-  fixedPoint.apply(alpha, image);
+  return fixedPoint.apply(alpha, image);
 }
 
 double forceFieldError(const base::Matrix& exact, const base::Matrix& other, const std::vector<double>& area) {
@@ -130,8 +130,7 @@ double forceFieldError(const base::Matrix& exact, const base::Matrix& other, con
   return std::sqrt(error / size);
 }
 
-double responseError(const latin::FixedPoint& exact, const Joint& joint,
-                     const std::vector<std::vector<double>>& curves) {
+double responseError(const latin::Iterate& exact, const Joint& joint, const std::vector<std::vector<double>>& curves) {
   const latin::NaturalSizes sizes(exact);
   double worst = 0.0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -169,7 +168,7 @@ int measure(std::vector<std::string> arguments) {
   parametric::ParametricStudy engine(
       joint.problem.assembly, [&](const auto& values) { joint.install(values); }, joint.problem.responses,
       parametric::optionsForStudy(joint.options, open.size()), comm, timers);
-  engine.setObserver([&](const design::Configuration& configuration, const latin::FixedPoint& state) {
+  engine.setObserver([&](const design::Configuration& configuration, const latin::Iterate& state) {
     const auto found = checked.find(configuration.id);
     if (found != checked.end()) found->second = state.hattedTraction();
   });
@@ -241,13 +240,13 @@ int measure(std::vector<std::string> arguments) {
 
   int falseClaims = 0;
   double worst = 0.0, leastRatio = 1e9, largestRatio = 0.0;
-  latin::FixedPoint exact(joint.problem.assembly, joint.options.stages, comm, timers);
+  latin::FixedPoint fixedPoint(joint.problem.assembly, joint.options.stages, comm, timers);
   for (const auto& [id, traction] : checked) {
     const results::ConfigurationResult& result = results.all[id];
     if (traction.numRows() == 0) continue;
     joint.install(all[id - 1].values);
-    exact.updateLaws();
-    converge(exact, joint.options.memory);
+    fixedPoint.updateLaws();
+    const latin::Iterate& exact = converge(fixedPoint, joint.options.memory);
     const double error = std::max(responseError(exact, joint, result.curves),
                                   forceFieldError(exact.hattedTraction(), traction, exact.layout().area()));
     falseClaims += error > accuracy ? 1 : 0;

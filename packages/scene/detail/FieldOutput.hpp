@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <harmos/files/ResultFiles.hpp>
-#include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/Iterate.hpp>
 #include <harmos/scene/FieldFile.hpp>
 #include <harmos/scene/Problem.hpp>
 #include <harmos/scene/Scene.hpp>
@@ -19,7 +19,7 @@ namespace harmos::scene {
 /// slip_magnitude (tangential jump, side 2 minus side 1 [length]), dissipation since the start [energy/area]. Jumps are
 /// 0 where they have no meaning: on boundaries that no contact law governs. `state` must hold the fields of the last
 /// apply(); files appear only when complete.
-void writeFields(const Scene& scene, const Problem& problem, const latin::FixedPoint& state,
+void writeFields(const Scene& scene, const Problem& problem, const latin::Iterate& state,
                  const std::vector<GlobalVariable>& globals, const files::ResultFiles& files,
                  const Teuchos::Comm<int>& comm);
 

@@ -41,7 +41,7 @@ Answer solve(bool isDriven, const LatinOptions& options, double throwUpper = 0.0
   solver.addResponse(std::make_shared<DisplacementResponse>("top", top, base::Vector3{1.0, 0.0, 0.0}));
   solver.addResponse(
       std::make_shared<ResultantResponse>("shear", std::vector<int>{1}, std::vector<base::Vector3>{{1.0, 0.0, 0.0}}));
-  const TraceLayout& layout = solver.state().layout();
+  const TraceLayout& layout = solver.fixedPoint().layout();
   base::Matrix start(layout.rows(), steps);
   for (const TraceLayout::Block& block : layout.blocks()) {
     for (int pair = 0; block.body == 1 && pair < block.pairs; ++pair) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <harmos/latin/EquilibriumCheck.hpp>
+#include <harmos/latin/FixedPoint.hpp>
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
@@ -16,13 +17,14 @@ Imbalance imbalanceOf(const std::shared_ptr<const laws::InterfaceLaw>& joint,
   base::Timers timers;
   FixedPoint fixedPoint(cubes.assembly(), {}, self(), timers);
   base::Matrix alpha(fixedPoint.layout().rows(), 2), image(fixedPoint.layout().rows(), 2);
+  const Iterate* iterate = nullptr;
   for (int n = 0; n < iterations; ++n) {
-    fixedPoint.apply(alpha, image);
+    iterate = &fixedPoint.apply(alpha, image);
     for (int t = 0; t < 2; ++t) {
       for (int row = 0; row < alpha.numRows(); ++row) alpha(row, t) = 0.5 * (alpha(row, t) + image(row, t));
     }
   }
-  return largestImbalance(fixedPoint);
+  return largestImbalance(*iterate);
 }
 
 std::shared_ptr<const laws::InterfaceLaw> push(double x, double z) {

@@ -29,10 +29,11 @@ struct Watched {
     FixedPoint fixedPoint(assembly, options, self(), timers);
     base::Matrix alpha(fixedPoint.layout().rows(), assembly.steps()), image(alpha);
     while (foundAt == 0 && iterations < 200) {
-      fixedPoint.apply(alpha, image);
+      const Iterate* iterate = &fixedPoint.apply(alpha, image);
       ++iterations;
       const base::Matrix before(image);
-      if (watch.look(fixedPoint, alpha, image) == EquilibriumWatch::Finding::noEquilibrium) foundAt = iterations;
+      if (watch.look(fixedPoint, iterate, alpha, image) == EquilibriumWatch::Finding::noEquilibrium)
+        foundAt = iterations;
       EXPECT_EQ(image, before);
       image -= alpha;
       image.scale(0.5);

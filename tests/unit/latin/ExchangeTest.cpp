@@ -4,7 +4,7 @@
 
 #include <Tpetra_Core.hpp>
 
-#include <harmos/latin/LocalStage.hpp>
+#include <harmos/latin/PointwiseLocalStage.hpp>
 
 #include "Chains.hpp"
 
@@ -26,7 +26,7 @@ TEST(LocalStage, FindsTheSameOnSeveralRanks) {
     onOne.owner.clear();
     const assembly::SearchDirection k(onOne, 1.0, *comm);
     const TraceLayout layout(*assembly, k, comm);
-    LocalStage local(*assembly, k, layout, Formulation::displacement);
+    PointwiseLocalStage local(*assembly, k, layout, Formulation::displacement);
     local.select(allSteps(2));
     base::Matrix beta(layout.rows(), 2), traction(layout.rows(), 2);
     for (const TraceLayout::Block& block : layout.blocks()) {

@@ -38,21 +38,20 @@ struct Finding {
         for (int row = 0; row < rows; ++row) alpha(row, t) = 0.5 * (alpha(row, t) + image(row, t));
       }
     }
-    fixedPoint.apply(alpha, image);
-    imbalance = largestImbalance(fixedPoint);
-    const base::Matrix before(image), forces(fixedPoint.hattedTraction());
-    const FreeMotion motion = followImbalance(imbalance, fixedPoint, alpha, image);
+    const Iterate& iterate = fixedPoint.apply(alpha, image);
+    imbalance = largestImbalance(iterate);
+    const base::Matrix before(image), forces(iterate.hattedTraction());
+    const FreeMotion motion = followImbalance(imbalance, fixedPoint, iterate, alpha, image);
     isFree = motion.isFree;
     for (int t = 0; t < steps; ++t) {
       for (int row = 0; row < rows; ++row) {
         EXPECT_EQ(image(row, t), before(row, t));
-        EXPECT_EQ(fixedPoint.hattedTraction()(row, t), forces(row, t));
+        EXPECT_EQ(motion.iterate->hattedTraction()(row, t), forces(row, t));
       }
     }
     hasLanded = motion.landing.has_value();
     if (!hasLanded) return;
-    fixedPoint.apply(*motion.landing, image);
-    afterLanding = largestImbalance(fixedPoint);
+    afterLanding = largestImbalance(fixedPoint.apply(*motion.landing, image));
   }
 
   Imbalance imbalance, afterLanding;

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/latin/LocalStage.hpp>
+#include <harmos/latin/PointwiseLocalStage.hpp>
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
@@ -71,7 +71,7 @@ struct Stage {
   BoxAssembly cubes;
   assembly::SearchDirection k;
   TraceLayout layout;
-  LocalStage local;
+  PointwiseLocalStage local;
   base::Matrix beta, traction;
 };
 
@@ -162,7 +162,7 @@ TEST(LocalStage, MovesABoundaryAsPrescribed) {
   Stage stage(laws::makeLaw("Perfect"), 2);
   stage.cubes.assembly().interfaces[0].law =
       laws::makeLaw("Prescribed Displacement", {{"Y", 0.5}}, {{"Y", {1.0, 3.0}}});
-  LocalStage local(stage.cubes.assembly(), stage.k, stage.layout, Formulation::displacement);
+  PointwiseLocalStage local(stage.cubes.assembly(), stage.k, stage.layout, Formulation::displacement);
   local.select(allSteps(2));
   randomize(stage.beta);
   local.solve(stage.beta, stage.traction);

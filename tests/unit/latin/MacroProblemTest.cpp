@@ -39,11 +39,11 @@ int unknowns(const Keep& keep) {
   const TraceLayout& layout = fixedPoint.layout();
   base::Matrix alpha(layout.rows(), 1), image(layout.rows(), 1);
   randomize(alpha);
-  fixedPoint.apply(alpha, image);
+  const Iterate& iterate = fixedPoint.apply(alpha, image);
   base::Vector3 sum{};
   for (int side = 0; side < 2; ++side) {
     for (int row = 0; row < 3 * assembly.interfaces[1].pairs(); ++row) {
-      sum[row % 3] += assembly.interfaces[1].area[row / 3] * fixedPoint.traction()[0][layout.begin(1, side) + row];
+      sum[row % 3] += assembly.interfaces[1].area[row / 3] * iterate.traction()[0][layout.begin(1, side) + row];
     }
   }
   for (double component : sum) EXPECT_NEAR(component, 0.0, 1e-11);

@@ -54,8 +54,7 @@ struct Problem {
   /// Forces f^ of one load step at a state of all.
   std::vector<double> forces(const base::Matrix& alpha, int step) {
     base::Matrix image = zero();
-    fixedPoint.apply(alpha, image);
-    const double* column = fixedPoint.hattedTraction()[step];
+    const double* column = fixedPoint.apply(alpha, image).hattedTraction()[step];
     return {column, column + fixedPoint.layout().rows()};
   }
 
@@ -98,7 +97,7 @@ TEST(March, StaysWhereItIsRight) {
   base::Matrix alpha = problem.converged();
   std::vector<int> visited, iterations;
   March march(problem.fixedPoint, memory, accuracy);
-  march.setObserver([&](int step, int count) {
+  march.setObserver([&](int step, int count, const Iterate&) {
     visited.push_back(step);
     iterations.push_back(count);
   });
@@ -124,7 +123,7 @@ TEST(March, StopsWhenAsked) {
   base::Matrix alpha = problem.zero();
   int steps = 0;
   March march(problem.fixedPoint, memory, accuracy);
-  march.setObserver([&](int, int) { ++steps; });
+  march.setObserver([&](int, int, const Iterate&) { ++steps; });
   march.setStop([&] { return steps == 3; });
   EXPECT_EQ(march.run(alpha, tight, March::Guess::extrapolation), March::End::stopped);
   EXPECT_EQ(steps, 4);

@@ -42,8 +42,8 @@ TEST(NewtonCorrection, IsExactForAffineMaps) {
   Glued glued;
   randomize(glued.alpha);
   const double before = glued.residual(glued.alpha);
-  glued.fixedPoint.apply(glued.alpha, glued.image);
-  const auto result = NewtonCorrection(glued.fixedPoint).solve(glued.alpha, glued.image, 1e-9, 200);
+  const Iterate& iterate = glued.fixedPoint.apply(glued.alpha, glued.image);
+  const auto result = NewtonCorrection(glued.fixedPoint).solve(iterate, glued.alpha, glued.image, 1e-9, 200);
   EXPECT_LE(result.reduction, 1e-9);
   EXPECT_GT(result.smallestSingularValue, 0.0);
   EXPECT_LT(glued.residual(glued.plus(result.step)), 1e-8 * before);
@@ -55,8 +55,8 @@ TEST(NewtonCorrection, SaysHowFarItReducedTheResidual) {
   const double before = glued.residual(glued.alpha);
   double last = 1.0;
   for (int vectors : {1, 3, 6, 12}) {
-    glued.fixedPoint.apply(glued.alpha, glued.image);
-    const auto result = NewtonCorrection(glued.fixedPoint).solve(glued.alpha, glued.image, 0.0, vectors);
+    const Iterate& iterate = glued.fixedPoint.apply(glued.alpha, glued.image);
+    const auto result = NewtonCorrection(glued.fixedPoint).solve(iterate, glued.alpha, glued.image, 0.0, vectors);
     EXPECT_EQ(result.vectors, vectors);
     EXPECT_LT(result.reduction, last);
     // For an affine map the linear residual is the residual of the corrected state.
@@ -68,8 +68,8 @@ TEST(NewtonCorrection, SaysHowFarItReducedTheResidual) {
 TEST(NewtonCorrection, StopsAtTheTarget) {
   Glued glued;
   randomize(glued.alpha);
-  glued.fixedPoint.apply(glued.alpha, glued.image);
-  const auto result = NewtonCorrection(glued.fixedPoint).solve(glued.alpha, glued.image, 0.3, 200);
+  const Iterate& iterate = glued.fixedPoint.apply(glued.alpha, glued.image);
+  const auto result = NewtonCorrection(glued.fixedPoint).solve(iterate, glued.alpha, glued.image, 0.3, 200);
   EXPECT_LE(result.reduction, 0.3);
   EXPECT_LT(result.vectors, 60);
 }
@@ -77,14 +77,15 @@ TEST(NewtonCorrection, StopsAtTheTarget) {
 TEST(NewtonCorrection, StartsFromNothing) {
   Glued glued;
   const double before = glued.residual(glued.alpha);
-  glued.fixedPoint.apply(glued.alpha, glued.image);
-  const auto result = NewtonCorrection(glued.fixedPoint).solve(glued.alpha, glued.image, 1e-9, 200);
+  const Iterate& iterate = glued.fixedPoint.apply(glued.alpha, glued.image);
+  const auto result = NewtonCorrection(glued.fixedPoint).solve(iterate, glued.alpha, glued.image, 1e-9, 200);
   EXPECT_LT(glued.residual(glued.plus(result.step)), 1e-8 * before);
 }
 
 TEST(NewtonCorrection, IsNothingAtAFixedPoint) {
   Glued glued;
-  const auto result = NewtonCorrection(glued.fixedPoint).solve(glued.alpha, glued.alpha, 0.1, 10);
+  const Iterate& iterate = glued.fixedPoint.apply(glued.alpha, glued.image);
+  const auto result = NewtonCorrection(glued.fixedPoint).solve(iterate, glued.alpha, glued.alpha, 0.1, 10);
   EXPECT_EQ(result.reduction, 0.0);
   EXPECT_EQ(result.vectors, 0);
   EXPECT_EQ(result.step.normInf(), 0.0);

@@ -162,7 +162,7 @@ TEST(PairFields, SayWhatEachNodeDoes) {
 class Undefined : public Response {
  public:
   Undefined() : Response("undefined", Quantity::force) {}
-  std::vector<double> evaluate(const FixedPoint&) const override { return {1.0, std::nan("")}; }
+  std::vector<double> evaluate(const Iterate&) const override { return {1.0, std::nan("")}; }
 };
 
 // Comparisons with NaN are false: the error estimate would pass it over and certify it.

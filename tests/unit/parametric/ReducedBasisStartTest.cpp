@@ -40,9 +40,9 @@ class Dragged : public testing::Test {
         for (int row = 0; row < alpha.numRows(); ++row) alpha(row, t) = 0.5 * (alpha(row, t) + image(row, t));
       }
     }
-    fixedPoint_.apply(alpha, image);
+    const latin::Iterate& iterate = fixedPoint_.apply(alpha, image);
     states_.widen({value});
-    states_.add(id, {value}, alpha, fixedPoint_.beta());
+    states_.add(id, {value}, alpha, iterate.beta());
     return alpha;
   }
 
@@ -59,9 +59,9 @@ class Dragged : public testing::Test {
       std::copy_n(start.state()[0], alpha.numRows(), alpha[t]);
       base::Matrix traction(alpha.numRows(), 1);
       start.settle(t, start.state(), start.beta());
-      fixedPoint_.localStage().begin();
-      fixedPoint_.localStage().solveColumn(0, start.beta(), traction);
-      fixedPoint_.localStage().accept();
+      fixedPoint_.pointwiseStage().begin();
+      fixedPoint_.pointwiseStage().solveColumn(0, start.beta(), traction);
+      fixedPoint_.pointwiseStage().accept();
       fixedPoint_.startFromHere();
     }
     fixedPoint_.startUnloaded();
@@ -127,10 +127,10 @@ TEST_F(Dragged, AreSolvedByAMarch) {
     error -= exact;
     EXPECT_LT(fixedPoint_.metric().norm(error), 1e-6 * fixedPoint_.metric().norm(exact));
     base::Matrix image(zero());
-    fixedPoint_.apply(iteration.alpha(), image);
+    const latin::Iterate& iterate = fixedPoint_.apply(iteration.alpha(), image);
     base::Matrix linearError(iteration.linear());
-    linearError -= fixedPoint_.beta();
-    EXPECT_LT(linearError.normInf(), 1e-9 * fixedPoint_.beta().normInf());
+    linearError -= iterate.beta();
+    EXPECT_LT(linearError.normInf(), 1e-9 * iterate.beta().normInf());
     iteration.begin(isWarm ? three : empty, {0.24});
     iteration.march({1e-3, 1e-3});
     stages[isWarm] = iteration.stages();
@@ -145,11 +145,11 @@ TEST_F(Dragged, ShowTheImbalanceOfASingleStep) {
   base::Matrix alpha = solve(1, 0.3), image(zero());
   EXPECT_EQ(gauge.imbalance(0, base::Matrix(alpha.numRows(), 1)), 0.0);
   alpha.scale(1.1);
-  fixedPoint_.apply(alpha, image);
-  const Indicators disturbed = gauge.measure(alpha, image);
+  const latin::Iterate& iterate = fixedPoint_.apply(alpha, image);
+  const Indicators disturbed = gauge.measure(iterate, alpha, image);
   double largest = 0.0;
   for (int t = 0; t < steps; ++t) {
-    base::Matrix one(Teuchos::Copy, fixedPoint_.hattedTraction(), alpha.numRows(), 1, 0, t);
+    base::Matrix one(Teuchos::Copy, iterate.hattedTraction(), alpha.numRows(), 1, 0, t);
     largest = std::max(largest, gauge.imbalance(t, one));
   }
   EXPECT_NEAR(largest, disturbed.response * gauge.force(), 1e-12 * gauge.force());
@@ -162,14 +162,13 @@ TEST_F(Dragged, ShowTheirImbalance) {
   const std::vector<std::shared_ptr<const latin::Response>> responses = {
       std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<base::Vector3>{})};
   base::Matrix alpha = solve(1, 0.3), image(zero());
-  fixedPoint_.apply(alpha, image);
   Gauge gauge(fixedPoint_, responses);
-  const Indicators solved = gauge.measure(alpha, image);
+  const Indicators solved = gauge.measure(fixedPoint_.apply(alpha, image), alpha, image);
   EXPECT_LT(solved.force, 1e-8);
   EXPECT_LT(solved.response, 1e-8);
   alpha.scale(1.1);
-  fixedPoint_.apply(alpha, image);
-  const Indicators disturbed = gauge.measure(alpha, image);
+  const latin::Iterate& iterate = fixedPoint_.apply(alpha, image);
+  const Indicators disturbed = gauge.measure(iterate, alpha, image);
   EXPECT_GT(disturbed.force, 1e-3);
   double largest = 0.0;
   for (int t = 0; t < steps; ++t) {
@@ -179,14 +178,14 @@ TEST_F(Dragged, ShowTheirImbalance) {
       std::array<double, 3> sum{};
       for (int c = 0; c < 3; ++c) {
         for (int row : {first + c, second + c}) {
-          sum[c] += fixedPoint_.hattedTraction()(row, t) - fixedPoint_.traction()(row, t);
+          sum[c] += iterate.hattedTraction()(row, t) - iterate.traction()(row, t);
         }
       }
       largest = std::max(largest, std::hypot(sum[0], sum[1], sum[2]));
     }
   }
   double size = 0.0;
-  for (double value : responses[0]->evaluate(fixedPoint_)) size = std::max(size, std::abs(value));
+  for (double value : responses[0]->evaluate(iterate)) size = std::max(size, std::abs(value));
   EXPECT_NEAR(disturbed.response, largest / size, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-#include <harmos/latin/LocalStage.hpp>
+#include <harmos/latin/PointwiseLocalStage.hpp>
 
 #include <cassert>
 #include <cmath>
@@ -7,8 +7,9 @@
 
 namespace harmos::latin {
 
-LocalStage::LocalStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-                       const TraceLayout& layout, Formulation formulation)
+PointwiseLocalStage::PointwiseLocalStage(const assembly::Assembly& assembly,
+                                         const assembly::SearchDirection& searchDirection, const TraceLayout& layout,
+                                         Formulation formulation)
     : assembly_(assembly),
       lines_(assembly, searchDirection, layout),
       formulation_(formulation),
@@ -25,22 +26,22 @@ LocalStage::LocalStage(const assembly::Assembly& assembly, const assembly::Searc
   }
 }
 
-void LocalStage::select(const std::vector<int>& steps) {
+void PointwiseLocalStage::select(const std::vector<int>& steps) {
   steps_ = steps;
   lines_.reserve(static_cast<int>(steps.size()));
   for (Joint& joint : joints_) joint.state.assign(joint.line.size() * steps.size(), {});
 }
 
-void LocalStage::startFromHere() {
+void PointwiseLocalStage::startFromHere() {
   assert(formulation_ == Formulation::displacement && "the velocity form keeps no jump to start from");
   for (Joint& joint : joints_) joint.start = joint.history[0];
 }
 
-void LocalStage::startUnloaded() {
+void PointwiseLocalStage::startUnloaded() {
   for (Joint& joint : joints_) std::fill(joint.start.begin(), joint.start.end(), 0.0);
 }
 
-void LocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
+void PointwiseLocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
   lines_.exchange(beta, 0, beta.numCols());
   begin();
   for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -52,35 +53,36 @@ void LocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
   }
 }
 
-void LocalStage::begin() {
+void PointwiseLocalStage::begin() {
   for (Joint& joint : joints_) {
     joint.history[0] = joint.start;
     std::fill(joint.jump.begin(), joint.jump.end(), 0.0);
   }
 }
 
-void LocalStage::solveColumn(int column, const base::Matrix& beta, base::Matrix& traction) {
+void PointwiseLocalStage::solveColumn(int column, const base::Matrix& beta, base::Matrix& traction) {
   lines_.exchange(beta, column, 1);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (lines_.isActive(static_cast<int>(i))) solveJoint(static_cast<int>(i), joints_[i], column, beta, traction);
   }
 }
 
-void LocalStage::accept() {
+void PointwiseLocalStage::accept() {
   for (Joint& joint : joints_) joint.history[0].swap(joint.history[1]);
 }
 
-void LocalStage::beginAtLastJump(Joint& joint) {
+void PointwiseLocalStage::beginAtLastJump(Joint& joint) {
   for (std::size_t i = 0; i < joint.jump.size(); ++i) joint.line[i / 3].freeJump[i % 3] += joint.jump[i];
 }
 
-void LocalStage::keepJump(Joint& joint, const laws::LocalState* state) {
+void PointwiseLocalStage::keepJump(Joint& joint, const laws::LocalState* state) {
   for (std::size_t i = 0; i < joint.jump.size(); ++i) {
     joint.jump[i] = joint.line[i / 3].jump(state[i / 3].traction)[i % 3];
   }
 }
 
-void LocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const base::Matrix& beta, base::Matrix& traction) {
+void PointwiseLocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const base::Matrix& beta,
+                                     base::Matrix& traction) {
   const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];
   lines_.fill(interfaceIndex, t, beta, joint.line);
   if (formulation_ == Formulation::velocity) beginAtLastJump(joint);

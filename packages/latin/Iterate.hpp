@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cassert>
+
+#include <harmos/latin/LinearStage.hpp>
+#include <harmos/latin/LocalStage.hpp>
+#include <harmos/latin/StateMetric.hpp>
+
+namespace harmos::latin {
+
+/// The fields of one application of T: what FixedPoint::apply() returns and responses, estimates and watches read.
+///
+/// Valid until the next apply(), select() or selectAll() of the same FixedPoint, which owns the fields; a debug build
+/// stops where one is read that is no longer valid. Rows as in TraceLayout, one column per load step that is selected.
+class Iterate {
+ public:
+  /// What all iterates of a FixedPoint share.
+  struct Fields {
+    const assembly::Assembly& assembly;
+    const assembly::SearchDirection& searchDirection;
+    double searchDirectionScale;
+    const TraceLayout& layout;
+    const StateMetric& metric;
+    Formulation formulation;
+    const LinearStage& linear;
+    const LocalStage& local;
+    base::Matrix beta;
+    base::Matrix hattedTraction;
+    base::Matrix hattedTrace;  // computed when asked for
+    bool hasHattedTrace = false;
+    long present = 0;  // number of the iterate that is valid
+  };
+
+  Iterate(Fields& fields, long number) : fields_(&fields), number_(number) {}
+
+  bool isValid() const { return number_ == fields_->present; }
+
+  /// beta = f - k w [stress] of the linear stage (velocity form: f - k dw).
+  const base::Matrix& beta() const { return valid().beta; }
+  /// w [length] of the linear stage.
+  const base::Matrix& trace() const { return valid().linear.trace(); }
+  /// f [stress] of the linear stage, in equilibrium with the bodies.
+  const base::Matrix& traction() const { return valid().linear.traction(); }
+  /// w^ [length] of the local stage.
+  const base::Matrix& hattedTrace() const;
+  /// f^ [stress] of the local stage, which obeys the interface laws.
+  const base::Matrix& hattedTraction() const { return valid().hattedTraction; }
+  /// States of the pairs of one interface, see LocalStage::states().
+  const std::vector<laws::LocalState>& states(int interfaceIndex) const { return valid().local.states(interfaceIndex); }
+  /// u [length] of a node of an owned body, linear stage.
+  base::Vector3 displacement(int body, int node, int column) const {
+    return valid().linear.displacement(body, node, column);
+  }
+  /// Largest of the linear stage [length], see BodyOperators::largestDisplacement().
+  double largestDisplacement(double share) const { return valid().linear.operators().largestDisplacement(share); }
+
+  const assembly::Assembly& assembly() const { return fields_->assembly; }
+  const assembly::SearchDirection& searchDirection() const { return fields_->searchDirection; }
+  /// Factor on the automatic search direction.
+  double searchDirectionScale() const { return fields_->searchDirectionScale; }
+  const TraceLayout& layout() const { return fields_->layout; }
+  const StateMetric& metric() const { return fields_->metric; }
+
+ private:
+  Fields& valid() const {
+    assert(isValid() && "another apply() or select() has come after this iterate");
+    return *fields_;
+  }
+
+  Fields* fields_;
+  long number_;
+};
+
+}  // namespace harmos::latin

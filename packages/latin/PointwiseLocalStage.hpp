@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/latin/Formulation.hpp>
+#include <harmos/latin/InterfaceLines.hpp>
+#include <harmos/latin/LocalStage.hpp>
+
+namespace harmos::latin {
+
+/// At every interface node, intersects the law's graph with the ascent search direction E+ (12).
+///
+/// The lines are those of InterfaceLines. In the velocity form w stands for the displacement increment of the load step
+/// (k = k_v / dt), and the line starts from the jump at the end of the previous step.
+class PointwiseLocalStage final : public LocalStage {
+ public:
+  PointwiseLocalStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
+                      const TraceLayout& layout, Formulation formulation);
+
+  void select(const std::vector<int>& steps) override;
+  /// Displacement form only.
+  void startFromHere() override;
+  void startUnloaded() override;
+  void solve(const base::Matrix& beta, base::Matrix& traction) override;
+  const std::vector<laws::LocalState>& states(int interfaceIndex) const override {
+    return joints_[interfaceIndex].state;
+  }
+
+  /// Solves one load step after the other: begin() goes back before the first column, solveColumn() may be called
+  /// any number of times for the next column and starts from the history of the columns before, accept() makes its last
+  /// call final. solveColumn() is collective. In the displacement form only.
+  void begin();
+  void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction);
+  void accept();
+
+ private:
+  struct Joint {
+    std::vector<laws::LocalLine> line;
+    std::vector<laws::LocalState> state;  // pairs x columns
+    std::vector<double> start;            // history at the beginning of the first column
+    std::vector<double> history[2];
+    std::vector<double> jump;  // velocity form: hatted jump of the previous step, law's frame
+  };
+
+  /// Velocity form: what was met at one load step is where the lines of the next one begin.
+  static void beginAtLastJump(Joint& joint);
+  static void keepJump(Joint& joint, const laws::LocalState* state);
+  void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
+
+  const assembly::Assembly& assembly_;
+  InterfaceLines lines_;
+  Formulation formulation_;
+  std::vector<int> steps_;  // load step of every column
+  std::vector<Joint> joints_;
+};
+
+}  // namespace harmos::latin
