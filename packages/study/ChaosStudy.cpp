@@ -16,7 +16,6 @@ namespace {
 // Responses that are no polynomials, such as maxima over nodes, are projected with more points than the fields; a
 // sample costs no solve.
 constexpr int pointsBeyondTheOrder = 5;
-constexpr double mostResponsePoints = 2e4;
 
 std::vector<double> meanValues(const Study& study) {
   std::vector<double> point;
@@ -195,7 +194,7 @@ std::vector<std::vector<double>> ChaosStudy::sample(const std::vector<std::vecto
 std::vector<probability::Expansion> ChaosStudy::expansions() const {
   const probability::RandomVector& variables = *study_.stochastic->variables;
   const int count = projection_->basis()->order() + pointsBeyondTheOrder;
-  const bool isFine = std::pow(count, variables.dimension()) <= mostResponsePoints;
+  const bool isFine = std::pow(count, variables.dimension()) <= probability::mostPointsWithoutSolves;
   const probability::Quadrature quadrature =
       isFine ? probability::tensorQuadrature(variables, count) : projection_->quadrature();
   std::vector<probability::Expansion> expansions;

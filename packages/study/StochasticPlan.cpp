@@ -21,7 +21,7 @@ using Names = std::vector<std::string>;
 using Method = StochasticPlan::Method;
 
 constexpr int mostAdaptiveVariables = 3;
-constexpr double mostPoints = 1e5;
+constexpr double mostTensorPoints = 1e5;
 // Beyond the degree of the polynomials, for parameters that are no polynomials of their germs.
 constexpr int pointsForNonlinearGerms = 6;
 
@@ -198,9 +198,9 @@ class Reader {
   static void demandFewPoints(const std::vector<int>& counts, const std::string& repair) {
     double points = 1.0;
     for (const int count : counts) points *= count;
-    if (points <= mostPoints) return;
+    if (points <= mostTensorPoints) return;
     throw base::Error(
-        "the tensor grid has more than " + std::to_string(static_cast<int>(mostPoints)) + " points.\n  " + repair,
+        "the tensor grid has more than " + std::to_string(static_cast<int>(mostTensorPoints)) + " points.\n  " + repair,
         base::ExitCode::input);
   }
 

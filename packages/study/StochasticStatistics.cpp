@@ -23,8 +23,8 @@ using results::StochasticSummary;
 using Method = StochasticPlan::Method;
 using Points = std::vector<std::vector<double>>;
 
-// Standard deviations below this share of the mean are round-off.
-constexpr double noise = 1e-9;
+// Standard deviation over the mean up to which a response is constant but for round-off.
+constexpr double leastSpread = 1e-9;
 // Of expansions that are fitted to samples.
 constexpr int highestFittedOrder = 6;
 constexpr int samplesPerTerm = 3;
@@ -220,7 +220,7 @@ class Summariser {
       const probability::Expansion& expansion = *response.expansion;
       response.mean = expansion.mean();
       response.standardDeviation = expansion.standardDeviation();
-      if (response.standardDeviation <= noise * std::abs(response.mean)) {
+      if (response.standardDeviation <= leastSpread * std::abs(response.mean)) {
         setConstant(response);
         continue;
       }
