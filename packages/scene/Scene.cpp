@@ -195,6 +195,9 @@ Scene makeScene(input::InputTree input, const std::string& path, const std::vect
   scene.times = stepTimes(scene.input.lists("Steps"), errors);
   SceneChecker(laws, scene, errors).check();
   errors.throwIfAny();
+  const Parameters& solver = scene.input.list("Solver");
+  scene.solver = latin::LatinOptions(solver);
+  scene.hasConsistentMass = solver.text("Interface Mass") == "Consistent";
   return scene;
 }
 

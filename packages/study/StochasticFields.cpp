@@ -173,7 +173,7 @@ void writeInterfaces(const ChaosStudy& chaos, const Moments& moments, const std:
 
 void writeStochasticFields(const Study& study, const ChaosStudy& chaos, const files::StochasticFiles& files,
                            const Teuchos::Comm<int>& comm) {
-  const std::string& title = study.input.text("Title");
+  const std::string& title = study.title;
   const scene::FieldFile file(title.empty() ? study.path : title, input::effectiveInput(study.input), study.scene.times,
                               {}, comm);
   const Moments moments(chaos.basis());

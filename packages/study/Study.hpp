@@ -10,16 +10,29 @@
 #include <harmos/input/Parameters.hpp>
 #include <harmos/results/ScalarResponse.hpp>
 #include <harmos/scene/Scene.hpp>
+#include <harmos/study/FailurePolicy.hpp>
 #include <harmos/study/StochasticPlan.hpp>
+#include <harmos/study/StudyDesign.hpp>
 #include <harmos/study/StudyParameters.hpp>
 
 namespace harmos::study {
 
+/// What is computed from expansions and samples.
+struct StatisticsOptions {
+  std::vector<double> levels;  // of quantiles
+  int samples = 0;             // points at which expansions are sampled
+  int seed = 0;                // of these
+};
+
 /// A checked study: its scene, parameters and all configurations (of an adaptive design the first
 /// ones); all that can be known before a mesh is read.
 struct Study {
-  std::string path;            // of the study's file
-  input::Parameters input;     // all defaults filled in
+  std::string path;         // of the study's file
+  input::Parameters input;  // all defaults filled in; what is to be done stands in the members below
+  std::string title;
+  StudyDesign design;
+  FailurePolicy policy;
+  StatisticsOptions statistics;
   std::string pointsFile;      // of a listed design, else empty
   input::InputTree sceneTree;  // the scene with the changes that hold for the whole study
   scene::Scene scene;          // made of it, with the values that it has itself

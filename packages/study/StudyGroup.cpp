@@ -105,7 +105,7 @@ void StudyGroup::walk(const design::Configuration& from, const design::Configura
 std::unique_ptr<parametric::ParametricStudy> StudyGroup::makeEngine(std::size_t configurations) {
   auto engine = std::make_unique<parametric::ParametricStudy>(
       problem_.assembly, [this](const std::vector<double>& values) { install(values); }, problem_.responses,
-      parametric::optionsForStudy(latin::LatinOptions(scene_.input.list("Solver")), configurations), comm_, timers_);
+      parametric::optionsForStudy(scene_.solver, configurations), comm_, timers_);
   if (interrupted_) engine->setInterrupt(interrupted_);
   return engine;
 }

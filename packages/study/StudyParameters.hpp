@@ -24,6 +24,7 @@ struct StudyParameter {
   std::vector<Effect> effects;                  // where these entries are used
   Effect::Kind effect = Effect::Kind::nothing;  // the strongest of them
   bool isRandom = false;
+  std::string sampleFile;                                         // that the distribution is read from, else empty
   std::shared_ptr<const probability::Distribution> distribution;  // of a random parameter; null when it has errors
 };
 

@@ -9,7 +9,6 @@
 
 #include <harmos/results/StatusName.hpp>
 #include <harmos/study/detail/Interpolation.hpp>
-#include <harmos/study/detail/StudyDesign.hpp>
 
 namespace harmos::study {
 
@@ -63,7 +62,7 @@ StudyRunner::StudyRunner(const Study& study, const laws::LawRegistry& laws, Stud
       recorder_(recorder),
       interrupted_(std::move(interrupted)),
       timers_(timers),
-      policy_(study.input) {
+      policy_(study.policy) {
   for (const auto& alike : groupByOperators(study.parameters, recorder.results().configurations())) {
     open_.emplace_back();
     for (const Configuration& configuration : alike) {
@@ -160,12 +159,12 @@ void StudyRunner::solve(const std::vector<Configuration>& configurations) {
 }
 
 void StudyRunner::refine() {
-  const input::Parameters& design = study_.input.list("Design");
-  design::Refinement refinement(study_.plan->axes(), refinementOptions(design),
+  const AdaptiveOptions& options = *study_.design.as<AdaptiveOptions>();
+  design::Refinement refinement(study_.plan->axes(), options.refinement,
                                 [this](const auto& point) { return study_.plan->complete(point).has_value(); });
   const results::StudyResults& results = recorder_.results();
   const auto& responses = results.description().responses;
-  const auto isMeant = [&](const auto& each) { return each.name == design.text("Response"); };
+  const auto isMeant = [&](const auto& each) { return each.name == options.response; };
   const auto response =
       static_cast<std::size_t>(std::find_if(responses.begin(), responses.end(), isMeant) - responses.begin());
   while (!mustStop()) {

@@ -62,7 +62,7 @@ class StudyRunner {
   StudyRecorder& recorder_;
   std::function<bool()> interrupted_;
   base::Timers& timers_;
-  FailurePolicy policy_;
+  const FailurePolicy& policy_;
   std::vector<std::vector<design::Configuration>> open_;  // by operators; the same on every rank
   std::vector<design::Configuration> alike_;              // all that share the present operators
   std::unique_ptr<StudyGroup> group_;
