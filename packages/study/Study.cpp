@@ -360,10 +360,9 @@ scene::Scene Study::sceneFor(const std::vector<double>& values, const laws::LawR
   try {
     errors.throwIfAny();
     return scene::makeScene(std::move(tree), scene.path, {}, laws);
-  } catch (const base::Error& error) {
+  } catch (const input::InputErrors& error) {
     // Elsewhere things are run: the closing line about the number of errors is not for a table.
-    const std::string text = error.what();
-    throw base::Error(text.substr(0, text.rfind('\n')), error.code());
+    throw base::Error(error.list(), error.code());
   }
 }
 

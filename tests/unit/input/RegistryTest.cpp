@@ -51,5 +51,21 @@ TEST(Registry, HandsOnWhatElseIsNeededAndChecks) {
   EXPECT_EQ(errors.count(), 1);
 }
 
+TEST(ErrorList, CanBeNestedWithoutItsClosingLine) {
+  ErrorList errors;
+  errors.add("a.xml:1: A", "is wrong.", "Repair it.");
+  errors.add("a.xml:2: B", "is wrong.");
+  const std::string list = "a.xml:1: A: is wrong.\n  Repair it.\na.xml:2: B: is wrong.";
+  try {
+    errors.throwIfAny();
+    FAIL();
+  } catch (const InputErrors& error) {
+    EXPECT_EQ(error.list(), list);
+    EXPECT_EQ(error.what(), list + "\n2 errors; nothing was run.");
+    EXPECT_EQ(error.what(), errors.message());
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+  }
+}
+
 }  // namespace
 }  // namespace harmos::input
