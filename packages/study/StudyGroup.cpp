@@ -1,5 +1,6 @@
 #include <harmos/study/StudyGroup.hpp>
 
+#include <cassert>
 #include <iomanip>
 #include <map>
 #include <set>
@@ -47,14 +48,14 @@ void noteTrust(const parametric::Trust& summary, results::ResultSink& sink) {
 
 scene::Scene firstAdmissible(const Study& study, const std::vector<design::Configuration>& configurations,
                              const laws::LawRegistry& laws) {
-  for (const design::Configuration& configuration : configurations) {
+  assert(!configurations.empty());
+  for (std::size_t i = 0;; ++i) {
     try {
-      return study.sceneFor(configuration.values, laws);
+      return study.sceneFor(configurations[i].values, laws);
     } catch (const base::Error& error) {
-      if (error.code() != base::ExitCode::input || &configuration == &configurations.back()) throw;
+      if (error.code() != base::ExitCode::input || i + 1 == configurations.size()) throw;
     }
   }
-  throw base::Error("There is no configuration.");
 }
 
 }  // namespace
@@ -67,6 +68,18 @@ StudyGroup::StudyGroup(const Study& study, const std::vector<design::Configurati
       timers_(timers),
       scene_(firstAdmissible(study, configurations, laws)),
       problem_(scene::makeProblem(scene_, *comm_, timers)) {}
+
+StudyGroup::StudyGroup(const Study& study, const std::vector<design::Configuration>& configurations,
+                       const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers,
+                       const scene::Problem& made)
+    : study_(study),
+      laws_(laws),
+      comm_(std::move(comm)),
+      timers_(timers),
+      scene_(firstAdmissible(study, configurations, laws)),
+      problem_(made) {
+  useLawsOf(scene_);
+}
 
 void StudyGroup::solve(const std::vector<design::Configuration>& configurations,
                        const std::vector<results::ConfigurationResult>& done, results::ResultSink& sink) {
@@ -112,7 +125,10 @@ std::unique_ptr<parametric::ParametricStudy> StudyGroup::makeEngine(std::size_t 
 
 void StudyGroup::install(const std::vector<double>& values) {
   const auto installing = timers_.start("laws");
-  const scene::Scene scene = study_.sceneFor(values, laws_);
+  useLawsOf(study_.sceneFor(values, laws_));
+}
+
+void StudyGroup::useLawsOf(const scene::Scene& scene) {
   for (assembly::Interface& interface : problem_.assembly.interfaces) {
     const auto law = scene.laws.find(interface.name);
     if (law != scene.laws.end()) interface.law = law->second;  // else a cut through a part, which no parameter changes

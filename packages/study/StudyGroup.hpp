@@ -26,8 +26,12 @@ class StudyGroup {
   /// timers must outlive it. Throws base::Error (input) when none is, and as makeProblem() does.
   StudyGroup(const Study& study, const std::vector<design::Configuration>& configurations,
              const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+  /// The same with a problem that is made already, for the same communicator; it is copied, its matrices are shared.
+  StudyGroup(const Study& study, const std::vector<design::Configuration>& configurations,
+             const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers,
+             const scene::Problem& made);
 
-  StudyGroup(const StudyGroup&) = delete;  // the problem refers to the scene
+  StudyGroup(const StudyGroup&) = delete;
   StudyGroup& operator=(const StudyGroup&) = delete;
 
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
@@ -43,6 +47,7 @@ class StudyGroup {
  private:
   std::unique_ptr<parametric::ParametricStudy> makeEngine(std::size_t configurations);
   void install(const std::vector<double>& values);
+  void useLawsOf(const scene::Scene& scene);
 
   const Study& study_;
   const laws::LawRegistry& laws_;

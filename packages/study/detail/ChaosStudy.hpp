@@ -25,7 +25,7 @@ class ChaosStudy {
   ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
              base::Timers& timers);
 
-  ChaosStudy(const ChaosStudy&) = delete;  // the problem refers to the scene
+  ChaosStudy(const ChaosStudy&) = delete;
   ChaosStudy& operator=(const ChaosStudy&) = delete;
 
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
