@@ -25,13 +25,12 @@ struct StudyFiles {
 /// Writes the files of a study as results come. For one process; others learn the results by other ways.
 class StudyWriter : public results::ResultSink {
  public:
-  /// Opens the journal, see there what it throws, and takes over the results of an earlier run. A table of an earlier
-  /// run is removed, so that nobody reads it as that of this one. `description` must outlive the writer.
-  StudyWriter(const StudyFiles& files, const results::StudyDescription& description, bool restart);
+  /// Opens the journal, see there what it throws, and adds the results of an earlier run to `results`, which must
+  /// outlive the writer. A table of an earlier run is removed, so that nobody reads it as that of this one.
+  StudyWriter(const StudyFiles& files, results::StudyResults& results, bool restart);
 
-  const results::StudyResults& results() const { return results_; }
   int damaged() const { return journal_.damaged(); }
-  /// Appends to the journal, and brings the HDF5 file up to date every few seconds.
+  /// Appends to the journal, then adds to the results, and brings the HDF5 file up to date every few seconds.
   void record(const results::ConfigurationResult& result) override;
   void note(const std::string& name, const std::string& text) override;
   void setStatistics(std::shared_ptr<const results::StochasticSummary> statistics) {
@@ -46,7 +45,7 @@ class StudyWriter : public results::ResultSink {
   void writeFile(const std::string& state);
 
   StudyFiles files_;
-  results::StudyResults results_;
+  results::StudyResults& results_;
   StudyJournal journal_;
   std::chrono::steady_clock::time_point nextFile_;
 };
