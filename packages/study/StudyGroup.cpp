@@ -3,7 +3,6 @@
 #include <cassert>
 #include <iomanip>
 #include <map>
-#include <set>
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
@@ -81,17 +80,10 @@ StudyGroup::StudyGroup(const Study& study, const std::vector<design::Configurati
   useLawsOf(scene_);
 }
 
-void StudyGroup::solve(const std::vector<design::Configuration>& configurations,
-                       const std::vector<results::ConfigurationResult>& done, results::ResultSink& sink) {
-  std::set<int> known;
-  for (const results::ConfigurationResult& result : done) known.insert(result.id);
-  std::vector<design::Configuration> open;
-  for (const design::Configuration& configuration : configurations) {
-    if (known.count(configuration.id) == 0) open.push_back(configuration);
-  }
-  if (open.empty()) return;
-  if (!engine_) engine_ = makeEngine(open.size());
-  engine_->run(open, sink);
+void StudyGroup::solve(const std::vector<design::Configuration>& configurations, results::ResultSink& sink) {
+  if (configurations.empty()) return;
+  if (!engine_) engine_ = makeEngine(configurations.size());
+  engine_->run(configurations, sink);
   noteTrust(engine_->summary(), sink);
 }
 

@@ -35,10 +35,8 @@ class StudyGroup {
   StudyGroup& operator=(const StudyGroup&) = delete;
 
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
-  /// Solves those of the configurations, which share the operators, that `done` does not hold. What is solved serves
-  /// later calls.
-  void solve(const std::vector<design::Configuration>& configurations,
-             const std::vector<results::ConfigurationResult>& done, results::ResultSink& sink);
+  /// Solves configurations that share the operators; there may be none. What is solved serves later calls.
+  void solve(const std::vector<design::Configuration>& configurations, results::ResultSink& sink);
   /// Solves one configuration by itself, from a cold start.
   void solveAlone(const design::Configuration& configuration, results::ResultSink& sink);
   /// Walks to a configuration from another one in `steps` equal steps; only its own result reaches the sink.

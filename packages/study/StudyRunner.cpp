@@ -132,12 +132,14 @@ void StudyRunner::solveRange(const WorkRange& range) {
 
 void StudyRunner::solve(const std::vector<Configuration>& configurations) {
   group_->setInterrupt([this] { return mustStopHere(); });
-  std::vector<ConfigurationResult> done = recorder_.results().all();
-  if (policy_.kind == FailurePolicy::Kind::abort) {
-    done.erase(std::remove_if(done.begin(), done.end(), mayBeHelped), done.end());
+  std::vector<Configuration> open;
+  for (const Configuration& configuration : configurations) {
+    const ConfigurationResult* result = recorder_.results().find(configuration.id);
+    const bool isAgain = result && policy_.kind == FailurePolicy::Kind::abort && mayBeHelped(*result);
+    if (!result || isAgain) open.push_back(configuration);
   }
   try {
-    group_->solve(configurations, done, recorder_);
+    group_->solve(open, recorder_);
   } catch (const base::Error& error) {
     // An operator that cannot be factored, on one rank of the team perhaps: the others wait for it.
     if (teams_.team()->getSize() > 1 && error.code() != base::ExitCode::input) throw;
