@@ -7,6 +7,7 @@
 
 #include <harmos/design/SobolDesign.hpp>
 #include <harmos/design/SurrogateFit.hpp>
+#include <harmos/design/detail/Confidence.hpp>
 
 namespace harmos::design {
 
@@ -14,10 +15,11 @@ namespace {
 
 constexpr std::size_t mostAxesWithCorners = 5;
 constexpr int candidatesPerAxis = 200;
-constexpr double confidence = 1.96;
+// A batch is a quarter of the points that there are, within bounds.
+constexpr std::size_t pointsPerNewOne = 4, smallestBatch = 4, largestBatch = 16;
 
 std::size_t batchSize(std::size_t points) {
-  return std::clamp<std::size_t>(points / 4, 4, 16);
+  return std::clamp(points / pointsPerNewOne, smallestBatch, largestBatch);
 }
 
 std::string percent(double fraction) {
@@ -107,7 +109,8 @@ Refinement::Points Refinement::next(const Points& points, const std::vector<doub
   };
   open.erase(std::remove_if(open.begin(), open.end(), isKnown), open.end());
   std::vector<double> deviations = surrogate->deviationsWith({}, open);
-  const double doubt = deviations.empty() ? 0.0 : confidence * *std::max_element(deviations.begin(), deviations.end());
+  const double doubt =
+      deviations.empty() ? 0.0 : confidentDeviations * *std::max_element(deviations.begin(), deviations.end());
   const double scale = largest > 0.0 ? largest : 1.0;
   summary_ = "within " + percent(doubt / scale) + " of the largest value at 95 %";
   if (std::isfinite(predicted)) {

@@ -9,6 +9,7 @@
 #include <Teuchos_LAPACK.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/design/detail/Confidence.hpp>
 
 namespace harmos::design {
 
@@ -20,7 +21,17 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // The likelihood of this many points tells the lengths; of more it takes long and tells the same.
 constexpr std::size_t mostPointsForChoice = 200;
 constexpr double leastNugget = 1e-10, largestNugget = 1e-1;  // below, correlations are singular
-constexpr double leastLength = 0.1, largestLength = 50.0;
+constexpr double nuggetGrowth = 10.0;                        // when they are singular still
+constexpr double leastLength = 0.1, largestLength = 50.0, firstLength = 2.0;
+// So that the polynomial does not follow what the process should.
+constexpr std::size_t pointsPerTerm = 2;
+// Of the search for lengths and nugget: the logarithm of a step, and what a better score gains at least.
+const double firstStep = std::log(4.0);
+constexpr double lastStep = 0.1, leastGain = 1e-3;
+// Steps of the nugget over those of a length: it ranges over more decades.
+constexpr double nuggetStep = 3.0;
+// Distance beyond the box of the points that is round-off, over its half width.
+constexpr double besideTheBox = 1e-9;
 
 /// Solves L x = b (or L^T x = b) in place.
 void solveTriangular(const base::Matrix& lower, bool isTransposed, base::Matrix& b) {
@@ -66,15 +77,14 @@ Surrogate::Surrogate(Points points, std::vector<double> values, double uncertain
     model_.upper.push_back((*most)[p]);
   }
   for (const auto& point : points) points_.push_back(scaled(point));
-  // Twice as many points as terms, so that the polynomial does not follow what the process should.
-  const std::size_t quadratic = (parameters + 1) * (parameters + 2) / 2;
-  model_.degree = points.size() >= 2 * quadratic ? 2 : points.size() >= 2 * (parameters + 1) ? 1 : 0;
-  model_.lengths.assign(parameters, 2.0);
+  const std::size_t linear = parameters + 1, quadratic = (parameters + 1) * (parameters + 2) / 2;
+  model_.degree = points.size() >= pointsPerTerm * quadratic ? 2 : points.size() >= pointsPerTerm * linear ? 1 : 0;
+  model_.lengths.assign(parameters, firstLength);
   model_.nugget = leastNugget;
   chooseModel(uncertainty);
   while (!solve(points_, values_, system_)) {
     // All points together may be nearer to singular than those of the choice.
-    model_.nugget *= 10.0;
+    model_.nugget *= nuggetGrowth;
     if (model_.nugget > largestNugget) throw base::Error("The response surface cannot be computed.");
   }
   calibrate();
@@ -166,7 +176,7 @@ void Surrogate::chooseModel(double uncertainty) {
     return smoothsTooMuch ? infinity : system.score;
   };
   double best = score();
-  for (double step = std::log(4.0); step > 0.1; step *= 0.5) {
+  for (double step = firstStep; step > lastStep; step *= 0.5) {
     for (bool isBetter = true; isBetter;) {
       isBetter = false;
       for (std::size_t which = 0; which <= model_.lengths.size(); ++which) {
@@ -174,11 +184,10 @@ void Surrogate::chooseModel(double uncertainty) {
         double& value = isNugget ? model_.nugget : model_.lengths[which];
         for (const double direction : {1.0, -1.0}) {
           const double before = value;
-          // The nugget ranges over more decades.
-          value = std::clamp(before * std::exp((isNugget ? 3.0 : 1.0) * direction * step),
+          value = std::clamp(before * std::exp((isNugget ? nuggetStep : 1.0) * direction * step),
                              isNugget ? leastNugget : leastLength, isNugget ? largestNugget : largestLength);
           const double tried = score();
-          if (tried < best - 1e-3) {
+          if (tried < best - leastGain) {
             best = tried;
             isBetter = true;
           } else {
@@ -212,7 +221,7 @@ void Surrogate::calibrate() {
   }
   meanLeftOutError_ = std::sqrt(sum / n);
   // Of few ratios the next larger one: the point that is predicted is one more of them.
-  model_.calibration = std::max(1.0, quantile(ratios, std::min(1.0, 0.95 * (n + 1) / n)) / 1.96);
+  model_.calibration = std::max(1.0, quantile(ratios, std::min(1.0, confidence * (n + 1) / n)) / confidentDeviations);
 }
 
 double Surrogate::deviation(const System& system, const Points& points, const std::vector<double>& x) const {
@@ -236,8 +245,7 @@ Surrogate::Prediction Surrogate::evaluate(const std::vector<double>& point) cons
     prediction.value += system_.weights[i] * correlation(points_[i], x);
   }
   prediction.deviation = deviation(system_, points_, x);
-  constexpr double roundOff = 1e-9;
-  prediction.isInside = std::all_of(x.begin(), x.end(), [](double c) { return std::abs(c) <= 1.0 + roundOff; });
+  prediction.isInside = std::all_of(x.begin(), x.end(), [](double c) { return std::abs(c) <= 1.0 + besideTheBox; });
   return prediction;
 }
 

@@ -8,7 +8,7 @@ namespace harmos::design {
 namespace {
 
 // Time grows with the third power of the number, and more tell hardly more.
-constexpr std::size_t mostPoints = 2000;
+constexpr std::size_t mostPointsOfSurface = 2000;
 
 }  // namespace
 
@@ -23,7 +23,7 @@ std::optional<Surrogate> fitSurrogate(const std::vector<std::vector<double>>& po
   }
   std::vector<std::vector<double>> chosen;
   std::vector<double> chosenValues;
-  const std::size_t count = std::min(known.size(), mostPoints);
+  const std::size_t count = std::min(known.size(), mostPointsOfSurface);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = known[i * known.size() / count];
     chosen.push_back(points[at]);

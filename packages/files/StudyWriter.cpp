@@ -55,10 +55,10 @@ StudyFiles::StudyFiles(const std::string& directory, const std::string& study)
   dakota = base + "_dakota.dat";
 }
 
-StudyWriter::StudyWriter(const StudyFiles& files, const results::StudyDescription& description, bool restart)
+StudyWriter::StudyWriter(const StudyFiles& files, results::StudyResults& results, bool restart)
     : files_(files),
-      results_(description),
-      journal_((demandJournal(files, restart), files.journal), description.identity, restart) {
+      results_(results),
+      journal_((demandJournal(files, restart), files.journal), results.description().identity, restart) {
   removePartialFiles(files_);
   for (const auto& path : tablesOf(files_)) {
     std::error_code error;

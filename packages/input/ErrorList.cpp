@@ -1,7 +1,5 @@
 #include <harmos/input/ErrorList.hpp>
 
-#include <harmos/base/Error.hpp>
-
 namespace harmos::input {
 
 void ErrorList::add(const std::string& where, const std::string& what, const std::string& repair) {
@@ -27,13 +25,16 @@ bool ErrorList::collect(const std::string& where, const std::function<void()>& a
   }
 }
 
+std::string ErrorList::closing() const {
+  return std::to_string(count_) + (count_ == 1 ? " error" : " errors") + "; nothing was run.";
+}
+
 std::string ErrorList::message() const {
-  if (count_ == 0) return "";
-  return text_ + std::to_string(count_) + (count_ == 1 ? " error" : " errors") + "; nothing was run.";
+  return count_ == 0 ? "" : text_ + closing();
 }
 
 void ErrorList::throwIfAny() const {
-  if (count_ > 0) throw base::Error(message(), base::ExitCode::input);
+  if (count_ > 0) throw InputErrors(text_.substr(0, text_.size() - 1), closing());
 }
 
 }  // namespace harmos::input

@@ -3,9 +3,24 @@
 #include <functional>
 #include <string>
 
+#include <harmos/base/Error.hpp>
+
 namespace harmos::input {
 
-/// Collects the errors of an input, so that the user sees all of them at once, in the order in which they were added.
+/// All errors of an input.
+class InputErrors : public base::Error {
+ public:
+  /// `closing` says what became of the input.
+  InputErrors(const std::string& list, const std::string& closing)
+      : base::Error(list + "\n" + closing, base::ExitCode::input), list_(list) {}
+  /// Without the closing line, to be nested in a message about something else.
+  const std::string& list() const { return list_; }
+
+ private:
+  std::string list_;
+};
+
+/// Collects the errors of an input, so that the user sees all of them at once.
 class ErrorList {
  public:
   /// Adds an error, "where: what" and, indented below it, `repair`. `where` as from Parameters::where(); `what` and
@@ -19,11 +34,13 @@ class ErrorList {
   int count() const { return count_; }
   /// All errors, ended by "N errors; nothing was run."; empty when there are none.
   std::string message() const;
-  /// Throws base::Error(ExitCode::input) with message(), if there are any.
+  /// Throws InputErrors with message(), if there are any.
   void throwIfAny() const;
 
  private:
-  std::string text_;
+  std::string closing() const;
+
+  std::string text_;  // ends with a line break
   int count_ = 0;
 };
 

@@ -16,6 +16,9 @@
 namespace harmos::mesh {
 namespace {
 
+// Area of a side set that may face the other way along a projection, over that of the rest.
+constexpr double mostFolded = 1e-6;
+
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
   throw base::Error(where + ": " + what, base::ExitCode::input);
 }
@@ -110,7 +113,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string
       }
     }
     if (outward + folded < 0.0) projection = -1.0 * *projection;
-    if (std::min(outward, -folded) > 1e-6 * std::max(outward, -folded)) {
+    if (std::min(outward, -folded) > mostFolded * std::max(outward, -folded)) {
       refuse(where, "side set \"" + sideSet1 +
                         "\" faces both ways along Projection Direction; restrict it to the faces that can touch.");
     }

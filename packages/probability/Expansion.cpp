@@ -15,6 +15,9 @@ namespace {
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
+// Product of three orthonormal polynomials below which its mean is 0 but for round-off.
+constexpr double vanishing = 1e-13;
+
 double varianceOf(const std::vector<double>& coefficients) {
   return std::inner_product(coefficients.begin() + 1, coefficients.end(), coefficients.begin() + 1, 0.0);
 }
@@ -60,8 +63,7 @@ Coefficients squareOf(const Expansion& expansion) {
         std::vector<std::pair<std::vector<int>, double>> longer;
         for (const auto& [index, value] : terms) {
           for (std::size_t k = 0; k < product.size(); ++k) {
-            constexpr double roundOff = 1e-13;
-            if (std::abs(product[k]) < roundOff) continue;
+            if (std::abs(product[k]) < vanishing) continue;
             longer.emplace_back(index, value * product[k]);
             longer.back().first.push_back(static_cast<int>(k));
           }
@@ -80,9 +82,8 @@ double standardisedMoment(const Expansion& expansion, int power) {
   if (!(deviation > 0.0)) return notANumber;
   const Basis& basis = expansion.basis();
   const int points = power * basis.order() / 2 + 1;
-  constexpr double mostPoints = 2e4;
   double moment = 0.0;
-  if (std::pow(points, basis.variables().dimension()) <= mostPoints) {
+  if (std::pow(points, basis.variables().dimension()) <= mostPointsWithoutSolves) {
     const Quadrature quadrature = tensorQuadrature(basis.variables(), points);
     for (std::size_t q = 0; q < quadrature.weights.size(); ++q) {
       const double distance = expansion.evaluate(quadrature.points[q]) - expansion.mean();

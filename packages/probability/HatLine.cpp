@@ -7,6 +7,9 @@ namespace harmos::probability {
 
 namespace {
 
+// Density of nodes where there is no probability, over the largest.
+constexpr double leastDensity = 1e-3;
+
 /// The largest power of two that divides the number of a node that is neither end.
 int stepOf(int node) {
   return node & -node;
@@ -26,7 +29,7 @@ HatLine::HatLine(double from, double to, const std::function<double(double)>& cu
     density.push_back(std::cbrt(std::max(probability, 0.0)));
   }
   // Where there is no probability there are few nodes, but the line goes on.
-  const double least = 1e-3 * *std::max_element(density.begin(), density.end());
+  const double least = leastDensity * *std::max_element(density.begin(), density.end());
   double total = 0.0;
   for (double& value : density) total += value = std::max(value, least);
   germs_.push_back(from);

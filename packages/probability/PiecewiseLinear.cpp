@@ -12,6 +12,14 @@ namespace harmos::probability {
 
 namespace {
 
+// Standard deviations of a normal germ up to which it is interpolated.
+constexpr double interpolatedDeviations = 5.0;
+// Of surpluses when the width is halved: that of a smooth function, and of a kink on the average.
+constexpr double decayByHalving = 0.25;
+// Weights of the smallest and the largest forecast of parents that disagree: mostly that means that the germs do not
+// interact; a tenth guards against a chance zero.
+constexpr double weightOfLeast = 0.9, weightOfMost = 0.1;
+
 /// Halvings from the middle to a node: 0 of the middle, 1 of the ends.
 int levelOf(int node) {
   int level = 0;
@@ -22,7 +30,7 @@ int levelOf(int node) {
 }  // namespace
 
 double PiecewiseLinear::omittedProbability() {
-  return normalCumulative(-5.0);
+  return normalCumulative(-interpolatedDeviations);
 }
 
 PiecewiseLinear::PiecewiseLinear(std::shared_ptr<const RandomVector> variables, const Options& options)
@@ -89,9 +97,8 @@ std::vector<double> PiecewiseLinear::expectedSurpluses(const Node& node) const {
     other[i] = *parent;
     const auto known = numbers_.find(other);
     if (known == numbers_.end()) continue;
-    // Halving the width quarters the surpluses of a smooth function, and those of a kink on the average; from the
-    // constant to the ends nothing is halved.
-    const double decay = *parent == HatLine::middle ? 1.0 : 0.25;
+    // From the constant to the ends nothing is halved.
+    const double decay = *parent == HatLine::middle ? 1.0 : decayByHalving;
     std::vector<double> surpluses = points_[known->second].surpluses;
     for (double& surplus : surpluses) surplus *= decay;
     if (least.empty()) least = most = surpluses;
@@ -100,8 +107,7 @@ std::vector<double> PiecewiseLinear::expectedSurpluses(const Node& node) const {
       if (std::abs(surpluses[r]) > std::abs(most[r])) most[r] = surpluses[r];
     }
   }
-  // Parents that disagree mostly mean that the germs do not interact; a tenth guards against a chance zero.
-  for (std::size_t r = 0; r < least.size(); ++r) least[r] = 0.9 * least[r] + 0.1 * most[r];
+  for (std::size_t r = 0; r < least.size(); ++r) least[r] = weightOfLeast * least[r] + weightOfMost * most[r];
   return least;
 }
 

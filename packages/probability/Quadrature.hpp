@@ -17,8 +17,10 @@ struct Quadrature {
   int size() const { return static_cast<int>(weights.size()); }
 };
 
-/// All combinations of the Gauss points of each germ, the last germ fastest. Throws base::Error when a germ has no
-/// polynomials up to degree pointsPerGerm - 1.
+/// Points of the largest tensor grid at which a function is evaluated that costs no solve.
+constexpr double mostPointsWithoutSolves = 2e4;
+
+/// All combinations of the Gauss points of each germ, the last germ fastest.
 Quadrature tensorQuadrature(const RandomVector& variables, int pointsPerGerm);
 /// The same with a number of points for each germ, `points` [germ].
 Quadrature tensorQuadrature(const RandomVector& variables, const std::vector<int>& points);

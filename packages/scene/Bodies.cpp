@@ -68,21 +68,29 @@ bool isIsotropic(const elasticity::ElasticityMatrix& c) {
   return true;
 }
 
-base::Matrix bodyForces(const Parameters& force, const mesh::Mesh& mesh, const mesh::Piece& piece, const Model& model,
-                        int steps) {
+base::Matrix bodyForces(const std::array<input::Schedule, 3>& force, const mesh::Mesh& mesh, const mesh::Piece& piece,
+                        const Model& model, int steps) {
   base::Matrix loads;
-  const char* components[] = {"X", "Y", "Z"};
   for (int c = 0; c < mesh.dimension; ++c) {
     base::Vector3 unit{};
     unit[c] = 1.0;
     const std::vector<double> forces = elasticity::bodyForce(mesh, piece, unit, model.kinematics, model.thickness);
-    const input::Schedule value = force.schedule(components[c]);
+    const input::Schedule& value = force[static_cast<std::size_t>(c)];
     if (loads.numRows() == 0) loads.shape(static_cast<int>(forces.size()), steps);
     for (int t = 0; t < steps; ++t) {
       for (int dof = 0; dof < loads.numRows(); ++dof) loads(dof, t) += value[t] * forces[dof];
     }
   }
   return loads;
+}
+
+PartOptions optionsOf(const Parameters& part) {
+  PartOptions options{part.name(), part.where(), elasticity::formulationNamed(part.text("Formulation")), std::nullopt};
+  if (part.hasList("Body Force")) {
+    const Parameters& force = part.list("Body Force");
+    options.bodyForce = {force.schedule("X"), force.schedule("Y"), force.schedule("Z")};
+  }
+  return options;
 }
 
 }  // namespace
@@ -102,10 +110,11 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& 
   if (errors.count() > 0) return bodies;
   for (const Parameters& input : scene.input.lists("Parts")) {
     errors.collect(input.where(), [&] {
+      const PartOptions options = optionsOf(input);
       const mesh::Piece part = mesh::makePiece(mesh, input.name(), blocksOf(input));
       for (mesh::Piece& piece : mesh::cutPart(mesh, part, input.integer("Pieces"))) {
         bodies.pieces.push_back(std::move(piece));
-        bodies.inputs.push_back(&input);
+        bodies.parts.push_back(options);
         bodies.materials.push_back(scene.materials.at(input.text("Material")));
       }
     });
@@ -120,7 +129,7 @@ std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(con
   for (std::size_t b = 0; b < congruences.size(); ++b) {
     for (std::size_t a = 0; a < b && !congruences[b]; ++a) {
       if (congruences[a] || bodies.materials[a] != bodies.materials[b] ||
-          bodies.inputs[a]->text("Formulation") != bodies.inputs[b]->text("Formulation")) {
+          bodies.parts[a].formulation != bodies.parts[b].formulation) {
         continue;
       }
       auto found = mesh::findCongruence(mesh, bodies.pieces[a], bodies.pieces[b]);
@@ -165,20 +174,18 @@ std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh:
   }
   for (std::size_t b = 0; b < assembled.size(); ++b) {
     const mesh::Piece& piece = bodies.pieces[b];
-    const Parameters& input = *bodies.inputs[b];
+    const PartOptions& part = bodies.parts[b];
     assembled[b].name = piece.name;
     assembled[b].dimension = mesh.dimension;
     assembled[b].congruence = congruences[b];
     for (const int node : piece.nodes) assembled[b].nodes.push_back(mesh.nodes[node]);
-    errors.collect(input.where(), [&] {
+    errors.collect(part.where, [&] {
       if (needsStiffness[b]) {
-        assembled[b].stiffness = elasticity::assembleStiffness(mesh, piece, *bodies.materials[b],
-                                                               elasticity::formulationNamed(input.text("Formulation")),
+        assembled[b].stiffness = elasticity::assembleStiffness(mesh, piece, *bodies.materials[b], part.formulation,
                                                                model.kinematics, model.thickness);
       }
-      if (owner[b] == rank && input.hasList("Body Force")) {
-        assembled[b].loads =
-            bodyForces(input.list("Body Force"), mesh, piece, model, static_cast<int>(scene.times.size()));
+      if (owner[b] == rank && part.bodyForce) {
+        assembled[b].loads = bodyForces(*part.bodyForce, mesh, piece, model, static_cast<int>(scene.times.size()));
       }
     });
   }

@@ -1,13 +1,18 @@
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <Teuchos_Comm.hpp>
 
 #include <harmos/elasticity/Kinematics.hpp>
 #include <harmos/elasticity/Material.hpp>
+#include <harmos/elasticity/Stiffness.hpp>
 #include <harmos/input/ErrorList.hpp>
+#include <harmos/input/Schedule.hpp>
 #include <harmos/mesh/Mesh.hpp>
 #include <harmos/mesh/Piece.hpp>
 #include <harmos/scene/Scene.hpp>
@@ -25,12 +30,20 @@ struct Model {
 /// `model` is the list Model of the scene.
 Model makeModel(const input::Parameters& model, const mesh::Mesh& mesh);
 
+/// What the scene says of a part, for all bodies that it is cut into.
+struct PartOptions {
+  std::string name;
+  std::string where;  // it stands, for messages
+  elasticity::Formulation formulation = elasticity::Formulation::fullIntegration;
+  std::optional<std::array<input::Schedule, 3>> bodyForce;  // global components [force/volume]
+};
+
 /// The elastic bodies of the assembly: the parts of the scene, or the pieces they were cut into. The lists are
 /// parallel.
 struct Bodies {
-  std::vector<mesh::Piece> pieces;  // in the order of the list Parts; bodies are counted in this order everywhere
-  std::vector<const input::Parameters*> inputs;  // of the scene's parts; the scene must outlive them
-  std::vector<std::shared_ptr<const elasticity::Material>> materials;  // shared with the scene
+  std::vector<mesh::Piece> pieces;
+  std::vector<PartOptions> parts;
+  std::vector<std::shared_ptr<const elasticity::Material>> materials;
 };
 
 /// Cuts the parts of the scene into pieces. Reports blocks that do not exist, belong to two parts or to none, and parts

@@ -8,7 +8,7 @@
 #include <harmos/scene/Interfaces.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
-#include <harmos/scene/detail/Responses.hpp>
+#include <harmos/scene/detail/ResponseRegistry.hpp>
 
 namespace harmos::scene {
 
@@ -51,12 +51,14 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   assembly::Assembly& assembly = problem.assembly;
   assembly.dimension = problem.mesh.dimension;
   assembly.times = scene.times;
-  Interfaces made = makeInterfaces(scene, problem.bodies.pieces, problem.surfaces,
-                                   scene.input.list("Solver").text("Interface Mass") == "Consistent");
+  Interfaces made = makeInterfaces(scene, problem.bodies.pieces, problem.surfaces, scene.hasConsistentMass);
   assembly.interfaces = std::move(made.interfaces);
   problem.places = std::move(made.places);
-  problem.responses =
-      makeResponses(scene.input.lists("Responses"), problem.mesh, problem.bodies.pieces, finder, assembly, errors);
+  const ResponseContext context{problem.mesh, problem.bodies.pieces, finder, assembly};
+  for (const input::Parameters& response : scene.input.lists("Responses")) {
+    errors.collect(response.where(),
+                   [&] { problem.responses.push_back(builtInResponses().create(response, context)); });
+  }
   assembly.owner = distribute(problem.bodies, comm.getSize());
   assembly.bodies =
       assemble(scene, problem.mesh, problem.model, problem.bodies, assembly.owner, comm.getRank(), errors);

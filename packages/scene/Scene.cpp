@@ -15,6 +15,8 @@
 #include <harmos/scene/SceneSpec.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
 #include <harmos/scene/detail/History.hpp>
+#include <harmos/scene/detail/Place.hpp>
+#include <harmos/scene/detail/ResponseRegistry.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
 
 namespace harmos::scene {
@@ -134,7 +136,7 @@ class SceneChecker {
   }
 
   void checkBoundary(const Parameters& boundary) {
-    checkPlace(boundary, "boundary", "Side Set");
+    checkPlace(boundary, "boundary", "Side Set", errors_);
     knownName(boundary, "Part", namesOf(input_.lists("Parts")), "Parts");
     const auto& interfaces = input_.lists("Interfaces");
     const auto same = std::find_if(interfaces.begin(), interfaces.end(),
@@ -162,17 +164,6 @@ class SceneChecker {
     scene_.laws[interface.name()] = law;
   }
 
-  /// A place is either a node set or something else, of which a side set belongs to its part already.
-  void checkPlace(const Parameters& parameters, const std::string& what, const std::string& other) {
-    if (parameters.has(other) == parameters.has("Node Set")) {
-      errors_.add(parameters.where(), "it is not clear where the " + what + " is.",
-                  "Give either \"" + other + "\" or \"Node Set\".");
-    }
-    if (parameters.has("Part") && other == "Side Set" && parameters.has(other)) {
-      errors_.add(parameters.where("Part"), "a side set belongs to its part already.", "Remove \"Part\".");
-    }
-  }
-
   void checkResponse(const Parameters& response) {
     Names interfaces = namesOf(input_.lists("Interfaces"));
     const Names boundaries = namesOf(input_.lists("Boundaries"));
@@ -184,8 +175,7 @@ class SceneChecker {
         knownName(response.where("Interfaces"), name, interfaces, "Interfaces or Boundaries");
       }
     }
-    if (response.type() == "Mean Displacement") checkPlace(response, "surface", "Side Set");
-    if (response.type() == "Point Displacement") checkPlace(response, "node", "Point");
+    builtInResponses().check(response, errors_);
   }
 
   const laws::LawRegistry& laws_;
@@ -205,6 +195,9 @@ Scene makeScene(input::InputTree input, const std::string& path, const std::vect
   scene.times = stepTimes(scene.input.lists("Steps"), errors);
   SceneChecker(laws, scene, errors).check();
   errors.throwIfAny();
+  const Parameters& solver = scene.input.list("Solver");
+  scene.solver = latin::LatinOptions(solver);
+  scene.hasConsistentMass = solver.text("Interface Mass") == "Consistent";
   return scene;
 }
 

@@ -8,6 +8,7 @@
 #include <harmos/elasticity/Material.hpp>
 #include <harmos/input/InputTree.hpp>
 #include <harmos/input/Parameters.hpp>
+#include <harmos/latin/LatinOptions.hpp>
 #include <harmos/laws/LawRegistry.hpp>
 
 /// Scenes: from XML to an assembly and its responses, and from the solution to files.
@@ -15,11 +16,13 @@ namespace harmos::scene {
 
 /// A checked scene: all that can be known before a mesh is read.
 struct Scene {
-  std::string path;           // of the scene's file
-  input::Parameters input;    // all defaults filled in, histories attached
-  std::vector<double> times;  // end of each load step [time], ascending from above 0
-  std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;  // by name in the list Materials
-  std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;         // by name of interface or boundary
+  std::string path;         // of the scene's file
+  input::Parameters input;  // all defaults filled in, histories attached
+  latin::LatinOptions solver;
+  bool hasConsistentMass = false;  // of interfaces, where they have faces
+  std::vector<double> times;       // end of each load step
+  std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;
+  std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;  // by name of interface or boundary
   std::shared_ptr<const laws::InterfaceLaw> cutLaw;  // between the pieces of one part; null when no part is cut
 };
 

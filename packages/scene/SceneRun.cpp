@@ -128,7 +128,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
   const Scene scene = readScene(request.scene, request.overrides, laws);
   SceneRunResult result{{}, {}, files::ResultFiles(request.directory, request.scene)};
   Recorder recorder(result.record, result.files.record, timers, *comm);
-  const latin::LatinOptions options(scene.input.list("Solver"));
+  const latin::LatinOptions& options = scene.solver;
   const Problem problem = makeProblem(scene, *comm, timers);
 
   result.record.scene = request.scene;

@@ -5,7 +5,7 @@
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/detail/History.hpp>
-#include <harmos/scene/detail/Responses.hpp>
+#include <harmos/scene/detail/ResponseRegistry.hpp>
 
 namespace harmos::scene {
 
@@ -89,7 +89,7 @@ input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
       .defaultValue("Lumped")
       .oneOf({"Lumped", "Consistent"})
       .doc("How tractions become nodal forces; Consistent applies where an interface has faces.");
-  spec.namedLists("Responses").summary("Numbers to report at every time step.").choose(responseForms());
+  spec.namedLists("Responses").summary("Numbers to report at every time step.").choose(builtInResponses().forms());
   return spec;
 }
 

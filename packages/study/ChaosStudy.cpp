@@ -16,7 +16,6 @@ namespace {
 // Responses that are no polynomials, such as maxima over nodes, are projected with more points than the fields; a
 // sample costs no solve.
 constexpr int pointsBeyondTheOrder = 5;
-constexpr double mostResponsePoints = 2e4;
 
 std::vector<double> meanValues(const Study& study) {
   std::vector<double> point;
@@ -43,31 +42,28 @@ std::vector<bool> randomInterfaces(const Study& study, const assembly::Assembly&
 ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
                        base::Timers& timers)
     : study_(study),
+      options_(*study.design.as<ChaosOptions>()),
       laws_(laws),
       comm_(std::move(comm)),
       timers_(timers),
       scene_(study.sceneFor(meanValues(study), laws)),
       problem_(scene::makeProblem(scene_, *comm_, timers)),
-      isRandom_(randomInterfaces(study, problem_.assembly)) {
-  const std::string& stage = study.input.list("Design").text("Local Stage");
-  isGalerkin_ = stage == "Galerkin" || (stage == "Automatic" && problem_.assembly.isAffine());
-}
+      isRandom_(randomInterfaces(study, problem_.assembly)),
+      isGalerkin_(options_.isGalerkin(problem_.assembly.isAffine())) {}
 
 latin::Outcome ChaosStudy::solve() {
-  const input::Parameters& design = study_.input.list("Design");
-  const latin::Outcome outcome =
-      design.has("Tolerance") ? raiseOrder(design.integer("Order")) : (start(design.integer("Order")), run(nullptr));
+  const latin::Outcome outcome = options_.tolerance ? raiseOrder() : (start(options_.order), run(nullptr));
   if (outcome != latin::Outcome::certified || study_.stochastic->sweeps.empty()) return outcome;
   return sweep();
 }
 
 void ChaosStudy::start(int order) {
   const probability::RandomVector& variables = *study_.stochastic->variables;
-  const auto counts = gaussPoints(variables, order, study_.input.list("Design").integer("Points"), isGalerkin_);
+  const auto counts = gaussPoints(variables, order, options_.points, isGalerkin_);
   projection_ = std::make_shared<stochastic::Projection>(
       std::make_shared<probability::Basis>(study_.stochastic->variables, order),
       probability::tensorQuadrature(variables, counts));
-  const latin::LatinOptions latinOptions(scene_.input.list("Solver"));
+  const latin::LatinOptions& latinOptions = scene_.solver;
   stochastic::StochasticOptions options;
   options.method = isGalerkin_ ? stochastic::Method::galerkin : stochastic::Method::pseudoSpectral;
   options.accuracy = latinOptions.accuracy;
@@ -101,11 +97,11 @@ stochastic::Realisations ChaosStudy::realise(const probability::RandomVector& va
   return laws;
 }
 
-latin::Outcome ChaosStudy::raiseOrder(int largest) {
-  const input::Parameters& design = study_.input.list("Design");
-  const double tolerance = design.number("Tolerance");
+latin::Outcome ChaosStudy::raiseOrder() {
+  const int largest = options_.order;
+  const double tolerance = *options_.tolerance;
   const auto isAsked = [&](std::size_t r) {
-    return !design.has("Response") || design.text("Response") == study_.responses[r].name;
+    return !options_.response || *options_.response == study_.responses[r].name;
   };
   for (int order = 1; order <= largest; ++order) {
     if (order > 2 && !admits(order)) {
@@ -195,7 +191,7 @@ std::vector<std::vector<double>> ChaosStudy::sample(const std::vector<std::vecto
 std::vector<probability::Expansion> ChaosStudy::expansions() const {
   const probability::RandomVector& variables = *study_.stochastic->variables;
   const int count = projection_->basis()->order() + pointsBeyondTheOrder;
-  const bool isFine = std::pow(count, variables.dimension()) <= mostResponsePoints;
+  const bool isFine = std::pow(count, variables.dimension()) <= probability::mostPointsWithoutSolves;
   const probability::Quadrature quadrature =
       isFine ? probability::tensorQuadrature(variables, count) : projection_->quadrature();
   std::vector<probability::Expansion> expansions;

@@ -71,13 +71,17 @@ std::shared_ptr<const probability::Distribution> readSample(const Parameters& li
     return nullptr;
   }
   if (list.has("Values")) return std::make_shared<probability::Sample>(list.numbers("Values"));
-  const auto path = (std::filesystem::path(directory) / list.text("File")).lexically_normal().string();
   std::vector<double> values;
-  for (const auto& row : readPoints(path, {parameter})) values.push_back(row.front());
+  for (const auto& row : readPoints(sampleFileOf(list, directory), {parameter})) values.push_back(row.front());
   return std::make_shared<probability::Sample>(std::move(values));
 }
 
 }  // namespace
+
+std::string sampleFileOf(const Parameters& list, const std::string& directory) {
+  if (list.type() != "Sample" || !list.has("File")) return "";
+  return (std::filesystem::path(directory) / list.text("File")).lexically_normal().string();
+}
 
 std::vector<input::ParameterSpec> distributionForms() {
   input::ParameterSpec normal("Normal"), lognormal("Lognormal"), truncated("Truncated Normal"), uniform("Uniform"),

@@ -2,21 +2,24 @@
 
 namespace harmos::study {
 
-FailurePolicy::FailurePolicy(const input::Parameters& study) {
-  if (!study.hasList("Failure Policy")) return;
+FailurePolicy readFailurePolicy(const input::Parameters& study) {
+  FailurePolicy policy;
+  if (!study.hasList("Failure Policy")) return policy;
   const input::Parameters& list = study.list("Failure Policy");
   if (list.type() == "Retry") {
-    attempts = list.integer("Count");
+    policy.attempts = list.integer("Count");
   } else if (list.type() == "Record") {
-    kind = Kind::record;
+    policy.kind = FailurePolicy::Kind::record;
   } else if (list.type() == "Abort") {
-    kind = Kind::abort;
+    policy.kind = FailurePolicy::Kind::abort;
   } else if (list.type() == "Recover") {
-    kind = Kind::recover;
+    policy.kind = FailurePolicy::Kind::recover;
+    policy.values = list.numbers("Values");
   } else {
-    kind = Kind::continuation;
-    steps = list.integer("Steps");
+    policy.kind = FailurePolicy::Kind::continuation;
+    policy.steps = list.integer("Steps");
   }
+  return policy;
 }
 
 bool mayBeHelped(const results::ConfigurationResult& result) {

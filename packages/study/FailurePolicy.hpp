@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <harmos/input/Parameters.hpp>
 #include <harmos/results/ConfigurationResult.hpp>
 
@@ -11,13 +13,14 @@ struct FailurePolicy {
   /// walk to it from the nearest solved configuration.
   enum class Kind { retry, record, abort, recover, continuation };
 
-  Kind kind = Kind::retry;  // what is done
-  int attempts = 1;         // of retry, the most
-  int steps = 8;            // of continuation, the most; they begin at 2 and are doubled
-
-  /// Of the input of a study, from its list Failure Policy; retry when there is none. Keeps nothing of it.
-  explicit FailurePolicy(const input::Parameters& study);
+  Kind kind = Kind::retry;
+  int attempts = 1;            // of retry
+  int steps = 8;               // of continuation, the most
+  std::vector<double> values;  // of recover, in place of the responses
 };
+
+/// Of the input of a study.
+FailurePolicy readFailurePolicy(const input::Parameters& study);
 
 /// Whether another way of solving may help: it failed or did not converge. Loads that cannot be carried and values that
 /// the scene does not allow stay what they are.

@@ -11,13 +11,13 @@ namespace harmos::study {
 namespace {
 
 probability::PiecewiseLinear makeFunction(const Study& study) {
-  const input::Parameters& design = study.input.list("Design");
+  const InterpolationOptions& design = *study.design.as<InterpolationOptions>();
   probability::PiecewiseLinear::Options options;
-  options.tolerance = design.number("Tolerance");
-  options.largestCount = design.integer("Maximum Count");
-  if (design.has("Response")) {
+  options.tolerance = design.tolerance;
+  options.largestCount = design.largestCount;
+  if (design.response) {
     const auto found = std::find_if(study.responses.begin(), study.responses.end(),
-                                    [&](const auto& response) { return response.name == design.text("Response"); });
+                                    [&](const auto& response) { return response.name == *design.response; });
     options.response = static_cast<int>(found - study.responses.begin());
   }
   return {study.stochastic->variables, options};
@@ -54,7 +54,7 @@ Interpolation::Interpolation(const Study& study, const results::StudyResults& re
   text << (function_.isReached() ? "reached: " : "not reached: ") << count_
        << " configurations, estimated error of mean and standard deviation " << std::setprecision(2)
        << function_.errorIndicator() << " of the standard deviation, asked for "
-       << study.input.list("Design").number("Tolerance");
+       << study.design.as<InterpolationOptions>()->tolerance;
   summary_ = text.str();
 }
 

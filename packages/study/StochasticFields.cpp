@@ -15,8 +15,8 @@ namespace {
 using files::ResultStep;
 using files::ResultVariables;
 
-// Of a standard deviation beside the largest mean of its field.
-constexpr double noise = 1e-10;
+// Standard deviation over the largest mean of its field up to which a value is constant but for round-off.
+constexpr double leastSpread = 1e-10;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -68,7 +68,7 @@ class Moments {
       double largest = 0.0;
       for (const double mean : values[first]) largest = std::max(largest, std::abs(mean));
       for (std::size_t entity = 0; entity < values[first].size(); ++entity) {
-        if (values[first + 1][entity] > noise * largest) continue;
+        if (values[first + 1][entity] > leastSpread * largest) continue;
         for (std::size_t share = 2; share < count(); ++share) values[first + share][entity] = 0.0;
       }
     }
@@ -173,7 +173,7 @@ void writeInterfaces(const ChaosStudy& chaos, const Moments& moments, const std:
 
 void writeStochasticFields(const Study& study, const ChaosStudy& chaos, const files::StochasticFiles& files,
                            const Teuchos::Comm<int>& comm) {
-  const std::string& title = study.input.text("Title");
+  const std::string& title = study.title;
   const scene::FieldFile file(title.empty() ? study.path : title, input::effectiveInput(study.input), study.scene.times,
                               {}, comm);
   const Moments moments(chaos.basis());

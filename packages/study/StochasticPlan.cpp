@@ -10,7 +10,6 @@
 #include <harmos/design/RandomDesign.hpp>
 #include <harmos/probability/Lognormal.hpp>
 #include <harmos/probability/Normal.hpp>
-#include <harmos/study/detail/StudyDesign.hpp>
 
 namespace harmos::study {
 
@@ -21,14 +20,15 @@ using Names = std::vector<std::string>;
 using Method = StochasticPlan::Method;
 
 constexpr int mostAdaptiveVariables = 3;
-constexpr double mostPoints = 1e5;
+constexpr double mostTensorPoints = 1e5;
 // Beyond the degree of the polynomials, for parameters that are no polynomials of their germs.
 constexpr int pointsForNonlinearGerms = 6;
 
 class Reader {
  public:
-  Reader(const Parameters& study, const std::vector<StudyParameter>& parameters, input::ErrorList& errors)
-      : study_(study), parameters_(parameters), errors_(errors) {}
+  Reader(const Parameters& study, const StudyDesign& design, const std::vector<StudyParameter>& parameters,
+         input::ErrorList& errors)
+      : study_(study), design_(design), parameters_(parameters), errors_(errors) {}
 
   std::shared_ptr<const StochasticPlan> read() {
     const int before = errors_.count();
@@ -50,11 +50,13 @@ class Reader {
       plan->remarks.emplace_back("the sweep is left out: only a design of the type Chaos makes one");
     }
     if (errors_.count() > before || !isReadable) return nullptr;
-    errors_.collect(
-        study_.lists("Correlations").empty() ? study_.where() : study_.lists("Correlations").front().where(),
-        [&] { plan->variables = std::make_shared<probability::RandomVector>(variables_, plan->correlation); });
+    const auto& correlations = study_.lists("Correlations");
+    plan->where = correlations.empty() ? design_.where : correlations.front().where();
+    errors_.collect(correlations.empty() ? study_.where() : plan->where, [&] {
+      plan->variables = std::make_shared<probability::RandomVector>(variables_, plan->correlation);
+    });
     if (!plan->variables) return nullptr;
-    errors_.collect(study_.list("Design").where(), [&] { choosePoints(*plan); });
+    errors_.collect(design_.where, [&] { choosePoints(*plan); });
     return errors_.count() > before ? nullptr : plan;
   }
 
@@ -81,18 +83,22 @@ class Reader {
                   "Give one of the Type Chaos, Collocation, Adaptive Collocation, Random, Latin Hypercube or Sobol.");
       return;
     }
-    const Parameters& design = study_.list("Design");
-    const std::string& type = design.type();
-    if (type == "Chaos") plan.method = Method::chaos;
-    if (type == "Collocation") plan.method = Method::collocation;
-    if (type == "Adaptive Collocation") plan.method = Method::adaptive;
-    if (type == "Grid" || type == "List" || type == "Adaptive") {
-      errors_.add(design.where(), "a design of the type " + type + " does not know the distributions.",
+    if (const auto* chaos = design_.as<ChaosOptions>()) {
+      plan.method = Method::chaos;
+      plan.order = chaos->order;
+      plan.points = chaos->points;
+    } else if (const auto* collocation = design_.as<CollocationOptions>()) {
+      plan.method = Method::collocation;
+      plan.order = collocation->order;
+      plan.points = collocation->points;
+    } else if (design_.as<InterpolationOptions>()) {
+      plan.method = Method::adaptive;
+    } else if (!design_.as<SamplingOptions>()) {
+      errors_.add(design_.where, "a design of the type " + design_.type + " does not know the distributions.",
                   "Take Chaos, Collocation, Adaptive Collocation, Random, Latin Hypercube or Sobol.");
     }
-    if (plan.method == Method::chaos || plan.method == Method::collocation) plan.order = design.integer("Order");
     if (plan.method == Method::adaptive && static_cast<int>(variables_.size()) > mostAdaptiveVariables) {
-      errors_.add(design.where(), "it is made for one to three random parameters.", "Take Collocation.");
+      errors_.add(design_.where, "it is made for one to three random parameters.", "Take Collocation.");
     }
     if (plan.method == Method::chaos) {
       for (const StudyParameter& parameter : parameters_) {
@@ -100,7 +106,7 @@ class Reader {
         errors_.add(parameter.where, "Chaos varies laws and loads only, but this changes bodies.", "Take Collocation.");
       }
     }
-    if (plan.method == Method::chaos || plan.method == Method::adaptive) checkResponse(design);
+    if (plan.method == Method::chaos || plan.method == Method::adaptive) checkResponse(study_.list("Design"));
   }
 
   void checkResponse(const Parameters& design) {
@@ -159,37 +165,39 @@ class Reader {
       if (values.empty() || std::any_of(values.begin(), values.end(), [](double v) { return !(v >= 0.0); })) {
         errors_.add(list.where("Values"), "coefficients of variation are numbers of at least 0, one or more.");
       }
-      plan.sweeps.push_back({list.name(), *variable, values});
+      plan.sweeps.push_back({list.name(), *variable, values, list.where("Values")});
     }
   }
 
   void choosePoints(StochasticPlan& plan) const {
-    const Parameters& design = study_.list("Design");
-    if (plan.method == Method::sampling) {
-      plan.germs = design::germsOf(*makeDesign(study_), design.integer("Count"), *plan.variables);
-      return;
-    }
-    if (plan.method == Method::collocation) {
-      if (design.text("Points In") == "Sparse") {
+    if (const auto* sampling = design_.as<SamplingOptions>()) {
+      plan.germs = design::germsOf(*design_.points, sampling->count, *plan.variables);
+    } else if (const auto* collocation = design_.as<CollocationOptions>()) {
+      if (collocation->isSparse) {
         plan.quadrature = probability::sparseQuadrature(probability::Basis(plan.variables, plan.order));
       } else {
-        const auto counts = gaussPoints(*plan.variables, plan.order, design.integer("Points"), false);
+        const auto counts = gaussPoints(*plan.variables, plan.order, plan.points, false);
         demandFewPoints(counts, "Set Points In to Sparse, or lower the Order.");
         demandPolynomials(plan);
         plan.quadrature = probability::tensorQuadrature(*plan.variables, counts);
       }
       plan.germs = plan.quadrature.points;
-    }
-    if (plan.method == Method::chaos) {
-      const bool isGalerkin = design.text("Local Stage") == "Galerkin";
-      demandFewPoints(gaussPoints(*plan.variables, plan.order, design.integer("Points"), isGalerkin),
+      holdOut(collocation->holdOuts, plan);
+    } else if (const auto* chaos = design_.as<ChaosOptions>()) {
+      demandFewPoints(gaussPoints(*plan.variables, plan.order, plan.points, chaos->isGalerkin(false)),
                       "Take Collocation with Points In set to Sparse, or a lower Order.");
       demandPolynomials(plan);
+      holdOut(chaos->holdOuts, plan);
+    } else if (const auto* interpolation = design_.as<InterpolationOptions>()) {
+      holdOut(interpolation->holdOuts, plan);
     }
-    plan.holdOuts = design.integer("Hold-Out Count");
-    if (plan.holdOuts == 0) return;
-    const design::RandomDesign held(plan.holdOuts, design.integer("Seed"));
-    for (auto& germ : design::germsOf(held, plan.holdOuts, *plan.variables)) plan.germs.push_back(std::move(germ));
+  }
+
+  static void holdOut(const HoldOutOptions& options, StochasticPlan& plan) {
+    plan.holdOuts = options.count;
+    if (options.count == 0) return;
+    const design::RandomDesign held(options.count, options.seed);
+    for (auto& germ : design::germsOf(held, options.count, *plan.variables)) plan.germs.push_back(std::move(germ));
   }
 
   /// There are as many orthogonal polynomials of every random parameter as an expansion of the order needs.
@@ -198,13 +206,14 @@ class Reader {
   static void demandFewPoints(const std::vector<int>& counts, const std::string& repair) {
     double points = 1.0;
     for (const int count : counts) points *= count;
-    if (points <= mostPoints) return;
+    if (points <= mostTensorPoints) return;
     throw base::Error(
-        "the tensor grid has more than " + std::to_string(static_cast<int>(mostPoints)) + " points.\n  " + repair,
+        "the tensor grid has more than " + std::to_string(static_cast<int>(mostTensorPoints)) + " points.\n  " + repair,
         base::ExitCode::input);
   }
 
   const Parameters& study_;
+  const StudyDesign& design_;
   const std::vector<StudyParameter>& parameters_;
   input::ErrorList& errors_;
   std::vector<probability::Variable> variables_;
@@ -212,10 +221,10 @@ class Reader {
 
 }  // namespace
 
-std::shared_ptr<const StochasticPlan> readStochasticPlan(const Parameters& study,
+std::shared_ptr<const StochasticPlan> readStochasticPlan(const Parameters& study, const StudyDesign& design,
                                                          const std::vector<StudyParameter>& parameters,
                                                          input::ErrorList& errors) {
-  return Reader(study, parameters, errors).read();
+  return Reader(study, design, parameters, errors).read();
 }
 
 std::shared_ptr<const probability::RandomVector> withSpread(const StochasticPlan& plan,

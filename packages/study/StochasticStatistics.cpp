@@ -23,14 +23,13 @@ using results::StochasticSummary;
 using Method = StochasticPlan::Method;
 using Points = std::vector<std::vector<double>>;
 
-// Standard deviations below this share of the mean are round-off.
-constexpr double noise = 1e-9;
+// Standard deviation over the mean up to which a response is constant but for round-off.
+constexpr double leastSpread = 1e-9;
 // Of expansions that are fitted to samples.
 constexpr int highestFittedOrder = 6;
 constexpr int samplesPerTerm = 3;
 constexpr double worstFit = 0.5;
 constexpr int densityPoints = 201;
-const std::vector<double> usualLevels = {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
 
 class Summariser {
  public:
@@ -44,8 +43,7 @@ class Summariser {
       summary_->variables.push_back(variable.name);
     summary_->distributions = describeTails(study);
     summary_->hasIndependentVariables = plan_.variables->isIndependent();
-    const input::Parameters& statistics = study.input.list("Statistics");
-    summary_->levels = statistics.has("Quantiles") ? statistics.numbers("Quantiles") : usualLevels;
+    summary_->levels = study.statistics.levels;
     for (const results::ScalarResponse& response : study.responses) {
       summary_->responses.emplace_back();
       summary_->responses.back().name = response.name;
@@ -130,8 +128,7 @@ class Summariser {
     }
     if (summary_->solved < 2) return nullptr;
     summary_->isSample = true;
-    summary_->method =
-        study_.input.list("Design").type() + " sample of " + std::to_string(summary_->solved) + " configurations";
+    summary_->method = study_.design.type + " sample of " + std::to_string(summary_->solved) + " configurations";
     fill(values);
     for (std::size_t r = 0; r < values.size(); ++r) {
       const probability::SampleStatistics statistics(values[r]);
@@ -191,9 +188,8 @@ class Summariser {
 
   /// `times` as many as the user wants.
   Points sampleGerms(int times = 1) const {
-    const input::Parameters& statistics = study_.input.list("Statistics");
-    const int count = times * statistics.integer("Samples");
-    return design::germsOf(design::RandomDesign(count, statistics.integer("Seed")), count, *plan_.variables);
+    const int count = times * study_.statistics.samples;
+    return design::germsOf(design::RandomDesign(count, study_.statistics.seed), count, *plan_.variables);
   }
 
   Points heldOutGerms() const {
@@ -220,7 +216,7 @@ class Summariser {
       const probability::Expansion& expansion = *response.expansion;
       response.mean = expansion.mean();
       response.standardDeviation = expansion.standardDeviation();
-      if (response.standardDeviation <= noise * std::abs(response.mean)) {
+      if (response.standardDeviation <= leastSpread * std::abs(response.mean)) {
         setConstant(response);
         continue;
       }

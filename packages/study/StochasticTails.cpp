@@ -28,11 +28,12 @@ bool usesGaussPoints(const StochasticPlan& plan) {
 /// The order that is certainly solved: with a tolerance it is raised from 1, and 2 is the first to be compared.
 int certainOrder(const Study& study) {
   const int order = study.stochastic->order;
-  return study.isChaos() && study.input.list("Design").has("Tolerance") ? std::min(order, 2) : order;
+  const auto* chaos = study.design.as<ChaosOptions>();
+  return chaos && chaos->tolerance ? std::min(order, 2) : order;
 }
 
 probability::GaussRule ruleOf(const Study& study, const probability::RandomVector& variables, int i, int order) {
-  const auto points = gaussPoints(variables, order, study.input.list("Design").integer("Points"), false);
+  const auto points = gaussPoints(variables, order, study.stochastic->points, false);
   return variables.polynomials(i).gauss(points[i]);
 }
 
@@ -119,9 +120,7 @@ void checkCorners(const Study& study, const laws::LawRegistry& laws, const proba
     for (std::size_t i = 0; i < dimension; ++i) {
       point += (point.empty() ? "" : ", ") + variables.variables()[i].name + " = " + text(values[i]);
     }
-    const auto& correlations = study.input.lists("Correlations");
-    errors.add(correlations.empty() ? study.input.list("Design").where() : correlations.front().where(),
-               whoNeeds(study, order) + point + ", which the scene refuses: " + reason,
+    errors.add(study.stochastic->where, whoNeeds(study, order) + point + ", which the scene refuses: " + reason,
                "Take distributions that admit only what the scene does (Lognormal for what is positive), less spread, "
                "or a lower Order.");
     return;
@@ -179,10 +178,7 @@ void checkTails(const Study& study, const laws::LawRegistry& laws, int order, in
       checkVariable(study, laws, *plan.variables, i, order, parameter.where + " / Distribution", errors);
     }
     for (const auto& sweep : plan.sweeps) {
-      const auto& lists = study.input.lists("Sweep");
-      const auto list =
-          std::find_if(lists.begin(), lists.end(), [&](const auto& each) { return each.name() == sweep.name; });
-      checkVariable(study, laws, *widest, static_cast<int>(sweep.variable), order, list->where("Values"), errors);
+      checkVariable(study, laws, *widest, static_cast<int>(sweep.variable), order, sweep.where, errors);
     }
     if (plan.variables->dimension() > mostForCorners) return;
   }

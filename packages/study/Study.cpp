@@ -17,7 +17,6 @@
 #include <harmos/study/StochasticTails.hpp>
 #include <harmos/study/StudyParameters.hpp>
 #include <harmos/study/StudySpec.hpp>
-#include <harmos/study/detail/StudyDesign.hpp>
 
 namespace harmos::study {
 
@@ -26,6 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 using input::Parameters;
 using Names = std::vector<std::string>;
+
+const std::vector<double> usualLevels = {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
 
 constexpr const char* scenePrefix = "Scene/";
 
@@ -68,6 +69,13 @@ class StudyReader {
   StudyReader(Study& study, const std::string& pointsFile, const laws::LawRegistry& laws)
       : study_(study), input_(study.input), spec_(scene::sceneSpec(laws)), pointsFile_(pointsFile), laws_(laws) {
     study_.pointsFile = pointsFile;
+    study_.title = input_.text("Title");
+    study_.design = study::readDesign(input_);
+    if (!pointsFile.empty()) study_.design.options = TableOptions{pointsFile};
+    study_.policy = readFailurePolicy(input_);
+    const Parameters& statistics = input_.list("Statistics");
+    study_.statistics = {statistics.has("Quantiles") ? statistics.numbers("Quantiles") : usualLevels,
+                         statistics.integer("Samples"), statistics.integer("Seed")};
   }
 
   void read(const Names& sceneChanges) {
@@ -126,20 +134,17 @@ class StudyReader {
     }
   }
 
-  bool isListed() const {
-    return !pointsFile_.empty() || (input_.hasList("Design") && input_.list("Design").type() == "List");
-  }
+  bool isListed() const { return study_.design.as<TableOptions>() != nullptr; }
 
   void readRandomness() {
     const bool isRandom = std::any_of(study_.parameters.begin(), study_.parameters.end(),
                                       [](const StudyParameter& parameter) { return parameter.isRandom; });
     if (isRandom) {
-      study_.stochastic = readStochasticPlan(input_, study_.parameters, errors_);
+      study_.stochastic = readStochasticPlan(input_, study_.design, study_.parameters, errors_);
       return;
     }
-    const std::string design = input_.hasList("Design") ? input_.list("Design").type() : "";
-    if (design == "Chaos" || design == "Collocation" || design == "Adaptive Collocation") {
-      errors_.add(input_.list("Design").where(), "no parameter is random.",
+    if (study_.design.wantsRandomness()) {
+      errors_.add(study_.design.where, "no parameter is random.",
                   "Give at least one of the Parameters a Distribution.");
     }
     for (const char* kind : {"Correlations", "Sweep"}) {
@@ -148,21 +153,22 @@ class StudyReader {
     }
   }
 
-  /// Null when it cannot be made, which is then reported.
-  std::unique_ptr<design::Design> readDesign() {
+  /// Null when they cannot be read, which is then reported.
+  std::shared_ptr<const design::Design> readPointsToBegin() {
     if (study_.stochastic) {
       std::vector<std::vector<double>> points;
       for (const auto& germs : study_.stochastic->germs) points.push_back(study_.stochastic->variables->values(germs));
-      return std::make_unique<design::ListDesign>(std::move(points));
+      return std::make_shared<const design::ListDesign>(std::move(points));
     }
-    if (!isListed()) return makeDesign(input_);
-    study_.pointsFile = pointsFile_.empty() ? besides(study_.path, input_.list("Design").text("File")) : pointsFile_;
+    const auto* table = study_.design.as<TableOptions>();
+    if (!table) return study_.design.points;
+    study_.pointsFile = pointsFile_.empty() ? besides(study_.path, table->file) : pointsFile_;
     Names names;
     for (const design::PlannedParameter& parameter : planned_) {
       if (parameter.formula.empty()) names.push_back(parameter.axis.name);
     }
     try {
-      return std::make_unique<design::ListDesign>(readPoints(study_.pointsFile, names));
+      return std::make_shared<const design::ListDesign>(readPoints(study_.pointsFile, names));
     } catch (const base::Error& error) {
       pointsErrors_ = error.what();
       return nullptr;
@@ -192,9 +198,9 @@ class StudyReader {
 
   void makeConfigurations() {
     if (errors_.count() > 0) return;
-    const std::unique_ptr<design::Design> design = readDesign();
+    const std::shared_ptr<const design::Design> design = readPointsToBegin();
     if (!design) return;
-    errors_.collect(input_.hasList("Design") ? input_.list("Design").where() : input_.where(), [&] {
+    errors_.collect(study_.design.where, [&] {
       study_.plan = std::make_shared<design::Plan>(planned_, conditions_);
       if (study_.stochastic && study_.stochastic->germs.empty()) return;
       study_.configurations = study_.plan->configurations(*design);
@@ -245,12 +251,12 @@ class StudyReader {
   }
 
   void checkAdaptive() {
-    const Parameters& design = input_.list("Design");
+    const std::string& asked = study_.design.as<AdaptiveOptions>()->response;
     Names known;
     for (const Parameters& response : input_.lists("Responses")) known.push_back(response.name());
-    if (std::find(known.begin(), known.end(), design.text("Response")) == known.end()) {
-      errors_.add(design.where("Response"), "the study has no response \"" + design.text("Response") + "\".",
-                  base::suggestName(design.text("Response"), known, "It has"));
+    if (std::find(known.begin(), known.end(), asked) == known.end()) {
+      errors_.add(input_.list("Design").where("Response"), "the study has no response \"" + asked + "\".",
+                  base::suggestName(asked, known, "It has"));
     }
     for (std::size_t p = 0; p < planned_.size(); ++p) {
       const design::Axis& axis = planned_[p].axis;
@@ -272,12 +278,11 @@ class StudyReader {
       errors_.add(solver.where("Formulation"), "Chaos wants displacements as the unknowns of the interfaces.",
                   "Take Displacement, or a design of the type Collocation.");
     }
-    const Parameters& design = input_.list("Design");
-    if (design.text("Local Stage") != "Galerkin") return;
+    if (!study_.design.as<ChaosOptions>()->isGalerkin(false)) return;
     for (const char* kind : {"Interfaces", "Boundaries"}) {
       for (const Parameters& interface : study_.scene.input.lists(kind)) {
         if (study_.scene.laws.at(interface.name())->isAffine()) continue;
-        errors_.add(design.where("Local Stage"),
+        errors_.add(input_.list("Design").where("Local Stage"),
                     "Galerkin wants affine laws, but that of \"" + interface.name() + "\" is " +
                         interface.list("Law").type() + ".",
                     "Take Pseudo-Spectral, or Automatic.");
@@ -298,18 +303,17 @@ class StudyReader {
       }
     }
     if (first.empty()) return;
-    errors_.add(input_.hasList("Design") ? input_.list("Design").where() : input_.where(),
-                "no configuration is admissible; the first is " + first);
+    errors_.add(study_.design.where, "no configuration is admissible; the first is " + first);
   }
 
   void checkRecovery() {
-    if (!input_.hasList("Failure Policy") || input_.list("Failure Policy").type() != "Recover") return;
-    const Parameters& policy = input_.list("Failure Policy");
-    const std::size_t given = policy.numbers("Values").size();
+    if (study_.policy.kind != FailurePolicy::Kind::recover) return;
+    const std::size_t given = study_.policy.values.size();
     const std::size_t wanted = input_.lists("Responses").size();
     if (given == wanted) return;
-    errors_.add(policy.where("Values"), std::to_string(given) + " values are given, but the study has " +
-                                            std::to_string(wanted) + " responses.");
+    errors_.add(
+        input_.list("Failure Policy").where("Values"),
+        std::to_string(given) + " values are given, but the study has " + std::to_string(wanted) + " responses.");
   }
 
   void finish() const {
@@ -336,7 +340,7 @@ class StudyReader {
 
 bool Study::isAdaptive() const {
   if (stochastic) return stochastic->method == StochasticPlan::Method::adaptive;
-  return pointsFile.empty() && input.hasList("Design") && input.list("Design").type() == "Adaptive";
+  return design.as<AdaptiveOptions>() != nullptr;
 }
 
 bool isStudyFile(const std::string& path) {
@@ -356,10 +360,9 @@ scene::Scene Study::sceneFor(const std::vector<double>& values, const laws::LawR
   try {
     errors.throwIfAny();
     return scene::makeScene(std::move(tree), scene.path, {}, laws);
-  } catch (const base::Error& error) {
+  } catch (const input::InputErrors& error) {
     // Elsewhere things are run: the closing line about the number of errors is not for a table.
-    const std::string text = error.what();
-    throw base::Error(text.substr(0, text.rfind('\n')), error.code());
+    throw base::Error(error.list(), error.code());
   }
 }
 

@@ -1,31 +1,44 @@
-#include <harmos/study/detail/StudyDesign.hpp>
+#include <harmos/study/StudyDesign.hpp>
 
-#include <harmos/design/AdaptiveDesign.hpp>
 #include <harmos/design/GridDesign.hpp>
-#include <harmos/design/LatinHypercubeDesign.hpp>
-#include <harmos/design/RandomDesign.hpp>
-#include <harmos/design/SobolDesign.hpp>
+#include <harmos/study/detail/DesignRegistry.hpp>
 
 namespace harmos::study {
 
-std::unique_ptr<design::Design> makeDesign(const input::Parameters& study) {
-  if (!study.hasList("Design") || study.list("Design").type() == "Grid") return std::make_unique<design::GridDesign>();
-  const input::Parameters& design = study.list("Design");
-  if (design.type() == "Adaptive") return std::make_unique<design::AdaptiveDesign>(refinementOptions(design));
-  const int count = design.integer("Count");
-  const int seed = design.integer("Seed");
-  if (design.type() == "Random") return std::make_unique<design::RandomDesign>(count, seed);
-  if (design.type() == "Sobol") return std::make_unique<design::SobolDesign>(count, seed);
-  return std::make_unique<design::LatinHypercubeDesign>(count, seed);
+StudyDesign readDesign(const input::Parameters& study) {
+  if (study.hasList("Design")) return *builtInDesigns().create(study.list("Design"));
+  StudyDesign grid;
+  grid.where = study.where();
+  grid.points = std::make_shared<const design::GridDesign>();
+  return grid;
 }
 
-design::Refinement::Options refinementOptions(const input::Parameters& design) {
-  design::Refinement::Options options;
-  options.tolerance = design.number("Tolerance");
-  options.initialCount = design.integer("Initial Count");
-  options.maximumCount = design.integer("Maximum Count");
-  options.seed = design.integer("Seed");
-  return options;
+void addCount(input::ParameterSpec& spec) {
+  spec.integer("Count")
+      .required()
+      .atLeast(1)
+      .atMost(design::mostConfigurations)
+      .doc("Number of points, those that conditions leave out included.");
+}
+
+void addOrder(input::ParameterSpec& spec) {
+  spec.integer("Order").defaultValue(3).atLeast(0).atMost(20).doc("Highest total degree of the polynomials.");
+  spec.integer("Points").defaultValue(0).atLeast(0).atMost(64).doc(
+      "Gauss points per random parameter; 0: as many as the order and the distributions need.");
+  addHoldOuts(spec, "expansion");
+}
+
+void addHoldOuts(input::ParameterSpec& spec, const std::string& ofWhat) {
+  spec.integer("Hold-Out Count")
+      .defaultValue(5)
+      .atLeast(0)
+      .atMost(design::mostConfigurations)
+      .doc("Random configurations that are solved besides, only to see how far the " + ofWhat + " is off there.");
+  spec.integer("Seed").defaultValue(1).doc("Of the hold-out configurations.");
+}
+
+HoldOutOptions readHoldOuts(const input::Parameters& parameters) {
+  return {parameters.integer("Hold-Out Count"), parameters.integer("Seed")};
 }
 
 }  // namespace harmos::study

@@ -1,8 +1,8 @@
 #include <harmos/study/StudyGroup.hpp>
 
+#include <cassert>
 #include <iomanip>
 #include <map>
-#include <set>
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
@@ -47,14 +47,14 @@ void noteTrust(const parametric::Trust& summary, results::ResultSink& sink) {
 
 scene::Scene firstAdmissible(const Study& study, const std::vector<design::Configuration>& configurations,
                              const laws::LawRegistry& laws) {
-  for (const design::Configuration& configuration : configurations) {
+  assert(!configurations.empty());
+  for (std::size_t i = 0;; ++i) {
     try {
-      return study.sceneFor(configuration.values, laws);
+      return study.sceneFor(configurations[i].values, laws);
     } catch (const base::Error& error) {
-      if (error.code() != base::ExitCode::input || &configuration == &configurations.back()) throw;
+      if (error.code() != base::ExitCode::input || i + 1 == configurations.size()) throw;
     }
   }
-  throw base::Error("There is no configuration.");
 }
 
 }  // namespace
@@ -68,17 +68,22 @@ StudyGroup::StudyGroup(const Study& study, const std::vector<design::Configurati
       scene_(firstAdmissible(study, configurations, laws)),
       problem_(scene::makeProblem(scene_, *comm_, timers)) {}
 
-void StudyGroup::solve(const std::vector<design::Configuration>& configurations,
-                       const std::vector<results::ConfigurationResult>& done, results::ResultSink& sink) {
-  std::set<int> known;
-  for (const results::ConfigurationResult& result : done) known.insert(result.id);
-  std::vector<design::Configuration> open;
-  for (const design::Configuration& configuration : configurations) {
-    if (known.count(configuration.id) == 0) open.push_back(configuration);
-  }
-  if (open.empty()) return;
-  if (!engine_) engine_ = makeEngine(open.size());
-  engine_->run(open, sink);
+StudyGroup::StudyGroup(const Study& study, const std::vector<design::Configuration>& configurations,
+                       const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers,
+                       const scene::Problem& made)
+    : study_(study),
+      laws_(laws),
+      comm_(std::move(comm)),
+      timers_(timers),
+      scene_(firstAdmissible(study, configurations, laws)),
+      problem_(made) {
+  useLawsOf(scene_);
+}
+
+void StudyGroup::solve(const std::vector<design::Configuration>& configurations, results::ResultSink& sink) {
+  if (configurations.empty()) return;
+  if (!engine_) engine_ = makeEngine(configurations.size());
+  engine_->run(configurations, sink);
   noteTrust(engine_->summary(), sink);
 }
 
@@ -105,14 +110,17 @@ void StudyGroup::walk(const design::Configuration& from, const design::Configura
 std::unique_ptr<parametric::ParametricStudy> StudyGroup::makeEngine(std::size_t configurations) {
   auto engine = std::make_unique<parametric::ParametricStudy>(
       problem_.assembly, [this](const std::vector<double>& values) { install(values); }, problem_.responses,
-      parametric::optionsForStudy(latin::LatinOptions(scene_.input.list("Solver")), configurations), comm_, timers_);
+      parametric::optionsForStudy(scene_.solver, configurations), comm_, timers_);
   if (interrupted_) engine->setInterrupt(interrupted_);
   return engine;
 }
 
 void StudyGroup::install(const std::vector<double>& values) {
   const auto installing = timers_.start("laws");
-  const scene::Scene scene = study_.sceneFor(values, laws_);
+  useLawsOf(study_.sceneFor(values, laws_));
+}
+
+void StudyGroup::useLawsOf(const scene::Scene& scene) {
   for (assembly::Interface& interface : problem_.assembly.interfaces) {
     const auto law = scene.laws.find(interface.name);
     if (law != scene.laws.end()) interface.law = law->second;  // else a cut through a part, which no parameter changes

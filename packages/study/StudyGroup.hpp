@@ -27,18 +27,19 @@ class StudyGroup {
   /// timers must outlive it. Throws base::Error (input) when none is, and as makeProblem() does.
   StudyGroup(const Study& study, const std::vector<design::Configuration>& configurations,
              const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+  /// The same with a problem that is made already, for the same communicator; it is copied, its matrices are shared.
+  StudyGroup(const Study& study, const std::vector<design::Configuration>& configurations,
+             const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers,
+             const scene::Problem& made);
 
-  StudyGroup(const StudyGroup&) = delete;  // the problem refers to the scene
+  StudyGroup(const StudyGroup&) = delete;
   StudyGroup& operator=(const StudyGroup&) = delete;
 
   /// Asked on every rank between iterations; true on any rank ends the call. To be set before the first solve(), which
   /// keeps it.
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
-  /// Solves those of the configurations, which share the operators, that `done` does not hold. What is solved serves
-  /// later calls. Throws base::Error when an operator cannot be factored; what fails in one configuration is its
-  /// result.
-  void solve(const std::vector<design::Configuration>& configurations,
-             const std::vector<results::ConfigurationResult>& done, results::ResultSink& sink);
+  /// Solves configurations that share the operators; there may be none. What is solved serves later calls.
+  void solve(const std::vector<design::Configuration>& configurations, results::ResultSink& sink);
   /// Solves one configuration by itself, from a cold start.
   void solveAlone(const design::Configuration& configuration, results::ResultSink& sink);
   /// Walks to a configuration from another one in `steps` equal steps, >= 1; only its own result reaches the sink.
@@ -47,6 +48,7 @@ class StudyGroup {
  private:
   std::unique_ptr<parametric::ParametricStudy> makeEngine(std::size_t configurations);
   void install(const std::vector<double>& values);
+  void useLawsOf(const scene::Scene& scene);
 
   const Study& study_;
   const laws::LawRegistry& laws_;

@@ -67,12 +67,9 @@ results::Identity identityOf(const Study& study) {
     const fs::path file = fs::path(study.scene.path).parent_path() / mesh.text("File");
     identity.emplace_back("Checksum of the mesh", checksum(file.string()));
   }
-  for (const Parameters& parameter : study.input.lists("Parameters")) {
-    if (!parameter.hasList("Distribution")) continue;
-    const Parameters& distribution = parameter.list("Distribution");
-    if (distribution.type() != "Sample" || !distribution.has("File")) continue;
-    const fs::path file = fs::path(study.path).parent_path() / distribution.text("File");
-    identity.emplace_back("Checksum of the sample of " + parameter.name(), checksum(file.string()));
+  for (const StudyParameter& parameter : study.parameters) {
+    if (parameter.sampleFile.empty()) continue;
+    identity.emplace_back("Checksum of the sample of " + parameter.name, checksum(parameter.sampleFile));
   }
   if (!study.pointsFile.empty()) identity.emplace_back("Checksum of the points", checksum(study.pointsFile));
   return identity;
@@ -81,9 +78,9 @@ results::Identity identityOf(const Study& study) {
 results::StudyDescription describe(const Study& study) {
   results::StudyDescription description;
   description.name = fs::path(study.path).stem().string();
-  description.title = study.input.text("Title");
+  description.title = study.title;
   description.scene = study.scene.path;
-  description.accuracy = study.scene.input.list("Solver").number("Accuracy");
+  description.accuracy = study.scene.solver.accuracy;
   for (const StudyParameter& parameter : study.parameters) {
     description.parameters.push_back(
         {parameter.name, parameter.unit, parameter.formula, parameter.entries, effectName(parameter.effect)});
@@ -94,9 +91,7 @@ results::StudyDescription describe(const Study& study) {
   }
   description.times = study.scene.times;
   description.responses = study.responses;
-  if (study.input.hasList("Failure Policy") && study.input.list("Failure Policy").type() == "Recover") {
-    description.recovery = study.input.list("Failure Policy").numbers("Values");
-  }
+  description.recovery = study.policy.values;
   description.leftOut = study.leftOut;
   description.studyInput = input::effectiveInput(study.input);
   description.sceneInput = input::effectiveInput(study.scene.input);

@@ -41,8 +41,10 @@ void StudyParameterReader::read(const Parameters& list) {
   planned.where = list.where("Formula");
   readLevels(list, planned.axis);
   if (list.hasList("Distribution")) {
+    const Parameters& distribution = list.list("Distribution");
     parameter.isRandom = true;
-    parameter.distribution = readDistribution(list.list("Distribution"), list.name(), directory_, errors_);
+    parameter.sampleFile = sampleFileOf(distribution, directory_);
+    parameter.distribution = readDistribution(distribution, list.name(), directory_, errors_);
   }
   planned_.push_back(std::move(planned));
   parameters_.push_back(std::move(parameter));

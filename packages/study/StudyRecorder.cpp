@@ -36,13 +36,12 @@ StudyRecorder::StudyRecorder(const files::StudyFiles& files, bool restart, resul
   if (teams.ownsFiles()) {
     try {
       const results::StudyDescription& description = results.description();
-      writer_ = std::make_unique<files::StudyWriter>(files, description, restart);
-      const auto& all = writer_->results().configurations();
+      writer_ = std::make_unique<files::StudyWriter>(files, results, restart);
+      const auto& all = results.configurations();
       for (std::size_t i = description.configurations.size(); i < all.size(); ++i) {
         added += files::configurationToJson(all[i]) + "\n";
       }
-      for (const auto& result : writer_->results().all()) lines += files::resultToJson(result) + "\n";
-      for (const auto& [name, text] : writer_->results().notes()) results_.note(name, text);
+      for (const auto& result : results.all()) lines += files::resultToJson(result) + "\n";
     } catch (const base::Error& failure) {
       error = failure.what();
       code = static_cast<int>(failure.code());
@@ -53,13 +52,14 @@ StudyRecorder::StudyRecorder(const files::StudyFiles& files, bool restart, resul
   if (!error.empty()) throw base::Error(error, static_cast<base::ExitCode>(code));
   broadcast(added, *teams.all());
   broadcast(lines, *teams.all());
+  if (teams.ownsFiles()) return;
   forEachLine(added, [&](const std::string& line) { results_.add(files::configurationFromJson(line)); });
   forEachLine(lines, [&](const std::string& line) { results_.set(files::resultFromJson(line)); });
 }
 
 void StudyRecorder::record(const results::ConfigurationResult& result) {
-  results_.set(result);
   hasFailed_ = hasFailed_ || mayBeHelped(result);
+  if (!writer_) results_.set(result);
   write([&](files::StudyWriter& writer) { writer.record(result); });
   if (isMessenger()) teams_.report(ofResult + files::resultToJson(result));
   if (observer_) observer_(results_);
@@ -69,18 +69,18 @@ void StudyRecorder::note(const std::string& name, const std::string& text) {
   // Every team has something to say about itself.
   const int team = teams_.all()->getRank() / teams_.team()->getSize();
   const std::string full = teams_.count() == 1 ? name : name + " (team " + std::to_string(team + 1) + ")";
-  results_.note(full, text);
+  if (!writer_) results_.note(full, text);
   write([&](files::StudyWriter& writer) { writer.note(full, text); });
   if (isMessenger()) teams_.report(ofNote + full + "\n" + text);
 }
 
 void StudyRecorder::add(const design::Configuration& configuration) {
-  results_.add(configuration);
+  if (!writer_) results_.add(configuration);
   write([&](files::StudyWriter& writer) { writer.add(configuration); });
 }
 
 void StudyRecorder::setStatistics(std::shared_ptr<const results::StochasticSummary> statistics) {
-  results_.setStatistics(statistics);
+  if (!writer_) results_.setStatistics(statistics);
   write([&](files::StudyWriter& writer) { writer.setStatistics(statistics); });
 }
 
@@ -90,7 +90,6 @@ void StudyRecorder::receive(const std::string& report) {
     record(files::resultFromJson(text));
   } else {
     const std::size_t end = text.find('\n');
-    results_.note(text.substr(0, end), text.substr(end + 1));
     write([&](files::StudyWriter& writer) { writer.note(text.substr(0, end), text.substr(end + 1)); });
   }
 }
@@ -101,7 +100,7 @@ void StudyRecorder::finish(const std::string& state) {
 
 void StudyRecorder::write(const std::function<void(files::StudyWriter&)>& action) {
   if (!writer_) return;
-  cannotWrite_ = true;
+  cannotWrite_ = true;  // until it has
   action(*writer_);
   cannotWrite_ = false;
 }

@@ -46,9 +46,12 @@ StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry&
   std::unique_ptr<StudyGroup> onlyGroup;
   std::unique_ptr<ChaosStudy> chaos;
   if (study.isChaos()) chaos = std::make_unique<ChaosStudy>(study, laws, comm, timers);
-  if (groups.size() == 1) {
+  if (chaos && groups.size() == 1 && teams.count() == 1) {
+    // What varies are laws: the configurations that are held out have the same operators.
+    onlyGroup = std::make_unique<StudyGroup>(study, groups.front(), laws, teams.team(), timers, chaos->problem());
+  } else if (groups.size() == 1) {
     onlyGroup = std::make_unique<StudyGroup>(study, groups.front(), laws, teams.team(), timers);
-  } else {
+  } else if (!chaos) {
     scene::makeProblem(study.scene, *teams.team(), timers);
   }
   StudyRecorder recorder(run.files, request.restart, *run.results, teams);

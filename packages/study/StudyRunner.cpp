@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/results/StatusName.hpp>
 #include <harmos/study/detail/Interpolation.hpp>
-#include <harmos/study/detail/StudyDesign.hpp>
 
 namespace harmos::study {
 
@@ -19,7 +17,7 @@ using design::Configuration;
 using results::ConfigurationResult;
 
 // A team calibrates its estimates on its own configurations, so it should have some.
-constexpr std::size_t usualLeastPiece = 10;
+constexpr std::size_t usualLeastRange = 10;
 
 /// Passes a solution on; of a further failure only the reason is added to that of the first.
 class SecondChance : public results::ResultSink {
@@ -63,7 +61,7 @@ StudyRunner::StudyRunner(const Study& study, const laws::LawRegistry& laws, Stud
       recorder_(recorder),
       interrupted_(std::move(interrupted)),
       timers_(timers),
-      policy_(study.input) {
+      policy_(study.policy) {
   for (const auto& alike : groupByOperators(study.parameters, recorder.results().configurations())) {
     open_.emplace_back();
     for (const Configuration& configuration : alike) {
@@ -74,11 +72,11 @@ StudyRunner::StudyRunner(const Study& study, const laws::LawRegistry& laws, Stud
 
 void StudyRunner::run(std::unique_ptr<StudyGroup> ready) {
   group_ = std::move(ready);
-  teams_.setOffice([this](const std::string& report) { recorder_.receive(report); }, [this] { return nextPiece(); });
+  teams_.setOffice([this](const std::string& report) { recorder_.receive(report); }, [this] { return nextRange(); });
   while (true) {
-    const std::string piece = mustStop() ? "" : teams_.nextWork();
-    if (piece.empty()) break;
-    solvePiece(piece);
+    const std::optional<WorkRange> range = mustStop() ? std::nullopt : teams_.nextWork();
+    if (!range) break;
+    solveRange(*range);
   }
   if (study_.isAdaptive()) study_.stochastic ? refineInterpolation() : refine();
   teams_.finish();
@@ -96,28 +94,27 @@ bool StudyRunner::isAbortedHere() const {
   return policy_.kind == FailurePolicy::Kind::abort && recorder_.hasFailed();
 }
 
-std::string StudyRunner::nextPiece() {
-  if (mustStopHere()) return "";
+std::optional<WorkRange> StudyRunner::nextRange() {
+  if (mustStopHere()) return std::nullopt;
   while (nextOperators_ < open_.size() && nextConfiguration_ == open_[nextOperators_].size()) {
     ++nextOperators_;
     nextConfiguration_ = 0;
   }
-  if (nextOperators_ == open_.size()) return "";
+  if (nextOperators_ == open_.size()) return std::nullopt;
   const std::size_t left = open_[nextOperators_].size() - nextConfiguration_;
   const auto teams = static_cast<std::size_t>(teams_.count());
   const auto share = [left](std::size_t parts) { return (left + parts - 1) / parts; };
-  const std::size_t size = teams == 1 ? left : std::max(share(2 * teams), std::min(usualLeastPiece, share(teams)));
+  const std::size_t size = teams == 1 ? left : std::max(share(2 * teams), std::min(usualLeastRange, share(teams)));
   const std::size_t first = nextConfiguration_;
   nextConfiguration_ += size;
-  return std::to_string(nextOperators_) + " " + std::to_string(first) + " " + std::to_string(nextConfiguration_);
+  return WorkRange{nextOperators_, first, nextConfiguration_};
 }
 
-void StudyRunner::solvePiece(const std::string& piece) {
-  std::size_t operators = 0, begin = 0, end = 0;
-  std::istringstream(piece) >> operators >> begin >> end;
+void StudyRunner::solveRange(const WorkRange& range) {
+  const std::size_t operators = range.operators;
   const auto first = open_[operators].begin();
-  const std::vector<Configuration> configurations(first + static_cast<std::ptrdiff_t>(begin),
-                                                  first + static_cast<std::ptrdiff_t>(end));
+  const std::vector<Configuration> configurations(first + static_cast<std::ptrdiff_t>(range.begin),
+                                                  first + static_cast<std::ptrdiff_t>(range.end));
   alike_ = groupByOperators(study_.parameters, recorder_.results().configurations())[operators];
   if (!group_ || groupNumber_ != operators) {
     group_.reset();
@@ -135,12 +132,14 @@ void StudyRunner::solvePiece(const std::string& piece) {
 
 void StudyRunner::solve(const std::vector<Configuration>& configurations) {
   group_->setInterrupt([this] { return mustStopHere(); });
-  std::vector<ConfigurationResult> done = recorder_.results().all();
-  if (policy_.kind == FailurePolicy::Kind::abort) {
-    done.erase(std::remove_if(done.begin(), done.end(), mayBeHelped), done.end());
+  std::vector<Configuration> open;
+  for (const Configuration& configuration : configurations) {
+    const ConfigurationResult* result = recorder_.results().find(configuration.id);
+    const bool isAgain = result && policy_.kind == FailurePolicy::Kind::abort && mayBeHelped(*result);
+    if (!result || isAgain) open.push_back(configuration);
   }
   try {
-    group_->solve(configurations, done, recorder_);
+    group_->solve(open, recorder_);
   } catch (const base::Error& error) {
     // An operator that cannot be factored, on one rank of the team perhaps: the others wait for it.
     if (teams_.team()->getSize() > 1 && error.code() != base::ExitCode::input) throw;
@@ -160,12 +159,12 @@ void StudyRunner::solve(const std::vector<Configuration>& configurations) {
 }
 
 void StudyRunner::refine() {
-  const input::Parameters& design = study_.input.list("Design");
-  design::Refinement refinement(study_.plan->axes(), refinementOptions(design),
+  const AdaptiveOptions& options = *study_.design.as<AdaptiveOptions>();
+  design::Refinement refinement(study_.plan->axes(), options.refinement,
                                 [this](const auto& point) { return study_.plan->complete(point).has_value(); });
   const results::StudyResults& results = recorder_.results();
   const auto& responses = results.description().responses;
-  const auto isMeant = [&](const auto& each) { return each.name == design.text("Response"); };
+  const auto isMeant = [&](const auto& each) { return each.name == options.response; };
   const auto response =
       static_cast<std::size_t>(std::find_if(responses.begin(), responses.end(), isMeant) - responses.begin());
   while (!mustStop()) {

@@ -1,6 +1,7 @@
 #include <harmos/study/StudySpec.hpp>
 
 #include <harmos/design/Configuration.hpp>
+#include <harmos/study/detail/DesignRegistry.hpp>
 #include <harmos/study/detail/DistributionSpec.hpp>
 
 namespace harmos::study {
@@ -26,118 +27,6 @@ void describeParameter(input::ParameterSpec& spec) {
   spec.number("Upper").optional().doc("Largest value, for designs that choose any value in between.");
   spec.text("Formula").optional().doc("Of a derived parameter, such as 2 * preload_1.");
   spec.alternatives("Distribution", distributionForms()).summary("Of a random parameter.");
-}
-
-input::ParameterSpec& addCount(input::ParameterSpec& spec) {
-  spec.integer("Count")
-      .required()
-      .atLeast(1)
-      .atMost(design::mostConfigurations)
-      .doc("Number of points, those that conditions leave out included.");
-  return spec;
-}
-
-/// What all methods for polynomial chaos have in common.
-input::ParameterSpec& addOrder(input::ParameterSpec& spec) {
-  spec.integer("Order").defaultValue(3).atLeast(0).atMost(20).doc("Highest total degree of the polynomials.");
-  spec.integer("Points").defaultValue(0).atLeast(0).atMost(64).doc(
-      "Gauss points per random parameter; 0: as many as the order and the distributions need.");
-  spec.integer("Hold-Out Count")
-      .defaultValue(5)
-      .atLeast(0)
-      .atMost(design::mostConfigurations)
-      .doc("Random configurations that are solved besides, only to see how far the expansion is off there.");
-  spec.integer("Seed").defaultValue(1).doc("Of the hold-out configurations.");
-  return spec;
-}
-
-std::vector<input::ParameterSpec> stochasticForms() {
-  input::ParameterSpec chaos("Chaos"), collocation("Collocation"), adaptive("Adaptive Collocation");
-  addOrder(chaos.summary(
-      "All fields expanded on orthonormal polynomials of the random parameters, and solved at once: the coefficients "
-      "are right-hand sides of the constant operators. Random parameters may set laws and loads only."));
-  chaos.source("Champaney, Blanze, Boucard (2004), section 4; Ghanem, Spanos (1991)");
-  chaos.text("Local Stage")
-      .defaultValue("Automatic")
-      .oneOf({"Automatic", "Galerkin", "Pseudo-Spectral"})
-      .doc(
-          "Galerkin: the residual of every law is orthogonal to the polynomials; affine laws only. Pseudo-Spectral: "
-          "laws at Gauss points, projected; any law. Automatic: Galerkin where all laws are affine.");
-  chaos.number("Tolerance")
-      .unit("-")
-      .optional()
-      .above(0.0)
-      .below(1.0)
-      .doc(
-          "Raise the order from 1 until the standard deviation of the Response changes by less, relative to itself; "
-          "Order is then the highest that is tried.");
-  chaos.text("Response").optional().doc("Which response chooses the order; absent: all of them.");
-  addOrder(collocation.summary(
-      "Solves the configurations at the points of a quadrature rule, and projects the responses on the polynomials."));
-  collocation.text("Points In")
-      .defaultValue("Tensor")
-      .oneOf({"Tensor", "Sparse"})
-      .doc("Tensor: all combinations of Gauss points. Sparse: Smolyak's sparse grid.");
-  adaptive.summary(
-      "Piecewise linear interpolation, refined where the response bends: for contact and friction, whose kinks no "
-      "polynomial follows. One to three random parameters.");
-  adaptive.source("Ma, Zabaras, J. Comput. Phys. 228 (2009)");
-  adaptive.text("Response").optional().doc("Which response chooses the points; absent: all of them.");
-  adaptive.number("Tolerance")
-      .unit("-")
-      .defaultValue(1e-3)
-      .above(0.0)
-      .below(1.0)
-      .doc("Error of mean and standard deviation to stop at, relative to the standard deviation.");
-  adaptive.integer("Maximum Count")
-      .defaultValue(500)
-      .atLeast(3)
-      .atMost(design::mostConfigurations)
-      .doc("Most configurations.");
-  adaptive.integer("Hold-Out Count")
-      .defaultValue(5)
-      .atLeast(0)
-      .atMost(design::mostConfigurations)
-      .doc("Random configurations that are solved besides, only to see how far the interpolation is off there.");
-  adaptive.integer("Seed").defaultValue(1).doc("Of the hold-out configurations.");
-  return {chaos, collocation, adaptive};
-}
-
-std::vector<input::ParameterSpec> designForms() {
-  input::ParameterSpec grid("Grid"), list("List"), random("Random"), cube("Latin Hypercube"), sobol("Sobol"),
-      adaptive("Adaptive");
-  grid.summary("All combinations of the levels; the last parameter varies fastest.");
-  list.summary("The rows of a table.");
-  list.text("File").required().doc(
-      "CSV, path relative to the study's file; its header names all free parameters, in any order.");
-  addCount(random.summary("Independent values, uniform or of the parameters' distributions: Monte Carlo."));
-  random.integer("Seed").defaultValue(1).doc("The same seed gives the same points everywhere.");
-  addCount(cube.summary("Every parameter's range is cut into as many strata as there are points; each is hit once."));
-  cube.source("McKay, Beckman, Conover, Technometrics 21 (1979)");
-  cube.integer("Seed").defaultValue(1).doc("The same seed gives the same points everywhere.");
-  addCount(sobol.summary("Sobol' sequence: fills the space evenly; a longer one begins with the shorter one."));
-  sobol.source("Joe, Kuo, SIAM J. Sci. Comput. 30 (2008)");
-  sobol.integer("Seed").defaultValue(0).doc("0: the plain sequence; else a random digital shift.");
-  adaptive.summary(
-      "Chooses its points itself until the surface of one response is known to a tolerance over the box of the free "
-      "parameters, which may set laws and loads only.");
-  adaptive.text("Response").required().doc("Name of an entry of the study's Responses.");
-  adaptive.number("Tolerance")
-      .unit("-")
-      .defaultValue(1e-2)
-      .above(0.0)
-      .below(1.0)
-      .doc("Largest error of the surface, at 95 % confidence, relative to the largest value of the response.");
-  adaptive.integer("Initial Count")
-      .defaultValue(0)
-      .atLeast(0)
-      .atMost(design::mostConfigurations)
-      .doc("Points to begin with; 0: twice as many as a quadratic polynomial has terms.");
-  adaptive.integer("Maximum Count").defaultValue(200).atLeast(1).atMost(design::mostConfigurations).doc("Most points.");
-  adaptive.integer("Seed").defaultValue(0).doc("0: plain Sobol' sequences; else with a random digital shift.");
-  std::vector<input::ParameterSpec> forms = {grid, list, random, cube, sobol, adaptive};
-  for (input::ParameterSpec& form : stochasticForms()) forms.push_back(std::move(form));
-  return forms;
 }
 
 std::vector<input::ParameterSpec> policyForms() {
@@ -219,7 +108,8 @@ input::ParameterSpec studySpec() {
       .text("Formula")
       .required()
       .doc("True or false, such as preload_1 >= preload_2.");
-  spec.alternatives("Design", designForms()).summary("Which values the free parameters take together; absent: a grid.");
+  spec.alternatives("Design", builtInDesigns().forms())
+      .summary("Which values the free parameters take together; absent: a grid.");
   describeRandomness(spec);
   spec.alternatives("Failure Policy", policyForms())
       .summary("What to do with a configuration that fails or does not reach the accuracy; absent: Retry.");

@@ -23,6 +23,11 @@ std::string receiveText(int source, int tag, MPI_Comm comm, int& from) {
   return text;
 }
 
+/// Empty: there is no work left.
+std::string messageOf(const std::optional<WorkRange>& work) {
+  return work ? toMessage(*work) : "";
+}
+
 }  // namespace
 
 StudyTeams::StudyTeams(const Comm& all, int ranksPerTeam) : all_(all), team_(all) {
@@ -43,7 +48,8 @@ StudyTeams::~StudyTeams() {
   if (mail_ != MPI_COMM_NULL) MPI_Comm_free(&mail_);
 }
 
-void StudyTeams::setOffice(std::function<void(const std::string&)> receive, std::function<std::string()> nextWork) {
+void StudyTeams::setOffice(std::function<void(const std::string&)> receive,
+                           std::function<std::optional<WorkRange>()> nextWork) {
   receive_ = std::move(receive);
   giveWork_ = std::move(nextWork);
 }
@@ -52,11 +58,11 @@ void StudyTeams::report(const std::string& text) {
   send(reports, text);
 }
 
-std::string StudyTeams::nextWork() {
+std::optional<WorkRange> StudyTeams::nextWork() {
   std::string work;
   if (ownsFiles()) {
     serve();
-    work = giveWork_();
+    work = messageOf(giveWork_());
   } else if (leads()) {
     send(wantsWork, "");
     int office = 0;
@@ -66,7 +72,7 @@ std::string StudyTeams::nextWork() {
   Teuchos::broadcast(*team_, 0, Teuchos::outArg(length));
   work.resize(length);
   if (length > 0) Teuchos::broadcast(*team_, 0, length, work.data());
-  return work;
+  return work.empty() ? std::nullopt : std::make_optional(rangeOf(work));
 }
 
 void StudyTeams::serve() {
@@ -99,7 +105,7 @@ bool StudyTeams::hear(bool waits) {
   if (message.front() == reports) receive_(message.substr(1));
   if (message.front() == hasFinished) --atWork_;
   if (message.front() == wantsWork) {
-    const std::string work = giveWork_();
+    const std::string work = messageOf(giveWork_());
     MPI_Send(work.data(), static_cast<int>(work.size()), MPI_CHAR, from, fromOffice, mail_);
   }
   return true;

@@ -25,7 +25,7 @@ class ChaosStudy {
   ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
              base::Timers& timers);
 
-  ChaosStudy(const ChaosStudy&) = delete;  // the problem refers to the scene
+  ChaosStudy(const ChaosStudy&) = delete;
   ChaosStudy& operator=(const ChaosStudy&) = delete;
 
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
@@ -56,7 +56,7 @@ class ChaosStudy {
   void start(int order);
   latin::Outcome run(const base::Matrix* start);
   stochastic::Realisations realise(const probability::RandomVector& variables) const;
-  latin::Outcome raiseOrder(int largest);
+  latin::Outcome raiseOrder();
   /// Whether the scene allows the values that an expansion of this order needs.
   bool admits(int order) const;
   latin::Outcome sweep();
@@ -64,13 +64,14 @@ class ChaosStudy {
   results::StochasticSummary::Order momentsAt(int order) const;
 
   const Study& study_;
+  const ChaosOptions& options_;
   const laws::LawRegistry& laws_;
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
   base::Timers& timers_;
   scene::Scene scene_;
   scene::Problem problem_;
   std::vector<bool> isRandom_;  // by interface
-  bool isGalerkin_ = false;
+  bool isGalerkin_;
   std::function<bool()> interrupted_;
   std::function<void(const std::string&)> observer_;
 

@@ -21,4 +21,7 @@ std::shared_ptr<const probability::Distribution> readDistribution(const input::P
                                                                   const std::string& directory,
                                                                   input::ErrorList& errors);
 
+/// The file that a sample is read from, named relative to `directory`; empty when there is none.
+std::string sampleFileOf(const input::Parameters& list, const std::string& directory);
+
 }  // namespace harmos::study

@@ -45,7 +45,7 @@ class StudyRecorder : public results::ResultSink {
 
   results::StudyResults& results_;
   StudyTeams& teams_;
-  std::unique_ptr<files::StudyWriter> writer_;
+  std::unique_ptr<files::StudyWriter> writer_;  // of rank 0 of all: adds to the results what it has written
   std::function<void(const results::StudyResults&)> observer_;
   bool cannotWrite_ = false;
   bool hasFailed_ = false;

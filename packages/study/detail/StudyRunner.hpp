@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@
 
 namespace harmos::study {
 
-/// Solves the configurations that have no solution yet, a piece of work at a time, and helps those that fail as the
+/// Solves the configurations that have no solution yet, a range of work at a time, and helps those that fail as the
 /// study's failure policy says.
 ///
 /// One team gets all configurations with the same operators at once. Several teams get ranges of the design's order, so
@@ -36,9 +37,9 @@ class StudyRunner {
   bool isStopped() const;
 
  private:
-  /// A piece of work in words: position of the operators, of the first configuration, and after the last one.
-  std::string nextPiece();
-  void solvePiece(const std::string& piece);
+  /// On rank 0 of all: what is handed out next; nothing when none is left.
+  std::optional<WorkRange> nextRange();
+  void solveRange(const WorkRange& range);
   void solve(const std::vector<design::Configuration>& configurations);
   /// Adds points until the tolerance of an adaptive design is reached.
   void refine();
@@ -62,7 +63,7 @@ class StudyRunner {
   StudyRecorder& recorder_;
   std::function<bool()> interrupted_;
   base::Timers& timers_;
-  FailurePolicy policy_;
+  const FailurePolicy& policy_;
   std::vector<std::vector<design::Configuration>> open_;  // by operators; the same on every rank
   std::vector<design::Configuration> alike_;              // all that share the present operators
   std::unique_ptr<StudyGroup> group_;

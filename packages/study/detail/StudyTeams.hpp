@@ -1,11 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <mpi.h>
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_RCP.hpp>
+
+#include <harmos/study/detail/WorkRange.hpp>
 
 namespace harmos::study {
 
@@ -29,13 +32,13 @@ class StudyTeams {
   bool ownsFiles() const { return all_->getRank() == 0; }
   bool leads() const { return team_->getRank() == 0; }
 
-  /// For rank 0 of all: what hears reports, and what gives the next piece of work (empty: none is left). Both must stay
-  /// valid until finish().
-  void setOffice(std::function<void(const std::string&)> receive, std::function<std::string()> nextWork);
+  /// For rank 0 of all: what hears reports, and what gives the next work (nothing: none is left). Both must stay valid
+  /// until finish().
+  void setOffice(std::function<void(const std::string&)> receive, std::function<std::optional<WorkRange>()> nextWork);
   /// Leaders other than rank 0 of all: sends a report to it.
   void report(const std::string& text);
   /// Collective over the team.
-  std::string nextWork();
+  std::optional<WorkRange> nextWork();
   /// Rank 0 of all: hears all that has been sent. Others: nothing.
   void serve();
   /// Collective over all: waits until every team has come here; all reports have been heard then.
@@ -49,7 +52,7 @@ class StudyTeams {
   Comm all_, team_;
   MPI_Comm mail_ = MPI_COMM_NULL;  // of all ranks, for these messages alone
   std::function<void(const std::string&)> receive_;
-  std::function<std::string()> giveWork_;
+  std::function<std::optional<WorkRange>()> giveWork_;
   int atWork_ = 0;  // teams, but the first, that have not finished
 };
 

@@ -269,40 +269,46 @@ TEST_F(StudyFilesTest, WhatIsNoStudyIsRefused) {
 
 TEST_F(StudyFilesTest, WriterResumes) {
   {
-    StudyWriter writer(files, description, false);
+    results::StudyResults results(description);
+    StudyWriter writer(files, results, false);
     writer.record(solved(1));
     writer.record(solved(2));
     writer.finish("interrupted");
+    EXPECT_EQ(results.count(), 2);
   }
   EXPECT_TRUE(std::filesystem::exists(files.table));
-  StudyWriter writer(files, description, false);
-  EXPECT_EQ(writer.results().count(), 2);
+  results::StudyResults results(description);
+  StudyWriter writer(files, results, false);
+  EXPECT_EQ(results.count(), 2);
   EXPECT_FALSE(std::filesystem::exists(files.table));
   writer.record(solved(3));
   writer.finish("complete");
-  EXPECT_EQ(writer.results().count(results::Status::calibrated), 3);
+  EXPECT_EQ(results.count(results::Status::calibrated), 3);
 }
 
 TEST_F(StudyFilesTest, WriterRemembersAddedConfigurationsAndNotes) {
   {
-    StudyWriter writer(files, description, false);
+    results::StudyResults results(description);
+    StudyWriter writer(files, results, false);
     writer.add({4, {1.0 / 7.0, 2.0 / 7.0}});
     writer.note("audit", "none");
     writer.note("audit", "1 of 1");
     writer.record(solved(4));
   }
-  const StudyWriter writer(files, description, false);
-  ASSERT_EQ(writer.results().configurations().size(), 4u);
-  EXPECT_EQ(writer.results().configurations()[3].values, (std::vector<double>{1.0 / 7.0, 2.0 / 7.0}));
-  ASSERT_NE(writer.results().find(4), nullptr);
-  EXPECT_EQ(writer.results().notes().at("audit"), "1 of 1");
+  results::StudyResults results(description);
+  const StudyWriter writer(files, results, false);
+  ASSERT_EQ(results.configurations().size(), 4u);
+  EXPECT_EQ(results.configurations()[3].values, (std::vector<double>{1.0 / 7.0, 2.0 / 7.0}));
+  ASSERT_NE(results.find(4), nullptr);
+  EXPECT_EQ(results.notes().at("audit"), "1 of 1");
 }
 
 TEST_F(StudyFilesTest, ResultsWithoutJournalAreNotOverwritten) {
-  { StudyWriter(files, description, false); }
+  results::StudyResults results(description);
+  { StudyWriter(files, results, false); }
   std::filesystem::remove(files.journal);
-  EXPECT_NE(messageOf([&] { StudyWriter(files, description, false); }).find("does not."), std::string::npos);
-  EXPECT_EQ(messageOf([&] { StudyWriter(files, description, true); }), "accepted");
+  EXPECT_NE(messageOf([&] { StudyWriter(files, results, false); }).find("does not."), std::string::npos);
+  EXPECT_EQ(messageOf([&] { StudyWriter(files, results, true); }), "accepted");
 }
 
 }  // namespace

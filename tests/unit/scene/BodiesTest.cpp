@@ -7,16 +7,16 @@
 namespace harmos::scene {
 namespace {
 
-TEST(Bodies, PiecesKeepTheInputOfTheirPart) {
+TEST(Bodies, PiecesKeepTheOptionsOfTheirPart) {
   const Scene scene = sample({"Parts/lower/Pieces=2"});
   const mesh::Mesh mesh = makeMesh(scene.input.list("Mesh"), "");
   input::ErrorList errors;
   const Bodies bodies = makeBodies(scene, mesh, errors);
   ASSERT_EQ(errors.count(), 0);
   ASSERT_EQ(bodies.pieces.size(), 3u);
-  EXPECT_EQ(bodies.inputs[0]->name(), "lower");
-  EXPECT_EQ(bodies.inputs[1]->name(), "lower");
-  EXPECT_EQ(bodies.inputs[2]->name(), "upper");
+  EXPECT_EQ(bodies.parts[0].name, "lower");
+  EXPECT_EQ(bodies.parts[1].name, "lower");
+  EXPECT_EQ(bodies.parts[2].name, "upper");
 }
 
 TEST(Bodies, EqualBodiesAreFoundButNotAcrossFormulations) {

@@ -117,7 +117,7 @@ TEST_F(StochasticPlanTest, SaysHowProbableValuesAreThatAreNotPositive) {
 
 TEST_F(StochasticPlanTest, SweepKeepsMeansAndChangesSpread) {
   StochasticPlan plan = *study().stochastic;
-  plan.sweeps = {{"d", 0, {0.1, 0.4}}};
+  plan.sweeps = {{"d", 0, {0.1, 0.4}, ""}};
   const auto variables = withSpread(plan, {0.4});
   EXPECT_NEAR(variables->variables()[0].distribution->mean(), 0.3, 1e-15);
   EXPECT_NEAR(variables->variables()[0].distribution->standardDeviation(), 0.12, 1e-15);

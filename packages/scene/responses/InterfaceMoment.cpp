@@ -1,0 +1,32 @@
+#include <harmos/scene/detail/ResponseRegistry.hpp>
+
+namespace harmos::scene {
+namespace {
+
+/// Resultant moment of the tractions of an interface about an axis.
+struct InterfaceMoment {
+  static constexpr const char* name = "Interface Moment";
+
+  static void describe(input::ParameterSpec& p) {
+    p.summary("Resultant moment [force length] of the tractions of an interface or boundary about an axis.");
+    p.text("Interface")
+        .required()
+        .doc("Name of an interface or boundary; the force acts on its side 1, on a boundary on the part.");
+    p.numbers("Centre").unit("length").required().doc("Point on the axis.");
+    p.numbers("Axis").optional().doc("Direction of the axis, of any length; absent: z.");
+  }
+
+  static std::unique_ptr<latin::Response> make(const input::Parameters& p, const ResponseContext& context) {
+    // In the plane the only moment is about z.
+    const base::Vector3 axis = p.has("Axis") ? directionOf(p, "Axis") : base::Vector3{0.0, 0.0, 1.0};
+    return std::make_unique<latin::ResultantResponse>(p.name(), context.interfacesNamed({p.text("Interface")}),
+                                                      std::vector<base::Vector3>{axis},
+                                                      std::vector<base::Vector3>{vectorOf(p, "Centre")});
+  }
+};
+
+}  // namespace
+
+HARMOS_RESPONSE(InterfaceMoment)
+
+}  // namespace harmos::scene
