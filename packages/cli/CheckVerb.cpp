@@ -6,7 +6,7 @@
 #include <harmos/cli/detail/StudyText.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/scene/CostEstimate.hpp>
-#include <harmos/study/Study.hpp>
+#include <harmos/study/StudyReader.hpp>
 
 namespace harmos::cli {
 

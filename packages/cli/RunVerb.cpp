@@ -6,7 +6,7 @@
 #include <harmos/cli/detail/Progress.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/scene/SceneRun.hpp>
-#include <harmos/study/Study.hpp>
+#include <harmos/study/StudyReader.hpp>
 
 namespace harmos::cli {
 

@@ -89,7 +89,4 @@ struct StudyDesign {
   bool wantsRandomness() const { return as<ChaosOptions>() || as<CollocationOptions>() || as<InterpolationOptions>(); }
 };
 
-/// Of the input of a study; a grid, when it has no list Design.
-StudyDesign readDesign(const input::Parameters& study);
-
 }  // namespace harmos::study

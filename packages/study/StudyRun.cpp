@@ -4,6 +4,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/scene/SceneRun.hpp>
+#include <harmos/study/StudyReader.hpp>
 #include <harmos/study/detail/ChaosStudy.hpp>
 #include <harmos/study/detail/StochasticFields.hpp>
 #include <harmos/study/detail/StochasticStatistics.hpp>

@@ -10,7 +10,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/scene/Problem.hpp>
 #include <harmos/scene/Scene.hpp>
-#include <harmos/study/Study.hpp>
+#include <harmos/study/StudyReader.hpp>
 
 namespace harmos {
 namespace {

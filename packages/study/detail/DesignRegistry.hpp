@@ -31,6 +31,9 @@ void addDesign(DesignRegistry& designs) {
 /// All designs: the list in packages/study/CMakeLists.txt.
 const DesignRegistry& builtInDesigns();
 
+/// Of the input of a study; a grid, when it has no list Design.
+StudyDesign readDesign(const input::Parameters& study);
+
 /// Entries that several designs have.
 void addCount(input::ParameterSpec& spec);
 /// Order, points and hold-outs of what all methods for polynomial chaos have in common.

@@ -9,7 +9,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/study/StochasticPlan.hpp>
 #include <harmos/study/StochasticTails.hpp>
-#include <harmos/study/Study.hpp>
+#include <harmos/study/StudyReader.hpp>
 
 #include "../scene/Sample.hpp"
 

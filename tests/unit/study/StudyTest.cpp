@@ -7,7 +7,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/study/PointsFile.hpp>
-#include <harmos/study/Study.hpp>
+#include <harmos/study/StudyReader.hpp>
 #include <harmos/study/StudyGroup.hpp>
 #include <harmos/study/detail/StudyIdentity.hpp>
 

@@ -1,7 +1,6 @@
-#include <harmos/study/StudyDesign.hpp>
+#include <harmos/study/detail/DesignRegistry.hpp>
 
 #include <harmos/design/GridDesign.hpp>
-#include <harmos/study/detail/DesignRegistry.hpp>
 
 namespace harmos::study {
 
