@@ -30,6 +30,7 @@ class StudyWriter : public results::ResultSink {
   /// outlive the writer. A table of an earlier run is removed, so that nobody reads it as that of this one.
   StudyWriter(const StudyFiles& files, results::StudyResults& results, bool restart);
 
+  /// See StudyJournal::damaged().
   int damaged() const { return journal_.damaged(); }
   /// Appends to the journal, then adds to the results, and brings the HDF5 file up to date every few seconds.
   void record(const results::ConfigurationResult& result) override;

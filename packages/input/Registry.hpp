@@ -19,6 +19,7 @@ namespace harmos::input {
 template <class T, class... Context>
 class Registry {
  public:
+  /// Makes an object from its checked parameters, which it must not refer to later; the caller owns it.
   using Factory = std::function<std::unique_ptr<T>(const Parameters&, Context...)>;
   /// Reports entries that do not go together.
   using Check = std::function<void(const Parameters&, ErrorList&)>;

@@ -36,15 +36,17 @@ class FixedPoint {
   void select(const std::vector<int>& steps);
   /// Selects all load steps again.
   void selectAll();
-  /// From now on the first column follows on the last one of the last apply(), or again on the unloaded state.
+  /// From now on the first column follows on the last one of the last apply(). Displacement form only.
   void startFromHere() { local_->startFromHere(); }
+  /// From now on the first column follows on the unloaded state again, as after construction.
   void startUnloaded() { local_->startUnloaded(); }
 
   /// To be called when laws of the assembly have been replaced by others of the same kind: the operators do not depend
   /// on them, but loads do.
   void updateLaws() { linear_.updateLoads(); }
 
-  /// Collective. image = T(alpha) [stress]. The fields of both stages are valid until the next apply(), select() or
+  /// Collective. image = T(alpha) [stress], both rows of the layout x columns selected, and two objects. Throws
+  /// base::Error as LocalStage::solve(). The fields of both stages are valid until the next apply(), select() or
   /// selectAll().
   const Iterate& apply(const base::Matrix& alpha, base::Matrix& image);
 
@@ -60,6 +62,7 @@ class FixedPoint {
   const LinearStage& linearStage() const { return linear_; }
   /// Only where no other local stage was made.
   PointwiseLocalStage& pointwiseStage();
+  /// Kinematic unknown of both stages.
   Formulation formulation() const { return formulation_; }
   /// Factor on the automatic search direction.
   double searchDirectionScale() const { return searchDirectionScale_; }

@@ -31,8 +31,10 @@ class Iterate {
     long present = 0;  // number of the iterate that is valid
   };
 
+  /// Number `number` of those whose fields a FixedPoint keeps in `fields`, which must outlive it.
   Iterate(Fields& fields, long number) : fields_(&fields), number_(number) {}
 
+  /// Whether the fields are still those of this application.
   bool isValid() const { return number_ == fields_->present; }
 
   /// beta = f - k w [stress] of the linear stage (velocity form: f - k dw).
@@ -54,11 +56,15 @@ class Iterate {
   /// Largest of the linear stage [length], see BodyOperators::largestDisplacement().
   double largestDisplacement(double share) const { return valid().linear.operators().largestDisplacement(share); }
 
+  /// The assembly that is iterated.
   const assembly::Assembly& assembly() const { return fields_->assembly; }
+  /// k [stress/length] of every pair.
   const assembly::SearchDirection& searchDirection() const { return fields_->searchDirection; }
   /// Factor on the automatic search direction.
   double searchDirectionScale() const { return fields_->searchDirectionScale; }
+  /// Where rows of fields belong.
   const TraceLayout& layout() const { return fields_->layout; }
+  /// The norm of states.
   const StateMetric& metric() const { return fields_->metric; }
 
  private:

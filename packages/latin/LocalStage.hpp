@@ -19,8 +19,9 @@ class LocalStage {
 
   /// Sets which load step each column of a field is, in ascending order; to be called before the first solve().
   virtual void select(const std::vector<int>& steps) = 0;
-  /// From now on the first column follows on the last one that was solved, or again on the unloaded state.
+  /// From now on the first column follows on the last one that was solved.
   virtual void startFromHere() = 0;
+  /// From now on the first column follows on the unloaded state again, as after construction.
   virtual void startUnloaded() = 0;
 
   /// Collective. Overwrites `traction` with f^ [stress] of every row, given `beta` [stress].

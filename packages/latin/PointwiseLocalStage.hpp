@@ -15,12 +15,14 @@ namespace harmos::latin {
 /// (k = k_v / dt), and the line starts from the jump at the end of the previous step.
 class PointwiseLocalStage final : public LocalStage {
  public:
+  /// The first three arguments must outlive it.
   PointwiseLocalStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                       const TraceLayout& layout, Formulation formulation);
 
   void select(const std::vector<int>& steps) override;
   /// Displacement form only.
   void startFromHere() override;
+  /// In both forms.
   void startUnloaded() override;
   void solve(const base::Matrix& beta, base::Matrix& traction) override;
   const std::vector<laws::LocalState>& states(int interfaceIndex) const override {
@@ -31,7 +33,9 @@ class PointwiseLocalStage final : public LocalStage {
   /// any number of times for the next column and starts from the history of the columns before, accept() makes its last
   /// call final. solveColumn() is collective. In the displacement form only.
   void begin();
+  /// Collective. Overwrites one column of `traction`; see begin(). Throws base::Error as solve().
   void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction);
+  /// See begin().
   void accept();
 
  private:

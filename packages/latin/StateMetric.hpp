@@ -24,6 +24,7 @@ class StateMetric {
   double norm(const base::Matrix& a) const;
   /// |a - b|. Collective.
   double distance(const base::Matrix& a, const base::Matrix& b) const;
+  /// Replaces values, one list of equal length on every rank, by their sums over the ranks. Collective.
   void sum(std::vector<double>& values) const;
 
  private:

@@ -61,6 +61,7 @@ class StudySolver {
   const latin::FixedPoint& fixedPoint() const { return fixedPoint_; }
   /// Fields that certify() has left.
   const latin::Iterate& certifiedState() const { return solver_.state(); }
+  /// How the configuration that is installed is iterated.
   ConfigurationIteration& iteration() { return iteration_; }
   /// What remember() has stored: as many as fit into 1 GiB on every rank.
   SolvedStates& states() { return states_; }

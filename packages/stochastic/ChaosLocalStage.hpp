@@ -36,6 +36,7 @@ class ChaosLocalStage final : public latin::LocalStage {
   /// All modal columns of consecutive load steps; all load steps at first.
   void select(const std::vector<int>& columns) override;
   void startFromHere() override;
+  /// Histories of all realisations are those of the unloaded state.
   void startUnloaded() override;
   /// A law remembers, so that its load steps depend on each other.
   bool hasMemory() const;

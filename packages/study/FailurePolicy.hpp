@@ -13,7 +13,7 @@ struct FailurePolicy {
   /// walk to it from the nearest solved configuration.
   enum class Kind { retry, record, abort, recover, continuation };
 
-  Kind kind = Kind::retry;
+  Kind kind = Kind::retry;     // what is done
   int attempts = 1;            // of retry
   int steps = 8;               // of continuation, the most
   std::vector<double> values;  // of recover, in place of the responses

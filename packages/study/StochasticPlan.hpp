@@ -30,13 +30,13 @@ struct StochasticPlan {
     std::string where;  // they stand, for messages
   };
 
-  Method method = Method::sampling;
-  std::shared_ptr<const probability::RandomVector> variables;
-  base::Matrix correlation;         // of the copula; empty: independent
-  std::string where;                // the correlations stand, else the design, for messages
-  std::vector<std::size_t> places;  // of the random parameters among those of the study
-  int order = 0;                    // of chaos and collocation
-  int points = 0;                   // Gauss points of each germ that the user asks for; 0: as many as needed
+  Method method = Method::sampling;                            // that the design asks for
+  std::shared_ptr<const probability::RandomVector> variables;  // the random parameters, in their order
+  base::Matrix correlation;                                    // of the copula; empty: independent
+  std::string where;                                           // the correlations stand, else the design, for messages
+  std::vector<std::size_t> places;                             // of the random parameters among those of the study
+  int order = 0;                                               // of chaos and collocation
+  int points = 0;  // Gauss points of each germ that the user asks for; 0: as many as needed
   /// Of each configuration with which the study begins, in their order: of the quadrature or the sample, then those
   /// that are held out. One per random parameter [-]. An adaptive design adds its points after them.
   std::vector<std::vector<double>> germs;

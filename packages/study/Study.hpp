@@ -28,21 +28,21 @@ struct StatisticsOptions {
 /// A checked study: its scene, parameters and all configurations (of an adaptive design the first
 /// ones); all that can be known before a mesh is read.
 struct Study {
-  std::string path;         // of the study's file
-  input::Parameters input;  // all defaults filled in; what is to be done stands in the members below
-  std::string title;
-  StudyDesign design;
-  FailurePolicy policy;
-  StatisticsOptions statistics;
-  std::string pointsFile;      // of a listed design, else empty
-  input::InputTree sceneTree;  // the scene with the changes that hold for the whole study
-  scene::Scene scene;          // made of it, with the values that it has itself
-  std::vector<StudyParameter> parameters;
-  std::vector<design::Configuration> configurations;
-  std::vector<std::pair<std::string, int>> leftOut;  // by condition
-  std::vector<results::ScalarResponse> responses;
-  std::shared_ptr<design::Plan> plan;                // completes further points
-  std::shared_ptr<const StochasticPlan> stochastic;  // null when no parameter is random, or points are listed
+  std::string path;                        // of the study's file
+  input::Parameters input;                 // all defaults filled in; what is to be done stands in the members below
+  std::string title;                       // in the words of the input
+  StudyDesign design;                      // which configurations there are
+  FailurePolicy policy;                    // what is done with those without a solution
+  StatisticsOptions statistics;            // of random parameters
+  std::string pointsFile;                  // of a listed design, else empty
+  input::InputTree sceneTree;              // the scene with the changes that hold for the whole study
+  scene::Scene scene;                      // made of it, with the values that it has itself
+  std::vector<StudyParameter> parameters;  // in the order of the input, derived ones included
+  std::vector<design::Configuration> configurations;  // by id, from 1
+  std::vector<std::pair<std::string, int>> leftOut;   // by condition
+  std::vector<results::ScalarResponse> responses;     // in the order of the input
+  std::shared_ptr<design::Plan> plan;                 // completes further points
+  std::shared_ptr<const StochasticPlan> stochastic;   // null when no parameter is random, or points are listed
 
   /// Whether the design chooses points as results come.
   bool isAdaptive() const;

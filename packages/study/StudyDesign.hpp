@@ -39,14 +39,15 @@ struct HoldOutOptions {
 
 /// Expansions that are solved for.
 struct ChaosOptions {
+  /// How laws meet expansions; automatic: Galerkin where all laws are affine.
   enum class LocalStage { automatic, galerkin, pseudoSpectral };
 
-  int order = 0;   // the highest, if there is a tolerance
-  int points = 0;  // Gauss points of each germ; 0: as many as needed
-  HoldOutOptions holdOuts;
-  LocalStage localStage = LocalStage::automatic;
-  std::optional<double> tolerance;      // of the standard deviation, from order to order
-  std::optional<std::string> response;  // that it is of; absent: of all
+  int order = 0;                                  // the highest, if there is a tolerance
+  int points = 0;                                 // Gauss points of each germ; 0: as many as needed
+  HoldOutOptions holdOuts;                        // by which the expansions are judged
+  LocalStage localStage = LocalStage::automatic;  // as asked for
+  std::optional<double> tolerance;                // of the standard deviation, from order to order
+  std::optional<std::string> response;            // that it is of; absent: of all
 
   /// Whether the residual of every law is orthogonal to the polynomials; `areAffine`: all laws.
   bool isGalerkin(bool areAffine) const {
@@ -72,12 +73,13 @@ struct InterpolationOptions {
 
 /// What a study wants by its list Design, read once.
 struct StudyDesign {
+  /// One kind per family of designs.
   using Options = std::variant<GridOptions, TableOptions, SamplingOptions, AdaptiveOptions, ChaosOptions,
                                CollocationOptions, InterpolationOptions>;
 
-  std::string type = "Grid";  // as in the input
-  std::string where;          // the list stands, for messages; absent: where the study does
-  Options options;
+  std::string type = "Grid";                     // as in the input
+  std::string where;                             // the list stands, for messages; absent: where the study does
+  Options options;                               // of its kind
   std::shared_ptr<const design::Design> points;  // to begin with; null: of a table, quadrature or interpolation
 
   /// Null when it is a design of another kind.

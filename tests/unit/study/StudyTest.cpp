@@ -7,8 +7,8 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/study/PointsFile.hpp>
-#include <harmos/study/StudyReader.hpp>
 #include <harmos/study/StudyGroup.hpp>
+#include <harmos/study/StudyReader.hpp>
 #include <harmos/study/detail/StudyIdentity.hpp>
 
 #include "../scene/Sample.hpp"
