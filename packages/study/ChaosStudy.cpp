@@ -25,14 +25,16 @@ std::vector<double> meanValues(const Study& study) {
   return *study.plan->complete(point);
 }
 
-/// Whose laws change with the parameters of the study.
-std::vector<bool> randomInterfaces(const Study& study, const assembly::Assembly& assembly) {
+/// Whose laws change with the parameters of the study, by interface. What joins the pieces of a cut part has no law in
+/// the scene and is never random.
+std::vector<bool> randomInterfaces(const Study& study, const scene::Scene& scene, const assembly::Assembly& assembly) {
   std::vector<bool> isRandom;
   for (const assembly::Interface& interface : assembly.interfaces) {
-    isRandom.push_back(std::any_of(study.parameters.begin(), study.parameters.end(), [&](const auto& parameter) {
-      return std::any_of(parameter.effects.begin(), parameter.effects.end(),
-                         [&](const Effect& effect) { return effect.changesLawOf(interface.name); });
-    }));
+    const bool hasLaw = scene.laws.count(interface.name) > 0;
+    isRandom.push_back(hasLaw && std::any_of(study.parameters.begin(), study.parameters.end(), [&](const auto& one) {
+                         return std::any_of(one.effects.begin(), one.effects.end(),
+                                            [&](const Effect& effect) { return effect.changesLawOf(interface.name); });
+                       }));
   }
   return isRandom;
 }
@@ -48,7 +50,7 @@ ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teucho
       timers_(timers),
       scene_(study.sceneFor(meanValues(study), laws)),
       problem_(scene::makeProblem(scene_, *comm_, timers)),
-      isRandom_(randomInterfaces(study, problem_.assembly)),
+      isRandom_(randomInterfaces(study, scene_, problem_.assembly)),
       isGalerkin_(options_.isGalerkin(problem_.assembly.isAffine())) {}
 
 latin::Outcome ChaosStudy::solve() {
