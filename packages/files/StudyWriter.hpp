@@ -26,13 +26,18 @@ struct StudyFiles {
 /// Writes the files of a study as results come. For one process; others learn the results by other ways.
 class StudyWriter : public results::ResultSink {
  public:
-  /// Opens the journal, see there what it throws, and adds the results of an earlier run to `results`, which must
-  /// outlive the writer. A table of an earlier run is removed, so that nobody reads it as that of this one.
+  /// Opens the journal, see there what it throws, adds the results of an earlier run to `results`, which must outlive
+  /// the writer, and writes the HDF5 file. Tables of an earlier run are removed, so that nobody reads them as those of
+  /// this one. `restart` forgets the results of an earlier run.
+  ///
+  /// Throws base::Error (input) when there is an HDF5 file without its journal, unless `restart`; base::Error when an
+  /// old table cannot be removed or the HDF5 file cannot be written.
   StudyWriter(const StudyFiles& files, results::StudyResults& results, bool restart);
 
   /// See StudyJournal::damaged().
   int damaged() const { return journal_.damaged(); }
-  /// Appends to the journal, then adds to the results, and brings the HDF5 file up to date every few seconds.
+  /// Appends to the journal, then adds to the results, and brings the HDF5 file up to date every few seconds. Throws
+  /// base::Error when journal or HDF5 file cannot be written.
   void record(const results::ConfigurationResult& result) override;
   /// Appends to the journal; throws as record().
   void note(const std::string& name, const std::string& text) override;

@@ -20,7 +20,7 @@ class InputErrors : public base::Error {
   std::string list_;
 };
 
-/// Collects the errors of an input, so that the user sees all of them at once.
+/// Collects the errors of an input, so that the user sees all of them at once, in the order in which they were added.
 class ErrorList {
  public:
   /// Adds an error, "where: what" and, indented below it, `repair`. `where` as from Parameters::where(); `what` and

@@ -25,6 +25,7 @@ class Registry {
   using Check = std::function<void(const Parameters&, ErrorList&)>;
 
   /// Adds a class under the name of its spec; `check` may be empty. Throws base::Error when the name is taken.
+  /// Returns the registry itself.
   Registry& add(ParameterSpec spec, Factory factory, Check check = {}) {
     for (const ParameterSpec& form : forms_) {
       if (form.name() == spec.name()) throw base::Error("\"" + spec.name() + "\" is registered already.");
@@ -35,12 +36,14 @@ class Registry {
     return *this;
   }
 
-  /// Builds the class that parameters.type() names. Throws base::Error when there is none of this name.
+  /// Builds the class that parameters.type() names; the caller owns the object. Throws base::Error (input) when there
+  /// is none of this name, and what the factory throws.
   std::unique_ptr<T> create(const Parameters& parameters, Context... context) const {
     return factories_[find(parameters)](parameters, context...);
   }
 
-  /// Checks what the spec cannot say of the class that parameters.type() names. Throws as create().
+  /// Checks what the spec cannot say of the class that parameters.type() names. Throws base::Error (input) when there
+  /// is none of this name.
   void check(const Parameters& parameters, ErrorList& errors) const {
     if (const Check& check = checks_[find(parameters)]) check(parameters, errors);
   }

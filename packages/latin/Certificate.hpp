@@ -36,7 +36,7 @@ class Certificate {
       : fixedPoint_(fixedPoint), responses_(responses), accuracy_(accuracy), newton_(fixedPoint) {}
 
   /// Collective. `image` = T(alpha), and `iterate` is that of alpha, at the beginning. Leaves at most at `stageLimit`
-  /// linear stages in all.
+  /// linear stages in all, counted as LinearStage::stages(). Throws base::Error as Snapshot.
   Result attempt(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int stageLimit);
 
  private:

@@ -22,7 +22,7 @@ class EquilibriumWatch {
   /// Collective; to be asked after every iteration, with image = T(alpha) and its iterate, which may be replaced by
   /// another one of the same alpha. After `landing`, alpha has been moved to where something stops the body.
   Finding look(FixedPoint& fixedPoint, const Iterate*& iterate, base::Matrix& alpha, base::Matrix& image);
-  /// The last one looked at.
+  /// The last one looked at; there is none before the ninth iteration, nor right after a landing.
   const Imbalance& imbalance() const { return history_.back(); }
 
  private:

@@ -24,7 +24,7 @@ class FixedPoint {
       std::function<std::unique_ptr<LocalStage>(const assembly::SearchDirection&, const TraceLayout&)>;
 
   /// Collective. Factors all operators. `assembly` and `timers` must outlive this object. The local stage is
-  /// PointwiseLocalStage, or what is made instead of it.
+  /// PointwiseLocalStage, or what is made instead of it. Throws base::Error as LinearStage.
   FixedPoint(const assembly::Assembly& assembly, const StageOptions& options,
              const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers,
              const MakeLocalStage& makeLocalStage = {});
@@ -60,7 +60,7 @@ class FixedPoint {
   const StateMetric& metric() const { return metric_; }
   /// The linear stage, with its work so far.
   const LinearStage& linearStage() const { return linear_; }
-  /// Only where no other local stage was made.
+  /// For those who solve load steps by themselves; only where no other local stage was made.
   PointwiseLocalStage& pointwiseStage();
   /// Kinematic unknown of both stages.
   Formulation formulation() const { return formulation_; }

@@ -28,8 +28,8 @@ class LocalStage {
   /// Throws base::Error naming interface and step when a law returns a value that is not finite.
   virtual void solve(const base::Matrix& beta, base::Matrix& traction) = 0;
 
-  /// States of the pairs of one interface as last solved on this rank, pairs x columns; empty if no side is owned here,
-  /// or where the stage does not meet laws pair by pair.
+  /// Traction and status of the pairs of one interface, columns x pairs, as last solved on this rank; empty if no side
+  /// is owned here, or where the stage does not meet laws pair by pair.
   virtual const std::vector<laws::LocalState>& states(int interfaceIndex) const = 0;
 };
 

@@ -25,7 +25,8 @@ class NewtonCorrection {
   explicit NewtonCorrection(FixedPoint& fixedPoint) : fixedPoint_(fixedPoint) {}
 
   /// Collective. `image` = T(alpha), `iterate` that of alpha, at the beginning. Stops at the relative residual `target`
-  /// when no more than half of the step can be hidden, or at the largest number of vectors.
+  /// when no more than half of the step can be hidden, or at the largest number of vectors. Applies T to other
+  /// states, so that `iterate` is not to be read afterwards.
   Result solve(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, double target,
                int maximumVectors);
 

@@ -20,7 +20,8 @@ struct PairFields {
   }
 };
 
-/// Collective. All load steps must be selected. Boundaries with prescribed traction have the traction and no jump.
+/// Collective. All load steps must be selected. Boundaries with prescribed traction have that traction, and the jump
+/// -w1 of the linear stage.
 PairFields pairFields(const Iterate& state, int interfaceIndex);
 
 }  // namespace harmos::latin

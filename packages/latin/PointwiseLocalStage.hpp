@@ -41,7 +41,7 @@ class PointwiseLocalStage final : public LocalStage {
  private:
   struct Joint {
     std::vector<laws::LocalLine> line;
-    std::vector<laws::LocalState> state;  // pairs x columns
+    std::vector<laws::LocalState> state;  // columns x pairs
     std::vector<double> start;            // history at the beginning of the first column
     std::vector<double> history[2];
     std::vector<double> jump;  // velocity form: hatted jump of the previous step, law's frame

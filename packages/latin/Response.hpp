@@ -23,7 +23,7 @@ class Response {
   const std::string& name() const { return name_; }
   /// What it is measured in.
   Quantity quantity() const { return quantity_; }
-  /// Collective: the same values on every rank. All load steps must be selected.
+  /// One value per load step. Collective: the same values on every rank. All load steps must be selected.
   virtual std::vector<double> evaluate(const Iterate& state) const = 0;
 
  private:

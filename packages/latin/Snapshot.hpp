@@ -14,7 +14,8 @@ namespace harmos::latin {
 /// The forces are those of nodalForces().
 class Snapshot {
  public:
-  /// Collective. Keeps nothing of the iterate but the metric of its FixedPoint.
+  /// Collective. All load steps must be selected. Keeps nothing of the iterate but the metric of its FixedPoint, which
+  /// must outlive it. Throws base::Error (not converged) naming response and load step when a value is not finite.
   Snapshot(const Iterate& state, const std::vector<std::shared_ptr<const Response>>& responses);
 
   /// Collective. Relative distances [-] to another snapshot, largest over the load steps: one per response, then force

@@ -16,7 +16,8 @@ class Gauge {
   Gauge(const latin::FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const latin::Response>>& responses)
       : fixedPoint_(fixedPoint), responses_(responses) {}
 
-  /// Collective. `state`: that of alpha, of all load steps; `image` = T(alpha).
+  /// Collective. `state`: that of alpha, of all load steps; `image` = T(alpha) [stress], rows of the layout x load
+  /// steps.
   Indicators measure(const latin::Iterate& state, const base::Matrix& alpha, const base::Matrix& image);
   /// What the response indicator was last measured by [force].
   double force() const { return force_; }

@@ -20,7 +20,8 @@ struct Quadrature {
 /// Points of the largest tensor grid at which a function is evaluated that costs no solve.
 constexpr double mostPointsWithoutSolves = 2e4;
 
-/// All combinations of the Gauss points of each germ, the last germ fastest.
+/// All combinations of the Gauss points of each germ, the last germ fastest. Throws base::Error as
+/// Polynomials::gauss().
 Quadrature tensorQuadrature(const RandomVector& variables, int pointsPerGerm);
 /// The same with a number of points for each germ, `points` [germ].
 Quadrature tensorQuadrature(const RandomVector& variables, const std::vector<int>& points);

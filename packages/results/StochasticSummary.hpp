@@ -56,7 +56,7 @@ struct StochasticSummary {
   bool hasIndependentVariables = true;        // false: a Gaussian copula joins them
   std::vector<double> levels;                 // of quantiles: probabilities, 0 to 1
   std::vector<ResponseStatistics> responses;  // in the order of the study
-  std::vector<Order> convergence;             // ascending; may be empty
+  std::vector<Order> convergence;             // by ascending order; may be empty
   std::vector<std::string> sweepNames;        // of the parameters whose coefficients of variation are swept
   std::vector<Point> sweep;                   // empty without a sweep
   int solved = 0;                             // configurations behind the figures

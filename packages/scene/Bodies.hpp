@@ -41,9 +41,9 @@ struct PartOptions {
 /// The elastic bodies of the assembly: the parts of the scene, or the pieces they were cut into. The lists are
 /// parallel.
 struct Bodies {
-  std::vector<mesh::Piece> pieces;
+  std::vector<mesh::Piece> pieces;  // in the order of the list Parts; bodies are counted in this order everywhere
   std::vector<PartOptions> parts;
-  std::vector<std::shared_ptr<const elasticity::Material>> materials;
+  std::vector<std::shared_ptr<const elasticity::Material>> materials;  // shared with the scene
 };
 
 /// Cuts the parts of the scene into pieces. Reports blocks that do not exist, belong to two parts or to none, and parts

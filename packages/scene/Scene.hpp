@@ -20,9 +20,9 @@ struct Scene {
   input::Parameters input;  // all defaults filled in, histories attached
   latin::LatinOptions solver;
   bool hasConsistentMass = false;  // of interfaces, where they have faces
-  std::vector<double> times;       // end of each load step
-  std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;
-  std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;  // by name of interface or boundary
+  std::vector<double> times;       // end of each load step [time], ascending from above 0
+  std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;  // by name in the list Materials
+  std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;         // by name of interface or boundary
   std::shared_ptr<const laws::InterfaceLaw> cutLaw;  // between the pieces of one part; null when no part is cut
 };
 

@@ -24,7 +24,8 @@ enum class Method {
 /// the line of the search direction, so that a truncated solution depends on it, within the error of truncation: from
 /// Galerkin's for stiffnesses (H to 0) to that for compliances (H to infinity). It does not where the points are as
 /// many as the polynomials and the projection interpolates. Galerkin: GalerkinSprings where a stiffness is random, and
-/// the points elsewhere, which is then the same.
+/// the points elsewhere, which is then the same. psi_a: polynomials, w_q and xi_q: weights and points of the
+/// quadrature, beta and f^: [stress], H: compliance of the lines [length/stress].
 class ChaosLocalStage final : public latin::LocalStage {
  public:
   /// `modal`, `searchDirection`, `layout` and `projection` must outlive this object.

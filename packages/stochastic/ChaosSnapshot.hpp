@@ -11,7 +11,7 @@ namespace harmos::stochastic {
 /// the fields of interface forces and displacements.
 class ChaosSnapshot {
  public:
-  /// Collective. `state`: on all modal columns.
+  /// Collective. `state`: on all modal columns; its metric must outlive this object. `terms`: polynomials.
   ChaosSnapshot(const latin::Iterate& state, const ResponseSampler& sampler,
                 const std::vector<std::shared_ptr<const latin::Response>>& responses, int terms);
 

@@ -14,7 +14,8 @@ namespace harmos::stochastic {
 /// point by point from the expansions of tractions and jumps of the local stage, complete on every rank.
 class ResponseSampler {
  public:
-  /// Collective. `state`: on all modal columns; `assembly` is the one of the load steps and must outlive this object.
+  /// Collective. `state`: on all modal columns, of which nothing is kept; `assembly` is the one of the load steps and
+  /// must outlive this object.
   ResponseSampler(const assembly::Assembly& assembly, const latin::Iterate& state,
                   std::shared_ptr<const Projection> projection,
                   std::vector<std::shared_ptr<const latin::Response>> responses);

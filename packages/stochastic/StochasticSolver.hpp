@@ -54,7 +54,7 @@ class StochasticSolver {
     assert(state_ != nullptr && "nothing has been solved");
     return *state_;
   }
-  /// Column of state() that holds a coefficient.
+  /// Column of state() that holds a coefficient; load step and polynomial from 0.
   int column(int step, int term) const { return step * projection_->terms() + term; }
   /// The delivered state [stress]: the rows of the layout for every polynomial below each other, x load steps.
   const base::Matrix& alpha() const { return alpha_; }

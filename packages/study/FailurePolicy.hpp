@@ -14,12 +14,12 @@ struct FailurePolicy {
   enum class Kind { retry, record, abort, recover, continuation };
 
   Kind kind = Kind::retry;     // what is done
-  int attempts = 1;            // of retry
-  int steps = 8;               // of continuation, the most
+  int attempts = 1;            // of retry, the most
+  int steps = 8;               // of continuation, the most; they begin at 2 and are doubled
   std::vector<double> values;  // of recover, in place of the responses
 };
 
-/// Of the input of a study.
+/// Of the input of a study, from its list Failure Policy; retry when there is none. Keeps nothing of it.
 FailurePolicy readFailurePolicy(const input::Parameters& study);
 
 /// Whether another way of solving may help: it failed or did not converge. Loads that cannot be carried and values that

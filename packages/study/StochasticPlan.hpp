@@ -24,19 +24,19 @@ struct StochasticPlan {
   };
   /// Coefficients of variation that a sweep gives to one random parameter.
   struct Sweep {
-    std::string name;
-    std::size_t variable;  // among the random parameters
-    std::vector<double> coefficients;
-    std::string where;  // they stand, for messages
+    std::string name;                  // of the sweep
+    std::size_t variable;              // among the random parameters, from 0; normal or lognormal
+    std::vector<double> coefficients;  // standard deviation over |mean| [-]
+    std::string where;                 // they stand, for messages
   };
 
   Method method = Method::sampling;                            // that the design asks for
-  std::shared_ptr<const probability::RandomVector> variables;  // the random parameters, in their order
-  base::Matrix correlation;                                    // of the copula; empty: independent
-  std::string where;                                           // the correlations stand, else the design, for messages
-  std::vector<std::size_t> places;                             // of the random parameters among those of the study
-  int order = 0;                                               // of chaos and collocation
-  int points = 0;  // Gauss points of each germ that the user asks for; 0: as many as needed
+  std::shared_ptr<const probability::RandomVector> variables;  // the random parameters, in the order of the study
+  base::Matrix correlation;         // of the copula [-], variables x variables; empty: independent
+  std::string where;                // the correlations stand, else the design, for messages
+  std::vector<std::size_t> places;  // of the random parameters among those of the study
+  int order = 0;                    // of chaos and collocation; else 0
+  int points = 0;                   // Gauss points of each germ that the user asks for; 0: as many as needed
   /// Of each configuration with which the study begins, in their order: of the quadrature or the sample, then those
   /// that are held out. One per random parameter [-]. An adaptive design adds its points after them.
   std::vector<std::vector<double>> germs;

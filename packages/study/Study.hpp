@@ -37,10 +37,10 @@ struct Study {
   std::string pointsFile;                  // of a listed design, else empty
   input::InputTree sceneTree;              // the scene with the changes that hold for the whole study
   scene::Scene scene;                      // made of it, with the values that it has itself
-  std::vector<StudyParameter> parameters;  // in the order of the input, derived ones included
-  std::vector<design::Configuration> configurations;  // by id, from 1
-  std::vector<std::pair<std::string, int>> leftOut;   // by condition
-  std::vector<results::ScalarResponse> responses;     // in the order of the input
+  std::vector<StudyParameter> parameters;  // in the order of the list Parameters, derived ones included
+  std::vector<design::Configuration> configurations;  // by id, from 1; values in the order of `parameters`
+  std::vector<std::pair<std::string, int>> leftOut;   // how many, by name of condition
+  std::vector<results::ScalarResponse> responses;     // in the order of the list Responses
   std::shared_ptr<design::Plan> plan;                 // completes further points
   std::shared_ptr<const StochasticPlan> stochastic;   // null when no parameter is random, or points are listed
 

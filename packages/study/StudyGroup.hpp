@@ -38,7 +38,8 @@ class StudyGroup {
   /// Asked on every rank between iterations; true on any rank ends the call. To be set before the first solve(), which
   /// keeps it.
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
-  /// Solves configurations that share the operators; there may be none. What is solved serves later calls.
+  /// Solves configurations that share the operators; there may be none. What is solved serves later calls. Throws
+  /// base::Error when an operator cannot be factored; what fails in one configuration is its result.
   void solve(const std::vector<design::Configuration>& configurations, results::ResultSink& sink);
   /// Solves one configuration by itself, from a cold start.
   void solveAlone(const design::Configuration& configuration, results::ResultSink& sink);

@@ -16,14 +16,14 @@ namespace harmos::study {
 
 /// A parameter of a study and what it does to the scene.
 struct StudyParameter {
-  std::string name;
-  std::string unit;
-  std::string formula;                          // of a derived parameter, else empty
-  std::string where;                            // it stands, for messages
-  std::vector<std::string> entries;             // of the scene that it sets, "List/Sublist/Name"
-  std::vector<Effect> effects;                  // where these entries are used
-  Effect::Kind effect = Effect::Kind::nothing;  // the strongest of them
-  bool isRandom = false;
+  std::string name;                                               // heads a column of the results
+  std::string unit;                                               // for tables and pictures; may be empty
+  std::string formula;                                            // of a derived parameter, else empty
+  std::string where;                                              // it stands, for messages
+  std::vector<std::string> entries;                               // of the scene that it sets, "List/Sublist/Name"
+  std::vector<Effect> effects;                                    // where these entries are used
+  Effect::Kind effect = Effect::Kind::nothing;                    // the strongest of them
+  bool isRandom = false;                                          // has a Distribution
   std::string sampleFile;                                         // that the distribution is read from, else empty
   std::shared_ptr<const probability::Distribution> distribution;  // of a random parameter; null when it has errors
 };
