@@ -18,13 +18,13 @@ constexpr double noise = 1e-12;
 }  // namespace
 
 StochasticSolver::StochasticSolver(const assembly::Assembly& assembly, std::shared_ptr<const Projection> projection,
-                                   const StochasticOptions& options, Teuchos::RCP<const Teuchos::Comm<int>> comm,
+                                   const StochasticOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                                    base::Timers& timers)
     : assembly_(assembly),
       projection_(std::move(projection)),
       options_(options),
       modal_(modalAssembly(assembly, projection_)),
-      fixedPoint_(modal_, options.stages, std::move(comm), timers,
+      fixedPoint_(modal_, options.stages, comm, timers,
                   [this](const assembly::SearchDirection& searchDirection, const latin::TraceLayout& layout) {
                     auto stage = std::make_unique<ChaosLocalStage>(modal_, searchDirection, layout, projection_);
                     local_ = stage.get();

@@ -30,7 +30,8 @@ class StochasticSolver {
   /// Collective. Factors all operators. The laws of `assembly` are not random; `assembly` and `timers` must outlive the
   /// solver. Throws base::Error as latin::LatinSolver, and (input) for the velocity form.
   StochasticSolver(const assembly::Assembly& assembly, std::shared_ptr<const Projection> projection,
-                   const StochasticOptions& options, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+                   const StochasticOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+                   base::Timers& timers);
 
   StochasticSolver(const StochasticSolver&) = delete;
   StochasticSolver& operator=(const StochasticSolver&) = delete;

@@ -34,10 +34,10 @@ using ResponseRegistry = input::Registry<latin::Response, const ResponseContext&
 /// Adds the response written as struct R under R::name: R::describe(spec) declares its entries, R::make(parameters,
 /// context) builds it.
 template <class R>
-void addResponse(ResponseRegistry& responses, ResponseRegistry::Check check = {}) {
+void addResponse(ResponseRegistry& responses, const ResponseRegistry::Check& check = {}) {
   input::ParameterSpec spec(R::name);
   R::describe(spec);
-  responses.add(std::move(spec), R::make, std::move(check));
+  responses.add(std::move(spec), R::make, check);
 }
 
 /// All responses: the list in packages/scene/CMakeLists.txt.
