@@ -158,7 +158,7 @@ CondensedMonteCarlo::CondensedMonteCarlo(const RandomGlue& glue, const GluedMatr
     forces(rowOf(first), j) = -1.0;
     forces(rowOf(second), j) = 1.0;
   }
-  solver.solveTrace(forces, traces);
+  solver.solveTrace(forces, traces, substructure::Precision::exact);
   compliance_.shape(count, count);
   for (int j = 0; j < count; ++j) {
     for (int i = 0; i < count; ++i) {
