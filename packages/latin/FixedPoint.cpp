@@ -5,6 +5,7 @@
 namespace harmos::latin {
 namespace {
 
+// So many applications ago, a reference to an iterate still tells that it is not the present one.
 constexpr int iteratesKept = 7;
 
 }  // namespace
