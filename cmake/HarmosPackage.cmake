@@ -53,3 +53,15 @@ function(harmos_package name)
   list(TRANSFORM headers PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/harmos/${name})
 endfunction()
+
+# Writes <template>.cpp into the build tree from <template>.cpp.in of the package: @DECLARATIONS@ becomes
+# void add<Name>(<registry>&); and @CALLS@ add<Name>(all); for every name of the list.
+function(harmos_built_ins template registry)
+  set(DECLARATIONS "")
+  set(CALLS "")
+  foreach(name IN LISTS ARGN)
+    string(APPEND DECLARATIONS "void add${name}(${registry}&);\n")
+    string(APPEND CALLS "  add${name}(all);\n")
+  endforeach()
+  configure_file(${template}.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${template}.cpp @ONLY)
+endfunction()

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <set>
 
 // Without the older rescaling of coordinates to integers, of which g++ 12 believes that it reads what is not set.
 #define BOOST_GEOMETRY_NO_ROBUSTNESS
@@ -12,8 +14,6 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 #include <boost/geometry/index/rtree.hpp>
-
-#include <harmos/mesh/FaceMatching.hpp>
 
 namespace harmos::mesh {
 namespace {
@@ -138,19 +138,20 @@ bool lieOnEachOther(const Facet& one, const Facet& other) {
   return (areInOnePlane || areOfOneCurvedSurface(one, other, apart)) && commonShare(one, other) > leastOverlap;
 }
 
-}  // namespace
-
+/// Of faces without a partner: index into `side1`, index into `side2`.
 std::vector<std::pair<int, int>> overlappingFaces(const std::vector<base::Vector3>& nodes,
-                                                  const std::vector<Face>& side1, const std::vector<Face>& side2) {
+                                                  const std::vector<Face>& side1, const std::vector<bool>& isMatched1,
+                                                  const std::vector<Face>& side2, const std::vector<bool>& isMatched2) {
   std::vector<Facet> facets;
   std::vector<std::pair<Box3, int>> boxes;
-  for (const Face& face : side2) {
-    facets.emplace_back(nodes, face);
-    boxes.emplace_back(facets.back().box(), static_cast<int>(boxes.size()));
+  for (std::size_t j = 0; j < side2.size(); ++j) {
+    facets.emplace_back(nodes, side2[j]);
+    if (!isMatched2[j]) boxes.emplace_back(facets.back().box(), static_cast<int>(j));
   }
   const geometry::index::rtree<std::pair<Box3, int>, geometry::index::quadratic<16>> tree(boxes);
   std::vector<std::pair<int, int>> pairs;
   for (std::size_t i = 0; i < side1.size(); ++i) {
+    if (isMatched1[i]) continue;
     const Facet one(nodes, side1[i]);
     std::vector<std::pair<Box3, int>> near;
     tree.query(geometry::index::intersects(one.box()), std::back_inserter(near));
@@ -162,6 +163,38 @@ std::vector<std::pair<int, int>> overlappingFaces(const std::vector<base::Vector
     for (const int other : found) pairs.emplace_back(static_cast<int>(i), other);
   }
   return pairs;
+}
+
+}  // namespace
+
+FaceOverlap findOverlap(const Mesh& mesh, const std::vector<Face>& side1, const std::vector<Face>& side2,
+                        const std::vector<FacePair>& matched) {
+  std::vector<bool> isMatched1(side1.size(), false), isMatched2(side2.size(), false);
+  for (const FacePair& pair : matched) isMatched1[pair.face1] = isMatched2[pair.face2] = true;
+  const auto pairs = overlappingFaces(mesh.nodes, side1, isMatched1, side2, isMatched2);
+  FaceOverlap overlap;
+  if (pairs.empty()) return overlap;
+  std::map<int, int> partner;
+  std::set<int> coinciding2;
+  for (const auto& [node1, node2] : matchNodes(mesh, side1, side2)) {
+    partner[node1] = node2;
+    coinciding2.insert(node2);
+  }
+  std::set<int> faces1, faces2;
+  for (const auto& [i, j] : pairs) {
+    const std::vector<int>& nodes1 = side1[i].nodes;
+    const std::vector<int>& nodes2 = side2[j].nodes;
+    if (std::all_of(nodes1.begin(), nodes1.end(), [&](int node) { return partner.count(node) > 0; }) &&
+        std::all_of(nodes2.begin(), nodes2.end(), [&](int node) { return coinciding2.count(node) > 0; })) {
+      for (const int node : nodes1) overlap.nodes.emplace_back(node, partner.at(node));
+    } else {
+      faces1.insert(i);
+      faces2.insert(j);
+    }
+  }
+  overlap.faces1.assign(faces1.begin(), faces1.end());
+  overlap.faces2.assign(faces2.begin(), faces2.end());
+  return overlap;
 }
 
 }  // namespace harmos::mesh

@@ -242,7 +242,20 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
   if (faces.empty()) {
     for (const auto& pair : matchNodes(mesh_, skin1, skin2)) single.insert(pair);
   }
-  joinOverlaps(where, {part1, part2}, skin1, skin2, faces, single);
+  const FaceOverlap overlap = findOverlap(mesh_, skin1, skin2, faces);
+  if (!overlap.faces1.empty()) {
+    const auto facesOf = [](std::size_t count, const std::string& part) {
+      return std::to_string(count) + (count == 1 ? " face of part \"" : " faces of part \"") + part + "\"";
+    };
+    refuse(where, facesOf(overlap.faces1.size(), part1) + " and " + facesOf(overlap.faces2.size(), part2) +
+                      " lie on each other, but their nodes do not coincide, the first of them at " +
+                      text(mesh_.nodes[skin1[overlap.faces1[0]].nodes[0]]) + "; of the others " +
+                      std::to_string(faces.size()) +
+                      " of each part match. Mesh both parts with the same nodes where they touch.");
+  }
+  for (const auto& pair : overlap.nodes) {
+    if (inFaces.count(pair.first) == 0) single.insert(pair);
+  }
   const auto more = joinNodes(name, pieces1, pieces2, {single.begin(), single.end()});
   surfaces.insert(surfaces.end(), more.begin(), more.end());
   if (surfaces.empty()) {
@@ -256,55 +269,6 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
     refuse(where, message.str());
   }
   return surfaces;
-}
-
-void InterfaceFinder::joinOverlaps(const std::string& where, const std::pair<std::string, std::string>& parts,
-                                   const std::vector<Face>& skin1, const std::vector<Face>& skin2,
-                                   const std::vector<FacePair>& faces, std::set<std::pair<int, int>>& single) const {
-  std::vector<bool> isMatched1(skin1.size(), false), isMatched2(skin2.size(), false);
-  for (const FacePair& pair : faces) isMatched1[pair.face1] = isMatched2[pair.face2] = true;
-  const auto rest = [](const std::vector<Face>& skin, const std::vector<bool>& isMatched) {
-    std::vector<Face> left;
-    for (std::size_t i = 0; i < skin.size(); ++i) {
-      if (!isMatched[i]) left.push_back(skin[i]);
-    }
-    return left;
-  };
-  const std::vector<Face> rest1 = rest(skin1, isMatched1), rest2 = rest(skin2, isMatched2);
-  const auto overlaps = overlappingFaces(mesh_.nodes, rest1, rest2);
-  if (overlaps.empty()) return;
-  std::map<int, int> partner;
-  std::set<int> matched2;
-  for (const auto& [node1, node2] : matchNodes(mesh_, skin1, skin2)) {
-    partner[node1] = node2;
-    matched2.insert(node2);
-  }
-  std::set<int> inFaces;
-  for (const FacePair& pair : faces) inFaces.insert(skin1[pair.face1].nodes.begin(), skin1[pair.face1].nodes.end());
-  std::set<int> strange1, strange2;  // faces with a node that no node of the other side coincides with
-  for (const auto& [i, j] : overlaps) {
-    const std::vector<int>& nodes1 = rest1[i].nodes;
-    const std::vector<int>& nodes2 = rest2[j].nodes;
-    const bool haveAll1 = std::all_of(nodes1.begin(), nodes1.end(), [&](int node) { return partner.count(node) > 0; });
-    const bool haveAll2 = std::all_of(nodes2.begin(), nodes2.end(), [&](int node) { return matched2.count(node) > 0; });
-    if (haveAll1 && haveAll2) {
-      for (const int node : nodes1) {
-        if (inFaces.count(node) == 0) single.emplace(node, partner.at(node));
-      }
-      continue;
-    }
-    strange1.insert(i);
-    strange2.insert(j);
-  }
-  if (strange1.empty()) return;
-  const Face& first = rest1[*strange1.begin()];
-  const auto facesOfPart = [](std::size_t count, const std::string& part) {
-    return std::to_string(count) + (count == 1 ? " face of part \"" : " faces of part \"") + part + "\"";
-  };
-  refuse(where, facesOfPart(strange1.size(), parts.first) + " and " + facesOfPart(strange2.size(), parts.second) +
-                    " lie on each other, but their nodes do not coincide, the first of them at " +
-                    text(mesh_.nodes[first.nodes[0]]) + "; of the others " + std::to_string(faces.size()) +
-                    " of each part match. Mesh both parts with the same nodes where they touch.");
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::cuts() const {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,11 +70,6 @@ class InterfaceFinder {
                                           const std::vector<std::pair<int, int>>& nodes) const;
   std::vector<InterfaceSurface> joinDifferentFaces(const std::string& name, const std::vector<Face>& side1,
                                                    const std::vector<Face>& side2) const;
-  /// Of faces that lie on each other without matching, adds the nodes to `single` when all of them coincide with one of
-  /// the other side, and refuses them otherwise: they would be joined at the few nodes that happen to coincide.
-  void joinOverlaps(const std::string& where, const std::pair<std::string, std::string>& parts,
-                    const std::vector<Face>& skin1, const std::vector<Face>& skin2, const std::vector<FacePair>& faces,
-                    std::set<std::pair<int, int>>& single) const;
   std::vector<InterfaceSurface> onFaces(const std::string& name, const std::vector<Face>& faces) const;
   std::vector<InterfaceSurface> cut(const std::string& name, const std::vector<int>& pieces) const;
 

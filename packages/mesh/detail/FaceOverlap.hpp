@@ -3,16 +3,22 @@
 #include <utility>
 #include <vector>
 
-#include <harmos/base/Vector3.hpp>
-#include <harmos/mesh/Skin.hpp>
+#include <harmos/mesh/FaceMatching.hpp>
+#include <harmos/mesh/Mesh.hpp>
 
 namespace harmos::mesh {
 
-/// The pairs (index into `side1`, index into `side2`) of faces that lie on each other: their normals are opposite, they
-/// overlap by more than a hundredth of the smaller one when seen along the first one's normal, and either lie in one
-/// plane, within a thousandth of their shortest edge, or touch in a node and hardly deviate, as the facets of two
-/// meshes of one curved surface do. `nodes` are those of the mesh; in 2-D faces have two nodes. O((n + pairs) log n).
-std::vector<std::pair<int, int>> overlappingFaces(const std::vector<base::Vector3>& nodes,
-                                                  const std::vector<Face>& side1, const std::vector<Face>& side2);
+/// What lies on each other of two sides without being a pair of matchFaces().
+struct FaceOverlap {
+  std::vector<std::pair<int, int>> nodes;  // of faces all of whose nodes coincide with one of the other side
+  std::vector<int> faces1, faces2;         // other faces, ascending: indices into the lists of faces
+};
+
+/// Two faces lie on each other when their normals are opposite, they overlap by more than a hundredth of the smaller
+/// one seen along the first one's normal, and they either lie in one plane, within a thousandth of their shortest edge,
+/// or touch in a node and hardly deviate, as the facets of two meshes of one curved surface do. `matched`: pairs of
+/// faces that are left out. In 2-D faces have two nodes. O((n + pairs of faces that overlap) log n).
+FaceOverlap findOverlap(const Mesh& mesh, const std::vector<Face>& side1, const std::vector<Face>& side2,
+                        const std::vector<FacePair>& matched);
 
 }  // namespace harmos::mesh
