@@ -1,5 +1,7 @@
 #include <harmos/latin/PairFields.hpp>
 
+#include <harmos/latin/PrescribedForces.hpp>
+
 namespace harmos::latin {
 namespace {
 
@@ -8,10 +10,8 @@ constexpr int width = 7;  // traction, jump, status
 /// Tractions are data here: asks the law, and takes the displacement from the body.
 void fillPrescribed(const Iterate& state, const assembly::Interface& interface, std::vector<double>& values) {
   const auto pairs = static_cast<std::size_t>(interface.pairs());
-  const std::vector<laws::LocalLine> lines(pairs);
-  std::vector<laws::LocalState> states(pairs);
   for (int t = 0; t < state.assembly().steps(); ++t) {
-    interface.law->solve(t, {interface.pairs(), lines.data(), interface.gap.data(), nullptr, nullptr, states.data()});
+    const std::vector<laws::LocalState> states = prescribedStates(interface, t);
     for (std::size_t p = 0; p < pairs; ++p) {
       double* value = values.data() + (static_cast<std::size_t>(t) * pairs + p) * width;
       base::Vector3 f = states[p].traction;

@@ -2,23 +2,22 @@
 
 #include <algorithm>
 
+#include <harmos/latin/PrescribedForces.hpp>
+
 namespace harmos::latin {
 namespace {
 
-/// f [stress] that acts on side 1 at pair p: of the linear stage, or the prescribed one.
-base::Vector3 tractionOf(const Iterate& state, int interfaceIndex, int begin, int p, int t) {
-  base::Vector3 f{};
-  const int dimension = state.layout().dimension();
-  if (begin >= 0) {
-    std::copy_n(state.traction()[t] + begin + p * dimension, dimension, f.begin());
-    return f;
-  }
+/// f [stress] that acts on side 1 of an interface: of the linear stage, or the prescribed one.
+std::vector<base::Vector3> tractionsOf(const Iterate& state, int interfaceIndex, int t) {
   const assembly::Interface& interface = state.assembly().interfaces[interfaceIndex];
-  const laws::LocalLine line;
-  laws::LocalState local;
-  interface.law->solve(t, {1, &line, interface.gap.data() + p, nullptr, nullptr, &local});
-  const bool isGlobal = interface.law->frame() == laws::Frame::global;
-  return isGlobal ? local.traction : base::toGlobal(interface.frame[p], local.traction);
+  const int begin = state.layout().begin(interfaceIndex, 0);
+  if (begin < 0) return prescribedTractions(interface, t);
+  const int dimension = state.layout().dimension();
+  std::vector<base::Vector3> tractions(interface.pairs());
+  for (int p = 0; p < interface.pairs(); ++p) {
+    std::copy_n(state.traction()[t] + begin + p * dimension, dimension, tractions[p].begin());
+  }
+  return tractions;
 }
 
 }  // namespace
@@ -40,19 +39,15 @@ std::vector<double> ResultantResponse::evaluate(const Iterate& state) const {
   for (int i : interfaces_) {
     const assembly::Interface& interface = state.assembly().interfaces[i];
     if (!state.layout().owns(interface.body1)) continue;
-    const int begin = state.layout().begin(i, 0);
     const auto& nodes = state.assembly().bodies[interface.body1].nodes;
+    std::vector<base::Vector3> arms;
     for (int p = 0; p < interface.pairs(); ++p) {
-      const auto pair = static_cast<std::size_t>(p);
-      const base::Vector3& direction = direction_.empty() ? interface.frame[pair][0] : direction_[0];
-      base::Vector3 arm = direction;
-      if (!centre_.empty()) {
-        const base::Vector3& x = nodes[interface.node1[pair]];
-        arm = cross(direction, {x[0] - centre_[0][0], x[1] - centre_[0][1], x[2] - centre_[0][2]});
-      }
-      for (int t = 0; t < state.assembly().steps(); ++t) {
-        values[t] += interface.area[pair] * dot(tractionOf(state, i, begin, p, t), arm);
-      }
+      const base::Vector3& direction = direction_.empty() ? interface.frame[p][0] : direction_[0];
+      arms.push_back(centre_.empty() ? direction : cross(direction, nodes[interface.node1[p]] - centre_[0]));
+    }
+    for (int t = 0; t < state.assembly().steps(); ++t) {
+      const std::vector<base::Vector3> tractions = tractionsOf(state, i, t);
+      for (int p = 0; p < interface.pairs(); ++p) values[t] += interface.area[p] * dot(tractions[p], arms[p]);
     }
   }
   state.metric().sum(values);

@@ -60,6 +60,32 @@ TEST(ResultantResponse, IsTheForceOnSideOne) {
   EXPECT_NEAR(solved(ResultantResponse("both", {0, 1}, {{0.0, 1.0, 0.0}}))[0], 0.0, 10.0 * accuracy);
 }
 
+/// A law of a host that knows its nodes: the traction along x is the number of the node.
+class Varying : public laws::InterfaceLaw {
+ public:
+  const char* name() const override { return "Varying"; }
+  int historySize() const override { return 0; }
+  laws::Frame frame() const override { return laws::Frame::global; }
+  laws::Sides sides() const override { return laws::Sides::one; }
+  bool prescribesTraction() const override { return true; }
+  bool dissipates() const override { return false; }
+  void solve(int, const laws::NodeArrays& nodes) const override {
+    for (int i = 0; i < nodes.count; ++i) nodes.state[i].traction = {1.0 * i, 0.0, 0.0};
+  }
+};
+
+TEST(ResultantResponse, OfAPrescribedTractionMayVaryFromNodeToNode) {
+  const Solved solved(twoCubes(laws::makeLaw("Perfect"), std::make_shared<Varying>(), 1));
+  const assembly::Interface& loaded = solved.solver.state().assembly().interfaces[2];
+  double expected = 0.0;
+  for (int p = 0; p < loaded.pairs(); ++p) expected += p * loaded.area[p];
+  ASSERT_GT(expected, 0.0);
+  for (int joint : {1, 2}) {
+    EXPECT_NEAR(solved(ResultantResponse("force", {joint}, {{1.0, 0.0, 0.0}}))[0], expected,
+                10.0 * accuracy * expected);
+  }
+}
+
 TEST(ResultantResponse, WithACentreIsTheMoment) {
   const Solved solved(pulled());
   // The traction (1, 2, 3) acts at (0.5, 0.5, 2): about the centre of the joint (0.5, 0.5, 1) it is (-2, 1, 0).
