@@ -13,7 +13,8 @@ namespace harmos::assembly {
 ///
 /// Pair p joins node1[p] of substructure body1 and node2[p] of body2, local node numbers. An outer boundary has
 /// body2 = -1 and no node2. Sign: jump = w2 - w1 [length], n from side 1 to side 2 (out of body1), t = f1 = -f2
-/// [stress], so t.n < 0 is compression. All vectors per pair have pairs() entries.
+/// [stress], so t.n < 0 is compression. At a crease of the surface the same nodes are several pairs, one for each
+/// smooth patch, with frames and areas of their own. All vectors per pair have pairs() entries.
 struct Interface {
   std::string name;  ///< several pieces may share a name when METIS has cut the parts that they join
   std::shared_ptr<const laws::InterfaceLaw> law;  ///< never null; interfaces may share one
@@ -22,8 +23,10 @@ struct Interface {
   std::vector<int> node1;                         ///< per pair: node of body1, counted from 0
   std::vector<int> node2;                         ///< per pair: node of body2, counted from 0; empty on a boundary
   std::vector<base::Frame> frame;                 ///< per pair: rows n, t1, t2
-  std::vector<double> area;  ///< per pair: lumped interface mass h [length^2; in 2-D length times thickness], > 0
-  std::vector<double> gap;   ///< per pair: geometric opening (x2 - x1).n [length]; 0 on a boundary
+  /// Per pair: lumped interface mass h [length^2; in 2-D length times thickness], > 0; where the law prescribes its
+  /// traction in the frame, the length of int N n dS, so that a pressure acts along the normals of the faces.
+  std::vector<double> area;
+  std::vector<double> gap;            ///< per pair: geometric opening (x2 - x1).n [length]; 0 on a boundary
   std::vector<mesh::MassEntry> mass;  ///< consistent interface mass [as area], both triangles; empty: lumped
 
   /// How many pairs there are; on a boundary nodes.

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <iomanip>
 #include <ostream>
+#include <set>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/cli/detail/StudyText.hpp>
@@ -17,6 +18,20 @@ void printBytes(std::ostream& out, const char* what, double bytes) {
       << std::setprecision(bytes < 1e8 ? 1 : 0) << bytes / 1e6 << " MB\n";
 }
 
+/// For every interface of the assembly, how many pairs it has besides the first of their nodes, because of creases.
+std::vector<int> pairsAtCreases(const scene::Problem& problem) {
+  std::vector<std::set<int>> pairs(problem.assembly.interfaces.size());
+  for (std::size_t s = 0; s < problem.surfaces.size(); ++s) {
+    for (std::size_t p = 0; p < problem.places[s].size(); ++p) {
+      const scene::PairPlace& place = problem.places[s][p];
+      if (place.interface >= 0 && problem.surfaces[s].patch[p] > 0) pairs[place.interface].insert(place.pair);
+    }
+  }
+  std::vector<int> counts;
+  for (const auto& one : pairs) counts.push_back(static_cast<int>(one.size()));
+  return counts;
+}
+
 void printProblem(std::ostream& out, const scene::Problem& problem) {
   const assembly::Assembly& assembly = problem.assembly;
   out << assembly.bodies.size() << " substructures:\n";
@@ -25,7 +40,9 @@ void printProblem(std::ostream& out, const scene::Problem& problem) {
         << assembly.bodies[b].nodes.size() << " nodes " << std::setw(10) << problem.bodies.pieces[b].elements.size()
         << " elements, rank " << assembly.ownerOf(static_cast<int>(b)) << "\n";
   out << assembly.interfaces.size() << " interfaces and boundaries:\n";
-  for (const auto& interface : assembly.interfaces) {
+  const std::vector<int> atCreases = pairsAtCreases(problem);
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const assembly::Interface& interface = assembly.interfaces[i];
     // Users must see clearances and overclosures before the solution, not guess them from it.
     double least = 0.0, largest = 0.0;
     for (double gap : interface.gap) {
@@ -36,6 +53,7 @@ void printProblem(std::ostream& out, const scene::Problem& problem) {
         << (interface.sides() == 2 ? " node pairs, " : " nodes, ") << interface.law->name();
     if (interface.sides() == 2 && (least != 0.0 || largest != 0.0))
       out << ", initial opening " << std::defaultfloat << std::setprecision(3) << least << " to " << largest;
+    if (atCreases[i] > 0) out << ", " << atCreases[i] << " of them added at creases";
     out << "\n";
   }
   out << assembly.steps() << " time steps, " << problem.responses.size() << " responses\n";

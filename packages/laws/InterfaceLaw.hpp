@@ -14,6 +14,13 @@ enum class Frame {
 /// On how many bodies a law acts: on the two of an interface, on the one of a boundary, or on either.
 enum class Sides { two, one, any };
 
+/// What a law makes of a node at which the surface turns and has several normals.
+enum class Creases {
+  ignore,  ///< it does not look at the normal: the node is one pair, and may have no normal at all
+  split,   ///< it holds on every smooth patch of the surface by itself: the node is a pair of each
+  refuse   ///< it has no meaning there
+};
+
 /// The pairs of one interface at one load step, as contiguous arrays of length `count`, in the order of the interface.
 ///
 /// The arrays belong to the caller and are valid during the call only; the written ones overlap no other.
@@ -52,6 +59,9 @@ class InterfaceLaw {
   /// Without memory, and every component by itself affine: at each load step t_i = k_i delta_i + c_i with 0 <= k_i <=
   /// infinity, in the law's frame; k_i and c_i are the same at all nodes, whatever their gap.
   virtual bool isAffine() const { return false; }
+  /// What it makes of creases: ignores them where it looks at global components, or bonds the sides whatever the
+  /// normal.
+  virtual Creases creases() const { return frame() == Frame::global || bonds() ? Creases::ignore : Creases::split; }
   /// Solves all pairs at one load step, counted from 0. With prescribesTraction() the lines are not read. Not
   /// collective: a rank asks for the interfaces of its bodies. A traction that is not finite ends the computation.
   virtual void solve(int step, const NodeArrays& nodes) const = 0;

@@ -22,6 +22,7 @@ namespace harmos::laws {
 ///   static constexpr bool dissipates = true;              default false
 ///   static constexpr bool bonds = true;                   default false
 ///   static constexpr bool isAffine = true;                default false
+///   static constexpr Creases creases = Creases::refuse;   default as InterfaceLaw::creases()
 /// What they mean is said at the functions of InterfaceLaw of these names. `old` and `now` are the pair's numbers at
 /// the end of the previous load step and of this one; solve() writes all of `now`.
 template <class L>
@@ -47,6 +48,9 @@ class PointwiseLaw final : public InterfaceLaw {
   bool bonds() const override { return bondsOf<L>(0); }
   /// L::isAffine, or false.
   bool isAffine() const override { return isAffineOf<L>(0); }
+
+  /// L::creases, or what follows from the frame and from bonds().
+  Creases creases() const override { return creasesOf<L>(0); }
 
   /// Calls L::solve() for one pair after the other.
   void solve(int step, const NodeArrays& nodes) const override {
@@ -98,6 +102,14 @@ class PointwiseLaw final : public InterfaceLaw {
   template <class T>
   static constexpr bool isAffineOf(long) {
     return false;
+  }
+  template <class T>
+  auto creasesOf(int) const -> decltype(T::creases) {
+    return T::creases;
+  }
+  template <class T>
+  Creases creasesOf(long) const {
+    return InterfaceLaw::creases();
   }
 
   L law_;

@@ -5,12 +5,14 @@ namespace {
 
 /// Bolt preload as a prescribed axial relative displacement g(t) of two faces, glued otherwise:
 /// delta_n = -g (g > 0 draws the faces into each other: tension), delta_t = 0.
+/// At a crease the jump would have to be along two normals.
 /// Source: Champaney, Blanze, Boucard (2004), section 3.2.
 struct PreloadJump {
   static constexpr const char* name = "Preload Jump";
   static constexpr int historySize = 0;
   static constexpr Sides sides = Sides::two;
   static constexpr bool isAffine = true;
+  static constexpr Creases creases = Creases::refuse;
 
   static void describe(input::ParameterSpec& p) {
     p.summary("Bolt preload: prescribed axial overlap of the two faces, joined perfectly otherwise.")

@@ -10,8 +10,9 @@
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Vector3.hpp>
 #include <harmos/mesh/detail/FaceOverlap.hpp>
+#include <harmos/mesh/detail/InnerFaces.hpp>
 #include <harmos/mesh/detail/NodalWeights.hpp>
-#include <harmos/mesh/detail/SurfaceBuilder.hpp>
+#include <harmos/mesh/detail/SurfaceBuilders.hpp>
 
 namespace harmos::mesh {
 namespace {
@@ -78,8 +79,9 @@ FaceIntegrals InterfaceFinder::integrate(const Face& face, const std::optional<b
 
 std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, const std::vector<Face>& side1,
                                                     const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
+                                                    double creaseAngle,
                                                     const std::optional<base::Vector3>& projection) const {
-  SurfaceBuilders builders(mesh_, pieces_, projection);
+  SurfaceBuilders builders(mesh_, pieces_, creaseAngle, projection);
   for (const FacePair& pair : pairs) {
     const Face& face1 = side1[pair.face1];
     const Face& face2 = side2[pair.face2];
@@ -89,14 +91,15 @@ std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, con
       refuse(interfaceNamed(name), "both sides belong to part \"" + map_.part(piece1) +
                                        "\"; an interface joins two parts. Divide the part into two blocks there.");
     }
-    builders.at(piece1, piece2).addFace(face1.nodes, pair.nodes2, integrate(face1, projection));
+    builders.addFace(piece1, piece2, face1.nodes, pair.nodes2, integrate(face1, projection));
   }
   return builders.build(name);
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string& name, const std::string& sideSet1,
                                                                const std::string& sideSet2,
-                                                               const std::optional<base::Vector3>& direction) const {
+                                                               const std::optional<base::Vector3>& direction,
+                                                               double creaseAngle) const {
   const std::string where = interfaceNamed(name);
   const auto side1 = facesOf(where, sideSet1);
   const auto side2 = facesOf(where, sideSet2);
@@ -120,10 +123,10 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string
   }
   const auto pairs = matchFaces(mesh_.nodes, side1, side2, projection);
   if (pairs.size() == side1.size() && pairs.size() == side2.size()) {
-    return join(name, side1, side2, pairs, projection);
+    return join(name, side1, side2, pairs, creaseAngle, projection);
   }
   if (!projection) {
-    auto surfaces = joinDifferentFaces(name, side1, side2);
+    auto surfaces = joinDifferentFaces(name, side1, side2, creaseAngle);
     if (!surfaces.empty()) return surfaces;
   }
   const auto nodes1 = nodesOf(side1);
@@ -147,7 +150,8 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string
 
 std::vector<InterfaceSurface> InterfaceFinder::joinDifferentFaces(const std::string& name,
                                                                   const std::vector<Face>& side1,
-                                                                  const std::vector<Face>& side2) const {
+                                                                  const std::vector<Face>& side2,
+                                                                  double creaseAngle) const {
   const auto onePiece = [&](const std::vector<Face>& side) {
     return std::all_of(side.begin(), side.end(),
                        [&](const Face& face) { return map_.of(face.element) == map_.of(side[0].element); });
@@ -160,28 +164,31 @@ std::vector<InterfaceSurface> InterfaceFinder::joinDifferentFaces(const std::str
   const std::map<int, int> partner(pairs.begin(), pairs.end());
   std::map<int, int> inverse;
   for (const auto& [node1, node2] : pairs) inverse[node2] = node1;
-  SurfaceBuilder builder(mesh_, pieces_, piece1, piece2);
-  base::Vector3 normal1{}, normal2{};
-  for (const Face& face : side1) {
+  SurfaceBuilders builders(mesh_, pieces_, creaseAngle);
+  const auto halved = [&](const Face& face, double orientation, base::Vector3& sum) {
     FaceIntegrals half = integrate(face);
     half.mass.clear();
-    std::vector<int> nodes2;
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
-      nodes2.push_back(partner.at(face.nodes[i]));
+      sum = sum + half.normal[i];
       half.area[i] *= 0.5;
-      normal1 = normal1 + half.normal[i];
+      half.normal[i] = 0.5 * orientation * half.normal[i];
     }
-    builder.addFace(face.nodes, nodes2, half);
+    return half;
+  };
+  const auto across = [](const std::vector<int>& nodes, const std::map<int, int>& to) {
+    std::vector<int> result;
+    for (const int node : nodes) result.push_back(to.at(node));
+    return result;
+  };
+  base::Vector3 normal1{}, normal2{};
+  for (const Face& face : side1) {
+    builders.addFace(piece1, piece2, face.nodes, across(face.nodes, partner), halved(face, 1.0, normal1));
   }
   for (const Face& face : side2) {
-    const FaceIntegrals whole = integrate(face);
-    for (std::size_t i = 0; i < face.nodes.size(); ++i) {
-      builder.addNode(inverse.at(face.nodes[i]), face.nodes[i], 0.5 * whole.area[i], -1.0 * whole.normal[i]);
-      normal2 = normal2 + whole.normal[i];
-    }
+    builders.addShare(piece1, piece2, across(face.nodes, inverse), face.nodes, halved(face, -1.0, normal2));
   }
   if (!(dot(normal1, normal2) < 0.0)) return {};
-  return {builder.build(name)};
+  return builders.build(name);
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::joinNodes(const std::string& name, const std::vector<int>& pieces1,
@@ -196,7 +203,7 @@ std::vector<InterfaceSurface> InterfaceFinder::joinNodes(const std::string& name
   std::sort(nodes2.begin(), nodes2.end());
   const NodalWeights weights1(mesh_, elements_, map_, pieces1, nodes1, thickness_);
   const NodalWeights weights2(mesh_, elements_, map_, pieces2, nodes2, thickness_);
-  SurfaceBuilders builders(mesh_, pieces_);
+  SurfaceBuilders builders(mesh_, pieces_, oneNormal);
   for (const auto& [node1, node2] : pairs) {
     // Where a body is cut, its pieces are tied to each other: one of them is enough.
     const auto holder = [&](const std::vector<int>& pieces, int node) {
@@ -204,14 +211,14 @@ std::vector<InterfaceSurface> InterfaceFinder::joinNodes(const std::string& name
     };
     const auto weight1 = weights1.total(node1);
     const auto weight2 = weights2.total(node2);
-    builders.at(holder(pieces1, node1), holder(pieces2, node2))
-        .addNode(node1, node2, 0.5 * (weight1.area + weight2.area), weight1.normal - weight2.normal);
+    builders.addNode(holder(pieces1, node1), holder(pieces2, node2), node1, node2, 0.5 * (weight1.area + weight2.area),
+                     0.5 * (weight1.normal - weight2.normal));
   }
   return builders.build(name);
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& name, const std::string& part1,
-                                                            const std::string& part2) const {
+                                                            const std::string& part2, double creaseAngle) const {
   const std::string where = interfaceNamed(name);
   const auto pieces1 = map_.named(where, part1);
   const auto pieces2 = map_.named(where, part2);
@@ -219,7 +226,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
   const auto skin1 = skin(elements_, map_.elements(pieces1));
   const auto skin2 = skin(elements_, map_.elements(pieces2));
   const auto faces = matchFaces(mesh_.nodes, skin1, skin2);
-  auto surfaces = join(name, skin1, skin2, faces, std::nullopt);
+  auto surfaces = join(name, skin1, skin2, faces, creaseAngle, std::nullopt);
 
   std::set<int> inFaces;
   for (const FacePair& pair : faces) {
@@ -284,7 +291,7 @@ std::vector<InterfaceSurface> InterfaceFinder::cuts() const {
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::cut(const std::string& name, const std::vector<int>& pieces) const {
-  SurfaceBuilders builders(mesh_, pieces_);
+  SurfaceBuilders builders(mesh_, pieces_, oneNormal);
   std::map<std::vector<int>, Face> open;           // by sorted nodes: faces whose other side has not come yet
   std::map<int, std::vector<std::set<int>>> tied;  // per node: groups of pieces that faces join there
   for (const int piece : pieces) {
@@ -301,7 +308,7 @@ std::vector<InterfaceSurface> InterfaceFinder::cut(const std::string& name, cons
       }
       const Face& first = other->second;
       const int firstPiece = map_.of(first.element);
-      builders.at(firstPiece, piece).addFace(first.nodes, first.nodes, integrate(first));
+      builders.addFace(firstPiece, piece, first.nodes, first.nodes, integrate(first));
       for (const int node : first.nodes) {
         auto& groups = tied[node];
         const auto holds = [](int wanted) { return [wanted](const std::set<int>& g) { return g.count(wanted) > 0; }; };
@@ -330,20 +337,20 @@ std::vector<InterfaceSurface> InterfaceFinder::cut(const std::string& name, cons
   return surfaces;
 }
 
-std::vector<InterfaceSurface> InterfaceFinder::onFaces(const std::string& name, const std::vector<Face>& faces) const {
-  SurfaceBuilders builders(mesh_, pieces_);
-  for (const Face& face : faces) {
-    builders.at(map_.of(face.element), -1).addFace(face.nodes, {}, integrate(face));
-  }
+std::vector<InterfaceSurface> InterfaceFinder::onFaces(const std::string& name, const std::vector<Face>& faces,
+                                                       double creaseAngle) const {
+  SurfaceBuilders builders(mesh_, pieces_, creaseAngle);
+  for (const Face& face : faces) builders.addFace(map_.of(face.element), -1, face.nodes, {}, integrate(face));
   return builders.build(name);
 }
 
-std::vector<InterfaceSurface> InterfaceFinder::onSideSet(const std::string& name, const std::string& sideSet) const {
-  return onFaces(name, facesOf(boundaryNamed(name), sideSet));
+std::vector<InterfaceSurface> InterfaceFinder::onSideSet(const std::string& name, const std::string& sideSet,
+                                                         double creaseAngle) const {
+  return onFaces(name, facesOf(boundaryNamed(name), sideSet), creaseAngle);
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name, const std::string& nodeSet,
-                                                         const std::string& part) const {
+                                                         const std::string& part, double creaseAngle) const {
   const std::string where = boundaryNamed(name);
   const NodeSet& set = findSet(where, mesh_.nodeSets, nodeSet, "node set");
   if (set.node.empty()) refuse(where, "node set \"" + nodeSet + "\" is empty.");
@@ -367,16 +374,27 @@ std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name
       faces.push_back(std::move(face));
     }
   }
-  if (nodesOf(faces).size() == nodes.size()) return onFaces(name, faces);
+  if (nodesOf(faces).size() == nodes.size()) return onFaces(name, faces, creaseAngle);
 
   const NodalWeights weights(mesh_, elements_, map_, pieces, {nodes.begin(), nodes.end()}, thickness_);
-  SurfaceBuilders builders(mesh_, pieces_);
+  SurfaceBuilders builders(mesh_, pieces_, oneNormal);
   for (const int node : nodes) {
     for (const auto& [piece, weight] : weights.at(node)) {
-      builders.at(piece, -1).addNode(node, -1, weight.area, weight.normal);
+      builders.addNode(piece, -1, node, -1, weight.area, weight.normal);
     }
   }
   return builders.build(name);
+}
+
+void InterfaceFinder::demandSurface(const std::string& where, const std::string& sideSet) const {
+  const auto faces = facesOf(where, sideSet);
+  const auto inner = innerFaces(mesh_, elements_, map_, faces);
+  if (inner.empty()) return;
+  refuse(where, std::to_string(inner.size()) + " of the " + std::to_string(faces.size()) + " faces of side set \"" +
+                    sideSet + "\" lie inside of part \"" + map_.part(map_.of(inner[0].element)) +
+                    "\", the first of them at " + text(mesh_.nodes[inner[0].nodes[0]]) +
+                    ". A law acts on the surface of a part: divide the part there into two blocks, or choose another "
+                    "side set.");
 }
 
 }  // namespace harmos::mesh

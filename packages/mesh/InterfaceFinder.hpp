@@ -21,8 +21,14 @@ namespace harmos::mesh {
 /// All throw base::Error(input) for unknown names, sets and interfaces without faces or nodes, and faces that belong to
 /// no part, and pairs without area. Keeps references to the mesh and the pieces, which must outlive it and stay as they
 /// are. Not collective: the whole mesh is on the rank that asks.
+///
+/// `creaseAngle` [degrees]: faces around a node whose normals differ by more are different patches, and the node is a
+/// pair of its own for each of them (see smoothPatches()). With oneNormal every node is one pair.
 class InterfaceFinder {
  public:
+  /// A crease angle that no surface has.
+  static constexpr double oneNormal = 180.0;
+
   /// `thickness` [length] multiplies lengths in 2-D and does not count in 3-D. Throws base::Error(input) if two parts
   /// share an element.
   InterfaceFinder(const Mesh& mesh, const std::vector<Piece>& pieces, double thickness = 1.0);
@@ -36,41 +42,48 @@ class InterfaceFinder {
   /// mass. Throws base::Error(input) if the sides do not conform or belong to one part.
   std::vector<InterfaceSurface> betweenSideSets(const std::string& name, const std::string& sideSet1,
                                                 const std::string& sideSet2,
-                                                const std::optional<base::Vector3>& projection = std::nullopt) const;
+                                                const std::optional<base::Vector3>& projection = std::nullopt,
+                                                double creaseAngle = oneNormal) const;
 
   /// The interface between two bodies: their coincident faces and, besides, mesh nodes that they share outside of these
   /// faces; if there are no such faces, the nodes that coincide. Areas of nodes without faces: mean over the two bodies
   /// of their nodal skin areas, of volume^(2/3) for nodes inside a part (in 2-D thickness times the root of the plane
   /// area). Throws base::Error(input) if they do not touch, or if faces lie on each other whose nodes do not coincide.
   std::vector<InterfaceSurface> betweenParts(const std::string& name, const std::string& part1,
-                                             const std::string& part2) const;
+                                             const std::string& part2, double creaseAngle = oneNormal) const;
 
   /// The surfaces between the pieces of every part that was cut, named "<part> cut": by their common faces, and by
   /// single nodes where no chain of faces ties pieces that share one. A scene gives them the law Perfect.
   std::vector<InterfaceSurface> cuts() const;
 
   /// Outer boundary on a side set: one surface per piece that has faces in it, normals out of the part.
-  std::vector<InterfaceSurface> onSideSet(const std::string& name, const std::string& sideSet) const;
+  std::vector<InterfaceSurface> onSideSet(const std::string& name, const std::string& sideSet,
+                                          double creaseAngle = oneNormal) const;
 
   /// Outer boundary on a node set: its faces if every node belongs to a face of the skin that lies in the set, else the
   /// nodes alone, with their share of the skin's area, inner nodes as in betweenParts(). `part` (empty: all) restricts
   /// the set to the nodes of a part and takes that part's skin; otherwise faces between parts that share nodes do not
   /// count.
   std::vector<InterfaceSurface> onNodeSet(const std::string& name, const std::string& nodeSet,
-                                          const std::string& part = "") const;
+                                          const std::string& part = "", double creaseAngle = oneNormal) const;
+
+  /// Throws base::Error(input) that counts the faces of a side set that lie inside of a part: no law can act there.
+  /// The message starts with `where`.
+  void demandSurface(const std::string& where, const std::string& sideSet) const;
 
  private:
   std::vector<Face> facesOf(const std::string& interface, const std::string& sideSet) const;
   FaceIntegrals integrate(const Face& face, const std::optional<base::Vector3>& projection = std::nullopt) const;
   std::vector<InterfaceSurface> join(const std::string& name, const std::vector<Face>& side1,
                                      const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
-                                     const std::optional<base::Vector3>& projection) const;
+                                     double creaseAngle, const std::optional<base::Vector3>& projection) const;
   std::vector<InterfaceSurface> joinNodes(const std::string& name, const std::vector<int>& pieces1,
                                           const std::vector<int>& pieces2,
                                           const std::vector<std::pair<int, int>>& nodes) const;
   std::vector<InterfaceSurface> joinDifferentFaces(const std::string& name, const std::vector<Face>& side1,
-                                                   const std::vector<Face>& side2) const;
-  std::vector<InterfaceSurface> onFaces(const std::string& name, const std::vector<Face>& faces) const;
+                                                   const std::vector<Face>& side2, double creaseAngle) const;
+  std::vector<InterfaceSurface> onFaces(const std::string& name, const std::vector<Face>& faces,
+                                        double creaseAngle) const;
   std::vector<InterfaceSurface> cut(const std::string& name, const std::vector<int>& pieces) const;
 
   const Mesh& mesh_;

@@ -16,16 +16,19 @@ struct MassEntry {
 
 /// Geometry of one interface between two pieces, or between one piece and the ground (outer boundary).
 ///
-/// Node pairs are conforming: pair p joins the local node node1[p] of piece1 and node2[p] of piece2. n is the unit
-/// normal from side 1 to side 2, on a boundary out of the part, and the x axis at inner nodes, which have none; x1, x2
-/// are coordinates.
+/// Node pairs are conforming: pair p joins the local node node1[p] of piece1 and node2[p] of piece2. Where the surface
+/// turns at a crease, a pair of nodes occurs once for every smooth patch of faces around it, each with the area and the
+/// normal of its own faces. n is the unit normal from side 1 to side 2, on a boundary out of the part, and the x axis
+/// where there is none, such as at inner nodes; x1, x2 are coordinates.
 struct InterfaceSurface {
   std::string name;  // of the interface it belongs to
   int piece1 = -1;   // index into the list of pieces
   int piece2 = -1;   // -1: outer boundary, one side only
   /// Per pair, local node number in piece1.
   std::vector<int> node1, node2;       // node2: the same in piece2; empty for an outer boundary
-  std::vector<base::Frame> frame;      // per pair, n the area-weighted mean of the faces' normals, or the projection
+  std::vector<int> patch;              // per pair, patch of its nodes from 0, the same in all surfaces of an interface
+  std::vector<base::Frame> frame;      // per pair, n the direction of `normal`
+  std::vector<base::Vector3> normal;   // per pair, int N n dS [as area]; with a projection, which n then is, area n
   std::vector<double> area;            // per pair, int N dS [length^2; in 2-D length times thickness], > 0
   std::vector<double> gap;             // per pair, (x2 - x1).n [length]; 0 without a projection
   std::vector<std::vector<int>> face;  // pair numbers of each face in the node order of side 1; empty for single nodes

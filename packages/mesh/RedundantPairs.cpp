@@ -4,6 +4,9 @@
 #include <map>
 #include <tuple>
 
+#include <harmos/base/Vector3.hpp>
+#include <harmos/mesh/detail/InterfaceFrame.hpp>
+
 namespace harmos::mesh {
 namespace {
 
@@ -28,24 +31,26 @@ double& areaOf(std::vector<InterfaceSurface>& surfaces, const PairCarrier& pair)
 /// What makes pairs copies of each other: bodies may share mesh nodes as well, but not their displacements.
 struct Place {
   std::string interface, body1, body2;
-  int meshNode1, meshNode2;
+  int meshNode1, meshNode2, patch;
   bool operator<(const Place& other) const {
-    return std::tie(interface, body1, body2, meshNode1, meshNode2) <
-           std::tie(other.interface, other.body1, other.body2, other.meshNode1, other.meshNode2);
+    return std::tie(interface, body1, body2, meshNode1, meshNode2, patch) <
+           std::tie(other.interface, other.body1, other.body2, other.meshNode1, other.meshNode2, other.patch);
   }
 };
 
-/// All pairs of one interface that join the same nodes of the same bodies have one carrier.
-void mergeCopies(const std::vector<Piece>& pieces, std::vector<InterfaceSurface>& surfaces, Carriers& carriers) {
+/// All pairs of one interface that join the same nodes of the same bodies in the same patch have one carrier.
+void mergeCopies(const std::vector<Piece>& pieces, int dimension, std::vector<InterfaceSurface>& surfaces,
+                 Carriers& carriers) {
   std::map<Place, std::vector<PairCarrier>> copies;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const InterfaceSurface& surface = surfaces[s];
     if (isCut(pieces, surface)) continue;
     const bool hasTwoSides = surface.piece2 >= 0;
-    Place place{surface.name, at(pieces, surface.piece1).part, hasTwoSides ? at(pieces, surface.piece2).part : "", -1,
-                -1};
+    Place place{
+        surface.name, at(pieces, surface.piece1).part, hasTwoSides ? at(pieces, surface.piece2).part : "", -1, -1, 0};
     for (std::size_t p = 0; p < surface.node1.size(); ++p) {
       place.meshNode1 = meshNode(pieces, surface.piece1, surface.node1[p]);
+      place.patch = surface.patch[p];
       if (hasTwoSides) place.meshNode2 = meshNode(pieces, surface.piece2, surface.node2[p]);
       copies[place].push_back({static_cast<int>(s), static_cast<int>(p)});
     }
@@ -55,11 +60,16 @@ void mergeCopies(const std::vector<Piece>& pieces, std::vector<InterfaceSurface>
       return areaOf(surfaces, a) < areaOf(surfaces, b);
     });
     double total = 0.0;
+    base::Vector3 normal{};
     for (const PairCarrier& pair : pairs) {
       total += areaOf(surfaces, pair);
+      normal = normal + surfaces[pair.surface].normal[pair.pair];
       carriers[pair.surface][pair.pair] = carrier;
     }
+    if (pairs.size() == 1) continue;
     areaOf(surfaces, carrier) = total;
+    surfaces[carrier.surface].normal[carrier.pair] = normal;
+    surfaces[carrier.surface].frame[carrier.pair] = frameFromNormal(normal, dimension);
   }
 }
 
@@ -95,10 +105,10 @@ void keepSpanningTrees(const std::vector<Piece>& pieces, std::vector<InterfaceSu
 
 }  // namespace
 
-Carriers mergeRedundantPairs(const std::vector<Piece>& pieces, std::vector<InterfaceSurface>& surfaces) {
+Carriers mergeRedundantPairs(const std::vector<Piece>& pieces, int dimension, std::vector<InterfaceSurface>& surfaces) {
   Carriers carriers;
   for (const InterfaceSurface& surface : surfaces) carriers.emplace_back(surface.node1.size());
-  mergeCopies(pieces, surfaces, carriers);
+  mergeCopies(pieces, dimension, surfaces, carriers);
   keepSpanningTrees(pieces, surfaces, carriers);
   return carriers;
 }

@@ -3,14 +3,19 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <sstream>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Vector3.hpp>
 
 namespace harmos::scene {
 
 namespace {
 
 using input::Parameters;
+
+// Length of a sum of normals over the sum of their areas that is nothing but round-off.
+constexpr double cancelled = 1e-9;
 
 /// Names of the parts on which a side set lies; none if there is no such set.
 std::set<std::string> partsOf(const std::string& sideSet, const mesh::Mesh& mesh,
@@ -27,15 +32,58 @@ std::set<std::string> partsOf(const std::string& sideSet, const mesh::Mesh& mesh
   return names;
 }
 
-std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mesh::Mesh& mesh,
+/// Counts places that a law cannot be given to, and keeps the first of them.
+struct Misfits {
+  int count = 0;
+  base::Vector3 first{};
+
+  void add(const base::Vector3& place) {
+    if (count++ == 0) first = place;
+  }
+  std::string text() const {
+    std::ostringstream out;
+    out << count << (count == 1 ? " node" : " nodes, the first of them") << " at (" << first[0] << ", " << first[1]
+        << ", " << first[2] << ")";
+    return out.str();
+  }
+};
+
+/// A law that depends on the normal needs one at every node, and some need that there is only one.
+void checkNormals(const laws::InterfaceLaw& law, const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
+                  const std::vector<mesh::InterfaceSurface>& surfaces) {
+  if (law.creases() == laws::Creases::ignore) return;
+  Misfits without, several;
+  for (const mesh::InterfaceSurface& surface : surfaces) {
+    for (std::size_t p = 0; p < surface.node1.size(); ++p) {
+      const base::Vector3& place = mesh.nodes[pieces[surface.piece1].nodes[surface.node1[p]]];
+      if (norm(surface.normal[p]) <= cancelled * surface.area[p]) without.add(place);
+      if (surface.patch[p] == 1) several.add(place);
+    }
+  }
+  if (without.count > 0) {
+    throw base::Error(
+        "\"" + std::string(law.name()) + "\" depends on the normal, which " + without.text() +
+            " does not have: inside of a part, or where normals cancel.\n  Choose nodes of a surface, or a "
+            "law in global components.",
+        base::ExitCode::input);
+  }
+  if (law.creases() == laws::Creases::refuse && several.count > 0) {
+    throw base::Error("\"" + std::string(law.name()) +
+                          "\" has no meaning at a crease, where the normal is not unique: " + several.text() +
+                          ".\n  Divide the faces there into several sets, or raise Crease Angle.",
+                      base::ExitCode::input);
+  }
+}
+
+std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, double creaseAngle, const mesh::Mesh& mesh,
                                                const std::vector<mesh::Piece>& pieces,
                                                const mesh::InterfaceFinder& finder) {
   const std::string& name = list.name();
-  if (list.has("Side Set")) return finder.onSideSet(name, list.text("Side Set"));
+  if (list.has("Side Set")) return finder.onSideSet(name, list.text("Side Set"), creaseAngle);
   if (list.has("Node Set")) {
-    return finder.onNodeSet(name, list.text("Node Set"), list.has("Part") ? list.text("Part") : "");
+    return finder.onNodeSet(name, list.text("Node Set"), list.has("Part") ? list.text("Part") : "", creaseAngle);
   }
-  if (list.has("Part 1")) return finder.betweenParts(name, list.text("Part 1"), list.text("Part 2"));
+  if (list.has("Part 1")) return finder.betweenParts(name, list.text("Part 1"), list.text("Part 2"), creaseAngle);
   const auto parts1 = partsOf(list.text("Side 1"), mesh, pieces);
   if (parts1.size() == 1 && parts1 == partsOf(list.text("Side 2"), mesh, pieces)) {
     throw base::Error("both sides belong to the part \"" + *parts1.begin() + "\".\n  An interface joins two parts.",
@@ -46,7 +94,7 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mes
     const auto& given = list.numbers("Projection Direction");
     std::copy(given.begin(), given.end(), projection.emplace(base::Vector3{}).begin());
   }
-  return finder.betweenSideSets(name, list.text("Side 1"), list.text("Side 2"), projection);
+  return finder.betweenSideSets(name, list.text("Side 1"), list.text("Side 2"), projection, creaseAngle);
 }
 
 std::vector<std::vector<mesh::PairCarrier>> everyPairItself(const std::vector<mesh::InterfaceSurface>& surfaces) {
@@ -72,7 +120,17 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
   const int before = errors.count();
   for (const char* kind : {"Interfaces", "Boundaries"}) {
     for (const Parameters& list : scene.input.lists(kind)) {
-      errors.collect(list.where(), [&] { append(surfacesOf(list, mesh, pieces, finder)); });
+      errors.collect(list.where(), [&] {
+        const laws::InterfaceLaw& law = *scene.laws.at(list.name());
+        const bool isSplit = law.creases() != laws::Creases::ignore;
+        const double creaseAngle = isSplit ? list.number("Crease Angle") : mesh::InterfaceFinder::oneNormal;
+        auto found = surfacesOf(list, creaseAngle, mesh, pieces, finder);
+        for (const char* entry : {"Side Set", "Side 1", "Side 2"}) {
+          if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
+        }
+        checkNormals(law, mesh, pieces, found);
+        append(std::move(found));
+      });
     }
   }
   if (errors.count() > before) return surfaces;  // else parts would be reported that a faulty interface should touch
@@ -90,9 +148,10 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
   return surfaces;
 }
 
-Interfaces makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pieces,
+Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<mesh::Piece>& pieces,
                           std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent) {
-  const auto carriers = isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(pieces, surfaces);
+  const auto carriers =
+      isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(pieces, dimension, surfaces);
   Interfaces made;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const mesh::InterfaceSurface& surface = surfaces[s];
@@ -103,17 +162,19 @@ Interfaces makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pi
     interface.name = surface.name;
     interface.body1 = surface.piece1;
     interface.body2 = surface.piece2;
+    // Such a traction acts along the normals of the faces, which a mean normal times an area would exaggerate.
+    const bool isAlongNormals = interface.law->prescribesTraction() && interface.law->frame() == laws::Frame::interface;
     for (std::size_t p = 0; p < surface.node1.size(); ++p) {
       if (carriers[s][p].surface != static_cast<int>(s)) continue;
       made.places[s][p] = {static_cast<int>(made.interfaces.size()), interface.pairs()};
       interface.node1.push_back(surface.node1[p]);
       if (surface.piece2 >= 0) interface.node2.push_back(surface.node2[p]);
       interface.frame.push_back(surface.frame[p]);
-      interface.area.push_back(surface.area[p]);
+      interface.area.push_back(isAlongNormals ? norm(surface.normal[p]) : surface.area[p]);
       interface.gap.push_back(surface.gap[p]);
     }
     if (interface.node1.empty()) continue;
-    if (isConsistent) {
+    if (isConsistent && !isAlongNormals) {
       for (const mesh::MassEntry& entry : surface.mass) {
         interface.mass.push_back({entry.row, entry.column, entry.value});
       }

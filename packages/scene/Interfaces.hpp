@@ -11,9 +11,10 @@
 namespace harmos::scene {
 
 /// Finds the surfaces of all interfaces and boundaries of a scene and, between the pieces of a part that was cut, of
-/// perfect interfaces. Reports sets that do not exist, sides that do not fit together and parts that nothing touches
-/// to `errors`. In the order of Interfaces, then Boundaries, then cuts; after errors in the first two the rest is not
-/// looked at. Every rank finds all of them.
+/// perfect interfaces. Reports sets that do not exist, sides that do not fit together, nodes without the normal that
+/// their law needs and parts that nothing touches to `errors`. Nodes at creases are several pairs where the law says
+/// so. In the order of Interfaces, then Boundaries, then cuts; after errors in the first two the rest is not looked at.
+/// Every rank finds all of them.
 std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh::Mesh& mesh,
                                                  const std::vector<mesh::Piece>& pieces,
                                                  const mesh::InterfaceFinder& finder, input::ErrorList& errors);
@@ -32,9 +33,10 @@ struct Interfaces {
 
 /// An interface for every surface that carries unknowns, with the law of that name. Merges pairs that cuts make
 /// redundant (the areas of `surfaces` change), unless `isConsistent`: then every pair of a surface is kept, with the
-/// consistent interface mass where the surface has faces.
-/// Laws are shared with the scene.
-Interfaces makeInterfaces(const Scene& scene, const std::vector<mesh::Piece>& pieces,
+/// consistent interface mass where the surface has faces. A traction that is prescribed in the frame of the interface
+/// gets |int N n dS| for areas and no mass: a uniform pressure then has the nodal forces and the resultant of the faces
+/// themselves. `dimension`: 2 or 3. Laws are shared with the scene.
+Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<mesh::Piece>& pieces,
                           std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent);
 
 }  // namespace harmos::scene

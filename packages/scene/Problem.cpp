@@ -51,7 +51,8 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   assembly::Assembly& assembly = problem.assembly;
   assembly.dimension = problem.mesh.dimension;
   assembly.times = scene.times;
-  Interfaces made = makeInterfaces(scene, problem.bodies.pieces, problem.surfaces, scene.hasConsistentMass);
+  Interfaces made =
+      makeInterfaces(scene, assembly.dimension, problem.bodies.pieces, problem.surfaces, scene.hasConsistentMass);
   assembly.interfaces = std::move(made.interfaces);
   problem.places = std::move(made.places);
   const ResponseContext context{problem.mesh, problem.bodies.pieces, finder, assembly};

@@ -36,6 +36,21 @@ void describePart(input::ParameterSpec& spec) {
   }
 }
 
+// Regular polygons of nine and more sides are coarse circles; chamfers of 45 degrees, and the edges of hexagons and
+// boxes, are creases.
+constexpr double usualCreaseAngle = 40.0;
+
+void describeCreaseAngle(input::ParameterSpec& spec) {
+  spec.number("Crease Angle")
+      .unit("degrees")
+      .defaultValue(usualCreaseAngle)
+      .atLeast(0.0)
+      .atMost(180.0)
+      .doc(
+          "Where normals of faces around a node differ by more, laws that depend on the normal hold on each by "
+          "itself.");
+}
+
 void describeInterface(input::ParameterSpec& spec, const laws::LawRegistry& laws) {
   spec.summary("Interfaces join two parts, by two side sets or found between two parts. Side 1 carries the normal.");
   spec.text("Side 1").optional().doc("Side set on the first part.");
@@ -45,6 +60,7 @@ void describeInterface(input::ParameterSpec& spec, const laws::LawRegistry& laws
   spec.numbers("Projection Direction")
       .optional()
       .doc("For surfaces that are open at first: direction along which their nodes coincide and gaps are measured.");
+  describeCreaseAngle(spec);
   spec.alternatives("Law", laws.forms(), true).summary("Behaviour of the interface.");
 }
 
@@ -53,6 +69,7 @@ void describeBoundary(input::ParameterSpec& spec, const laws::LawRegistry& laws)
   spec.text("Side Set").optional().doc("Side set of the mesh.");
   spec.text("Node Set").optional().doc("Node set of the mesh, instead of a side set.");
   spec.text("Part").optional().doc("Part whose nodes of the node set are meant, when parts share nodes.");
+  describeCreaseAngle(spec);
   spec.alternatives("Law", laws.forms(), true).summary("Behaviour of the boundary.");
 }
 

@@ -388,6 +388,36 @@ TEST(InterfaceFinder, SaysWhatIsWrong) {
   expect(messageOf([&] { InterfaceFinder(mesh, {parts[0], parts[0]}); }), {"both have elements of block \"a\""});
 }
 
+TEST(InterfaceFinder, RefusesFacesInsideOfAPart) {
+  Mesh mesh = boxes({{"box", {}, {2.0, 1.0, 1.0}, {2, 1, 1}}});
+  const Elements elements(mesh);
+  const auto sideAt = [&](int element, double x) {
+    for (int side = 0; side < 6; ++side) {
+      const auto corners = pointsOf(mesh, elements.side(element, side));
+      if (std::all_of(corners.begin(), corners.end(), [x](const base::Vector3& corner) { return corner[0] == x; }))
+        return side;
+    }
+    return -1;
+  };
+  mesh.sideSets.push_back({"inside", 100, {0, 0}, {sideAt(0, 0.0), sideAt(0, 1.0)}});
+  const std::vector<Piece> whole = {makePiece(mesh, "box", {"box"})};
+  try {
+    InterfaceFinder(mesh, whole).demandSurface("Boundary \"b\"", "inside");
+    FAIL();
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+    EXPECT_NE(std::string(error.what()).find("1 of the 2 faces of side set \"inside\" lie inside of part \"box\""),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_NO_THROW(InterfaceFinder(mesh, whole).demandSurface("", "box_xmin"));
+  // Cut there by METIS the face is still inside; where two parts share the nodes it is the surface of both.
+  const std::vector<Piece> pieces = {makePiece(mesh, "box.1", "box", {0}), makePiece(mesh, "box.2", "box", {1})};
+  EXPECT_THROW(InterfaceFinder(mesh, pieces).demandSurface("", "inside"), base::Error);
+  const std::vector<Piece> parts = {makePiece(mesh, "left", "left", {0}), makePiece(mesh, "right", "right", {1})};
+  EXPECT_NO_THROW(InterfaceFinder(mesh, parts).demandSurface("", "inside"));
+}
+
 TEST(Piece, refusesAnElementThatIsThereTwice) {
   Mesh mesh = boxes({{"box", {0, 0, 0}, {2, 1, 1}, {2, 1, 1}}});
   std::vector<int>& nodes = mesh.blocks[0].connectivity;

@@ -21,7 +21,7 @@ class CutBoxes : public ::testing::Test {
     const InterfaceFinder finder(mesh, pieces);
     surfaces = finder.betweenParts("contact", "lower", "upper");
     for (InterfaceSurface& cut : finder.cuts()) surfaces.push_back(std::move(cut));
-    carriers = mergeRedundantPairs(pieces, surfaces);
+    carriers = mergeRedundantPairs(pieces, mesh.dimension, surfaces);
   }
 
   int meshNode(int piece, int node) const { return pieces[piece].nodes[node]; }
@@ -86,7 +86,7 @@ TEST(RedundantPairs, PartsThatShareNodesBothHaveTheirs) {
   std::vector<InterfaceSurface> surfaces = finder.onSideSet("held", "left_xmin");
   ASSERT_EQ(surfaces.size(), 2u) << "the halves are above each other";
   const auto shared = surfaces;
-  const auto carriers = mergeRedundantPairs(pieces, surfaces);
+  const auto carriers = mergeRedundantPairs(pieces, mesh.dimension, surfaces);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     EXPECT_EQ(surfaces[s].node1.size(), 10u);
     EXPECT_EQ(surfaces[s].area, shared[s].area);
