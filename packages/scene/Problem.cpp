@@ -7,6 +7,7 @@
 #include <harmos/mesh/InterfaceFinder.hpp>
 #include <harmos/scene/Interfaces.hpp>
 #include <harmos/scene/MeshSource.hpp>
+#include <harmos/scene/detail/Contradictions.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
 
@@ -55,6 +56,9 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
       makeInterfaces(scene, assembly.dimension, problem.bodies.pieces, problem.surfaces, scene.hasConsistentMass);
   assembly.interfaces = std::move(made.interfaces);
   problem.places = std::move(made.places);
+  if (errors.count() == 0) {
+    checkContradictions(scene, {problem.mesh, problem.bodies.pieces, problem.surfaces, assembly.interfaces}, errors);
+  }
   const ResponseContext context{problem.mesh, problem.bodies.pieces, finder, assembly};
   for (const input::Parameters& response : scene.input.lists("Responses")) {
     errors.collect(response.where(),

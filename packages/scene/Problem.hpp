@@ -29,7 +29,7 @@ struct Problem {
 /// Reads the mesh and builds everything. Collective over comm, which is not kept; throws on all ranks or on none.
 ///
 /// Time is charged to the phases "read" and "assemble". Throws one base::Error (input) that lists all errors found in
-/// the names of blocks and sets, in the fit of interfaces, and in elements.
+/// the names of blocks and sets, in the fit of interfaces, in laws that contradict each other, and in elements.
 Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Timers& timers);
 
 }  // namespace harmos::scene

@@ -1,0 +1,224 @@
+#include <harmos/scene/detail/Contradictions.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include <harmos/base/Numerals.hpp>
+#include <harmos/base/Vector3.hpp>
+#include <harmos/latin/PrescribedForces.hpp>
+#include <harmos/scene/detail/HeldNodes.hpp>
+
+namespace harmos::scene {
+namespace {
+
+// What is left of a unit vector beside directions that are held, which is round-off.
+constexpr double alongIt = 1e-6;
+
+std::string text(const base::Vector3& v) {
+  std::ostringstream out;
+  out << "(" << v[0] << ", " << v[1] << ", " << v[2] << ")";
+  return out.str();
+}
+
+/// Without the sign of a zero.
+std::string number(double value) {
+  return base::toText(value + 0.0);
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+class Checker {
+ public:
+  Checker(const Scene& scene, const LawPlaces& places, input::ErrorList& errors)
+      : scene_(scene),
+        places_(places),
+        errors_(errors),
+        held_(places.interfaces, nodeCounts(places.pieces), places.mesh.dimension,
+              static_cast<int>(scene.times.size())) {
+    for (const char* kind : {"Interfaces", "Boundaries"}) {
+      for (const input::Parameters& list : scene.input.lists(kind)) lists_.push_back(&list);
+    }
+  }
+
+  void checkDisplacements() {
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<Conflict>> found;  // by the places of both in the input
+    for (const Conflict& conflict : held_.conflicts()) {
+      found[{order(name(conflict.holding.interface)), order(name(conflict.other))}].push_back(conflict);
+    }
+    for (const auto& [both, conflicts] : found) {
+      const Conflict& first = conflicts[0];
+      const input::Parameters& later = *lists_[both.first];
+      const input::Parameters& earlier = *lists_[both.second];
+      errors_.add(later.where(),
+                  "it holds " + counted(conflicts.size(), "node") + ", the first at " + text(place(first)) +
+                      ", at a displacement of " + number((*first.holding.displacement)[first.step]) + " along " +
+                      text(first.holding.direction) + ", but \"" + earlier.name() + "\" at " + earlier.location() +
+                      " at " + number(first.expected) + ", both at load step " + std::to_string(first.step + 1) + ".",
+                  "Prescribe the same in both, or leave the nodes or the component out of one of them.");
+    }
+  }
+
+  void checkFaces() {
+    std::map<Face, std::set<std::size_t>> owners;  // interfaces and boundaries, by their places in the input
+    std::map<std::size_t, std::size_t> counts;     // of their faces
+    for (const mesh::InterfaceSurface& surface : places_.surfaces) {
+      if (scene_.laws.count(surface.name) == 0) continue;  // a cut
+      const std::size_t owner = order(surface.name);
+      for (const auto& face : surface.face) counts[owner] += owners[faceOf(surface, face)].insert(owner).second ? 1 : 0;
+    }
+    std::map<std::pair<std::size_t, std::size_t>, std::set<Face>> common;
+    for (const auto& [face, all] : owners) {
+      for (const std::size_t one : all) {
+        for (const std::size_t other : all) {
+          if (one != other) common[{one, other}].insert(face);
+        }
+      }
+    }
+    for (const auto& [both, faces] : common) {
+      compare(*lists_[both.first], *lists_[both.second], both.first > both.second, faces,
+              faces.size() == counts[both.first]);
+    }
+  }
+
+ private:
+  /// Pieces on both sides, the second -1 on a boundary, and mesh nodes of the first, ascending.
+  struct Face {
+    int piece1, piece2;
+    std::vector<int> nodes;
+    bool operator<(const Face& other) const {
+      return std::tie(piece1, piece2, nodes) < std::tie(other.piece1, other.piece2, other.nodes);
+    }
+  };
+
+  static std::vector<int> nodeCounts(const std::vector<mesh::Piece>& pieces) {
+    std::vector<int> counts;
+    for (const mesh::Piece& piece : pieces) counts.push_back(static_cast<int>(piece.nodes.size()));
+    return counts;
+  }
+
+  Face faceOf(const mesh::InterfaceSurface& surface, const std::vector<int>& pairs) const {
+    const bool isTurned = surface.piece2 >= 0 && surface.piece2 < surface.piece1;
+    Face face{isTurned ? surface.piece2 : surface.piece1, isTurned ? surface.piece1 : surface.piece2, {}};
+    for (const int pair : pairs) {
+      face.nodes.push_back(places_.pieces[face.piece1].nodes[(isTurned ? surface.node2 : surface.node1)[pair]]);
+    }
+    std::sort(face.nodes.begin(), face.nodes.end());
+    return face;
+  }
+
+  const std::string& name(int interfaceIndex) const { return places_.interfaces[interfaceIndex].name; }
+  base::Vector3 place(const Conflict& conflict) const {
+    return places_.mesh.nodes[places_.pieces[conflict.holding.body].nodes[conflict.holding.node]];
+  }
+
+  std::size_t order(const std::string& wanted) const {
+    return static_cast<std::size_t>(
+        std::find_if(lists_.begin(), lists_.end(), [&](const auto* list) { return list->name() == wanted; }) -
+        lists_.begin());
+  }
+
+  /// What the law of `list` makes of the one of `other` on their common faces, which are all that it has if `areAll`.
+  void compare(const input::Parameters& list, const input::Parameters& other, bool isLater,
+               const std::set<Face>& common, bool areAll) {
+    const laws::InterfaceLaw& law = *scene_.laws.at(list.name());
+    const laws::InterfaceLaw& otherLaw = *scene_.laws.at(other.name());
+    const std::string shared =
+        "it shares " + counted(common.size(), "face") + " with \"" + other.name() + "\" at " + other.location();
+    if (law.prescribesTraction()) {
+      if (areAll && actsOnlyOnHeld(list.name(), other.name())) {
+        errors_.add(list.where(),
+                    shared + ", which holds them along the traction or a component of it, so that this has no effect.",
+                    "Remove the component of one of them, or choose other faces.");
+      }
+    } else if (!law.isAffine() && (otherLaw.bonds() || holdsNormals(list.name(), other.name(), common))) {
+      errors_.add(list.where(), shared + ", which holds them along their normal; what each carries is not determined.",
+                  "Give every face one of the two.");
+    } else if (!law.isAffine() && !otherLaw.isAffine() && isLater) {
+      errors_.add(list.where(), shared + "; what each carries is not determined.", "Give every face one of the two.");
+    }
+  }
+
+  /// Whether what a boundary holds leaves no part of a direction free.
+  bool holdsWholly(const std::string& holder, int body, int node, const base::Vector3& direction) const {
+    std::vector<base::Vector3> axes;
+    const auto without = [&axes](base::Vector3 v) {
+      for (const base::Vector3& axis : axes) v = v - dot(v, axis) * axis;
+      return v;
+    };
+    for (const Holding& holding : held_.of(body, node)) {
+      const base::Vector3 rest = without(holding.direction);
+      if (name(holding.interface) == holder && norm(rest) > alongIt) axes.push_back((1.0 / norm(rest)) * rest);
+    }
+    return norm(without(direction)) <= alongIt * norm(direction);
+  }
+
+  /// A traction in global components is looked at component by component, others as a whole: that part of a pressure on
+  /// an inclined face is held is as it should be.
+  bool actsOnlyOnHeld(const std::string& loaded, const std::string& holder) const {
+    const bool isGlobal = scene_.laws.at(loaded)->frame() == laws::Frame::global;
+    for (int c = 0; c < (isGlobal ? places_.mesh.dimension : 1); ++c) {
+      const auto part = [&](const base::Vector3& traction) {
+        if (!isGlobal) return traction;
+        base::Vector3 component{};
+        component[c] = traction[c];
+        return component;
+      };
+      if (std::all_of(places_.interfaces.begin(), places_.interfaces.end(), [&](const assembly::Interface& interface) {
+            return interface.name != loaded || isWasted(interface, holder, part);
+          })) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// A part of the traction is not 0 at any pair, and nowhere along a free direction.
+  template <typename Part>
+  bool isWasted(const assembly::Interface& interface, const std::string& holder, const Part& part) const {
+    std::vector<bool> acts(interface.node1.size(), false);
+    for (std::size_t t = 0; t < scene_.times.size(); ++t) {
+      const auto tractions = latin::prescribedTractions(interface, static_cast<int>(t));
+      for (std::size_t p = 0; p < tractions.size(); ++p) {
+        const base::Vector3 acting = part(tractions[p]);
+        if (norm(acting) == 0.0) continue;
+        if (!holdsWholly(holder, interface.body1, interface.node1[p], acting)) return false;
+        acts[p] = true;
+      }
+    }
+    return std::all_of(acts.begin(), acts.end(), [](bool one) { return one; });
+  }
+
+  /// On one of the common faces, all nodes of a boundary are held along their normals.
+  bool holdsNormals(const std::string& contact, const std::string& holder, const std::set<Face>& common) const {
+    return std::any_of(places_.surfaces.begin(), places_.surfaces.end(), [&](const mesh::InterfaceSurface& surface) {
+      if (surface.name != contact || surface.piece2 >= 0) return false;
+      return std::any_of(surface.face.begin(), surface.face.end(), [&](const std::vector<int>& face) {
+        return common.count(faceOf(surface, face)) > 0 && std::all_of(face.begin(), face.end(), [&](int p) {
+                 return holdsWholly(holder, surface.piece1, surface.node1[p], surface.frame[p][0]);
+               });
+      });
+    });
+  }
+
+  const Scene& scene_;
+  const LawPlaces& places_;
+  input::ErrorList& errors_;
+  HeldNodes held_;
+  std::vector<const input::Parameters*> lists_;  // of interfaces and boundaries, in the order of the input
+};
+
+}  // namespace
+
+void checkContradictions(const Scene& scene, const LawPlaces& places, input::ErrorList& errors) {
+  Checker checker(scene, places, errors);
+  checker.checkDisplacements();
+  checker.checkFaces();
+}
+
+}  // namespace harmos::scene

@@ -1,0 +1,156 @@
+#include <harmos/scene/detail/HeldNodes.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
+
+namespace harmos::scene {
+namespace {
+
+// Length of what is left of a unit vector in the span of others, and relative difference of values, that is round-off.
+constexpr double dependent = 1e-6, equal = 1e-6;
+
+/// The displacement of a pair in the frame of an affine law, of the components that do not depend on the traction.
+std::array<std::optional<double>, 3> heldComponents(const laws::InterfaceLaw& law, int step) {
+  // On a line without compliance every spring gives way, and nothing else.
+  constexpr double tiny = 1e-30;
+  const double gap = 0.0;
+  std::array<base::Vector3, 2> jumps;
+  for (const double free : {0.0, 1.0}) {
+    const laws::LocalLine line{{free, free, free}, tiny};
+    laws::LocalState state;
+    law.solve(step, {1, &line, &gap, nullptr, nullptr, &state});
+    jumps[free > 0.0 ? 1 : 0] = line.jump(state.traction);
+  }
+  std::array<std::optional<double>, 3> held;
+  for (std::size_t c = 0; c < 3; ++c) {
+    // The ground is side 2 and at rest.
+    if (std::abs(jumps[1][c] - jumps[0][c]) < 0.5) held[c] = -jumps[0][c];
+  }
+  return held;
+}
+
+/// A direction of those that are held at a node, orthogonal to the ones before.
+struct Axis {
+  const Holding* source;
+  base::Vector3 direction;
+  std::vector<double> displacement;
+};
+
+/// Adds a holding to the axes; where it depends on them already, returns the conflict, if there is one.
+std::optional<Conflict> combine(const Holding& holding, std::vector<Axis>& axes) {
+  base::Vector3 rest = holding.direction;
+  std::vector<double> displacement = *holding.displacement;
+  const Axis* nearest = nullptr;
+  for (const Axis& axis : axes) {
+    const double along = dot(holding.direction, axis.direction);
+    rest = rest - along * axis.direction;
+    for (std::size_t t = 0; t < displacement.size(); ++t) displacement[t] -= along * axis.displacement[t];
+    if (nearest == nullptr || std::abs(along) > std::abs(dot(holding.direction, nearest->direction))) nearest = &axis;
+  }
+  const double length = norm(rest);
+  if (length > dependent) {
+    for (double& value : displacement) value /= length;
+    axes.push_back({&holding, (1.0 / length) * rest, std::move(displacement)});
+    return std::nullopt;
+  }
+  for (std::size_t t = 0; t < displacement.size(); ++t) {
+    double size = std::abs((*holding.displacement)[t]);
+    for (const Axis& axis : axes) size = std::max(size, std::abs(axis.displacement[t]));
+    if (std::abs(displacement[t]) <= equal * size) continue;
+    Conflict conflict;
+    conflict.holding = holding;
+    conflict.other = nearest->source->interface;
+    conflict.step = static_cast<int>(t);
+    conflict.expected = (*holding.displacement)[t] - displacement[t];
+    return conflict;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+HeldNodes::HeldNodes(const std::vector<assembly::Interface>& interfaces, const std::vector<int>& nodes, int dimension,
+                     int steps)
+    : interfaces_(interfaces), dimension_(dimension), steps_(steps) {
+  int count = 0;
+  for (const int ofBody : nodes) {
+    first_.push_back(count);
+    count += ofBody;
+  }
+  holdings_.resize(count);
+  representative_.resize(count);
+  bond();
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    const assembly::Interface& interface = interfaces[i];
+    if (interface.sides() == 1 && interface.law->isAffine() && !interface.law->prescribesTraction()) {
+      hold(static_cast<int>(i));
+    }
+  }
+}
+
+void HeldNodes::bond() {
+  std::iota(representative_.begin(), representative_.end(), 0);
+  const auto find = [&](int node) {
+    while (representative_[node] != node) node = representative_[node] = representative_[representative_[node]];
+    return node;
+  };
+  for (const assembly::Interface& interface : interfaces_) {
+    if (interface.sides() != 2 || !interface.law->bonds()) continue;
+    for (int p = 0; p < interface.pairs(); ++p) {
+      representative_[find(first_[interface.body1] + interface.node1[p])] =
+          find(first_[interface.body2] + interface.node2[p]);
+    }
+  }
+  for (std::size_t node = 0; node < representative_.size(); ++node) {
+    representative_[node] = find(static_cast<int>(node));
+  }
+}
+
+void HeldNodes::hold(int interfaceIndex) {
+  const assembly::Interface& interface = interfaces_[interfaceIndex];
+  std::array<std::vector<double>, 3> values;
+  std::array<bool, 3> isHeld{true, true, true};
+  for (int t = 0; t < steps_; ++t) {
+    const auto held = heldComponents(*interface.law, t);
+    for (std::size_t c = 0; c < 3; ++c) {
+      isHeld[c] = isHeld[c] && held[c];
+      values[c].push_back(held[c].value_or(0.0));
+    }
+  }
+  std::array<std::shared_ptr<const std::vector<double>>, 3> shared;
+  for (std::size_t c = 0; c < 3; ++c) shared[c] = std::make_shared<const std::vector<double>>(std::move(values[c]));
+  const bool isLocal = interface.law->frame() == laws::Frame::interface;
+  for (int p = 0; p < interface.pairs(); ++p) {
+    auto& holdings = holdings_[representative_[first_[interface.body1] + interface.node1[p]]];
+    for (int c = 0; c < dimension_; ++c) {
+      if (!isHeld[c]) continue;
+      base::Vector3 axis{};
+      axis[c] = 1.0;
+      holdings.push_back(
+          {interfaceIndex, interface.body1, interface.node1[p], isLocal ? interface.frame[p][c] : axis, shared[c]});
+    }
+  }
+}
+
+const std::vector<Holding>& HeldNodes::of(int body, int node) const {
+  return holdings_[representative_[first_[body] + node]];
+}
+
+std::vector<Conflict> HeldNodes::conflicts() const {
+  std::vector<Conflict> conflicts;
+  for (const std::vector<Holding>& holdings : holdings_) {
+    std::vector<Axis> axes;
+    std::set<std::pair<int, int>> reported;
+    for (const Holding& holding : holdings) {
+      const auto conflict = combine(holding, axes);
+      if (conflict && reported.insert({holding.interface, conflict->other}).second) conflicts.push_back(*conflict);
+    }
+  }
+  return conflicts;
+}
+
+}  // namespace harmos::scene
