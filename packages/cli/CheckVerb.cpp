@@ -6,6 +6,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/cli/detail/StudyText.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
+#include <harmos/cli/detail/Warnings.hpp>
 #include <harmos/scene/CostEstimate.hpp>
 #include <harmos/study/StudyReader.hpp>
 
@@ -81,6 +82,7 @@ int checkScene(const scene::Scene& scene, const Arguments& arguments, const Comm
   if (!arguments.has("--quiet")) {
     printProblem(environment.out, problem);
     printCost(environment.out, cost);
+    printWarnings(environment.out, scene.warnings);
   }
   environment.out << scene.path << " is valid.\n";
   return 0;

@@ -5,6 +5,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/cli/detail/Progress.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
+#include <harmos/cli/detail/Warnings.hpp>
 #include <harmos/scene/SceneRun.hpp>
 #include <harmos/study/StudyReader.hpp>
 
@@ -22,6 +23,7 @@ void printEstimate(std::ostream& out, double estimate) {
 
 void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
   const auto& record = result.record;
+  printWarnings(out, record.warnings);
   out << record.status << ": " << record.reason << "\n" << std::setprecision(3);
   printEstimate(out, record.errorEstimate);
   out << " (asked for " << record.accuracy << "), " << record.iterations << " iterations, " << record.linearStages

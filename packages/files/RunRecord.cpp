@@ -29,6 +29,7 @@ void writeRunRecord(const std::string& path, const RunRecord& record) {
                      {"wall_seconds", record.wallSeconds},
                      {"cpu_seconds", record.cpuSeconds},
                      {"phases", phases},
+                     {"warnings", record.warnings},
                      {"peak_memory_bytes", record.peakMemory}};
   // Text from the user may not be UTF-8; replacing what is not is better than failing after the solution.
   replaceFile(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

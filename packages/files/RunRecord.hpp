@@ -25,6 +25,7 @@ struct RunRecord {
   std::vector<base::Timers::Phase> phases;                          // of rank 0
   /// From when the scene had been read, on rank 0 [s].
   double wallSeconds = 0.0, cpuSeconds = 0.0;  // of the whole process on rank 0, all threads [s]
+  std::vector<std::string> warnings;           // about the input, a sentence each
   std::size_t peakMemory = 0;                  // largest of the ranks [byte]
 };
 

@@ -17,6 +17,7 @@
 #include <harmos/scene/detail/History.hpp>
 #include <harmos/scene/detail/Place.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
+#include <harmos/scene/detail/UnusedEntries.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
 
 namespace harmos::scene {
@@ -186,15 +187,16 @@ class SceneChecker {
 
 }  // namespace
 
-Scene makeScene(input::InputTree input, const std::string& path, const std::vector<std::string>& overrides,
+Scene makeScene(const input::InputTree& input, const std::string& path, const std::vector<std::string>& overrides,
                 const laws::LawRegistry& laws) {
   Scene scene;
   scene.path = path;
-  scene.input = input::check(std::move(input), sceneSpec(laws), overrides);
+  scene.input = input::check(input, sceneSpec(laws), overrides);
   input::ErrorList errors;
   scene.times = stepTimes(scene.input.lists("Steps"), errors);
   SceneChecker(laws, scene, errors).check();
   errors.throwIfAny();
+  scene.warnings = unusedEntries(input, overrides, scene.input, scene.times);
   const Parameters& solver = scene.input.list("Solver");
   scene.solver = latin::LatinOptions(solver);
   scene.hasConsistentMass = solver.text("Interface Mass") == "Consistent";

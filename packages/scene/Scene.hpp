@@ -23,13 +23,14 @@ struct Scene {
   std::vector<double> times;       // end of each load step [time], ascending from above 0
   std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;  // by name in the list Materials
   std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;         // by name of interface or boundary
+  std::vector<std::string> warnings;  // what the input says without effect: a sentence each, with its place
   std::shared_ptr<const laws::InterfaceLaw> cutLaw;  // between the pieces of one part; null when no part is cut
 };
 
 /// Checks an input against sceneSpec(), and every name that it refers to except those of the mesh.
 /// Each of `overrides` is "List/Sublist/Name=value". `path` is where the input comes from: relative names of files
 /// start at its folder. Throws one base::Error (input) that lists all errors. Keeps nothing of `laws`.
-Scene makeScene(input::InputTree input, const std::string& path, const std::vector<std::string>& overrides,
+Scene makeScene(const input::InputTree& input, const std::string& path, const std::vector<std::string>& overrides,
                 const laws::LawRegistry& laws);
 
 /// makeScene() of a file. Throws base::Error (input) also when it cannot be read. Not collective: every rank reads it.

@@ -133,6 +133,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
 
   result.record.scene = request.scene;
   result.record.accuracy = options.accuracy;
+  result.record.warnings = scene.warnings;
   result.record.status = "running";
   result.record.reason = "The run has not ended, or was killed.";
   if (comm->getRank() == 0) {

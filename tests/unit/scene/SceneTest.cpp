@@ -53,5 +53,47 @@ TEST(Scene, EffectiveInputIsTheSameScene) {
   EXPECT_EQ(input::effectiveInput(again.input), effective);
 }
 
+TEST(Scene, SaysWhatItHoldsInVain) {
+  EXPECT_TRUE(sample().warnings.empty());
+  std::string text = sampleScene();
+  const auto insert = [&](const std::string& before, const std::string& more) { text.insert(text.find(before), more); };
+  insert("<ParameterList name=\"steel\">", R"(<ParameterList name="lead">
+    <Parameter name="Type" type="string" value="Isotropic"/>
+    <Parameter name="Young's Modulus" type="double" value="$lead"/>
+    <Parameter name="Poisson's Ratio" type="double" value="0.4"/></ParameterList>)");
+  insert("<ParameterList name=\"Materials\">", R"(<ParameterList name="Values">
+    <Parameter name="lead" type="double" value="16"/>
+    <Parameter name="tin" type="double" value="50"/></ParameterList>)");
+  insert("<ParameterList name=\"ramp\">", R"xml(<ParameterList name="late">
+    <Parameter name="Type" type="string" value="Ramp"/>
+    <Parameter name="Start" type="double" value="3"/>
+    <Parameter name="End" type="double" value="4"/></ParameterList>
+    <ParameterList name="idle">
+    <Parameter name="Type" type="string" value="Table"/>
+    <Parameter name="Times" type="Array(double)" value="{0}"/>
+    <Parameter name="Values" type="Array(double)" value="{1}"/></ParameterList>)xml");
+  const auto make = [&](const std::vector<std::string>& overrides) {
+    return makeScene(input::InputTree::fromText(text, "scene.xml"), "scene.xml", overrides, laws::builtInLaws())
+        .warnings;
+  };
+  const auto ends = [](const std::string& sentence, const std::string& end) {
+    return sentence.size() > end.size() && sentence.compare(sentence.size() - end.size(), end.size(), end) == 0;
+  };
+  const auto warnings = make({});
+  ASSERT_EQ(warnings.size(), 4u);
+  EXPECT_TRUE(ends(warnings[0], "Values / tin: nothing refers to this value.")) << warnings[0];
+  EXPECT_TRUE(ends(warnings[1], "Materials / lead: no part has this material.")) << warnings[1];
+  EXPECT_TRUE(ends(warnings[2], "Histories / late: nothing follows this history.")) << warnings[2];
+  EXPECT_TRUE(ends(warnings[3], "Histories / idle: nothing follows this history.")) << warnings[3];
+  const auto changed = make({"Materials/steel/Young's Modulus=$tin", "Parts/lower/Material=lead",
+                             "Parts/upper/Body Force/Z History=late", "Boundaries/pressed/Law/Pressure History=idle"});
+  ASSERT_EQ(changed.size(), 2u);
+  EXPECT_TRUE(ends(changed[0],
+                   "Histories / late: it begins at time 3, but the last load step ends at time 3, so that what follows "
+                   "it never changes."))
+      << changed[0];
+  EXPECT_TRUE(ends(changed[1], "Histories / ramp: nothing follows this history.")) << changed[1];
+}
+
 }  // namespace
 }  // namespace harmos::scene
