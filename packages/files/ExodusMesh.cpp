@@ -34,7 +34,8 @@ constexpr Kind nodeSets = {EX_NODE_SET, EX_INQ_NODE_SETS, "node set", "nodeset_"
 
 class Reader {
  public:
-  explicit Reader(const std::string& path) : path_(path) {
+  Reader(const std::string& path, const std::vector<std::string>& unused)
+      : path_(path), unused_(unused.begin(), unused.end()) {
     checkFile();
     int computeWordSize = sizeof(double);
     int fileWordSize = 0;
@@ -160,6 +161,11 @@ class Reader {
       if (block.num_entry == 0) continue;
       const auto type =
           mesh::elementTypeFromExodus(block.topology, mesh_.dimension, static_cast<int>(block.num_nodes_per_entry));
+      if (!type && unused_.count(name) > 0) {
+        mesh_.unreadBlocks.push_back(name);
+        number_.insert(number_.end(), static_cast<std::size_t>(block.num_entry), -1);
+        continue;
+      }
       if (!type) {
         unsupported += (unsupported.empty() ? "" : ", ") + ("\"" + name) + "\" " + block.topology + " (" +
                        std::to_string(block.num_nodes_per_entry) + " nodes)";
@@ -171,12 +177,14 @@ class Reader {
       for (const std::int64_t node : nodes) {
         result.connectivity.push_back(fromOne(node, mesh_.nodes.size(), "node", elementBlocks, name));
       }
+      for (int e = 0; e < result.elements(); ++e) number_.push_back(read_++);
       mesh_.blocks.push_back(std::move(result));
     }
     if (unsupported.empty()) return;
     refuse("these element blocks have elements that are not supported in " + std::to_string(mesh_.dimension) +
            " dimensions: " + unsupported + ". Supported are the linear elements " +
-           (mesh_.dimension == 3 ? "HEX8, WEDGE6, PYRAMID5 and TET4" : "QUAD4 and TRI3") + "; mesh these blocks anew.");
+           (mesh_.dimension == 3 ? "HEX8, WEDGE6, PYRAMID5 and TET4" : "QUAD4 and TRI3") +
+           "; mesh these blocks anew, or name them in \"Unused Blocks\".");
   }
 
   std::pair<Integers, Integers> readSet(const Kind& kind, std::int64_t id, const std::string& name,
@@ -197,7 +205,9 @@ class Reader {
     const auto [entries, sides] = readSet(sideSets, id, name, true);
     mesh::SideSet set{name, id, {}, {}};
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      set.element.push_back(fromOne(entries[i], static_cast<std::size_t>(elements.count()), "element", sideSets, name));
+      const int element = number_[fromOne(entries[i], number_.size(), "element", sideSets, name)];
+      if (element < 0) continue;
+      set.element.push_back(element);
       const auto sideCount = static_cast<std::size_t>(mesh::sidesPerElement(elements.type(set.element.back())));
       set.side.push_back(fromOne(sides[i], sideCount, "side", sideSets, name));
     }
@@ -205,6 +215,9 @@ class Reader {
   }
 
   std::string path_;
+  std::set<std::string> unused_;
+  std::vector<int> number_;  // of each element of the file in the mesh; -1: not read
+  int read_ = 0;             // elements of the mesh so far
   int id_ = -1;
   std::int64_t nameLength_ = 32;
   mesh::Mesh mesh_;
@@ -212,8 +225,8 @@ class Reader {
 
 }  // namespace
 
-mesh::Mesh readExodus(const std::string& path) {
-  return Reader(path).read();
+mesh::Mesh readExodus(const std::string& path, const std::vector<std::string>& unused) {
+  return Reader(path, unused).read();
 }
 
 }  // namespace harmos::files

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <harmos/mesh/Mesh.hpp>
 
@@ -11,8 +12,12 @@ namespace harmos::files {
 /// The time steps of the file, if any, are ignored. Orientation is not checked.
 /// Coordinates are those of the file [length]; node, element and side numbers are counted from 0.
 ///
-/// Throws base::Error(input) if the file is missing, unreadable, truncated or no Exodus file, if a block has elements
-/// that are not supported (shells in space among them), or if two blocks, side sets or node sets have one name.
-mesh::Mesh readExodus(const std::string& path);
+/// Blocks that `unused` names may have elements of any kind: those that are not supported are left out, with their
+/// faces in side sets, and stand in Mesh::unreadBlocks.
+///
+/// Throws base::Error(input) if the file is missing, unreadable, truncated or no Exodus file, if another block has
+/// elements that are not supported (shells in space among them), or if two blocks, side sets or node sets have one
+/// name.
+mesh::Mesh readExodus(const std::string& path, const std::vector<std::string>& unused = {});
 
 }  // namespace harmos::files

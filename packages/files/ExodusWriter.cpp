@@ -29,13 +29,14 @@ std::vector<std::string> setNames(const ResultMesh& mesh) {
   return names;
 }
 
-void requireUnique(const std::vector<std::string>& names, const std::string& path) {
+template <typename List>
+void requireUnique(const List& list, const std::string& kind, const std::string& path) {
   std::set<std::string> seen;
-  for (const auto& name : names)
-    if (!seen.insert(name).second)
-      throw base::Error(path + ": the name \"" + name +
-                        "\" is used for two of its blocks, side sets and node sets, which readers of Exodus files do "
-                        "not tell apart. Rename a part, an interface or a boundary.");
+  for (const auto& item : list)
+    if (!seen.insert(item.name).second)
+      throw base::Error(
+          path + ": the name \"" + item.name + "\" is used for two of its " + kind +
+          ", which readers of Exodus files do not tell apart. Rename a part, an interface or a boundary.");
 }
 
 int longestName(const std::vector<std::string>& names, const ResultVariables& variables) {
@@ -158,7 +159,9 @@ struct ExodusWriter::State {
 
 ExodusWriter::ExodusWriter(const std::string& path, const std::string& title, ResultMesh mesh,
                            ResultVariables variables, const std::vector<std::string>& information) {
-  requireUnique(setNames(mesh), path);
+  requireUnique(mesh.blocks, "blocks", path);
+  requireUnique(mesh.sideSets, "side sets", path);
+  requireUnique(mesh.nodeSets, "node sets", path);
   state_ = std::make_unique<State>(path, std::move(mesh), std::move(variables));
   putMesh(state_->file, title, state_->mesh);
   putProvenance(state_->file, information);

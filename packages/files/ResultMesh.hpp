@@ -12,7 +12,7 @@ namespace harmos::files {
 struct ResultMesh {
   /// Elements of one type under one name.
   struct Block {
-    std::string name;               // unique among blocks and sets
+    std::string name;               // unique among blocks
     std::string type;               // Exodus element type
     int nodesPerElement = 0;        // above 0 where elements() is asked for
     std::vector<int> connectivity;  // nodes of the elements, one after the other, in the order of Exodus

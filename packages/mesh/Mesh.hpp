@@ -39,11 +39,12 @@ struct NodeSet {
 /// A finite element mesh: what an Exodus file holds, no physics. In 2-D the third coordinate is 0. The unit of length
 /// is the user's.
 struct Mesh {
-  int dimension = 3;                 // 2 or 3
-  std::vector<base::Vector3> nodes;  // coordinates (x, y, z) [length]
-  std::vector<ElementBlock> blocks;  // number the elements in their order
-  std::vector<SideSet> sideSets;     // may share faces
-  std::vector<NodeSet> nodeSets;     // may share nodes
+  int dimension = 3;                      // 2 or 3
+  std::vector<base::Vector3> nodes;       // coordinates (x, y, z) [length]
+  std::vector<ElementBlock> blocks;       // number the elements in their order
+  std::vector<SideSet> sideSets;          // may share faces
+  std::vector<NodeSet> nodeSets;          // may share nodes
+  std::vector<std::string> unreadBlocks;  // names of blocks of the file that are not here, because nobody uses them
 };
 
 }  // namespace harmos::mesh

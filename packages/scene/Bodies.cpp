@@ -26,6 +26,7 @@ Names blocksOf(const Parameters& part) {
 void checkBlocks(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors) {
   Names known;
   for (const mesh::ElementBlock& block : mesh.blocks) known.push_back(block.name);
+  known.insert(known.end(), mesh.unreadBlocks.begin(), mesh.unreadBlocks.end());
   std::map<std::string, std::string> usedAt;
   const auto use = [&](const std::string& block, const std::string& where) {
     if (std::find(known.begin(), known.end(), block) == known.end()) {

@@ -60,7 +60,9 @@ mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePat
     if (generator.form.name() == source.type()) return generator.make(source);
   }
   const auto folder = std::filesystem::path(scenePath).parent_path();
-  return files::readExodus((folder / source.text("File")).string());
+  const bool hasUnused = source.has("Unused Blocks");
+  return files::readExodus((folder / source.text("File")).string(),
+                           hasUnused ? source.texts("Unused Blocks") : std::vector<std::string>{});
 }
 
 }  // namespace harmos::scene

@@ -70,13 +70,27 @@ TEST(ExodusFile, AppearsOnlyWhenComplete) {
 
 TEST(ExodusFile, RefusesOneNameForTwoSets) {
   auto mesh = twoBoxes();
-  mesh.sideSets[0].name = "upper";
+  mesh.blocks[0].name = "upper";
+  mesh.blocks[1].name = "upper";
   try {
     ExodusWriter writer(temporaryFile("twice.e"), "", mesh, {});
-    FAIL() << "accepted the same name for a block and a side set";
+    FAIL() << "accepted the same name for two blocks";
   } catch (const harmos::base::Error& error) {
-    EXPECT_NE(std::string(error.what()).find("\"upper\""), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("\"upper\" is used for two of its blocks"), std::string::npos)
+        << error.what();
   }
+}
+
+TEST(ExodusFile, TellsKindsOfOneNameApart) {
+  auto mesh = twoBoxes();
+  mesh.nodeSets = {{"one", 1, {0}}};
+  mesh.blocks[0].name = mesh.sideSets[0].name = "one";
+  const std::string path = temporaryFile("kinds.e");
+  ExodusWriter(path, "", mesh, {}).commit();
+  const ResultMesh read = ExodusResults(path).mesh();
+  EXPECT_EQ(read.blocks[0].name, "one");
+  EXPECT_EQ(read.sideSets[0].name, "one");
+  EXPECT_EQ(read.nodeSets[0].name, "one");
 }
 
 TEST(ExodusFile, RefusesValuesOfAnotherMesh) {

@@ -33,7 +33,8 @@ class ExodusMesh : public ::testing::Test {
   void SetUp() override { std::filesystem::create_directory(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string write(const mesh::Mesh& mesh, int mode, const std::string& type = "") {
+  /// With a `type` blocks say that their elements are of it, all blocks or the first one only.
+  std::string write(const mesh::Mesh& mesh, int mode, const std::string& type = "", bool isTypeOfAll = true) {
     std::string path = (folder_ / "mesh.e").string();
     int computeWordSize = 8;
     int fileWordSize = 8;
@@ -51,8 +52,9 @@ class ExodusMesh : public ::testing::Test {
     }
     ex_put_coord(id, x[0].data(), x[1].data(), x[2].data());
     for (const mesh::ElementBlock& block : mesh.blocks) {
-      ex_put_block(id, EX_ELEM_BLOCK, block.id, type.empty() ? mesh::exodusName(block.type) : type.c_str(),
-                   block.elements(), mesh::nodesPerElement(block.type), 0, 0, 0);
+      const bool isOther = !type.empty() && (isTypeOfAll || &block == &mesh.blocks[0]);
+      ex_put_block(id, EX_ELEM_BLOCK, block.id, isOther ? type.c_str() : mesh::exodusName(block.type), block.elements(),
+                   mesh::nodesPerElement(block.type), 0, 0, 0);
       ex_put_conn(id, EX_ELEM_BLOCK, block.id, fromOne(block.connectivity).data(), nullptr, nullptr);
       if (!block.name.empty()) ex_put_name(id, EX_ELEM_BLOCK, block.id, block.name.c_str());
     }
@@ -155,6 +157,21 @@ TEST_F(ExodusMesh, RefusesWhatIsNotSupported) {
   mesh::Mesh twins = sample(mesh::ElementType::hex8);
   twins.blocks[1].name = "left";
   expectContains(messageOf(write(twins, EX_LARGE_MODEL)), "two element blocks are named \"left\"");
+}
+
+TEST_F(ExodusMesh, LeavesOutWhatNobodyUses) {
+  const mesh::Mesh mesh = sample(mesh::ElementType::hex8);
+  const std::string path = write(mesh, EX_LARGE_MODEL, "HEX27", false);
+  expectContains(messageOf(path), "\"left\" HEX27 (8 nodes)");
+  const mesh::Mesh read = readExodus(path, {"left"});
+  EXPECT_EQ(read.unreadBlocks, std::vector<std::string>{"left"});
+  ASSERT_EQ(read.blocks.size(), 1u);
+  EXPECT_EQ(read.blocks[0].connectivity, mesh.blocks[1].connectivity);
+  for (std::size_t s = 0; s < mesh.sideSets.size(); ++s) {
+    const bool isLeft = mesh.sideSets[s].name.rfind("left", 0) == 0;
+    EXPECT_EQ(read.sideSets[s].element, isLeft ? std::vector<int>{} : std::vector<int>{0});
+  }
+  EXPECT_TRUE(readExodus(write(mesh, EX_LARGE_MODEL), {"left"}).unreadBlocks.empty()) << "what can be read is read";
 }
 
 TEST_F(ExodusMesh, RefusesWhatIsNoMesh) {
