@@ -23,7 +23,8 @@ PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& 
 
 /// The file of interfaces: its nodes are the node pairs, at the place of side 1; blocks of SHELL4 and TRI3, in 2-D
 /// BAR2, named after the interface, or of SPHERE (points) where an interface has no faces. INTERFACE_TYPE where an
-/// interface has faces of two types.
+/// interface has faces of two types. At a crease several nodes lie at one place, each on the faces of its patch, so
+/// that pressures and normals do not mix there.
 struct InterfacesLayout {
   ResultMesh mesh;             // coordinates as in the mesh [length]; no sets
   std::vector<int> firstPair;  // result node of a surface's pair 0; the others follow

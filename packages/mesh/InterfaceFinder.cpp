@@ -165,10 +165,12 @@ std::vector<InterfaceSurface> InterfaceFinder::joinDifferentFaces(const std::str
   std::map<int, int> inverse;
   for (const auto& [node1, node2] : pairs) inverse[node2] = node1;
   SurfaceBuilders builders(mesh_, pieces_, creaseAngle);
-  const auto halved = [&](const Face& face, double orientation, base::Vector3& sum) {
+  using Sums = std::map<int, base::Vector3>;  // of normals, by node of side 1
+  const auto halved = [&](const Face& face, const std::vector<int>& nodes1, double orientation, Sums& sums) {
     FaceIntegrals half = integrate(face);
     half.mass.clear();
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
+      base::Vector3& sum = sums.try_emplace(nodes1[i]).first->second;
       sum = sum + half.normal[i];
       half.area[i] *= 0.5;
       half.normal[i] = 0.5 * orientation * half.normal[i];
@@ -180,14 +182,17 @@ std::vector<InterfaceSurface> InterfaceFinder::joinDifferentFaces(const std::str
     for (const int node : nodes) result.push_back(to.at(node));
     return result;
   };
-  base::Vector3 normal1{}, normal2{};
+  Sums normal1, normal2;
   for (const Face& face : side1) {
-    builders.addFace(piece1, piece2, face.nodes, across(face.nodes, partner), halved(face, 1.0, normal1));
+    builders.addFace(piece1, piece2, face.nodes, across(face.nodes, partner), halved(face, face.nodes, 1.0, normal1));
   }
   for (const Face& face : side2) {
-    builders.addShare(piece1, piece2, across(face.nodes, inverse), face.nodes, halved(face, -1.0, normal2));
+    const std::vector<int> nodes1 = across(face.nodes, inverse);
+    builders.addShare(piece1, piece2, nodes1, face.nodes, halved(face, nodes1, -1.0, normal2));
   }
-  if (!(dot(normal1, normal2) < 0.0)) return {};
+  double facing = 0.0;
+  for (const auto& [node, normal] : normal1) facing += dot(normal, normal2.at(node));
+  if (!(facing < 0.0)) return {};
   return builders.build(name);
 }
 

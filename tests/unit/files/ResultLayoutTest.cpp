@@ -79,3 +79,19 @@ TEST(ResultLayout, InterfacesAreSurfacesOfPairs) {
   EXPECT_EQ(layout.mesh.blocks[1].connectivity, (std::vector<int>{4, 5, 7, 6}));
   EXPECT_EQ(layout.mesh.nodes[0], (base::Vector3{1.0, 0.0, 0.0}));
 }
+
+TEST(ResultLayout, PatchesOfACreaseKeepTheirNodes) {
+  const SharedFace scene;
+  mesh::InterfaceSurface corner;  // the side x = 0 and the bottom of the first cube
+  corner.name = "corner";
+  corner.piece1 = 0;
+  corner.node1 = {0, 0, 1, 1, 2, 3, 4, 5};
+  corner.patch = {0, 1, 0, 1, 0, 0, 0, 0};
+  corner.face = {{0, 4, 5, 2}, {1, 3, 7, 6}};
+  const auto layout = files::layOutInterfaces(scene.mesh, scene.parts, {corner});
+  ASSERT_EQ(layout.mesh.nodes.size(), 8u);
+  EXPECT_EQ(layout.mesh.nodes[0], layout.mesh.nodes[1]);
+  EXPECT_EQ(layout.mesh.blocks.at(0).connectivity, (std::vector<int>{0, 4, 5, 2, 1, 3, 7, 6}));
+  const auto parts = files::layOutParts(scene.mesh, scene.parts, {corner});
+  EXPECT_EQ(parts.mesh.sideSets.at(0).element, (std::vector<int>{0, 0}));
+}
