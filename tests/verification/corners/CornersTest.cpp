@@ -257,6 +257,32 @@ TEST(CornersTest, RefusesALawInsideAPart) {
       << message;
 }
 
+TEST(CornersTest, HoldsASteepTip) {
+  // A pyramid of four steep faces, pushed up from below into a pyramid that does not give way: at its tip more normals
+  // meet than there are directions.
+  for (const char* law : {"Symmetry", "Unilateral Contact"}) {
+    SceneInput scene = SceneInput::fromFile("corners/space.xml");
+    scene.set("Mesh/Boxes/body/Cells={2, 2, 1}").set("Mesh/Boxes/body/Element=Tet4");
+    scene.changeMesh([](mesh::Mesh& mesh) {
+      for (base::Vector3& point : mesh.nodes) {
+        if (point[0] == 0.5 && point[1] == 0.5 && point[2] == 1.0) point[2] = 3.0;
+      }
+    });
+    scene.set("Boundaries/held/Side Set=body_zmax").set("Boundaries/held/Law/Type=" + std::string(law));
+    scene.set("Boundaries/pressed_z/Side Set=body_zmin").remove("Boundaries/pressed_x").remove("Boundaries/pressed_y");
+    scene.add("Responses",
+              forceResponse("z", "held", {0.0, 0.0, 1.0}) +
+                  xmlList("tip", xmlText("Type", "Point Displacement") + xmlNumbers("Point", {0.5, 0.5, 3.0}) +
+                                     xmlNumbers("Direction", {0.0, 0.0, 1.0})));
+    const SolvedScene run(scene);
+    ASSERT_TRUE(run.isCertified()) << law << ": " << run.result.reason;
+    EXPECT_NEAR(run.value("z"), -3.0, 3.0 * tolerance) << law;
+    if (std::string(law) == "Symmetry") {
+      EXPECT_NEAR(run.value("tip"), 0.0, tolerance * 3.0 / modulus);
+    }
+  }
+}
+
 /// A pressure on the whole skin of a body in balance with itself, and on a polygon that stands for a circle.
 class PressureOnCorners : public ::testing::TestWithParam<const char*> {};
 
