@@ -5,60 +5,66 @@
 
 #include <harmos/base/Matrix.hpp>
 #include <harmos/base/Timers.hpp>
+#include <harmos/latin/EliminatedBoundaries.hpp>
 #include <harmos/latin/TraceLayout.hpp>
 #include <harmos/substructure/SubstructureSolver.hpp>
 
 namespace harmos::latin {
 
-/// The factored operators S = K + k h of the bodies that this rank owns; congruent bodies share one.
+class OperatorGroup;
+
+/// The factored operators of the bodies that this rank owns; congruent bodies share one.
+///
+/// Of a body: A = K + k h + s with the search directions k h and the springs s of eliminated boundaries; P strikes out
+/// the directions that these hold, in which u = g is given:
+///   S u' = P (B^T r + l - A g),  S = P A P + d (1 - P),  u = u' + g,
+/// and the reactions are what is left of the equilibrium there, (1 - P) (A u - B^T r - l).
 ///
 /// Bodies of one operator are solved together: their load steps are the columns of one block solve. A congruent body's
 /// vectors are carried into its representative's numbering and axes and back. Bodies with few interface nodes are
 /// solved on their traces only; their inner displacements follow when they are asked for.
 class BodyOperators {
  public:
-  /// Factors the operators S [force/length], which is charged to the phase "factor". Throws base::Error naming the body
-  /// when one is singular or indefinite.
+  /// Factors the operators S [force/length], which is charged to the phase "factor". `eliminated` must outlive it.
+  /// Throws base::Error naming the body when one is singular or indefinite.
   BodyOperators(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-                const TraceLayout& layout, const substructure::SolverOptions& options, base::Timers& timers);
+                const TraceLayout& layout, const EliminatedBoundaries& eliminated,
+                const substructure::SolverOptions& options, base::Timers& timers);
+  /// Frees the factors.
+  ~BodyOperators();
 
   /// Sets which load step each column of a field is; to be called before the first solve().
   void select(const std::vector<int>& steps);
-  /// Reads body forces and prescribed tractions anew from the assembly, of which nothing else may have changed.
+  /// Reads body forces, prescribed tractions and what eliminated boundaries prescribe anew; nothing else may have
+  /// changed.
   void updateLoads(const assembly::Assembly& assembly);
-  /// Solves S u = B^T r + l for all owned bodies and the columns first .. first + count - 1, where r are the nodal
-  /// forces [force] on the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement(). Bodies
-  /// that are solved on their traces only are solved to this precision.
+  /// Finds u for all owned bodies and the columns first .. first + count - 1, where r are the nodal forces [force] on
+  /// the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement(). Bodies that are solved on
+  /// their traces only are solved to this precision.
   void solve(const base::Matrix& forces, int first, int count, substructure::Precision precision);
-  /// Solves S u = r for one owned body and arbitrary columns, in the body's own numbering: u [length] from r [force],
-  /// dofs x columns.
+  /// The linear part of it for one owned body and arbitrary columns, in the body's own numbering: S u = P r, u [length]
+  /// from r [force], dofs x columns.
   base::Matrix solveBody(int body, const base::Matrix& forces) const;
 
   /// Trace w of the last solve: fills the columns first .. first + count - 1 of `trace`.
   void trace(base::Matrix& trace, int first, int count) const;
   /// Displacement u [length] of a node of an owned body as last solved.
   base::Vector3 displacement(int body, int node, int column) const;
+  /// Reaction [force] of the directions in which eliminated boundaries hold a node of an owned body, as last solved;
+  /// `node` counts EliminatedBoundaries::nodes() of the body.
+  base::Vector3 reaction(int body, std::size_t node, int column) const;
   /// Largest component of the displacement of all owned bodies as last solved, in their representatives' axes; of a
   /// body that is solved on its trace, of the trace, and `share` of what its loads do to it when only k h holds it.
   double largestDisplacement(double share) const;
-  /// Loads on a body's own nodes [force]: body forces and prescribed tractions, dofs x steps.
+  /// P (l - A g) of an owned body [force], dofs x steps: what moves it from outside.
   const base::Matrix& loads(int body) const { return loads_[body]; }
+  /// g of an owned body [length], dofs x steps; 0 x 0 when it is zero at all steps.
+  const base::Matrix& held(int body) const { return held_[body]; }
 
   /// Factored operators on this rank: congruent bodies count once.
   int operators() const { return static_cast<int>(groups_.size()); }
 
  private:
-  struct Group {
-    std::vector<int> bodies;  // first: the representative
-    std::unique_ptr<substructure::SubstructureSolver> solver;
-    std::vector<int> trace;  // dofs that interfaces load, ascending, when only these are solved; empty: all are
-    base::Matrix loads;      // dofs x (bodies * steps), in the representative's numbering
-    base::Matrix loaded;     // with a trace: S^-1 loads
-    base::Matrix right;      // dofs, or rows of the trace, x (bodies * columns)
-    base::Matrix solution;
-    mutable base::Matrix whole;  // with a trace: all dofs, computed when asked for
-    mutable bool hasWhole = false;
-  };
   struct Place {
     int group = -1;
     int member = 0;
@@ -73,19 +79,23 @@ class BodyOperators {
   };
 
   void mapBlocks(const assembly::Assembly& assembly, const TraceLayout& layout);
-  void solveGroup(Group& group, int first, int count, substructure::Precision precision);
-  const base::Matrix& wholeSolution(const Group& group) const;
+  /// Carries a body's vectors, dofs x steps, into the columns of its group, or back.
+  void toGroup(const Place& place, const base::Matrix& own, base::Matrix& group) const;
+  void fromGroup(const Place& place, const base::Matrix& group, base::Matrix& own) const;
   int masterDof(const Place& place, int node) const {
     return dimension_ * (place.toMaster.empty() ? node : place.toMaster[node]);
   }
 
+  const EliminatedBoundaries& eliminated_;
   int dimension_;
   int allSteps_;
   std::vector<int> steps_;  // load step of every column
   std::vector<Place> places_;
-  std::vector<Group> groups_;
+  std::vector<std::unique_ptr<OperatorGroup>> groups_;
+  std::vector<std::vector<int>> members_;  // bodies of each group, first: the representative
   std::vector<BlockMap> blocks_;
   std::vector<base::Matrix> loads_;
+  std::vector<base::Matrix> held_;
 };
 
 }  // namespace harmos::latin

@@ -59,6 +59,14 @@ double fieldGap(const Iterate& state) {
       sums[3] += area[row] * w[row] * w[row];
     }
   }
+  const BoundaryFields& boundaries = state.boundaryFields();
+  for (int t = 0; t < boundaries.traction.numCols(); ++t) {
+    for (std::size_t row = 0; row < boundaries.area.size(); ++row) {
+      const double f = boundaries.traction[t][row], w = boundaries.trace[t][row];
+      sums[1] += boundaries.area[row] * f * f;
+      sums[3] += boundaries.area[row] * w * w;
+    }
+  }
   state.metric().sum(sums);
   const NaturalSizes sizes(state);
   const double force = sums[0] == 0.0 ? 0.0 : std::sqrt(sums[0] / std::max(sums[1], sizes.squaredForceFloor()));

@@ -9,25 +9,6 @@
 namespace harmos::latin {
 namespace {
 
-/// Centre and largest extent of a body's nodes.
-std::pair<base::Vector3, double> extent(const std::vector<base::Vector3>& nodes) {
-  base::Vector3 lower = nodes.front();
-  base::Vector3 upper = nodes.front();
-  for (const base::Vector3& x : nodes) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      lower[c] = std::min(lower[c], x[c]);
-      upper[c] = std::max(upper[c], x[c]);
-    }
-  }
-  base::Vector3 centre{};
-  double size = 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    centre[c] = 0.5 * (lower[c] + upper[c]);
-    size = std::max(size, upper[c] - lower[c]);
-  }
-  return {centre, size};
-}
-
 Imbalance worstOfAllRanks(const Imbalance& mine, const Teuchos::Comm<int>& comm) {
   if (comm.getSize() == 1) return mine;
   double largest = 0.0;
@@ -60,8 +41,7 @@ Imbalance largestImbalance(const Iterate& state) {
   const assembly::Assembly& assembly = state.assembly();
   const auto steps = static_cast<std::size_t>(state.traction().numCols());
   const auto dimension = static_cast<std::size_t>(state.layout().dimension());
-  std::vector<std::pair<base::Vector3, double>> extents;
-  for (const auto& body : assembly.bodies) extents.push_back(extent(body.nodes));
+  const HeldMotions& held = state.heldMotions();
 
   std::vector<StepSums> sums(assembly.bodies.size() * steps);
   for (const TraceLayout::Block& block : state.layout().blocks()) {
@@ -70,8 +50,7 @@ Imbalance largestImbalance(const Iterate& state) {
     for (std::size_t pair = 0; pair < static_cast<std::size_t>(block.pairs); ++pair) {
       const auto row = static_cast<std::size_t>(block.begin) + pair * dimension;
       const double area = interface.area[pair];
-      base::Vector3 r = assembly.bodies[body].nodes[interface.nodes(block.side)[pair]];
-      for (std::size_t c = 0; c < 3; ++c) r[c] -= extents[body].first[c];
+      const base::Vector3 r = assembly.bodies[body].nodes[interface.nodes(block.side)[pair]] - held.centre(block.body);
       for (std::size_t t = 0; t < steps; ++t) {
         StepSums& sum = sums[body * steps + t];
         base::Vector3 d{};
@@ -87,6 +66,19 @@ Imbalance largestImbalance(const Iterate& state) {
       }
     }
   }
+  const BoundaryFields& boundaries = state.boundaryFields();
+  std::size_t first = 0;
+  for (const int i : boundaries.interfaces) {
+    const assembly::Interface& interface = assembly.interfaces[i];
+    const std::size_t rows = interface.node1.size() * dimension;
+    for (std::size_t t = 0; t < steps; ++t) {
+      StepSums& sum = sums[static_cast<std::size_t>(interface.body1) * steps + t];
+      for (std::size_t row = first; row < first + rows; ++row) {
+        sum.forces += boundaries.area[row] * std::abs(boundaries.traction[static_cast<int>(t)][row]);
+      }
+    }
+    first += rows;
+  }
   // A body belongs to one rank, so its sums are complete there; the worst of all ranks is what counts.
   Imbalance worst;
   for (std::size_t body = 0; body < assembly.bodies.size(); ++body) {
@@ -95,13 +87,20 @@ Imbalance largestImbalance(const Iterate& state) {
     if (scale == 0.0) continue;
     for (std::size_t t = 0; t < steps; ++t) {
       const StepSums& sum = sums[body * steps + t];
-      const auto& r = sum.resultant;
+      const auto r = held.freePart(static_cast<int>(body), sum.resultant);
       const base::Vector3 force{r[0], r[1], r[2]};
       const base::Vector3 moment{r[3], r[4], r[5]};
-      const double relative = std::max(base::norm(force), base::norm(moment) / extents[body].second) / scale;
+      const double relative =
+          std::max(base::norm(force), base::norm(moment) / held.extent(static_cast<int>(body))) / scale;
       if (relative <= worst.relative) continue;
-      worst = {static_cast<int>(body), static_cast<int>(t),  force,      moment,
-               extents[body].first,    extents[body].second, sum.forces, relative};
+      worst = {static_cast<int>(body),
+               static_cast<int>(t),
+               force,
+               moment,
+               held.centre(static_cast<int>(body)),
+               held.extent(static_cast<int>(body)),
+               sum.forces,
+               relative};
     }
   }
   return worstOfAllRanks(worst, state.layout().comm());

@@ -7,7 +7,8 @@
 
 namespace harmos::latin {
 
-/// Resultant of f - f^ on one body at one load step: what the interface laws fail to carry.
+/// Resultant of f - f^ on one body at one load step: what the interface laws fail to carry. Of a body that eliminated
+/// boundaries hold, the part that works in the motions that they leave free.
 struct Imbalance {
   int body = -1;           ///< position in the assembly; -1: there is none
   int step = 0;            ///< column of the state, a load step when all are selected

@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include <harmos/base/Error.hpp>
+
 namespace harmos::latin {
 namespace {
 
@@ -14,32 +16,85 @@ FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& o
                        const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers,
                        const MakeLocalStage& makeLocalStage)
     : assembly_(assembly),
-      formulation_(options.formulation),
-      searchDirectionScale_(options.searchDirectionScale),
+      options_(options),
       timers_(timers),
       searchDirection_(assembly, options.searchDirectionScale, *comm),
-      layout_(assembly, searchDirection_, comm),
+      eliminated_(assembly, searchDirection_,
+                  options.formulation == Formulation::displacement ? options.elimination : Elimination::none),
+      heldMotions_(assembly, searchDirection_, eliminated_),
+      layout_(assembly, searchDirection_, eliminated_, comm),
       metric_(layout_),
-      linear_(assembly, searchDirection_, layout_, options.formulation, options.macroProblem, options.solver, timers),
+      linear_(makeLinearStage()),
       local_([&]() -> std::unique_ptr<LocalStage> {
         if (makeLocalStage) return makeLocalStage(searchDirection_, layout_);
         auto stage = std::make_unique<PointwiseLocalStage>(assembly, searchDirection_, layout_, options.formulation);
         pointwise_ = stage.get();
         return stage;
       }()),
-      fields_{
-          assembly_, searchDirection_, searchDirectionScale_, layout_, metric_, formulation_, linear_, *local_, {}, {},
-          {}},
+      fields_{assembly_,
+              searchDirection_,
+              options_.searchDirectionScale,
+              eliminated_,
+              heldMotions_,
+              layout_,
+              metric_,
+              options_.formulation,
+              linear_.get(),
+              *local_,
+              {},
+              {},
+              {}},
       iterates_(iteratesKept, Iterate(fields_, 0)) {
   selectAll();
 }
 
+std::unique_ptr<LinearStage> FixedPoint::makeLinearStage() {
+  const auto make = [&] {
+    return std::make_unique<LinearStage>(assembly_, searchDirection_, layout_, eliminated_, options_.formulation,
+                                         options_.macroProblem, options_.solver, timers_);
+  };
+  if (eliminated_.isEmpty()) return make();
+  try {
+    return make();
+  } catch (const base::Error& error) {
+    if (error.code() != base::ExitCode::noEquilibrium) throw;
+  }
+  // Only the search directions of boundaries hold what the boundaries leave free to move.
+  eliminated_.giveUp();
+  heldMotions_ = HeldMotions(assembly_, searchDirection_, eliminated_);
+  layout_ = TraceLayout(assembly_, searchDirection_, eliminated_, layout_.commPointer());
+  metric_ = StateMetric(layout_);
+  return make();
+}
+
+void FixedPoint::rescale(double scale) {
+  options_.searchDirectionScale = scale;
+  searchDirection_ = assembly::SearchDirection(assembly_, scale, layout_.comm());
+  heldMotions_ = HeldMotions(assembly_, searchDirection_, eliminated_);
+  layout_ = TraceLayout(assembly_, searchDirection_, eliminated_, layout_.commPointer());
+  metric_ = StateMetric(layout_);
+  const long columns = linear_->columns();
+  linear_.reset();  // its factors first, so that there are never two
+  linear_ = makeLinearStage();
+  linear_->countFrom(columns);
+  fields_.linear = linear_.get();
+  fields_.searchDirectionScale = scale;
+  fields_.boundaries = {};
+  select(std::vector<int>(fields_.steps));
+}
+
 void FixedPoint::select(const std::vector<int>& steps) {
-  linear_.select(steps);
+  linear_->select(steps);
+  fields_.steps = steps;
   local_->select(steps);
   fields_.beta.shape(layout_.rows(), static_cast<int>(steps.size()));
   fields_.hattedTraction.shape(layout_.rows(), static_cast<int>(steps.size()));
   ++fields_.present;
+}
+
+void FixedPoint::updateLaws() {
+  eliminated_.update();
+  linear_->updateLoads();
 }
 
 void FixedPoint::selectAll() {
@@ -52,8 +107,9 @@ const Iterate& FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image)
   ++fields_.present;
   base::Matrix& beta = fields_.beta;
   base::Matrix& traction = fields_.hattedTraction;
-  linear_.solve(alpha, beta);
+  linear_->solve(alpha, beta);
   fields_.hasHattedTrace = false;
+  fields_.hasBoundaries = false;
   const auto running = timers_.start("local");
   local_->solve(beta, traction);
   for (int t = 0; t < alpha.numCols(); ++t) {

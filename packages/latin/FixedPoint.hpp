@@ -13,6 +13,7 @@ struct StageOptions {
   Formulation formulation = Formulation::displacement;  ///< of both stages
   double searchDirectionScale = 1.0;                    ///< factor on the automatic search direction [-], > 0
   bool macroProblem = true;                             ///< whether the linear stage has one
+  Elimination elimination = Elimination::affine;        ///< of outer boundaries; none in the velocity form
   substructure::SolverOptions solver;                   ///< of the operators of bodies and of the macro problem
 };
 
@@ -42,8 +43,14 @@ class FixedPoint {
   void startUnloaded() { local_->startUnloaded(); }
 
   /// To be called when laws of the assembly have been replaced by others of the same kind: the operators do not depend
-  /// on them, but loads do.
-  void updateLaws() { linear_.updateLoads(); }
+  /// on them (with Elimination::affine, as long as springs of boundaries stay), but loads do. Throws as
+  /// EliminatedBoundaries::update().
+  void updateLaws();
+
+  /// Collective. Makes search directions of another scale [-], > 0, and factors all operators anew; what the local
+  /// stage remembers stays. A fixed point alpha = f^ + k w^ of before becomes f^ + c (alpha - f^), c the quotient of
+  /// the scales. Ends the validity of all iterates. Throws as the constructor.
+  void rescale(double scale);
 
   /// Collective. image = T(alpha) [stress], both rows of the layout x columns selected, and two objects. Throws
   /// base::Error as LocalStage::solve(). The fields of both stages are valid until the next apply(), select() or
@@ -54,28 +61,36 @@ class FixedPoint {
   const assembly::Assembly& assembly() const { return assembly_; }
   /// k [stress/length] of every pair.
   const assembly::SearchDirection& searchDirection() const { return searchDirection_; }
+  /// The boundaries without unknowns that stand in the operators.
+  const EliminatedBoundaries& eliminated() const { return eliminated_; }
+  /// What these do to rigid motions.
+  const HeldMotions& heldMotions() const { return heldMotions_; }
   /// Where rows of fields belong.
   const TraceLayout& layout() const { return layout_; }
   /// The norm of states.
   const StateMetric& metric() const { return metric_; }
   /// The linear stage, with its work so far.
-  const LinearStage& linearStage() const { return linear_; }
+  const LinearStage& linearStage() const { return *linear_; }
   /// For those who solve load steps by themselves; only where no other local stage was made.
   PointwiseLocalStage& pointwiseStage();
   /// Kinematic unknown of both stages.
-  Formulation formulation() const { return formulation_; }
+  Formulation formulation() const { return options_.formulation; }
   /// Factor on the automatic search direction.
-  double searchDirectionScale() const { return searchDirectionScale_; }
+  double searchDirectionScale() const { return options_.searchDirectionScale; }
 
  private:
+  /// May give up the elimination, where boundaries leave the assembly free to move.
+  std::unique_ptr<LinearStage> makeLinearStage();
+
   const assembly::Assembly& assembly_;
-  Formulation formulation_;
-  double searchDirectionScale_;
+  StageOptions options_;
   base::Timers& timers_;
   assembly::SearchDirection searchDirection_;
+  EliminatedBoundaries eliminated_;
+  HeldMotions heldMotions_;
   TraceLayout layout_;
   StateMetric metric_;
-  LinearStage linear_;
+  std::unique_ptr<LinearStage> linear_;
   PointwiseLocalStage* pointwise_ = nullptr;  // local_, or null when that is another one
   std::unique_ptr<LocalStage> local_;
   Iterate::Fields fields_;

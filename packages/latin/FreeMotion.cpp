@@ -36,13 +36,23 @@ struct Motion {
   base::Vector3 centre{};
   base::Vector3 at(const base::Vector3& x) const { return translation + base::cross(rotation, x - centre); }
   Motion scaled(double share) const { return {share * translation, share * rotation, centre}; }
+  /// Its six numbers about another centre.
+  HeldMotions::Sixfold about(const base::Vector3& x) const {
+    const base::Vector3 t = at(x);
+    return {t[0], t[1], t[2], rotation[0], rotation[1], rotation[2]};
+  }
 };
 
 /// Moves bodies at one load step and asks the interfaces.
 class Push {
  public:
   Push(FixedPoint& fixedPoint, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image, int step)
-      : fixedPoint_(fixedPoint), alpha_(alpha), image_(image), step_(step), unmoved_(iterate.hattedTraction()) {}
+      : fixedPoint_(fixedPoint),
+        alpha_(alpha),
+        image_(image),
+        step_(step),
+        unmoved_(iterate.hattedTraction()),
+        unmovedBoundaries_(iterate.boundaryFields().traction) {}
 
   /// Sum over the rows of a body of h k |motion| [force].
   double stiffnessAlong(int body, const Motion& motion) const {
@@ -97,6 +107,9 @@ class Push {
             (iterate.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]);
       }
     });
+    visitBoundaries(iterate, [&](int interface, int, const base::Vector3& change) {
+      for (std::size_t c = 0; c < 3; ++c) sums[3 * static_cast<std::size_t>(interface) + c] += change[c];
+    });
     fixedPoint_.metric().sum(sums);
     std::vector<base::Vector3> result;
     for (std::size_t i = 0; i < interfaces; ++i) result.push_back({sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]});
@@ -114,6 +127,12 @@ class Push {
         sum[0] -= layout().area()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
                   (iterate.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]) * way[c];
       }
+    });
+    visitBoundaries(iterate, [&](int index, int pair, const base::Vector3& change) {
+      const assembly::Interface& interface = fixedPoint_.assembly().interfaces[index];
+      if (bodies.count(interface.body1) == 0) return;
+      const base::Vector3& x = fixedPoint_.assembly().bodies[interface.body1].nodes[interface.node1[pair]];
+      sum[0] -= base::dot(change, motion.at(x));
     });
     fixedPoint_.metric().sum(sum);
     return sum[0];
@@ -133,11 +152,28 @@ class Push {
     }
   }
 
+  /// Tells the change of the force [force] at the pairs of eliminated boundaries.
+  template <class Action>
+  void visitBoundaries(const Iterate& iterate, const Action& action) const {
+    const BoundaryFields& fields = iterate.boundaryFields();
+    int row = 0;
+    for (const int i : fields.interfaces) {
+      for (int pair = 0; pair < fixedPoint_.assembly().interfaces[i].pairs(); ++pair) {
+        base::Vector3 change{};
+        for (int c = 0; c < layout().dimension(); ++c, ++row) {
+          change[c] = fields.area[row] * (fields.traction[step_][row] - unmovedBoundaries_[step_][row]);
+        }
+        action(i, pair, change);
+      }
+    }
+  }
+
   FixedPoint& fixedPoint_;
   const base::Matrix& alpha_;
   base::Matrix& image_;
   int step_;
   base::Matrix unmoved_;
+  base::Matrix unmovedBoundaries_;
 };
 
 /// Turns a translation that meets an interface at a grazing angle into the mean plane of the interface; false when it
@@ -182,6 +218,7 @@ std::optional<double> findLanding(Push& push, const std::set<int>& bodies, const
 
 FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, const Iterate& iterate,
                            const base::Matrix& alpha, base::Matrix& image) {
+  if (imbalance.body < 0) return {false, {}, &iterate};
   const assembly::Assembly& assembly = fixedPoint.assembly();
   const double force = base::norm(imbalance.force);
   const double moment = base::norm(imbalance.moment) / imbalance.arm;
@@ -194,6 +231,10 @@ FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, c
   } else {
     motion.rotation = (-1.0 / base::norm(imbalance.moment)) * imbalance.moment;
   }
+  const HeldMotions& held = fixedPoint.heldMotions();
+  const HeldMotions::Sixfold free = held.freeMotion(imbalance.body, motion.about(imbalance.centre));
+  motion.translation = {free[0], free[1], free[2]};
+  motion.rotation = {free[3], free[4], free[5]};
   Push push(fixedPoint, iterate, alpha, image, imbalance.step);
   const double reach = std::max(farAhead * size, farBack * push.stateOf(imbalance.body)) /
                        (push.stiffnessAlong(imbalance.body, motion) / fixedPoint.searchDirectionScale());
@@ -211,8 +252,11 @@ FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, c
                     [&](const assembly::Interface* one) { return slideAlong(motion, *one); })) {
       continue;
     }
+    const auto isGround = [&](int body) {
+      return body < 0 || held.heldShare(body, motion.about(held.centre(body))) > grazing;
+    };
     if (std::any_of(resisting.begin(), resisting.end(),
-                    [](const assembly::Interface* one) { return one->sides() == 1; })) {
+                    [&](const assembly::Interface* one) { return isGround(one->body2) || isGround(one->body1); })) {
       const double work =
           -base::dot(imbalance.force, motion.translation) - base::dot(imbalance.moment, motion.rotation);
       // Those that it pushes along must move by themselves.

@@ -18,7 +18,8 @@ struct FreeMotion {
   const Iterate* iterate = nullptr;
 };
 
-/// Follows the body of `imbalance` along the force (or about the moment) that is not balanced. Collective.
+/// Follows the body of `imbalance`, if there is one, along the force (or about the moment) that is not balanced.
+/// Collective.
 ///
 /// The body is moved so far that interfaces as stiff as the search direction would answer with a million times the
 /// imbalance, and a hundred times its own size at least; the local stage tells what they answer. A contact that the way

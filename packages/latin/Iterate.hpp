@@ -1,12 +1,24 @@
 #pragma once
 
 #include <cassert>
+#include <vector>
 
+#include <harmos/latin/HeldMotions.hpp>
 #include <harmos/latin/LinearStage.hpp>
 #include <harmos/latin/LocalStage.hpp>
 #include <harmos/latin/StateMetric.hpp>
 
 namespace harmos::latin {
+
+/// What eliminated boundaries do: a row per pair and component, boundary by boundary, for those of the bodies owned
+/// here.
+struct BoundaryFields {
+  std::vector<int> interfaces;    ///< positions in the assembly, ascending
+  std::vector<double> area;       ///< h [area] of every row
+  std::vector<double> stiffness;  ///< k [stress/length] that an interface would have here
+  base::Matrix traction;          ///< f [stress], rows x columns; no rows: 0 x 0
+  base::Matrix trace;             ///< w [length]
+};
 
 /// The fields of one application of T: what FixedPoint::apply() returns and responses, estimates and watches read.
 ///
@@ -19,15 +31,20 @@ class Iterate {
     const assembly::Assembly& assembly;
     const assembly::SearchDirection& searchDirection;
     double searchDirectionScale;
+    const EliminatedBoundaries& eliminated;
+    const HeldMotions& heldMotions;
     const TraceLayout& layout;
     const StateMetric& metric;
     Formulation formulation;
-    const LinearStage& linear;
+    const LinearStage* linear;
     const LocalStage& local;
     base::Matrix beta;
     base::Matrix hattedTraction;
     base::Matrix hattedTrace;  // computed when asked for
     bool hasHattedTrace = false;
+    std::vector<int> steps = {};  // load step of every column
+    BoundaryFields boundaries = {};
+    bool hasBoundaries = false;
     long present = 0;  // number of the iterate that is valid
   };
 
@@ -40,21 +57,26 @@ class Iterate {
   /// beta = f - k w [stress] of the linear stage (velocity form: f - k dw).
   const base::Matrix& beta() const { return valid().beta; }
   /// w [length] of the linear stage.
-  const base::Matrix& trace() const { return valid().linear.trace(); }
+  const base::Matrix& trace() const { return valid().linear->trace(); }
   /// f [stress] of the linear stage, in equilibrium with the bodies.
-  const base::Matrix& traction() const { return valid().linear.traction(); }
+  const base::Matrix& traction() const { return valid().linear->traction(); }
   /// w^ [length] of the local stage.
   const base::Matrix& hattedTrace() const;
   /// f^ [stress] of the local stage, which obeys the interface laws.
   const base::Matrix& hattedTraction() const { return valid().hattedTraction; }
+  /// f [stress] on side 1 of the pairs of an interface at one column, in global axes: of the linear stage, or what its
+  /// boundary prescribes or answers. To be asked by the owner of body 1.
+  std::vector<base::Vector3> tractions(int interfaceIndex, int column) const;
+  /// The fields of the eliminated boundaries on this rank, computed at the first call.
+  const BoundaryFields& boundaryFields() const;
   /// States of the pairs of one interface, see LocalStage::states().
   const std::vector<laws::LocalState>& states(int interfaceIndex) const { return valid().local.states(interfaceIndex); }
   /// u [length] of a node of an owned body, linear stage.
   base::Vector3 displacement(int body, int node, int column) const {
-    return valid().linear.displacement(body, node, column);
+    return valid().linear->displacement(body, node, column);
   }
   /// Largest of the linear stage [length], see BodyOperators::largestDisplacement().
-  double largestDisplacement(double share) const { return valid().linear.operators().largestDisplacement(share); }
+  double largestDisplacement(double share) const { return valid().linear->operators().largestDisplacement(share); }
 
   /// The assembly that is iterated.
   const assembly::Assembly& assembly() const { return fields_->assembly; }
@@ -62,6 +84,10 @@ class Iterate {
   const assembly::SearchDirection& searchDirection() const { return fields_->searchDirection; }
   /// Factor on the automatic search direction.
   double searchDirectionScale() const { return fields_->searchDirectionScale; }
+  /// The boundaries without unknowns that stand in the operators.
+  const EliminatedBoundaries& eliminated() const { return fields_->eliminated; }
+  /// What these do to rigid motions.
+  const HeldMotions& heldMotions() const { return fields_->heldMotions; }
   /// Where rows of fields belong.
   const TraceLayout& layout() const { return fields_->layout; }
   /// The norm of states.

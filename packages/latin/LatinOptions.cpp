@@ -71,6 +71,7 @@ LatinOptions::LatinOptions(const input::Parameters& parameters)
   stages.searchDirectionScale = parameters.list("Search Direction").number("Scale");
   stages.macroProblem =
       parameters.has("Macro Problem") ? parameters.flag("Macro Problem") : algorithm == Algorithm::accelerated;
+  if (algorithm != Algorithm::accelerated) stages.elimination = Elimination::none;
   stages.solver = substructure::SolverOptions(parameters.list("Linear Solver"));
 }
 

@@ -23,7 +23,10 @@ struct LatinOptions {
   Algorithm algorithm = Algorithm::accelerated;  ///< plain and relaxed: the iterations of the literature
   double relaxation = 0.8;                       ///< of Algorithm::relaxed [-], in (0, 1]
   int memory = 30;                               ///< differences that the acceleration keeps per load step
-  StageOptions stages;                           ///< how both stages are built
+  /// How often a march that stagnates may go on with a tenth of the search direction; after such a run the fixed point
+  /// keeps the last one.
+  int restarts = 2;
+  StageOptions stages;  ///< how both stages are built
 
   LatinOptions() = default;
   /// From a checked list Solver, of which nothing is kept.

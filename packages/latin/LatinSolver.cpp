@@ -96,6 +96,9 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   snapshots_.clear();
   estimates_.clear();
   certificate_.reset();
+  if (fixedPoint_.searchDirectionScale() != options_.stages.searchDirectionScale) {
+    fixedPoint_.rescale(options_.stages.searchDirectionScale);
+  }
   LatinResult result;
   if (options_.algorithm == Algorithm::accelerated && fixedPoint_.formulation() == Formulation::displacement) {
     march(result, start != nullptr ? March::Guess::state : March::Guess::extrapolation);
@@ -124,7 +127,7 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
 }
 
 void LatinSolver::march(LatinResult& result, March::Guess guess) {
-  March march(fixedPoint_, options_.memory, options_.accuracy);
+  March march(fixedPoint_, options_.memory, options_.accuracy, options_.restarts);
   march.setStop([&] { return mustStop() || stages() >= options_.maximumIterations; });
   march.setObserver([&](int step, int iterations, const Iterate& iterate) {
     state_ = &iterate;
@@ -136,7 +139,9 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
   March::End end = March::End::reached;
   do {
     const auto running = timers_.start("acceleration");
+    const double scale = fixedPoint_.searchDirectionScale();
     end = march.run(alpha_, tolerance, guess);
+    if (fixedPoint_.searchDirectionScale() != scale) certificate_.reset();
     state_ = &fixedPoint_.apply(alpha_, image_);
     tolerance *= March::tightening;
     guess = March::Guess::state;

@@ -5,13 +5,13 @@
 namespace harmos::latin {
 
 LinearStage::LinearStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-                         const TraceLayout& layout, Formulation formulation, bool withMacroProblem,
-                         const substructure::SolverOptions& options, base::Timers& timers)
+                         const TraceLayout& layout, const EliminatedBoundaries& eliminated, Formulation formulation,
+                         bool withMacroProblem, const substructure::SolverOptions& options, base::Timers& timers)
     : assembly_(assembly),
       layout_(layout),
       formulation_(formulation),
       timers_(timers),
-      operators_(assembly, searchDirection, layout, options, timers) {
+      operators_(assembly, searchDirection, layout, eliminated, options, timers) {
   if (withMacroProblem) {
     const auto running = timers_.start("factor");
     macro_ = std::make_unique<MacroProblem>(assembly, searchDirection, layout, operators_, options);
@@ -30,7 +30,7 @@ void LinearStage::select(const std::vector<int>& steps) {
 
 void LinearStage::updateLoads() {
   operators_.updateLoads(assembly_);
-  if (macro_) macro_->updateLoads(operators_);
+  if (macro_) macro_->updateLoads(assembly_, operators_);
 }
 
 void LinearStage::applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const {

@@ -18,17 +18,17 @@ namespace harmos::latin {
 /// l_t, step after step. K: [force/length], h: [area], k: [stress/length], l: loads of the body [force].
 class LinearStage {
  public:
-  /// Collective. Factors all operators. `assembly`, `layout` and `timers` must outlive it. Throws base::Error as
-  /// BodyOperators and MacroProblem.
+  /// Collective. Factors all operators. `assembly`, `layout`, `eliminated` and `timers` must outlive it. Throws
+  /// base::Error as BodyOperators and MacroProblem.
   LinearStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-              const TraceLayout& layout, Formulation formulation, bool withMacroProblem,
-              const substructure::SolverOptions& options, base::Timers& timers);
+              const TraceLayout& layout, const EliminatedBoundaries& eliminated, Formulation formulation,
+              bool withMacroProblem, const substructure::SolverOptions& options, base::Timers& timers);
 
   /// Sets which load step each column of a field is; to be called before the first solve. One load step out of several
   /// is solved in single precision, where the options of the solver provide it: all of them together come after it.
   void select(const std::vector<int>& steps);
 
-  /// To be called when the laws of boundaries with prescribed tractions have been replaced.
+  /// To be called when the laws of boundaries without unknowns have been replaced.
   void updateLoads();
 
   /// Collective. From alpha [stress] to beta = f - k w [stress] (velocity form: f - k dw); keeps w.
@@ -46,6 +46,8 @@ class LinearStage {
 
   /// Work so far: columns solved over the number of load steps, so that a solve of all load steps counts as one.
   int stages() const { return static_cast<int>((columnsSolved_ + assembly_.steps() - 1) / assembly_.steps()); }
+  /// Goes on counting from what another stage has solved.
+  void countFrom(long columns) { columnsSolved_ = columns; }
   /// Columns solved so far.
   long columns() const { return columnsSolved_; }
   /// The factored operators of the bodies owned here.

@@ -8,10 +8,10 @@
 
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_CommHelpers.hpp>
-#include <Teuchos_LAPACK.hpp>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/InterfaceMass.hpp>
+#include <harmos/latin/detail/SymmetricEigen.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
 
 namespace harmos::latin {
@@ -23,18 +23,6 @@ using base::Matrix;
 constexpr double felt = 1e-10;
 // Share in the floating motion from which on the parts of an interface are named.
 constexpr double takesPart = 1e-3;
-
-/// Eigenvalues in ascending order; the columns of `matrix` become the eigenvectors.
-std::vector<double> symmetricEigenvalues(Matrix& matrix) {
-  const int n = matrix.numRows();
-  std::vector<double> values(n);
-  std::vector<double> work(std::max(1, 34 * n));
-  int info = 0;
-  Teuchos::LAPACK<int, double>().SYEV('V', 'U', n, matrix.values(), matrix.stride(), values.data(), work.data(),
-                                      static_cast<int>(work.size()), &info);
-  if (info != 0) throw base::Error("LAPACK dsyev failed with info = " + std::to_string(info));
-  return values;
-}
 
 /// y = k h x for one side, k taken at the row.
 Matrix weighted(const assembly::Interface& interface, int dimension, const std::vector<double>& k, const Matrix& x) {
@@ -86,7 +74,7 @@ Matrix orthonormal(const assembly::Interface& interface, int dimension, const st
                    const Matrix& motions) {
   Matrix gram(motions.numCols(), motions.numCols());
   gram.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, motions, weighted(interface, dimension, k, motions), 0.0);
-  const std::vector<double> values = symmetricEigenvalues(gram);
+  const std::vector<double> values = symmetricEigen(gram);
   // A point, or nodes on a line, cannot feel some rotations: their eigenvalues are round-off.
   const double threshold = felt * values.back();
   const auto kept =
@@ -182,16 +170,35 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
     }
     contributions.push_back(std::move(contribution));
   }
-  updateLoads(operators);
+  updateLoads(assembly, operators);
   factor(assembly, options, contributions);
 }
 
-void MacroProblem::updateLoads(const BodyOperators& operators) {
+void MacroProblem::updateLoads(const assembly::Assembly& assembly, const BodyOperators& operators) {
   for (Body& body : bodies_) {
     const Matrix& loads = operators.loads(body.body);
     const int count = static_cast<int>(body.unknowns.size());
     body.loads.shape(count, loads.numCols());
-    if (count > 0) body.loads.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, body.response, loads, 0.0);
+    if (count == 0) continue;
+    body.loads.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, body.response, loads, 0.0);
+  }
+  std::vector<int> first(bodies_.size(), 0);  // of the unknowns of the next block
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const TraceLayout::Block& at = layout_.blocks()[i];
+    const Block& block = blocks_[i];
+    Matrix& sums = bodies_[block.body].loads;
+    const Matrix& held = operators.held(at.body);
+    const auto& nodes = assembly.interfaces[at.interface].nodes(at.side);
+    const int dimension = layout_.dimension();
+    for (int t = 0; t < held.numCols(); ++t) {
+      for (int m = 0; m < block.force.numCols(); ++m) {
+        for (int row = 0; row < block.force.numRows(); ++row) {
+          sums(first[block.body] + m, t) +=
+              block.force(row, m) * held(nodes[row / dimension] * dimension + row % dimension, t);
+        }
+      }
+    }
+    first[block.body] += block.force.numCols();
   }
 }
 
@@ -263,7 +270,7 @@ void MacroProblem::factor(const assembly::Assembly& assembly, const substructure
 
 void MacroProblem::reportFloating(const assembly::Assembly& assembly, const Matrix& matrix) const {
   Matrix vectors(matrix);
-  const std::vector<double> values = symmetricEigenvalues(vectors);
+  const std::vector<double> values = symmetricEigen(vectors);
   std::set<std::string> names;
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     for (int m = 0; m < modes_[i].numCols(); ++m) {

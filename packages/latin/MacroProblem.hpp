@@ -15,7 +15,8 @@ namespace harmos::latin {
 /// 3-D, fewer when its nodes do not see them) and c the same on both sides, such that P^T h (f1 + f2) = 0. Eliminating
 /// the bodies, with X = S^-1 B^T h k P, gives one small constant sparse system
 ///   G c = -sum over bodies [(P - X)^T h alpha - X^T l],   G = sum over bodies [P^T h k P - (h k P)^T X],
-/// symmetric, and positive definite when the boundaries hold the assembly as a whole.
+/// symmetric, and positive definite when the boundaries hold the assembly as a whole. Where eliminated boundaries hold
+/// a body at g, X lies in the free directions and X^T l becomes X^T l + (B^T h k P)^T g: see BodyOperators.
 /// Source: Ladeveze, Nouy (2003), doi:10.1016/S0045-7825(03)00341-4; with the resultants as the only coarse unknowns.
 /// alpha, f: [stress], k: [stress/length], h: [area], w and P c: [length], S: [force/length], l: [force].
 class MacroProblem {
@@ -24,8 +25,8 @@ class MacroProblem {
   MacroProblem(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                const TraceLayout& layout, const BodyOperators& operators, const substructure::SolverOptions& options);
 
-  /// Reads the loads of the bodies anew.
-  void updateLoads(const BodyOperators& operators);
+  /// Reads the loads of the bodies and the places where they are held anew.
+  void updateLoads(const assembly::Assembly& assembly, const BodyOperators& operators);
 
   /// Collective. Adds k P c to `alpha` [stress] and h k P c to `forces` = h alpha [force], columns
   /// first .. first + steps.size() - 1, which are the load steps `steps`.
@@ -48,7 +49,7 @@ class MacroProblem {
     int body;
     std::vector<int> unknowns;  // global numbers of the coarse unknowns of its interfaces
     base::Matrix response;      // X, dofs x unknowns
-    base::Matrix loads;         // X^T l, unknowns x steps
+    base::Matrix loads;         // X^T l + (B^T h k P)^T g, unknowns x steps
   };
 
   void buildModes(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection);

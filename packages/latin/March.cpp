@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <harmos/latin/detail/SafeRelaxation.hpp>
+#include <harmos/latin/detail/Stagnation.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -13,6 +14,9 @@ constexpr int maximumLandings = 20;
 // so that the bodies that it flies among come to rest and the watch sees what is lacking.
 constexpr int iterationsBeforeListening = 36;
 constexpr double flying = 0.1;
+// The size of forces takes the reactions of eliminated boundaries in so often; bodies that are solved on their traces
+// must be solved as a whole for them.
+constexpr int iterationsPerReaction = 8;
 
 }  // namespace
 
@@ -25,17 +29,47 @@ void extrapolate(const base::Matrix& alpha, int step, const std::vector<double>&
   }
 }
 
-March::March(FixedPoint& fixedPoint, int memory, double accuracy)
+March::March(FixedPoint& fixedPoint, int memory, double accuracy, int restarts)
     : fixedPoint_(fixedPoint),
       accuracy_(accuracy),
       accelerations_(static_cast<std::size_t>(fixedPoint.assembly().steps()),
-                     AndersonAcceleration(fixedPoint.metric(), memory, fixedPoint.assembly().isAffine())) {}
+                     AndersonAcceleration(fixedPoint.metric(), memory, fixedPoint.assembly().isAffine())),
+      tractions_(fixedPoint.layout().rows(), fixedPoint.assembly().steps()),
+      restarts_(fixedPoint.assembly().isAffine() ? 0 : restarts) {}
 
-March::End March::iterate(int step, base::Matrix& state, double tolerance) {
+double March::forceSize(const Iterate& iterate, bool withReactions) const {
+  const double norm = fixedPoint_.metric().norm(iterate.hattedTraction());
+  if (!withReactions) return std::max(largestForce_, norm);
+  const BoundaryFields& boundaries = iterate.boundaryFields();
+  std::vector<double> square(1, 0.0);
+  for (int t = 0; t < boundaries.traction.numCols(); ++t) {
+    for (std::size_t row = 0; row < boundaries.area.size(); ++row) {
+      const double f = boundaries.traction[t][row];
+      square[0] += boundaries.area[row] / boundaries.stiffness[row] * f * f;
+    }
+  }
+  fixedPoint_.metric().sum(square);
+  return std::max(largestForce_, std::sqrt(norm * norm + square[0]));
+}
+
+void March::restart(const Iterate& iterate, base::Matrix& alpha, base::Matrix& state) {
+  const auto soften = [](double* to, const double* traction, int rows) {
+    for (int row = 0; row < rows; ++row) to[row] = traction[row] + softer * (to[row] - traction[row]);
+  };
+  soften(state[0], iterate.hattedTraction()[0], state.numRows());
+  for (int t = 0; t < alpha.numCols(); ++t) soften(alpha[t], tractions_[t], alpha.numRows());
+  fixedPoint_.rescale(softer * fixedPoint_.searchDirectionScale());
+  for (AndersonAcceleration& acceleration : accelerations_) acceleration.restart();
+  largestForce_ /= std::sqrt(softer);
+  --restarts_;
+}
+
+March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance) {
   const StateMetric& metric = fixedPoint_.metric();
   AndersonAcceleration& acceleration = accelerations_[step];
   acceleration.resume();
   EquilibriumWatch watch(accuracy_);
+  Stagnation stagnation;
   base::Matrix image(state.numRows(), 1);
   int iteration = 0, sinceLanding = 0, landings = 0;
   bool isListening = false;
@@ -46,7 +80,7 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
     ++iteration;
     ++sinceLanding;
     const double size = metric.distance(image, state);
-    const double force = std::max(largestForce_, metric.norm(iterate->hattedTraction()));
+    const double force = forceSize(*iterate, iteration % iterationsPerReaction == 0);
     if (size <= std::max(tolerance * force, noise * metric.norm(image))) {
       largestForce_ = force;
       break;
@@ -55,9 +89,18 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
       end = End::stopped;
       break;
     }
+    if (restarts_ > 0 && stagnation.isFound(size, tolerance * force)) {
+      restart(*iterate, alpha, state);
+      watch = EquilibriumWatch(accuracy_);
+      stagnation = Stagnation();
+      sinceLanding = 0;
+      isListening = false;
+      continue;
+    }
     const EquilibriumWatch::Finding finding = watch.look(fixedPoint_, iterate, state, image);
     if (finding == EquilibriumWatch::Finding::landing) {
       acceleration.restart();
+      stagnation = Stagnation();
       sinceLanding = 0;
       ++landings;
       isListening = false;
@@ -77,6 +120,7 @@ March::End March::iterate(int step, base::Matrix& state, double tolerance) {
     for (int row = 0; row < state.numRows(); ++row) state(row, 0) = relaxSafely(state(row, 0), image(row, 0));
   }
   state.assign(image);
+  std::copy_n(iterate->hattedTraction()[0], state.numRows(), tractions_[step]);
   if (observer_) observer_(step, iteration, *iterate);
   return end;
 }
@@ -102,7 +146,7 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
         std::copy_n(alpha[t], rows, state[0]);
       }
       fixedPoint_.select({t});
-      end = iterate(t, state, tolerance);
+      end = iterate(t, alpha, state, tolerance);
       fixedPoint_.startFromHere();
     }
     std::copy_n(state[0], rows, alpha[t]);

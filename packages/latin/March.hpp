@@ -12,7 +12,10 @@ namespace harmos::latin {
 /// What a step does then depends on nothing that is still moving, which is faster and far surer along paths with
 /// friction than to iterate all load steps at once. Each step iterates with Anderson acceleration until |T(alpha) -
 /// alpha| <= tolerance |f^| in the state metric, |f^| the largest of the steps so far. Bodies that fly freely are set
-/// down on what stops them (EquilibriumWatch), relaxed iterations help to find them. Displacement form only.
+/// down on what stops them (EquilibriumWatch), relaxed iterations help to find them. Where a step stagnates, the search
+/// direction k was too stiff for what its bodies do (sliding, hanging on soft springs): the march goes on with a tenth
+/// of it, at most `restarts` times, and never where all laws are affine, for then the acceleration is a Krylov method.
+/// Displacement form only.
 class March {
  public:
   /// How a march ended.
@@ -34,8 +37,11 @@ class March {
   /// Of the residual from one march to the next, when what has come of the first is not enough.
   static constexpr double tightening = 0.1;
 
+  /// Of the search direction, at a restart.
+  static constexpr double softer = 0.1;
+
   /// `fixedPoint` must outlive it. `memory` of the acceleration; loads that are not carried are those above `accuracy`.
-  March(FixedPoint& fixedPoint, int memory, double accuracy);
+  March(FixedPoint& fixedPoint, int memory, double accuracy, int restarts);
 
   /// Asked on every rank after every iteration.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
@@ -50,13 +56,20 @@ class March {
   const Imbalance& imbalance() const { return imbalance_; }
 
  private:
-  End iterate(int step, base::Matrix& state, double tolerance);
+  End iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance);
+  /// Size of f^ [force length, square root], at least that of the steps before; with the reactions of eliminated
+  /// boundaries when they are asked for, which takes longer.
+  double forceSize(const Iterate& iterate, bool withReactions) const;
+  /// Goes on with softer search directions: carries all columns of alpha and the state of the present step along.
+  void restart(const Iterate& iterate, base::Matrix& alpha, base::Matrix& state);
 
   FixedPoint& fixedPoint_;
   double accuracy_;
   std::function<bool()> mustStop_;
   std::function<void(int, int, const Iterate&)> observer_;
   std::vector<AndersonAcceleration> accelerations_;  // per load step
+  base::Matrix tractions_;                           // f^ of every load step that was visited
+  int restarts_;
   Imbalance imbalance_;
   double largestForce_ = 0.0;
 };

@@ -19,28 +19,34 @@ constexpr double cancellation = 1e-7;
 
 NaturalSizes::NaturalSizes(const Iterate& state) {
   const TraceLayout& layout = state.layout();
-  const std::vector<double>& area = layout.area();
-  const std::vector<double>& k = layout.stiffness();
   const auto steps = static_cast<std::size_t>(state.assembly().steps());
   std::vector<double> forces(steps, 0.0), springs(steps, 0.0), squaredSprings(steps, 0.0);
   std::vector<double> total(1, 0.0);
   double stress = 0.0, springStress = 0.0;
   // What the loads do to a body that only k holds grows as 1/k; with the automatic k it is a natural size.
   double displacement = state.largestDisplacement(std::min(1.0, state.searchDirectionScale()));
-  for (std::size_t t = 0; t < steps; ++t) {
-    const double* f = state.hattedTraction()[static_cast<int>(t)];
-    const double* w = state.trace()[static_cast<int>(t)];
-    for (std::size_t row = 0; row < area.size(); ++row) {
-      const double spring = k[row] / state.searchDirectionScale() * std::abs(w[row]);
-      forces[t] += area[row] * std::abs(f[row]);
-      springs[t] += area[row] * spring;
-      squaredSprings[t] += area[row] * spring * spring;
-      stress = std::max(stress, std::abs(f[row]));
-      springStress = std::max(springStress, spring);
-      displacement = std::max(displacement, std::abs(w[row]));
+  const auto add = [&](const base::Matrix& traction, const base::Matrix& trace, const std::vector<double>& area,
+                       const std::vector<double>& k) {
+    for (std::size_t t = 0; t < steps; ++t) {
+      const double* f = traction[static_cast<int>(t)];
+      const double* w = trace[static_cast<int>(t)];
+      for (std::size_t row = 0; row < area.size(); ++row) {
+        const double spring = k[row] / state.searchDirectionScale() * std::abs(w[row]);
+        forces[t] += area[row] * std::abs(f[row]);
+        springs[t] += area[row] * spring;
+        squaredSprings[t] += area[row] * spring * spring;
+        stress = std::max(stress, std::abs(f[row]));
+        springStress = std::max(springStress, spring);
+        displacement = std::max(displacement, std::abs(w[row]));
+      }
     }
+    for (const double a : area) total[0] += a;
+  };
+  add(state.hattedTraction(), state.trace(), layout.area(), layout.stiffness());
+  const BoundaryFields& boundaries = state.boundaryFields();
+  if (!boundaries.interfaces.empty()) {
+    add(boundaries.traction, boundaries.trace, boundaries.area, boundaries.stiffness);
   }
-  for (const double a : area) total[0] += a;
   for (auto* sums : {&forces, &springs, &squaredSprings, &total}) state.metric().sum(*sums);
 
   base::Vector3 lower, upper;

@@ -1,28 +1,26 @@
 #include <harmos/latin/PairFields.hpp>
 
-#include <harmos/latin/PrescribedForces.hpp>
-
 namespace harmos::latin {
 namespace {
 
 constexpr int width = 7;  // traction, jump, status
 
-/// Tractions are data here: asks the law, and takes the displacement from the body.
-void fillPrescribed(const Iterate& state, const assembly::Interface& interface, std::vector<double>& values) {
+/// No unknowns here: takes the displacement from the body.
+void fillBoundary(const Iterate& state, int interfaceIndex, std::vector<double>& values) {
+  const assembly::Interface& interface = state.assembly().interfaces[interfaceIndex];
   const auto pairs = static_cast<std::size_t>(interface.pairs());
   for (int t = 0; t < state.assembly().steps(); ++t) {
-    const std::vector<laws::LocalState> states = prescribedStates(interface, t);
+    const std::vector<base::Vector3> tractions = state.tractions(interfaceIndex, t);
     for (std::size_t p = 0; p < pairs; ++p) {
       double* value = values.data() + (static_cast<std::size_t>(t) * pairs + p) * width;
-      base::Vector3 f = states[p].traction;
-      if (interface.law->frame() == laws::Frame::global) f = base::toFrame(interface.frame[p], f);
+      const base::Vector3 f = base::toFrame(interface.frame[p], tractions[p]);
       const base::Vector3 u = state.displacement(interface.body1, interface.node1[p], t);
       const base::Vector3 w = base::toFrame(interface.frame[p], u);
       for (std::size_t c = 0; c < 3; ++c) {
         value[c] = f[c];
         value[3 + c] = -w[c];
       }
-      value[6] = static_cast<double>(states[p].status);
+      value[6] = static_cast<double>(laws::LocalState().status);
     }
   }
 }
@@ -64,8 +62,8 @@ PairFields pairFields(const Iterate& state, int interfaceIndex) {
   fields.steps = state.assembly().steps();
   const std::size_t count = interface.node1.size() * static_cast<std::size_t>(fields.steps);
   std::vector<double> values(count * width, 0.0);
-  if (interface.law->prescribesTraction()) {
-    if (state.layout().owns(interface.body1)) fillPrescribed(state, interface, values);
+  if (interface.law->prescribesTraction() || state.eliminated().contains(interfaceIndex)) {
+    if (state.layout().owns(interface.body1)) fillBoundary(state, interfaceIndex, values);
   } else {
     for (int side = 0; side < interface.sides(); ++side) fillSide(state, interfaceIndex, side, values);
   }

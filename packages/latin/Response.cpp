@@ -2,26 +2,7 @@
 
 #include <algorithm>
 
-#include <harmos/latin/PrescribedForces.hpp>
-
 namespace harmos::latin {
-namespace {
-
-/// f [stress] that acts on side 1 of an interface: of the linear stage, or the prescribed one.
-std::vector<base::Vector3> tractionsOf(const Iterate& state, int interfaceIndex, int t) {
-  const assembly::Interface& interface = state.assembly().interfaces[interfaceIndex];
-  const int begin = state.layout().begin(interfaceIndex, 0);
-  if (begin < 0) return prescribedTractions(interface, t);
-  const int dimension = state.layout().dimension();
-  std::vector<base::Vector3> tractions(interface.pairs());
-  for (int p = 0; p < interface.pairs(); ++p) {
-    std::copy_n(state.traction()[t] + begin + p * dimension, dimension, tractions[p].begin());
-  }
-  return tractions;
-}
-
-}  // namespace
-
 std::vector<double> DisplacementResponse::evaluate(const Iterate& state) const {
   std::vector<double> values(state.assembly().steps(), 0.0);
   for (const Node& node : nodes_) {
@@ -46,7 +27,7 @@ std::vector<double> ResultantResponse::evaluate(const Iterate& state) const {
       arms.push_back(centre_.empty() ? direction : cross(direction, nodes[interface.node1[p]] - centre_[0]));
     }
     for (int t = 0; t < state.assembly().steps(); ++t) {
-      const std::vector<base::Vector3> tractions = tractionsOf(state, i, t);
+      const std::vector<base::Vector3> tractions = state.tractions(i, t);
       for (int p = 0; p < interface.pairs(); ++p) values[t] += interface.area[p] * dot(tractions[p], arms[p]);
     }
   }

@@ -9,6 +9,17 @@
 namespace harmos::latin {
 namespace {
 
+/// The rows of `field`, and below them sqrt(area) times those of a field of eliminated boundaries.
+base::Matrix withBoundaries(const base::Matrix& field, const base::Matrix& ofBoundaries,
+                            const std::vector<double>& area) {
+  base::Matrix all(field.numRows() + ofBoundaries.numRows(), field.numCols());
+  for (int t = 0; t < field.numCols(); ++t) {
+    double* below = std::copy_n(field[t], field.numRows(), all[t]);
+    for (int row = 0; row < ofBoundaries.numRows(); ++row) below[row] = std::sqrt(area[row]) * ofBoundaries[t][row];
+  }
+  return all;
+}
+
 base::Matrix scaledTrace(const Iterate& state) {
   base::Matrix trace(state.trace());
   for (int t = 0; t < trace.numCols(); ++t) {
@@ -16,7 +27,7 @@ base::Matrix scaledTrace(const Iterate& state) {
       trace[t][row] *= std::sqrt(state.layout().area()[row]);
     }
   }
-  return trace;
+  return withBoundaries(trace, state.boundaryFields().trace, state.boundaryFields().area);
 }
 
 /// Largest over the columns of |a - b|, relative to the largest |a|, whose square counts as at least `floor`.
@@ -43,7 +54,8 @@ double fieldDistance(const base::Matrix& a, const base::Matrix& b, double floor,
 Snapshot::Snapshot(const Iterate& state, const std::vector<std::shared_ptr<const Response>>& responses)
     : metric_(&state.metric()),
       sizes_(state),
-      force_(nodalForces(state.layout(), state.hattedTraction())),
+      force_(withBoundaries(nodalForces(state.layout(), state.hattedTraction()), state.boundaryFields().traction,
+                            state.boundaryFields().area)),
       displacement_(scaledTrace(state)) {
   for (const auto& response : responses) {
     responses_.push_back(response->evaluate(state));

@@ -6,7 +6,7 @@
 
 namespace harmos::latin {
 
-StateMetric::StateMetric(const TraceLayout& layout, int copies) : layout_(layout) {
+StateMetric::StateMetric(const TraceLayout& layout, int copies) : layout_(&layout) {
   for (int copy = 0; copy < copies; ++copy) {
     for (std::size_t row = 0; row < layout.area().size(); ++row) {
       scale_.push_back(std::sqrt(layout.area()[row] / layout.stiffness()[row]));
@@ -15,9 +15,9 @@ StateMetric::StateMetric(const TraceLayout& layout, int copies) : layout_(layout
 }
 
 void StateMetric::sum(std::vector<double>& values) const {
-  if (layout_.comm().getSize() == 1) return;
+  if (layout_->comm().getSize() == 1) return;
   const std::vector<double> local = values;
-  Teuchos::reduceAll(layout_.comm(), Teuchos::REDUCE_SUM, static_cast<int>(local.size()), local.data(), values.data());
+  Teuchos::reduceAll(layout_->comm(), Teuchos::REDUCE_SUM, static_cast<int>(local.size()), local.data(), values.data());
 }
 
 std::vector<double> StateMetric::squaredNorms(const base::Matrix& a) const {

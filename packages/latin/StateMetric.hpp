@@ -28,7 +28,7 @@ class StateMetric {
   void sum(std::vector<double>& values) const;
 
  private:
-  const TraceLayout& layout_;
+  const TraceLayout* layout_;
   std::vector<double> scale_;
 };
 

@@ -6,7 +6,7 @@
 namespace harmos::latin {
 
 TraceLayout::TraceLayout(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-                         Teuchos::RCP<const Teuchos::Comm<int>> comm)
+                         const EliminatedBoundaries& eliminated, Teuchos::RCP<const Teuchos::Comm<int>> comm)
     : dimension_(assembly.dimension), comm_(std::move(comm)) {
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     owned_.push_back(assembly.ownerOf(static_cast<int>(b)) == comm_->getRank());
@@ -16,7 +16,7 @@ TraceLayout::TraceLayout(const assembly::Assembly& assembly, const assembly::Sea
     const assembly::Interface& interface = assembly.interfaces[i];
     const std::vector<double>& k = searchDirection.of(static_cast<int>(i));
     begin_.push_back({-1, -1});
-    if (interface.law->prescribesTraction()) continue;
+    if (interface.law->prescribesTraction() || eliminated.contains(static_cast<int>(i))) continue;
     for (int side = 0; side < interface.sides(); ++side) {
       if (!owns(interface.body(side))) continue;
       begin_.back()[side] = rows_;

@@ -7,14 +7,15 @@
 
 #include <harmos/assembly/Assembly.hpp>
 #include <harmos/assembly/SearchDirection.hpp>
+#include <harmos/latin/EliminatedBoundaries.hpp>
 
 namespace harmos::latin {
 
 /// Where the trace of each interface side stands in a field on this rank.
 ///
 /// A field is a base::Matrix with one row per component of every node of every owned interface side (global x, y, z;
-/// node by node) and one column per load step. Boundaries with a prescribed traction carry no unknowns and have no
-/// rows.
+/// node by node) and one column per load step. Boundaries with a prescribed traction and those that are eliminated
+/// carry no unknowns and have no rows.
 class TraceLayout {
  public:
   /// The block of rows of one interface side that this rank owns.
@@ -28,7 +29,7 @@ class TraceLayout {
 
   /// Not collective. Keeps the communicator and nothing else.
   TraceLayout(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-              Teuchos::RCP<const Teuchos::Comm<int>> comm);
+              const EliminatedBoundaries& eliminated, Teuchos::RCP<const Teuchos::Comm<int>> comm);
 
   /// Rows per pair: 2 or 3.
   int dimension() const { return dimension_; }

@@ -43,13 +43,16 @@ void ConfigurationIteration::updateOffset() {
   int here = 0;  // 1: other loads, 2: there are loads
   if (loads_.empty()) {
     loads_.resize(bodies);
+    held_.resize(bodies);
     here = 1;
   }
   for (std::size_t b = 0; b < bodies; ++b) {
     const base::Matrix& loads = operators.loads(static_cast<int>(b));
-    if (loads.normInf() > 0.0) here |= 2;
-    if (loads_[b] == loads) continue;
+    const base::Matrix& held = operators.held(static_cast<int>(b));
+    if (loads.normInf() > 0.0 || held.numCols() > 0) here |= 2;
+    if (loads_[b] == loads && held_[b] == held) continue;
     loads_[b] = loads;
+    held_[b] = held;
     here |= 1;
   }
   std::vector<int> mine{here & 1, here & 2}, all(2);

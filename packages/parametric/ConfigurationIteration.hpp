@@ -79,7 +79,7 @@ class ConfigurationIteration {
   base::Matrix columnBeta_, columnTraction_;  // beta and f^
   base::Matrix offset_;                       // image of alpha = 0
   const latin::Iterate* state_ = nullptr;     // of all load steps
-  std::vector<base::Matrix> loads_;           // of the bodies, for which the offset was computed
+  std::vector<base::Matrix> loads_, held_;    // of the bodies, for which the offset was computed
   bool isFirstMarch_ = true;
   double traction_ = 0.0;  // root mean square over the load steps of |f^|; when cold, over those so far
   double force_ = 0.0;     // what imbalances are measured by [force]; 0 before it is known

@@ -39,6 +39,16 @@ int statesThatFit(const latin::TraceLayout& layout, int steps) {
   return std::max(everywhere, 1);
 }
 
+/// Laws are replaced from one configuration to the next: springs of boundaries may change.
+latin::LatinOptions forReplacedLaws(latin::LatinOptions options) {
+  if (options.stages.elimination == latin::Elimination::affine) {
+    options.stages.elimination = latin::Elimination::rigid;
+  }
+  // States of other configurations are starts only while the search direction is theirs.
+  options.restarts = 0;
+  return options;
+}
+
 }  // namespace
 
 StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
@@ -47,8 +57,8 @@ StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
                          base::Timers& timers)
     : install_(std::move(install)),
       responses_(std::move(responses)),
-      options_(options),
-      solver_(assembly, options, std::move(comm), timers),
+      options_(forReplacedLaws(options)),
+      solver_(assembly, options_, std::move(comm), timers),
       fixedPoint_(solver_.fixedPoint()),
       iteration_(fixedPoint_, responses_, options.accuracy < demanding ? neighboursWhenDemanding : neighbours,
                  options.memory, timers),

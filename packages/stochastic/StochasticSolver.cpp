@@ -15,6 +15,12 @@ namespace {
 // Residuals below this share of the state are round-off.
 constexpr double noise = 1e-12;
 
+/// The columns of a modal assembly are no load steps, at which a boundary could be asked for its law.
+latin::StageOptions withoutElimination(latin::StageOptions options) {
+  options.elimination = latin::Elimination::none;
+  return options;
+}
+
 }  // namespace
 
 StochasticSolver::StochasticSolver(const assembly::Assembly& assembly, std::shared_ptr<const Projection> projection,
@@ -24,7 +30,7 @@ StochasticSolver::StochasticSolver(const assembly::Assembly& assembly, std::shar
       projection_(std::move(projection)),
       options_(options),
       modal_(modalAssembly(assembly, projection_)),
-      fixedPoint_(modal_, options.stages, comm, timers,
+      fixedPoint_(modal_, withoutElimination(options.stages), comm, timers,
                   [this](const assembly::SearchDirection& searchDirection, const latin::TraceLayout& layout) {
                     auto stage = std::make_unique<ChaosLocalStage>(modal_, searchDirection, layout, projection_);
                     local_ = stage.get();

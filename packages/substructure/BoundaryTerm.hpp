@@ -2,10 +2,15 @@
 
 #include <vector>
 
+#include <harmos/base/Tensor3.hpp>
+
 namespace harmos::substructure {
 
-/// The search directions that the interfaces add to a stiffness matrix, k h [force/length], symmetric and >= 0: k the
-/// search direction [stress/length], h the interface mass [area].
+/// What boundaries and interfaces make of a stiffness matrix K: A = P (K + k h + s) P + d (1 - P), symmetric.
+///
+/// k h [force/length]: search directions k [stress/length] times interface mass h [area], >= 0. s: springs to the
+/// ground [force/length], symmetric and >= 0. P: block-diagonal projector onto the directions that no boundary holds; A
+/// acts on the others by themselves, with d [force/length] > 0 of the size of K.
 struct BoundaryTerm {
   /// Adds `value` to the entry (row, column) of the diagonal block of every component c, that is to row dimension * row
   /// + c and column dimension * column + c of the matrix.
@@ -14,10 +19,17 @@ struct BoundaryTerm {
     int column;    ///< node of the body, from 0
     double value;  ///< [force/length]
   };
+  /// A matrix that belongs to one node, in global axes; of a body in the plane the first two rows and columns count.
+  struct NodeTensor {
+    int node;             ///< of the body, from 0
+    base::Tensor3 value;  ///< springs: [force/length]; projectors: [-]
+  };
 
-  int dimension = 3;               ///< dofs per node, 2 or 3
-  std::vector<double> diagonal;    ///< per dof [force/length]; empty: none
-  std::vector<NodeEntry> entries;  ///< consistent interface mass times k: both triangles, repeated entries add up
+  int dimension = 3;                ///< dofs per node, 2 or 3
+  std::vector<double> diagonal;     ///< k h per dof [force/length]; empty: none
+  std::vector<NodeEntry> entries;   ///< consistent interface mass times k: both triangles, repeated entries add up
+  std::vector<NodeTensor> springs;  ///< s, repeated nodes add up
+  std::vector<NodeTensor> free;     ///< P of the nodes at which it is not 1, each once
 };
 
 }  // namespace harmos::substructure

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -22,6 +23,14 @@ struct CrsView {
   const std::size_t* rowPointers = nullptr;  ///< rows + 1: where each row begins in the other two
   const int* columns = nullptr;              ///< from 0, ascending in each row
   const double* values = nullptr;            ///< in the unit of the matrix
+
+  /// Where an entry stands in `columns` and `values`, or rowPointers[rows] when it is not stored.
+  std::size_t positionOf(int row, int column) const {
+    const int* begin = columns + rowPointers[row];
+    const int* end = columns + rowPointers[row + 1];
+    const int* found = std::lower_bound(begin, end, column);
+    return found != end && *found == column ? static_cast<std::size_t>(found - columns) : rowPointers[rows];
+  }
 };
 
 /// Looks into a matrix, copying nothing. Throws base::Error unless the matrix is square, complete, on one process, its

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 #include <utility>
 
@@ -12,6 +11,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
+#include <harmos/substructure/detail/BoundedStiffness.hpp>
 #include <harmos/substructure/detail/TooLarge.hpp>
 
 namespace harmos::substructure {
@@ -21,81 +21,6 @@ namespace {
 constexpr double shift = 1e-8;
 // Residual of a random right-hand side, times the square root of the unknowns, above which a matrix is singular.
 constexpr double singularResidual = 1e-3;
-
-std::size_t positionOf(const CrsView& matrix, int row, int column) {
-  const int* begin = matrix.columns + matrix.rowPointers[row];
-  const int* end = matrix.columns + matrix.rowPointers[row + 1];
-  const int* found = std::lower_bound(begin, end, column);
-  return found != end && *found == column ? static_cast<std::size_t>(found - matrix.columns)
-                                          : matrix.rowPointers[matrix.rows];
-}
-
-/// Copy of the matrix with explicit zeros where the boundary term has entries that the matrix does not store.
-Teuchos::RCP<base::CrsMatrix> withEntries(const CrsView& matrix, const std::map<std::pair<int, int>, double>& missing) {
-  std::vector<std::size_t> pointers{0};
-  std::vector<int> columns;
-  std::vector<double> values;
-  auto next = missing.begin();
-  for (int row = 0; row < matrix.rows; ++row) {
-    std::size_t k = matrix.rowPointers[row];
-    const std::size_t end = matrix.rowPointers[row + 1];
-    while (k < end || (next != missing.end() && next->first.first == row)) {
-      const bool added =
-          next != missing.end() && next->first.first == row && (k == end || next->first.second < matrix.columns[k]);
-      columns.push_back(added ? next->first.second : matrix.columns[k]);
-      values.push_back(added ? 0.0 : matrix.values[k]);
-      if (added) {
-        ++next;
-      } else {
-        ++k;
-      }
-    }
-    pointers.push_back(columns.size());
-  }
-  return makeCrsMatrix(pointers, columns, values);
-}
-
-/// K + k h, sharing the structure of K where possible.
-Teuchos::RCP<base::CrsMatrix> sumOf(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary,
-                                    const std::string& part) {
-  const CrsView view = viewOf(stiffness, part);
-  const auto rows = static_cast<std::size_t>(view.rows);
-  if (!boundary.diagonal.empty() && boundary.diagonal.size() != rows) {
-    throw base::Error("The boundary term of part \"" + part + "\" has " + std::to_string(boundary.diagonal.size()) +
-                      " diagonal entries; its stiffness matrix has " + std::to_string(rows) + " rows.");
-  }
-  std::map<std::pair<int, int>, double> missing;
-  std::vector<std::pair<std::size_t, double>> added;
-  const auto add = [&](int row, int column, double value) {
-    if (row < 0 || column < 0 || row >= view.rows || column >= view.rows) {
-      throw base::Error("The boundary term of part \"" + part + "\" has an entry at row " + std::to_string(row) +
-                        ", column " + std::to_string(column) + "; its stiffness matrix has " + std::to_string(rows) +
-                        " rows.");
-    }
-    const std::size_t position = positionOf(view, row, column);
-    if (position == view.rowPointers[view.rows]) {
-      missing[{row, column}] += value;
-    } else {
-      added.emplace_back(position, value);
-    }
-  };
-  for (std::size_t row = 0; row < boundary.diagonal.size(); ++row) {
-    if (boundary.diagonal[row] != 0.0) add(static_cast<int>(row), static_cast<int>(row), boundary.diagonal[row]);
-  }
-  for (const BoundaryTerm::NodeEntry& entry : boundary.entries) {
-    for (int component = 0; component < boundary.dimension; ++component) {
-      add(entry.row * boundary.dimension + component, entry.column * boundary.dimension + component, entry.value);
-    }
-  }
-  if (!missing.empty()) return sumOf(*withEntries(view, missing), boundary, part);
-  using Values = base::CrsMatrix::local_matrix_device_type::values_type;
-  Values values(Kokkos::ViewAllocateWithoutInitializing("values"), view.rowPointers[view.rows]);
-  std::copy(view.values, view.values + values.extent(0), values.data());
-  for (const auto& [position, value] : added) values(position) += value;
-  auto sum = Teuchos::rcp(new base::CrsMatrix(stiffness.getCrsGraph(), values));
-  sum->fillComplete(stiffness.getDomainMap(), stiffness.getRangeMap());
-  return sum;
-}
 
 /// The matrix as a block of vectors, not copied. Amesos2 wants the right-hand side const but has no const view.
 base::MultiVector vectorsOf(const base::Matrix& matrix, const Teuchos::RCP<const base::MultiVector::map_type>& map) {
@@ -116,6 +41,7 @@ SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>
                                        const std::vector<int>& trace)
     : part_(std::move(partName)), dimension_(boundary.dimension), stiffness_(stiffness) {
   const Teuchos::RCP<base::CrsMatrix> sum = sumOf(*stiffness, boundary, part_);
+  project(*sum, boundary);
   const CrsView view = viewOf(*sum, part_);
   dofs_ = view.rows;
   checkDiagonal(view);
@@ -137,7 +63,7 @@ SubstructureSolver& SubstructureSolver::operator=(SubstructureSolver&&) noexcept
 
 void SubstructureSolver::checkDiagonal(const CrsView& matrix) const {
   for (int row = 0; row < matrix.rows; ++row) {
-    const std::size_t position = positionOf(matrix, row, row);
+    const std::size_t position = matrix.positionOf(row, row);
     const double value = position == matrix.rowPointers[matrix.rows] ? 0.0 : matrix.values[position];
     if (value > 0.0 && std::isfinite(value)) continue;
     throw base::Error("The operator of part \"" + part_ + "\" cannot be factored: its diagonal entry at " +
@@ -163,7 +89,7 @@ void SubstructureSolver::factor(const Teuchos::RCP<base::CrsMatrix>& sum) {
   // A singular matrix differs from an indefinite one in that a small shift makes it factorable.
   const CrsView view = viewOf(*sum, part_);
   const auto local = sum->getLocalMatrixHost();
-  for (int row = 0; row < dofs_; ++row) local.values(positionOf(view, row, row)) *= 1.0 + shift;
+  for (int row = 0; row < dofs_; ++row) local.values(view.positionOf(row, row)) *= 1.0 + shift;
   try {
     solver_->numericFactorization();
   } catch (const std::exception&) {

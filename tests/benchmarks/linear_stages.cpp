@@ -34,7 +34,7 @@ Record solve(const benchmarks::Study& study, const benchmarks::ConvergedSolution
     base::Matrix alpha(fixedPoint.layout().rows(), study.problem.assembly.steps());
     base::Matrix image(alpha);
     const int before = fixedPoint.linearStage().stages();
-    latin::March march(fixedPoint, study.options.memory, study.options.accuracy);
+    latin::March march(fixedPoint, study.options.memory, study.options.accuracy, study.options.restarts);
     march.run(alpha, tolerance, latin::March::Guess::extrapolation);
     record.stages.push_back(fixedPoint.linearStage().stages() - before);
     const latin::Iterate& iterate = fixedPoint.apply(alpha, image);

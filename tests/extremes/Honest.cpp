@@ -23,12 +23,18 @@ void report(const char* what, const SolvedRun& run) {
             << run.result().linearStages << " linear stages" << std::endl;
 }
 
+latin::LatinOptions optionsOf(const scene::Scene& scene, bool eliminates) {
+  latin::LatinOptions options(scene.input.list("Solver"));
+  if (!eliminates) options.stages.elimination = latin::Elimination::none;
+  return options;
+}
+
 }  // namespace
 
-SolvedRun::SolvedRun(const SceneInput& input)
+SolvedRun::SolvedRun(const SceneInput& input, bool eliminates)
     : scene_(input.scene()),
       problem_(make(scene_)),
-      solver_(problem_.assembly, latin::LatinOptions(scene_.input.list("Solver")), Tpetra::getDefaultComm(), timers_) {
+      solver_(problem_.assembly, optionsOf(scene_, eliminates), Tpetra::getDefaultComm(), timers_) {
   for (const auto& response : problem_.responses) solver_.addResponse(response);
   result_ = solver_.solve();
 }

@@ -13,7 +13,8 @@ namespace harmos::verification {
 /// A scene that was solved, kept with its solver so that two runs can be compared as a certificate means it.
 class SolvedRun {
  public:
-  explicit SolvedRun(const SceneInput& input);
+  /// Runs that are compared must both eliminate boundaries, or neither; the literature's iterations never do.
+  explicit SolvedRun(const SceneInput& input, bool eliminates = true);
   SolvedRun(const SolvedRun&) = delete;
   SolvedRun& operator=(const SolvedRun&) = delete;
 

@@ -44,11 +44,13 @@ class Anderson : public testing::Test {
   Anderson()
       : assembly_(twoChains(laws::makeLaw("Perfect"), clamp(), 3)),
         k_(assembly_, 1.0, *self()),
-        layout_(assembly_, k_, self()),
+        eliminated_(assembly_, k_, Elimination::none),
+        layout_(assembly_, k_, eliminated_, self()),
         metric_(layout_) {}
 
   assembly::Assembly assembly_;
   assembly::SearchDirection k_;
+  EliminatedBoundaries eliminated_;
   TraceLayout layout_;
   StateMetric metric_;
 };

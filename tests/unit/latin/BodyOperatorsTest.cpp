@@ -52,13 +52,15 @@ struct Operators {
   explicit Operators(const assembly::Assembly& given)
       : assembly(given),
         k(assembly, 1.0, *self()),
-        layout(assembly, k, self()),
-        bodies(assembly, k, layout, {}, timers) {
+        eliminated(assembly, k, Elimination::affine),
+        layout(assembly, k, eliminated, self()),
+        bodies(assembly, k, layout, eliminated, {}, timers) {
     bodies.select(allSteps(steps));
   }
   assembly::Assembly assembly;
   base::Timers timers;
   assembly::SearchDirection k;
+  EliminatedBoundaries eliminated;
   TraceLayout layout;
   BodyOperators bodies;
 };

@@ -21,8 +21,9 @@ struct Stage {
                  Formulation formulation = Formulation::displacement)
       : assembly(std::move(given)),
         k(assembly, 1.0, *self()),
-        layout(assembly, k, self()),
-        linear(assembly, k, layout, formulation, withMacroProblem, {}, timers),
+        eliminated(assembly, k, Elimination::none),
+        layout(assembly, k, eliminated, self()),
+        linear(assembly, k, layout, eliminated, formulation, withMacroProblem, {}, timers),
         alpha(layout.rows(), steps),
         beta(layout.rows(), steps) {
     linear.select(allSteps(steps));
@@ -64,6 +65,7 @@ struct Stage {
   assembly::Assembly assembly;
   base::Timers timers;
   assembly::SearchDirection k;
+  EliminatedBoundaries eliminated;
   TraceLayout layout;
   LinearStage linear;
   base::Matrix alpha, beta;

@@ -24,7 +24,8 @@ struct Stage {
                  Formulation formulation = Formulation::displacement)
       : cubes(twoCubes(std::move(law), laws::makeLaw("Symmetry"), steps)),
         k(prepared(), 1.0, *self()),
-        layout(cubes.assembly(), k, self()),
+        eliminated(cubes.assembly(), k, Elimination::none),
+        layout(cubes.assembly(), k, eliminated, self()),
         local(cubes.assembly(), k, layout, formulation),
         beta(layout.rows(), steps),
         traction(layout.rows(), steps) {
@@ -70,6 +71,7 @@ struct Stage {
 
   BoxAssembly cubes;
   assembly::SearchDirection k;
+  EliminatedBoundaries eliminated;
   TraceLayout layout;
   PointwiseLocalStage local;
   base::Matrix beta, traction;

@@ -79,7 +79,7 @@ void expectEqualForces(Problem& problem, const base::Matrix& alpha, const base::
 TEST(March, FindsWhatTheIterationOverAllStepsFinds) {
   Problem problem(draggedCubes());
   base::Matrix alpha = problem.zero();
-  March march(problem.fixedPoint, memory, accuracy);
+  March march(problem.fixedPoint, memory, accuracy, 0);
   EXPECT_EQ(march.run(alpha, tight, March::Guess::extrapolation), March::End::reached);
   expectEqualForces(problem, alpha, problem.converged());
   // The same displacement at the steps 2 and 8, but another history.
@@ -89,14 +89,14 @@ TEST(March, FindsWhatTheIterationOverAllStepsFinds) {
     size = std::max(size, std::abs(there[i]));
     difference = std::max(difference, std::abs(there[i] - again[i]));
   }
-  EXPECT_GT(difference, 0.1 * size);
+  EXPECT_GT(difference, 0.05 * size);
 }
 
 TEST(March, StaysWhereItIsRight) {
   Problem problem(draggedCubes());
   base::Matrix alpha = problem.converged();
   std::vector<int> visited, iterations;
-  March march(problem.fixedPoint, memory, accuracy);
+  March march(problem.fixedPoint, memory, accuracy, 0);
   march.setObserver([&](int step, int count, const Iterate&) {
     visited.push_back(step);
     iterations.push_back(count);
@@ -114,7 +114,7 @@ TEST(March, LeavesTheFixedPointAsItWas) {
   randomize(state);
   const std::vector<double> before = problem.forces(state, 5);
   base::Matrix alpha = problem.zero();
-  March(problem.fixedPoint, memory, accuracy).run(alpha, 1e-3, March::Guess::extrapolation);
+  March(problem.fixedPoint, memory, accuracy, 0).run(alpha, 1e-3, March::Guess::extrapolation);
   EXPECT_EQ(problem.forces(state, 5), before);
 }
 
@@ -122,7 +122,7 @@ TEST(March, StopsWhenAsked) {
   Problem problem(draggedCubes());
   base::Matrix alpha = problem.zero();
   int steps = 0;
-  March march(problem.fixedPoint, memory, accuracy);
+  March march(problem.fixedPoint, memory, accuracy, 0);
   march.setObserver([&](int, int, const Iterate&) { ++steps; });
   march.setStop([&] { return steps == 3; });
   EXPECT_EQ(march.run(alpha, tight, March::Guess::extrapolation), March::End::stopped);
@@ -138,7 +138,7 @@ TEST(March, FindsTheStepThatNothingCarries) {
   Problem problem(
       twoCubes(friction(0.3), laws::makeLaw("Prescribed Traction", {{"X", 1.0}, {"Z", -2.0}}, {{"X", pull}}), 5));
   base::Matrix alpha = problem.zero();
-  March march(problem.fixedPoint, memory, accuracy);
+  March march(problem.fixedPoint, memory, accuracy, 0);
   EXPECT_EQ(march.run(alpha, 1e-8, March::Guess::extrapolation), March::End::noEquilibrium);
   const Imbalance& found = march.imbalance();
   EXPECT_GE(found.step, 3);

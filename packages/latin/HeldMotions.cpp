@@ -1,0 +1,175 @@
+#include <harmos/latin/HeldMotions.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <harmos/latin/detail/SymmetricEigen.hpp>
+
+namespace harmos::latin {
+namespace {
+
+constexpr int motions = 6;
+// Of the search direction: the stiffness that counts for a direction that a boundary holds rigidly.
+constexpr double rigid = 1e6;
+// Share of the boundaries in the stiffness against a motion from which on they hold it.
+constexpr double holds = 0.5;
+// Of the largest stiffness: less is none.
+constexpr double none = 1e-12;
+
+/// Adds sum of s m m^T, with m the work of a unit force along `axis` at the arm r in the six motions.
+void addSpring(base::Matrix& stiffness, double spring, const base::Vector3& r, const base::Vector3& axis) {
+  const base::Vector3 moment = base::cross(r, axis);
+  const double worked[motions] = {axis[0], axis[1], axis[2], moment[0], moment[1], moment[2]};
+  for (int i = 0; i < motions; ++i) {
+    for (int j = 0; j < motions; ++j) stiffness(i, j) += spring * worked[i] * worked[j];
+  }
+}
+
+base::Vector3 unit(std::size_t component) {
+  base::Vector3 axis{};
+  axis[component] = 1.0;
+  return axis;
+}
+
+HeldMotions::Sixfold multiply(const base::Matrix& a, bool transposed, const HeldMotions::Sixfold& x) {
+  HeldMotions::Sixfold y{};
+  for (int i = 0; i < a.numRows(); ++i) {
+    for (int j = 0; j < a.numCols(); ++j) {
+      if (transposed) {
+        y[j] += a(i, j) * x[i];
+      } else {
+        y[i] += a(i, j) * x[j];
+      }
+    }
+  }
+  return y;
+}
+
+double dot(const HeldMotions::Sixfold& a, const HeldMotions::Sixfold& b) {
+  double sum = 0.0;
+  for (int i = 0; i < motions; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
+                         const EliminatedBoundaries& eliminated) {
+  for (const auto& one : assembly.bodies) {
+    Body body;
+    base::Vector3 lower = one.nodes.front(), upper = one.nodes.front();
+    for (const base::Vector3& x : one.nodes) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        lower[c] = std::min(lower[c], x[c]);
+        upper[c] = std::max(upper[c], x[c]);
+      }
+    }
+    body.centre = 0.5 * (lower + upper);
+    for (std::size_t c = 0; c < 3; ++c) body.extent = std::max(body.extent, upper[c] - lower[c]);
+    bodies_.push_back(std::move(body));
+  }
+  std::vector<base::Matrix> ofBoundaries(bodies_.size());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies_[b].stiffness.shape(motions, motions);
+    ofBoundaries[b].shape(motions, motions);
+    bodies_[b].isHeld = !eliminated.nodes(static_cast<int>(b)).empty();
+  }
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const assembly::Interface& interface = assembly.interfaces[i];
+    if (interface.law->prescribesTraction()) continue;
+    const bool isEliminated = eliminated.contains(static_cast<int>(i));
+    for (int side = 0; side < interface.sides(); ++side) {
+      const auto b = static_cast<std::size_t>(interface.body(side));
+      if (!bodies_[b].isHeld) continue;
+      for (int p = 0; p < interface.pairs(); ++p) {
+        const double k = interface.area[p] * searchDirection.of(static_cast<int>(i))[p];
+        const base::Vector3 r = assembly.bodies[b].nodes[interface.nodes(side)[p]] - bodies_[b].centre;
+        for (std::size_t c = 0; c < 3 && !isEliminated; ++c) addSpring(bodies_[b].stiffness, k, r, unit(c));
+        if (!isEliminated) continue;
+        const EliminatedBoundaries::Node& node =
+            eliminated.nodes(static_cast<int>(b))[eliminated.nodeOf(static_cast<int>(i), p)];
+        // Springs and rigid directions of a node that several boundaries touch count once each, which is enough here.
+        base::Matrix spring(3, 3);
+        for (int row = 0; row < 3; ++row) {
+          for (int column = 0; column < 3; ++column) {
+            const double held = (row == column ? 1.0 : 0.0) - node.free[row][column];
+            spring(row, column) = node.springs[row][column] + rigid * k * held;
+          }
+        }
+        const std::vector<double> values = symmetricEigen(spring);
+        for (int j = 0; j < 3; ++j) {
+          addSpring(ofBoundaries[b], std::max(0.0, values[j]), r, {spring(0, j), spring(1, j), spring(2, j)});
+        }
+      }
+    }
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    Body& body = bodies_[b];
+    if (!body.isHeld) continue;
+    // Rotations in the size of the body, so that all six are forces alike.
+    const auto scale = [&](base::Matrix& a) {
+      for (int i = 0; i < motions; ++i) {
+        for (int j = 0; j < motions; ++j) a(i, j) /= (i < 3 ? 1.0 : body.extent) * (j < 3 ? 1.0 : body.extent);
+      }
+    };
+    scale(body.stiffness);
+    scale(ofBoundaries[b]);
+    base::Matrix whole(body.stiffness);
+    whole += ofBoundaries[b];
+    base::Matrix root(whole);
+    std::vector<double> values = symmetricEigen(root);
+    for (double& value : values) value = std::max(value, none * values.back());
+    // With W = whole^(-1/2): the eigenvalues of W ofBoundaries W are the shares of the boundaries.
+    for (int j = 0; j < motions; ++j) {
+      for (int i = 0; i < motions; ++i) root(i, j) /= std::sqrt(values[j]);
+    }
+    base::Matrix product(motions, motions), shares(motions, motions);
+    product.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, ofBoundaries[b], root, 0.0);
+    shares.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, root, product, 0.0);
+    const std::vector<double> share = symmetricEigen(shares);
+    const int free = static_cast<int>(std::count_if(share.begin(), share.end(), [](double x) { return x < holds; }));
+    base::Matrix modes(motions, motions);
+    modes.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, root, shares, 0.0);
+    body.isHeld = free < motions;
+    body.stiffness = whole;
+    body.free.shape(motions, motions);  // columns of held motions stay zero
+    for (int j = 0; j < free; ++j) {
+      for (int i = 0; i < motions; ++i) body.free(i, j) = modes(i, j);
+    }
+  }
+}
+
+HeldMotions::Sixfold HeldMotions::freePart(int body, const Sixfold& resultant) const {
+  const Body& one = bodies_[body];
+  if (!one.isHeld) return resultant;
+  Sixfold scaled = resultant;
+  for (int i = 3; i < motions; ++i) scaled[i] /= one.extent;
+  Sixfold part = multiply(one.stiffness, false, multiply(one.free, false, multiply(one.free, true, scaled)));
+  for (int i = 3; i < motions; ++i) part[i] *= one.extent;
+  return part;
+}
+
+HeldMotions::Sixfold HeldMotions::freeMotion(int body, const Sixfold& motion) const {
+  const Body& one = bodies_[body];
+  if (!one.isHeld) return motion;
+  Sixfold scaled = motion;
+  for (int i = 3; i < motions; ++i) scaled[i] *= one.extent;
+  Sixfold part = multiply(one.free, false, multiply(one.free, true, multiply(one.stiffness, false, scaled)));
+  for (int i = 3; i < motions; ++i) part[i] /= one.extent;
+  return part;
+}
+
+double HeldMotions::heldShare(int body, const Sixfold& motion) const {
+  const Body& one = bodies_[body];
+  if (!one.isHeld) return 0.0;
+  Sixfold v = motion, held = freeMotion(body, motion);
+  for (int i = 0; i < motions; ++i) held[i] = v[i] - held[i];
+  for (int i = 3; i < motions; ++i) {
+    v[i] *= one.extent;
+    held[i] *= one.extent;
+  }
+  const double size = dot(v, v);
+  return size > 0.0 ? std::sqrt(dot(held, held) / size) : 0.0;
+}
+
+}  // namespace harmos::latin

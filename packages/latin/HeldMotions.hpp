@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/latin/EliminatedBoundaries.hpp>
+
+namespace harmos::latin {
+
+/// Which rigid motions of each body its eliminated boundaries hold.
+///
+/// A motion is a translation and a rotation about the body's centre, a resultant a force and a moment about it, six
+/// numbers each. With G the stiffness of search directions (sum of h k) and of boundaries against motions, held motions
+/// are those in which the boundaries make up more than half of G; the others, V with V^T G V = 1, are free.
+class HeldMotions {
+ public:
+  /// Three components of translation [length] or force, three of rotation or moment.
+  using Sixfold = std::array<double, 6>;
+
+  /// Not collective; the same on every rank.
+  HeldMotions(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
+              const EliminatedBoundaries& eliminated);
+
+  /// Centre of a body's nodes' extent [length].
+  const base::Vector3& centre(int body) const { return bodies_[body].centre; }
+  /// Largest extent of a body [length].
+  double extent(int body) const { return bodies_[body].extent; }
+  /// What of a resultant works in the free motions: G V V^T r.
+  Sixfold freePart(int body, const Sixfold& resultant) const;
+  /// The free part of a motion: V V^T G v.
+  Sixfold freeMotion(int body, const Sixfold& motion) const;
+  /// Share of a motion that is held, |v - V V^T G v| / |v|, rotations in units of the extent.
+  double heldShare(int body, const Sixfold& motion) const;
+
+ private:
+  struct Body {
+    base::Vector3 centre{};
+    double extent = 0.0;
+    bool isHeld = false;     // any motion is
+    base::Matrix stiffness;  // G
+    base::Matrix free;       // V
+  };
+  std::vector<Body> bodies_;
+};
+
+}  // namespace harmos::latin

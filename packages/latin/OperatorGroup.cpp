@@ -1,0 +1,246 @@
+#include <harmos/latin/detail/OperatorGroup.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace harmos::latin {
+namespace {
+
+// Relative difference of the entries of two operators that is round-off.
+constexpr double roundOff = 1e-10;
+
+/// The degrees of freedom, ascending, of the nodes at which a boundary term has search directions.
+std::vector<int> traceOf(const substructure::BoundaryTerm& term) {
+  std::set<int> nodes;
+  for (std::size_t dof = 0; dof < term.diagonal.size(); ++dof) {
+    if (term.diagonal[dof] != 0.0) nodes.insert(static_cast<int>(dof) / term.dimension);
+  }
+  for (const substructure::BoundaryTerm::NodeEntry& entry : term.entries) nodes.insert(entry.row);
+  std::vector<int> dofs;
+  for (const int node : nodes) {
+    for (int c = 0; c < term.dimension; ++c) dofs.push_back(node * term.dimension + c);
+  }
+  return dofs;
+}
+
+bool areEqual(const std::vector<substructure::BoundaryTerm::NodeTensor>& a,
+              const std::vector<substructure::BoundaryTerm::NodeTensor>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double size = base::distance(a[i].value, {});
+    if (a[i].node != b[i].node || base::distance(a[i].value, b[i].value) > roundOff * size) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+OperatorGroup::OperatorGroup(const Teuchos::RCP<const base::CrsMatrix>& stiffness, substructure::BoundaryTerm term,
+                             const substructure::SolverOptions& options, const std::string& name)
+    : stiffness_(stiffness),
+      term_(std::move(term)),
+      trace_(traceOf(term_)),
+      solver_(stiffness_, term_, options, name, trace_) {
+  if (!solver_.solvesTrace()) trace_.clear();
+  for (const substructure::BoundaryTerm::NodeTensor& held : term_.free) {
+    for (int c = 0; c < term_.dimension; ++c) heldDofs_.push_back(held.node * term_.dimension + c);
+  }
+}
+
+bool OperatorGroup::has(const substructure::BoundaryTerm& term) const {
+  if (term_.entries.size() != term.entries.size()) return false;
+  for (std::size_t i = 0; i < term.entries.size(); ++i) {
+    const auto &a = term_.entries[i], &b = term.entries[i];
+    if (a.row != b.row || a.column != b.column || std::abs(a.value - b.value) > roundOff * std::abs(a.value)) {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < term.diagonal.size(); ++i) {
+    if (std::abs(term_.diagonal[i] - term.diagonal[i]) > roundOff * term_.diagonal[i]) return false;
+  }
+  return areEqual(term_.springs, term.springs) && areEqual(term_.free, term.free);
+}
+
+int OperatorGroup::rowOf(int dof) const {
+  if (!isTrace()) return dof;
+  return static_cast<int>(std::lower_bound(trace_.begin(), trace_.end(), dof) - trace_.begin());
+}
+
+int OperatorGroup::heldPlace(int node) const {
+  const auto at = std::lower_bound(term_.free.begin(), term_.free.end(), node,
+                                   [](const auto& held, int wanted) { return held.node < wanted; });
+  return at != term_.free.end() && at->node == node ? static_cast<int>(at - term_.free.begin()) : -1;
+}
+
+void OperatorGroup::project(base::Matrix& vectors, bool onTrace) const {
+  for (const substructure::BoundaryTerm::NodeTensor& held : term_.free) {
+    int row = held.node * term_.dimension;
+    if (onTrace && isTrace()) {
+      const auto at = std::lower_bound(trace_.begin(), trace_.end(), row);
+      if (at == trace_.end() || *at != row) continue;
+      row = static_cast<int>(at - trace_.begin());
+    }
+    for (int j = 0; j < vectors.numCols(); ++j) {
+      base::Vector3 old{};
+      std::copy_n(vectors[j] + row, term_.dimension, old.begin());
+      const base::Vector3 now = base::product(held.value, old);
+      std::copy_n(now.begin(), term_.dimension, vectors[j] + row);
+    }
+  }
+}
+
+void OperatorGroup::multiply(const double* u, const std::vector<int>& rows, double* result) const {
+  const substructure::CrsView view = substructure::viewOf(*stiffness_, "operator");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const int row = rows[i];
+    double sum = term_.diagonal.empty() ? 0.0 : term_.diagonal[row] * u[row];
+    for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
+      sum += view.values[k] * u[view.columns[k]];
+    }
+    result[i] = sum;
+  }
+  for (const substructure::BoundaryTerm::NodeTensor& spring : term_.springs) {
+    const int first = spring.node * term_.dimension;
+    const auto at = std::lower_bound(rows.begin(), rows.end(), first);
+    if (at == rows.end() || *at != first) continue;
+    base::Vector3 w{};
+    std::copy_n(u + first, term_.dimension, w.begin());
+    const base::Vector3 force = base::product(spring.value, w);
+    for (int c = 0; c < term_.dimension; ++c) result[at - rows.begin() + c] += force[c];
+  }
+}
+
+void OperatorGroup::setLoads(const base::Matrix& loads, const base::Matrix& held) {
+  loads_ = loads;
+  held_ = held;
+  const int columns = loads.numCols();
+  if (!heldDofs_.empty()) {
+    heldLoads_.shape(static_cast<int>(heldDofs_.size()), columns);
+    for (int j = 0; j < columns; ++j) {
+      for (std::size_t i = 0; i < heldDofs_.size(); ++i) heldLoads_[j][i] = loads[j][heldDofs_[i]];
+    }
+  }
+  const bool isHeldAway = held_.numCols() > 0;
+  if (isHeldAway) {
+    std::vector<int> all(dofs());
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<double> product(all.size());
+    for (int j = 0; j < columns; ++j) {
+      multiply(held_[j], all, product.data());
+      for (std::size_t i = 0; i < all.size(); ++i) loads_[j][i] -= product[i];
+    }
+  }
+  project(loads_, false);
+  if (!isTrace()) return;
+  loaded_.shape(dofs(), columns);
+  if (loads_.normInf() > 0.0) solver_.solve(loads_, loaded_);
+  if (isHeldAway) loaded_ += held_;
+}
+
+void OperatorGroup::select(std::vector<int> loadColumns) {
+  loadColumns_ = std::move(loadColumns);
+  const int columns = static_cast<int>(loadColumns_.size());
+  forces_.shape(rows(), columns);
+  solution_.shape(rows(), columns);
+}
+
+void OperatorGroup::solve(const std::vector<int>& columns, substructure::Precision precision) {
+  const int count = static_cast<int>(columns.size());
+  const bool isAll = count == forces_.numCols();
+  hasWhole_ = false;
+  hasReactions_ = false;
+  base::Matrix right(rows(), count), part;
+  for (int j = 0; j < count; ++j) std::copy_n(forces_[columns[j]], rows(), right[j]);
+  project(right, true);
+  for (int j = 0; j < count && !isTrace(); ++j) {
+    const double* loads = loads_[loadColumns_[columns[j]]];
+    for (int row = 0; row < rows(); ++row) right[j][row] += loads[row];
+  }
+  base::Matrix& solution = isAll ? solution_ : part;
+  if (!isAll) part.shape(rows(), count);
+  if (isTrace()) {
+    solver_.solveTrace(right, solution, precision);
+  } else {
+    solver_.solve(right, solution);
+  }
+  for (int j = 0; j < count; ++j) {
+    double* to = solution_[columns[j]];
+    if (!isAll) std::copy_n(part[j], rows(), to);
+    const int load = loadColumns_[columns[j]];
+    if (isTrace()) {
+      for (int row = 0; row < rows(); ++row) to[row] += loaded_[load][trace_[row]];
+    } else if (held_.numCols() > 0) {
+      for (int row = 0; row < rows(); ++row) to[row] += held_[load][row];
+    }
+  }
+}
+
+const base::Matrix& OperatorGroup::wholeSolution() const {
+  if (!isTrace()) return solution_;
+  if (hasWhole_) return whole_;
+  base::Matrix right(dofs(), forces_.numCols());
+  for (int j = 0; j < right.numCols(); ++j) {
+    for (std::size_t row = 0; row < trace_.size(); ++row) right[j][trace_[row]] = forces_[j][row];
+  }
+  project(right, false);
+  for (int j = 0; j < right.numCols(); ++j) {
+    const double* loads = loads_[loadColumns_[j]];
+    for (int row = 0; row < dofs(); ++row) right[j][row] += loads[row];
+  }
+  solver_.solve(right, whole_);
+  for (int j = 0; j < right.numCols() && held_.numCols() > 0; ++j) {
+    for (int row = 0; row < dofs(); ++row) whole_[j][row] += held_[loadColumns_[j]][row];
+  }
+  hasWhole_ = true;
+  return whole_;
+}
+
+const double* OperatorGroup::displacement(int dof, int column) const {
+  const auto row = std::lower_bound(trace_.begin(), trace_.end(), dof);
+  const bool isOnTrace = row != trace_.end() && *row == dof;
+  return isOnTrace ? solution_[column] + (row - trace_.begin()) : wholeSolution()[column] + dof;
+}
+
+void OperatorGroup::solveLinearly(base::Matrix& forces, base::Matrix& solution) const {
+  project(forces, false);
+  solver_.solve(forces, solution);
+}
+
+double OperatorGroup::largestDisplacement(double share) const {
+  const auto largestOf = [](const base::Matrix& matrix) {
+    double largest = 0.0;
+    for (int j = 0; j < matrix.numCols(); ++j) {
+      for (int row = 0; row < matrix.numRows(); ++row) largest = std::max(largest, std::abs(matrix(row, j)));
+    }
+    return largest;
+  };
+  return isTrace() ? std::max(largestOf(solution_), share * largestOf(loaded_)) : largestOf(solution_);
+}
+
+const base::Matrix& OperatorGroup::reactions() const {
+  if (hasReactions_) return reactions_;
+  const base::Matrix& whole = wholeSolution();
+  reactions_.shape(static_cast<int>(heldDofs_.size()), whole.numCols());
+  for (int j = 0; j < whole.numCols(); ++j) {
+    multiply(whole[j], heldDofs_, reactions_[j]);
+    for (std::size_t i = 0; i < heldDofs_.size(); ++i) reactions_[j][i] -= heldLoads_[loadColumns_[j]][i];
+    for (std::size_t i = 0; i < heldDofs_.size(); ++i) {
+      const int row = rowOf(heldDofs_[i]);
+      const bool isLoaded = !isTrace() || (row < rows() && trace_[row] == heldDofs_[i]);
+      if (isLoaded) reactions_[j][i] -= forces_[j][row];
+    }
+  }
+  hasReactions_ = true;
+  return reactions_;
+}
+
+base::Vector3 OperatorGroup::reaction(int place, int column) const {
+  base::Vector3 residual{};
+  std::copy_n(reactions()[column] + place * term_.dimension, term_.dimension, residual.begin());
+  return residual - base::product(term_.free[place].value, residual);
+}
+
+}  // namespace harmos::latin

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/substructure/BoundaryTerm.hpp>
+#include <harmos/substructure/SubstructureSolver.hpp>
+
+namespace harmos::latin {
+
+/// One factored operator S = P A P + d (1 - P), A = K + k h + s, and the fields of the bodies that share it, all in the
+/// numbering and the axes of the first of them.
+///
+/// Vectors are columns: of loads and of held displacements one per body and load step, of the others one per body and
+/// column selected; those of a body lie together. With P f = 0 in the held directions, in which u = g is given,
+///   S u' = P (f + l - A g),  u = u' + g,  reaction = (1 - P) (A u - f - l).
+class OperatorGroup {
+ public:
+  /// Factors; `stiffness` K is shared, `name` for messages. Throws as SubstructureSolver.
+  OperatorGroup(const Teuchos::RCP<const base::CrsMatrix>& stiffness, substructure::BoundaryTerm term,
+                const substructure::SolverOptions& options, const std::string& name);
+  /// Whether a body of the same stiffness has this operator, up to round-off.
+  bool has(const substructure::BoundaryTerm& term) const;
+
+  /// Sets l [force] and g [length] (0 x 0: none), dofs x (bodies * steps).
+  void setLoads(const base::Matrix& loads, const base::Matrix& held);
+  /// P (l - A g).
+  const base::Matrix& loads() const { return loads_; }
+  /// Makes room for so many columns in all, and says which column of loads() each takes.
+  void select(std::vector<int> loadColumns);
+
+  /// Rows of forces(): dofs, or those of the trace.
+  int rows() const { return isTrace() ? static_cast<int>(trace_.size()) : dofs(); }
+  /// All rows of the operator.
+  int dofs() const { return solver_.dofs(); }
+  /// Where the first component of a node stands in forces() and solution().
+  int rowOf(int dof) const;
+  /// f [force], to be filled for the columns that are solved next.
+  base::Matrix& forces() { return forces_; }
+  /// Solves these columns, by single ones when they are not all.
+  void solve(const std::vector<int>& columns, substructure::Precision precision);
+  /// Rows of forces() of the last solve [length].
+  const base::Matrix& solution() const { return solution_; }
+  /// All dofs of it.
+  const base::Matrix& wholeSolution() const;
+  /// u [length] of a dof.
+  const double* displacement(int dof, int column) const;
+  /// S^-1 P f for any f, dofs x columns: without loads and held displacements.
+  void solveLinearly(base::Matrix& forces, base::Matrix& solution) const;
+  /// Largest component of the solution, and `share` of what the loads do where only the trace is solved.
+  double largestDisplacement(double share) const;
+
+  /// Place of a node among those that are held, or -1.
+  int heldPlace(int node) const;
+  /// Reaction [force] of a held node, of the last solve.
+  base::Vector3 reaction(int place, int column) const;
+
+ private:
+  bool isTrace() const { return !trace_.empty(); }
+  void project(base::Matrix& vectors, bool onTrace) const;
+  void multiply(const double* u, const std::vector<int>& rows, double* result) const;
+  const base::Matrix& reactions() const;
+
+  Teuchos::RCP<const base::CrsMatrix> stiffness_;
+  substructure::BoundaryTerm term_;
+  std::vector<int> trace_;  // dofs that interfaces load, ascending, when only these are solved; empty: all are
+  substructure::SubstructureSolver solver_;
+  std::vector<int> heldDofs_;
+  base::Matrix loads_;
+  base::Matrix held_;       // g; 0 x 0: none
+  base::Matrix loaded_;     // with a trace: S^-1 loads + g
+  base::Matrix heldLoads_;  // l on held nodes
+  std::vector<int> loadColumns_;
+  base::Matrix forces_;
+  base::Matrix solution_;
+  mutable base::Matrix whole_;  // with a trace: all dofs, computed when asked for
+  mutable bool hasWhole_ = false;
+  mutable base::Matrix reactions_;  // computed when asked for
+  mutable bool hasReactions_ = false;
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,40 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <harmos/laws/AffineComponent.hpp>
+
+#include "MakeLaw.hpp"
+
+namespace harmos::laws {
+namespace {
+
+// Lines much stiffer and much softer than the laws.
+constexpr double compliances[] = {1e-12, 1e-5, 1.0, 1e5};
+
+TEST(AffineComponent, OfSpringsIsExactOnAnyLine) {
+  const auto law = makeLaw("Elastic Foundation", {{"Normal Stiffness", 3e7}, {"Tangential Stiffness", 2e-3}});
+  for (const double compliance : compliances) {
+    const auto components = affineComponents(*law, 0, compliance);
+    EXPECT_NEAR(components[0].stiffness, 3e7, 1e-12 * 3e7) << compliance;
+    EXPECT_NEAR(components[1].stiffness, 2e-3, (compliance < 1e-6 ? 1e-3 : 1e-9) * 2e-3) << compliance;
+    EXPECT_EQ(components[0].offset, 0.0);
+  }
+}
+
+// A way that is huge beside the compliance of the line hides neither that the law is rigid nor its own digits.
+TEST(AffineComponent, OfAPrescribedDisplacementIsRigidHoweverFarItIs) {
+  for (const double way : {0.0, 1e-9, 1.0, 5e3, -1e8}) {
+    const auto law = makeLaw("Prescribed Displacement", {{"X", way}});
+    for (const double compliance : compliances) {
+      const auto components = affineComponents(*law, 0, compliance);
+      EXPECT_TRUE(std::isinf(components[0].stiffness)) << way << " " << compliance;
+      EXPECT_NEAR(components[0].offset, -way, 1e-14 * std::abs(way));
+      EXPECT_EQ(components[1].stiffness, 0.0);
+      EXPECT_EQ(components[1].offset, 0.0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace harmos::laws
