@@ -3,20 +3,35 @@
 #include <algorithm>
 #include <cmath>
 
+#include <harmos/latin/CausalCorrection.hpp>
 #include <harmos/latin/detail/SafeRelaxation.hpp>
 
 namespace harmos::latin {
 namespace {
 
-constexpr int leastVectors = 40;  // that must be affordable
+// Of the largest residual of a load step, of the first correction and of later ones; what must have been reached is
+// twice that.
+constexpr double firstTarget = 0.1;
+constexpr double laterTarget = 0.3;
+constexpr double causalLimit = 2.0;
+constexpr int maximumStages = 40;
+constexpr int leastStages = 1;  // that must be affordable, with those that follow
+// Linear stages of causal corrections that stagnated, before others take their place.
+constexpr int stagesToWaste = 20;
+// Of a run so far, from which on a march to a smaller residual is dearer than Newton corrections.
+constexpr int stagesOfASlowMarch = 80;
+
+// Of Newton corrections.
+constexpr int leastVectors = 40;
 constexpr int maximumVectors = 150;
 constexpr double krylovTarget = 0.1;
 constexpr double krylovLimit = 0.15;
-constexpr double hiddenLimit = 1.0;  // NewtonCorrection::Result::hidden
 // Of corrections that start close to the fixed point: what is left is in modes that hardly show in the residual.
 constexpr double closeTarget = 0.02;
 constexpr int smoothingIterations = 4;
-constexpr int maximumCorrections = 5;
+
+constexpr int maximumCorrections = 8;
+constexpr double hiddenLimit = 1.0;  // CausalCorrection::Result::hidden
 // Corrections below this share of the accuracy may be round-off, which does not contract.
 constexpr double settledShare = 0.1;
 // Slower contraction, or none, is that of round-off.
@@ -75,54 +90,127 @@ double fieldGap(const Iterate& state) {
   return std::max(force, displacement);
 }
 
+Certificate::Certificate(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses,
+                         double accuracy)
+    : fixedPoint_(fixedPoint),
+      responses_(responses),
+      accuracy_(accuracy),
+      stagesBefore_(fixedPoint.linearStage().stages()),
+      newton_(fixedPoint) {
+  if (fixedPoint.formulation() == Formulation::displacement) causal_ = std::make_unique<CausalCorrection>(fixedPoint);
+}
+
+Certificate::~Certificate() = default;
+
+Certificate::Correction Certificate::correct(const Iterate& iterate, const base::Matrix& alpha,
+                                             const base::Matrix& image, int count, double previous, int stages) {
+  Correction result;
+  result.state = alpha;
+  if (causal_) {
+    const double target = count == 0 ? firstTarget : laterTarget;
+    const int before = fixedPoint_.linearStage().stages();
+    const CausalCorrection::Result step =
+        causal_->correct(iterate, result.state, target, std::min(stages, maximumStages));
+    result.reduction = step.reduction;
+    result.reduced = step.reduction <= causalLimit * target;
+    result.hidden = step.hidden;
+    if (!result.reduced) {
+      wasted_ += fixedPoint_.linearStage().stages() - before;
+      if (!(step.reduction < 1.0)) result.state = alpha;
+    }
+    return result;
+  }
+  const bool isClose = count > 0 && previous <= settledShare * accuracy_;
+  const NewtonCorrection::Result step =
+      newton_.solve(iterate, alpha, image, isClose ? closeTarget : krylovTarget, std::min(stages, maximumVectors));
+  result.reduction = step.reduction;
+  result.reduced = step.reduction <= krylovLimit;
+  result.hidden = step.hidden;
+  if (result.reduced) result.state += step.step;
+  return result;
+}
+
+const Iterate& Certificate::smooth(base::Matrix& state, base::Matrix& image) {
+  const Iterate* iterate = nullptr;
+  for (int i = 0; i < smoothingIterations; ++i) {
+    for (int t = 0; t < state.numCols(); ++t) {
+      for (int row = 0; row < state.numRows(); ++row) state[t][row] = relaxSafely(state[t][row], image[t][row]);
+    }
+    iterate = &fixedPoint_.apply(state, image);
+  }
+  return *iterate;
+}
+
+bool Certificate::giveUpCausalCorrections() {
+  if (!causal_) return false;
+  const bool isSlow = fixedPoint_.linearStage().stages() - stagesBefore_ > stagesOfASlowMarch;
+  if (isSlow || wasted_ > stagesToWaste) causal_.reset();
+  return !causal_;
+}
+
 Certificate::Result Certificate::attempt(const Iterate& first, const base::Matrix& alpha, const base::Matrix& image,
                                          int stageLimit) {
+  Result result = attemptOnce(first, alpha, image, stageLimit);
+  if (result.claimed || !result.stagnated || !giveUpCausalCorrections()) return result;
+  const base::Matrix state(result.state);
+  base::Matrix next(state.numRows(), state.numCols());
+  const Iterate& iterate = fixedPoint_.apply(state, next);
+  return attemptOnce(iterate, state, next, stageLimit);
+}
+
+Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::Matrix& alpha, const base::Matrix& image,
+                                             int stageLimit) {
   Result result;
   result.state = alpha;
   base::Matrix state(alpha);
   base::Matrix next(image);
   const Iterate* iterate = &first;
   auto before = std::make_unique<Snapshot>(*iterate, responses_);
-  double previous = 0.0;
-  for (int correction = 0; correction < maximumCorrections; ++correction) {
+  double previous = 0.0, hidden = 0.0;
+  for (int count = 0; count < maximumCorrections; ++count) {
     const double gap = fieldGap(*iterate);
-    const int vectors =
-        std::min(maximumVectors, stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2);
-    if (vectors < leastVectors) return result;
-    const bool isClose = correction > 0 && previous <= settledShare * accuracy_;
-    const NewtonCorrection::Result step =
-        newton_.solve(*iterate, state, next, isClose ? closeTarget : krylovTarget, vectors);
-    if (step.reduction > krylovLimit) return result;
-    base::Matrix corrected(state);
-    corrected += step.step;
-    iterate = &fixedPoint_.apply(corrected, next);
+    const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
+    if (stages < (causal_ ? leastStages : leastVectors)) return result;
+    const Correction step = correct(*iterate, state, next, count, previous, stages);
+    if (!step.reduced) {
+      result.state = step.state;
+      result.conclusive = false;
+      result.stagnated = true;
+      return result;
+    }
+    iterate = &fixedPoint_.apply(step.state, next);
     auto after = std::make_unique<Snapshot>(*iterate, responses_);
     std::vector<double> errors = after->distance(*before);
     const double error = largest(errors);
-    if (correction > 0) {
+    if (count > 0) {
       result.contraction = error == 0.0 ? 0.0 : error / previous;
-      if (result.contraction > 1.0 && error > settledShare * accuracy_) return result;
-      for (double& e : errors) e /= 1.0 - std::min(result.contraction, steadyContraction);
-      result.conclusive = true;
-      result.estimates = errors;
+      const bool grew = result.contraction > 1.0 && error > settledShare * accuracy_;
+      if (grew && !causal_) return result;
+      // The correction leaves a share of the residual, and so of the error.
+      const double left = causal_ ? std::max(laterTarget, step.reduction) : step.reduction;
+      const double kappa = std::clamp(result.contraction, left, steadyContraction);
+      for (double& e : errors) e /= 1.0 - kappa;
+      result.conclusive = !grew;
+      if (!grew) result.estimates = errors;
       result.state = state;
-      if (step.hidden <= hiddenLimit && previous <= farAway && largest(errors) <= accuracy_ &&
-          gap <= allowedGap * accuracy_ && !isThrown(fixedPoint_, *iterate, corrected, next)) {
+      if (!grew && std::max(hidden, step.hidden) <= hiddenLimit && previous <= farAway &&
+          largest(errors) <= accuracy_ && gap <= allowedGap * accuracy_ &&
+          !isThrown(fixedPoint_, *iterate, step.state, next)) {
         result.claimed = true;
         return result;
       }
     }
     previous = error;
-    state.assign(corrected);
-    for (int i = 0; i < smoothingIterations; ++i) {
-      for (int t = 0; t < state.numCols(); ++t) {
-        for (int row = 0; row < state.numRows(); ++row) state[t][row] = relaxSafely(state[t][row], next[t][row]);
-      }
-      iterate = &fixedPoint_.apply(state, next);
+    hidden = step.hidden;
+    state.assign(step.state);
+    if (causal_) {
+      before = std::move(after);
+    } else {
+      iterate = &smooth(state, next);
+      before = std::make_unique<Snapshot>(*iterate, responses_);
     }
     result.state = state;
     result.conclusive = false;
-    before = std::make_unique<Snapshot>(*iterate, responses_);
   }
   return result;
 }

@@ -8,15 +8,21 @@
 
 namespace harmos::latin {
 
-/// Estimates the true error of a state by two successive Newton corrections and claims accuracy only when they agree.
+class CausalCorrection;
+
+/// Estimates the true error of a state by two successive corrections and claims accuracy only when they agree.
 ///
-/// From alpha, a first correction d1 moves to a1 = alpha + d1, smoothed by relaxed iterations (a fresh correction
-/// leaves a rough residual). A second one, with the tangent rebuilt, estimates the error of a1: e2 = |q(a1) - q(a1 +
-/// d2)| for every promised quantity q. With kappa = max e2 / max e1 the estimate is E = e2 / (1 - kappa). It is claimed
-/// when E <= accuracy, e1 <= 0.3, kappa <= 1 (or e2 is a tenth of the accuracy), both Krylov solves reduced their
-/// residual to 0.15 and hide no more than their step in it (NewtonCorrection::Result::hidden), the gap between the two
-/// fields of the iteration is below ten times the accuracy, and no body was thrown far away. If E is too large the
-/// state moves on to a1 + d2 and the next correction is compared with this one. In E, kappa counts as 0.8 at most.
+/// From alpha, a first correction (CausalCorrection) moves to a1. A second one, in the same spaces and further
+/// directions, estimates the error of a1: e2 = |q(a1) - q(a2)| for every promised quantity q. With kappa = max e2 / max
+/// e1 the estimate is E = e2 / (1 - kappa), in which kappa counts as 0.3 at least, since the second correction leaves
+/// so much of the residual, and as 0.8 at most. It is claimed for a1 when E <= accuracy, e1 <= 0.3, kappa <= 1 (or e2
+/// is a tenth of the accuracy), both corrections reduced the largest residual of a load step to 0.2 and 0.6 and hide no
+/// more than their way in it, the gap between the two fields of the iteration is below ten times the accuracy, and no
+/// body was thrown far away. If E is too large, a2 takes the place of a1 and is corrected once more.
+///
+/// Where causal corrections have stagnated, and the way there was long, and in the velocity form, the corrections are
+/// NewtonCorrection: they start anew each time and need relaxed iterations after each, which smooth their rough
+/// residual; they must reduce the residual to 0.15, and kappa counts as it is up to 0.8.
 ///
 /// The gap is max(|f - f^| / |f^|, |w - w^| / |w|): with f - f^ = -k (w - w^) one of them is large for any k far from
 /// the stiffness of the bodies, so an absurd k cannot hide behind small changes.
@@ -29,21 +35,43 @@ class Certificate {
     std::vector<double> estimates;  ///< as Snapshot::distance: responses, force field, displacement field
     base::Matrix state;             ///< the state that the estimates belong to, or the best one to go on from
     double contraction = 1.0;       ///< kappa [-]
+    bool stagnated = false;         ///< a correction did not reduce the residual as much as it must
   };
 
-  /// All arguments must outlive it. `accuracy`: relative [-].
-  Certificate(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses, double accuracy)
-      : fixedPoint_(fixedPoint), responses_(responses), accuracy_(accuracy), newton_(fixedPoint) {}
+  /// Of one run, from its beginning on. All arguments must outlive it. `accuracy`: relative [-].
+  Certificate(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses, double accuracy);
+  ~Certificate();
+  Certificate(const Certificate&) = delete;
+  Certificate& operator=(const Certificate&) = delete;
 
   /// Collective. `image` = T(alpha), and `iterate` is that of alpha, at the beginning. Leaves at most at `stageLimit`
   /// linear stages in all, counted as LinearStage::stages(). Throws base::Error as Snapshot.
   Result attempt(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int stageLimit);
 
  private:
+  /// One correction of a state: what became of it.
+  struct Correction {
+    base::Matrix state;      // corrected
+    double reduction = 1.0;  // of the residual
+    bool reduced = false;    // the residual, as much as an estimate needs
+    double hidden = 0.0;     // as NewtonCorrection::Result::hidden
+  };
+  Result attemptOnce(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int stageLimit);
+  /// Whether Newton corrections take over here and now, because to go on otherwise would be dearer.
+  bool giveUpCausalCorrections();
+  /// Number `count` of this attempt.
+  Correction correct(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int count,
+                     double previous, int stages);
+  /// Relaxed iterations of `state`, whose image is given; returns its iterate.
+  const Iterate& smooth(base::Matrix& state, base::Matrix& image);
+
   FixedPoint& fixedPoint_;
   const std::vector<std::shared_ptr<const Response>>& responses_;
   double accuracy_;
+  int stagesBefore_;  // linear stages before this run
   NewtonCorrection newton_;
+  std::unique_ptr<CausalCorrection> causal_;  // displacement form, until it has stagnated too often
+  int wasted_ = 0;                            // linear stages of causal corrections that stagnated
 };
 
 /// The gap that a claim allows, over the accuracy.

@@ -57,6 +57,13 @@ class FixedPoint {
   /// selectAll().
   const Iterate& apply(const base::Matrix& alpha, base::Matrix& image);
 
+  /// Collective. The linear stage alone, for the load steps selected: beta [stress] of alpha, see LinearStage::solve().
+  /// No iterate is valid afterwards.
+  void solveLinear(const base::Matrix& alpha, base::Matrix& beta) {
+    ++fields_.present;
+    linear_->solve(alpha, beta);
+  }
+
   /// The assembly that was given.
   const assembly::Assembly& assembly() const { return assembly_; }
   /// k [stress/length] of every pair.

@@ -95,10 +95,10 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   startSize_ = 0.0;
   snapshots_.clear();
   estimates_.clear();
-  certificate_.reset();
   if (fixedPoint_.searchDirectionScale() != options_.stages.searchDirectionScale) {
     fixedPoint_.rescale(options_.stages.searchDirectionScale);
   }
+  certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
   LatinResult result;
   if (options_.algorithm == Algorithm::accelerated && fixedPoint_.formulation() == Formulation::displacement) {
     march(result, start != nullptr ? March::Guess::state : March::Guess::extrapolation);
@@ -113,7 +113,6 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
 bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   const int before = stages();
   const auto running = timers_.start("certificate");
-  if (!certificate_) certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
   const Certificate::Result attempt =
       certificate_->attempt(iterate, alpha_, image_, stagesBefore_ + options_.maximumIterations);
   if (attempt.conclusive) estimates_ = attempt.estimates;
@@ -141,7 +140,9 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
     const auto running = timers_.start("acceleration");
     const double scale = fixedPoint_.searchDirectionScale();
     end = march.run(alpha_, tolerance, guess);
-    if (fixedPoint_.searchDirectionScale() != scale) certificate_.reset();
+    if (fixedPoint_.searchDirectionScale() != scale) {
+      certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
+    }
     state_ = &fixedPoint_.apply(alpha_, image_);
     tolerance *= March::tightening;
     guess = March::Guess::state;

@@ -79,7 +79,7 @@ class LatinSolver {
   FixedPoint fixedPoint_;
   std::vector<std::shared_ptr<const Response>> responses_;
   std::vector<std::function<void(const IterationReport&)>> observers_;
-  std::optional<Certificate> certificate_;  // remembers slow modes from one attempt to the next
+  std::optional<Certificate> certificate_;  // of this run: keeps its directions from one attempt to the next
   std::function<bool()> interrupted_;
   base::Matrix alpha_;
   base::Matrix image_;

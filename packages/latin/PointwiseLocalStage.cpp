@@ -71,6 +71,15 @@ void PointwiseLocalStage::accept() {
   for (Joint& joint : joints_) joint.history[0].swap(joint.history[1]);
 }
 
+void PointwiseLocalStage::differentiateColumn(int column, PairTangents& tangents) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    if (!lines_.isActive(static_cast<int>(i))) continue;
+    const Joint& joint = joints_[i];
+    const laws::LocalState* states = joint.state.data() + static_cast<std::size_t>(column) * joint.line.size();
+    tangents.differentiate(static_cast<int>(i), steps_[column], joint.line, states, joint.history[0]);
+  }
+}
+
 void PointwiseLocalStage::beginAtLastJump(Joint& joint) {
   for (std::size_t i = 0; i < joint.jump.size(); ++i) joint.line[i / 3].freeJump[i % 3] += joint.jump[i];
 }

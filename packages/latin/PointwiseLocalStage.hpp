@@ -6,6 +6,7 @@
 #include <harmos/latin/Formulation.hpp>
 #include <harmos/latin/InterfaceLines.hpp>
 #include <harmos/latin/LocalStage.hpp>
+#include <harmos/latin/PairTangents.hpp>
 
 namespace harmos::latin {
 
@@ -37,6 +38,8 @@ class PointwiseLocalStage final : public LocalStage {
   void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction);
   /// See begin().
   void accept();
+  /// The tangents of this stage at a column, right after it was solved with solveColumn(); changes nothing else.
+  void differentiateColumn(int column, PairTangents& tangents);
 
  private:
   struct Joint {

@@ -12,11 +12,9 @@
 #include <fstream>
 #include <iostream>
 
-#include <Tpetra_Core.hpp>
-
 #include <harmos/base/Error.hpp>
 
-#include "Study.hpp"
+#include "Solution.hpp"
 
 namespace {
 
@@ -63,73 +61,6 @@ class Page {
   std::ofstream file_;
 };
 
-/// A solver with the state that it has delivered.
-class Solution {
- public:
-  Solution(const benchmarks::Study& study, const latin::LatinOptions& options)
-      : study_(study), solver_(study.problem.assembly, options, Tpetra::getDefaultComm(), timers_) {
-    for (const auto& response : study.problem.responses) solver_.addResponse(response);
-    result_ = solver_.solve();
-  }
-  Solution(const Solution&) = delete;
-  Solution& operator=(const Solution&) = delete;
-
-  const latin::LatinResult& result() const { return result_; }
-  bool isCertified() const { return result_.outcome == latin::Outcome::certified; }
-
-  struct Error {
-    double relative;
-    std::string quantity;
-  };
-  /// Largest error of a response of `run` relative to the response's own largest value, however small that is.
-  Error ownErrorOf(const Solution& run) const {
-    Error worst{0.0, ""};
-    for (std::size_t i = 0; i < result_.responses.size(); ++i) {
-      const latin::ResponseResult& right = result_.responses[i];
-      double size = 0.0, error = 0.0;
-      for (std::size_t t = 0; t < right.values.size(); ++t) {
-        size = std::max(size, std::abs(right.values[t]));
-        error = std::max(error, std::abs(right.values[t] - run.result_.responses[i].values[t]));
-      }
-      if (size > 0.0 && error > worst.relative * size) worst = {error / size, right.name};
-    }
-    return worst;
-  }
-  /// Largest true error of a response or field of `run` when this is the truth.
-  Error errorOf(const Solution& run) const {
-    const auto& responses = study_.problem.responses;
-    const latin::Snapshot here(solver_.state(), responses);
-    const std::vector<double> distances = here.distance(latin::Snapshot(run.solver_.state(), responses));
-    const auto worst =
-        static_cast<std::size_t>(std::max_element(distances.begin(), distances.end()) - distances.begin());
-    return {distances[worst], worst < responses.size()    ? responses[worst]->name()
-                              : worst == responses.size() ? "interface forces"
-                                                          : "interface displacements"};
-  }
-
- private:
-  const benchmarks::Study& study_;
-  base::Timers timers_;
-  latin::LatinSolver solver_;
-  latin::LatinResult result_;
-};
-
-/// The truth: the default algorithm, certified to a millionth of the accuracy, or where that cannot be had to a
-/// thousandth; null if neither can.
-std::unique_ptr<Solution> truthOf(const benchmarks::Study& study, double accuracy) {
-  constexpr int patience = 3000;
-  for (const double share : {1e-6, 1e-3}) {
-    latin::LatinOptions options = study.options;
-    options.algorithm = latin::Algorithm::accelerated;
-    options.stages.macroProblem = true;
-    options.accuracy = std::max(share * accuracy, 1e-10);
-    options.maximumIterations = patience;
-    auto truth = std::make_unique<Solution>(study, options);
-    if (truth->isCertified()) return truth;
-  }
-  return nullptr;
-}
-
 struct Tally {
   int runs = 0;
   int certified = 0;
@@ -146,7 +77,7 @@ struct Tally {
 struct Case {
   std::string name;
   const benchmarks::Study& study;
-  const Solution* truth;
+  const benchmarks::Solution* truth;
 };
 
 /// Solves one case and writes its row.
@@ -164,9 +95,9 @@ void writeRow(const Case& one, const NamedAlgorithm& algorithm, double scale, do
   std::string status = "failed";
   std::string numbers = "- | - | - | - |";
   try {
-    const Solution run(one.study, options);
+    const benchmarks::Solution run(one.study, options);
     const latin::LatinResult& result = run.result();
-    const Solution::Error error = one.truth->errorOf(run);
+    const benchmarks::Solution::Error error = one.truth->errorOf(run);
     const double ratio = error.relative > roundOff ? result.errorEstimate / error.relative : std::nan("");
     status = result.outcome == latin::Outcome::noEquilibrium ? "no equilibrium" : "not certified";
     if (run.isCertified()) {
@@ -177,7 +108,7 @@ void writeRow(const Case& one, const NamedAlgorithm& algorithm, double scale, do
         ++tally.wrong;
         status = "**wrong** (" + error.quantity + ")";
       }
-      const Solution::Error own = one.truth->ownErrorOf(run);
+      const benchmarks::Solution::Error own = one.truth->ownErrorOf(run);
       if (own.relative > allowedExcess * accuracy) {
         ++tally.wrongAlone;
         tally.examples += (tally.examples.empty() ? "" : "; ") + one.name + ", " + algorithm.name + ", " +
@@ -218,7 +149,7 @@ void writeScene(const std::string& name, const std::string& path, const benchmar
     std::cerr << path << ": left out, not a whole scene\n";
     return;
   }
-  const std::unique_ptr<Solution> truth = truthOf(*study, accuracy);
+  const std::unique_ptr<benchmarks::Solution> truth = benchmarks::truthOf(*study, accuracy);
   if (truth == nullptr) {
     page << "| " + name + " | | | no truth | | | | |\n";
     return;

@@ -1,0 +1,261 @@
+#include <harmos/latin/CausalCorrection.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <harmos/latin/March.hpp>
+
+namespace harmos::latin {
+namespace {
+
+// Share of the way that the residual may hide.
+constexpr double allowedToHide = 0.5;
+// Gauss-Newton steps of a load step after each linear stage.
+constexpr int gaussNewtonSteps = 3;
+constexpr int halvings = 2;
+// A Gauss-Newton step that leaves more than this share of the residual is not worth its local stages.
+constexpr double worthwhile = 0.999;
+// Times the residual that the tangent predicts, from which on it is found anew.
+constexpr double misprediction = 2.0;
+// Linear stages, each of some load steps, in which the largest residual must fall to this share.
+constexpr std::size_t patience = 40;
+constexpr double slow = 0.8;
+
+double scaledNorm(const StateMetric& metric, const double* a, const double* b) {
+  std::vector<double> sum{0.0};
+  for (std::size_t row = 0; row < metric.scale().size(); ++row) {
+    const double x = metric.scale()[row] * (b == nullptr ? a[row] : a[row] - b[row]);
+    sum[0] += x * x;
+  }
+  metric.sum(sum);
+  return std::sqrt(sum[0]);
+}
+
+}  // namespace
+
+CausalCorrection::CausalCorrection(FixedPoint& fixedPoint)
+    : fixedPoint_(fixedPoint),
+      lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
+      steps_(static_cast<std::size_t>(fixedPoint.assembly().steps()),
+             Step{CorrectionSpace(fixedPoint.metric()), PairTangents(fixedPoint.assembly(), lines_)}) {}
+
+double CausalCorrection::evaluate(int step) {
+  fixedPoint_.pointwiseStage().solveColumn(step, beta_, traction_);
+  for (int row = 0; row < alpha_.numRows(); ++row) {
+    residual_[step][row] = 2.0 * traction_[step][row] - beta_[step][row] - alpha_[step][row];
+  }
+  return scaledNorm(fixedPoint_.metric(), residual_[step], nullptr);
+}
+
+void CausalCorrection::appendTangent(Step& step, int first) {
+  const int rows = alpha_.numRows();
+  const int count = step.space.size() - first;
+  if (count == 0) return;
+  base::Matrix y(rows, count), g(rows, count);
+  for (int j = 0; j < count; ++j) std::copy_n(step.space.image(first + j), rows, y[j]);
+  step.tangents.apply(y, g);
+  for (int j = 0; j < count; ++j) {
+    const double* v = step.space.direction(first + j);
+    for (int row = 0; row < rows; ++row) g[j][row] = v[row] + y[j][row] - 2.0 * g[j][row];
+    step.space.append(g[j]);
+  }
+}
+
+void CausalCorrection::differentiate(int step) {
+  Step& here = steps_[step];
+  fixedPoint_.pointwiseStage().differentiateColumn(step, here.tangents);
+  here.space.forgetTangent();
+  appendTangent(here, 0);
+  here.isStale = false;
+}
+
+bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& direction) {
+  Step& here = steps_[step];
+  const int rows = alpha_.numRows();
+  const std::vector<double> alpha(alpha_[step], alpha_[step] + rows), beta(beta_[step], beta_[step] + rows);
+  double length = 1.0;
+  for (int halving = 0; halving <= halvings; ++halving, length *= 0.5) {
+    here.space.move(direction.c, length, alpha_[step], beta_[step]);
+    const double reached = evaluate(step);
+    if (reached < here.residual) {
+      here.isStale = length < 1.0 || reached > misprediction * direction.left;
+      here.residual = reached;
+      return true;
+    }
+    std::copy_n(alpha.begin(), rows, alpha_[step]);
+    std::copy_n(beta.begin(), rows, beta_[step]);
+  }
+  evaluate(step);  // the local stage must have met the state that is kept
+  here.isStale = true;
+  return false;
+}
+
+void CausalCorrection::reduce(int step) {
+  Step& here = steps_[step];
+  here.residual = evaluate(step);
+  const double enough = here.isLeft ? noise_ : target_;
+  for (int i = 0; i < gaussNewtonSteps && here.space.size() > 0 && here.residual > enough; ++i) {
+    const bool isFresh = here.isStale;
+    if (isFresh) differentiate(step);
+    const CorrectionSpace::LeastSquares direction = here.space.solve(residual_[step]);
+    if (direction.left > worthwhile * here.residual) break;
+    if (!takeStep(step, direction) && isFresh) break;
+  }
+  here.moved = scaledNorm(fixedPoint_.metric(), alpha_[step], start_[step]);
+  fixedPoint_.pointwiseStage().accept();
+}
+
+void CausalCorrection::sweep(int first) {
+  PointwiseLocalStage& local = fixedPoint_.pointwiseStage();
+  if (first < first_) {
+    local.startUnloaded();
+    first_ = 0;
+  }
+  local.begin();
+  if (first > first_) {
+    for (; first_ < first; ++first_) {
+      local.solveColumn(first_, beta_, traction_);
+      local.accept();
+    }
+    local.startFromHere();
+    local.begin();
+  }
+  for (int t = first; t < alpha_.numCols(); ++t) reduce(t);
+}
+
+double CausalCorrection::longestWay() const {
+  double longest = 0.0;
+  for (const Step& step : steps_) longest = std::max(longest, step.moved);
+  return longest;
+}
+
+std::vector<int> CausalCorrection::unfinished() {
+  std::vector<int> result;
+  const double way = longestWay();
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    Step& step = steps_[t];
+    step.isLeft = step.residual > noise_ &&
+                  (step.residual > target_ || step.residual > allowedToHide * step.space.smallestSingularValue() * way);
+    if (step.isLeft) result.push_back(static_cast<int>(t));
+  }
+  return result;
+}
+
+bool CausalCorrection::continueKrylov(const Step& step, std::vector<double>& v) const {
+  if (step.space.size() == 0 || step.isStale) return false;
+  const int rows = alpha_.numRows();
+  const int last = step.space.size() - 1;
+  base::Matrix y(rows, 1), moved(rows, 1);
+  std::copy_n(step.space.image(last), rows, y[0]);
+  step.tangents.apply(y, moved);
+  for (int row = 0; row < rows; ++row) v[row] = 2.0 * moved[0][row] - y[0][row];
+  return step.space.makeIndependent(v.data());
+}
+
+bool CausalCorrection::extend(const std::vector<int>& steps) {
+  const int rows = alpha_.numRows();
+  std::vector<int> selected;
+  std::vector<std::vector<double>> directions;
+  for (const int t : steps) {
+    Step& step = steps_[t];
+    std::vector<double> v(residual_[t], residual_[t] + rows);
+    if (!step.space.makeIndependent(v.data()) && !continueKrylov(step, v)) {
+      step.isStale = true;
+      continue;
+    }
+    selected.push_back(t);
+    directions.push_back(std::move(v));
+  }
+  if (selected.empty()) return false;
+  const int count = static_cast<int>(selected.size());
+  base::Matrix shifted(rows, count), image(rows, count);
+  std::vector<double> lengths;
+  for (int i = 0; i < count; ++i) {
+    const int t = selected[i];
+    // As large as the state itself, so that the difference has its digits.
+    const double size = std::max(scaledNorm(fixedPoint_.metric(), start_[t], nullptr), steps_[t].residual);
+    for (int row = 0; row < rows; ++row) shifted[i][row] = start_[t][row] + size * directions[i][row];
+    lengths.push_back(size);
+  }
+  fixedPoint_.select(selected);
+  fixedPoint_.solveLinear(shifted, image);
+  fixedPoint_.selectAll();
+  for (int i = 0; i < count; ++i) {
+    const int t = selected[i];
+    for (int row = 0; row < rows; ++row) image[i][row] = (image[i][row] - startImage_[t][row]) / lengths[i];
+    steps_[t].space.add(directions[i].data(), image[i]);
+    if (!steps_[t].isStale) appendTangent(steps_[t], steps_[t].space.size() - 1);
+  }
+  return true;
+}
+
+double CausalCorrection::largestResidual() const {
+  double largest = 0.0;
+  for (const Step& step : steps_) largest = std::max(largest, step.residual);
+  return largest;
+}
+
+double CausalCorrection::hidden() const {
+  const double way = longestWay();
+  double largest = 0.0;
+  for (const Step& step : steps_) {
+    if (step.residual <= noise_) continue;
+    const double seen = step.space.smallestSingularValue() * way;
+    largest = std::max(largest, seen > 0.0 ? step.residual / seen : std::numeric_limits<double>::infinity());
+  }
+  return largest;
+}
+
+void CausalCorrection::start(const Iterate& iterate, const base::Matrix& alpha) {
+  for (base::Matrix* field : {&start_, &startImage_, &alpha_, &beta_, &traction_, &residual_}) {
+    field->shape(alpha.numRows(), alpha.numCols());
+  }
+  for (base::Matrix* field : {&start_, &alpha_}) field->assign(alpha);
+  for (base::Matrix* field : {&startImage_, &beta_}) field->assign(iterate.beta());
+  const std::vector<double> squares = fixedPoint_.metric().squaredNorms(alpha);
+  first_ = 0;
+  noise_ = March::noise * std::sqrt(*std::max_element(squares.begin(), squares.end()));
+  fixedPoint_.pointwiseStage().begin();
+  for (int t = 0; t < alpha.numCols(); ++t) {
+    steps_[t].residual = evaluate(t);
+    steps_[t].moved = 0.0;
+    steps_[t].isLeft = true;
+    fixedPoint_.pointwiseStage().accept();
+  }
+}
+
+CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base::Matrix& alpha, double target,
+                                                   int stages) {
+  start(iterate, alpha);
+  const double before = largestResidual();
+  Result result;
+  if (before <= noise_) {
+    result.reduction = 0.0;
+    return result;
+  }
+  target_ = target * before;
+  // All load steps are met from the unloaded state again at the end, also when a law throws.
+  const struct Restore {
+    FixedPoint& fixedPoint;
+    ~Restore() {
+      fixedPoint.startUnloaded();
+      fixedPoint.selectAll();
+    }
+  } restore{fixedPoint_};
+  sweep(0);
+  const int first = fixedPoint_.linearStage().stages();
+  std::vector<double> residuals{largestResidual()};  // after every linear stage
+  for (std::vector<int> left = unfinished(); !left.empty(); left = unfinished()) {
+    if (fixedPoint_.linearStage().stages() - first >= stages || !extend(left)) break;
+    sweep(left.front());
+    residuals.push_back(largestResidual());
+    if (residuals.size() > patience && residuals.back() > slow * residuals[residuals.size() - 1 - patience]) break;
+  }
+  result.hidden = hidden();
+  result.reduction = largestResidual() <= noise_ ? 0.0 : largestResidual() / before;
+  alpha.assign(alpha_);
+  return result;
+}
+
+}  // namespace harmos::latin

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/latin/CorrectionSpace.hpp>
+#include <harmos/latin/FixedPoint.hpp>
+
+namespace harmos::latin {
+
+/// Corrects a state towards alpha = T(alpha), every load step in a space of its own, one after the other.
+///
+/// Where some load steps have not reached the target, one linear stage for all of these finds the images y of new
+/// directions v, the residuals R = T(alpha) - alpha made independent of the directions before. Then, from the first
+/// load step to the last, alpha + V c and its image beta + Y c are known without a solve, so that local stages alone
+/// find the true residual, with the history that the corrected steps before have left: c by Gauss-Newton, with the
+/// tangents of PairTangents, in which a step is taken, or a half or a quarter of it, only where |R| falls. The spaces
+/// last from one correction to the next, since y depends on no state; the g = (I - J) v are found anew where a tangent
+/// no longer predicts the residual, without a solve. Norms are those of StateMetric. Displacement form, with the local
+/// stage PointwiseLocalStage.
+/// Source of the idea: recycling Krylov subspaces, Parks et al. (2006), doi:10.1137/040607277.
+class CausalCorrection {
+ public:
+  /// What a correction has come to.
+  struct Result {
+    double reduction = 1.0;  ///< largest |R_t| over the load steps t, over that before
+    /// What the residual can hide: largest |R_t| / (s_t d), s_t the smallest singular value of I - J in the space of
+    /// the step, d the longest way that a step was moved. Slow modes are all but absent from the residual.
+    double hidden = 0.0;
+  };
+
+  /// `fixedPoint` must outlive it.
+  explicit CausalCorrection(FixedPoint& fixedPoint);
+
+  /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
+  /// target x the largest |R| of the start and no more than half of the way can be hidden; or until `stages` linear
+  /// stages were spent, or the residuals no longer fall. No iterate is valid afterwards. Throws base::Error as
+  /// LocalStage::solve().
+  Result correct(const Iterate& iterate, base::Matrix& alpha, double target, int stages);
+
+ private:
+  struct Step {
+    CorrectionSpace space;
+    PairTangents tangents;
+    bool isStale = true;    // the tangents are not those of a state like this one
+    double residual = 0.0;  // |R|
+    double moved = 0.0;     // |alpha - start|
+    bool isLeft = true;     // has not come to the target
+  };
+
+  void start(const Iterate& iterate, const base::Matrix& alpha);
+  /// Solves the local stage of a load step; returns |R|, and leaves R in residual_.
+  double evaluate(int step);
+  /// Gauss-Newton in the space of one load step, after those before it were settled.
+  void reduce(int step);
+  /// Moves a load step in its space if that makes |R| less; false when not even a quarter of the step does.
+  bool takeStep(int step, const CorrectionSpace::LeastSquares& direction);
+  /// The residuals of the load steps from `first` on in turn, as small as their spaces allow; the steps before have
+  /// come to their end.
+  void sweep(int first);
+  /// Finds the tangents of a load step that evaluate() has just met, and the g of all its directions.
+  void differentiate(int step);
+  /// The g of the directions from `first` on.
+  void appendTangent(Step& step, int first);
+  /// The load steps that have not come to their end.
+  std::vector<int> unfinished();
+  double longestWay() const;
+  double largestResidual() const;
+  double hidden() const;
+  /// Makes v the tangent's image of the last direction, independent of the others; false when it is not.
+  bool continueKrylov(const Step& step, std::vector<double>& v) const;
+  /// New directions for some load steps; false when there are none.
+  bool extend(const std::vector<int>& steps);
+
+  FixedPoint& fixedPoint_;
+  InterfaceLines lines_;
+  std::vector<Step> steps_;
+  int first_ = 0;        // load step that the local stage begins at
+  double target_ = 0.0;  // |R| of every load step at the end
+  double noise_ = 0.0;   // residuals below this one are round-off
+  base::Matrix start_;   // alpha and beta at the beginning
+  base::Matrix startImage_;
+  base::Matrix alpha_, beta_, traction_, residual_;
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,152 @@
+#include <harmos/latin/CorrectionSpace.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+#include <Teuchos_BLAS.hpp>
+#include <Teuchos_LAPACK.hpp>
+
+namespace harmos::latin {
+namespace {
+
+// Share of a residual outside of the space below which it is round-off.
+constexpr double roundOff = 1e-9;
+// Singular values below this share of the largest one are those of round-off.
+constexpr double singular = 1e-7;
+
+base::Matrix dense(const std::vector<std::vector<double>>& triangle, int size) {
+  base::Matrix matrix(size, size);
+  for (int j = 0; j < size; ++j) std::copy_n(triangle[j].begin(), j + 1, matrix[j]);
+  return matrix;
+}
+
+}  // namespace
+
+std::vector<double> CorrectionSpace::scaled(const double* x) const {
+  std::vector<double> result(metric_->scale());
+  for (std::size_t row = 0; row < result.size(); ++row) result[row] *= x[row];
+  return result;
+}
+
+double CorrectionSpace::norm(const std::vector<double>& scaled) const {
+  std::vector<double> sum{std::inner_product(scaled.begin(), scaled.end(), scaled.begin(), 0.0)};
+  metric_->sum(sum);
+  return std::sqrt(sum[0]);
+}
+
+std::vector<double> CorrectionSpace::project(int count, std::vector<double>& x) const {
+  const Teuchos::BLAS<int, double> blas;
+  std::vector<double> total(count, 0.0), products(count);
+  for (int pass = 0; pass < 2 && count > 0; ++pass) {
+    blas.GEMV(Teuchos::TRANS, rows(), count, 1.0, orthonormal_.data(), rows(), x.data(), 1, 0.0, products.data(), 1);
+    metric_->sum(products);
+    blas.GEMV(Teuchos::NO_TRANS, rows(), count, -1.0, orthonormal_.data(), rows(), products.data(), 1, 1.0, x.data(),
+              1);
+    for (int j = 0; j < count; ++j) total[j] += products[j];
+  }
+  return total;
+}
+
+bool CorrectionSpace::makeIndependent(double* v) const {
+  const Teuchos::BLAS<int, double> blas;
+  const double before = norm(scaled(v));
+  std::vector<double> products(size_);
+  for (int pass = 0; pass < 2 && size_ > 0; ++pass) {
+    std::vector<double> x = scaled(v);
+    x = scaled(x.data());
+    blas.GEMV(Teuchos::TRANS, rows(), size_, 1.0, directions_.data(), rows(), x.data(), 1, 0.0, products.data(), 1);
+    metric_->sum(products);
+    blas.GEMV(Teuchos::NO_TRANS, rows(), size_, -1.0, directions_.data(), rows(), products.data(), 1, 1.0, v, 1);
+  }
+  const double length = norm(scaled(v));
+  if (!(length > roundOff * before)) return false;
+  blas.SCAL(rows(), 1.0 / length, v, 1);
+  return true;
+}
+
+void CorrectionSpace::add(const double* v, const double* y) {
+  directions_.insert(directions_.end(), v, v + rows());
+  images_.insert(images_.end(), y, y + rows());
+  ++size_;
+}
+
+void CorrectionSpace::append(const double* g) {
+  assert(known_ < size_ && "all directions have their g");
+  std::vector<double> x = scaled(g);
+  std::vector<double> column = project(known_, x);
+  const double length = norm(x);
+  column.push_back(length);
+  if (length > 0.0) {
+    for (double& value : x) value /= length;
+  }
+  orthonormal_.resize(at(known_));
+  orthonormal_.insert(orthonormal_.end(), x.begin(), x.end());
+  triangle_.resize(known_);
+  triangle_.push_back(std::move(column));
+  ++known_;
+  hasSingularValues_ = false;
+}
+
+void CorrectionSpace::findSingularValues() const {
+  if (hasSingularValues_) return;
+  base::Matrix matrix = dense(triangle_, known_);
+  std::vector<double> values(known_), work(static_cast<std::size_t>(64 * (known_ + 1)));
+  double unused = 0.0;
+  int info = 0;
+  Teuchos::LAPACK<int, double>().GESVD('N', 'N', known_, known_, matrix.values(), matrix.stride(), values.data(),
+                                       &unused, 1, &unused, 1, work.data(), static_cast<int>(work.size()), &unused,
+                                       &info);
+  isSingular_ = values.back() <= singular * values.front();
+  const auto last =
+      std::find_if(values.rbegin(), values.rend(), [&](double value) { return value > singular * values.front(); });
+  smallest_ = last == values.rend() ? 0.0 : std::min(1.0, *last);
+  hasSingularValues_ = true;
+}
+
+CorrectionSpace::LeastSquares CorrectionSpace::solve(const double* residual) const {
+  assert(known_ == size_ && "a direction lacks its g");
+  std::vector<double> x = scaled(residual);
+  LeastSquares result;
+  result.c = project(size_, x);
+  result.left = norm(x);
+  if (size_ == 0) return result;
+  base::Matrix matrix = dense(triangle_, size_);
+  int info = 0;
+  const Teuchos::LAPACK<int, double> lapack;
+  findSingularValues();
+  if (!isSingular_) {
+    lapack.TRTRS('U', 'N', 'N', size_, 1, matrix.values(), matrix.stride(), result.c.data(), size_, &info);
+    return result;
+  }
+  const std::vector<double> right = result.c;
+  std::vector<double> values(size_), work(static_cast<std::size_t>(64 * (size_ + 1)));
+  int rank = 0;
+  double unused = 0.0;
+  lapack.GELSS(size_, size_, 1, matrix.values(), matrix.stride(), result.c.data(), size_, values.data(), singular,
+               &rank, work.data(), static_cast<int>(work.size()), &unused, &info);
+  double inside = 0.0;
+  for (int i = 0; i < size_; ++i) {
+    double rest = right[i];
+    for (int j = i; j < size_; ++j) rest -= triangle_[j][i] * result.c[j];
+    inside += rest * rest;
+  }
+  result.left = std::hypot(result.left, std::sqrt(inside));
+  return result;
+}
+
+double CorrectionSpace::smallestSingularValue() const {
+  if (known_ == 0) return 1.0;
+  findSingularValues();
+  return smallest_;
+}
+
+void CorrectionSpace::move(const std::vector<double>& c, double length, double* alpha, double* beta) const {
+  if (size_ == 0) return;
+  const Teuchos::BLAS<int, double> blas;
+  blas.GEMV(Teuchos::NO_TRANS, rows(), size_, length, directions_.data(), rows(), c.data(), 1, 1.0, alpha, 1);
+  blas.GEMV(Teuchos::NO_TRANS, rows(), size_, length, images_.data(), rows(), c.data(), 1, 1.0, beta, 1);
+}
+
+}  // namespace harmos::latin

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/latin/StateMetric.hpp>
+
+namespace harmos::latin {
+
+/// The directions v in which the state alpha of one load step may be corrected, and what is known of each.
+///
+/// Beside every v [stress] stands y = dbeta [stress], its image under the linear stage, which is affine, so that y
+/// stays right for ever, and g = (I - J) v, J the tangent of T where it was last asked. The v are orthonormal in the
+/// metric of states; of the g, scaled by it, a factorisation Q R with orthonormal Q is kept. All calls are collective
+/// but those that say otherwise.
+class CorrectionSpace {
+ public:
+  /// `metric`, of a state with one field, must outlive it.
+  explicit CorrectionSpace(const StateMetric& metric) : metric_(&metric) {}
+
+  /// Directions so far. Not collective.
+  int size() const { return size_; }
+
+  /// Takes from v, rows of the layout, what the space holds already and scales it to length one; false when nothing but
+  /// round-off is left.
+  bool makeIndependent(double* v) const;
+  /// Adds a direction that makeIndependent() has made, with its y; append() must follow for its g. Not collective.
+  void add(const double* v, const double* y);
+  /// Adds the g [stress] of the next direction that has none.
+  void append(const double* g);
+  /// Forgets the g of all directions; append() must follow for each of them. Not collective.
+  void forgetTangent() {
+    known_ = 0;
+    hasSingularValues_ = false;
+  }
+
+  /// What least squares make of a residual r [stress] of this load step.
+  struct LeastSquares {
+    std::vector<double> c;  ///< coefficients of the v
+    double left = 0.0;      ///< |r - G c| in the metric
+  };
+  /// min |r - G c|, without directions along which G is singular but for round-off.
+  LeastSquares solve(const double* residual) const;
+  /// Of G: a lower bound of |(I - J) v| over |v| in the space; 1 without directions. Not collective.
+  double smallestSingularValue() const;
+
+  /// alpha += length V c and beta += length Y c, rows of the layout. Not collective.
+  void move(const std::vector<double>& c, double length, double* alpha, double* beta) const;
+  /// y of a direction [stress]. Not collective.
+  const double* image(int direction) const { return images_.data() + at(direction); }
+  /// v of a direction [stress]. Not collective.
+  const double* direction(int direction) const { return directions_.data() + at(direction); }
+
+ private:
+  int rows() const { return static_cast<int>(metric_->scale().size()); }
+  std::size_t at(int column) const { return static_cast<std::size_t>(rows()) * static_cast<std::size_t>(column); }
+  /// Removes from x, scaled, what the leading `count` columns of Q hold, twice, and returns the sum of both
+  /// coefficients.
+  std::vector<double> project(int count, std::vector<double>& x) const;
+  double norm(const std::vector<double>& scaled) const;
+  void findSingularValues() const;
+  std::vector<double> scaled(const double* x) const;
+
+  const StateMetric* metric_;
+  int size_ = 0;
+  int known_ = 0;                              // directions whose g is known
+  std::vector<double> directions_;             // V
+  std::vector<double> images_;                 // Y
+  std::vector<double> orthonormal_;            // Q, in the scale of the metric
+  std::vector<std::vector<double>> triangle_;  // columns of R
+  mutable bool hasSingularValues_ = false;     // of R, found when asked for
+  mutable bool isSingular_ = false;
+  mutable double smallest_ = 1.0;
+};
+
+}  // namespace harmos::latin

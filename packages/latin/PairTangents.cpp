@@ -1,0 +1,77 @@
+#include <harmos/latin/PairTangents.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace harmos::latin {
+namespace {
+
+// The difference over what the tractions would move the pair freely, and its bounds over the free jump itself: small
+// beside the forces, for the tangent; large beside the round-off of the jump.
+constexpr double differenceOfForces = 1e-9;
+constexpr double leastDifference = 1e-10;
+constexpr double largestDifference = 1e-7;
+
+double largest(const base::Vector3& x) {
+  return std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
+}
+
+}  // namespace
+
+PairTangents::PairTangents(const assembly::Assembly& assembly, InterfaceLines& lines)
+    : assembly_(assembly), lines_(lines), tangents_(assembly.interfaces.size()) {}
+
+void PairTangents::differentiate(int interfaceIndex, int step, const std::vector<laws::LocalLine>& lines,
+                                 const laws::LocalState* states, const std::vector<double>& oldHistory) {
+  const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];
+  const auto pairs = static_cast<std::size_t>(interface.pairs());
+  double jump = 0.0, traction = 0.0, length = 0.0;
+  for (std::size_t p = 0; p < pairs; ++p) {
+    jump = std::max(jump, largest(lines[p].freeJump));
+    traction = std::max(traction, lines[p].compliance * largest(states[p].traction));
+    length = std::max(length, std::sqrt(interface.area[p]));
+  }
+  // Nothing has moved yet: anything small will do.
+  if (jump == 0.0) jump = length;
+  const double difference = std::clamp(differenceOfForces * traction, leastDifference * jump, largestDifference * jump);
+  std::vector<base::Frame>& tangents = tangents_[interfaceIndex];
+  tangents.assign(pairs, {});
+  std::vector<laws::LocalLine> shifted(lines);
+  std::vector<laws::LocalState> moved(pairs);
+  std::vector<double> newHistory(oldHistory.size());
+  for (std::size_t c = 0; c < static_cast<std::size_t>(assembly_.dimension); ++c) {
+    for (std::size_t p = 0; p < pairs; ++p) shifted[p].freeJump[c] = lines[p].freeJump[c] + difference;
+    interface.law->solve(step, {interface.pairs(), shifted.data(), interface.gap.data(), oldHistory.data(),
+                                newHistory.data(), moved.data()});
+    for (std::size_t p = 0; p < pairs; ++p) {
+      const double exact = shifted[p].freeJump[c] - lines[p].freeJump[c];
+      for (std::size_t i = 0; i < 3; ++i) {
+        tangents[p][i][c] = (moved[p].traction[i] - states[p].traction[i]) / exact;
+      }
+      shifted[p].freeJump[c] = lines[p].freeJump[c];
+    }
+  }
+}
+
+void PairTangents::apply(const base::Matrix& y, base::Matrix& traction) const {
+  lines_.reserve(y.numCols());
+  lines_.exchange(y, 0, y.numCols());
+  traction.shape(y.numRows(), y.numCols());
+  std::vector<laws::LocalLine> lines;
+  std::vector<laws::LocalState> states;
+  for (std::size_t i = 0; i < tangents_.size(); ++i) {
+    const int index = static_cast<int>(i);
+    if (!lines_.isActive(index)) continue;
+    const std::vector<base::Frame>& tangents = tangents_[i];
+    states.resize(tangents.size());
+    for (int column = 0; column < y.numCols(); ++column) {
+      lines_.fill(index, column, y, lines);
+      for (std::size_t p = 0; p < tangents.size(); ++p) {
+        for (std::size_t c = 0; c < 3; ++c) states[p].traction[c] = dot(tangents[p][c], lines[p].freeJump);
+      }
+      lines_.write(index, column, states.data(), traction);
+    }
+  }
+}
+
+}  // namespace harmos::latin

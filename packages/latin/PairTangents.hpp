@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/latin/InterfaceLines.hpp>
+#include <harmos/laws/InterfaceLaw.hpp>
+
+namespace harmos::latin {
+
+/// The tangent of a local stage at one load step, pair by pair: D = df^/dbeta, so that that of T is J v = 2 D y - y
+/// with y the image of v under the linear stage.
+///
+/// A law is asked pair by pair, so that dt/d(free jump) [stress/length] is a matrix of 3 x 3 per pair, found with three
+/// further calls whatever the number of directions that it is to serve. Where the graph has a kink it is the tangent of
+/// one side. Displacement form.
+class PairTangents {
+ public:
+  /// `assembly` and `lines`, whose buffers it uses, must outlive it.
+  PairTangents(const assembly::Assembly& assembly, InterfaceLines& lines);
+
+  /// Finds the tangents of an interface with a side on this rank by differences at one load step, counted from 0: with
+  /// the lines and states of its pairs, and the history that they were found with. Not collective.
+  void differentiate(int interfaceIndex, int step, const std::vector<laws::LocalLine>& lines,
+                     const laws::LocalState* states, const std::vector<double>& oldHistory);
+  /// Collective. traction = D y [stress], rows of the layout x the same columns.
+  void apply(const base::Matrix& y, base::Matrix& traction) const;
+
+ private:
+  const assembly::Assembly& assembly_;
+  InterfaceLines& lines_;
+  std::vector<std::vector<base::Frame>> tangents_;  // per interface and pair: row by row
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <harmos/latin/CausalCorrection.hpp>
+#include <harmos/latin/March.hpp>
+
+#include "BoxAssembly.hpp"
+#include "Chains.hpp"
+
+namespace harmos::latin {
+namespace {
+
+/// Two cubes joined by a law and loaded from above, with a fixed point that can be asked for residuals.
+struct Cubes {
+  Cubes(const std::shared_ptr<const laws::InterfaceLaw>& joint, const std::shared_ptr<const laws::InterfaceLaw>& top,
+        int stepCount, bool isConsistent = false)
+      : cubes(twoCubes(joint, top, stepCount, isConsistent)),
+        steps(stepCount),
+        fixedPoint(cubes.assembly(), {}, self(), timers),
+        alpha(fixedPoint.layout().rows(), steps),
+        image(alpha) {}
+
+  /// |T(alpha) - alpha| per load step, with all histories.
+  std::vector<double> residuals(const base::Matrix& state) {
+    base::Matrix r(state.numRows(), steps);
+    fixedPoint.apply(state, r);
+    r -= state;
+    std::vector<double> norms = fixedPoint.metric().squaredNorms(r);
+    for (double& value : norms) value = std::sqrt(value);
+    return norms;
+  }
+  double residual(const base::Matrix& state) {
+    const std::vector<double> norms = residuals(state);
+    return *std::max_element(norms.begin(), norms.end());
+  }
+  CausalCorrection::Result correct(CausalCorrection& correction, double target, int stages) {
+    const Iterate& iterate = fixedPoint.apply(alpha, image);
+    return correction.correct(iterate, alpha, target, stages);
+  }
+  /// A state near the solution.
+  void march(double tolerance) { March(fixedPoint, 30, tolerance).run(alpha, tolerance, March::Guess::extrapolation); }
+
+  base::Timers timers;
+  BoxAssembly cubes;
+  int steps;
+  FixedPoint fixedPoint;
+  base::Matrix alpha, image;
+};
+
+Cubes glued() {
+  return {laws::makeLaw("Linear Elastic", {{"Normal Stiffness", 100.0}, {"Tangential Stiffness", 300.0}}),
+          laws::makeLaw("Pressure", {{"Pressure", 2.0}}, {{"Pressure", {1, -3}}}), 2};
+}
+
+/// Partial slip that goes on, turns and comes back.
+Cubes rubbing(bool isConsistent = false) {
+  return {laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}}),
+          laws::makeLaw("Prescribed Traction", {{"X", 0.9}, {"Z", -4.0}}, {{"X", {0, 0.5, 1, 0.2, -0.8}}}), 5,
+          isConsistent};
+}
+
+TEST(CausalCorrection, IsExactForAffineMaps) {
+  Cubes cubes = glued();
+  randomize(cubes.alpha);
+  const double before = cubes.residual(cubes.alpha);
+  CausalCorrection correction(cubes.fixedPoint);
+  const CausalCorrection::Result result = cubes.correct(correction, 1e-9, 300);
+  EXPECT_LE(result.reduction, 1e-9);
+  EXPECT_LT(cubes.residual(cubes.alpha), 2e-9 * before);
+}
+
+// What it says of the residual is what the laws say, all load steps one after the other.
+TEST(CausalCorrection, KnowsTheTrueResidual) {
+  for (const bool isConsistent : {false, true}) {
+    Cubes cubes = rubbing(isConsistent);
+    cubes.march(1e-2);
+    const double before = cubes.residual(cubes.alpha);
+    CausalCorrection correction(cubes.fixedPoint);
+    for (const double target : {0.1, 0.3, 1e-4}) {
+      const double start = cubes.residual(cubes.alpha);
+      const CausalCorrection::Result result = cubes.correct(correction, target, 100);
+      EXPECT_LE(result.reduction, target);
+      EXPECT_LE(result.hidden, 0.5);
+      EXPECT_NEAR(cubes.residual(cubes.alpha), result.reduction * start, 1e-6 * start);
+    }
+    EXPECT_LT(cubes.residual(cubes.alpha), 4e-6 * before);
+  }
+}
+
+// The second time from the same place nothing is left to be solved.
+TEST(CausalCorrection, KeepsItsDirections) {
+  Cubes cubes = glued();
+  randomize(cubes.alpha);
+  const base::Matrix start(cubes.alpha);
+  CausalCorrection correction(cubes.fixedPoint);
+  const auto stages = [&] {
+    cubes.alpha.assign(start);
+    const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
+    const int before = cubes.fixedPoint.linearStage().stages();
+    EXPECT_LE(correction.correct(iterate, cubes.alpha, 1e-3, 100).reduction, 1e-3);
+    return cubes.fixedPoint.linearStage().stages() - before;
+  };
+  EXPECT_GT(stages(), 3);
+  EXPECT_EQ(stages(), 0);
+}
+
+// Load steps that need nothing cost nothing.
+TEST(CausalCorrection, SolvesOnlyTheLoadStepsThatAreLeft) {
+  Cubes cubes = glued();
+  CausalCorrection correction(cubes.fixedPoint);
+  cubes.correct(correction, 1e-12, 300);
+  const base::Matrix solved(cubes.alpha);
+  const auto columnsFrom = [&](int firstWrong) {
+    cubes.alpha.assign(solved);
+    for (int t = firstWrong; t < cubes.steps; ++t) {
+      for (int row = 0; row < solved.numRows(); ++row) cubes.alpha(row, t) += std::sin(row);
+    }
+    CausalCorrection fresh(cubes.fixedPoint);
+    const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
+    const long before = cubes.fixedPoint.linearStage().columns();
+    EXPECT_LE(fresh.correct(iterate, cubes.alpha, 0.1, 300).reduction, 0.1);
+    return cubes.fixedPoint.linearStage().columns() - before;
+  };
+  const long both = columnsFrom(0);
+  EXPECT_EQ(2 * columnsFrom(1), both);
+}
+
+TEST(CausalCorrection, IsNothingAtAFixedPoint) {
+  Cubes cubes = glued();
+  CausalCorrection correction(cubes.fixedPoint);
+  cubes.correct(correction, 1e-15, 300);
+  const int before = cubes.fixedPoint.linearStage().stages();
+  const base::Matrix state(cubes.alpha);
+  const CausalCorrection::Result result = cubes.correct(correction, 0.1, 300);
+  EXPECT_LE(cubes.fixedPoint.linearStage().stages() - before, 3);
+  for (int t = 0; t < cubes.steps; ++t) {
+    for (int row = 0; row < state.numRows(); ++row) EXPECT_NEAR(cubes.alpha[t][row], state[t][row], 1e-10);
+  }
+  EXPECT_LE(result.hidden, 1.0);
+}
+
+TEST(CausalCorrection, StaysWithinItsStages) {
+  Cubes cubes = rubbing();
+  cubes.march(1e-1);
+  CausalCorrection correction(cubes.fixedPoint);
+  const double before = cubes.residual(cubes.alpha);
+  const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
+  const int stages = cubes.fixedPoint.linearStage().stages();
+  const CausalCorrection::Result result = correction.correct(iterate, cubes.alpha, 1e-9, 3);
+  EXPECT_LE(cubes.fixedPoint.linearStage().stages() - stages, 3);
+  EXPECT_GT(result.reduction, 1e-9);
+  EXPECT_NEAR(cubes.residual(cubes.alpha), result.reduction * before, 1e-6 * before);
+}
+
+}  // namespace
+}  // namespace harmos::latin

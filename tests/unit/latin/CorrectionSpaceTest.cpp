@@ -1,0 +1,123 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <harmos/latin/CorrectionSpace.hpp>
+#include <harmos/latin/FixedPoint.hpp>
+
+#include "BoxAssembly.hpp"
+#include "Chains.hpp"
+
+namespace harmos::latin {
+namespace {
+
+/// The metric of two chains whose ends and joint have rows: six numbers of each side.
+struct Metric {
+  Metric()
+      : assembly(twoChains(laws::makeLaw("Perfect"), clamp())),
+        fixedPoint(assembly, {}, self(), timers),
+        metric(fixedPoint.metric()),
+        rows(fixedPoint.layout().rows()) {}
+
+  double dot(const double* a, const double* b) const {
+    double sum = 0.0;
+    for (int row = 0; row < rows; ++row) sum += metric.scale()[row] * metric.scale()[row] * a[row] * b[row];
+    return sum;
+  }
+
+  base::Timers timers;
+  assembly::Assembly assembly;
+  FixedPoint fixedPoint;
+  const StateMetric& metric;
+  int rows;
+};
+
+/// A space of random directions whose g is `factors` times their v.
+CorrectionSpace scaledSpace(const Metric& m, const std::vector<double>& factors) {
+  CorrectionSpace space(m.metric);
+  base::Matrix v(m.rows, static_cast<int>(factors.size()));
+  randomize(v);
+  for (std::size_t j = 0; j < factors.size(); ++j) {
+    double* column = v[static_cast<int>(j)];
+    EXPECT_TRUE(space.makeIndependent(column));
+    std::vector<double> y(column, column + m.rows), g(y);
+    for (double& value : y) value *= 3.0;
+    for (double& value : g) value *= factors[j];
+    space.add(column, y.data());
+    space.append(g.data());
+  }
+  return space;
+}
+
+TEST(CorrectionSpace, MakesDirectionsOrthonormal) {
+  const Metric m;
+  const CorrectionSpace space = scaledSpace(m, {1.0, 1.0, 1.0});
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      EXPECT_NEAR(m.dot(space.direction(i), space.direction(j)), i == j ? 1.0 : 0.0, 1e-14);
+    }
+  }
+  std::vector<double> inside(m.rows);
+  for (int row = 0; row < m.rows; ++row) inside[row] = 2.0 * space.direction(0)[row] - space.direction(2)[row];
+  EXPECT_FALSE(space.makeIndependent(inside.data()));
+}
+
+TEST(CorrectionSpace, SolvesLeastSquares) {
+  const Metric m;
+  CorrectionSpace space = scaledSpace(m, {0.5, 2.0});
+  base::Matrix outside(m.rows, 1);
+  randomize(outside, 7);
+  ASSERT_TRUE(space.makeIndependent(outside[0]));
+  std::vector<double> residual(m.rows);
+  for (int row = 0; row < m.rows; ++row) {
+    residual[row] = 3.0 * space.direction(0)[row] - 4.0 * space.direction(1)[row] + 5.0 * outside[0][row];
+  }
+  const CorrectionSpace::LeastSquares found = space.solve(residual.data());
+  EXPECT_NEAR(found.c[0], 6.0, 1e-12);
+  EXPECT_NEAR(found.c[1], -2.0, 1e-12);
+  EXPECT_NEAR(found.left, 5.0, 1e-12);
+  EXPECT_NEAR(space.smallestSingularValue(), 0.5, 1e-12);
+
+  std::vector<double> alpha(m.rows, 0.0), beta(m.rows, 0.0);
+  space.move(found.c, 0.5, alpha.data(), beta.data());
+  for (int row = 0; row < m.rows; ++row) EXPECT_NEAR(beta[row], 3.0 * alpha[row], 1e-13);
+  EXPECT_NEAR(m.dot(alpha.data(), space.direction(0)), 3.0, 1e-12);
+}
+
+// A direction that T does not answer to, but for round-off, gets nothing instead of everything.
+TEST(CorrectionSpace, LeavesOutWhatIsSingular) {
+  const Metric m;
+  const CorrectionSpace space = scaledSpace(m, {1.0, 1e-12});
+  std::vector<double> residual(m.rows);
+  for (int row = 0; row < m.rows; ++row) residual[row] = space.direction(0)[row] + space.direction(1)[row];
+  const CorrectionSpace::LeastSquares found = space.solve(residual.data());
+  EXPECT_NEAR(found.c[0], 1.0, 1e-10);
+  EXPECT_NEAR(found.c[1], 0.0, 1e-4);
+  EXPECT_NEAR(found.left, 1.0, 1e-10);
+  EXPECT_NEAR(space.smallestSingularValue(), 1.0, 1e-10);
+}
+
+TEST(CorrectionSpace, TakesANewTangent) {
+  const Metric m;
+  CorrectionSpace space = scaledSpace(m, {1.0, 1.0});
+  space.forgetTangent();
+  for (int j = 0; j < 2; ++j) {
+    std::vector<double> g(space.direction(j), space.direction(j) + m.rows);
+    for (double& value : g) value *= 0.25;
+    space.append(g.data());
+  }
+  EXPECT_NEAR(space.solve(space.direction(1)).c[1], 4.0, 1e-12);
+  EXPECT_NEAR(space.smallestSingularValue(), 0.25, 1e-12);
+}
+
+TEST(CorrectionSpace, BeginsEmpty) {
+  const Metric m;
+  const CorrectionSpace space(m.metric);
+  EXPECT_EQ(space.size(), 0);
+  EXPECT_EQ(space.smallestSingularValue(), 1.0);
+  const std::vector<double> residual(m.rows, 1.0);
+  EXPECT_NEAR(space.solve(residual.data()).left, std::sqrt(m.dot(residual.data(), residual.data())), 1e-14);
+}
+
+}  // namespace
+}  // namespace harmos::latin
