@@ -102,24 +102,27 @@ Certificate::Certificate(FixedPoint& fixedPoint, const std::vector<std::shared_p
 
 Certificate::~Certificate() = default;
 
-Certificate::Correction Certificate::correct(const Iterate& iterate, const base::Matrix& alpha,
-                                             const base::Matrix& image, int count, double previous, int stages) {
+Certificate::Correction Certificate::correctCausally(const Iterate& iterate, const base::Matrix& alpha, int count,
+                                                     int stages) {
   Correction result;
   result.state = alpha;
-  if (causal_) {
-    const double target = count == 0 ? firstTarget : laterTarget;
-    const int before = fixedPoint_.linearStage().stages();
-    const CausalCorrection::Result step =
-        causal_->correct(iterate, result.state, target, std::min(stages, maximumStages));
-    result.reduction = step.reduction;
-    result.reduced = step.reduction <= causalLimit * target;
-    result.hidden = step.hidden;
-    if (!result.reduced) {
-      wasted_ += fixedPoint_.linearStage().stages() - before;
-      if (!(step.reduction < 1.0)) result.state = alpha;
-    }
-    return result;
-  }
+  const double target = count == 0 ? firstTarget : laterTarget;
+  const int before = fixedPoint_.linearStage().stages();
+  const CausalCorrection::Result step =
+      causal_->correct(iterate, result.state, target, std::min(stages, maximumStages));
+  result.reduction = step.reduction;
+  result.reduced = step.reduction <= causalLimit * target;
+  result.hidden = step.hidden;
+  if (!result.reduced) wasted_ += fixedPoint_.linearStage().stages() - before;
+  if (!(step.reduction <= 1.0)) result.state = alpha;
+  return result;
+}
+
+Certificate::Correction Certificate::correctByNewton(const Iterate& iterate, const base::Matrix& alpha,
+                                                     const base::Matrix& image, int count, double previous,
+                                                     int stages) {
+  Correction result;
+  result.state = alpha;
   const bool isClose = count > 0 && previous <= settledShare * accuracy_;
   const NewtonCorrection::Result step =
       newton_.solve(iterate, alpha, image, isClose ? closeTarget : krylovTarget, std::min(stages, maximumVectors));
@@ -141,25 +144,25 @@ const Iterate& Certificate::smooth(base::Matrix& state, base::Matrix& image) {
   return *iterate;
 }
 
-bool Certificate::giveUpCausalCorrections() {
-  if (!causal_) return false;
-  const bool isSlow = fixedPoint_.linearStage().stages() - stagesBefore_ > stagesOfASlowMarch;
-  if (isSlow || wasted_ > stagesToWaste) causal_.reset();
-  return !causal_;
+bool Certificate::isDearToGoOn() const {
+  return wasted_ > stagesToWaste || fixedPoint_.linearStage().stages() - stagesBefore_ > stagesOfASlowMarch;
 }
 
 Certificate::Result Certificate::attempt(const Iterate& first, const base::Matrix& alpha, const base::Matrix& image,
                                          int stageLimit) {
-  Result result = attemptOnce(first, alpha, image, stageLimit);
-  if (result.claimed || !result.stagnated || !giveUpCausalCorrections()) return result;
-  const base::Matrix state(result.state);
-  base::Matrix next(state.numRows(), state.numCols());
-  const Iterate& iterate = fixedPoint_.apply(state, next);
-  return attemptOnce(iterate, state, next, stageLimit);
+  Result result = attemptOnce(first, alpha, image, stageLimit, false);
+  for (int newton = 0; result.stagnated && causal_ && isDearToGoOn(); ++newton) {
+    if (newton > 0) causal_.reset();
+    const base::Matrix state(result.state);
+    base::Matrix next(state.numRows(), state.numCols());
+    const Iterate& iterate = fixedPoint_.apply(state, next);
+    result = attemptOnce(iterate, state, next, stageLimit, true);
+  }
+  return result;
 }
 
 Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::Matrix& alpha, const base::Matrix& image,
-                                             int stageLimit) {
+                                             int stageLimit, bool beginsWithNewton) {
   Result result;
   result.state = alpha;
   base::Matrix state(alpha);
@@ -169,13 +172,15 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
   double previous = 0.0, hidden = 0.0;
   for (int count = 0; count < maximumCorrections; ++count) {
     const double gap = fieldGap(*iterate);
+    const bool isCausal = causal_ && !(beginsWithNewton && count == 0);
     const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
-    if (stages < (causal_ ? leastStages : leastVectors)) return result;
-    const Correction step = correct(*iterate, state, next, count, previous, stages);
+    if (stages < (isCausal ? leastStages : leastVectors)) return result;
+    const Correction step = isCausal ? correctCausally(*iterate, state, count, stages)
+                                     : correctByNewton(*iterate, state, next, count, previous, stages);
     if (!step.reduced) {
       result.state = step.state;
       result.conclusive = false;
-      result.stagnated = true;
+      result.stagnated = isCausal;
       return result;
     }
     iterate = &fixedPoint_.apply(step.state, next);
@@ -185,9 +190,9 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
     if (count > 0) {
       result.contraction = error == 0.0 ? 0.0 : error / previous;
       const bool grew = result.contraction > 1.0 && error > settledShare * accuracy_;
-      if (grew && !causal_) return result;
+      if (grew && !isCausal) return result;
       // The correction leaves a share of the residual, and so of the error.
-      const double left = causal_ ? std::max(laterTarget, step.reduction) : step.reduction;
+      const double left = isCausal ? std::max(laterTarget, step.reduction) : step.reduction;
       const double kappa = std::clamp(result.contraction, left, steadyContraction);
       for (double& e : errors) e /= 1.0 - kappa;
       result.conclusive = !grew;
@@ -203,7 +208,7 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
     previous = error;
     hidden = step.hidden;
     state.assign(step.state);
-    if (causal_) {
+    if (isCausal) {
       before = std::move(after);
     } else {
       iterate = &smooth(state, next);

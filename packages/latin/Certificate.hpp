@@ -20,9 +20,10 @@ class CausalCorrection;
 /// more than their way in it, the gap between the two fields of the iteration is below ten times the accuracy, and no
 /// body was thrown far away. If E is too large, a2 takes the place of a1 and is corrected once more.
 ///
-/// Where causal corrections have stagnated, and the way there was long, and in the velocity form, the corrections are
-/// NewtonCorrection: they start anew each time and need relaxed iterations after each, which smooth their rough
-/// residual; they must reduce the residual to 0.15, and kappa counts as it is up to 0.8.
+/// Where a causal correction stagnates, and the way there was long, a NewtonCorrection takes its place, once; the next
+/// time, and in the velocity form always, all corrections are of that kind: they start anew each time and need relaxed
+/// iterations after each, which smooth their rough residual; they must reduce the residual to 0.15, and kappa counts as
+/// what they leave at least.
 ///
 /// The gap is max(|f - f^| / |f^|, |w - w^| / |w|): with f - f^ = -k (w - w^) one of them is large for any k far from
 /// the stiffness of the bodies, so an absurd k cannot hide behind small changes.
@@ -35,7 +36,7 @@ class Certificate {
     std::vector<double> estimates;  ///< as Snapshot::distance: responses, force field, displacement field
     base::Matrix state;             ///< the state that the estimates belong to, or the best one to go on from
     double contraction = 1.0;       ///< kappa [-]
-    bool stagnated = false;         ///< a correction did not reduce the residual as much as it must
+    bool stagnated = false;         ///< a causal correction did not reduce the residual as much as it must
   };
 
   /// Of one run, from its beginning on. All arguments must outlive it. `accuracy`: relative [-].
@@ -56,12 +57,14 @@ class Certificate {
     bool reduced = false;    // the residual, as much as an estimate needs
     double hidden = 0.0;     // as NewtonCorrection::Result::hidden
   };
-  Result attemptOnce(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int stageLimit);
-  /// Whether Newton corrections take over here and now, because to go on otherwise would be dearer.
-  bool giveUpCausalCorrections();
+  Result attemptOnce(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int stageLimit,
+                     bool beginsWithNewton);
+  /// Whether Newton corrections are worth their price where a causal one has stagnated.
+  bool isDearToGoOn() const;
   /// Number `count` of this attempt.
-  Correction correct(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int count,
-                     double previous, int stages);
+  Correction correctCausally(const Iterate& iterate, const base::Matrix& alpha, int count, int stages);
+  Correction correctByNewton(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int count,
+                             double previous, int stages);
   /// Relaxed iterations of `state`, whose image is given; returns its iterate.
   const Iterate& smooth(base::Matrix& state, base::Matrix& image);
 

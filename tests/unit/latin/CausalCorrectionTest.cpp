@@ -40,7 +40,9 @@ struct Cubes {
     return correction.correct(iterate, alpha, target, stages);
   }
   /// A state near the solution.
-  void march(double tolerance) { March(fixedPoint, 30, tolerance).run(alpha, tolerance, March::Guess::extrapolation); }
+  void march(double tolerance) {
+    March(fixedPoint, 30, tolerance, 0).run(alpha, tolerance, March::Guess::extrapolation);
+  }
 
   base::Timers timers;
   BoxAssembly cubes;
