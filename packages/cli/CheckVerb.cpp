@@ -8,6 +8,7 @@
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/cli/detail/Warnings.hpp>
 #include <harmos/scene/CostEstimate.hpp>
+#include <harmos/study/ChaosCost.hpp>
 #include <harmos/study/StudyReader.hpp>
 
 namespace harmos::cli {
@@ -74,16 +75,30 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost) {
       << std::defaultfloat;
 }
 
-int checkScene(const scene::Scene& scene, const Arguments& arguments, const CommandEnvironment& environment) {
+void printExpansions(std::ostream& out, const study::ChaosChoice& choice, int ranks) {
+  out << "Expansions: " << std::fixed << std::setprecision(0) << choice.cost.terms << " polynomials, "
+      << (choice.cost.isGalerkin ? "Galerkin" : "pseudo-spectral") << " local stage " << choice.why << "\n";
+  printBytes(out, ranks == 1 ? "memory in all" : "memory of every rank", choice.cost.bytesOf(ranks));
+}
+
+/// `study`: whose scene it is, or null.
+int checkScene(const scene::Scene& scene, const study::Study* study, const Arguments& arguments,
+               const CommandEnvironment& environment) {
   base::Timers timers;
   const scene::Problem problem = scene::makeProblem(scene, *environment.communicator, timers);
   const scene::CostEstimate cost = scene::estimateCost(problem, *environment.communicator);
-  if (!environment.isRoot()) return 0;
-  if (!arguments.has("--quiet")) {
+  const bool isShown = environment.isRoot() && !arguments.has("--quiet");
+  if (isShown) {
     printProblem(environment.out, problem);
     printCost(environment.out, cost);
     printWarnings(environment.out, scene.warnings);
   }
+  if (study && study->isChaos()) {
+    const study::ChaosChoice choice = study::chooseLocalStage(*study, problem, *environment.communicator);
+    if (isShown) printExpansions(environment.out, choice, environment.communicator->getSize());
+    study::demandMemory(*study, choice, *environment.communicator);
+  }
+  if (!environment.isRoot()) return 0;
   environment.out << scene.path << " is valid.\n";
   return 0;
 }
@@ -101,7 +116,7 @@ int checkStudy(const study::Study& study, const Arguments& arguments, const Comm
       if (inadmissible++ == 0) reason = "configuration " + std::to_string(configuration.id) + ": " + error.what();
     }
   }
-  checkScene(study.scene, arguments, environment);
+  checkScene(study.scene, &study, arguments, environment);
   if (!environment.isRoot()) return 0;
   if (inadmissible > 0) {
     environment.out << inadmissible << " configurations are not admissible; the first is " << reason << "\n";
@@ -116,7 +131,7 @@ int check(const Arguments& arguments, const CommandEnvironment& environment) {
   const laws::LawRegistry laws = laws::builtInLaws();
   if (study::isStudyFile(path))
     return checkStudy(study::readStudy(path, arguments.values("--set"), "", laws), arguments, environment);
-  return checkScene(scene::readScene(path, arguments.values("--set"), laws), arguments, environment);
+  return checkScene(scene::readScene(path, arguments.values("--set"), laws), nullptr, arguments, environment);
 }
 
 }  // namespace

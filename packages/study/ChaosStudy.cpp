@@ -30,11 +30,7 @@ std::vector<double> meanValues(const Study& study) {
 std::vector<bool> randomInterfaces(const Study& study, const scene::Scene& scene, const assembly::Assembly& assembly) {
   std::vector<bool> isRandom;
   for (const assembly::Interface& interface : assembly.interfaces) {
-    const bool hasLaw = scene.laws.count(interface.name) > 0;
-    isRandom.push_back(hasLaw && std::any_of(study.parameters.begin(), study.parameters.end(), [&](const auto& one) {
-                         return std::any_of(one.effects.begin(), one.effects.end(),
-                                            [&](const Effect& effect) { return effect.changesLawOf(interface.name); });
-                       }));
+    isRandom.push_back(scene.laws.count(interface.name) > 0 && changeLawOf(study.parameters, interface.name));
   }
   return isRandom;
 }
@@ -51,7 +47,10 @@ ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teucho
       scene_(study.sceneFor(meanValues(study), laws)),
       problem_(scene::makeProblem(scene_, *comm_, timers)),
       isRandom_(randomInterfaces(study, scene_, problem_.assembly)),
-      isGalerkin_(options_.isGalerkin(problem_.assembly.isAffine())) {}
+      choice_(chooseLocalStage(study, problem_, *comm_)),
+      isGalerkin_(choice_.cost.isGalerkin) {
+  demandMemory(study, choice_, *comm_);
+}
 
 latin::Outcome ChaosStudy::solve() {
   const latin::Outcome outcome = options_.tolerance ? raiseOrder() : (start(options_.order), run(nullptr));

@@ -20,7 +20,6 @@ using Names = std::vector<std::string>;
 using Method = StochasticPlan::Method;
 
 constexpr int mostAdaptiveVariables = 3;
-constexpr double mostTensorPoints = 1e5;
 // Beyond the degree of the polynomials, for parameters that are no polynomials of their germs.
 constexpr int pointsForNonlinearGerms = 6;
 
@@ -184,7 +183,7 @@ class Reader {
       plan.germs = plan.quadrature.points;
       holdOut(collocation->holdOuts, plan);
     } else if (const auto* chaos = design_.as<ChaosOptions>()) {
-      demandFewPoints(gaussPoints(*plan.variables, plan.order, plan.points, chaos->isGalerkin(false)),
+      demandFewPoints(gaussPoints(*plan.variables, plan.order, plan.points, chaos->wantsGalerkin()),
                       "Take Collocation with Points In set to Sparse, or a lower Order.");
       demandPolynomials(plan);
       holdOut(chaos->holdOuts, plan);

@@ -307,7 +307,7 @@ std::string describe(const ChaosStudy& chaos, latin::Outcome outcome) {
   text << (outcome == latin::Outcome::certified ? "" : "NOT all that was asked for: ") << "order "
        << chaos.basis().order() << ", " << chaos.basis().size() << " terms, "
        << (chaos.isGalerkin() ? "Galerkin" : "pseudo-spectral") << " local stage, " << chaos.columns()
-       << " columns solved";
+       << " columns solved; this local stage " << chaos.choice().why;
   if (!chaos.reason().empty()) text << "; " << chaos.reason();
   return text.str();
 }

@@ -39,7 +39,7 @@ struct HoldOutOptions {
 
 /// Expansions that are solved for.
 struct ChaosOptions {
-  /// How laws meet expansions; automatic: Galerkin where all laws are affine.
+  /// How laws meet expansions; automatic: see chooseLocalStage().
   enum class LocalStage { automatic, galerkin, pseudoSpectral };
 
   int order = 0;                                  // the highest, if there is a tolerance
@@ -49,10 +49,8 @@ struct ChaosOptions {
   std::optional<double> tolerance;                // of the standard deviation, from order to order
   std::optional<std::string> response;            // that it is of; absent: of all
 
-  /// Whether the residual of every law is orthogonal to the polynomials; `areAffine`: all laws.
-  bool isGalerkin(bool areAffine) const {
-    return localStage == LocalStage::galerkin || (localStage == LocalStage::automatic && areAffine);
-  }
+  /// Whether the residual of every law shall be orthogonal to the polynomials, whatever it costs.
+  bool wantsGalerkin() const { return localStage == LocalStage::galerkin; }
 };
 
 /// Expansions through the responses at the points of a quadrature.

@@ -123,4 +123,11 @@ void StudyParameterReader::readLevels(const Parameters& list, design::Axis& axis
   if (list.has("Values") && axis.levels.empty()) errors_.add(list.where("Values"), "there is no value.");
 }
 
+bool changeLawOf(const std::vector<StudyParameter>& parameters, const std::string& interface) {
+  return std::any_of(parameters.begin(), parameters.end(), [&](const StudyParameter& parameter) {
+    return std::any_of(parameter.effects.begin(), parameter.effects.end(),
+                       [&](const Effect& effect) { return effect.changesLawOf(interface); });
+  });
+}
+
 }  // namespace harmos::study

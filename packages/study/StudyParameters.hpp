@@ -66,4 +66,7 @@ class StudyParameterReader {
   std::vector<design::PlannedParameter> planned_;
 };
 
+/// Whether any of them changes the law of an interface or boundary.
+bool changeLawOf(const std::vector<StudyParameter>& parameters, const std::string& interface);
+
 }  // namespace harmos::study

@@ -279,7 +279,7 @@ class StudyReader {
       errors_.add(solver.where("Formulation"), "Chaos wants displacements as the unknowns of the interfaces.",
                   "Take Displacement, or a design of the type Collocation.");
     }
-    if (!study_.design.as<ChaosOptions>()->isGalerkin(false)) return;
+    if (!study_.design.as<ChaosOptions>()->wantsGalerkin()) return;
     for (const char* kind : {"Interfaces", "Boundaries"}) {
       for (const Parameters& interface : study_.scene.input.lists(kind)) {
         if (study_.scene.laws.at(interface.name())->isAffine()) continue;

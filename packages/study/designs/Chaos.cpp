@@ -18,7 +18,9 @@ struct Chaos {
         .oneOf({"Automatic", "Galerkin", "Pseudo-Spectral"})
         .doc(
             "Galerkin: the residual of every law is orthogonal to the polynomials; affine laws only. Pseudo-Spectral: "
-            "laws at Gauss points, projected; any law. Automatic: Galerkin where all laws are affine.");
+            "laws at Gauss points, projected; any law. Automatic: Galerkin where all laws are affine, unless it is "
+            "much "
+            "dearer; harmos check says which and why.");
     p.number("Tolerance")
         .unit("-")
         .optional()

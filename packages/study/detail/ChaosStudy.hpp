@@ -13,6 +13,7 @@
 #include <harmos/results/StochasticSummary.hpp>
 #include <harmos/scene/Problem.hpp>
 #include <harmos/stochastic/StochasticSolver.hpp>
+#include <harmos/study/ChaosCost.hpp>
 #include <harmos/study/Study.hpp>
 
 namespace harmos::study {
@@ -21,7 +22,8 @@ namespace harmos::study {
 /// sweep. All calls are collective over the communicator.
 class ChaosStudy {
  public:
-  /// Builds mesh and bodies. All arguments must outlive it. Throws as makeProblem().
+  /// Builds mesh and bodies and chooses the local stage. All arguments must outlive it. Throws as makeProblem() and
+  /// demandMemory().
   ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
              base::Timers& timers);
 
@@ -51,6 +53,8 @@ class ChaosStudy {
   /// Columns of the linear stage that were solved in all.
   long columns() const { return columns_; }
   bool isGalerkin() const { return isGalerkin_; }
+  /// How laws meet the expansions, what that takes, and why.
+  const ChaosChoice& choice() const { return choice_; }
 
  private:
   void start(int order);
@@ -71,6 +75,7 @@ class ChaosStudy {
   scene::Scene scene_;
   scene::Problem problem_;
   std::vector<bool> isRandom_;  // by interface
+  ChaosChoice choice_;
   bool isGalerkin_;
   std::function<bool()> interrupted_;
   std::function<void(const std::string&)> observer_;
