@@ -13,7 +13,7 @@ import small_study
 from harmos.report.__main__ import main
 from harmos.report.maps import Grid, panels
 from harmos.report.page import span
-from harmos.report.sensitivities import main_effects, quadratic_fit
+from harmos.report.sensitivities import classes, main_effects, missing_note, quadratic_fit
 from harmos.report.stochastic import running_deviations
 from harmos.report.writing import label, number, percent, table
 
@@ -79,11 +79,47 @@ class PageTest(unittest.TestCase):
         self.assertTrue(numpy.isnan(field[2, 1]))
         self.assertEqual(panels(grid), [()])
 
-    def test_main_effect_explains_what_one_parameter_does(self) -> None:
-        levels, means, share = main_effects(self.study, "mu", 2 * small_study.MU)
-        self.assertEqual(levels.tolist(), [0.1, 0.2, 0.3])
-        numpy.testing.assert_allclose(means, [0.2, 0.4, 0.6])
-        self.assertAlmostEqual(share, 1.0)
+    def test_main_effects_of_a_grid_are_means(self) -> None:
+        effects = main_effects(self.study, ["mu", "load"], 2 * small_study.MU)
+        self.assertEqual(effects.levels[0].tolist(), [0.1, 0.2, 0.3])
+        numpy.testing.assert_allclose(effects.means[0], [0.2, 0.4, 0.6])
+        numpy.testing.assert_allclose(effects.shares, [1.0, 0.0], atol=1e-12)
+        self.assertAlmostEqual(effects.rest, 0.0)
+
+    def test_shares_add_up_where_solutions_are_missing(self) -> None:
+        # A sum of both parameters without the corner where both are large: the variances of the means add up to 126 %.
+        values = 10 * small_study.MU + small_study.LOAD / 10
+        values[-1] = numpy.nan
+        effects = main_effects(self.study, ["mu", "load"], values)
+        self.assertAlmostEqual(effects.shares.sum(), 1.0)
+        self.assertAlmostEqual(effects.rest, 0.0)
+        self.assertTrue((effects.shares > 0.2).all())
+        # What the others do is not shown as the effect of one.
+        numpy.testing.assert_allclose(numpy.diff(effects.means[0]), 1.0)
+        numpy.testing.assert_allclose(numpy.diff(effects.means[1]), 1.0)
+
+    def test_shares_add_up_with_interaction(self) -> None:
+        effects = main_effects(self.study, ["mu", "load"], self.study.responses["F"])
+        self.assertAlmostEqual(effects.shares.sum() + effects.rest, 1.0)
+        self.assertGreater(effects.rest, 0.001)
+
+    def test_a_value_of_its_own_explains_nothing(self) -> None:
+        # Each of 30 random points has its own value of every parameter: means over them would explain everything.
+        generator = numpy.random.default_rng(1)
+        x = generator.uniform(size=30)
+        levels, place = classes(x)
+        self.assertEqual(len(levels), 5)
+        self.assertEqual(numpy.bincount(place).tolist(), [6] * 5)
+        numpy.testing.assert_allclose(levels, [x[place == i].mean() for i in range(5)])
+
+    def test_missing_solutions_are_named(self) -> None:
+        note = missing_note(self.study)
+        self.assertIn("1 of 6 configurations have no solution", note)
+        self.assertIn("1 no equilibrium", note)
+        self.assertIn("1 of 2 at mu = 0.3", note)
+        self.assertIn("1 of 3 at load [N] = 20", note)
+        self.study.status[:] = "certified"
+        self.assertEqual(missing_note(self.study), "")
 
     def test_label_has_the_unit(self) -> None:
         self.assertEqual((label(self.study, "load"), label(self.study, "mu")), ("load [N]", "mu"))

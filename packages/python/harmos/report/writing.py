@@ -22,6 +22,7 @@ table { border-collapse: collapse; margin: 1em 0; } td, th { padding: .2em .8em;
 th { border-bottom: 1px solid #888; } td:first-child, th:first-child, td.text { text-align: left; }
 img { max-width: 100%; } pre { background: #f6f6f6; padding: 1em; overflow: auto; font-size: 12px; }
 .note { color: #555; }
+.warning { background: #fff3cd; border-left: 4px solid #d39e00; padding: .5em 1em; }
 """
 """The style sheet of the page."""
 
