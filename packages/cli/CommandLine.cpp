@@ -23,7 +23,9 @@ const char* const exitCodes =
     "  0    done; for run and study: all solutions are as accurate as asked for\n"
     "  1    failure, the message says which; for compare: the files are different\n"
     "  2    the input or the command line is wrong, nothing was run or written\n"
-    "  3    not converged: iteration limit or stagnation; for study: some configurations have no solution\n"
+    "  3    not converged: iteration limit or stagnation; for study: some configurations have no solution, a "
+    "tolerance\n"
+    "       of the design was not reached, or an audit found a larger error than was accepted\n"
     "  4    no equilibrium exists under the given loads; for study: of some configurations, all others are solved\n"
     "  130  interrupted; what was written is readable\n";
 

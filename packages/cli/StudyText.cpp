@@ -114,7 +114,7 @@ void printOutcome(std::ostream& out, const results::StudyResults& results) {
     if (least > most) continue;
     out << "  " << description.responses[r].name << " from " << std::setprecision(7) << least << " to " << most << "\n";
   }
-  for (const auto& [name, text] : results.notes()) out << "  " << name << ": " << text << "\n";
+  for (const auto& [name, note] : results.notes()) out << "  " << name << ": " << note.text << "\n";
   if (results.statistics()) printStatistics(out, *results.statistics());
   if (all.empty()) return;
   out << std::setprecision(3);

@@ -33,7 +33,7 @@ class Writer {
     if (hasSurrogates_) writeSurrogates();
     if (results_.statistics()) writeStatistics(group_.group("statistics"), *results_.statistics());
     const Hdf5Group notes = group_.group("notes");
-    for (const auto& [name, text] : results_.notes()) notes.attribute(name, text);
+    for (const auto& [name, note] : results_.notes()) notes.attribute(name, note.text);
     const Hdf5Group leftOut = group_.group("left_out");
     for (const auto& [condition, count] : description_.leftOut) leftOut.attribute(condition, count);
   }

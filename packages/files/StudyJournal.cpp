@@ -271,7 +271,7 @@ void StudyJournal::read(const results::Identity& identity) {
     } else if (json->contains("configuration")) {
       added_.push_back(configurationOf(*json));
     } else if (json->contains("note")) {
-      notes_[json->at("note").get<std::string>()] = json->value("text", "");
+      notes_[json->at("note").get<std::string>()] = {json->value("text", ""), json->value("unmet", false)};
     } else if (json->contains("id")) {
       results::ConfigurationResult result = fromJson(*json);
       latest[result.id] = std::move(result);
@@ -298,8 +298,8 @@ void StudyJournal::append(const design::Configuration& added) {
   writeLine(configurationToJson(added));
 }
 
-void StudyJournal::appendNote(const std::string& name, const std::string& text) {
-  writeLine(dump({{"note", name}, {"text", text}}));
+void StudyJournal::appendNote(const std::string& name, const results::Note& note) {
+  writeLine(dump({{"note", name}, {"text", note.text}, {"unmet", note.isUnmet}}));
 }
 
 void StudyJournal::writeLine(const std::string& json) {

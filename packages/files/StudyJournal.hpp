@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <harmos/results/ConfigurationResult.hpp>
+#include <harmos/results/Note.hpp>
 #include <harmos/results/StudyDescription.hpp>
 
 namespace harmos::files {
@@ -32,7 +33,7 @@ class StudyJournal {
   /// What had been added to the study's configurations when it was opened, in the order of adding.
   const std::vector<design::Configuration>& added() const { return added_; }
   /// The texts about the study that were in the file when it was opened, by name; the last one of each.
-  const std::map<std::string, std::string>& notes() const { return notes_; }
+  const std::map<std::string, results::Note>& notes() const { return notes_; }
   /// How many lines were unreadable; their configurations are open again.
   int damaged() const { return damaged_; }
   /// From here on a sudden end of the process does not lose the result. A power failure may, until the file is
@@ -42,7 +43,7 @@ class StudyJournal {
   /// The same of a configuration that an adaptive design has added; it is synchronised with a result only.
   void append(const design::Configuration& added);
   /// The same of a text about the study; a later one of this name replaces it.
-  void appendNote(const std::string& name, const std::string& text);
+  void appendNote(const std::string& name, const results::Note& note);
 
  private:
   void lock();
@@ -54,7 +55,7 @@ class StudyJournal {
   int descriptor_ = -1;
   std::vector<results::ConfigurationResult> results_;
   std::vector<design::Configuration> added_;
-  std::map<std::string, std::string> notes_;
+  std::map<std::string, results::Note> notes_;
   int damaged_ = 0;
   std::chrono::steady_clock::time_point lastSync_;
 };

@@ -67,7 +67,7 @@ StudyWriter::StudyWriter(const StudyFiles& files, results::StudyResults& results
   }
   for (const auto& configuration : journal_.added()) results_.add(configuration);
   for (const auto& result : journal_.results()) results_.set(result);
-  for (const auto& [name, text] : journal_.notes()) results_.note(name, text);
+  for (const auto& [name, note] : journal_.notes()) results_.note(name, note);
   writeFile("running");
 }
 
@@ -77,9 +77,9 @@ void StudyWriter::record(const results::ConfigurationResult& result) {
   if (std::chrono::steady_clock::now() >= nextFile_) writeFile("running");
 }
 
-void StudyWriter::note(const std::string& name, const std::string& text) {
-  journal_.appendNote(name, text);
-  results_.note(name, text);
+void StudyWriter::note(const std::string& name, const results::Note& note) {
+  journal_.appendNote(name, note);
+  results_.note(name, note);
 }
 
 void StudyWriter::add(const design::Configuration& configuration) {

@@ -40,7 +40,7 @@ class StudyWriter : public results::ResultSink {
   /// base::Error when journal or HDF5 file cannot be written.
   void record(const results::ConfigurationResult& result) override;
   /// Appends to the journal; throws as record().
-  void note(const std::string& name, const std::string& text) override;
+  void note(const std::string& name, const results::Note& note) override;
   /// What finish() shall write of a study with random parameters; shared.
   void setStatistics(std::shared_ptr<const results::StochasticSummary> statistics) {
     results_.setStatistics(std::move(statistics));

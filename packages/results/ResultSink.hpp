@@ -3,6 +3,7 @@
 #include <string>
 
 #include <harmos/results/ConfigurationResult.hpp>
+#include <harmos/results/Note.hpp>
 
 namespace harmos::results {
 
@@ -14,7 +15,7 @@ class ResultSink {
   virtual void record(const ConfigurationResult& result) = 0;
   /// Something about the study as a whole that its report shall say, such as how its estimates were calibrated. A later
   /// note of the same name replaces the first.
-  virtual void note(const std::string& /*name*/, const std::string& /*text*/) {}
+  virtual void note(const std::string& /*name*/, const Note& /*note*/) {}
 };
 
 }  // namespace harmos::results

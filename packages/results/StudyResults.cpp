@@ -30,6 +30,10 @@ const ConfigurationResult* StudyResults::find(int id) const {
   return place ? &*place : nullptr;
 }
 
+bool StudyResults::fallsShort() const {
+  return std::any_of(notes_.begin(), notes_.end(), [](const auto& each) { return each.second.isUnmet; });
+}
+
 int StudyResults::count(Status status) const {
   return static_cast<int>(std::count_if(results_.begin(), results_.end(),
                                         [&](const auto& place) { return place && place->status == status; }));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <harmos/results/ConfigurationResult.hpp>
+#include <harmos/results/Note.hpp>
 #include <harmos/results/StochasticSummary.hpp>
 #include <harmos/results/StudyDescription.hpp>
 
@@ -38,9 +39,11 @@ class StudyResults {
   /// accurate as asked for, else what the study wants in its place, else not a number, as while it is open.
   std::vector<double> responses(int id) const;
   /// Replaces the note of this name.
-  void note(const std::string& name, const std::string& text) { notes_[name] = text; }
-  /// Texts about the study as a whole, by name.
-  const std::map<std::string, std::string>& notes() const { return notes_; }
+  void note(const std::string& name, const Note& note) { notes_[name] = note; }
+  /// About the study as a whole, by name.
+  const std::map<std::string, Note>& notes() const { return notes_; }
+  /// Whether a note says that the study falls short of what was asked for.
+  bool fallsShort() const;
   /// What a study with random parameters has come to; null before its end and in other studies.
   void setStatistics(std::shared_ptr<const StochasticSummary> statistics) { statistics_ = std::move(statistics); }
   /// What setStatistics() was given, else null.
@@ -53,7 +56,7 @@ class StudyResults {
   std::vector<design::Configuration> configurations_;
   std::vector<std::optional<ConfigurationResult>> results_;  // by id - 1
   int count_ = 0;
-  std::map<std::string, std::string> notes_;
+  std::map<std::string, Note> notes_;
   std::shared_ptr<const StochasticSummary> statistics_;
 };
 

@@ -32,7 +32,7 @@ void noteTrust(const parametric::Trust& summary, results::ResultSink& sink) {
     text << summary.calibrations << " configurations solved tightly; ratio of indicator to error at least "
          << summary.forceRatio << " (forces) and " << summary.responseRatio << " (responses); " << summary.reopened
          << " taken up again";
-    sink.note("calibration of the error estimate", text.str());
+    sink.note("calibration of the error estimate", {text.str()});
     text.str("");
   }
   if (summary.audits + summary.openAudits > 0) {
@@ -41,7 +41,7 @@ void noteTrust(const parametric::Trust& summary, results::ResultSink& sink) {
          << "the largest " << summary.largestAudit << " of what was asked for; false claims at most "
          << 100.0 * summary.falseClaimBound << " % at 95 % confidence";
     if (summary.openAudits > 0) text << "; " << summary.openAudits << " more audits came to no end";
-    sink.note("audit of the error estimate", text.str());
+    sink.note("audit of the error estimate", {text.str(), summary.falseClaims > 0});
   }
 }
 

@@ -9,7 +9,7 @@ namespace harmos::study {
 
 namespace {
 
-constexpr char ofResult = 'R', ofNote = 'N';
+constexpr char ofResult = 'R', ofNote = 'N', ofShortfall = 'S';
 
 void broadcast(std::string& text, const Teuchos::Comm<int>& comm) {
   int length = static_cast<int>(text.size());
@@ -65,13 +65,13 @@ void StudyRecorder::record(const results::ConfigurationResult& result) {
   if (observer_) observer_(results_);
 }
 
-void StudyRecorder::note(const std::string& name, const std::string& text) {
+void StudyRecorder::note(const std::string& name, const results::Note& note) {
   // Every team has something to say about itself.
   const int team = teams_.all()->getRank() / teams_.team()->getSize();
   const std::string full = teams_.count() == 1 ? name : name + " (team " + std::to_string(team + 1) + ")";
-  if (!writer_) results_.note(full, text);
-  write([&](files::StudyWriter& writer) { writer.note(full, text); });
-  if (isMessenger()) teams_.report(ofNote + full + "\n" + text);
+  if (!writer_) results_.note(full, note);
+  write([&](files::StudyWriter& writer) { writer.note(full, note); });
+  if (isMessenger()) teams_.report((note.isUnmet ? ofShortfall : ofNote) + full + "\n" + note.text);
 }
 
 void StudyRecorder::add(const design::Configuration& configuration) {
@@ -90,7 +90,8 @@ void StudyRecorder::receive(const std::string& report) {
     record(files::resultFromJson(text));
   } else {
     const std::size_t end = text.find('\n');
-    write([&](files::StudyWriter& writer) { writer.note(text.substr(0, end), text.substr(end + 1)); });
+    const results::Note note{text.substr(end + 1), report.front() == ofShortfall};
+    write([&](files::StudyWriter& writer) { writer.note(text.substr(0, end), note); });
   }
 }
 

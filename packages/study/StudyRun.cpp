@@ -19,7 +19,9 @@ int exitCodeOf(const results::StudyResults& results) {
   const auto count = [&](results::Status status) { return results.count(status); };
   const int solved = count(results::Status::certified) + count(results::Status::calibrated);
   const int unbalanced = count(results::Status::noEquilibrium);
-  if (solved == results.count()) return static_cast<int>(base::ExitCode::ok);
+  if (solved == results.count()) {
+    return static_cast<int>(results.fallsShort() ? base::ExitCode::notConverged : base::ExitCode::ok);
+  }
   return static_cast<int>(solved + unbalanced == results.count() ? base::ExitCode::noEquilibrium
                                                                  : base::ExitCode::notConverged);
 }
@@ -66,7 +68,8 @@ StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry&
       chaos->setInterrupt(request.interrupted);
       if (teams.ownsFiles() && request.message) chaos->setObserver(request.message);
       outcome = chaos->solve();
-      if (teams.ownsFiles()) recorder.note("expansions", describe(*chaos, outcome));
+      if (teams.ownsFiles())
+        recorder.note("expansions", {describe(*chaos, outcome), outcome != latin::Outcome::certified});
     }
     runner.run(std::move(onlyGroup));
     run.state = runner.isAborted() ? "aborted" : runner.isStopped() ? "interrupted" : "complete";

@@ -181,8 +181,9 @@ void StudyRunner::refine() {
                                 : std::numeric_limits<double>::quiet_NaN());
     }
     const auto batch = refinement.next(points, values, results.description().accuracy);
-    recorder_.note("surface of " + responses[response].name,
-                   (refinement.isReached() ? "reached: " : "not reached: ") + refinement.summary());
+    recorder_.note(
+        "surface of " + responses[response].name,
+        {(refinement.isReached() ? "reached: " : "not reached: ") + refinement.summary(), !refinement.isReached()});
     if (batch.empty()) return;
     solveAdded(batch);
   }
@@ -192,7 +193,7 @@ void StudyRunner::refineInterpolation() {
   while (!mustStop()) {
     const Interpolation interpolation(study_, recorder_.results());
     if (interpolation.wanted().empty()) {
-      recorder_.note("interpolation", interpolation.summary());
+      recorder_.note("interpolation", {interpolation.summary(), !interpolation.function().isReached()});
       return;
     }
     std::vector<std::vector<double>> points;

@@ -72,6 +72,11 @@ rows=$(wc -l <"$work/adaptive/$name.csv")
 expect 0 'surface of u_max: reached: within ' "$harmos" study "$study" --output "$work/adaptive" "${adaptive[@]}"
 expect 0 "^$rows " wc -l "$work/adaptive/$name.csv"
 
+# One that does not reach it, also when it is asked again, does not end as if it had.
+short=("${adaptive[@]}" --set Design/Tolerance=1e-5 --set 'Design/Maximum Count=14')
+expect 3 'surface of u_max: not reached: ' "$harmos" study "$study" --output "$work/short" "${short[@]}"
+expect 3 'surface of u_max: not reached: ' "$harmos" study "$study" --output "$work/short" "${short[@]}"
+
 # A configuration that violates a range is recorded with its reason; the others are solved.
 printf 'pressure,mu\n20,0.3\n20,-1\n20,0.31\n' >"$work/range.csv"
 expect 3 '2 certified, 1 inadmissible\|1 inadmissible' "$harmos" study "$study" --output "$work/range" --points "$work/range.csv"

@@ -21,7 +21,7 @@ class StudyRecorder : public results::ResultSink {
   void setObserver(std::function<void(const results::StudyResults&)> observer) { observer_ = std::move(observer); }
 
   void record(const results::ConfigurationResult& result) override;
-  void note(const std::string& name, const std::string& text) override;
+  void note(const std::string& name, const results::Note& note) override;
   /// A configuration that an adaptive design has chosen.
   void add(const design::Configuration& configuration);
   /// What a study with random parameters has come to; written by finish().

@@ -291,8 +291,10 @@ TEST_F(StudyFilesTest, WriterRemembersAddedConfigurationsAndNotes) {
     results::StudyResults results(description);
     StudyWriter writer(files, results, false);
     writer.add({4, {1.0 / 7.0, 2.0 / 7.0}});
-    writer.note("audit", "none");
-    writer.note("audit", "1 of 1");
+    writer.note("audit", {"none", true});
+    writer.note("audit", {"1 of 1", true});
+    writer.note("surface", {"not reached", true});
+    writer.note("surface", {"reached"});
     writer.record(solved(4));
   }
   results::StudyResults results(description);
@@ -300,7 +302,11 @@ TEST_F(StudyFilesTest, WriterRemembersAddedConfigurationsAndNotes) {
   ASSERT_EQ(results.configurations().size(), 4u);
   EXPECT_EQ(results.configurations()[3].values, (std::vector<double>{1.0 / 7.0, 2.0 / 7.0}));
   ASSERT_NE(results.find(4), nullptr);
-  EXPECT_EQ(results.notes().at("audit"), "1 of 1");
+  EXPECT_EQ(results.notes().at("audit").text, "1 of 1");
+  EXPECT_EQ(results.notes().at("surface").text, "reached");
+  EXPECT_TRUE(results.fallsShort());
+  results.note("audit", {"0 of 1"});
+  EXPECT_FALSE(results.fallsShort());
 }
 
 TEST_F(StudyFilesTest, ResultsWithoutJournalAreNotOverwritten) {

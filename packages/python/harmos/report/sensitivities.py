@@ -87,9 +87,9 @@ def main_effects(study: Study, names: list[str], values: Floats) -> Effects:
                                   for i in range(len(levels))]))
         first += len(levels)
     total = float(y @ y)
-    levels = [each for each, _ in found]
+    values_of = [each for each, _ in found]
     if not total > 0:
-        return Effects(levels, means, numpy.full(len(names), numpy.nan), numpy.nan)
+        return Effects(values_of, means, numpy.full(len(names), numpy.nan), numpy.nan)
     every = range(len(names))
     generator = numpy.random.default_rng(1)
     orders = (list(itertools.permutations(every)) if math.factorial(len(names)) <= MOST_ORDERS else
@@ -104,7 +104,7 @@ def main_effects(study: Study, names: list[str], values: Floats) -> Effects:
                 sums[subset] = explained(tuple(sorted(subset)))
             shares[i] += (sums[subset] - before) / total / len(orders)
             before = sums[subset]
-    return Effects(levels, means, shares, 1.0 - float(shares.sum()))
+    return Effects(values_of, means, shares, 1.0 - float(shares.sum()))
 
 
 def quadratic_fit(points: Floats, values: Floats) -> Fit | None:
