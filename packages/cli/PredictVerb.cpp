@@ -8,6 +8,7 @@
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/StoredExpansions.hpp>
+#include <harmos/files/StoredInterpolant.hpp>
 #include <harmos/files/StoredSurfaceData.hpp>
 #include <harmos/study/PointsFile.hpp>
 
@@ -70,6 +71,19 @@ std::string evaluate(const files::StoredExpansions& expansions, const Arguments&
   return text;
 }
 
+std::string evaluate(const files::StoredInterpolant& interpolant, const Arguments& arguments) {
+  std::string text = header(interpolant.parameters(), interpolant.responses());
+  for (const auto& point : pointsOf(arguments, interpolant.parameters())) {
+    for (const double value : point) text += cell(value);
+    const auto prediction = interpolant.evaluate(point);
+    for (std::size_t r = 0; r < prediction.values.size(); ++r) {
+      text += cell(prediction.values[r]) + cell(prediction.deviations[r]);
+    }
+    text += prediction.isInside ? "0\n" : "1\n";
+  }
+  return text;
+}
+
 std::string evaluate(const results::SurfaceData& data, const Arguments& arguments) {
   const auto points = pointsOf(arguments, data.parameters);
   std::vector<design::Surrogate> surrogates;
@@ -105,7 +119,10 @@ int predict(const Arguments& arguments, const CommandEnvironment& environment) {
                       base::ExitCode::input);
   }
   const auto expansions = files::StoredExpansions::read(path);
-  const std::string text = expansions ? evaluate(*expansions, arguments) : evaluate(data, arguments);
+  const auto interpolant = files::StoredInterpolant::read(path);
+  const std::string text = interpolant  ? evaluate(*interpolant, arguments)
+                           : expansions ? evaluate(*expansions, arguments)
+                                        : evaluate(data, arguments);
   if (arguments.has("--output")) {
     files::replaceFile(arguments.value("--output", ""), text);
   } else {
@@ -119,7 +136,8 @@ int predict(const Arguments& arguments, const CommandEnvironment& environment) {
 Command predictCommand() {
   return {"predict",
           "STUDY.h5",
-          "Evaluate the response surfaces or expansions of a study, with error bars, without solving anything.",
+          "Evaluate the response surfaces, expansions or interpolation of a study, with error bars, without solving "
+          "anything.",
           {{"--at", "NAME=VALUE", "value of a parameter; once for each", true},
            {"--points", "FILE.csv", "a table of points instead; its header names the parameters"},
            {"--output", "FILE.csv", "write the table there (default: print it)"}},

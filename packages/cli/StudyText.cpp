@@ -63,20 +63,23 @@ namespace {
 void printStatistics(std::ostream& out, const results::StochasticSummary& summary) {
   out << summary.method << "\n"
       << "  " << std::left << std::setw(20) << "response" << std::right;
-  for (const char* head : {"mean", "std", "skewness", "kurtosis", "last degree", "hold-out"}) {
+  for (const char* head :
+       {"mean", "std", "skewness", "kurtosis", "last degree", "hold-out", "mean error", "std error"}) {
     out << std::setw(13) << head;
   }
   out << "\n";
   for (const results::ResponseStatistics& response : summary.responses) {
     out << "  " << std::left << std::setw(20) << response.name << std::right;
-    for (const double value : {response.mean, response.standardDeviation, response.skewness, response.kurtosis,
-                               response.truncation, response.holdOutError}) {
+    for (const double value :
+         {response.mean, response.standardDeviation, response.skewness, response.kurtosis, response.truncation,
+          response.holdOutError, response.meanError, response.deviationError}) {
       std::ostringstream cell;
       cell << std::setprecision(6) << value;
       out << std::setw(13) << (std::isnan(value) ? "n/a" : cell.str());
     }
     out << "\n";
   }
+  for (const std::string& warning : summary.warnings) out << "  WARNING: " << warning << "\n";
   if (summary.inadmissible > 0) {
     out << "  " << summary.inadmissible << " draws have values that the scene refuses and are left out\n";
   }

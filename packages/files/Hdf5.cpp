@@ -196,6 +196,11 @@ std::vector<std::string> Hdf5Source::names() const {
   return names;
 }
 
+bool Hdf5Source::has(const std::string& name) const {
+  const auto all = names();
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
 bool Hdf5Source::hasAttribute(const std::string& name) const {
   return H5Aexists(handle_, name.c_str()) > 0;
 }

@@ -74,6 +74,32 @@ void writeBasis(const Hdf5Group& group, const probability::Basis& basis) {
   }
 }
 
+void writeHats(const Hdf5Group& group, const probability::HatSum& sum) {
+  std::vector<int> nodes;
+  std::vector<double> factors;
+  for (const probability::HatSum::Term& term : sum.terms()) {
+    nodes.insert(nodes.end(), term.node.begin(), term.node.end());
+    factors.insert(factors.end(), term.factors.begin(), term.factors.end());
+  }
+  group.array("nodes", nodes, sum.lines().size());
+  group.array("factors", factors, sum.terms().empty() ? 1 : sum.terms().front().factors.size());
+}
+
+/// What is needed to evaluate the interpolation elsewhere: the nodes of the hats of every germ, and the hats.
+void writeInterpolant(const Hdf5Group& group, const results::Interpolant& interpolant,
+                      const probability::RandomVector& variables) {
+  group.array("calibrations", interpolant.calibrations);
+  group.array("floors", interpolant.floors);
+  writeHats(group.group("values"), interpolant.values);
+  writeHats(group.group("doubt"), interpolant.doubt);
+  const Hdf5Group germs = group.group("germs");
+  for (int i = 0; i < variables.dimension(); ++i) {
+    const Hdf5Group germ = germs.group(variables.variables()[i].name);
+    writeVariable(germ, variables, i);
+    germ.array("positions", interpolant.values.lines()[i].germs());
+  }
+}
+
 void writeResponse(const Hdf5Group& group, const ResponseStatistics& response, const StochasticSummary& summary) {
   group.attribute("mean", response.mean);
   group.attribute("standard_deviation", response.standardDeviation);
@@ -81,8 +107,10 @@ void writeResponse(const Hdf5Group& group, const ResponseStatistics& response, c
   group.attribute("kurtosis", response.kurtosis);
   group.attribute("mean_error", response.meanError);
   group.attribute("standard_deviation_error", response.deviationError);
+  group.attribute("iteration_error", response.iterationError);
   group.attribute("truncation", response.truncation);
   group.attribute("hold_out_error", response.holdOutError);
+  group.attribute("prediction_error", response.predictionError);
   if (response.expansion) group.array("coefficients", response.expansion->coefficients());
   group.array("quantiles", response.quantiles);
   group.array("values", response.values);
@@ -112,10 +140,13 @@ void writeStatistics(const Hdf5Group& group, const StochasticSummary& summary) {
   group.attribute("independent", summary.hasIndependentVariables ? 1 : 0);
   group.attribute("solved", summary.solved);
   group.attribute("inadmissible", summary.inadmissible);
+  group.attribute("unsolved", summary.unsolved);
+  group.attribute("warnings", summary.warnings);
   group.array("levels", summary.levels);
   const auto expanded = std::find_if(summary.responses.begin(), summary.responses.end(),
                                      [](const ResponseStatistics& response) { return response.expansion != nullptr; });
   if (expanded != summary.responses.end()) writeBasis(group.group("basis"), expanded->expansion->basis());
+  if (summary.interpolant) writeInterpolant(group.group("interpolant"), *summary.interpolant, *summary.randomness);
   const Hdf5Group responses = group.group("responses");
   std::vector<std::string> names;
   for (const ResponseStatistics& response : summary.responses) {

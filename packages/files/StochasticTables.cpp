@@ -16,14 +16,15 @@ std::string cell(double value, const char* otherwise) {
 }
 
 std::string moments(const results::StochasticSummary& summary) {
-  std::string text = "response,mean,std,skewness,kurtosis,mean_error,std_error,truncation,hold_out_error\n";
+  std::string text =
+      "response,mean,std,skewness,kurtosis,mean_error,std_error,iteration_error,truncation,hold_out_error\n";
   for (const results::ResponseStatistics& response : summary.responses) {
     text += response.name;
     for (const double value : {response.mean, response.standardDeviation, response.skewness, response.kurtosis}) {
       text += cell(value, "n/a");
     }
-    for (const double value :
-         {response.meanError, response.deviationError, response.truncation, response.holdOutError}) {
+    for (const double value : {response.meanError, response.deviationError, response.iterationError,
+                               response.truncation, response.holdOutError}) {
       text += cell(value, "");
     }
     text += "\n";

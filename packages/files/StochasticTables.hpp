@@ -27,7 +27,8 @@ struct StochasticFiles {
 
 /// Writes the tables; what is undefined is "n/a", what is not known is left empty. Each replaces an older file in one
 /// step; throws base::Error when it cannot.
-///   moments: response, mean, std, skewness, kurtosis, mean_error, std_error, truncation, hold_out_error
+///   moments: response, mean, std, skewness, kurtosis, mean_error, std_error, iteration_error, truncation,
+///     hold_out_error
 ///   sobol: response, variables (joined by "*"), main, total
 ///   coefficients: response, a column of degrees per variable, coefficient; orthonormal polynomials in graded
 ///     lexicographic order

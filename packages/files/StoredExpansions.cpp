@@ -1,30 +1,18 @@
 #include <harmos/files/StoredExpansions.hpp>
 
 #include <algorithm>
-#include <cmath>
 
-#include <harmos/base/Error.hpp>
-#include <harmos/base/Numerals.hpp>
 #include <harmos/files/detail/Hdf5.hpp>
 
 namespace harmos::files {
-
-namespace {
-
-bool has(const Hdf5Source& group, const std::string& name) {
-  const auto names = group.names();
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-}  // namespace
 
 std::optional<StoredExpansions> StoredExpansions::read(const std::string& path) {
   const QuietHdf5 quiet;
   const Hdf5Source root = Hdf5Source::open(path);
   const Hdf5Source study = root.group(root.names().front());
-  if (!has(study, "statistics")) return std::nullopt;
+  if (!study.has("statistics")) return std::nullopt;
   const Hdf5Source statistics = study.group("statistics");
-  if (!has(statistics, "basis")) return std::nullopt;
+  if (!statistics.has("basis")) return std::nullopt;
   return StoredExpansions(statistics);
 }
 
@@ -33,17 +21,9 @@ StoredExpansions::StoredExpansions(const Hdf5Source& statistics) : parameters_(s
   order_ = basis.integer("order");
   for (const std::string& name : parameters_) {
     const Hdf5Source germ = basis.group(name);
-    const std::string map = germ.text("map");
-    if (map == "none") {
-      throw base::Error("\"" + name +
-                            "\" is correlated with other parameters, and its value alone does not tell the germ that "
-                            "the expansions depend on.\n  Evaluate them in germs from Python: "
-                            "study.statistics.expansion(\"RESPONSE\").evaluate(germs).",
-                        base::ExitCode::input);
-    }
-    germs_.push_back({germ.number("shift"), germ.number("scale"), map == "exponential",
-                      probability::Polynomials::recurrence(germ.group("recurrence_a").values(),
-                                                           germ.group("recurrence_b").values())});
+    germs_.push_back(
+        {GermMap::read(germ, name), probability::Polynomials::recurrence(germ.group("recurrence_a").values(),
+                                                                         germ.group("recurrence_b").values())});
   }
   const std::vector<double> degrees = basis.group("degrees").values();
   for (std::size_t i = 0; i < degrees.size(); i += germs_.size()) {
@@ -53,24 +33,16 @@ StoredExpansions::StoredExpansions(const Hdf5Source& statistics) : parameters_(s
   const Hdf5Source responses = statistics.group("responses");
   for (const std::string& name : responses.texts("order")) {
     const Hdf5Source response = responses.group(name);
-    if (!has(response, "coefficients")) continue;
+    if (!response.has("coefficients")) continue;
     responses_.push_back(name);
     coefficients_.push_back(response.group("coefficients").values());
-    deviations_.push_back(response.number("hold_out_error") * response.number("standard_deviation"));
+    deviations_.push_back(response.number("prediction_error"));
   }
 }
 
 std::vector<double> StoredExpansions::germs(const std::vector<double>& point) const {
   std::vector<double> germs;
-  for (std::size_t g = 0; g < germs_.size(); ++g) {
-    const Germ& germ = germs_[g];
-    if (germ.isExponential && !(point[g] > 0.0)) {
-      throw base::Error("\"" + parameters_[g] + "\" is lognormal and never " + base::toText(point[g]) + ".",
-                        base::ExitCode::input);
-    }
-    const double value = germ.isExponential ? std::log(point[g]) : point[g];
-    germs.push_back(germ.scale == 0.0 ? 0.0 : (value - germ.shift) / germ.scale);
-  }
+  for (std::size_t g = 0; g < germs_.size(); ++g) germs.push_back(germs_[g].map.germ(point[g]));
   return germs;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <harmos/files/GermMap.hpp>
 #include <harmos/probability/Polynomials.hpp>
 
 namespace harmos::files {
@@ -29,15 +30,13 @@ class StoredExpansions {
   /// Whether each germ lies between the outermost points of the Gauss rule of the expansions' order.
   /// Throws as evaluate().
   bool isInside(const std::vector<double>& point) const;
-  /// Root mean square error of a response, counted from 0, at the configurations that were held out or left out of the
-  /// fit, in the unit of the response; not a number without these.
+  /// Of a response, counted from 0, at a random point: one standard deviation of what the expansion is off, in the unit
+  /// of the response; not a number when nothing is known of it.
   double deviation(std::size_t response) const { return deviations_[response]; }
 
  private:
-  /// Parameter = shift + scale germ, or the exponential of it.
   struct Germ {
-    double shift, scale;
-    bool isExponential;
+    GermMap map;
     probability::Polynomials polynomials;
   };
 

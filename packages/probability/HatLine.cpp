@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include <harmos/probability/detail/Require.hpp>
 
 namespace harmos::probability {
 
@@ -51,6 +54,11 @@ HatLine::HatLine(double from, double to, const std::function<double(double)>& cu
     moments_[2].push_back(moments_[2].back() + probability * (a * a + a * b + b * b) / 3.0);
     below = up;
   }
+}
+
+HatLine::HatLine(std::vector<double> germs) : germs_(std::move(germs)) {
+  require(germs_.size() == last + 1 && std::is_sorted(germs_.begin(), germs_.end()),
+          "A line of hats has " + std::to_string(last + 1) + " ascending nodes.");
 }
 
 std::optional<int> HatLine::parent(int node) {

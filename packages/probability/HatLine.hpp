@@ -22,15 +22,21 @@ class HatLine {
   /// lies out of the range counts as if it were at its ends.
   HatLine(double from, double to, const std::function<double(double)>& cumulative);
 
+  /// With the nodes where those of another line are; it knows values, but no expectations. Throws base::Error (input)
+  /// unless the positions are `last` + 1 ascending numbers.
+  explicit HatLine(std::vector<double> germs);
+
   /// Position of a node on the line of the germ [-].
   double germ(int node) const { return germs_[node]; }
+  /// Of all nodes.
+  const std::vector<double>& germs() const { return germs_; }
   /// The node from whose hat this one refines; none of the middle.
   static std::optional<int> parent(int node);
   /// The nodes whose hats refine this one: two of the middle, one of an end, none on the finest level, else two.
   static std::vector<int> children(int node);
   /// The hat of a node at a germ, 0 to 1; beyond the range its value at the end.
   double value(int node, double germ) const;
-  /// Expectation of the hat of a node, 0 to 1.
+  /// Expectation of the hat of a node, 0 to 1. Not of a line that was made of positions, as product().
   double mean(int node) const;
   /// Expectation of the product of two hats.
   double product(int node, int other) const;

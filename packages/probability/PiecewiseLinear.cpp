@@ -60,12 +60,6 @@ std::vector<double> PiecewiseLinear::germsOf(const Node& node) const {
   return germs;
 }
 
-double PiecewiseLinear::functionAt(const Node& node, const std::vector<double>& germs) const {
-  double value = 1.0;
-  for (std::size_t i = 0; i < node.size() && value != 0.0; ++i) value *= lines_[i].value(node[i], germs[i]);
-  return value;
-}
-
 std::vector<PiecewiseLinear::Node> PiecewiseLinear::firstNodes() const {
   const int levels = lines_.size() == 1 ? 3 : 2;
   std::vector<Node> nodes{{}};
@@ -111,17 +105,23 @@ std::vector<double> PiecewiseLinear::expectedSurpluses(const Node& node) const {
   return least;
 }
 
-PiecewiseLinear::Outlook PiecewiseLinear::outlook() const {
-  Outlook outlook;
+std::set<PiecewiseLinear::Node> PiecewiseLinear::candidates() const {
+  std::set<Node> nodes;
   for (const Point& point : points_) {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       for (const int child : HatLine::children(point.node[i])) {
         Node node = point.node;
         node[i] = child;
-        if (numbers_.count(node) == 0) outlook.shares[node] = 0.0;
+        if (numbers_.count(node) == 0) nodes.insert(std::move(node));
       }
     }
   }
+  return nodes;
+}
+
+PiecewiseLinear::Outlook PiecewiseLinear::outlook() const {
+  Outlook outlook;
+  for (const Node& node : candidates()) outlook.shares[node] = 0.0;
   struct Candidate {
     double* share;
     double probability;
@@ -135,7 +135,8 @@ PiecewiseLinear::Outlook PiecewiseLinear::outlook() const {
   }
   for (std::size_t r = 0; r < points_.front().surpluses.size(); ++r) {
     const int response = static_cast<int>(r);
-    if (options_.response.value_or(response) != response) continue;
+    const bool isDriving = options_.response.value_or(response) == response;
+    outlook.errors.push_back(0.0);
     const double average = mean(response), deviation = standardDeviation(response);
     if (!(deviation > 0.0)) continue;
     double ofMean = 0.0, ofDeviation = 0.0, sum = 0.0;
@@ -146,11 +147,11 @@ PiecewiseLinear::Outlook PiecewiseLinear::outlook() const {
       ofMean += effect;
       ofDeviation += effect * distance;
       sum += share;
-      *candidate.share = std::max(*candidate.share, share);
+      if (isDriving) *candidate.share = std::max(*candidate.share, share);
     }
     // What the candidates leave adds a third, a quarter of it and so on. Along a kink that is oblique to the germs
     // signs alternate and part of the sum cancels, but not reliably.
-    outlook.error = std::max(outlook.error, std::max(std::abs(ofMean), std::abs(ofDeviation)) + sum);
+    outlook.errors.back() = std::max(std::abs(ofMean), std::abs(ofDeviation)) + sum;
   }
   return outlook;
 }
@@ -163,7 +164,15 @@ std::vector<std::vector<double>> PiecewiseLinear::next() {
     const Outlook ahead = outlook();
     // Near a kink a surplus may be small by chance: one batch of points does not gain more than a factor.
     constexpr double mostGain = 3.0;
-    error_ = std::isfinite(error_) && ahead.error > 0.0 ? std::max(ahead.error, error_ / mostGain) : ahead.error;
+    error_ = 0.0;
+    const bool isFirst = errors_.empty();
+    errors_.resize(ahead.errors.size());
+    for (std::size_t r = 0; r < errors_.size(); ++r) {
+      const double now = ahead.errors[r];
+      errors_[r] = isFirst || !(now > 0.0) ? now : std::max(now, errors_[r] / mostGain);
+      const int response = static_cast<int>(r);
+      if (options_.response.value_or(response) == response) error_ = std::max(error_, errors_[r]);
+    }
     if (isReached()) return {};
     std::vector<std::pair<double, Node>> order;
     double total = 0.0;
@@ -245,11 +254,49 @@ std::vector<double> PiecewiseLinear::evaluate(const std::vector<double>& germs) 
   if (points_.empty()) throw base::Error("piecewise-linear interpolation has been told no values yet");
   std::vector<double> values(points_.front().surpluses.size(), 0.0);
   for (const Point& point : points_) {
-    const double function = functionAt(point.node, germs);
+    const double function = hatAt(lines_, point.node, germs);
     if (function == 0.0) continue;
     for (std::size_t r = 0; r < values.size(); ++r) values[r] += function * point.surpluses[r];
   }
   return values;
+}
+
+HatSum PiecewiseLinear::function() const {
+  if (points_.empty()) throw base::Error("piecewise-linear interpolation has been told no values yet");
+  std::vector<HatSum::Term> terms;
+  for (const Point& point : points_) terms.push_back({point.node, point.surpluses});
+  return {lines_, std::move(terms)};
+}
+
+HatSum PiecewiseLinear::doubt() const {
+  std::vector<HatSum::Term> terms;
+  for (const Node& node : candidates()) {
+    std::vector<double> sizes = expectedSurpluses(node);
+    for (double& size : sizes) size = std::abs(size);
+    terms.push_back({node, std::move(sizes)});
+  }
+  return {lines_, std::move(terms)};
+}
+
+std::vector<PiecewiseLinear::LeftOut> PiecewiseLinear::leftOut() const {
+  std::vector<LeftOut> result;
+  for (const Point& point : points_) {
+    bool isRefined = false;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      for (const int child : HatLine::children(point.node[i])) {
+        Node node = point.node;
+        node[i] = child;
+        isRefined = isRefined || numbers_.count(node) > 0;
+      }
+    }
+    std::vector<double> doubts = expectedSurpluses(point.node);
+    if (isRefined || doubts.empty()) continue;
+    LeftOut one{point.surpluses, std::move(doubts)};
+    for (double& error : one.errors) error = std::abs(error);
+    for (double& doubt : one.doubts) doubt = std::abs(doubt);
+    result.push_back(std::move(one));
+  }
+  return result;
 }
 
 double PiecewiseLinear::mean(int response) const {

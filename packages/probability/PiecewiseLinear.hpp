@@ -3,9 +3,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
-#include <harmos/probability/HatLine.hpp>
+#include <harmos/probability/HatSum.hpp>
 #include <harmos/probability/RandomVector.hpp>
 
 namespace harmos::probability {
@@ -46,6 +47,18 @@ class PiecewiseLinear {
   int count() const { return static_cast<int>(points_.size()); }
   /// All responses at a point of germs, each in its unit. Throws base::Error before the first values.
   std::vector<double> evaluate(const std::vector<double>& germs) const;
+  /// The same function, to be kept. Throws as evaluate().
+  HatSum function() const;
+  /// What the next points are expected to change, as a function of the germs, per response in its unit and at least 0:
+  /// it tells where the function is uncertain, but not to what factor. See leftOut().
+  HatSum doubt() const;
+  /// A point that nothing refines yet, left out: what the others say of it.
+  struct LeftOut {
+    std::vector<double> errors;  // of the function of all others at the point, per response in its unit
+    std::vector<double> doubts;  // what doubt() would be there without the point
+  };
+  /// All such points: by them doubt() can be calibrated.
+  std::vector<LeftOut> leftOut() const;
   /// Of one response, in its unit.
   double mean(int response) const;
   /// The same.
@@ -54,6 +67,8 @@ class PiecewiseLinear {
   /// that drive the refinement. An extrapolation of the last corrections, not a bound. Infinite before values are told;
   /// `next` brings it up to date.
   double errorIndicator() const { return error_; }
+  /// The same of one response, from 0, whether it drives the refinement or not.
+  double errorIndicator(int response) const { return errors_[response]; }
   /// Whether the indicator is not above the tolerance.
   bool isReached() const { return error_ <= options_.tolerance; }
 
@@ -70,12 +85,13 @@ class PiecewiseLinear {
   /// The children of all points and what they are expected to change.
   struct Outlook {
     std::map<Node, double> shares;
-    double error = 0.0;
+    std::vector<double> errors;  // per response
   };
 
   std::vector<double> germsOf(const Node& node) const;
-  double functionAt(const Node& node, const std::vector<double>& germs) const;
   std::vector<Node> firstNodes() const;
+  /// Nodes that refine a point and are none yet.
+  std::set<Node> candidates() const;
   /// From the surpluses of the points that the node would refine.
   std::vector<double> expectedSurpluses(const Node& node) const;
   Outlook outlook() const;
@@ -89,6 +105,7 @@ class PiecewiseLinear {
   std::vector<Point> points_;
   std::map<Node, std::size_t> numbers_;  // of the points
   std::vector<Node> asked_;
+  std::vector<double> errors_;  // per response, once values were told
   double error_;
 };
 

@@ -222,6 +222,7 @@ void ChaosStudy::summarise(results::StochasticSummary& summary) const {
     const double error = result_.responses[study_.responses[r].curve].errorEstimate;
     response.meanError = error * std::abs(expansions_[r].mean());
     response.deviationError = error * expansions_[r].standardDeviation();
+    response.iterationError = std::max(response.meanError, response.deviationError);
   }
 }
 

@@ -19,7 +19,6 @@ using input::Parameters;
 using Names = std::vector<std::string>;
 using Method = StochasticPlan::Method;
 
-constexpr int mostAdaptiveVariables = 3;
 // Beyond the degree of the polynomials, for parameters that are no polynomials of their germs.
 constexpr int pointsForNonlinearGerms = 6;
 

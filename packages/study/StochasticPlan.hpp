@@ -68,6 +68,9 @@ std::shared_ptr<const probability::RandomVector> withSpread(const StochasticPlan
 /// parameter is not affine in its germ, of correlated ones where none is normal.
 std::vector<int> gaussPoints(const probability::RandomVector& variables, int order, int asked, bool isGalerkin);
 
+/// Random parameters of an adaptive interpolation.
+constexpr int mostAdaptiveVariables = 3;
+
 /// Points of a tensor grid that are not refused.
 constexpr double mostTensorPoints = 1e5;
 

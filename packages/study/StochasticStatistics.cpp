@@ -13,6 +13,7 @@
 #include <harmos/results/StatusName.hpp>
 #include <harmos/study/StochasticTails.hpp>
 #include <harmos/study/detail/Interpolation.hpp>
+#include <harmos/study/detail/StochasticErrors.hpp>
 
 namespace harmos::study {
 
@@ -57,6 +58,7 @@ class Summariser {
     useExpansions();
     fill(chaos.sample(sampleGerms()));
     judge(chaos.sample(heldOutGerms()));
+    addTruncation(study_, !chaos.problem().assembly.isAffine(), *summary_);
     return summary_;
   }
 
@@ -80,6 +82,8 @@ class Summariser {
     useExpansions();
     fill(evaluateExpansions(sampleGerms()));
     judge(evaluateExpansions(heldOutGerms()));
+    addSolverErrors(study_, results_, *summary_);
+    addTruncation(study_, mayHaveKinks(study_), *summary_);
     return summary_;
   }
 
@@ -108,6 +112,16 @@ class Summariser {
       response.kurtosis = statistics.kurtosis();
     }
     judge(evaluate(heldOutGerms()));
+    addSolverErrors(study_, results_, *summary_);
+    for (std::size_t r = 0; r < summary_->responses.size(); ++r) {
+      ResponseStatistics& response = summary_->responses[r];
+      const double error = function.errorIndicator(static_cast<int>(r)) * response.standardDeviation;
+      response.meanError += error;
+      response.deviationError += error;
+    }
+    summary_->randomness = plan_.variables;
+    summary_->interpolant =
+        std::make_shared<results::Interpolant>(withErrorBars(function, study_, results_, *summary_));
     const Points all = sampleGerms(2);
     const auto half = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
     const auto indices = probability::sobolIndices(evaluate, {all.begin(), half}, {half, all.end()});
@@ -120,13 +134,21 @@ class Summariser {
     for (const design::Configuration& configuration : results_.configurations()) {
       const results::ConfigurationResult* result = results_.find(configuration.id);
       if (result && result->status == results::Status::inadmissible) ++summary_->inadmissible;
-      if (!isSolved(configuration.id)) continue;
+      if (!isSolved(configuration.id)) {
+        if (result && result->status != results::Status::inadmissible) ++summary_->unsolved;
+        continue;
+      }
       ++summary_->solved;
       germs.push_back(plan_.germs[configuration.id - 1]);
       const std::vector<double> responses = results_.responses(configuration.id);
       for (std::size_t r = 0; r < responses.size(); ++r) values[r].push_back(responses[r]);
     }
     if (summary_->solved < 2) return nullptr;
+    if (summary_->unsolved > 0) {
+      summary_->warnings.push_back(std::to_string(summary_->unsolved) +
+                                   " draws have no solution and are left out of all figures, which are therefore not "
+                                   "those of the distributions");
+    }
     summary_->isSample = true;
     summary_->method = study_.design.type + " sample of " + std::to_string(summary_->solved) + " configurations";
     fill(values);
@@ -164,6 +186,7 @@ class Summariser {
       response.sobol = probability::sobolIndices(fit.expansion);
       response.truncation = fit.expansion.lastDegreeShare();
       response.holdOutError = fit.leaveOneOutError;
+      response.predictionError = fit.leaveOneOutError * response.standardDeviation;
     }
     summary_->method += ", Sobol' indices by least squares of order " + std::to_string(order);
   }

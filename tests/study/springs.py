@@ -14,6 +14,8 @@ import shutil
 import subprocess
 import sys
 
+from lists import box, entries, entry, guided, law
+
 HARMOS, WORK = sys.argv[1], pathlib.Path(sys.argv[2])
 FORCE, MODULUS, STIFFNESS, SPREAD = 100.0, 1e4, 1000.0, 0.2
 failures = 0
@@ -26,34 +28,15 @@ def check(holds, what):
         failures += 1
 
 
-def entry(name, value):
-    kind = {str: "string", float: "double", int: "int"}[type(value)]
-    return f'<Parameter name="{name}" type="{kind}" value="{value}"/>'
-
-
-def entries(name, *content):
-    return f'<ParameterList name="{name}">' + "\n".join(content) + "</ParameterList>\n"
-
-
-def law(kind, *content):
-    return entries("Law", entry("Type", kind), *content)
-
-
 def write_chain(count):
     """The scene and the study of a chain of so many blocks and springs; the path of the study."""
     blocks = [f"b{i}" for i in range(count)]
-    boxes = [entries(name, f'<Parameter name="Lower Corner" type="Array(double)" value="{{{i}, 0, 0}}"/>',
-                     f'<Parameter name="Upper Corner" type="Array(double)" value="{{{i + 1}, 1, 1}}"/>',
-                     '<Parameter name="Cells" type="Array(int)" value="{1, 1, 1}"/>')
-             for i, name in enumerate(blocks)]
+    boxes = [box(name, i) for i, name in enumerate(blocks)]
     springs = [entries(f"i{i}", entry("Side 1", f"b{i - 1}_xmax"), entry("Side 2", f"b{i}_xmin"),
-                       law("Linear Elastic", entry("Tangential Stiffness", 0.0),
-                           f'<Parameter name="Normal Stiffness" type="double" value="$k{i}"/>'))
+                       law("Linear Elastic", entry("Tangential Stiffness", 0.0), entry("Normal Stiffness", f"$k{i}")))
                for i in range(1, count)]
-    sides = [entries(f"{name}_{axis}", entry("Side Set", f"{name}_{axis}min"), law("Symmetry"))
-             for name in blocks for axis in "yz"]
     ground = entries("ground", entry("Side Set", "b0_xmin"),
-                     law("Elastic Foundation", '<Parameter name="Normal Stiffness" type="double" value="$k0"/>'))
+                     law("Elastic Foundation", entry("Normal Stiffness", "$k0")))
     load = entries("load", entry("Side Set", f"b{count - 1}_xmax"), law("Prescribed Traction", entry("X", FORCE)))
     scene = entries(
         "Harmos", entries("Values", *[entry(f"k{i}", STIFFNESS) for i in range(count)]),
@@ -61,10 +44,10 @@ def write_chain(count):
         entries("Materials", entries("m", entry("Type", "Isotropic"), entry("Young's Modulus", MODULUS),
                                      entry("Poisson's Ratio", 0.0))),
         entries("Parts", *[entries(name, entry("Material", "m")) for name in blocks]),
-        *([entries("Interfaces", *springs)] if springs else []), entries("Boundaries", *sides, ground, load),
+        *([entries("Interfaces", *springs)] if springs else []), entries("Boundaries", *guided(blocks), ground, load),
         entries("Steps", entries("only")),
         entries("Responses", entries("u", entry("Type", "Mean Displacement"), entry("Side Set", f"b{count - 1}_xmin"),
-                                     '<Parameter name="Direction" type="Array(double)" value="{1, 0, 0}"/>')))
+                                     entry("Direction", "{1, 0, 0}"))))
     lognormal = entries("Distribution", entry("Type", "Lognormal"), entry("Mean", STIFFNESS),
                         entry("Coefficient of Variation", SPREAD))
     study = entries(

@@ -78,6 +78,8 @@ class Hdf5Source {
   Hdf5Source group(const std::string& name) const;
   /// What a group holds, in alphabetical order.
   std::vector<std::string> names() const;
+  /// Whether names() has this one.
+  bool has(const std::string& name) const;
 
   bool hasAttribute(const std::string& name) const;
   std::string text(const std::string& attribute) const;

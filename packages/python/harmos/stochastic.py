@@ -17,6 +17,9 @@ from numpy.typing import ArrayLike
 
 from harmos.arrays import Floats, Integers
 
+LAST_NODE = 4096
+"""Number of the last node of a germ of an interpolation; the one in the middle belongs to the constant."""
+
 
 class Statistics:
     """Moments, quantiles, densities and Sobol' indices of all responses.
@@ -29,9 +32,12 @@ class Statistics:
         independent: whether they are; if not, germs and Sobol' indices are those of standard normal numbers.
         solved: configurations behind the figures.
         inadmissible: draws that the scene refuses.
+        unsolved: other draws without a solution, left out of all figures.
+        warnings: what makes the figures doubtful, in words.
         levels: probabilities of the quantiles, [level].
         responses: by name, in the order of the input.
         basis: of the expansions; None: no response has one.
+        interpolant: piecewise linear functions of all responses; None: there is none.
         convergence: of the moments with the order; None: there is none.
         sweep: moments for several coefficients of variation; None: there is none.
     """
@@ -44,10 +50,14 @@ class Statistics:
         self.independent = bool(group.attrs["independent"])
         self.solved = int(group.attrs["solved"])
         self.inadmissible = int(group.attrs["inadmissible"])
+        self.unsolved = int(group.attrs.get("unsolved", 0))
+        self.warnings: list[str] = list(group.attrs.get("warnings", []))
         self.levels: Floats = group["levels"][()]
         names: list[str] = list(group["responses"].attrs["order"])
         self.responses = {name: ResponseStatistics(group["responses"][name]) for name in names}
         self.basis = Basis(group["basis"], self.variables, self.independent) if "basis" in group else None
+        self.interpolant = (Interpolant(group["interpolant"], self.variables, names) if "interpolant" in group
+                            else None)
         self.convergence = Convergence(group["convergence"], names) if "convergence" in group else None
         self.sweep = Sweep(group["sweep"], names) if "sweep" in group else None
         if "sample" in group.attrs:
@@ -77,8 +87,9 @@ class ResponseStatistics:
         standard_deviation: of the response.
         skewness: of the response.
         kurtosis: of the response; 3 if it is normal.
-        mean_error: standard error of a sample, or what the iteration left of an expansion.
+        mean_error: standard error of a sample, or estimate of the whole error of an expansion or interpolation.
         standard_deviation_error: the same of the standard deviation.
+        iteration_error: the part of both that the iteration left; NaN: of a sample, or of an older Harmos.
         truncation: share of the variance in the polynomials of the highest degree.
         hold_out_error: root mean square error at the configurations held out, over the standard deviation.
         coefficients: one per polynomial of the basis, [polynomial]; None without an expansion.
@@ -97,6 +108,7 @@ class ResponseStatistics:
         self.kurtosis: float = group.attrs["kurtosis"]
         self.mean_error: float = group.attrs["mean_error"]
         self.standard_deviation_error: float = group.attrs["standard_deviation_error"]
+        self.iteration_error: float = group.attrs.get("iteration_error", numpy.nan)
         self.truncation: float = group.attrs["truncation"]
         self.hold_out_error: float = group.attrs["hold_out_error"]
         self.coefficients: Floats | None = group["coefficients"][()] if "coefficients" in group else None
@@ -251,6 +263,46 @@ class Basis:
         """Random germs, [count, variable]; always the same with the same seed."""
         generator = numpy.random.default_rng(seed)
         return numpy.column_stack([germ.sample(count, generator) for germ in self.germs.values()])
+
+
+class Interpolant:
+    """All responses as piecewise linear functions of germs, with error bars: the same as `harmos predict` evaluates.
+
+    Attributes:
+        variables: names of the random parameters.
+        responses: names.
+    """
+
+    def __init__(self, group: h5py.Group, variables: Sequence[str], responses: Sequence[str]) -> None:
+        """Reads the group `interpolant`."""
+        self.variables, self.responses = list(variables), list(responses)
+        self._positions = [group["germs"][name]["positions"][()] for name in variables]
+        self._sums = {which: (group[which]["nodes"][()], group[which]["factors"][()]) for which in ("values", "doubt")}
+        self._calibrations: Floats = group["calibrations"][()]
+        self._floors: Floats = group["floors"][()]
+
+    def evaluate(self, germs: ArrayLike) -> dict[str, tuple[Floats, Floats]]:
+        """Values of every response and their standard deviations, each [point], at germs, [point, variable]."""
+        points = numpy.atleast_2d(germs)
+        values = self._evaluate("values", points)
+        deviations = self._calibrations * self._evaluate("doubt", points) + self._floors
+        return {name: (values[:, r], deviations[:, r]) for r, name in enumerate(self.responses)}
+
+    def _evaluate(self, which: str, points: Floats) -> Floats:
+        nodes, factors = self._sums[which]
+        if len(nodes) == 0:
+            return numpy.zeros((len(points), len(self.responses)))
+        hats = numpy.ones((len(points), len(nodes)))
+        for i, positions in enumerate(self._positions):
+            middle, step = LAST_NODE // 2, nodes[:, i] & -nodes[:, i]
+            step = numpy.where(numpy.isin(nodes[:, i], (0, LAST_NODE)), middle, step)
+            left, right = (positions[numpy.clip(nodes[:, i] + sign * step, 0, LAST_NODE)] for sign in (-1, 1))
+            at, xi = positions[nodes[:, i]], numpy.clip(points[:, i, None], positions[0], positions[-1])
+            rising = numpy.where(at > left, (xi - left) / numpy.where(at > left, at - left, 1.0), 1.0)
+            falling = numpy.where(right > at, (right - xi) / numpy.where(right > at, right - at, 1.0), 1.0)
+            hats *= numpy.where(nodes[:, i] == middle, 1.0, numpy.minimum(rising, falling).clip(0.0, 1.0))
+        result: Floats = hats @ factors
+        return result
 
 
 class Expansion:

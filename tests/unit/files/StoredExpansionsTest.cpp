@@ -43,7 +43,7 @@ class StoredExpansionsTest : public ::testing::Test {
     summary->responses[1].name = "F";
     summary->responses[1].expansion = std::make_shared<probability::Expansion>(basis, coefficients);
     summary->responses[1].standardDeviation = 2.0;
-    summary->responses[1].holdOutError = 0.25;
+    summary->responses[1].predictionError = 0.5;
     results::StudyResults results(description);
     results.setStatistics(summary);
     writeStudyFile(path, results, "complete");

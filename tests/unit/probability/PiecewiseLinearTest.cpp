@@ -253,5 +253,41 @@ TEST(HatLine, EveryNodeButTheMiddleIsAChildOfItsParent) {
   }
 }
 
+TEST(PiecewiseLinear, TellsWhatItIsAndWhereItIsUncertain) {
+  const auto variables = vectorOf({std::make_shared<Normal>(0.0, 1.0), std::make_shared<Uniform>(-1.0, 1.0)});
+  const Function kink = [](const std::vector<double>& x) { return std::max(0.0, x[0] + 0.3 * x[1] - 0.2); };
+  const PiecewiseLinear model = solved(variables, optionsOf(1e-9, 150), {kink, [](const auto&) { return 7.0; }});
+  const HatSum function = model.function(), doubt = model.doubt();
+  const HatSum again(
+      [&] {
+        std::vector<HatLine> lines;
+        for (const HatLine& line : function.lines()) lines.emplace_back(line.germs());
+        return lines;
+      }(),
+      function.terms());
+  double onTheKink = 0.0, elsewhere = 0.0;
+  for (const double x : {-3.0, -0.7, 0.1, 0.2, 0.33, 1.9}) {
+    const std::vector<double> germs{x, 0.1};
+    EXPECT_EQ(function.evaluate(germs), model.evaluate(germs));
+    EXPECT_EQ(again.evaluate(germs), model.evaluate(germs));
+    EXPECT_EQ(doubt.evaluate(germs)[1], 0.0);
+    (std::abs(x - 0.2) < 0.15 ? onTheKink : elsewhere) += doubt.evaluate(germs)[0];
+  }
+  EXPECT_GT(onTheKink, 3.0 * elsewhere);
+
+  // Left out, a point is predicted by the others with the error that its surplus is.
+  const auto leftOut = model.leftOut();
+  EXPECT_GT(leftOut.size(), 30U);
+  int doubted = 0;
+  for (const auto& one : leftOut) {
+    EXPECT_GE(one.errors[0], 0.0);
+    EXPECT_EQ(one.errors[1], 0.0);
+    if (one.doubts[0] > 0.0) ++doubted;
+  }
+  EXPECT_GT(doubted, 10);
+  EXPECT_THROW(HatLine(std::vector<double>{0.0, 1.0}), base::Error);
+  EXPECT_THROW(HatSum(function.lines(), {{{0}, {1.0}}}), base::Error);
+}
+
 }  // namespace
 }  // namespace harmos::probability

@@ -75,8 +75,8 @@ def moment_section(statistics: Statistics) -> str:
                      "hold-out"], rows)
     note = ('<p class="note">Kurtosis of a normal response: 3. Errors of mean and std: '
             + ("standard errors of the sample" if statistics.is_sample else
-               "what the iteration left, without truncation (last degree: share of the variance; hold-out: root mean "
-               "square error over the std)") + ".</p>")
+               "estimates of the whole error, of the iteration, truncation and quadrature (last degree: share of the "
+               "variance; hold-out: root mean square error over the std)") + ".</p>")
     quantiles = table(["response"] + [f"{level:g}" for level in statistics.levels],
                       [[name] + [number(value) for value in each.quantiles]
                        for name, each in statistics.responses.items()])
@@ -189,6 +189,7 @@ def parameter_table(statistics: Statistics) -> str:
     """How the study was solved, and its random parameters."""
     rows = [[sentence] for sentence in statistics.distributions]
     text = f"<p>{html.escape(statistics.method)}</p>" + table(["random parameters"], rows)
+    text += "".join(f'<p class="warning"><b>Warning:</b> {html.escape(warning)}.</p>' for warning in statistics.warnings)
     if statistics.inadmissible:
         text += (f"<p><b>{statistics.inadmissible} draws</b> have values that the scene refuses; they were not solved "
                  "and are left out of all figures.</p>")

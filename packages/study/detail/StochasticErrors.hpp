@@ -1,0 +1,31 @@
+#pragma once
+
+#include <harmos/probability/PiecewiseLinear.hpp>
+#include <harmos/results/StochasticSummary.hpp>
+#include <harmos/results/StudyResults.hpp>
+#include <harmos/study/Study.hpp>
+
+namespace harmos::study {
+
+/// Whether responses may have kinks over the random parameters, because a law is not affine: contact and friction.
+bool mayHaveKinks(const Study& study);
+
+/// Sets the errors of the moments to what the solutions of the configurations are off: a third of the root mean square
+/// of a response times its largest error estimate.
+void addSolverErrors(const Study& study, const results::StudyResults& results, results::StochasticSummary& summary);
+
+/// Adds to the errors of the moments, and sets as error bars, what the expansions are off by truncation and quadrature,
+/// and warns of kinks.
+///
+/// The root mean square distance of a response from its expansion is that at the configurations held out, but where
+/// kinks may be not less than half of what the coefficients say of them; see probability::kinkedResidual(). A third of
+/// it is the error of mean and standard deviation: for kinks anywhere, orders 1 to 12 and 1 to 3 parameters it is 0.1
+/// to 2.1 of the true one, see docs/method/stochastic.md.
+void addTruncation(const Study& study, bool hasKinks, results::StochasticSummary& summary);
+
+/// The interpolation with error bars: 95 % of the errors at points that are left out of it and at those that are held
+/// out lie within 1.96 of them. `summary` has the moments and the errors of the solutions.
+results::Interpolant withErrorBars(const probability::PiecewiseLinear& function, const Study& study,
+                                   const results::StudyResults& results, const results::StochasticSummary& summary);
+
+}  // namespace harmos::study
