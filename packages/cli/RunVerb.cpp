@@ -29,9 +29,12 @@ void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
   out << " (asked for " << record.accuracy << "), " << record.iterations << " iterations, " << record.linearStages
       << " linear stages, " << record.wallSeconds << " s\n";
   for (const auto& response : result.solution.responses) {
+    if (result.solution.solvedSteps == 0) break;
     out << "  " << std::left << std::setw(24) << response.name << std::right << std::setprecision(7) << std::setw(15)
-        << response.values.back() << std::setprecision(2) << "  ";
+        << response.values[result.solution.solvedSteps - 1] << std::setprecision(2) << "  ";
+    if (std::isfinite(response.errorEstimate)) out << "+- " << response.errorEstimate * response.size << ", ";
     printEstimate(out, response.errorEstimate);
+    if (response.isSmall) out << ", counts as zero: not above " << response.size;
     out << "\n";
   }
   out << result.files.parts << "\n" << result.files.interfaces << "\n" << result.files.history << "\n";

@@ -11,6 +11,8 @@ void writeRunRecord(const std::string& path, const RunRecord& record) {
   using Json = nlohmann::ordered_json;
   Json errors = Json::object();
   for (const auto& [name, value] : record.responseErrors) errors[name] = value;
+  Json sizes = Json::object();
+  for (const auto& [name, value] : record.responseSizes) sizes[name] = value;
   Json phases = Json::object();
   for (const auto& phase : record.phases)
     phases[phase.name] = {{"wall_seconds", phase.wallSeconds}, {"cpu_seconds", phase.cpuSeconds}};
@@ -23,6 +25,9 @@ void writeRunRecord(const std::string& path, const RunRecord& record) {
                      {"accuracy", record.accuracy},
                      {"error_estimate", record.errorEstimate},
                      {"response_error_estimates", errors},
+                     {"response_sizes", sizes},
+                     {"steps", record.steps},
+                     {"solved_steps", record.solvedSteps},
                      {"iterations", record.iterations},
                      {"linear_stages", record.linearStages},
                      {"ranks", record.ranks},

@@ -19,6 +19,8 @@ struct RunRecord {
   double accuracy = 0.0;  // relative error that was asked for
   double errorEstimate = std::numeric_limits<double>::quiet_NaN();  // relative, of the whole solution; NaN: none
   std::vector<std::pair<std::string, double>> responseErrors;       // relative estimate per response and field
+  std::vector<std::pair<std::string, double>> responseSizes;        // what these are relative to, in their units
+  int steps = 0, solvedSteps = 0;                                   // load steps, and how many of them are written
   int iterations = 0;                                               // of LATIN
   int linearStages = 0;                                             // whatever for
   int ranks = 1;                                                    // of MPI

@@ -17,7 +17,9 @@ enum class Outcome {
 struct ResponseResult {
   std::string name;            ///< of the response
   std::vector<double> values;  ///< per load step, in the unit of its Quantity
-  double errorEstimate = 0.0;  ///< relative to its own size; not a number without a certificate or an attempt at one
+  double errorEstimate = 0.0;  ///< relative to `size`; not a number without a certificate or an attempt at one
+  double size = 0.0;           ///< its largest value over the load steps, or its floor, in its unit
+  bool isSmall = false;        ///< all values are below the floor, see NaturalSizes: it counts as zero
 };
 
 /// What a run achieved. The fields are read from LatinSolver::state().
@@ -29,6 +31,7 @@ struct LatinResult {
   double displacementErrorEstimate = 0.0;     ///< relative, field of interface displacements
   double errorEstimate = 0.0;                 ///< largest of all estimates
   double indicator = 0.0;                     ///< the customary |s - s^| / |s|: not an error, for comparison only
+  int solvedSteps = 0;                        ///< load steps that were solved; later values and fields mean nothing
   int iterations = 0;                         ///< applications of T outside the error estimate, in linear stages
   int linearStages = 0;                       ///< all applications of T, those of the error estimate included
 };

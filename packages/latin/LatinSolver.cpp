@@ -103,6 +103,7 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   if (options_.algorithm == Algorithm::accelerated && fixedPoint_.formulation() == Formulation::displacement) {
     march(result, start != nullptr ? March::Guess::state : March::Guess::extrapolation);
   } else {
+    result.solvedSteps = assembly_.steps();
     iterate(result);
   }
   result.linearStages = stages();
@@ -143,6 +144,7 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
     if (fixedPoint_.searchDirectionScale() != scale) {
       certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
     }
+    result.solvedSteps = std::max(result.solvedSteps, march.stepsReached());
     state_ = &fixedPoint_.apply(alpha_, image_);
     tolerance *= March::tightening;
     guess = March::Guess::state;
@@ -225,8 +227,8 @@ void LatinSolver::deliver(LatinResult& result) {
   const Snapshot last(*state_, responses_);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < responses_.size(); ++i) {
-    result.responses.push_back(
-        {responses_[i]->name(), last.responses()[i], estimates_.empty() ? unknown : estimates_[i]});
+    result.responses.push_back({responses_[i]->name(), last.responses()[i],
+                                estimates_.empty() ? unknown : estimates_[i], last.size(i), last.isSmall(i)});
   }
   result.forceErrorEstimate = estimates_.empty() ? unknown : estimates_[estimates_.size() - 2];
   result.displacementErrorEstimate = estimates_.empty() ? unknown : estimates_.back();

@@ -138,7 +138,10 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
     }
   } restore{fixedPoint_};
   fixedPoint_.startUnloaded();
+  stepsReached_ = 0;
   for (int t = 0; t < alpha.numCols(); ++t) {
+    // What an earlier run has found for the steps to come is better than a copy.
+    if (end != End::reached && guess == Guess::state) break;
     if (end == End::reached) {
       if (guess == Guess::extrapolation) {
         extrapolate(alpha, t, fixedPoint_.assembly().times, state[0]);
@@ -148,6 +151,7 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
       fixedPoint_.select({t});
       end = iterate(t, alpha, state, tolerance);
       fixedPoint_.startFromHere();
+      if (end == End::reached) ++stepsReached_;
     }
     std::copy_n(state[0], rows, alpha[t]);
   }

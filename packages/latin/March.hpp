@@ -50,8 +50,10 @@ class March {
 
   /// Collective. Replaces the columns of `alpha`, one per load step. A step that does not get there in
   /// maximumIterations after its last landing is left as it is. After an early end the remaining columns hold the last
-  /// state.
+  /// state, or where the guess is the state, what they held.
   End run(base::Matrix& alpha, double tolerance, Guess guess);
+  /// How many load steps, from the first, the last run came to the end of.
+  int stepsReached() const { return stepsReached_; }
   /// What the laws cannot carry, after End::noEquilibrium.
   const Imbalance& imbalance() const { return imbalance_; }
 
@@ -72,6 +74,7 @@ class March {
   int restarts_;
   Imbalance imbalance_;
   double largestForce_ = 0.0;
+  int stepsReached_ = 0;
 };
 
 /// The column of a load step from the two before it, linear in time; `state` has the rows of alpha.

@@ -16,6 +16,10 @@ class NaturalSizes {
   /// of a moment that of a force times the size of the assembly. Forces and tractions are not measured by less than
   /// 1e-7 of k w, k the automatic search direction: fewer digits are left.
   double floor(Quantity quantity) const;
+  /// The scale of the response, if it has one, else the floor of its quantity.
+  double floor(const Response& response) const {
+    return response.scale() > 0.0 ? response.scale() : floor(response.quantity());
+  }
   /// The same for the field of interface forces: least sum over all rows of h f^2 [area stress^2].
   double squaredForceFloor() const { return squaredForce_; }
   /// Of interface displacements: least sum of h w^2 [area length^2].

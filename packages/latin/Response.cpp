@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <harmos/latin/Dissipation.hpp>
+
 namespace harmos::latin {
 std::vector<double> DisplacementResponse::evaluate(const Iterate& state) const {
   std::vector<double> values(state.assembly().steps(), 0.0);
@@ -46,15 +48,9 @@ std::vector<double> PairResponse::evaluate(const Iterate& state) const {
 void DissipationResponse::include(const assembly::Interface& interface, const PairFields& fields,
                                   std::vector<double>& values) const {
   if (!interface.law->dissipates()) return;
-  double total = 0.0;
+  const std::vector<double> lost = lostWork(interface, fields);
   for (int t = 0; t < fields.steps; ++t) {
-    for (int p = 0; p < fields.pairs; ++p) {
-      const base::Vector3& f = fields.traction[fields.at(t, p)];
-      const base::Vector3& now = fields.jump[fields.at(t, p)];
-      const base::Vector3 old = t > 0 ? fields.jump[fields.at(t - 1, p)] : base::Vector3{};
-      total += interface.area[p] * (f[1] * (now[1] - old[1]) + f[2] * (now[2] - old[2]));
-    }
-    values[t] += total;
+    for (int p = 0; p < fields.pairs; ++p) values[t] += interface.area[p] * lost[fields.at(t, p)];
   }
 }
 

@@ -23,12 +23,17 @@ class Response {
   const std::string& name() const { return name_; }
   /// What it is measured in.
   Quantity quantity() const { return quantity_; }
+  /// The size below which its relative error stops to matter, in its unit; 0: that of its quantity, see NaturalSizes.
+  double scale() const { return scale_; }
+  /// To be called before the response is given to a solver; at least 0.
+  void setScale(double scale) { scale_ = scale; }
   /// One value per load step. Collective: the same values on every rank. All load steps must be selected.
   virtual std::vector<double> evaluate(const Iterate& state) const = 0;
 
  private:
   std::string name_;
   Quantity quantity_;
+  double scale_ = 0.0;
 };
 
 /// Weighted sum of nodal displacements along a direction: sum of weight (u . direction) [length].
@@ -93,7 +98,8 @@ class PairResponse : public Response {
   std::vector<int> interfaces_;
 };
 
-/// Energy [force length] lost in interfaces up to each load step: sum over steps and nodes of h t_t . (d_t - d_t,old).
+/// Energy [force length] lost in interfaces up to each load step: sum over steps and pairs of h times lostWork(), the
+/// work on the interface less what the law keeps.
 class DissipationResponse : public PairResponse {
  public:
   /// `interfaces`: positions in the assembly; those whose laws do not dissipate add nothing.

@@ -66,20 +66,24 @@ Snapshot::Snapshot(const Iterate& state, const std::vector<std::shared_ptr<const
                             std::to_string(wrong - values.begin() + 1) + ": the value is not finite (NaN or infinity)",
                         base::ExitCode::notConverged);
     }
-    floors_.push_back(sizes_.floor(response->quantity()));
+    floors_.push_back(sizes_.floor(*response));
   }
+}
+
+double Snapshot::size(std::size_t response) const {
+  double size = floors_[response];
+  for (const double value : responses_[response]) size = std::max(size, std::abs(value));
+  return size;
 }
 
 std::vector<double> Snapshot::distance(const Snapshot& other) const {
   std::vector<double> result;
   for (std::size_t i = 0; i < responses_.size(); ++i) {
-    double size = floors_[i];
     double difference = 0.0;
     for (std::size_t t = 0; t < responses_[i].size(); ++t) {
-      size = std::max(size, std::abs(responses_[i][t]));
       difference = std::max(difference, std::abs(responses_[i][t] - other.responses_[i][t]));
     }
-    result.push_back(difference == 0.0 ? 0.0 : difference / size);
+    result.push_back(difference == 0.0 ? 0.0 : difference / size(i));
   }
   result.push_back(fieldDistance(force_, other.force_, sizes_.squaredForceFloor(), *metric_));
   result.push_back(fieldDistance(displacement_, other.displacement_, sizes_.squaredDisplacementFloor(), *metric_));

@@ -22,6 +22,10 @@ class Snapshot {
   /// field, then displacement field. Each is measured against its own largest value over the steps, but not against
   /// less than its floor in NaturalSizes.
   std::vector<double> distance(const Snapshot& other) const;
+  /// What the error of a response, from 0, is relative to [its unit]: its largest value, or its floor.
+  double size(std::size_t response) const;
+  /// Whether all its values are below its floor.
+  bool isSmall(std::size_t response) const { return size(response) <= floors_[response]; }
   /// Per response and load step, in the unit of the response.
   const std::vector<std::vector<double>>& responses() const { return responses_; }
 

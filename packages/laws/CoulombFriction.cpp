@@ -60,6 +60,9 @@ struct CoulombFriction {
     return state;
   }
 
+  /// Friction alone dissipates: a pressure does work only where a gap closes within the load step, before it is there.
+  double keptWork(const PairStep& step) const { return step.traction[0] * (step.jump[0] - step.oldJump[0]); }
+
   input::Schedule friction;
   input::Schedule gap;
 };

@@ -51,9 +51,17 @@ class InterfaceLaw {
   virtual Sides sides() const = 0;
   /// The traction is data and does not depend on the jump: the search direction of such a boundary is k = 0.
   virtual bool prescribesTraction() const = 0;
-  /// Work done against the law is lost: the part in the plane of the interface, t_t.(delta_t - delta_t_old) [stress
-  /// length], is reported as dissipation. delta_old: at the end of the previous load step.
+  /// Work that is done against the law may be lost: t.(delta - delta_old) - keptWork() of every load step is reported
+  /// as dissipation [stress length].
   virtual bool dissipates() const = 0;
+  /// Of the work of a load step what is not lost [stress length]: it raises the free energy of springs inside the law,
+  /// or is done where nothing resists.
+  ///
+  /// Of a spring k with elongation e: k e.(e - e_old). The free energy k e.e/2 rises by k |e - e_old|^2/2 less; that
+  /// much a load step that is solved at its end (implicit Euler) takes from the loads, and it is no dissipation either.
+  /// So of a spring and a slider in series what is lost is the force of the slider times its slip, and nothing while it
+  /// sticks. Contact keeps the work of its pressure, which is one of closing a gap. Asked only where dissipates().
+  virtual double keptWork(const PairStep& /*step*/) const { return 0.0; }
   /// The jump is 0 whatever the traction: the sides move as one.
   virtual bool bonds() const { return false; }
   /// Without memory, and every component by itself affine: at each load step t_i = k_i delta_i + c_i with 0 <= k_i <=

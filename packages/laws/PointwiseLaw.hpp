@@ -23,6 +23,7 @@ namespace harmos::laws {
 ///   static constexpr bool bonds = true;                   default false
 ///   static constexpr bool isAffine = true;                default false
 ///   static constexpr Creases creases = Creases::refuse;   default as InterfaceLaw::creases()
+///   double keptWork(const PairStep&) const;               default 0
 /// What they mean is said at the functions of InterfaceLaw of these names. `old` and `now` are the pair's numbers at
 /// the end of the previous load step and of this one; solve() writes all of `now`.
 template <class L>
@@ -44,6 +45,8 @@ class PointwiseLaw final : public InterfaceLaw {
   bool prescribesTraction() const override { return prescribesTractionOf<L>(0); }
   /// L::dissipates, or false.
   bool dissipates() const override { return dissipatesOf<L>(0); }
+  /// L::keptWork(), or 0.
+  double keptWork(const PairStep& step) const override { return keptWorkOf(law_, step, 0); }
   /// L::bonds, or false.
   bool bonds() const override { return bondsOf<L>(0); }
   /// L::isAffine, or false.
@@ -86,6 +89,14 @@ class PointwiseLaw final : public InterfaceLaw {
   template <class T>
   static constexpr bool dissipatesOf(long) {
     return false;
+  }
+  template <class T>
+  static auto keptWorkOf(const T& law, const PairStep& step, int) -> decltype(law.keptWork(step)) {
+    return law.keptWork(step);
+  }
+  template <class T>
+  static double keptWorkOf(const T&, const PairStep&, long) {
+    return 0.0;
   }
   template <class T>
   static constexpr auto bondsOf(int) -> decltype(T::bonds) {

@@ -79,7 +79,7 @@ Indicators Gauge::measure(const latin::Iterate& state, const base::Matrix& alpha
   force_ = largestVector(sums.data() + 2 * ofBodies, sums.data() + sums.size());
   for (const auto& response : responses_) {
     if (response->quantity() != latin::Quantity::force) continue;
-    double largest = sizes.floor(response->quantity());
+    double largest = sizes.floor(*response);
     for (double value : response->evaluate(state)) largest = std::max(largest, std::abs(value));
     force_ = std::min(force_, largest);
   }

@@ -23,10 +23,12 @@ void addVector(std::vector<std::string>& names, const std::string& name, int dim
 class FieldFile {
  public:
   /// `title` and `input`, line by line, go into every file, the latter into the information records. `times`, the
-  /// ends of the load steps [time], and `comm` must outlive this object; `globals` have a value for each of them.
+  /// ends of the load steps to write [time], and `comm` must outlive this object; `globals` have a value for each.
   FieldFile(std::string title, const std::string& input, const std::vector<double>& times,
             std::vector<GlobalVariable> globals, const Teuchos::Comm<int>& comm);
 
+  /// Load steps that are written, from the first.
+  int steps() const { return static_cast<int>(times_.size()); }
   /// End of load step `step`, from 0 [time]; not checked.
   double time(int step) const { return times_[step]; }
   /// A file that holds the unloaded state already; null but on rank 0. The global variables are added to `variables`.

@@ -5,7 +5,7 @@
 #include <harmos/elasticity/Stress.hpp>
 #include <harmos/files/ResultLayout.hpp>
 #include <harmos/input/EffectiveInput.hpp>
-#include <harmos/latin/PairFields.hpp>
+#include <harmos/latin/Dissipation.hpp>
 #include <harmos/scene/FieldFile.hpp>
 
 namespace harmos::scene {
@@ -52,7 +52,7 @@ void writeParts(const Problem& problem, const latin::Iterate& state, const std::
   }
 
   const auto writer = file.open(path, layout.mesh, variables);
-  for (int t = 0; t < steps; ++t) {
+  for (int t = 0; t < file.steps(); ++t) {
     ResultStep step = files::zeroStep(layout.mesh, variables, file.time(t));
     for (std::size_t body = 0; body < stress.size(); ++body) {
       if (!state.layout().owns(static_cast<int>(body))) continue;
@@ -121,18 +121,6 @@ class InterfaceStep {
   std::size_t variable_ = 0, node_ = 0;
 };
 
-/// Adds the work lost per area in the step to what was lost before.
-void addDissipation(const assembly::Interface& interface, const latin::PairFields& fields, int t,
-                    std::vector<double>& dissipation) {
-  if (!interface.law->dissipates()) return;
-  for (int p = 0; p < fields.pairs; ++p)
-    for (const std::size_t tangent : {1u, 2u}) {
-      const double before = t > 0 ? fields.jump[fields.at(t - 1, p)][tangent] : 0.0;
-      dissipation[at(p)] +=
-          fields.traction[fields.at(t, p)][tangent] * (fields.jump[fields.at(t, p)][tangent] - before);
-    }
-}
-
 void writeInterfaces(const Problem& problem, const latin::Iterate& state, const std::string& path,
                      const FieldFile& file) {
   const auto layout = files::layOutInterfaces(problem.mesh, problem.bodies.pieces, problem.surfaces);
@@ -142,21 +130,20 @@ void writeInterfaces(const Problem& problem, const latin::Iterate& state, const 
   std::vector<std::vector<double>> dissipation;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     fields.push_back(latin::pairFields(state, static_cast<int>(i)));
-    dissipation.emplace_back(at(interfaces[i].pairs()), 0.0);
+    dissipation.push_back(latin::lostWork(interfaces[i], fields.back()));
   }
   const auto variables = InterfaceStep::variables(dimension);
   const auto writer = file.open(path, layout.mesh, variables);
-  for (int t = 0; t < problem.assembly.steps(); ++t) {
+  for (int t = 0; t < file.steps(); ++t) {
     ResultStep step = files::zeroStep(layout.mesh, variables, file.time(t));
     InterfaceStep filler(dimension, step);
-    for (std::size_t i = 0; i < interfaces.size(); ++i) addDissipation(interfaces[i], fields[i], t, dissipation[i]);
     for (std::size_t s = 0; s < problem.surfaces.size(); ++s) {
       for (std::size_t p = 0; p < problem.places[s].size(); ++p) {
         const PairPlace& place = problem.places[s][p];
         if (place.interface < 0) continue;
         const auto i = at(place.interface);
         filler.fill(interfaces[i], fields[i], t, place.pair, layout.firstPair[s] + static_cast<int>(p),
-                    dissipation[i][at(place.pair)]);
+                    dissipation[i][fields[i].at(t, place.pair)]);
       }
     }
     for (int c = 0; c < dimension; ++c) {
@@ -178,11 +165,12 @@ void writeInterfaces(const Problem& problem, const latin::Iterate& state, const 
 }  // namespace
 
 void writeFields(const Scene& scene, const Problem& problem, const latin::Iterate& state,
-                 const std::vector<GlobalVariable>& globals, const files::ResultFiles& files,
+                 const std::vector<GlobalVariable>& globals, int solvedSteps, const files::ResultFiles& files,
                  const Teuchos::Comm<int>& comm) {
   std::string title = scene.input.text("Title");
   if (title.empty()) title = scene.path;
-  const FieldFile file(title, input::effectiveInput(scene.input), scene.times, globals, comm);
+  const std::vector<double> times(scene.times.begin(), scene.times.begin() + solvedSteps);
+  const FieldFile file(title, input::effectiveInput(scene.input), times, globals, comm);
   writeParts(problem, state, files.parts, file);
   writeInterfaces(problem, state, files.interfaces, file);
 }

@@ -61,8 +61,11 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   }
   const ResponseContext context{problem.mesh, problem.bodies.pieces, finder, assembly};
   for (const input::Parameters& response : scene.input.lists("Responses")) {
-    errors.collect(response.where(),
-                   [&] { problem.responses.push_back(builtInResponses().create(response, context)); });
+    errors.collect(response.where(), [&] {
+      auto created = builtInResponses().create(response, context);
+      if (response.has("Scale")) created->setScale(response.number("Scale"));
+      problem.responses.push_back(std::move(created));
+    });
   }
   assembly.owner = distribute(problem.bodies, comm.getSize());
   assembly.bodies =

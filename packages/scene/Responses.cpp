@@ -22,6 +22,14 @@ std::vector<int> ResponseContext::interfacesOf(const Parameters& response, const
   return interfacesNamed(response.has(entry) ? response.texts(entry) : std::vector<std::string>());
 }
 
+void describeScale(input::ParameterSpec& spec) {
+  spec.number("Scale").optional().above(0.0).doc(
+      "Size, in the unit of the response, below which its relative error does not matter: its error is relative to its "
+      "largest value over the time steps, but not to less than this. Absent: 1e-3 of the largest displacement of the "
+      "scene, of the sum of its interface forces or its largest interface traction, whichever is of its kind; of a "
+      "moment the force times the size of the scene, of an energy 1e-6 of force times displacement.");
+}
+
 base::Vector3 vectorOf(const Parameters& parameters, const std::string& entry) {
   const std::vector<double>& given = parameters.numbers(entry);
   base::Vector3 vector{};

@@ -8,6 +8,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
 #include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/HistoryFile.hpp>
 #include <harmos/input/EffectiveInput.hpp>
@@ -66,14 +67,26 @@ class Recorder {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void describe(const latin::LatinResult& solution, files::RunRecord& record) {
+void describe(const latin::LatinResult& solution, const std::vector<double>& times, files::RunRecord& record) {
   record.status = statusOf(solution.outcome);
   record.reason = solution.reason;
+  record.steps = static_cast<int>(times.size());
+  record.solvedSteps = solution.solvedSteps;
+  if (solution.solvedSteps < record.steps) {
+    record.reason += solution.solvedSteps == 0
+                         ? "; no load step was solved, and none is written"
+                         : "; the last load step that was solved, and is written, is " +
+                               std::to_string(solution.solvedSteps) + " of " + std::to_string(record.steps) +
+                               ", time " + base::toText(times[solution.solvedSteps - 1]);
+  }
   record.exitCode = exitCodeOf(solution.outcome);
   record.errorEstimate = solution.errorEstimate;
   record.responseErrors.clear();
-  for (const auto& response : solution.responses)
+  record.responseSizes.clear();
+  for (const auto& response : solution.responses) {
     record.responseErrors.emplace_back(response.name, response.errorEstimate);
+    record.responseSizes.emplace_back(response.name, response.size);
+  }
   record.responseErrors.emplace_back("interface forces", solution.forceErrorEstimate);
   record.responseErrors.emplace_back("interface displacements", solution.displacementErrorEstimate);
   record.iterations = solution.iterations;
@@ -85,7 +98,7 @@ files::History historyOf(const latin::LatinResult& solution, const std::vector<d
   for (const auto& response : solution.responses) history.responses.push_back(response.name);
   history.times = {0.0};
   history.values = {std::vector<double>(solution.responses.size(), 0.0)};
-  for (std::size_t t = 0; t < times.size(); ++t) {
+  for (int t = 0; t < solution.solvedSteps; ++t) {
     history.times.push_back(times[t]);
     history.values.emplace_back();
     for (const auto& response : solution.responses) history.values.back().push_back(response.values[t]);
@@ -148,7 +161,8 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
     if (request.interrupted) solver.setInterrupt(request.interrupted);
     result.solution = solver.solve();
     const auto writing = timers.start("write");
-    writeFields(scene, problem, solver.state(), globalsOf(result.solution, scene.times.size()), result.files, *comm);
+    writeFields(scene, problem, solver.state(), globalsOf(result.solution, scene.times.size()),
+                result.solution.solvedSteps, result.files, *comm);
     if (comm->getRank() == 0) files::writeHistory(result.files.history, historyOf(result.solution, scene.times));
   } catch (const base::Error& error) {
     result.record.status = "failed";
@@ -157,7 +171,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
     recorder.writeHere();
     throw;
   }
-  describe(result.solution, result.record);
+  describe(result.solution, scene.times, result.record);
   recorder.write();
   return result;
 }

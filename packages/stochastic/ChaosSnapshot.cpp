@@ -23,7 +23,7 @@ ChaosSnapshot::ChaosSnapshot(const latin::Iterate& state, const ResponseSampler&
     : metric_(state.metric()), terms_(terms) {
   const latin::NaturalSizes sizes(state);
   for (std::size_t i = 0; i < responses.size(); ++i) {
-    quantities_.push_back({sampler.coefficients(static_cast<int>(i)), sizes.floor(responses[i]->quantity()), false});
+    quantities_.push_back({sampler.coefficients(static_cast<int>(i)), sizes.floor(*responses[i]), false});
   }
   base::Matrix trace(state.trace());
   for (int j = 0; j < trace.numCols(); ++j) {

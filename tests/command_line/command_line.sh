@@ -70,6 +70,19 @@ done
 
 expect 0 '"error_estimate": null' cat "$work/floating/floating_blocks_result.json"
 
+# Load steps that were not solved are no copies of the last one: they are left out, and the record says which was the last.
+pulled=$(dirname "$0")/pulled_off.xml
+expect 4 'the last load step that was solved, and is written, is 2 of 4, time 2' "$harmos" run "$pulled" --output "$work/pulled"
+expect 0 '^2,2,' tail -n 1 "$work/pulled/pulled_off_history.csv"
+expect 0 '"solved_steps": 2' cat "$work/pulled/pulled_off_result.json"
+expect 0 '^3$' sh -c "ncdump -h '$work/pulled/pulled_off.e' | sed -n 's/.*time_step = UNLIMITED ; .. (\([0-9]*\) currently)/\1/p'"
+# A response that is next to nothing has its absolute error beside it, and what it is small beside; or a scale of its own.
+only_pressed=(--set 'Histories/press and pull/Values={1, 2, 3, 4}')
+expect 0 'sideways .*+- .*counts as zero: not above 0.' "$harmos" run "$pulled" --output "$work/pulled" "${only_pressed[@]}"
+expect 0 'sideways .*counts as zero: not above 7$' "$harmos" run "$pulled" --output "$work/pulled" \
+  "${only_pressed[@]}" --set Responses/sideways/Scale=7
+expect 2 'Responses / sideways / Scale' "$harmos" check "$pulled" --set Responses/sideways/Scale=0
+
 # Interrupted after some iterations: says so, and the files of the last state are readable.
 name=$(basename "$large_scene" .xml)
 "$harmos" run "$large_scene" --output "$work/interrupted" --quiet --set Solver/Accuracy=1e-10 \

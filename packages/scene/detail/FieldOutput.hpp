@@ -18,9 +18,10 @@ namespace harmos::scene {
 /// traction_x.. on side 1 [stress], contact_status, opening = jump.n plus initial gap [length], slip_x.. and
 /// slip_magnitude (tangential jump, side 2 minus side 1 [length]), dissipation since the start [energy/area]. Jumps are
 /// 0 where they have no meaning: on boundaries that no contact law governs. `state` must hold the fields of the last
-/// apply(); files appear only when complete.
+/// apply(); files appear only when complete. Of load steps only the first
+/// `solvedSteps` are written.
 void writeFields(const Scene& scene, const Problem& problem, const latin::Iterate& state,
-                 const std::vector<GlobalVariable>& globals, const files::ResultFiles& files,
+                 const std::vector<GlobalVariable>& globals, int solvedSteps, const files::ResultFiles& files,
                  const Teuchos::Comm<int>& comm);
 
 }  // namespace harmos::scene

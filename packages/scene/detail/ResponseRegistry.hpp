@@ -31,12 +31,16 @@ struct ResponseContext {
 /// The responses that a scene may name.
 using ResponseRegistry = input::Registry<latin::Response, const ResponseContext&>;
 
+/// The entry that all responses have.
+void describeScale(input::ParameterSpec& spec);
+
 /// Adds the response written as struct R under R::name: R::describe(spec) declares its entries, R::make(parameters,
 /// context) builds it.
 template <class R>
 void addResponse(ResponseRegistry& responses, const ResponseRegistry::Check& check = {}) {
   input::ParameterSpec spec(R::name);
   R::describe(spec);
+  describeScale(spec);
   responses.add(std::move(spec), R::make, check);
 }
 
