@@ -35,6 +35,8 @@ struct CoulombFriction {
   explicit CoulombFriction(const input::Parameters& p)
       : friction(p.schedule("Friction Coefficient")), gap(p.schedule("Gap")) {}
 
+  AdmissibleTractions admissibleTractions(int step) const { return AdmissibleTractions::pressure(friction[step]); }
+
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
     LocalState state;
     const double opening = line.freeJump[0] + at.gap + gap[at.step];

@@ -26,6 +26,10 @@ struct ElasticFoundation {
   explicit ElasticFoundation(const input::Parameters& p)
       : normal(p.schedule("Normal Stiffness")), tangential(p.schedule("Tangential Stiffness")) {}
 
+  AdmissibleTractions admissibleTractions(int step) const {
+    return AdmissibleTractions::components(normal[step] > 0.0, tangential[step] > 0.0, tangential[step] > 0.0);
+  }
+
   LocalState solve(const LocalLine& line, const NodeContext& at, const double*, double*) const {
     return springTraction(line, normal[at.step], tangential[at.step]);
   }

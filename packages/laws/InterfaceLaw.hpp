@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include <harmos/laws/AdmissibleTractions.hpp>
 #include <harmos/laws/LocalLine.hpp>
 
 /// What happens where two bodies meet: laws of interfaces, asked pair by pair.
@@ -70,6 +73,12 @@ class InterfaceLaw {
   /// What it makes of creases: ignores them where it looks at global components, or bonds the sides whatever the
   /// normal.
   virtual Creases creases() const { return frame() == Frame::global || bonds() ? Creases::ignore : Creases::split; }
+  /// What the law can carry at a load step, counted from 0, at any node; nothing: not known, which claims nothing.
+  ///
+  /// A law that answers gives no traction outside. The tractions inside, friction left aside, it gives all, and the
+  /// better the farther it is pushed: t.delta does not fall. Where these alone balance the loads, there is an
+  /// equilibrium.
+  virtual std::optional<AdmissibleTractions> admissibleTractions(int /*step*/) const { return std::nullopt; }
   /// Solves all pairs at one load step, counted from 0. With prescribesTraction() the lines are not read. Not
   /// collective: a rank asks for the interfaces of its bodies. A traction that is not finite ends the computation.
   virtual void solve(int step, const NodeArrays& nodes) const = 0;

@@ -18,6 +18,8 @@ struct Perfect {
 
   explicit Perfect(const input::Parameters&) {}
 
+  AdmissibleTractions admissibleTractions(int) const { return {}; }
+
   LocalState solve(const LocalLine& line, const NodeContext&, const double*, double*) const {
     const double s = 1.0 / line.compliance;
     return {{s * line.freeJump[0], s * line.freeJump[1], s * line.freeJump[2]}, Status::bonded};

@@ -24,6 +24,7 @@ namespace harmos::laws {
 ///   static constexpr bool isAffine = true;                default false
 ///   static constexpr Creases creases = Creases::refuse;   default as InterfaceLaw::creases()
 ///   double keptWork(const PairStep&) const;               default 0
+///   AdmissibleTractions admissibleTractions(int step) const;  default: not known
 /// What they mean is said at the functions of InterfaceLaw of these names. `old` and `now` are the pair's numbers at
 /// the end of the previous load step and of this one; solve() writes all of `now`.
 template <class L>
@@ -54,6 +55,10 @@ class PointwiseLaw final : public InterfaceLaw {
 
   /// L::creases, or what follows from the frame and from bonds().
   Creases creases() const override { return creasesOf<L>(0); }
+  /// L::admissibleTractions(), or nothing.
+  std::optional<AdmissibleTractions> admissibleTractions(int step) const override {
+    return admissibleTractionsOf(law_, step, 0);
+  }
 
   /// Calls L::solve() for one pair after the other.
   void solve(int step, const NodeArrays& nodes) const override {
@@ -121,6 +126,15 @@ class PointwiseLaw final : public InterfaceLaw {
   template <class T>
   Creases creasesOf(long) const {
     return InterfaceLaw::creases();
+  }
+  template <class T>
+  static auto admissibleTractionsOf(const T& law, int step, int)
+      -> decltype(std::optional<AdmissibleTractions>(law.admissibleTractions(step))) {
+    return law.admissibleTractions(step);
+  }
+  template <class T>
+  static std::optional<AdmissibleTractions> admissibleTractionsOf(const T&, int, long) {
+    return std::nullopt;
   }
 
   L law_;

@@ -23,6 +23,8 @@ struct PreloadJump {
 
   explicit PreloadJump(const input::Parameters& p) : jump(p.schedule("Jump")) {}
 
+  AdmissibleTractions admissibleTractions(int) const { return {}; }
+
   LocalState solve(const LocalLine& line, const NodeContext& at, const double*, double*) const {
     const double s = 1.0 / line.compliance;
     return {{s * (line.freeJump[0] + jump[at.step]), s * line.freeJump[1], s * line.freeJump[2]}, Status::bonded};

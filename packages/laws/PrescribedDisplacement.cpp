@@ -30,6 +30,10 @@ struct PrescribedDisplacement {
     }
   }
 
+  AdmissibleTractions admissibleTractions(int) const {
+    return AdmissibleTractions::components(fixed[0], fixed[1], fixed[2]);
+  }
+
   LocalState solve(const LocalLine& line, const NodeContext& at, const double*, double*) const {
     LocalState state;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -16,6 +16,8 @@ struct Symmetry {
 
   explicit Symmetry(const input::Parameters&) {}
 
+  AdmissibleTractions admissibleTractions(int) const { return AdmissibleTractions::components(true, false, false); }
+
   LocalState solve(const LocalLine& line, const NodeContext&, const double*, double*) const {
     return {{line.freeJump[0] / line.compliance, 0.0, 0.0}, Status::bonded};
   }

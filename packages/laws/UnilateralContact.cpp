@@ -20,6 +20,8 @@ struct UnilateralContact {
 
   explicit UnilateralContact(const input::Parameters& p) : gap(p.schedule("Gap")) {}
 
+  AdmissibleTractions admissibleTractions(int) const { return AdmissibleTractions::pressure(0.0); }
+
   LocalState solve(const LocalLine& line, const NodeContext& at, const double*, double*) const {
     const double opening = line.freeJump[0] + at.gap + gap[at.step];
     return {{contactTraction(opening, line.compliance), 0.0, 0.0}, opening >= 0.0 ? Status::open : Status::slip};

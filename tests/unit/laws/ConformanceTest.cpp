@@ -91,6 +91,53 @@ TEST_P(Conformance, FindsPointsOfOneGraph) {
   }
 }
 
+// No traction lies outside of what the law says that it can carry, wherever it is led; where nothing is said of a
+// component, it is asked for all.
+TEST_P(Conformance, StaysWithinWhatItAdmits) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    const auto admissible = law->admissibleTractions(0);
+    if (!admissible) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_LE(admissible->lower[c], 0.0);
+      EXPECT_GE(admissible->upper[c], 0.0);
+    }
+    const double gap = uniform(random_, -1.0, 1.0);
+    Node node(*law, gap);
+    for (int step = 0; step < 6; ++step) {
+      const LocalLine line = randomLine(random_);
+      const LocalState state = node.solve(line);
+      const double error = tolerance(line, state, gap);
+      base::Vector3 beyond{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        beyond[c] = std::max({0.0, admissible->lower[c] - state.traction[c], state.traction[c] - admissible->upper[c]});
+      }
+      EXPECT_LE(beyond[0], error);
+      EXPECT_LE(tangentialNorm(beyond), admissible->friction * std::max(0.0, -state.traction[0]) + error);
+      node.accept();
+    }
+  }
+}
+
+// Pulled along a component that takes any value, the law answers with more and more, both ways.
+TEST_P(Conformance, ReachesWhatItAdmits) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    const auto admissible = law->admissibleTractions(0);
+    if (!admissible) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (const double sign : {-1.0, 1.0}) {
+        const double limit = sign < 0.0 ? -admissible->lower[c] : admissible->upper[c];
+        if (limit != AdmissibleTractions::unlimited) continue;
+        LocalLine line;
+        line.compliance = 1.0;
+        line.freeJump[c] = sign * 1e12;
+        EXPECT_GT(sign * Node(*law).solve(line).traction[c], 1e6);
+      }
+    }
+  }
+}
+
 // The graph of a law without memory is monotone, so that its resolvent is firmly non-expansive: LATIN converges.
 TEST_P(Conformance, IsMonotoneWithoutMemory) {
   for (double exponent : {-12.0, -6.0, 0.0, 6.0, 12.0}) {
