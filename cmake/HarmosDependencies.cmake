@@ -55,6 +55,11 @@ find_path(METIS_INCLUDE metis.h REQUIRED)
 find_library(METIS_LIBRARY metis REQUIRED)
 harmos_dependency(metis INCLUDE ${METIS_INCLUDE} LIBRARIES ${METIS_LIBRARY})
 
+find_path(CLP_INCLUDE ClpSimplex.hpp PATH_SUFFIXES coin REQUIRED)
+find_library(CLP_LIBRARY Clp REQUIRED)
+find_library(COINUTILS_LIBRARY CoinUtils REQUIRED)
+harmos_dependency(clp INCLUDE ${CLP_INCLUDE} LIBRARIES ${CLP_LIBRARY} ${COINUTILS_LIBRARY})
+
 if(HARMOS_CHOLMOD)
   find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
   find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
