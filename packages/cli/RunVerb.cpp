@@ -25,6 +25,7 @@ void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
   const auto& record = result.record;
   printWarnings(out, record.warnings);
   out << record.status << ": " << record.reason << "\n" << std::setprecision(3);
+  for (const std::string& remark : record.remarks) out << "remark: " << remark << "\n";
   printEstimate(out, record.errorEstimate);
   out << " (asked for " << record.accuracy << "), " << record.iterations << " iterations, " << record.linearStages
       << " linear stages, " << record.wallSeconds << " s\n";

@@ -21,6 +21,7 @@ void writeRunRecord(const std::string& path, const RunRecord& record) {
                      {"scene", record.scene},
                      {"status", record.status},
                      {"reason", record.reason},
+                     {"remarks", record.remarks},
                      {"exit_code", record.exitCode},
                      {"accuracy", record.accuracy},
                      {"error_estimate", record.errorEstimate},

@@ -12,11 +12,12 @@ namespace harmos::files {
 
 /// How a run went; what SCENE_result.json says.
 struct RunRecord {
-  std::string scene;      // path as given
-  std::string status;     // running, certified, not converged, no equilibrium, interrupted, failed
-  std::string reason;     // why it stopped, one sentence
-  int exitCode = 0;       // of the process, see base::ExitCode; 130: interrupted
-  double accuracy = 0.0;  // relative error that was asked for
+  std::string scene;                 // path as given
+  std::string status;                // running, certified, not converged, no equilibrium, interrupted, failed
+  std::string reason;                // why it stopped, one sentence
+  std::vector<std::string> remarks;  // on what the solution does not determine, one sentence each
+  int exitCode = 0;                  // of the process, see base::ExitCode; 130: interrupted
+  double accuracy = 0.0;             // relative error that was asked for
   double errorEstimate = std::numeric_limits<double>::quiet_NaN();  // relative, of the whole solution; NaN: none
   std::vector<std::pair<std::string, double>> responseErrors;       // relative estimate per response and field
   std::vector<std::pair<std::string, double>> responseSizes;        // what these are relative to, in their units

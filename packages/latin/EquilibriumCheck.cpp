@@ -116,4 +116,11 @@ std::string describe(const Imbalance& imbalance, const assembly::Assembly& assem
   return text.str();
 }
 
+std::string describeLack(const Imbalance& imbalance, const assembly::Assembly& assembly, bool hasForces) {
+  return "the interface laws cannot carry the loads; " + describe(imbalance, assembly) +
+         (hasForces ? "; forces within the friction of the interfaces would balance the loads, but no path leads to "
+                      "pressures that are high enough"
+                    : "");
+}
+
 }  // namespace harmos::latin

@@ -30,4 +30,7 @@ Imbalance largestImbalance(const Iterate& state);
 /// One line for the user: part, step, force and moment in the units of the scene, which are not named.
 std::string describe(const Imbalance& imbalance, const assembly::Assembly& assembly);
 
+/// Why the laws cannot carry the loads, for the user. `hasForces`: forces that they admit would balance the loads.
+std::string describeLack(const Imbalance& imbalance, const assembly::Assembly& assembly, bool hasForces);
+
 }  // namespace harmos::latin

@@ -39,6 +39,11 @@ EquilibriumWatch::Finding EquilibriumWatch::look(FixedPoint& fixedPoint, const I
   if (!persists()) return Finding::nothing;
   const FreeMotion motion = followImbalance(history_.back(), fixedPoint, *iterate, alpha, image);
   iterate = motion.iterate;
+  if (motion.isFree && isSure_ && isSure_(history_.back().step)) {
+    // Something resists, but so softly that it is not seen from here.
+    history_.clear();
+    return Finding::nothing;
+  }
   if (motion.isFree) return Finding::noEquilibrium;
   if (!motion.landing) return Finding::nothing;
   history_.clear();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <harmos/latin/FreeMotion.hpp>
@@ -13,8 +14,10 @@ namespace harmos::latin {
 /// search direction below 0.01 it does not look.
 class EquilibriumWatch {
  public:
-  /// Imbalances below `accuracy` (relative, see Imbalance) do not count.
-  explicit EquilibriumWatch(double accuracy) : accuracy_(accuracy) {}
+  /// Imbalances below `accuracy` (relative, see Imbalance) do not count. `isSure` is asked on every rank whether there
+  /// is an equilibrium at a column of the state: then no lack of it is found; may be empty.
+  explicit EquilibriumWatch(double accuracy, std::function<bool(int)> isSure = {})
+      : accuracy_(accuracy), isSure_(std::move(isSure)) {}
 
   /// Nothing yet; the laws cannot carry the loads; something stops the body farther on.
   enum class Finding { nothing, noEquilibrium, landing };
@@ -29,6 +32,7 @@ class EquilibriumWatch {
   bool persists() const;
 
   double accuracy_;
+  std::function<bool(int)> isSure_;
   int iterations_ = 0;
   std::vector<Imbalance> history_;
 };

@@ -26,6 +26,7 @@ struct ResponseResult {
 struct LatinResult {
   Outcome outcome = Outcome::iterationLimit;  ///< how it ended
   std::string reason;                         ///< one sentence for the user
+  std::vector<std::string> remarks;           ///< sentences on what the solution does not determine; of a certified one
   std::vector<ResponseResult> responses;      ///< in the order of LatinSolver::addResponse()
   double forceErrorEstimate = 0.0;            ///< relative, field of interface forces
   double displacementErrorEstimate = 0.0;     ///< relative, field of interface displacements

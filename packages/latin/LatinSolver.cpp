@@ -11,6 +11,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Vector3.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
+#include <harmos/latin/detail/UnheldParts.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -99,6 +100,7 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
     fixedPoint_.rescale(options_.stages.searchDirectionScale);
   }
   certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
+  balance_.emplace(assembly_, fixedPoint_.layout().comm(), timers_);
   LatinResult result;
   if (options_.algorithm == Algorithm::accelerated && fixedPoint_.formulation() == Formulation::displacement) {
     march(result, start != nullptr ? March::Guess::state : March::Guess::extrapolation);
@@ -128,6 +130,7 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
 
 void LatinSolver::march(LatinResult& result, March::Guess guess) {
   March march(fixedPoint_, options_.memory, options_.accuracy, options_.restarts);
+  march.setLoadBalance(*balance_);
   march.setStop([&] { return mustStop() || stages() >= options_.maximumIterations; });
   march.setObserver([&](int step, int iterations, const Iterate& iterate) {
     state_ = &iterate;
@@ -152,7 +155,7 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
   result.iterations = stages() - stagesOfCertificates_;
   if (end == March::End::noEquilibrium) {
     result.outcome = Outcome::noEquilibrium;
-    result.reason = "the interface laws cannot carry the loads; " + describe(march.imbalance(), assembly_);
+    result.reason = march.reason();
   } else if (end == March::End::stopped && mustStop()) {
     result.outcome = Outcome::interrupted;
     result.reason = "interrupted";
@@ -164,7 +167,13 @@ void LatinSolver::iterate(LatinResult& result) {
   if (options_.algorithm == Algorithm::accelerated) {
     acceleration.emplace(fixedPoint_.metric(), options_.memory, fixedPoint_.assembly().isAffine());
   }
-  EquilibriumWatch watch(options_.accuracy);
+  for (int t = 0; t < assembly_.steps(); ++t) {
+    if (!balance_->contradiction(t)) continue;
+    result.outcome = Outcome::noEquilibrium;
+    result.reason = *balance_->contradiction(t);
+    return;
+  }
+  EquilibriumWatch watch(options_.accuracy, [&](int step) { return balance_->isSure(step); });
   double trigger = triggerFactor * options_.accuracy;
   int nextAttempt = 0;  // linear stages before which a failed certificate is not tried again
   while (stages() < options_.maximumIterations) {
@@ -196,7 +205,7 @@ void LatinSolver::iterate(LatinResult& result) {
     }
     if (finding == EquilibriumWatch::Finding::noEquilibrium) {
       result.outcome = Outcome::noEquilibrium;
-      result.reason = "the interface laws cannot carry the loads; " + describe(watch.imbalance(), assembly_);
+      result.reason = describeLack(watch.imbalance(), assembly_, balance_->hasForces(watch.imbalance().step));
       return;
     }
     if (quiet && stages() >= nextAttempt) {
@@ -233,6 +242,10 @@ void LatinSolver::deliver(LatinResult& result) {
   result.forceErrorEstimate = estimates_.empty() ? unknown : estimates_[estimates_.size() - 2];
   result.displacementErrorEstimate = estimates_.empty() ? unknown : estimates_.back();
   result.errorEstimate = estimates_.empty() ? unknown : *std::max_element(estimates_.begin(), estimates_.end());
+  if (result.outcome == Outcome::certified) {
+    const auto running = timers_.start("statics");
+    result.remarks = describeUnheldParts(*state_);
+  }
   if (result.outcome != Outcome::iterationLimit) return;
   const Imbalance imbalance = largestImbalance(*state_);
   result.reason = "iteration limit of " + std::to_string(options_.maximumIterations) + " linear stages; worst " +

@@ -9,6 +9,7 @@
 #include <harmos/latin/Certificate.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/latin/LatinResult.hpp>
+#include <harmos/latin/LoadBalance.hpp>
 #include <harmos/latin/March.hpp>
 #include <harmos/latin/Response.hpp>
 
@@ -79,6 +80,7 @@ class LatinSolver {
   FixedPoint fixedPoint_;
   std::vector<std::shared_ptr<const Response>> responses_;
   std::vector<std::function<void(const IterationReport&)>> observers_;
+  std::optional<LoadBalance> balance_;      // of the laws and loads of this solve()
   std::optional<Certificate> certificate_;  // of this run: keeps its directions from one attempt to the next
   std::function<bool()> interrupted_;
   base::Matrix alpha_;

@@ -68,7 +68,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   const StateMetric& metric = fixedPoint_.metric();
   AndersonAcceleration& acceleration = accelerations_[step];
   acceleration.resume();
-  EquilibriumWatch watch(accuracy_);
+  EquilibriumWatch watch(accuracy_, [&](int) { return balance_ != nullptr && balance_->isSure(step); });
   Stagnation stagnation;
   base::Matrix image(state.numRows(), 1);
   int iteration = 0, sinceLanding = 0, landings = 0;
@@ -107,8 +107,9 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       continue;
     }
     if (finding == EquilibriumWatch::Finding::noEquilibrium) {
-      imbalance_ = watch.imbalance();
-      imbalance_.step = step;
+      Imbalance imbalance = watch.imbalance();
+      imbalance.step = step;
+      reason_ = describeLack(imbalance, fixedPoint_.assembly(), balance_ != nullptr && balance_->hasForces(step));
       end = End::noEquilibrium;
       break;
     }
@@ -142,6 +143,10 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
   for (int t = 0; t < alpha.numCols(); ++t) {
     // What an earlier run has found for the steps to come is better than a copy.
     if (end != End::reached && guess == Guess::state) break;
+    if (end == End::reached && balance_ != nullptr && balance_->contradiction(t)) {
+      reason_ = *balance_->contradiction(t);
+      end = End::noEquilibrium;
+    }
     if (end == End::reached) {
       if (guess == Guess::extrapolation) {
         extrapolate(alpha, t, fixedPoint_.assembly().times, state[0]);

@@ -4,6 +4,7 @@
 
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/EquilibriumWatch.hpp>
+#include <harmos/latin/LoadBalance.hpp>
 
 namespace harmos::latin {
 
@@ -43,6 +44,8 @@ class March {
   /// `fixedPoint` must outlive it. `memory` of the acceleration; loads that are not carried are those above `accuracy`.
   March(FixedPoint& fixedPoint, int memory, double accuracy, int restarts);
 
+  /// Asked before every load step whether its loads can be balanced at all; must outlive it.
+  void setLoadBalance(LoadBalance& balance) { balance_ = &balance; }
   /// Asked on every rank after every iteration.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
   /// Told on every rank after every load step: step, iterations that it took, fields of the last one.
@@ -54,8 +57,8 @@ class March {
   End run(base::Matrix& alpha, double tolerance, Guess guess);
   /// How many load steps, from the first, the last run came to the end of.
   int stepsReached() const { return stepsReached_; }
-  /// What the laws cannot carry, after End::noEquilibrium.
-  const Imbalance& imbalance() const { return imbalance_; }
+  /// What the laws cannot carry, after End::noEquilibrium, in words for the user.
+  const std::string& reason() const { return reason_; }
 
  private:
   End iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance);
@@ -72,7 +75,8 @@ class March {
   std::vector<AndersonAcceleration> accelerations_;  // per load step
   base::Matrix tractions_;                           // f^ of every load step that was visited
   int restarts_;
-  Imbalance imbalance_;
+  LoadBalance* balance_ = nullptr;
+  std::string reason_;
   double largestForce_ = 0.0;
   int stepsReached_ = 0;
 };

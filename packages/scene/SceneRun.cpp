@@ -70,6 +70,7 @@ class Recorder {
 void describe(const latin::LatinResult& solution, const std::vector<double>& times, files::RunRecord& record) {
   record.status = statusOf(solution.outcome);
   record.reason = solution.reason;
+  record.remarks = solution.remarks;
   record.steps = static_cast<int>(times.size());
   record.solvedSteps = solution.solvedSteps;
   if (solution.solvedSteps < record.steps) {

@@ -55,11 +55,15 @@ void addSquares(const std::vector<WorkTerm>& jump, base::Matrix& squares) {
 }
 
 /// The motions that a form does not feel, as the first columns of `squares`; returns how many.
-int nullSpace(base::Matrix& squares) {
+int nullSpace(base::Matrix& squares, int motions) {
   const int unknowns = squares.numRows();
-  // Each motion in the measure of what holds it most: bodies that one joint holds count as much as those that many do.
+  // Bodies that one joint holds count as much as those that many do.
   std::vector<double> scale(static_cast<std::size_t>(unknowns));
-  for (int i = 0; i < unknowns; ++i) scale[i] = squares(i, i) > 0.0 ? 1.0 / std::sqrt(squares(i, i)) : 1.0;
+  for (int first = 0; first < unknowns; first += motions) {
+    double largest = 0.0;
+    for (int i = first; i < first + motions; ++i) largest = std::max(largest, squares(i, i));
+    for (int i = first; i < first + motions; ++i) scale[i] = largest > 0.0 ? 1.0 / std::sqrt(largest) : 1.0;
+  }
   for (int j = 0; j < unknowns; ++j) {
     for (int i = 0; i < unknowns; ++i) squares(i, j) *= scale[i] * scale[j];
   }
@@ -98,7 +102,7 @@ std::vector<bool> findFixed(const RigidAssembly& assembly, const std::vector<std
       addSquares(mine, squares[body]);
     }
     for (std::size_t b = 0; b < squares.size(); ++b) {
-      if (isFixed[b] || nullSpace(squares[b]) > 0) continue;
+      if (isFixed[b] || nullSpace(squares[b], motions) > 0) continue;
       isFixed[b] = goesOn = true;
     }
   }
@@ -134,7 +138,7 @@ std::vector<std::vector<Motion>> findFreeMotions(const RigidAssembly& assembly, 
     }
     addSquares(left, squares);
   }
-  const int count = nullSpace(squares);
+  const int count = nullSpace(squares, motions);
   reduce(squares, count);
   std::vector<std::vector<Motion>> free;
   for (int j = 0; j < count; ++j) {

@@ -1,0 +1,152 @@
+#include <harmos/latin/detail/UnheldParts.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/base/Names.hpp>
+#include <harmos/latin/detail/RigidParts.hpp>
+#include <harmos/statics/FreeMotions.hpp>
+#include <harmos/statics/MotionText.hpp>
+
+namespace harmos::latin {
+namespace {
+
+// Of the largest displacement, what counts as taking part in a motion.
+constexpr double takesPart = 1e-3;
+// Rigid bodies that a remark names.
+constexpr std::size_t mostNames = 4;
+// Tractions, over the largest of all load steps, that are none.
+constexpr double noTraction = 1e-12;
+
+/// What the owner of side 1 knows of a joint: 1 + status, and the components of t.
+constexpr std::size_t numbersPerJoint = 4;
+
+std::vector<double> statesOf(const statics::RigidAssembly& rigid, const Iterate& state, int step) {
+  const assembly::Assembly& assembly = state.assembly();
+  const Teuchos::Comm<int>& comm = state.layout().comm();
+  std::vector<double> mine(numbersPerJoint * rigid.joints.size(), 0.0), all(mine);
+  for (std::size_t j = 0; j < rigid.joints.size(); ++j) {
+    const statics::Joint& joint = rigid.joints[j];
+    const assembly::Interface& interface = assembly.interfaces[joint.interface];
+    const auto& states = state.states(joint.interface);
+    if (assembly.ownerOf(interface.body1) != comm.getRank() || states.empty()) continue;
+    const laws::LocalState& at = states[static_cast<std::size_t>(step * interface.pairs() + joint.pair)];
+    double* numbers = mine.data() + numbersPerJoint * j;
+    numbers[0] = 1.0 + static_cast<int>(at.status);
+    std::copy(at.traction.begin(), at.traction.end(), numbers + 1);
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
+}
+
+/// The directions, in the law's frame, that a joint resists.
+std::vector<base::Vector3> resisted(const statics::Joint& joint, const double* numbers) {
+  const base::Vector3 axes[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  const base::Vector3 traction{numbers[1], numbers[2], numbers[3]};
+  std::vector<base::Vector3> directions;
+  // Nothing is known of a stage that does not meet laws pair by pair: nothing is said.
+  if (numbers[0] == 0.0) return {axes[0], axes[1], axes[2]};
+  switch (static_cast<laws::Status>(static_cast<int>(numbers[0]) - 1)) {
+    case laws::Status::open:
+      break;
+    case laws::Status::stick:
+      return {axes[0], axes[1], axes[2]};
+    case laws::Status::slip: {
+      directions.push_back(axes[0]);
+      const double friction = base::tangentialNorm(traction);
+      // A slip that turned aside would turn the friction, too.
+      if (friction > 0.0) directions.push_back({0.0, -traction[2] / friction, traction[1] / friction});
+      break;
+    }
+    case laws::Status::bonded:
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (joint.tractions.lower[c] < 0.0 && joint.tractions.upper[c] > 0.0) directions.push_back(axes[c]);
+      }
+      break;
+    case laws::Status::broken:
+      if (traction[0] < 0.0) directions.push_back(axes[0]);
+      break;
+  }
+  return directions;
+}
+
+/// "load step 3", "load steps 1 to 4, 7", of numbers from 0 in ascending order.
+std::string nameSteps(const std::vector<int>& steps) {
+  std::vector<std::string> ranges;
+  for (std::size_t i = 0; i < steps.size();) {
+    std::size_t end = i;
+    while (end + 1 < steps.size() && steps[end + 1] == steps[end] + 1) ++end;
+    ranges.push_back(std::to_string(steps[i] + 1) + (end > i ? " to " + std::to_string(steps[end] + 1) : ""));
+    i = end + 1;
+  }
+  return (steps.size() == 1 ? "load step " : "load steps ") + base::joinNames(ranges);
+}
+
+/// Largest absolute traction of a load step on all ranks.
+double largestTraction(const Iterate& state, int step) {
+  double mine = 0.0, largest = 0.0;
+  for (int row = 0; row < state.hattedTraction().numRows(); ++row) {
+    if (state.layout().area()[row] > 0.0) mine = std::max(mine, std::abs(state.hattedTraction()(row, step)));
+  }
+  Teuchos::reduceAll(state.layout().comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+  return largest;
+}
+
+}  // namespace
+
+std::vector<std::string> describeUnheldParts(const Iterate& state) {
+  const assembly::Assembly& assembly = state.assembly();
+  struct Finding {
+    std::vector<int> steps;
+    std::string motions;  // of the last of them
+  };
+  std::map<std::string, Finding> findings;
+  std::vector<double> largest;
+  for (int t = 0; t < assembly.steps(); ++t) largest.push_back(largestTraction(state, t));
+  const double most = *std::max_element(largest.begin(), largest.end());
+  const auto own = resistedMotions(assembly, state.layout().comm());
+  for (int t = 0; t < assembly.steps(); ++t) {
+    if (largest[t] <= noTraction * most) continue;
+    const RigidParts parts(assembly, own, t, RigidParts::Unknown::carriesAll);
+    const statics::RigidAssembly& rigid = parts.rigid();
+    if (rigid.bodies.empty()) continue;
+    const std::vector<double> states = statesOf(rigid, state, t);
+    std::vector<statics::Hold> holds;
+    for (std::size_t j = 0; j < rigid.joints.size(); ++j) {
+      for (const base::Vector3& direction : resisted(rigid.joints[j], states.data() + numbersPerJoint * j))
+        holds.push_back({static_cast<int>(j), base::toGlobal(rigid.joints[j].frame, direction)});
+    }
+    std::map<std::string, std::string> here;
+    for (const auto& motion : statics::findFreeMotions(rigid, holds)) {
+      std::vector<std::string> names, ways;
+      for (std::size_t b = 0; b < motion.size(); ++b) {
+        const double way =
+            std::max(base::norm(motion[b].translation), rigid.bodies[b].size * base::norm(motion[b].rotation));
+        if (way < takesPart) continue;
+        names.push_back(parts.nameOf(static_cast<int>(b)));
+        ways.push_back(statics::describe(rigid.bodies[b], motion[b]));
+      }
+      const bool isOneWay = std::all_of(ways.begin(), ways.end(), [&](const auto& way) { return way == ways.front(); });
+      std::string text = isOneWay ? ways.front() : "";
+      for (std::size_t i = 0; !isOneWay && i < names.size(); ++i)
+        text += (i > 0 ? " with " : "") + names[i] + " " + ways[i];
+      std::string& all = here[base::joinNames(names, mostNames)];
+      all += (all.empty() ? "" : "; ") + text;
+    }
+    for (const auto& [names, text] : here) {
+      findings[names].steps.push_back(t);
+      findings[names].motions = text;
+    }
+  }
+  std::vector<std::string> remarks;
+  for (const auto& [names, finding] : findings) {
+    remarks.push_back("nothing holds " + names + " at " + nameSteps(finding.steps) + ": free " + finding.motions +
+                      "; the problem does not determine the place along there, only the forces");
+  }
+  return remarks;
+}
+
+}  // namespace harmos::latin

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+
+#include <harmos/assembly/Assembly.hpp>
+#include <harmos/statics/RigidAssembly.hpp>
+
+namespace harmos::latin {
+
+/// Which rigid motions of a body (translations, then rotations about any place; in the plane x, y and the turn) its own
+/// stiffness resists. None of a body of finite elements; a host may have put springs to the ground into its matrix.
+using ResistedMotions = std::array<bool, 6>;
+
+/// Of every body of the assembly. Collective: the owner of a body knows its matrix.
+std::vector<ResistedMotions> resistedMotions(const assembly::Assembly& assembly, const Teuchos::Comm<int>& comm);
+
+/// The bodies of an assembly taken as rigid, at one load step.
+///
+/// Bodies that laws join so that every traction is borne, at places that fix them to each other, are one rigid body:
+/// the pieces of a part, what is glued or tightened. Those that are fixed to the ground in that way belong to it. All
+/// other interfaces, except those whose law prescribes its traction, are joints, pair by pair.
+class RigidParts {
+ public:
+  /// Whether laws that do not know what they can carry count as if they could carry everything, or nothing.
+  enum class Unknown { carriesAll, carriesNothing };
+
+  /// The assembly must outlive it. `resisted` is that of resistedMotions(), `step` counted from 0. Not collective:
+  /// every rank gets the same.
+  RigidParts(const assembly::Assembly& assembly, const std::vector<ResistedMotions>& resisted, int step,
+             Unknown unknown);
+
+  /// The rigid bodies, and the joints between them; Joint::interface and Joint::pair are those of the assembly.
+  const statics::RigidAssembly& rigid() const { return rigid_; }
+  /// Rigid body that a body belongs to; -1: the ground.
+  int rigidBodyOf(int body) const { return rigidBodyOf_[body]; }
+  /// 'part "a"', or 'parts "a", "b"': the bodies of a rigid body, of many the first.
+  std::string nameOf(int rigidBody) const;
+
+ private:
+  const assembly::Assembly& assembly_;
+  std::vector<int> rigidBodyOf_;
+  statics::RigidAssembly rigid_;
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,126 @@
+// What rigid statics says of the loads of assemblies before they are iterated.
+#include <gtest/gtest.h>
+
+#include <harmos/latin/LoadBalance.hpp>
+
+#include "BoxAssembly.hpp"
+#include "Chains.hpp"
+
+namespace harmos::latin {
+namespace {
+
+using Law = std::shared_ptr<const laws::InterfaceLaw>;
+
+Law contact() {
+  return laws::makeLaw("Unilateral Contact");
+}
+Law friction(double mu) {
+  return laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", mu}});
+}
+Law push(double x, double z) {
+  return laws::makeLaw("Prescribed Traction", {{"X", x}, {"Z", z}});
+}
+
+/// Does not say what it can carry.
+struct Silent {
+  static constexpr const char* name = "Silent";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::two;
+  laws::LocalState solve(const laws::LocalLine&, const laws::NodeContext&, const double*, double*) const { return {}; }
+};
+
+struct Answers {
+  explicit Answers(const assembly::Assembly& assembly, int step = 0) {
+    base::Timers timers;
+    LoadBalance balance(assembly, *self(), timers);
+    contradiction = balance.contradiction(step).value_or("");
+    isSure = balance.isSure(step);
+    hasForces = balance.hasForces(step);
+  }
+  std::string contradiction;  // "": none
+  bool isSure = false, hasForces = false;
+};
+
+Answers answers(const Law& joint, const Law& top) {
+  BoxAssembly cubes = twoCubes(joint, top);
+  return Answers(cubes.assembly());
+}
+
+// 2 mu carries what is below it.
+TEST(LoadBalance, KnowsTheLimitOfFriction) {
+  const Answers below = answers(friction(0.2), push(0.39, -2.0));
+  EXPECT_EQ(below.contradiction, "");
+  EXPECT_TRUE(below.hasForces);
+  EXPECT_FALSE(below.isSure);
+  const Answers above = answers(friction(0.2), push(0.41, -2.0));
+  EXPECT_NE(above.contradiction, "");
+  EXPECT_FALSE(above.hasForces);
+}
+
+TEST(LoadBalance, IsSureWithoutFriction) {
+  for (const Law& joint : {contact(), friction(0.0), friction(0.5), Law(laws::makeLaw("Perfect"))}) {
+    const Answers pressed = answers(joint, push(0.0, -2.0));
+    EXPECT_EQ(pressed.contradiction, "") << joint->name();
+    EXPECT_TRUE(pressed.isSure) << joint->name();
+  }
+  EXPECT_TRUE(answers(laws::makeLaw("Perfect"), push(3.0, 2.0)).isSure);
+}
+
+TEST(LoadBalance, NamesPartLoadStepAndMotion) {
+  const Answers lifted = answers(friction(0.5), push(0.0, 2.0));
+  for (const char* part : {"load step 1", "unbalanced force (0, 0, ", "along (0, 0, 1), leaving"})
+    EXPECT_NE(lifted.contradiction.find(part), std::string::npos) << lifted.contradiction;
+  const Answers pushed = answers(contact(), push(0.1, -2.0));
+  for (const char* part : {"along (1, 0, 0), sliding along"})
+    EXPECT_NE(pushed.contradiction.find(part), std::string::npos) << pushed.contradiction;
+}
+
+// The same cubes: only the third load step has a pull.
+TEST(LoadBalance, LooksAtEveryLoadStepByItself) {
+  const Law growing = laws::makeLaw("Prescribed Traction", {{"Z", 2.0}}, {{"Z", {-1.0, 0.0, 1.0}}});
+  BoxAssembly cubes = twoCubes(contact(), growing, 3);
+  EXPECT_EQ(Answers(cubes.assembly(), 0).contradiction, "");
+  EXPECT_EQ(Answers(cubes.assembly(), 1).contradiction, "");
+  EXPECT_NE(Answers(cubes.assembly(), 2).contradiction, "");
+}
+
+TEST(LoadBalance, ClaimsNothingOfLawsThatAreSilent) {
+  const Answers silent = answers(std::make_shared<laws::PointwiseLaw<Silent>>(), push(3.0, 2.0));
+  EXPECT_EQ(silent.contradiction, "");
+  EXPECT_FALSE(silent.isSure);
+  EXPECT_FALSE(silent.hasForces);
+}
+
+// Tipping: the pressure on the top beside the base of a cube that leans over by more than its width.
+TEST(LoadBalance, KnowsWhatTipsOver) {
+  for (const double lean : {0.4, 1.6}) {
+    BoxAssembly cubes({{"lower", {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}, {1, 1, 1}},
+                       {"upper", {0.0, 0.0, 1.0}, {1.0, 1.0, 2.0}, {1, 1, 1}}});
+    cubes.deform("upper", [lean](const base::Vector3& x) { return x + base::Vector3{lean * (x[2] - 1.0), 0.0, 0.0}; });
+    const Law all = laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}});
+    cubes.join("contact", "lower_zmax", "upper_zmin", friction(100.0));
+    cubes.hold("bottom", "lower_zmin", all);
+    cubes.hold("top", "upper_zmax", push(0.0, -1.0));
+    const std::string contradiction = Answers(cubes.assembly()).contradiction;
+    EXPECT_EQ(contradiction.empty(), lean < 0.5) << contradiction;
+    EXPECT_EQ(contradiction.find("turning about (0, ") != std::string::npos, lean > 0.5) << contradiction;
+  }
+}
+
+// The chains resist turns and bear no moment of the joint; along x they are free.
+TEST(LoadBalance, LeavesToAMatrixWhatItResists) {
+  EXPECT_NE(Answers(twoChains(contact(), push(2.5, 0.0))).contradiction, "");
+  assembly::Assembly grounded = twoChains(contact(), push(2.5, 0.0));
+  const substructure::CrsView free = substructure::viewOf(*grounded.bodies[1].stiffness, "right");
+  std::vector<std::size_t> pointers(free.rowPointers, free.rowPointers + free.rows + 1);
+  std::vector<int> columns(free.columns, free.columns + pointers.back());
+  std::vector<double> values(free.values, free.values + pointers.back());
+  for (std::size_t at = pointers[0]; at < pointers[1]; ++at) {
+    if (columns[at] == 0) values[at] *= 1.001;
+  }
+  grounded.bodies[1].stiffness = substructure::makeCrsMatrix(pointers, columns, values);
+  EXPECT_EQ(Answers(grounded).contradiction, "");
+}
+
+}  // namespace
+}  // namespace harmos::latin
