@@ -26,7 +26,9 @@ const char* const exitCodes =
     "  3    not converged: iteration limit or stagnation; for study: some configurations have no solution, a "
     "tolerance\n"
     "       of the design was not reached, or an audit found a larger error than was accepted\n"
-    "  4    no equilibrium exists under the given loads; for study: of some configurations, all others are solved\n"
+    "  4    no equilibrium exists under the given loads, or no path leads to it; for study: of some configurations, "
+    "all\n"
+    "       others are solved\n"
     "  130  interrupted; what was written is readable\n";
 
 void printIndented(std::ostream& out, const std::vector<std::string>& lines) {

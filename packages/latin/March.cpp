@@ -68,7 +68,8 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   const StateMetric& metric = fixedPoint_.metric();
   AndersonAcceleration& acceleration = accelerations_[step];
   acceleration.resume();
-  EquilibriumWatch watch(accuracy_, [&](int) { return balance_ != nullptr && balance_->isSure(step); });
+  const EquilibriumWatch unused(accuracy_, [&](int) { return balance_ != nullptr && balance_->isSure(step); });
+  EquilibriumWatch watch = unused;
   Stagnation stagnation;
   base::Matrix image(state.numRows(), 1);
   int iteration = 0, sinceLanding = 0, landings = 0;
@@ -91,7 +92,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
     }
     if (restarts_ > 0 && stagnation.isFound(size, tolerance * force)) {
       restart(*iterate, alpha, state);
-      watch = EquilibriumWatch(accuracy_);
+      watch = unused;
       stagnation = Stagnation();
       sinceLanding = 0;
       isListening = false;

@@ -30,6 +30,37 @@ TEST(NoEquilibrium, OfAPullBeyondSliding) {
   expectNoEquilibrium(boltedJoint().set("Values/traction=4"), pulledParts);
 }
 
+/// A wedge of slope 0.1 between a smooth floor and a block that 400 N press down; pushed by a force instead of driven.
+SceneInput wedge(double mu, double push) {
+  SceneInput scene = SceneInput::fromFile("../verification/wedge/wedge.xml");
+  scene.changeMesh([](mesh::Mesh& mesh) {
+    for (base::Vector3& x : mesh.nodes) {
+      const bool inBlock = x[1] > 10.0;
+      x[1] += 0.1 * x[0] * (inBlock ? (30.0 - x[1]) / 20.0 : x[1] / 10.0);
+    }
+  });
+  constexpr double height = 14.0;
+  scene.set("Boundaries/drive/Law/Type=Prescribed Traction");
+  return scene.set(assignment("Values/mu", mu)).set(assignment("Values/drive", -push / height));
+}
+
+// Without friction a wedge bears one push, with friction those between two; all others drive it in or out.
+TEST(NoEquilibrium, OfAWedgeThatIsPushedTooMuchOrTooLittle) {
+  constexpr double load = 400.0, slope = 0.1, mu = 0.2;
+  for (const double share : {0.0, 0.9, 1.1}) expectNoEquilibrium(wedge(0.0, share * load * slope), {"wedge", "block"});
+  const double most = load * (mu + slope) / (1.0 - mu * slope);
+  expectNoEquilibrium(wedge(mu, 1.01 * most), {"wedge", "block"});
+  EXPECT_TRUE(SolvedRun(wedge(mu, 0.9 * most).set("Solver/Accuracy=1e-3")).isCertified());
+}
+
+// Rigid parts could bear any pull on a tight bolt, were it tight enough.
+TEST(NoEquilibrium, IsNotCertainWhereMorePressureWouldDo) {
+  const SolvedRun run(boltedJoint().set("Values/traction=4"));
+  EXPECT_EQ(scene::exitCodeOf(run.result().outcome), 4);
+  EXPECT_NE(run.result().reason.find("no path leads to pressures that are high enough"), std::string::npos)
+      << run.result().reason;
+}
+
 TEST(NoEquilibrium, OfABodyPulledOff) {
   expectNoEquilibrium(pressedBlocks().set("Values/pressure=-1"), {"upper"});
   // Plainly lifted, from the first load step on.

@@ -21,8 +21,8 @@ Law traction(double x) {
 
 /// The relaxed iteration on two chains, watched.
 struct Watched {
-  explicit Watched(assembly::Assembly chains, double ignored = accuracy, double scale = 1.0)
-      : assembly(std::move(chains)), watch(ignored) {
+  explicit Watched(assembly::Assembly chains, double ignored = accuracy, double scale = 1.0, bool isSure = false)
+      : assembly(std::move(chains)), watch(ignored, [isSure](int) { return isSure; }) {
     StageOptions options;
     options.searchDirectionScale = scale;
     base::Timers timers;
@@ -61,6 +61,10 @@ TEST(EquilibriumWatch, NamesTheLoadStep) {
   const Watched pulled(twoChains(contact(), growing, 3));
   EXPECT_EQ(pulled.foundAt, 36);
   EXPECT_EQ(pulled.watch.imbalance().step, 2);
+}
+
+TEST(EquilibriumWatch, IsQuietWhereItIsKnownBetter) {
+  EXPECT_EQ(Watched(twoChains(contact(), traction(pull)), accuracy, 1.0, true).foundAt, 0);
 }
 
 TEST(EquilibriumWatch, IsQuietWhereThereIsEquilibrium) {
