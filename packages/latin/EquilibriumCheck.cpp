@@ -37,7 +37,7 @@ struct StepSums {
 
 }  // namespace
 
-Imbalance largestImbalance(const Iterate& state) {
+Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMove) {
   const assembly::Assembly& assembly = state.assembly();
   const auto steps = static_cast<std::size_t>(state.traction().numCols());
   const auto dimension = static_cast<std::size_t>(state.layout().dimension());
@@ -82,6 +82,7 @@ Imbalance largestImbalance(const Iterate& state) {
   // A body belongs to one rank, so its sums are complete there; the worst of all ranks is what counts.
   Imbalance worst;
   for (std::size_t body = 0; body < assembly.bodies.size(); ++body) {
+    if (!canMove.empty() && !canMove[body]) continue;
     double scale = 0.0;
     for (std::size_t t = 0; t < steps; ++t) scale = std::max(scale, sums[body * steps + t].forces);
     if (scale == 0.0) continue;

@@ -20,12 +20,12 @@ struct Imbalance {
   double relative = 0.0;   ///< |force|, or |moment| / size of the body, over the largest sum of forces on the body [-]
 };
 
-/// The body and load step with the largest relative imbalance of those selected.
-/// Collective.
+/// The body and load step with the largest relative imbalance of those selected; with `canMove`, one flag per body, of
+/// the bodies for which it is true. Collective.
 ///
 /// f is in equilibrium with the body, f^ obeys the laws. Where an equilibrium exists both agree in the end; where none
 /// does, the imbalance stays while everything else settles.
-Imbalance largestImbalance(const Iterate& state);
+Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMove = {});
 
 /// One line for the user: part, step, force and moment in the units of the scene, which are not named.
 std::string describe(const Imbalance& imbalance, const assembly::Assembly& assembly);

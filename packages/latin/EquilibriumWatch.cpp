@@ -35,7 +35,7 @@ EquilibriumWatch::Finding EquilibriumWatch::look(FixedPoint& fixedPoint, const I
   // With a k far too small the interfaces have not felt their forces yet.
   if (++iterations_ % iterationsPerFinding != 0 || fixedPoint.searchDirectionScale() < smallestScale)
     return Finding::nothing;
-  history_.push_back(largestImbalance(*iterate));
+  history_.push_back(largestImbalance(*iterate, canMove_));
   if (!persists()) return Finding::nothing;
   const FreeMotion motion = followImbalance(history_.back(), fixedPoint, *iterate, alpha, image);
   iterate = motion.iterate;

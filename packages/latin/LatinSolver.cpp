@@ -173,7 +173,8 @@ void LatinSolver::iterate(LatinResult& result) {
     result.reason = *balance_->contradiction(t);
     return;
   }
-  EquilibriumWatch watch(options_.accuracy, [&](int step) { return balance_->isSure(step); });
+  EquilibriumWatch watch(
+      options_.accuracy, [&](int step) { return balance_->isSure(step); }, balance_->canMove());
   double trigger = triggerFactor * options_.accuracy;
   int nextAttempt = 0;  // linear stages before which a failed certificate is not tried again
   while (stages() < options_.maximumIterations) {

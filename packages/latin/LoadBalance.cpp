@@ -20,6 +20,8 @@ using statics::Wrench;
 // left. In between the digits of the loads and of the programme do not tell.
 constexpr double left = 1e-6;
 constexpr double nothing = 1e-9;
+// Difference of loads, over their size, that are the same but for a factor.
+constexpr double proportional = 1e-12;
 // Of the largest displacement, what counts as taking part in a motion, and as opening or closing.
 constexpr double takesPart = 1e-3;
 constexpr double opening = 1e-6;
@@ -58,6 +60,12 @@ std::string describeMotions(const assembly::Assembly& assembly, const RigidParts
   return text;
 }
 
+double extentOf(const std::vector<base::Vector3>& nodes) {
+  double extent = 0.0;
+  for (const base::Vector3& x : nodes) extent = std::max(extent, base::distance(x, nodes.front()));
+  return extent;
+}
+
 /// Of every rigid body about its centre, and the sum of absolute nodal forces on all of them.
 struct Loads {
   std::vector<Wrench> wrenches;
@@ -81,12 +89,30 @@ Loads loadsOn(const assembly::Assembly& assembly, const RigidParts& parts, const
   return loads;
 }
 
+/// Whether all laws can carry the same at two load steps.
+bool hasSameLaws(const assembly::Assembly& assembly, int a, int b) {
+  return std::all_of(assembly.interfaces.begin(), assembly.interfaces.end(), [&](const assembly::Interface& one) {
+    if (one.law->prescribesTraction()) return true;
+    const auto atA = one.law->admissibleTractions(a), atB = one.law->admissibleTractions(b);
+    if (!atA || !atB) return !atA && !atB;
+    return atA->lower == atB->lower && atA->upper == atB->upper && atA->friction == atB->friction;
+  });
+}
+
 }  // namespace
 
 LoadBalance::LoadBalance(const assembly::Assembly& assembly, const Teuchos::Comm<int>& comm, base::Timers& timers)
     : assembly_(assembly), timers_(timers), steps_(static_cast<std::size_t>(assembly.steps())) {
   const auto running = timers_.start("statics");
   resisted_ = resistedMotions(assembly, comm);
+  canMove_.resize(assembly.bodies.size(), false);
+  for (int t = 0; t < assembly.steps(); ++t) {
+    // Nothing changes in between where laws do not.
+    if (t > 0 && hasSameLaws(assembly, t, t - 1)) continue;
+    const RigidParts parts(assembly, resisted_, t, RigidParts::Unknown::carriesAll);
+    for (std::size_t b = 0; b < canMove_.size(); ++b)
+      canMove_[b] = canMove_[b] || parts.rigidBodyOf(static_cast<int>(b)) >= 0;
+  }
   const auto steps = static_cast<std::size_t>(assembly.steps());
   const int dimension = assembly.dimension;
   std::vector<double> mine(assembly.bodies.size() * steps * sumsPerStep, 0.0);
@@ -130,11 +156,42 @@ const double* LoadBalance::sumsAt(int step) const {
   return sums_.data() + static_cast<std::size_t>(step) * sumsPerStep;
 }
 
+bool LoadBalance::isShareOfAnother(int step) {
+  const std::size_t bodies = assembly_.bodies.size(), stride = steps_.size() * sumsPerStep;
+  const double* mine = sumsAt(step);
+  const auto sizeAt = [&](int t) {
+    double size = 0.0;
+    for (std::size_t b = 0; b < bodies; ++b) size += sumsAt(t)[b * stride + sumsPerStep - 1];
+    return size;
+  };
+  const double size = sizeAt(step);
+  if (size == 0.0) return true;
+  std::vector<double> extents;
+  for (const auto& body : assembly_.bodies) extents.push_back(extentOf(body.nodes));
+  // The largest of those that are proportional, so that one programme answers for a whole ramp.
+  int largest = step;
+  for (int t = 0; t < assembly_.steps(); ++t) {
+    const double share = size / sizeAt(t);
+    if (t == step || !(share < size / sizeAt(largest))) continue;
+    bool isProportional = hasSameLaws(assembly_, step, t);
+    for (std::size_t b = 0; isProportional && b < bodies; ++b) {
+      for (std::size_t i = 0; isProportional && i < sumsPerStep; ++i) {
+        const double* sums = mine + b * stride;
+        const double length = i < 3 || i == 6 ? 1.0 : extents[b];
+        isProportional = std::abs(sums[i] - share * sumsAt(t)[b * stride + i]) <= proportional * size * length;
+      }
+    }
+    if (isProportional) largest = t;
+  }
+  return largest != step && !contradiction(largest);
+}
+
 const std::optional<std::string>& LoadBalance::contradiction(int step) {
   Step& answer = steps_[step];
   if (answer.isAsked) return answer.contradiction;
   answer.isAsked = true;
   const auto running = timers_.start("statics");
+  if (isShareOfAnother(step)) return answer.contradiction;
   const RigidParts parts(assembly_, resisted_, step, RigidParts::Unknown::carriesAll);
   const Loads loads = loadsOn(assembly_, parts, sumsAt(step), steps_.size() * sumsPerStep);
   const statics::Balance balance = findBalance(parts.rigid(), loads.wrenches, loads.scale, statics::Friction::full);

@@ -31,6 +31,9 @@ class LoadBalance {
   bool isSure(int step);
   /// For certain forces balance the loads, when friction helps: pressures that nothing brings about may be needed.
   bool hasForces(int step);
+  /// Of every body whether it can move at some load step without deforming anything: it is not joined to the ground,
+  /// directly or by others, by laws that bear every traction.
+  const std::vector<bool>& canMove() const { return canMove_; }
 
  private:
   struct Step {
@@ -39,11 +42,14 @@ class LoadBalance {
     std::optional<bool> isSure, hasForces;
   };
   const double* sumsAt(int step) const;
+  /// Whether what is admissible balances larger loads of the same kind, or there are none: less of them as well.
+  bool isShareOfAnother(int step);
   bool balances(int step, bool withFriction) const;
 
   const assembly::Assembly& assembly_;
   base::Timers& timers_;
   std::vector<std::array<bool, 6>> resisted_;  // per body
+  std::vector<bool> canMove_;                  // per body
   std::vector<double> sums_;  // per body and load step: resultant, moment about the first node, sum of absolute forces
   std::vector<Step> steps_;
 };

@@ -68,7 +68,9 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   const StateMetric& metric = fixedPoint_.metric();
   AndersonAcceleration& acceleration = accelerations_[step];
   acceleration.resume();
-  const EquilibriumWatch unused(accuracy_, [&](int) { return balance_ != nullptr && balance_->isSure(step); });
+  const EquilibriumWatch unused(
+      accuracy_, [&](int) { return balance_ != nullptr && balance_->isSure(step); },
+      balance_ != nullptr ? balance_->canMove() : std::vector<bool>{});
   EquilibriumWatch watch = unused;
   Stagnation stagnation;
   base::Matrix image(state.numRows(), 1);

@@ -53,6 +53,12 @@ TEST(NoEquilibrium, OfAWedgeThatIsPushedTooMuchOrTooLittle) {
   EXPECT_TRUE(SolvedRun(wedge(mu, 0.9 * most).set("Solver/Accuracy=1e-3")).isCertified());
 }
 
+// The part that is fixed lacks what the one that slides does not get: following it finds the ground. 7680 N and 0.2
+// carry 1536 N, the pull at the last load step is a little more.
+TEST(NoEquilibrium, IsFoundJustBeyondSliding) {
+  expectNoEquilibrium(boltedJoint().set("Values/traction=3.7"), pulledParts);
+}
+
 // Rigid parts could bear any pull on a tight bolt, were it tight enough.
 TEST(NoEquilibrium, IsNotCertainWhereMorePressureWouldDo) {
   const SolvedRun run(boltedJoint().set("Values/traction=4"));
