@@ -23,6 +23,8 @@ std::uint64_t littleEndian(std::istream& file, std::istream::off_type at, int by
   return value;
 }
 
+constexpr double largestSize = 9e15;  // [byte]: up to here a double is exact
+
 /// Reads the header of a classic netCDF file from after its first three bytes.
 class ClassicHeader {
  public:
@@ -36,21 +38,22 @@ class ClassicHeader {
       dimensions.push_back(count());
     }
     skipAttributes();
-    std::uint64_t end = 0;
+    double end = 0.0;
     for (std::uint64_t left = listLength(); left > 0 && file_; --left) {
       skipName();
-      std::uint64_t values = 1;
+      double values = 1.0;  // does not overflow
       for (std::uint64_t rank = count(); rank > 0 && file_; --rank) {
         const std::uint64_t dimension = count();
-        values *= dimension < dimensions.size() ? dimensions[dimension] : 0;  // time, of length 0 here, gives no bytes
+        // Time, of length 0 here, gives no bytes.
+        values *= dimension < dimensions.size() ? static_cast<double>(dimensions[dimension]) : 0.0;
       }
       skipAttributes();
-      const std::uint64_t bytes = values * typeSize(bigEndian(file_, 4));
+      const double bytes = values * static_cast<double>(typeSize(bigEndian(file_, 4)));
       count();  // the same size, wrong where it does not fit
       const std::uint64_t begin = bigEndian(file_, version_ == 1 ? 4 : 8);
-      if (bytes > 0) end = std::max(end, begin + bytes);
+      if (bytes > 0.0) end = std::max(end, static_cast<double>(begin) + bytes);
     }
-    return end;
+    return end < largestSize ? static_cast<std::uint64_t>(end) : std::numeric_limits<std::uint64_t>::max();
   }
 
  private:

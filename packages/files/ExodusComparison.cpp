@@ -1,14 +1,17 @@
 #include <harmos/files/ExodusComparison.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
+#include <tuple>
 
 #include <harmos/files/detail/EntityMatch.hpp>
 #include <harmos/files/detail/ExodusResults.hpp>
+#include <harmos/files/detail/ForeignReading.hpp>
 
 namespace harmos::files {
 
@@ -121,8 +124,9 @@ bool ExodusComparison::equal() const {
          std::all_of(variables.begin(), variables.end(), [](const VariableDifference& v) { return v.equal(); });
 }
 
-ExodusComparison compareExodus(const std::string& first, const std::string& second, const Tolerances& tolerances) {
-  const ExodusResults a(first), b(second);
+namespace {
+
+ExodusComparison compare(const ExodusResults& a, const ExodusResults& b, const Tolerances& tolerances) {
   ExodusComparison result;
   const EntityMatch match = matchEntities(a.mesh(), b.mesh(), tolerances.distance(extent(a.mesh())));
   result.mismatch = match.mismatch;
@@ -162,6 +166,49 @@ ExodusComparison compareExodus(const std::string& first, const std::string& seco
                                                pair.kind == VariableKind::element ? match.element : match.node,
                                                pair.tolerance));
   return result;
+}
+
+void put(ByteWriter& writer, const ExodusComparison& comparison) {
+  writer.put(comparison.mismatch);
+  writer.put(comparison.variables.size());
+  for (const auto& v : comparison.variables) {
+    writer.put(v.name);
+    writer.put(v.where);
+    writer.put(v.kind);
+    writer.put(v.tolerance);
+    writer.put(std::array<double, 3>{v.difference, v.first, v.second});
+    writer.put(std::array<int, 2>{v.step, v.entity});
+  }
+}
+
+ExodusComparison takeComparison(ByteReader& reader) {
+  ExodusComparison comparison;
+  reader.get(comparison.mismatch);
+  for (auto left = reader.get<std::size_t>(); left > 0; --left) {
+    auto& v = comparison.variables.emplace_back();
+    reader.get(v.name);
+    reader.get(v.where);
+    reader.get(v.kind);
+    reader.get(v.tolerance);
+    std::array<double, 3> values{};
+    reader.get(values);
+    std::array<int, 2> place{};
+    reader.get(place);
+    std::tie(v.difference, v.first, v.second) = std::make_tuple(values[0], values[1], values[2]);
+    std::tie(v.step, v.entity) = std::make_tuple(place[0], place[1]);
+  }
+  return comparison;
+}
+
+}  // namespace
+
+ExodusComparison compareExodus(const std::string& first, const std::string& second, const Tolerances& tolerances) {
+  ExodusComparison comparison;
+  readForeign(
+      {first, second},
+      [&](ByteWriter& writer) { put(writer, compare(ExodusResults(first), ExodusResults(second), tolerances)); },
+      [&](ByteReader& reader) { comparison = takeComparison(reader); });
+  return comparison;
 }
 
 void print(std::ostream& stream, const ExodusComparison& comparison, bool onlyDifferences) {

@@ -14,6 +14,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/files/detail/CompleteSize.hpp>
+#include <harmos/files/detail/ForeignReading.hpp>
 #include <harmos/mesh/Elements.hpp>
 
 namespace harmos::files {
@@ -31,6 +32,9 @@ struct Kind {
 constexpr Kind elementBlocks = {EX_ELEM_BLOCK, EX_INQ_ELEM_BLK, "element block", "block_"};
 constexpr Kind sideSets = {EX_SIDE_SET, EX_INQ_SIDE_SETS, "side set", "sideset_"};
 constexpr Kind nodeSets = {EX_NODE_SET, EX_INQ_NODE_SETS, "node set", "nodeset_"};
+
+// An entry takes at least 4 bytes, which HDF5's deflate makes 1032 times smaller at best.
+constexpr std::uint64_t mostPerByte = 1032 / 4;
 
 class Reader {
  public:
@@ -101,6 +105,15 @@ class Reader {
     if (size < completeSize(file)) refuse("it is truncated: its end is missing.");
   }
 
+  /// Refuses a number of things that no file of this size can hold, before there is memory for them.
+  void demandRoom(std::int64_t count, const std::string& what) const {
+    std::error_code error;
+    const std::uint64_t size = std::filesystem::file_size(path_, error);
+    if (count >= 0 && static_cast<std::uint64_t>(count) <= size * mostPerByte) return;
+    refuse("it claims to hold " + std::to_string(count) + " " + what + " in " + std::to_string(size) +
+           " bytes; it is damaged.");
+  }
+
   /// Number, counted from 0, of a node, element or side counted from 1 in the file.
   int fromOne(std::int64_t number, std::size_t count, const char* what, const Kind& kind,
               const std::string& name) const {
@@ -120,6 +133,8 @@ class Reader {
     if (sizes.num_nodes < 1 || sizes.num_elem < 1) refuse("it has no mesh.");
     if (std::max(sizes.num_nodes, sizes.num_elem) > std::numeric_limits<int>::max() / 8)
       refuse("its mesh is too large.");
+    demandRoom(sizes.num_nodes, "nodes");
+    demandRoom(sizes.num_elem, "elements");
     mesh_.dimension = static_cast<int>(sizes.num_dim);
     std::array<std::vector<double>, 3> coordinates;
     for (auto& axis : coordinates) axis.assign(sizes.num_nodes, 0.0);
@@ -133,7 +148,9 @@ class Reader {
   }
 
   std::vector<std::pair<std::int64_t, std::string>> entities(const Kind& kind) const {
-    Integers ids(static_cast<std::size_t>(ex_inquire_int(id_, kind.count)));
+    const std::int64_t count = ex_inquire_int(id_, kind.count);
+    demandRoom(count, std::string(kind.words) + "s");
+    Integers ids(static_cast<std::size_t>(count));
     if (!ids.empty()) check(ex_get_ids(id_, kind.type, ids.data()), std::string("the ids of its ") + kind.words + "s");
     std::vector<std::pair<std::int64_t, std::string>> result;
     std::set<std::string> names;
@@ -158,6 +175,7 @@ class Reader {
       block.id = id;
       block.type = EX_ELEM_BLOCK;
       check(ex_get_block_param(id_, &block), "element block \"" + name + "\"");
+      demandRoom(block.num_entry, "elements");
       if (block.num_entry == 0) continue;
       const auto type =
           mesh::elementTypeFromExodus(block.topology, mesh_.dimension, static_cast<int>(block.num_nodes_per_entry));
@@ -171,6 +189,7 @@ class Reader {
                        std::to_string(block.num_nodes_per_entry) + " nodes)";
         continue;
       }
+      demandRoom(block.num_entry * block.num_nodes_per_entry, "nodes of elements");
       Integers nodes(static_cast<std::size_t>(block.num_entry * block.num_nodes_per_entry));
       check(ex_get_conn(id_, EX_ELEM_BLOCK, id, nodes.data(), nullptr, nullptr), "element block \"" + name + "\"");
       mesh::ElementBlock result{name, id, *type, {}};
@@ -194,6 +213,7 @@ class Reader {
     set.type = kind.type;
     const std::string what = std::string(kind.words) + " \"" + name + "\"";
     check(ex_get_sets(id_, 1, &set), what);
+    demandRoom(set.num_entry, "entries of a set");
     Integers entries(static_cast<std::size_t>(set.num_entry));
     Integers sides(hasSides ? entries.size() : 0);
     if (!entries.empty())
@@ -223,10 +243,68 @@ class Reader {
   mesh::Mesh mesh_;
 };
 
+void put(ByteWriter& writer, const mesh::Mesh& mesh) {
+  writer.put(mesh.dimension);
+  writer.put(mesh.nodes);
+  writer.put(mesh.blocks.size());
+  for (const auto& block : mesh.blocks) {
+    writer.put(block.name);
+    writer.put(block.id);
+    writer.put(block.type);
+    writer.put(block.connectivity);
+  }
+  writer.put(mesh.sideSets.size());
+  for (const auto& set : mesh.sideSets) {
+    writer.put(set.name);
+    writer.put(set.id);
+    writer.put(set.element);
+    writer.put(set.side);
+  }
+  writer.put(mesh.nodeSets.size());
+  for (const auto& set : mesh.nodeSets) {
+    writer.put(set.name);
+    writer.put(set.id);
+    writer.put(set.node);
+  }
+  writer.put(mesh.unreadBlocks);
+}
+
+mesh::Mesh takeMesh(ByteReader& reader) {
+  mesh::Mesh mesh;
+  reader.get(mesh.dimension);
+  reader.get(mesh.nodes);
+  for (auto left = reader.get<std::size_t>(); left > 0; --left) {
+    auto& block = mesh.blocks.emplace_back();
+    reader.get(block.name);
+    reader.get(block.id);
+    reader.get(block.type);
+    reader.get(block.connectivity);
+  }
+  for (auto left = reader.get<std::size_t>(); left > 0; --left) {
+    auto& set = mesh.sideSets.emplace_back();
+    reader.get(set.name);
+    reader.get(set.id);
+    reader.get(set.element);
+    reader.get(set.side);
+  }
+  for (auto left = reader.get<std::size_t>(); left > 0; --left) {
+    auto& set = mesh.nodeSets.emplace_back();
+    reader.get(set.name);
+    reader.get(set.id);
+    reader.get(set.node);
+  }
+  reader.get(mesh.unreadBlocks);
+  return mesh;
+}
+
 }  // namespace
 
 mesh::Mesh readExodus(const std::string& path, const std::vector<std::string>& unused) {
-  return Reader(path, unused).read();
+  mesh::Mesh mesh;
+  readForeign(
+      {path}, [&](ByteWriter& writer) { put(writer, Reader(path, unused).read()); },
+      [&](ByteReader& reader) { mesh = takeMesh(reader); });
+  return mesh;
 }
 
 }  // namespace harmos::files

@@ -48,12 +48,12 @@ int longestName(const std::vector<std::string>& names, const ResultVariables& va
 
 std::vector<std::string> informationRecords(const std::vector<std::string>& lines) {
   std::vector<std::string> records;
-  for (std::string line : lines) {
-    while (line.size() > MAX_LINE_LENGTH) {
-      records.push_back(line.substr(0, MAX_LINE_LENGTH - 1) + "\\");
-      line.erase(0, MAX_LINE_LENGTH - 1);
+  for (const std::string& line : lines) {
+    std::size_t at = 0;
+    for (; line.size() - at > MAX_LINE_LENGTH; at += MAX_LINE_LENGTH - 1) {
+      records.push_back(line.substr(at, MAX_LINE_LENGTH - 1) + "\\");
     }
-    records.push_back(line);
+    records.push_back(line.substr(at));
   }
   return records;
 }

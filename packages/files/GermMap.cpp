@@ -4,7 +4,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>
-#include <harmos/files/detail/Hdf5.hpp>
+#include <harmos/files/detail/Hdf5Source.hpp>
 
 namespace harmos::files {
 

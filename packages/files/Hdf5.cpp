@@ -1,25 +1,15 @@
 #include <harmos/files/detail/Hdf5.hpp>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <functional>
-#include <sstream>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/files/detail/Checksum.hpp>
+#include <harmos/files/detail/StudySeal.hpp>
 
 namespace harmos::files {
 
 namespace {
 
 constexpr hsize_t chunkRows = 512;
-
-/// What stands behind the bytes of HDF5, which does not look there.
-std::string seal(const std::string& bytes) {
-  return "harmos:" + checksum(bytes) + "\n";
-}
 
 void demand(herr_t status, const std::string& what) {
   if (status < 0) throw base::Error("Cannot write " + what + " of the study file.");
@@ -119,7 +109,7 @@ std::string Hdf5Group::image() const {
   const ::ssize_t size = H5Fget_file_image(handle_, nullptr, 0);
   std::string bytes(static_cast<std::size_t>(std::max<::ssize_t>(size, 0)), '\0');
   demand(H5Fget_file_image(handle_, bytes.data(), bytes.size()) > 0 ? 0 : -1, "the end");
-  return bytes + seal(bytes);
+  return bytes + studySeal(bytes);
 }
 
 Hdf5Group Hdf5Group::write(const std::string& name, hid_t type, const void* values, std::size_t count,
@@ -137,107 +127,6 @@ Hdf5Group Hdf5Group::write(const std::string& name, hid_t type, const void* valu
                    name);
   if (count > 0) demand(H5Dwrite(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
   return Hdf5Group(std::move(array));
-}
-
-namespace {
-
-hid_t demandRead(hid_t id, const std::string& what) {
-  if (id < 0) throw base::Error("Cannot read " + what + " of the study file.", base::ExitCode::input);
-  return id;
-}
-
-Hdf5Handle openAttribute(hid_t object, const std::string& name) {
-  return {demandRead(H5Aopen(object, name.c_str(), H5P_DEFAULT), name), H5Aclose, name};
-}
-
-/// HDF5 allocates every text; they are copied and given back.
-std::vector<std::string> readTexts(const Hdf5Handle& space, const std::function<herr_t(hid_t, void*)>& read) {
-  const Hdf5Handle type = textType();
-  const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
-  std::vector<char*> texts(count + 1, nullptr);
-  demandRead(read(type, texts.data()), "a text");
-  std::vector<std::string> result;
-  for (std::size_t i = 0; i < count; ++i) result.emplace_back(texts[i] ? texts[i] : "");
-  H5Dvlen_reclaim(type, space, H5P_DEFAULT, texts.data());
-  return result;
-}
-
-}  // namespace
-
-Hdf5Source Hdf5Source::open(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw base::Error("Cannot read " + path + ": " + std::strerror(errno) + ".", base::ExitCode::input);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  const std::string bytes = content.str();
-  const std::string end = bytes.substr(bytes.size() - std::min(bytes.size(), seal("").size()));
-  const bool isWhole = end == seal(bytes.substr(0, bytes.size() - end.size()));
-  const hid_t file = isWhole ? H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : -1;
-  if (file < 0) {
-    throw base::Error(
-        path + " is no file of a study, or was damaged or changed since. Run the study again to restore it.",
-        base::ExitCode::input);
-  }
-  return Hdf5Source({file, H5Fclose, path});
-}
-
-Hdf5Source Hdf5Source::group(const std::string& name) const {
-  return Hdf5Source({demandRead(H5Oopen(handle_, name.c_str(), H5P_DEFAULT), name), H5Oclose, name});
-}
-
-std::vector<std::string> Hdf5Source::names() const {
-  std::vector<std::string> names;
-  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
-    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
-    return 0;
-  };
-  demandRead(H5Literate(handle_, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), "the names");
-  if (names.empty()) throw base::Error("The study file is empty.", base::ExitCode::input);
-  return names;
-}
-
-bool Hdf5Source::has(const std::string& name) const {
-  const auto all = names();
-  return std::find(all.begin(), all.end(), name) != all.end();
-}
-
-bool Hdf5Source::hasAttribute(const std::string& name) const {
-  return H5Aexists(handle_, name.c_str()) > 0;
-}
-
-std::string Hdf5Source::text(const std::string& attribute) const {
-  return texts(attribute).at(0);
-}
-
-double Hdf5Source::number(const std::string& attribute) const {
-  double value = 0.0;
-  demandRead(H5Aread(openAttribute(handle_, attribute), H5T_NATIVE_DOUBLE, &value), attribute);
-  return value;
-}
-
-int Hdf5Source::integer(const std::string& attribute) const {
-  int value = 0;
-  demandRead(H5Aread(openAttribute(handle_, attribute), H5T_NATIVE_INT, &value), attribute);
-  return value;
-}
-
-std::vector<std::string> Hdf5Source::texts(const std::string& attribute) const {
-  const Hdf5Handle opened = openAttribute(handle_, attribute);
-  const Hdf5Handle space(H5Aget_space(opened), H5Sclose, attribute);
-  return readTexts(space, [&](hid_t type, void* texts) { return H5Aread(opened, type, texts); });
-}
-
-std::vector<std::string> Hdf5Source::textValues() const {
-  const Hdf5Handle space(demandRead(H5Dget_space(handle_), "an array"), H5Sclose, "an array");
-  return readTexts(
-      space, [&](hid_t type, void* texts) { return H5Dread(handle_, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts); });
-}
-
-std::vector<double> Hdf5Source::values() const {
-  const Hdf5Handle space(demandRead(H5Dget_space(handle_), "an array"), H5Sclose, "an array");
-  std::vector<double> result(H5Sget_simple_extent_npoints(space));
-  demandRead(H5Dread(handle_, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.data()), "an array");
-  return result;
 }
 
 }  // namespace harmos::files

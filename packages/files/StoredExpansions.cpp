@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
-#include <harmos/files/detail/Hdf5.hpp>
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
+#include <harmos/files/detail/Hdf5Source.hpp>
 
 namespace harmos::files {
 
 std::optional<StoredExpansions> StoredExpansions::read(const std::string& path) {
-  const QuietHdf5 quiet;
   const Hdf5Source root = Hdf5Source::open(path);
   const Hdf5Source study = root.group(root.names().front());
   if (!study.has("statistics")) return std::nullopt;
@@ -25,7 +26,19 @@ StoredExpansions::StoredExpansions(const Hdf5Source& statistics) : parameters_(s
         {GermMap::read(germ, name), probability::Polynomials::recurrence(germ.group("recurrence_a").values(),
                                                                          germ.group("recurrence_b").values())});
   }
+  const auto demand = [](bool fits) {
+    if (fits) return;
+    throw base::Error("The expansions in the study file are damaged: their sizes do not fit together.",
+                      base::ExitCode::input);
+  };
   const std::vector<double> degrees = basis.group("degrees").values();
+  demand(!germs_.empty() && order_ >= 0 && degrees.size() % germs_.size() == 0);
+  for (const Germ& germ : germs_) {
+    demand(order_ <= germ.polynomials.largestDegree());
+    for (const double a : germ.polynomials.a()) demand(std::isfinite(a));
+    for (const double b : germ.polynomials.b()) demand(std::isfinite(b));
+  }
+  for (const double degree : degrees) demand(degree >= 0.0 && degree <= order_);
   for (std::size_t i = 0; i < degrees.size(); i += germs_.size()) {
     auto& index = indices_.emplace_back();
     for (std::size_t g = 0; g < germs_.size(); ++g) index.push_back(static_cast<int>(degrees[i + g]));
@@ -36,6 +49,7 @@ StoredExpansions::StoredExpansions(const Hdf5Source& statistics) : parameters_(s
     if (!response.has("coefficients")) continue;
     responses_.push_back(name);
     coefficients_.push_back(response.group("coefficients").values());
+    demand(coefficients_.back().size() == indices_.size());
     deviations_.push_back(response.number("prediction_error"));
   }
 }

@@ -1,6 +1,6 @@
 #include <harmos/files/StoredInterpolant.hpp>
 
-#include <harmos/files/detail/Hdf5.hpp>
+#include <harmos/files/detail/Hdf5Source.hpp>
 
 namespace harmos::files {
 
@@ -23,7 +23,6 @@ probability::HatSum readHats(const Hdf5Source& group, const std::vector<probabil
 }  // namespace
 
 std::optional<StoredInterpolant> StoredInterpolant::read(const std::string& path) {
-  const QuietHdf5 quiet;
   const Hdf5Source root = Hdf5Source::open(path);
   const Hdf5Source study = root.group(root.names().front());
   if (!study.has("statistics")) return std::nullopt;

@@ -133,6 +133,33 @@ class PageTest(unittest.TestCase):
         self.assertIn("too much", text)
         self.assertTrue((self.folder / "pictures" / "F_maps.png").exists())
 
+    def test_the_study_is_never_replaced(self) -> None:
+        study, page = self.folder / "joint.h5", self.folder / "joint.html"
+        content = study.read_bytes()
+        for is_symbolic in (True, False):
+            if is_symbolic:
+                page.symlink_to(study)
+            else:
+                page.hardlink_to(study)
+            code, printed = self.run_main()
+            self.assertEqual(code, 2)
+            self.assertIn(f"the result {page} would replace the input {study}", printed)
+            page.unlink()
+        pictures = self.folder / "pictures"
+        pictures.mkdir()
+        (pictures / "F_maps.png").symlink_to(study)
+        code, printed = self.run_main("--pictures", str(pictures))
+        self.assertEqual((code, list(pictures.iterdir())), (2, [pictures / "F_maps.png"]))
+        self.assertEqual(study.read_bytes(), content)
+
+    def test_an_old_page_stays_until_the_new_one_is_complete(self) -> None:
+        page = self.folder / "joint.html"
+        page.write_text("old")
+        with mock.patch("os.replace", side_effect=OSError("disk full")):
+            self.assertEqual(self.run_main(), (1, "harmos report: disk full\n"))
+        self.assertEqual(page.read_text(), "old")
+        self.assertEqual(list(self.folder.glob("*.partial.*")), [])
+
     def test_unknown_curves_are_refused(self) -> None:
         self.assertEqual(self.run_main("--abscissa", "u"), (2, "harmos report: there is no curve u; there are force\n"))
 

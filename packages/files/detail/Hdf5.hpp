@@ -68,31 +68,4 @@ class Hdf5Group {
   Hdf5Handle handle_;
 };
 
-/// A group or array of an HDF5 file that is read, and what is in it. All members throw base::Error (input) when it is
-/// not there or cannot be read.
-class Hdf5Source {
- public:
-  /// Only of a file that Hdf5Group::image() made and nothing has changed since.
-  static Hdf5Source open(const std::string& path);
-  /// Of a group or an array.
-  Hdf5Source group(const std::string& name) const;
-  /// What a group holds, in alphabetical order.
-  std::vector<std::string> names() const;
-  /// Whether names() has this one.
-  bool has(const std::string& name) const;
-
-  bool hasAttribute(const std::string& name) const;
-  std::string text(const std::string& attribute) const;
-  double number(const std::string& attribute) const;
-  int integer(const std::string& attribute) const;
-  std::vector<std::string> texts(const std::string& attribute) const;
-  /// Of an array, by rows.
-  std::vector<double> values() const;
-  std::vector<std::string> textValues() const;
-
- private:
-  explicit Hdf5Source(Hdf5Handle handle) : handle_(std::move(handle)) {}
-  Hdf5Handle handle_;
-};
-
 }  // namespace harmos::files

@@ -22,6 +22,7 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from harmos.arrays import Floats, Integers, Mask, Records, Texts
+from harmos.foreign import read_foreign
 from harmos.stochastic import Statistics
 
 SCHEMA, SCHEMA_VERSION = "harmos-study", 1
@@ -136,6 +137,15 @@ class Study:
             self.statistics = Statistics(group["statistics"]) if "statistics" in group else None
             self.study_input: str = group["input"].attrs["study"]
             self.scene_input: str = group["input"].attrs["scene"]
+        self._demand_sizes(path)
+
+    def _demand_sizes(self, path: str | os.PathLike[str]) -> None:
+        rows = [self.id, self.status, self.reason, self.iterations, self.linear_stages, self.error_estimate,
+                self.cpu_seconds, *self.parameters.values(), *self.responses.values()]
+        tables = [*self.curves.values()]
+        if any(array.shape != self.id.shape for array in rows) or any(
+                array.shape != (len(self.id), len(self.times)) for array in tables) or len(self.starts) != len(self.id):
+            raise ValueError(f"{path} is damaged: the sizes of its arrays do not fit together")
 
     @property
     def solved(self) -> Mask:
@@ -264,7 +274,7 @@ def read_study(path: str | os.PathLike[str], name: str | None = None) -> Study:
         OSError: the file cannot be read.
         ValueError: it is not the file of a study, has changed since Harmos wrote it, or is of a newer Harmos.
     """
-    return Study(path, name)
+    return read_foreign(path, lambda: Study(path, name))
 
 
 def read_history(path: str | os.PathLike[str]) -> Records:

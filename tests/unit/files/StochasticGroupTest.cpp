@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include <harmos/files/detail/Hdf5.hpp>
+#include <harmos/files/detail/Hdf5Source.hpp>
 #include <harmos/files/detail/StudyFile.hpp>
 
 namespace harmos::files {

@@ -6,8 +6,10 @@ import argparse
 import pathlib
 import sys
 
+import numpy
+
 from harmos.report.page import page
-from harmos.report.writing import Pictures
+from harmos.report.writing import Pictures, demand_distinct, replace_file
 from harmos.results import read_study
 
 
@@ -21,16 +23,27 @@ def main() -> int:
     parser.add_argument("--pictures", type=pathlib.Path, help="folder that also gets the pictures, as PNG files")
     arguments = parser.parse_args()
     try:
+        demand_distinct(arguments.study, arguments.page)
         study = read_study(arguments.study)
         if arguments.abscissa and arguments.abscissa not in study.curves:
             raise ValueError(f"there is no curve {arguments.abscissa}; there are {', '.join(study.curves)}")
+        pictures = Pictures(arguments.pictures, arguments.study)
     except (OSError, ValueError) as error:
         print(f"harmos report: {error}", file=sys.stderr)
         return 2
-    text = page(study, arguments.abscissa, Pictures(arguments.pictures))
-    with open(arguments.page, "w", encoding="utf-8") as file:
-        file.write(text)
-    print(arguments.page)
+    try:
+        text = page(study, arguments.abscissa, pictures)
+    except (ArithmeticError, LookupError, TypeError, ValueError, numpy.linalg.LinAlgError) as error:
+        print(f"harmos report: {arguments.study}: its content cannot be shown, {type(error).__name__}: {error}\n"
+              "  It may be damaged: run the study again to restore it.", file=sys.stderr)
+        return 2
+    try:
+        pictures.write()
+        replace_file(arguments.page, text.encode())
+        print(arguments.page, flush=True)
+    except (OSError, ValueError) as error:
+        print(f"harmos report: {error}", file=sys.stderr)
+        return 1 if isinstance(error, OSError) else 2
     return 0
 
 

@@ -2,6 +2,7 @@
 import base64
 import html
 import io
+import os
 import pathlib
 from collections.abc import Collection, Iterable, Sequence
 
@@ -27,16 +28,42 @@ img { max-width: 100%; } pre { background: #f6f6f6; padding: 1em; overflow: auto
 """The style sheet of the page."""
 
 
+def demand_distinct(read: str | os.PathLike[str], written: str | os.PathLike[str]) -> None:
+    """Refuses to write a file that is read, by whatever name or link.
+
+    Raises:
+        ValueError: they are one file.
+    """
+    if os.path.exists(read) and os.path.exists(written) and os.path.samefile(read, written):
+        raise ValueError(f"the result {written} would replace the input {read}.\n"
+                         "  Write under another name. Nothing was written.")
+
+
+def replace_file(path: str | os.PathLike[str], content: bytes) -> None:
+    """Writes a file in one step: until it is complete, an older one stays."""
+    partial = f"{os.fspath(path)}.partial.{os.getpid()}"
+    try:
+        with open(partial, "wb") as file:
+            file.write(content)
+        os.replace(partial, path)
+    finally:
+        if os.path.exists(partial):
+            os.remove(partial)
+
+
 class Pictures:
     """Puts figures into the page, and keeps them as files in a folder, if one is given.
 
     Attributes:
         folder: that also gets the figures, as PNG files; None: there is none.
+        study: the file that is read, which no picture may replace.
+        files: these figures by the name of their file, until they are written.
     """
 
-    def __init__(self, folder: pathlib.Path | None = None) -> None:
-        """Makes the folder only when there is a figure."""
-        self.folder = folder
+    def __init__(self, folder: pathlib.Path | None = None, study: str | os.PathLike[str] = "") -> None:
+        """Writes nothing; see write()."""
+        self.folder, self.study = folder, study
+        self.files: dict[str, bytes] = {}
 
     def __call__(self, figure: Figure, name: str) -> str:
         """The figure, which is closed, as HTML; `name` is that of its file, without suffix."""
@@ -44,9 +71,22 @@ class Pictures:
         figure.savefig(buffer, format="png", dpi=110, bbox_inches="tight")
         pyplot.close(figure)
         if self.folder:
-            self.folder.mkdir(parents=True, exist_ok=True)
-            (self.folder / f"{name}.png").write_bytes(buffer.getvalue())
+            self.files[f"{name}.png"] = buffer.getvalue()
         return f'<img alt="" src="data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}">'
+
+    def write(self) -> None:
+        """Writes the files; makes the folder only when there are any.
+
+        Raises:
+            OSError: it cannot.
+            ValueError: one of them would replace the study; nothing is written then.
+        """
+        if self.folder and self.files:
+            for name in self.files:
+                demand_distinct(self.study, self.folder / name)
+            self.folder.mkdir(parents=True, exist_ok=True)
+            for name, content in self.files.items():
+                replace_file(self.folder / name, content)
 
 
 def table(header: Iterable[str], rows: Iterable[Iterable[object]], text_columns: Collection[int] = ()) -> str:

@@ -1,0 +1,66 @@
+"""Reads files that may be damaged in a child process: HDF5 crashes or hangs on some, and only the child is lost."""
+import os
+import pickle
+import resource
+import signal
+from collections.abc import Callable
+from typing import TypeVar
+
+Content = TypeVar("Content")
+"""What is read."""
+
+SECONDS, SECONDS_PER_BYTE = 30, 1e-6
+"""Processor time that reading may take, whatever the size of the file, and with it."""
+
+
+def read_foreign(path: str | os.PathLike[str], read: Callable[[], Content]) -> Content:
+    """What `read` returns, which must be fit for pickling; `path` is the file that it reads.
+
+    Raises:
+        OSError: as `read` does.
+        ValueError: `read` raises anything else or never ends, or the child dies.
+    """
+    seconds = SECONDS + int(SECONDS_PER_BYTE * os.stat(path).st_size)
+    receiver, sender = os.pipe()
+    child = os.fork()
+    if child == 0:
+        os.close(receiver)
+        _read_in_child(sender, path, seconds, read)
+    os.close(sender)
+    with os.fdopen(receiver, "rb") as pipe:
+        answer = pipe.read()
+    status = os.waitpid(child, 0)[1]
+    if os.WIFSIGNALED(status):
+        number = os.WTERMSIG(status)
+        cause = "reading it does not end" if number == signal.SIGXCPU else f"reading it fails, {signal.strsignal(number)}"
+        raise ValueError(f"{path} is damaged: {cause}")
+    content = pickle.loads(answer)
+    if isinstance(content, Exception):
+        raise content
+    return content  # type: ignore[no-any-return]
+
+
+def _read_in_child(sender: int, path: str | os.PathLike[str], seconds: int, read: Callable[[], Content]) -> None:
+    """Never returns."""
+    status = 1
+    try:
+        for number in (signal.SIGSEGV, signal.SIGBUS, signal.SIGABRT, signal.SIGFPE, signal.SIGXCPU):
+            signal.signal(number, signal.SIG_DFL)
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, resource.getrlimit(resource.RLIMIT_CPU)[1]))
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, 1)
+        os.dup2(nowhere, 2)
+        with os.fdopen(sender, "wb") as pipe:
+            pipe.write(_content_or_error(path, read))
+        status = 0
+    finally:
+        os._exit(status)
+
+
+def _content_or_error(path: str | os.PathLike[str], read: Callable[[], Content]) -> bytes:
+    try:
+        return pickle.dumps(read())
+    except Exception as error:  # whatever a damaged file makes of the reader
+        named = isinstance(error, (OSError, ValueError)) and str(path) in str(error)
+        return pickle.dumps(error if named else ValueError(f"{path} is damaged: {type(error).__name__}: {error}"))

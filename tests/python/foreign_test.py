@@ -1,0 +1,50 @@
+"""Reading in a child process: what it hands on, and what becomes of crashes and endless loops."""
+import os
+import signal
+import tempfile
+import unittest
+from unittest import mock
+
+import numpy
+
+from harmos import foreign
+from harmos.foreign import read_foreign
+
+
+class ForeignTest(unittest.TestCase):
+    def setUp(self) -> None:
+        file = tempfile.NamedTemporaryFile()
+        self.addCleanup(file.close)
+        self.path = file.name
+
+    def test_hands_on_what_was_read(self) -> None:
+        content = numpy.arange(1e6)
+        numpy.testing.assert_array_equal(read_foreign(self.path, lambda: content), content)
+
+    def test_errors_name_the_file(self) -> None:
+        def refuse(error: Exception) -> None:
+            raise error
+
+        with self.assertRaisesRegex(ValueError, f"^{self.path} is too new$"):
+            read_foreign(self.path, lambda: refuse(ValueError(f"{self.path} is too new")))
+        with self.assertRaisesRegex(ValueError, f"^{self.path} is damaged: KeyError: 'id'$"):
+            read_foreign(self.path, lambda: refuse(KeyError("id")))
+        with self.assertRaises(FileNotFoundError):
+            read_foreign(self.path + "none", lambda: None)
+
+    def test_a_crash_is_the_fault_of_the_file(self) -> None:
+        with self.assertRaisesRegex(ValueError, f"{self.path} is damaged: reading it fails, Segmentation fault"):
+            read_foreign(self.path, lambda: os.kill(os.getpid(), signal.SIGSEGV))
+
+    def test_an_endless_loop_ends(self) -> None:
+        def loop() -> None:
+            while True:
+                pass
+
+        with mock.patch.object(foreign, "SECONDS", 1):
+            with self.assertRaisesRegex(ValueError, f"{self.path} is damaged: reading it does not end"):
+                read_foreign(self.path, loop)
+
+
+if __name__ == "__main__":
+    unittest.main()
