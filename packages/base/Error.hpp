@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -24,5 +25,10 @@ class Error : public std::runtime_error {
  private:
   ExitCode code_;
 };
+
+/// What to tell the user about an exception of any type: of a base::Error its message, of missing memory what helps.
+std::string messageOf(const std::exception& error);
+/// How a program ends that does not catch it.
+ExitCode exitCodeOf(const std::exception& error);
 
 }  // namespace harmos::base

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <ostream>
 
-#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_Comm.hpp>
 
+#include <harmos/base/AllRanks.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
-#include <harmos/cli/detail/Rendezvous.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/files/Version.hpp>
 
@@ -15,13 +15,10 @@ namespace harmos::cli {
 
 namespace {
 
-// Seconds between the first and the last rank that meet the same error.
-constexpr double patience = 5.0;
-
 const char* const exitCodes =
     "Exit codes:\n"
     "  0    done; for run and study: all solutions are as accurate as asked for\n"
-    "  1    failure, the message says which; for compare: the files are different\n"
+    "  1    failure, also of memory or disk, the message says which; for compare: the files are different\n"
     "  2    the input or the command line is wrong, nothing was run or written\n"
     "  3    not converged: iteration limit or stagnation; for study: some configurations have no solution, a "
     "tolerance\n"
@@ -29,7 +26,7 @@ const char* const exitCodes =
     "  4    no equilibrium exists under the given loads, or no path leads to it; for study: of some configurations, "
     "all\n"
     "       others are solved\n"
-    "  130  interrupted; what was written is readable\n";
+    "  130  interrupted (SIGINT, SIGTERM), within a second; what was complete stays, what was being written is removed\n";
 
 void printIndented(std::ostream& out, const std::vector<std::string>& lines) {
   for (const auto& line : lines) out << "  " << line << "\n";
@@ -85,6 +82,12 @@ int dispatch(const std::vector<std::string>& words, const CommandEnvironment& en
   return command->run(arguments, environment);
 }
 
+/// A full disk shows only when the last characters leave.
+void demandPrinted(std::ostream& out) {
+  if (out.flush()) return;
+  throw base::Error("The output cannot be written: the disk is full, or whoever reads it has gone.");
+}
+
 }  // namespace
 
 std::vector<Command> commands() {
@@ -93,19 +96,12 @@ std::vector<Command> commands() {
 }
 
 int runCommandLine(const std::vector<std::string>& words, const CommandEnvironment& environment) {
-  const Rendezvous rendezvous(*environment.communicator);
-  try {
-    return dispatch(words, environment);
-  } catch (const base::Error& error) {
-    int code = static_cast<int>(error.code());
-    // Input is read by every rank, so that every rank arrives here with the same error.
-    if (error.code() != base::ExitCode::input) {
-      if (!rendezvous.allCome(patience)) throw;
-      Teuchos::broadcast(*environment.communicator, 0, Teuchos::outArg(code));
-    }
-    if (environment.isRoot()) environment.err << error.what() << "\n";
+  const auto program = [&] {
+    const int code = dispatch(words, environment);
+    if (environment.isRoot()) demandPrinted(environment.out);
     return code;
-  }
+  };
+  return base::runOnAllRanks(*environment.communicator, program, environment.err);
 }
 
 }  // namespace harmos::cli

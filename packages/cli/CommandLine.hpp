@@ -11,8 +11,8 @@ namespace harmos::cli {
 std::vector<Command> commands();
 
 /// Does what `harmos <words...>` does and returns its exit code; --help and --version included. Collective over the
-/// communicator, whose rank 0 does all printing. Errors end up as one message on `err`; an error that only some ranks
-/// meet leaves as base::Error after some seconds, because the others wait.
+/// communicator, whose rank 0 does all printing. Errors end up as one message on `err`; one
+/// that only some ranks meet ends all of them, see base::runOnAllRanks().
 int runCommandLine(const std::vector<std::string>& words, const CommandEnvironment& environment);
 
 }  // namespace harmos::cli

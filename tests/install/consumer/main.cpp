@@ -11,6 +11,7 @@
 #include <Tpetra_Core.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
+#include <harmos/base/AllRanks.hpp>
 #include <harmos/latin/LatinSolver.hpp>
 #include <harmos/laws/PointwiseLaw.hpp>
 
@@ -176,10 +177,7 @@ bool solve(const Teuchos::RCP<const Teuchos::Comm<int>>& communicator) {
 
 int main(int argc, char** argv) {
   Tpetra::ScopeGuard scope(&argc, &argv);
-  try {
-    return solve(Tpetra::getDefaultComm()) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << "\n";
-    return 1;
-  }
+  const auto communicator = Tpetra::getDefaultComm();
+  return base::runOnAllRanks(
+      *communicator, [&] { return solve(communicator) ? 0 : 1; }, std::cerr);
 }

@@ -1,0 +1,48 @@
+#include <harmos/base/AllRanks.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <ostream>
+
+#include <mpi.h>
+#include <Teuchos_DefaultMpiComm.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/detail/Rendezvous.hpp>
+
+namespace harmos::base {
+
+namespace {
+
+// Seconds that a rank with an error waits for the others, which may have met the same one or be waiting for it.
+constexpr double patience = 5.0;
+
+std::size_t firstFailure(const std::vector<int>& failures) {
+  const auto failed = std::find_if(failures.begin(), failures.end(), [](int failure) { return failure != 0; });
+  return static_cast<std::size_t>(failed - failures.begin());
+}
+
+}  // namespace
+
+int runOnAllRanks(const Teuchos::Comm<int>& comm, const std::function<int()>& program, std::ostream& err) {
+  const Rendezvous rendezvous(comm);
+  try {
+    const int code = program();
+    const std::vector<int> failures = *rendezvous.meet(0, std::numeric_limits<double>::infinity());
+    const std::size_t failed = firstFailure(failures);
+    return failed == failures.size() ? code : failures[failed];
+  } catch (const std::exception& error) {
+    const int code = static_cast<int>(exitCodeOf(error));
+    const auto failures = rendezvous.meet(code, patience);
+    if (!failures) {
+      err << "rank " << comm.getRank() << ": " << messageOf(error) << std::endl;
+      MPI_Abort(*dynamic_cast<const Teuchos::MpiComm<int>&>(comm).getRawMpiComm(), code);
+      return code;
+    }
+    const std::size_t failed = firstFailure(*failures);
+    if (static_cast<int>(failed) == comm.getRank()) err << messageOf(error) << std::endl;
+    return (*failures)[failed];
+  }
+}
+
+}  // namespace harmos::base
