@@ -1,7 +1,12 @@
 #pragma once
 
-/// From now on the first SIGINT or SIGTERM only sets a flag, so that the run can stop between two iterations and leave
-/// readable files; the second one ends the program at once.
+/// From now on SIGINT and SIGTERM are remembered, so that a calculation can end by itself and save what it has. A
+/// process that has not asked for them soon (wasInterrupted), or does not end soon afterwards, is ended with exit code
+/// 130: the phase it is in, or a library, never looks up. What it was writing is removed, what it had written stays. A
+/// second signal ends the process at once.
+///
+/// To be called again after the start of a library that sets handlers of its own, and never by a library of Harmos: the
+/// handlers of a process belong to its program.
 void catchInterrupts();
-
+/// Whether there was one.
 bool wasInterrupted();

@@ -1,8 +1,6 @@
-#include <exception>
+#include <cstdlib>
 #include <iostream>
-#include <new>
 
-#include <mpi.h>
 #include <unistd.h>
 #include <Tpetra_Core.hpp>
 
@@ -25,30 +23,27 @@ void useOneThread() {
   if (omp_set_num_threads) omp_set_num_threads(1);
 }
 
+/// What Open MPI must not do, unless the user wants it to: its own handlers of SIGSEGV and others print stacks and may
+/// hang in a damaged heap for minutes, and it takes the short-lived processes that read files for a mistake.
+void tameOpenMpi() {
+  ::setenv("OMPI_MCA_opal_signal", "", 0);
+  ::setenv("OMPI_MCA_mpi_warn_on_fork", "0", 0);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   harmos::base::useFittingBlasKernels(argv);
   useOneThread();
+  tameOpenMpi();
+  catchInterrupts();
   // Kokkos and MPI get no arguments: Kokkos would answer --help itself.
   char* program[] = {argv[0], nullptr};
   char** programOnly = program;
   int one = 1;
   Tpetra::ScopeGuard scope(&one, &programOnly);
   const auto communicator = Tpetra::getDefaultComm();
-  // After MPI's start, which sets handlers of its own.
-  catchInterrupts();
-  try {
-    return harmos::cli::runCommandLine(
-        {argv + 1, argv + argc}, {communicator, std::cout, std::cerr, isatty(STDERR_FILENO) != 0, wasInterrupted});
-  } catch (const std::exception& error) {
-    const bool isFull = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-    std::cerr << "harmos, rank " << communicator->getRank() << ": "
-              << (isFull ? "there is not enough memory; \"harmos check\" tells what a scene of this kind takes"
-                         : error.what())
-              << std::endl;
-    // The other ranks wait for this one; only an abort lets them end.
-    if (communicator->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, 1);
-    return 1;
-  }
+  catchInterrupts();  // once more: MPI may have set handlers of its own
+  return harmos::cli::runCommandLine({argv + 1, argv + argc},
+                                     {communicator, std::cout, std::cerr, isatty(STDERR_FILENO) != 0, wasInterrupted});
 }

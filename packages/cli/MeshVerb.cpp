@@ -2,7 +2,9 @@
 #include <ostream>
 
 #include <harmos/cli/detail/Verbs.hpp>
+#include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/ExodusWriter.hpp>
+#include <harmos/files/OutputGuard.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/Scene.hpp>
 
@@ -14,9 +16,11 @@ int writeMesh(const Arguments& arguments, const CommandEnvironment& environment)
   arguments.requireOperands({"SCENE.xml"});
   const std::string& path = arguments.operands()[0];
   const scene::Scene scene = scene::readScene(path, arguments.values("--set"), laws::builtInLaws());
+  const std::string file = arguments.value("--output", std::filesystem::path(path).stem().string() + "_mesh.e");
+  files::demandDistinct(scene::inputFiles(scene), {file});
   const mesh::Mesh mesh = scene::makeMesh(scene.input.list("Mesh"), path);
   if (!environment.isRoot()) return 0;
-  const std::string file = arguments.value("--output", std::filesystem::path(path).stem().string() + "_mesh.e");
+  files::createFolderOf(file);
   files::ExodusWriter writer(file, scene.input.text("Title"), files::resultMesh(mesh), {});
   writer.commit();
   if (!arguments.has("--quiet"))

@@ -7,6 +7,7 @@
 #include <harmos/base/Numerals.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/files/AtomicFile.hpp>
+#include <harmos/files/OutputGuard.hpp>
 #include <harmos/files/StoredExpansions.hpp>
 #include <harmos/files/StoredInterpolant.hpp>
 #include <harmos/files/StoredSurfaceData.hpp>
@@ -113,6 +114,7 @@ int predict(const Arguments& arguments, const CommandEnvironment& environment) {
   arguments.requireOperands({"STUDY.h5"});
   if (!environment.isRoot()) return 0;
   const std::string& path = arguments.operands()[0];
+  files::demandDistinct({path, arguments.value("--points", "")}, {arguments.value("--output", "")});
   const results::SurfaceData data = files::readSurfaceData(path);
   if (arguments.has("--points") == arguments.has("--at")) {
     throw base::Error("harmos predict wants either --points or --at. Try \"harmos predict --help\".",
@@ -124,6 +126,7 @@ int predict(const Arguments& arguments, const CommandEnvironment& environment) {
                            : expansions ? evaluate(*expansions, arguments)
                                         : evaluate(data, arguments);
   if (arguments.has("--output")) {
+    files::createFolderOf(arguments.value("--output", ""));
     files::replaceFile(arguments.value("--output", ""), text);
   } else {
     environment.out << text;

@@ -1,7 +1,9 @@
-#include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <thread>
 
 #include <spawn.h>
 #include <sys/wait.h>
@@ -30,7 +32,8 @@ fs::path packagePath() {
   return folder;
 }
 
-int runScript(std::vector<std::string> words) {
+/// The exit code of the script, which an interruption ends.
+int runScript(std::vector<std::string> words, const CommandEnvironment& environment) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -38,9 +41,17 @@ int runScript(std::vector<std::string> words) {
   const int failure = ::posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ);
   if (failure != 0) throw base::Error("Cannot start " + words[0] + ": " + std::strerror(failure) + ".");
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  while (::waitpid(child, &status, WNOHANG) == 0) {
+    if (environment.interrupted && environment.interrupted()) {
+      ::kill(child, SIGKILL);
+      ::waitpid(child, &status, 0);
+      return 130;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(base::ExitCode::failure);
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  throw base::Error(std::string("The report was not finished: Python ended by a signal (") +
+                    ::strsignal(WTERMSIG(status)) + ").");
 }
 
 int report(const Arguments& arguments, const CommandEnvironment& environment) {
@@ -53,7 +64,7 @@ int report(const Arguments& arguments, const CommandEnvironment& environment) {
   for (const std::string option : {"--abscissa", "--pictures"}) {
     if (arguments.has(option)) words.insert(words.end(), {option, arguments.value(option, "")});
   }
-  return runScript(std::move(words));
+  return runScript(std::move(words), environment);
 }
 
 }  // namespace

@@ -18,9 +18,6 @@ struct ResultFiles {
 
   /// These five paths, whether there are such files or not.
   std::vector<std::string> all() const { return {parts, interfaces, history, effectiveInput, record}; }
-  /// Removes the files of an earlier run, so that nobody reads them as results of this one; creates the directory.
-  /// Throws base::Error when it cannot.
-  void removeOld() const;
 };
 
 }  // namespace harmos::files

@@ -1,5 +1,8 @@
 #include <harmos/files/RunRecord.hpp>
 
+#include <filesystem>
+#include <fstream>
+
 #include <nlohmann/json.hpp>
 
 #include <harmos/files/AtomicFile.hpp>
@@ -7,8 +10,24 @@
 
 namespace harmos::files {
 
-void writeRunRecord(const std::string& path, const RunRecord& record) {
-  using Json = nlohmann::ordered_json;
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr const char* earlierRun = "earlier_run";
+
+}  // namespace
+
+std::string earlierRecord(const ResultFiles& files) {
+  if (!std::filesystem::exists(files.parts)) return "";
+  std::ifstream stream(files.record, std::ios::binary);
+  const Json json = Json::parse(stream, nullptr, false);
+  if (!json.is_object()) return "";
+  if (json.contains(earlierRun)) return json[earlierRun].dump();
+  const bool hasResults = json.contains("status") && json["status"] != "running" && json["status"] != "failed";
+  return hasResults ? json.dump() : "";
+}
+
+std::string toJson(const RunRecord& record) {
   Json errors = Json::object();
   for (const auto& [name, value] : record.responseErrors) errors[name] = value;
   Json sizes = Json::object();
@@ -16,29 +35,34 @@ void writeRunRecord(const std::string& path, const RunRecord& record) {
   Json phases = Json::object();
   for (const auto& phase : record.phases)
     phases[phase.name] = {{"wall_seconds", phase.wallSeconds}, {"cpu_seconds", phase.cpuSeconds}};
-  const Json json = {{"program", "Harmos"},
-                     {"version", version()},
-                     {"scene", record.scene},
-                     {"status", record.status},
-                     {"reason", record.reason},
-                     {"remarks", record.remarks},
-                     {"exit_code", record.exitCode},
-                     {"accuracy", record.accuracy},
-                     {"error_estimate", record.errorEstimate},
-                     {"response_error_estimates", errors},
-                     {"response_sizes", sizes},
-                     {"steps", record.steps},
-                     {"solved_steps", record.solvedSteps},
-                     {"iterations", record.iterations},
-                     {"linear_stages", record.linearStages},
-                     {"ranks", record.ranks},
-                     {"wall_seconds", record.wallSeconds},
-                     {"cpu_seconds", record.cpuSeconds},
-                     {"phases", phases},
-                     {"warnings", record.warnings},
-                     {"peak_memory_bytes", record.peakMemory}};
+  Json json = {{"program", "Harmos"},
+                {"version", version()},
+                {"scene", record.scene},
+                {"status", record.status},
+                {"reason", record.reason},
+                {"remarks", record.remarks},
+                {"exit_code", record.exitCode},
+                {"accuracy", record.accuracy},
+                {"error_estimate", record.errorEstimate},
+                {"response_error_estimates", errors},
+                {"response_sizes", sizes},
+                {"steps", record.steps},
+                {"solved_steps", record.solvedSteps},
+                {"iterations", record.iterations},
+                {"linear_stages", record.linearStages},
+                {"ranks", record.ranks},
+                {"wall_seconds", record.wallSeconds},
+                {"cpu_seconds", record.cpuSeconds},
+                {"phases", phases},
+                {"warnings", record.warnings},
+                {"peak_memory_bytes", record.peakMemory}};
+  if (!record.earlier.empty()) json[earlierRun] = Json::parse(record.earlier, nullptr, false);
   // Text from the user may not be UTF-8; replacing what is not is better than failing after the solution.
-  replaceFile(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void writeRunRecord(const std::string& path, const RunRecord& record) {
+  replaceFile(path, toJson(record));
 }
 
 }  // namespace harmos::files

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <harmos/base/Timers.hpp>
+#include <harmos/files/ResultFiles.hpp>
 
 namespace harmos::files {
 
@@ -30,7 +31,17 @@ struct RunRecord {
   double wallSeconds = 0.0, cpuSeconds = 0.0;  // of the whole process on rank 0, all threads [s]
   std::vector<std::string> warnings;           // about the input, a sentence each
   std::size_t peakMemory = 0;                  // largest of the ranks [byte]
+  /// While there are no results of this run: the JSON of the record of that run whose results still lie beside it;
+  /// empty when there are none.
+  std::string earlier;
 };
+
+/// RunRecord::earlier for a run that is about to replace these results; empty when there are none or their record
+/// cannot be read.
+std::string earlierRecord(const ResultFiles& files);
+
+/// The record as JSON; numbers that are not finite become null.
+std::string toJson(const RunRecord& record);
 
 /// Writes the record as JSON; numbers that are not finite become null. Replaces an older file in one step; throws
 /// base::Error when it cannot.

@@ -4,19 +4,19 @@
 #include <cerrno>
 #include <cstring>
 #include <ctime>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
-#include <system_error>
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/Version.hpp>
 #include <harmos/files/detail/Checksum.hpp>
 #include <harmos/results/StatusName.hpp>
@@ -202,14 +202,9 @@ design::Configuration configurationFromJson(const std::string& json) {
 }
 
 StudyJournal::StudyJournal(const std::string& path, const results::Identity& identity, bool restart) : path_(path) {
-  const auto directory = std::filesystem::path(path).parent_path();
-  std::error_code error;
-  if (!directory.empty()) std::filesystem::create_directories(directory, error);
-  if (!error) {
-    descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) error.assign(errno, std::generic_category());
-  }
-  if (error) throw base::Error("Cannot write " + path + ": " + error.message() + ".");
+  createFolderOf(path);
+  descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw base::Error("Cannot write " + path + ": " + std::strerror(errno) + ".");
   try {
     lock();
     if (restart && ::ftruncate(descriptor_, 0) != 0)
@@ -303,6 +298,9 @@ void StudyJournal::appendNote(const std::string& name, const results::Note& note
 }
 
 void StudyJournal::writeLine(const std::string& json) {
+  struct ::stat file {};
+  if (::fstat(descriptor_, &file) == 0 && file.st_nlink == 0)
+    throw base::Error("Cannot write " + path_ + ": it was removed while the study went on.");
   const std::string line = checksum(json) + " " + json + "\n";
   const ::off_t before = ::lseek(descriptor_, 0, SEEK_END);
   std::size_t written = 0;

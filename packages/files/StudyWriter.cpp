@@ -23,22 +23,13 @@ void demandJournal(const StudyFiles& files, bool restart) {
                     base::ExitCode::input);
 }
 
-/// The tables that appear at the end of a study.
-std::vector<std::string> tablesOf(const StudyFiles& files) {
-  std::vector<std::string> tables = files.stochastic.all();
-  tables.insert(tables.end(), {files.table, files.dakota});
-  return tables;
-}
-
 /// What was being written when an earlier process was killed; it holds the journal no more.
 void removePartialFiles(const StudyFiles& files) {
   std::error_code error;
   const fs::path directory = fs::path(files.file).parent_path();
   for (const auto& entry : fs::directory_iterator(directory.empty() ? "." : directory, error)) {
     const std::string name = entry.path().filename().string();
-    std::vector<std::string> paths = tablesOf(files);
-    paths.push_back(files.file);
-    for (const auto& path : paths) {
+    for (const auto& path : files.all()) {
       if (name.rfind(fs::path(path).filename().string() + ".partial.", 0) == 0) fs::remove(entry.path(), error);
     }
   }
@@ -55,12 +46,24 @@ StudyFiles::StudyFiles(const std::string& directory, const std::string& study)
   dakota = base + "_dakota.dat";
 }
 
+std::vector<std::string> StudyFiles::tables() const {
+  std::vector<std::string> tables = stochastic.all();
+  tables.insert(tables.end(), {table, dakota});
+  return tables;
+}
+
+std::vector<std::string> StudyFiles::all() const {
+  std::vector<std::string> paths = tables();
+  paths.insert(paths.end(), {file, journal});
+  return paths;
+}
+
 StudyWriter::StudyWriter(const StudyFiles& files, results::StudyResults& results, bool restart)
     : files_(files),
       results_(results),
       journal_((demandJournal(files, restart), files.journal), results.description().identity, restart) {
   removePartialFiles(files_);
-  for (const auto& path : tablesOf(files_)) {
+  for (const auto& path : files_.tables()) {
     std::error_code error;
     fs::remove(path, error);
     if (error) throw base::Error("Cannot remove the old result " + path + ": " + error.message() + ".");

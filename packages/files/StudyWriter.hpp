@@ -21,6 +21,11 @@ struct StudyFiles {
   std::string table;           // STUDY.csv
   std::string dakota;          // STUDY_dakota.dat
   StochasticFiles stochastic;  // of studies with random parameters
+
+  /// The tables that appear at the end of a study, whether there are such files or not.
+  std::vector<std::string> tables() const;
+  /// All of these paths.
+  std::vector<std::string> all() const;
 };
 
 /// Writes the files of a study as results come. For one process; others learn the results by other ways.

@@ -55,13 +55,17 @@ std::optional<int> meshDimension(const input::Parameters& source, input::ErrorLi
   return std::nullopt;
 }
 
+std::optional<std::string> meshFile(const input::Parameters& source, const std::string& scenePath) {
+  if (!source.has("File")) return std::nullopt;
+  return (std::filesystem::path(scenePath).parent_path() / source.text("File")).string();
+}
+
 mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath) {
   for (const Source& generator : generators()) {
     if (generator.form.name() == source.type()) return generator.make(source);
   }
-  const auto folder = std::filesystem::path(scenePath).parent_path();
   const bool hasUnused = source.has("Unused Blocks");
-  return files::readExodus((folder / source.text("File")).string(),
+  return files::readExodus(*meshFile(source, scenePath),
                            hasUnused ? source.texts("Unused Blocks") : std::vector<std::string>{});
 }
 

@@ -19,7 +19,11 @@ std::vector<input::ParameterSpec> meshForms();
 /// boxes that cannot be to `errors`.
 std::optional<int> meshDimension(const input::Parameters& source, input::ErrorList& errors);
 
-/// Reads or generates the mesh. A relative file name is looked up from the folder of `scenePath`.
+/// Path of the file that the mesh is read from: a relative name is looked up from the folder of `scenePath`; nothing
+/// when it is generated.
+std::optional<std::string> meshFile(const input::Parameters& source, const std::string& scenePath);
+
+/// Reads or generates the mesh; `scenePath` as for meshFile().
 /// Throws base::Error (input) when the file cannot be used. Not collective: every rank that calls it reads the file.
 mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath);
 

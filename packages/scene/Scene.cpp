@@ -15,6 +15,7 @@
 #include <harmos/scene/SceneSpec.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
 #include <harmos/scene/detail/History.hpp>
+#include <harmos/scene/detail/Names.hpp>
 #include <harmos/scene/detail/Place.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
 #include <harmos/scene/detail/UnusedEntries.hpp>
@@ -166,6 +167,7 @@ class SceneChecker {
   }
 
   void checkResponse(const Parameters& response) {
+    checkName(response, "response", errors_);
     Names interfaces = namesOf(input_.lists("Interfaces"));
     const Names boundaries = namesOf(input_.lists("Boundaries"));
     interfaces.insert(interfaces.end(), boundaries.begin(), boundaries.end());
@@ -205,6 +207,12 @@ Scene makeScene(const input::InputTree& input, const std::string& path, const st
 
 Scene readScene(const std::string& path, const std::vector<std::string>& overrides, const laws::LawRegistry& laws) {
   return makeScene(input::InputTree::fromFile(path), path, overrides, laws);
+}
+
+std::vector<std::string> inputFiles(const Scene& scene) {
+  std::vector<std::string> files{scene.path};
+  if (const auto mesh = meshFile(scene.input.list("Mesh"), scene.path)) files.push_back(*mesh);
+  return files;
 }
 
 }  // namespace harmos::scene

@@ -36,4 +36,7 @@ Scene makeScene(const input::InputTree& input, const std::string& path, const st
 /// makeScene() of a file. Throws base::Error (input) also when it cannot be read. Not collective: every rank reads it.
 Scene readScene(const std::string& path, const std::vector<std::string>& overrides, const laws::LawRegistry& laws);
 
+/// The files that `scene` is read from: its own, and that of its mesh if there is one.
+std::vector<std::string> inputFiles(const Scene& scene);
+
 }  // namespace harmos::scene

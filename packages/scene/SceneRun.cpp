@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <exception>
+#include <optional>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -11,6 +13,8 @@
 #include <harmos/base/Numerals.hpp>
 #include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/HistoryFile.hpp>
+#include <harmos/files/OutputGuard.hpp>
+#include <harmos/files/PendingResults.hpp>
 #include <harmos/input/EffectiveInput.hpp>
 #include <harmos/scene/Problem.hpp>
 #include <harmos/scene/detail/FieldOutput.hpp>
@@ -52,6 +56,18 @@ class Recorder {
   }
 
   /// On whichever rank meets a failure: the others may not hear of it.
+  void writeFailure(const std::exception& error) {
+    record_.status = "failed";
+    record_.reason = base::messageOf(error);
+    record_.exitCode = static_cast<int>(base::exitCodeOf(error));
+    try {
+      writeHere();
+    } catch (const base::Error&) {
+      // The first failure is what is reported; it may well be the cause of this one.
+    }
+  }
+
+ private:
   void writeHere() {
     record_.phases = timers_.phases();
     record_.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -59,7 +75,6 @@ class Recorder {
     files::writeRunRecord(path_, record_);
   }
 
- private:
   files::RunRecord& record_;
   std::string path_;
   const base::Timers& timers_;
@@ -143,16 +158,24 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
   SceneRunResult result{{}, {}, files::ResultFiles(request.directory, request.scene)};
   Recorder recorder(result.record, result.files.record, timers, *comm);
   const latin::LatinOptions& options = scene.solver;
+  files::demandDistinct(inputFiles(scene), result.files.all());
   const Problem problem = makeProblem(scene, *comm, timers);
 
   result.record.scene = request.scene;
-  result.record.accuracy = options.accuracy;
   result.record.warnings = scene.warnings;
+  result.record.accuracy = options.accuracy;
   result.record.status = "running";
   result.record.reason = "The run has not ended, or was killed.";
+  std::optional<files::PendingResults> pending;  // on rank 0
+  std::optional<files::LastWords> lastWords;     // there as well
   if (comm->getRank() == 0) {
-    result.files.removeOld();
-    files::replaceFile(result.files.effectiveInput, input::effectiveInput(scene.input));
+    pending.emplace(result.files);
+    result.record.earlier = files::earlierRecord(result.files);
+    files::RunRecord interrupted = result.record;
+    interrupted.status = "interrupted";
+    interrupted.reason = "It was ended before its results were complete.";
+    interrupted.exitCode = exitCodeOf(latin::Outcome::interrupted);
+    lastWords.emplace(result.files.record, files::toJson(interrupted));
   }
   recorder.write();
   try {
@@ -162,14 +185,18 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
     if (request.interrupted) solver.setInterrupt(request.interrupted);
     result.solution = solver.solve();
     const auto writing = timers.start("write");
+    const files::ResultFiles& files = pending ? pending->files() : result.files;
     writeFields(scene, problem, solver.state(), globalsOf(result.solution, scene.times.size()),
-                result.solution.solvedSteps, result.files, *comm);
-    if (comm->getRank() == 0) files::writeHistory(result.files.history, historyOf(result.solution, scene.times));
-  } catch (const base::Error& error) {
-    result.record.status = "failed";
-    result.record.reason = error.what();
-    result.record.exitCode = static_cast<int>(error.code());
-    recorder.writeHere();
+                result.solution.solvedSteps, files, *comm);
+    if (pending) {
+      files::replaceFile(files.effectiveInput, input::effectiveInput(scene.input));
+      files::writeHistory(files.history, historyOf(result.solution, scene.times));
+      pending->commit();
+      lastWords.reset();
+      result.record.earlier.clear();
+    }
+  } catch (const std::exception& error) {
+    recorder.writeFailure(error);
     throw;
   }
   describe(result.solution, scene.times, result.record);

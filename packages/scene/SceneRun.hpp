@@ -20,7 +20,7 @@ struct SceneRunRequest {
   std::vector<std::string> overrides;                           // "List/Sublist/Name=value"
   std::string directory = "results";                            // of the result files
   std::function<void(const latin::IterationReport&)> observer;  // after every iteration, on every rank; may be empty
-  std::function<bool()> interrupted;                            // asked after every iteration; may be empty
+  std::function<bool()> interrupted;  // asked after every iteration; may be empty
 };
 
 /// What came of a run.
@@ -34,8 +34,9 @@ struct SceneRunResult {
 /// is kept.
 ///
 /// The input and the mesh are checked first; if they are wrong, base::Error (input) leaves the directory as it was.
-/// Then the files of an earlier run are removed and the record says "running". The outcome, also an interruption or a
-/// failure, ends up in the record; a failure is thrown as well. Files are complete or absent.
+/// So it does when a result would replace an input. Then the record says "running", and what the record of an earlier
+/// run said, whose other files stay until those of this run are complete and replace them together. The outcome, also
+/// an interruption or a failure, ends up in the record; a failure is thrown as well.
 SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry& laws,
                         const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
 

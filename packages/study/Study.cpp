@@ -32,4 +32,14 @@ scene::Scene Study::sceneFor(const std::vector<double>& values, const laws::LawR
   }
 }
 
+std::vector<std::string> inputFiles(const Study& study) {
+  std::vector<std::string> files = scene::inputFiles(study.scene);
+  files.push_back(study.path);
+  if (!study.pointsFile.empty()) files.push_back(study.pointsFile);
+  for (const StudyParameter& parameter : study.parameters) {
+    if (!parameter.sampleFile.empty()) files.push_back(parameter.sampleFile);
+  }
+  return files;
+}
+
 }  // namespace harmos::study

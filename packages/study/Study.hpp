@@ -53,4 +53,7 @@ struct Study {
   scene::Scene sceneFor(const std::vector<double>& values, const laws::LawRegistry& laws) const;
 };
 
+/// The files that `study` is read from: its own, those of its scene, points and samples.
+std::vector<std::string> inputFiles(const Study& study);
+
 }  // namespace harmos::study

@@ -8,6 +8,7 @@
 
 #include <harmos/base/Numerals.hpp>
 #include <harmos/input/EffectiveInput.hpp>
+#include <harmos/scene/MeshSource.hpp>
 
 namespace harmos::study {
 
@@ -62,10 +63,8 @@ results::Identity identityOf(const Study& study) {
   for (auto& entry : all) {
     if (entry.first != "Study / Title" && entry.first != "Scene / Title") identity.push_back(std::move(entry));
   }
-  const Parameters& mesh = study.scene.input.list("Mesh");
-  if (mesh.has("File")) {
-    const fs::path file = fs::path(study.scene.path).parent_path() / mesh.text("File");
-    identity.emplace_back("Checksum of the mesh", checksum(file.string()));
+  if (const auto file = scene::meshFile(study.scene.input.list("Mesh"), study.scene.path)) {
+    identity.emplace_back("Checksum of the mesh", checksum(*file));
   }
   for (const StudyParameter& parameter : study.parameters) {
     if (parameter.sampleFile.empty()) continue;

@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/files/OutputGuard.hpp>
 #include <harmos/scene/SceneRun.hpp>
 #include <harmos/study/StudyReader.hpp>
 #include <harmos/study/detail/ChaosStudy.hpp>
@@ -39,6 +40,7 @@ StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry&
       "",
       0};
   const Study& study = *run.study;
+  files::demandDistinct(inputFiles(study), run.files.all());
   run.description = std::make_unique<const results::StudyDescription>(describe(study));
   run.results = std::make_unique<results::StudyResults>(*run.description);
   // The points of an adaptive design follow from all results so far.

@@ -2,10 +2,16 @@
 #include <fstream>
 #include <sstream>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/HistoryFile.hpp>
+#include <harmos/files/OutputGuard.hpp>
+#include <harmos/files/PendingResults.hpp>
 #include <harmos/files/ResultFiles.hpp>
 #include <harmos/files/RunRecord.hpp>
 
@@ -32,26 +38,104 @@ TEST(ResultFiles, AreNamedAfterTheScene) {
   EXPECT_EQ(files.record, "out/bolted_joint_result.json");
 }
 
-TEST(ResultFiles, OldOnesAreRemovedAndOthersStay) {
+TEST(PendingResults, OldOnesStayUntilNewOnesAreComplete) {
   const auto directory = temporaryFile("directory");
   const ResultFiles files(directory, "scene.xml");
-  files.removeOld();  // creates the directory
+  const auto writeAll = [](const ResultFiles& to, const std::string& content) {
+    for (const auto& path : to.all()) std::ofstream(path) << content;
+  };
+  {
+    const PendingResults pending(files);  // creates the directory
+    writeAll(pending.files(), "old");
+    pending.commit();
+  }
+  std::ofstream(files.record) << "old";
   const std::string other = directory + "/scene_notes.txt";
-  for (const auto& path : files.all()) std::ofstream(path) << "old";
   std::ofstream(other) << "mine";
-  files.removeOld();
-  for (const auto& path : files.all()) EXPECT_FALSE(std::filesystem::exists(path)) << path;
-  EXPECT_TRUE(std::filesystem::exists(other));
+  {
+    const PendingResults pending(files);
+    writeAll(pending.files(), "new");
+    for (const auto& path : files.all()) EXPECT_EQ(contentOf(path), "old") << path;
+  }  // without commit()
+  for (const auto& path : files.all()) EXPECT_EQ(contentOf(path), "old") << path;
+  {
+    const PendingResults pending(files);
+    writeAll(pending.files(), "new");
+    pending.commit();
+  }
+  for (const auto& path : files.all()) EXPECT_EQ(contentOf(path), path == files.record ? "old" : "new") << path;
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) count += entry.exists() ? 1 : 0;
+  EXPECT_EQ(count, 6) << "something is left over";
 }
 
-TEST(ResultFiles, ADirectoryThatCannotBeMadeIsNamed) {
+TEST(PendingResults, WhatKilledRunsLeftIsRemovedButNotThatOfLivingOnes) {
+  const auto directory = temporaryFile("directory");
+  const ResultFiles files(directory, "scene.xml");
+  std::filesystem::create_directories(directory + "/scene.partial.1234");
+  std::filesystem::create_directories(directory + "/scene.partial.5678");
+  std::filesystem::create_directories(directory + "/scene2.partial.1234");
+  const int living = ::open((directory + "/scene.partial.5678").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(living, LOCK_EX), 0);
+  { const PendingResults pending(files); }
+  EXPECT_FALSE(std::filesystem::exists(directory + "/scene.partial.1234"));
+  EXPECT_TRUE(std::filesystem::exists(directory + "/scene.partial.5678"));
+  EXPECT_TRUE(std::filesystem::exists(directory + "/scene2.partial.1234"));
+  ::close(living);
+}
+
+TEST(PendingResults, AFolderThatIsRemovedMeanwhileIsNotMadeAnew) {
+  const auto directory = temporaryFile("directory");
+  const PendingResults pending(ResultFiles(directory, "scene.xml"));
+  std::filesystem::remove_all(directory);
+  EXPECT_THROW(replaceFile(pending.files().history, "t"), harmos::base::Error);
+  EXPECT_THROW(pending.commit(), harmos::base::Error);
+  EXPECT_FALSE(std::filesystem::exists(directory));
+}
+
+TEST(PendingResults, ADirectoryThatCannotBeMadeIsNamed) {
   const auto file = temporaryFile("file");
   std::ofstream(file) << "in the way";
   try {
-    ResultFiles(file + "/below", "scene.xml").removeOld();
+    const PendingResults pending(ResultFiles(file + "/below", "scene.xml"));
     FAIL() << "made a directory below a file";
   } catch (const harmos::base::Error& error) {
     EXPECT_NE(std::string(error.what()).find(file), std::string::npos);
+  }
+}
+
+TEST(Unfinished, IsRemovedWhenAProcessIsEnded) {
+  const auto directory = temporaryFile("directory");
+  std::filesystem::create_directories(directory);
+  std::ofstream(directory + "/kept") << "old";
+  const LastWords words(directory + "/record", "interrupted");
+  { const LastWords forgotten(directory + "/other", "interrupted"); }
+  AtomicFile file(directory + "/kept");
+  std::ofstream(file.temporaryPath()) << "new";
+  removeUnfinished();
+  EXPECT_FALSE(std::filesystem::exists(file.temporaryPath()));
+  EXPECT_EQ(contentOf(directory + "/kept"), "old");
+  EXPECT_EQ(contentOf(directory + "/record"), "interrupted");
+  EXPECT_FALSE(std::filesystem::exists(directory + "/other"));
+}
+
+TEST(OutputGuard, RefusesAnInputUnderAnyName) {
+  const auto directory = temporaryFile("directory");
+  std::filesystem::create_directories(directory + "/below");
+  const std::string input = directory + "/mesh.e";
+  std::ofstream(input) << "mesh";
+  std::filesystem::create_symlink(input, directory + "/symbolic.e");
+  std::filesystem::create_hard_link(input, directory + "/hard.e");
+  std::ofstream(directory + "/copy.e") << "mesh";
+  EXPECT_NO_THROW(demandDistinct({input}, {directory + "/copy.e", directory + "/none.e", ""}));
+  for (const std::string name : {"/mesh.e", "/./mesh.e", "/below/../mesh.e", "/symbolic.e", "/hard.e"}) {
+    try {
+      demandDistinct({directory + "/copy.e", input}, {directory + "/none.e", directory + name});
+      ADD_FAILURE() << name;
+    } catch (const harmos::base::Error& error) {
+      EXPECT_EQ(error.code(), harmos::base::ExitCode::input);
+      EXPECT_NE(std::string(error.what()).find(directory + name), std::string::npos) << error.what();
+    }
   }
 }
 

@@ -26,6 +26,7 @@ class StudyFilesTest : public ::testing::Test {
  protected:
   StudyFilesTest() {
     std::filesystem::remove_all(directory);
+    std::filesystem::create_directory(directory);
     description.name = "joint";
     description.title = "Title";
     description.parameters = {{"mu", "-", "", {"Values/mu"}, "local stage"}, {"twice", "", "2*mu", {}, ""}};
@@ -110,6 +111,13 @@ TEST_F(StudyFilesTest, JournalSurvivesBeingCutAnywhere) {
     EXPECT_EQ(StudyJournal(files.journal, description.identity, false).results().size(), most + 1) << length;
   }
   EXPECT_EQ(most, 2u);
+}
+
+TEST_F(StudyFilesTest, AJournalThatWasRemovedIsMissed) {
+  StudyJournal journal(files.journal, description.identity, false);
+  journal.append(solved(1));
+  std::filesystem::remove_all(directory);
+  EXPECT_THROW(journal.append(solved(2)), base::Error);
 }
 
 TEST_F(StudyFilesTest, JournalPassesOverDamage) {

@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# Checks that nothing that exists is lost by accident: no result replaces an input, old results stay until new ones are
+# complete, and what could not be written is an error.
+#
+#   files.sh HARMOS SCENE.xml STUDY.xml WORK_DIR
+#
+# SCENE makes its own mesh and is solved in a fraction of a second; STUDY is about it.
+set -uo pipefail
+
+harmos=$1 scene=$2 study=$3 work=$4
+name=$(basename "$scene" .xml)
+rm -rf "$work"
+mkdir -p "$work"
+. "$(dirname "$0")/../expect.sh"
+cd "$work" || exit 1
+
+# same COMMAND...: it ends with 2, and no file of the folder has changed.
+same() {
+  local before
+  before=$(find . -type f -o -type l | sort | xargs md5sum)
+  expect 2 'Nothing was written' "$@"
+  if [ "$before" != "$(find . -type f -o -type l | sort | xargs md5sum)" ]; then
+    echo "FAILED: $* has changed files"
+    failures=$((failures + 1))
+  fi
+}
+
+# The same scene with its mesh in a file that has the name of the result.
+"$harmos" mesh "$scene" --output "$name.e" --quiet
+python3 - "$scene" "$name" <<'END'
+import re, sys
+scene, name = sys.argv[1:]
+mesh = '<ParameterList name="Mesh"><Parameter name="Type" type="string" value="Exodus"/>' \
+       f'<Parameter name="File" type="string" value="{name}.e"/></ParameterList>'
+text = open(scene).read()
+begin = text.index('<ParameterList name="Mesh">')
+depth, end = 0, begin
+for tag in re.finditer(r'<ParameterList\b[^>]*?(/?)>|</ParameterList>', text[begin:]):
+    depth += -1 if tag[0].startswith('</') else 0 if tag[1] else 1
+    if depth == 0:
+        end = begin + tag.end()
+        break
+open(f'{name}.xml', 'w').write(text[:begin] + mesh + text[end:])
+END
+mkdir links
+ln -s "../$name.e" "links/$name.e"
+ln "$name.xml" "links/${name}_interfaces.e"
+
+same "$harmos" run "$name.xml" --output .
+same "$harmos" run "$name.xml" --output ./links/..
+same "$harmos" run "$name.xml" --output links
+same mpirun -np 2 "$harmos" run "$name.xml" --output .
+same "$harmos" mesh "$name.xml" --output "$name.xml"
+same "$harmos" mesh "$name.xml" --output "./links/../$name.e"
+same "$harmos" mesh "$name.xml" --output "links/${name}_interfaces.e"
+expect 0 '' "$harmos" run "$name.xml" --output results --quiet
+
+# A study: its points, samples and scene are inputs, too.
+sed "s#value=\"[^\"]*/$name.xml\"#value=\"$name.xml\"#" "$study" >"$(basename "$study")"
+study=$(basename "$study")
+stem=$(basename "$study" .xml)
+expect 0 '' "$harmos" study "$study" --output studies --quiet
+cp "studies/$stem.csv" kept.csv
+same "$harmos" predict "studies/$stem.h5" --at mu=0.1 --output "studies/$stem.h5"
+same "$harmos" predict "studies/$stem.h5" --points kept.csv --output ./kept.csv
+same "$harmos" report "studies/$stem.h5" --output "studies/../studies/$stem.h5"
+mkdir taken
+ln -s "../$study" "taken/${stem}.csv"
+same "$harmos" study "$study" --output taken
+
+# Old results stay, with their record, until new ones are there: also when these cannot be written.
+cp -r results old
+expect 2 'Acuracy' "$harmos" run "$name.xml" --output results --set Solver/Acuracy=1
+expect 0 '^$' diff -r results old
+
+# A folder that is removed while a run goes on is missed. This one would not end by itself.
+long=(--set Solver/Accuracy=1e-10 --set Solver/Algorithm=Plain --set 'Solver/Maximum Iterations=1000000000')
+cp -r old removed
+"$harmos" run "$name.xml" --output removed --quiet "${long[@]}" >removed.log 2>&1 &
+process=$!
+for _ in $(seq 200); do
+  grep -q '"status": "running"' "removed/${name}_result.json" && break
+  sleep 0.05
+done
+expect 0 '"earlier_run"' cat "removed/${name}_result.json"
+for file in .e _interfaces.e _history.csv _effective.xml; do
+  expect 0 '^$' cmp "old/$name$file" "removed/$name$file"
+done
+rm -rf removed
+kill -INT $process
+wait $process
+expect 0 '^1$' echo $?
+expect 0 'Cannot write' cat removed.log
+expect 1 '' test -e removed
+
+expect 1 'Cannot create the directory' "$harmos" run "$scene" --output /proc/none
+
+# What cannot be printed is an error.
+for command in "doc" "--help" "check $scene" "run $scene --output full"; do
+  expect 0 '^1$' sh -c "'$harmos' $command > /dev/full 2>/dev/null; echo \$?"
+done
+expect 1 'The output cannot be written' sh -c "'$harmos' doc 2>&1 >/dev/full"
+expect 0 '' test -s "full/$name.e"
+expect 0 '^1$' sh -c "'$harmos' report studies/$stem.h5 --output page.html >/dev/full 2>/dev/null; echo \$?"
+
+[ $failures -eq 0 ] && echo "all as promised"
+exit $((failures > 0))
