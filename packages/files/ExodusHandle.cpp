@@ -35,7 +35,7 @@ ExodusHandle ExodusHandle::open(const std::string& path) {
   const int id = ex_open(path.c_str(), EX_READ, &computeWordSize, &fileWordSize, &version);
   if (id < 0) throw base::Error("Cannot read " + path + ": it is not an Exodus file.", base::ExitCode::input);
   ex_set_max_name_length(id, static_cast<int>(ex_inquire_int(id, EX_INQ_DB_MAX_USED_NAME_LENGTH)));
-  return ExodusHandle(path, id);
+  return ExodusHandle(path, id, base::ExitCode::input);
 }
 
 ExodusHandle ExodusHandle::create(const std::string& path, int nameLength) {
@@ -43,18 +43,18 @@ ExodusHandle ExodusHandle::create(const std::string& path, int nameLength) {
   const int id = ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL, &computeWordSize, &fileWordSize);
   if (id < 0) throw base::Error("Cannot write " + path + ": " + lastMessage() + ".");
   if (nameLength > 32) ex_set_option(id, EX_OPT_MAX_NAME_LENGTH, nameLength);
-  return ExodusHandle(path, id);
+  return ExodusHandle(path, id, base::ExitCode::failure);
 }
 
 ExodusHandle::ExodusHandle(ExodusHandle&& other) noexcept
-    : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
+    : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)), code_(other.code_) {}
 
 ExodusHandle::~ExodusHandle() {
   if (id_ >= 0) ex_close(id_);
 }
 
 void ExodusHandle::check(int status, const std::string& what) const {
-  if (status < 0) throw base::Error(path_ + ": cannot " + what + ": " + lastMessage() + ".");
+  if (status < 0) throw base::Error(path_ + ": cannot " + what + ": " + lastMessage() + ".", code_);
 }
 
 void ExodusHandle::close() {

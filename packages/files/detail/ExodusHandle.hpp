@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <harmos/base/Error.hpp>
+
 namespace harmos::files {
 
 /// An open Exodus file, closed by the destructor; not copyable.
@@ -19,16 +21,18 @@ class ExodusHandle {
   ExodusHandle& operator=(const ExodusHandle&) = delete;
 
   int id() const { return id_; }
-  /// Throws base::Error naming the file, `what` failed and Exodus' own message when `status` is negative.
+  /// Throws base::Error naming the file, `what` failed and Exodus' own message when `status` is negative; (input) for a
+  /// file that is read.
   void check(int status, const std::string& what) const;
   /// Writes what is buffered; errors of the file system show up here. The handle is unusable afterwards.
   void close();
 
  private:
-  ExodusHandle(std::string path, int id) : path_(std::move(path)), id_(id) {}
+  ExodusHandle(std::string path, int id, base::ExitCode code) : path_(std::move(path)), id_(id), code_(code) {}
 
   std::string path_;
   int id_;
+  base::ExitCode code_;  // of errors
 };
 
 /// Array of C strings as Exodus wants it, pointing into `names`, which must outlive it.
