@@ -55,6 +55,17 @@ same "$harmos" mesh "$name.xml" --output "./links/../$name.e"
 same "$harmos" mesh "$name.xml" --output "links/${name}_interfaces.e"
 expect 0 '' "$harmos" run "$name.xml" --output results --quiet
 
+# A warning is printed once, counted, and stands in the record.
+spare='<ParameterList name="spare"><Parameter name="Type" type="string" value="Isotropic"/>'
+spare+='<Parameter name="Young'"'"'s Modulus" type="double" value="1"/>'
+spare+='<Parameter name="Poisson'"'"'s Ratio" type="double" value="0"/></ParameterList>'
+sed "s#<ParameterList name=\"Materials\">#&$spare#" "$name.xml" >spare.xml
+for command in "check" "run --output spare"; do
+  expect 0 '^1$' sh -c "'$harmos' $command spare.xml 2>&1 | grep -c 'Materials / spare: nothing uses it.'"
+  expect 0 '^1 warning$' "$harmos" $command spare.xml
+done
+expect 0 'Materials / spare: nothing uses it.' cat spare/spare_result.json
+
 # A study: its points, samples and scene are inputs, too.
 sed "s#value=\"[^\"]*/$name.xml\"#value=\"$name.xml\"#" "$study" >"$(basename "$study")"
 study=$(basename "$study")
