@@ -26,7 +26,8 @@ const char* const exitCodes =
     "  4    no equilibrium exists under the given loads, or no path leads to it; for study: of some configurations, "
     "all\n"
     "       others are solved\n"
-    "  130  interrupted (SIGINT, SIGTERM), within a second; what was complete stays, what was being written is removed\n";
+    "  130  interrupted (SIGINT, SIGTERM), within a second; what was complete stays, what was being written is "
+    "removed\n";
 
 void printIndented(std::ostream& out, const std::vector<std::string>& lines) {
   for (const auto& line : lines) out << "  " << line << "\n";
