@@ -61,10 +61,10 @@ spare+='<Parameter name="Young'"'"'s Modulus" type="double" value="1"/>'
 spare+='<Parameter name="Poisson'"'"'s Ratio" type="double" value="0"/></ParameterList>'
 sed "s#<ParameterList name=\"Materials\">#&$spare#" "$name.xml" >spare.xml
 for command in "check" "run --output spare"; do
-  expect 0 '^1$' sh -c "'$harmos' $command spare.xml 2>&1 | grep -c 'Materials / spare: nothing uses it.'"
+  expect 0 '^1$' sh -c "'$harmos' $command spare.xml 2>&1 | grep -c 'Materials / spare: no part has this material'"
   expect 0 '^1 warning$' "$harmos" $command spare.xml
 done
-expect 0 'Materials / spare: nothing uses it.' cat spare/spare_result.json
+expect 0 'Materials / spare: no part has this material' cat spare/spare_result.json
 
 # A study: its points, samples and scene are inputs, too.
 sed "s#value=\"[^\"]*/$name.xml\"#value=\"$name.xml\"#" "$study" >"$(basename "$study")"
