@@ -1,0 +1,107 @@
+"""Random scenes against an independent reference.
+
+    cd tests
+    python3 -m campaign run --harmos ../build/drivers/harmos --scenes 330       the campaign, 30 scenes of each class
+    python3 -m campaign run --harmos ../build/drivers/harmos --only rings --first 100 --scenes 20
+    python3 -m campaign show rings 3 --output DIR                               writes the scene and prints the answer
+    python3 -m campaign try rings 3 --harmos ../build/drivers/harmos            one scene, with all responses
+
+A scene is made of its class and seed alone. Exit code 1: the goals are missed.
+"""
+from __future__ import annotations
+
+import argparse
+import pathlib
+import sys
+import tempfile
+
+from .reference.solver import Answer, solve
+from .scenes.classes import CLASSES, make_scene
+from .scenes.scene import Scene
+from .scenes.scene_file import write_scene
+from .trial.campaign import report, try_scene
+from .trial.program import run_harmos
+from .trial.verdict import judge, true_errors
+
+
+def _print_answer(scene: Scene, answer: Answer) -> None:
+    print(f"{len(scene.mesh.nodes)} nodes, {scene.steps} steps, accuracy {scene.accuracy:g}: {answer.outcome.value}"
+          + ("" if answer.failed_step is None else f" at step {answer.failed_step + 1}"))
+    print("share of the loads that statics leaves unbalanced:",
+          " ".join(f"{verdict.outer:.1e}" for verdict in answer.verdicts))
+    for name, values in answer.values.items():
+        print(f"  {name:24} spread {answer.spread[name]:.0e}  " + " ".join(f"{value:.9e}" for value in values))
+
+
+def _show(options: argparse.Namespace) -> bool:
+    scene = make_scene(options.name, options.seed)
+    print(write_scene(scene, options.output))
+    _print_answer(scene, solve(scene))
+    return True
+
+
+def _try(options: argparse.Namespace) -> bool:
+    scene = make_scene(options.name, options.seed)
+    path = write_scene(scene, options.output)
+    run = run_harmos(options.harmos, path, options.limit, *[a for text in options.set for a in ("--set", text)])
+    answer = solve(scene)
+    _print_answer(scene, answer)
+    print(f"{path}: {run.ending.name}, {run.reason}, {run.stages} linear stages")
+    for name, error in true_errors(run, answer).items():
+        values = " ".join(f"{value:.9e}" for value in run.values.get(name, []))
+        print(f"  {name:24} error {error:.1e}, estimate {run.estimates.get(name, 0.0):.1e}  {values}")
+    judgement = judge(scene, run, answer)
+    print(f"{judgement.verdict.value}; {judgement.detail}")
+    return True
+
+
+def _run(options: argparse.Namespace) -> bool:
+    names = options.only or list(CLASSES)
+    trials = []
+    for index in range(options.scenes):
+        name, seed = names[index % len(names)], options.first + index // len(names)
+        trial = try_scene(name, seed, options.harmos, options.output, options.limit)
+        trials.append(trial)
+        print(f"{name} {seed}: {trial.nodes} nodes, {trial.judgement.verdict.value}, {trial.stages} stages, "
+              f"{trial.harmos_seconds:.1f} s, reference {trial.reference_seconds:.1f} s; {trial.judgement.detail}",
+              file=sys.stderr, flush=True)
+    text, met = report(trials)
+    print(text)
+    return met
+
+
+def _options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="campaign", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    verbs = parser.add_subparsers(required=True)
+    for verb, function in (("run", _run), ("show", _show), ("try", _try)):
+        command = verbs.add_parser(verb)
+        command.set_defaults(function=function)
+        command.add_argument("--output", type=pathlib.Path, default=None, help="folder of scenes; default: a new one")
+        if verb != "show":
+            command.add_argument("--harmos", type=pathlib.Path, required=True, help="the program")
+            command.add_argument("--limit", type=float, default=60.0, help="seconds per run")
+        if verb == "run":
+            command.add_argument("--scenes", type=int, default=330)
+            command.add_argument("--first", type=int, default=0, help="seed to begin with")
+            command.add_argument("--only", action="append", choices=list(CLASSES), help="a class; may be repeated")
+        else:
+            command.add_argument("name", choices=list(CLASSES))
+            command.add_argument("seed", type=int)
+        if verb == "try":
+            command.add_argument("--set", action="append", default=[], help="as harmos run understands it")
+    return parser.parse_args()
+
+
+def main() -> int:
+    """Exit code."""
+    options = _options()
+    if "harmos" in options:
+        options.harmos = options.harmos.resolve()
+    if options.output is None:
+        options.output = pathlib.Path(tempfile.mkdtemp(prefix="campaign_"))
+    return 0 if options.function(options) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,84 @@
+"""A scene in the words of Harmos's input, as data: what is written as XML and what the reference solves."""
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+
+from .mesh import Mesh
+
+
+@dataclasses.dataclass(frozen=True)
+class Varying:
+    """A number times a factor per load step."""
+    value: float
+    factors: tuple[float, ...]
+
+
+Number = float | Varying
+
+
+def at_step(number: Number, step: int) -> float:
+    """Value of a number at a load step, counted from 0."""
+    return number.value * number.factors[step] if isinstance(number, Varying) else number
+
+
+@dataclasses.dataclass(frozen=True)
+class Law:
+    """A law by its name in the input, with its parameters."""
+    type: str
+    parameters: dict[str, Number] = dataclasses.field(default_factory=dict)
+
+
+@dataclasses.dataclass(frozen=True)
+class Joint:
+    """An interface between two side sets; a boundary when there is no second one."""
+    name: str
+    side1: str
+    side2: str | None
+    law: Law
+
+
+@dataclasses.dataclass(frozen=True)
+class Part:
+    """The element block of the same name. body_force: per global component [force/volume], empty for none."""
+    name: str
+    young: float
+    poisson: float
+    body_force: tuple[Number, ...] = ()
+
+
+@dataclasses.dataclass(frozen=True)
+class Response:
+    """A response by its type in the input.
+
+    target: name of the joint, or side set of a mean displacement. vectors: Direction, Centre, Axis. field: of a
+    maximum.
+    """
+    name: str
+    type: str
+    target: str
+    vectors: dict[str, tuple[float, ...]] = dataclasses.field(default_factory=dict)
+    field: str = ""
+
+
+@dataclasses.dataclass
+class Scene:
+    """kinematics: 3-D, Plane Strain or Plane Stress. accuracy: the one asked for. pieces: METIS cuts parts into them."""
+    mesh: Mesh
+    kinematics: str
+    thickness: float
+    parts: list[Part]
+    joints: list[Joint]
+    steps: int
+    accuracy: float
+    responses: list[Response]
+    pieces: dict[str, int] = dataclasses.field(default_factory=dict)
+
+    def joint(self, name: str) -> Joint:
+        """The joint of this name."""
+        return next(joint for joint in self.joints if joint.name == name)
+
+
+def vector(components: Sequence[float]) -> tuple[float, ...]:
+    """Of plain numbers, which print the same everywhere."""
+    return tuple(float(x) for x in components)

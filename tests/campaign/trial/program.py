@@ -1,0 +1,74 @@
+"""Runs Harmos on a scene and reads what it says."""
+from __future__ import annotations
+
+import csv
+import dataclasses
+import enum
+import json
+import os
+import pathlib
+import subprocess
+
+import numpy as np
+
+from ..scenes.mesh import Floats
+
+ENVIRONMENT = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
+               "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_osc": "^ucx",
+               "OMPI_MCA_ess_singleton_isolated": "1"}
+
+
+class Ending(enum.Enum):
+    """How a run ended, by its exit code."""
+    CERTIFIED = 0
+    FAILED = 1
+    REFUSED_INPUT = 2
+    NOT_CONVERGED = 3
+    NO_EQUILIBRIUM = 4
+    CRASHED = -1
+    HUNG = -2
+
+
+@dataclasses.dataclass
+class Run:
+    """What Harmos said. status: its words. values: per response [step]. stages: linear stages. output: standard error."""
+    ending: Ending
+    status: str
+    reason: str
+    values: dict[str, Floats]
+    estimates: dict[str, float]
+    stages: int
+    seconds: float
+    output: str
+
+
+def _ending(code: int) -> Ending:
+    return Ending(code) if 0 <= code <= 4 else Ending.CRASHED
+
+
+def run_harmos(program: pathlib.Path, scene: pathlib.Path, limit: float, *arguments: str) -> Run:
+    """Solves a scene into the folder beside it; ends it after so many seconds."""
+    results = scene.parent / "results"
+    command = [str(program), "run", scene.name, "--output", results.name, *arguments]
+    try:
+        done = subprocess.run(command, cwd=scene.parent, env={**os.environ, **ENVIRONMENT}, timeout=limit,
+                              capture_output=True, text=True, errors="replace", check=False)
+    except subprocess.TimeoutExpired:
+        return Run(Ending.HUNG, "", f"more than {limit:g} s", {}, {}, 0, limit, "")
+    record_file = results / f"{scene.stem}_result.json"
+    if not record_file.exists():
+        return Run(_ending(done.returncode), "", done.stderr.strip()[-400:], {}, {}, 0, 0.0, done.stderr)
+    record = json.loads(record_file.read_text())
+    return Run(_ending(done.returncode), record["status"], record["reason"],
+               _history(results / f"{scene.stem}_history.csv"),
+               {name: float("nan") if estimate is None else float(estimate)
+                for name, estimate in record.get("response_error_estimates", {}).items()},
+               int(record["linear_stages"]), float(record["wall_seconds"]), done.stdout + done.stderr)
+
+
+def _history(path: pathlib.Path) -> dict[str, Floats]:
+    """Columns by name, without time 0."""
+    with path.open() as file:
+        header, *rows = list(csv.reader(file))
+    table = np.array([[float(cell) for cell in row] for row in rows if float(row[0]) > 0])
+    return {name: table[:, column] for column, name in enumerate(header) if name not in ("step", "time")}
