@@ -181,19 +181,42 @@ class _Iteration:
         return best
 
 
+def _search(iteration: _Iteration, problem: Problem, step: int, old: Floats, start: State,
+            counts: tuple[int, ...]) -> State:
+    best = iteration.run(start, damped=False)
+    for count in counts:
+        for factor in (0.3, 3.0):
+            if best.converged:
+                return best
+            u, force = split(problem, step, old, start.displacement, start.force, factor, count)
+            for damped in (False, True):
+                best = min(best, iteration.run(State(u, force, np.inf), damped), key=lambda s: s.residual)
+                if best.converged:
+                    return best
+    return best
+
+
 def solve_step(problem: Problem, step: int, old: Floats, choice: Choice) -> State:
     """One load step from a start: Newton, damped Newton, and Newton from where a splitting of the problem arrives."""
-    equations = StepEquations(problem, step, old, choice.penalty)
-    iteration = _Iteration(equations, choice.shift)
-    best = iteration.run(choice.start, damped=False)
-    if best.converged:
-        return best
-    for count in (100, 1000, 4000):
-        for factor in (0.3, 3.0):
-            u, force = split(problem, step, old, choice.start.displacement, choice.start.force, factor, count)
-            for damped in (False, True):
-                state = iteration.run(State(u, force, np.inf), damped)
-                if state.converged:
-                    return state
-                best = min(best, state, key=lambda s: s.residual)
-    return best
+    iteration = _Iteration(StepEquations(problem, step, old, choice.penalty), choice.shift)
+    return _search(iteration, problem, step, old, choice.start, (100, 1000))
+
+
+def slides(problem: Problem, step: int, old: Floats, start: State) -> bool:
+    """Whether parts move on without end where no solution was found.
+
+    With weak springs to the ground at every node there is an equilibrium; if it moves away in proportion as the springs
+    get weaker, and they carry the same share of the loads, the joints do not.
+    """
+    shares, ways = [], []
+    for weakness in (1e-4, 1e-6):
+        springs = weakness * problem.stiffness.diagonal()
+        held = dataclasses.replace(problem, stiffness=(problem.stiffness + sparse.diags(springs)).tocsr())
+        equations = StepEquations(held, step, old, 1.0)
+        size = len(start.displacement) + len(start.force)
+        state = _search(_Iteration(equations, np.full(size, SHIFT)), held, step, old, start, (100,))
+        if not state.converged:
+            return False
+        shares.append(abs(springs * state.displacement).max() / equations.size(state.displacement, state.force)[0])
+        ways.append(abs(state.displacement).max())
+    return bool(ways[1] > 30 * ways[0] and shares[1] > 0.3 * shares[0])

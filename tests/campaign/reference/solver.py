@@ -8,7 +8,7 @@ import numpy as np
 
 from ..scenes.mesh import Floats
 from ..scenes.scene import Scene
-from .newton import SHIFT, Choice, State, solve_step
+from .newton import SHIFT, Choice, State, slides, solve_step
 from .problem import Problem, assemble
 from .responses import History
 from .statics import Verdict, statics
@@ -23,6 +23,7 @@ class Outcome(enum.Enum):
     """What is known of a scene."""
     SOLVED = "solved"
     NO_EQUILIBRIUM = "no equilibrium"
+    SLIDES = "slides without end"
     UNKNOWN = "unknown"
 
 
@@ -48,53 +49,52 @@ class Answer:
         return [name for name, spread in self.spread.items() if spread <= SAME]
 
 
-def _march(scene: Scene, problem: Problem, seed: int) -> tuple[History | None, int]:
-    """All load steps by one way; seed 0: from rest, with an even shift. Returns the step that failed, too."""
-    random = np.random.default_rng(seed)
-    dofs, rows = problem.stiffness.shape[0], len(problem.kind)
-    shift = np.full(dofs + rows, SHIFT)
-    penalty = 1.0
-    state = State(np.zeros(dofs), np.zeros(rows), np.inf)
-    if seed:
-        shift *= random.uniform(0.2, 5.0, dofs + rows)
-        penalty = float(random.uniform(0.2, 5.0))
-    displacements, forces = [], []
-    old = np.zeros(rows)
-    for step in range(problem.steps):
-        start = state
-        if seed:  # everything in contact, with uneven pressure
-            size = abs(problem.loads[step]).max() + abs(state.force).max(initial=0.0)
-            force = state.force.copy()
-            normal = problem.contact_points * problem.dimension
-            force[normal] -= size * random.uniform(0.5, 1.5, len(normal))
-            start = State(state.displacement, force, np.inf)
-        state = solve_step(problem, step, old, Choice(shift, penalty, start))
-        if not state.converged:
-            return None, step
-        displacements.append(state.displacement)
-        forces.append(state.force)
-        old = problem.jump @ state.displacement
-    return History(scene, problem, np.array(displacements), np.array(forces)), -1
+class _March:
+    """All load steps by one way; seed 0: from rest, with an even shift; others: uneven, from contact everywhere."""
+
+    def __init__(self, scene: Scene, problem: Problem, seed: int) -> None:
+        self.scene = scene
+        self.problem = problem
+        self.random = np.random.default_rng(seed)
+        self.uneven = seed > 0
+        size = problem.stiffness.shape[0] + len(problem.kind)
+        self.shift = SHIFT * (self.random.uniform(0.2, 5.0, size) if self.uneven else np.ones(size))
+        self.penalty = float(self.random.uniform(0.2, 5.0)) if self.uneven else 1.0
+        self.failed_step: int | None = None
+        self.slides = False
+
+    def _starts(self, step: int, state: State) -> list[State]:
+        if not self.uneven:
+            return [state]
+        size = abs(self.problem.loads[step]).max() + abs(state.force).max(initial=0.0)
+        normal = self.problem.contact_points * self.problem.dimension
+        force = state.force.copy()
+        force[normal] -= size * self.random.uniform(0.5, 1.5, len(normal))
+        return [State(state.displacement, force, np.inf), state]
+
+    def run(self) -> History | None:
+        """The fields; none when a step fails."""
+        rows = len(self.problem.kind)
+        state = State(np.zeros(self.problem.stiffness.shape[0]), np.zeros(rows), np.inf)
+        old = np.zeros(rows)
+        displacements, forces = [], []
+        for step in range(self.problem.steps):
+            for start in self._starts(step, state):
+                found = solve_step(self.problem, step, old, Choice(self.shift, self.penalty, start))
+                if found.converged:
+                    break
+            else:
+                self.failed_step = step
+                self.slides = not self.uneven and slides(self.problem, step, old, state)
+                return None
+            state = found
+            displacements.append(state.displacement)
+            forces.append(state.force)
+            old = self.problem.jump @ state.displacement
+        return History(self.scene, self.problem, np.array(displacements), np.array(forces))
 
 
-def solve(scene: Scene, ways: int = 2) -> Answer:
-    """Solves a scene by several ways; where none succeeds, statics says whether one could."""
-    problem = assemble(scene)
-    verdicts = [statics(problem, step) for step in range(problem.steps)]
-    if any(verdict.impossible for verdict in verdicts):
-        first = next(step for step, verdict in enumerate(verdicts) if verdict.impossible)
-        return Answer(Outcome.NO_EQUILIBRIUM, [], {}, {}, {}, first, verdicts)
-    histories: list[History] = []
-    failed = -1
-    for seed in range(ways + MORE_WAYS):
-        history, step = _march(scene, problem, seed)
-        failed = max(failed, step)
-        if history is not None:
-            histories.append(history)
-        if len(histories) == ways:
-            break
-    if len(histories) < 2:
-        return Answer(Outcome.UNKNOWN, histories, {}, {}, {}, failed, verdicts)
+def _compare(scene: Scene, histories: list[History], verdicts: list[Verdict]) -> Answer:
     values, sizes, spread = {}, {}, {}
     for response in scene.responses:
         all_values = [history.response(response) for history in histories]
@@ -103,3 +103,26 @@ def solve(scene: Scene, ways: int = 2) -> Answer:
         largest = max(float(abs(other - all_values[0]).max()) for other in all_values)
         spread[response.name] = 0.0 if largest == 0 else largest / sizes[response.name]
     return Answer(Outcome.SOLVED, histories, values, sizes, spread, None, verdicts)
+
+
+def solve(scene: Scene, ways: int = 2) -> Answer:
+    """Solves a scene by several ways; where none succeeds, statics says whether one could."""
+    problem = assemble(scene)
+    verdicts = [statics(problem, step) for step in range(problem.steps)]
+    for step, verdict in enumerate(verdicts):
+        if verdict.impossible:
+            return Answer(Outcome.NO_EQUILIBRIUM, [], {}, {}, {}, step, verdicts)
+    histories: list[History] = []
+    failed = None
+    for seed in range(ways + MORE_WAYS):
+        march = _March(scene, problem, seed)
+        history = march.run()
+        if history is not None:
+            histories.append(history)
+        elif march.slides:
+            return Answer(Outcome.SLIDES, [], {}, {}, {}, march.failed_step, verdicts)
+        else:
+            failed = march.failed_step
+        if len(histories) == ways:
+            return _compare(scene, histories, verdicts)
+    return Answer(Outcome.UNKNOWN, histories, {}, {}, {}, failed, verdicts)

@@ -10,8 +10,9 @@ from .scene import Law, Number, Varying
 class Draw:
     """A seeded source of materials, laws and histories for one scene.
 
-    steps: load steps of the scene. young: of the parts, lowest and highest. load: typical traction [stress]. length:
-    size of the scene.
+    steps: load steps of the scene. length: size of the scene. base: lowest Young's modulus. contrast: decades above it.
+    strain: typical one. load: typical traction [stress]. overlaps: joints may interfere. perfect: they may be Perfect.
+    Where joints meet each other or a clamped face, both together would contradict each other at a node.
     """
 
     def __init__(self, seed: tuple[int, ...]) -> None:
@@ -22,6 +23,13 @@ class Draw:
         self.contrast = float(self.random.choice([0.0, 0.5, 1.5, 3.0]))
         self.strain = float(10 ** self.random.uniform(-5, -3))
         self.load = self.base * self.strain
+        self.overlaps = True
+        self.perfect = True
+
+    def crossing(self) -> None:
+        """Joints meet: they may interfere or be perfect, not both."""
+        self.overlaps = self.chance(0.5)
+        self.perfect = not self.overlaps
 
     def chance(self, probability: float) -> bool:
         """True that often."""
@@ -78,7 +86,8 @@ class Draw:
         """Mostly none, else of the size of the strains: open or interfering."""
         if self.chance(0.6):
             return 0.0
-        return self.number(float(self.random.choice([-1.0, 1.0, 1.0])) * self.strain * self.length * self.magnitude(-1.5, 0.3))
+        sign = -1.0 if self.overlaps and self.chance(0.3) else 1.0
+        return self.number(sign * self.strain * self.length * self.magnitude(-1.5, 0.3))
 
     def friction(self) -> float:
         """Coefficient, sometimes 0."""
@@ -97,9 +106,9 @@ class Draw:
     def bond(self) -> Law:
         """A joint that does not open."""
         match self.count(0, 4):
-            case 0:
+            case 0 if self.perfect:
                 return Law("Perfect")
-            case 1:
+            case 1 if self.perfect and self.overlaps:
                 jump = self.strain * self.length * self.between(-0.5, 1.0)
                 return Law("Preload Jump", {"Jump": self.number(jump)})
             case _:

@@ -67,6 +67,7 @@ def beams(draw: Draw) -> Scene:
     length = draw.length
     layers = draw.count(1, 4) if dimension == 2 else draw.count(1, 2)
     segments = draw.count(2, 5) if layers == 1 else 1
+    draw.overlaps = layers == 1  # else joints end at the wall
     along = [draw.count(2, 5)] * segments if layers == 1 else [draw.count(6, 14) if dimension == 2 else draw.count(4, 8)]
     lines = [cells([length * 4 / len(along)] * len(along), along),
              cells([length * draw.between(0.1, 0.4) for _ in range(layers)], [draw.count(1, 2) for _ in range(layers)])]
@@ -163,6 +164,7 @@ def inclines(draw: Draw) -> Scene:
 def mosaics(draw: Draw) -> Scene:
     """Bricks in bond with all kinds of joints, pressed and sheared."""
     length = draw.length
+    draw.overlaps = False  # joints meet each other and the ground
     columns, rows = draw.count(2, 4), draw.count(2, 4)
     cell = draw.count(1, 2)
     lines = [cells([length * draw.between(0.15, 0.4) for _ in range(2 * columns)], [cell] * 2 * columns),

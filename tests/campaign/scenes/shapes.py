@@ -17,6 +17,8 @@ def rings(draw: Draw) -> Scene:
     """A ring of segments, or two rings in each other, squeezed across."""
     length = draw.length
     nested = draw.chance(0.4)
+    if nested:
+        draw.crossing()
     segments = draw.count(2, 6)
     around = int(np.ceil(2 * np.pi / LARGEST_TURN)) if nested else segments * draw.count(3, 5)
     lines = [cells([1.0], [around]), cells([0.2 * length] * (2 if nested else 1), [1] * (2 if nested else 1))]
@@ -89,6 +91,7 @@ def arches(draw: Draw) -> Scene:
 
 def tenons(draw: Draw) -> Scene:
     """A tongue in a slot, straight or as a dovetail, pulled, pressed and bent."""
+    draw.crossing()
     dimension = 2 if draw.chance(0.7) else 3
     length = draw.length
     fine = 2 if dimension == 2 and draw.chance(0.6) else 1
@@ -124,6 +127,7 @@ def tenons(draw: Draw) -> Scene:
 
 def hooks(draw: Draw) -> Scene:
     """Two hooks in each other, pulled apart; sometimes guided."""
+    draw.crossing()
     dimension = 2 if draw.chance(0.7) else 3
     length = draw.length
     fine = 2 if dimension == 2 and draw.chance(0.6) else 1

@@ -23,6 +23,7 @@ class Verdict(enum.Enum):
     CRASHED = "crash"
     HUNG = "hang"
     INPUT = "input refused"
+    SLIDES = "slides without end, not certified"
     UNKNOWN = "reference does not know"
 
 
@@ -78,7 +79,9 @@ def judge(scene: Scene, run: Run, answer: Answer) -> Judgement:
             return plain(Verdict.HUNG)
         case Ending.REFUSED_INPUT:
             return plain(Verdict.INPUT, run.reason[-300:])
-    if answer.outcome is Outcome.UNKNOWN:
+    if answer.outcome is Outcome.SLIDES and run.ending is not Ending.CERTIFIED:
+        return plain(Verdict.SLIDES)
+    if answer.outcome in (Outcome.UNKNOWN, Outcome.SLIDES):
         return plain(Verdict.UNKNOWN)
     if answer.outcome is Outcome.NO_EQUILIBRIUM:
         if run.ending is Ending.NO_EQUILIBRIUM:
