@@ -12,15 +12,19 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
-from ..scenes.mesh import Floats
+from ..scenes.mesh import Floats, Integers
 from .laws import Kind
 from .problem import Problem
 from .splitting import split
 
-SHIFT = 1e-9
+SHIFT = 1e-11
 # Of residuals: relative to the forces that act, and to the jumps and gaps.
 TOLERANCE = 1e-11
 MOST_STEPS = 40
+# Of the sum of absolute terms in a row of equilibrium, this is lost to round-off at TOLERANCE.
+LOST_DIGITS = 1e-4
+# With springs ten times weaker, parts that nothing stops move ten times as far; those that weak joints hold do not.
+SLIDING = 8.0
 
 
 @dataclasses.dataclass
@@ -44,34 +48,47 @@ class Choice:
     start: State
 
 
+@dataclasses.dataclass(frozen=True)
+class Residual:
+    """balance: of equilibrium [force]. law: of the conditions [length]; by_jump, by_force: its derivatives by delta and
+    a t, [point, component, component]. size: the larger one, relative to what acts."""
+    balance: Floats
+    law: Floats
+    by_jump: Floats
+    by_force: Floats
+    size: float
+
+
 class StepEquations:
     """Residual and tangent of one load step. old: jump at the end of the previous one, per row."""
 
     def __init__(self, problem: Problem, step: int, old: Floats, penalty: float) -> None:
         self.problem = problem
+        self.step = step
         self.load = problem.loads[step]
         self.value = problem.value[step]
         self.old = old
+        self.absolute = abs(problem.stiffness)
         self.r = penalty * problem.spring
         d = problem.dimension
         self.normal = problem.contact_points * d
         self.rough = self.normal[problem.kind[self.normal + 1] == Kind.FRICTION]
         self.simple = {kind: np.flatnonzero(problem.kind == kind) for kind in (Kind.FREE, Kind.TIED, Kind.SPRING)}
 
-    def _contact(self, rows: Floats, jump: Floats, force: Floats) -> tuple[Floats, Floats]:
+    def _contact(self, rows: Integers, jump: Floats, force: Floats) -> tuple[Floats, Floats]:
         opening = jump[rows] + self.value[rows]
         return opening, np.maximum(0.0, -force[rows] - self.r[rows] * opening)
 
-    def evaluate(self, u: Floats, force: Floats) -> tuple[Floats, Floats, sparse.csr_matrix, sparse.csr_matrix]:
-        """Residuals of equilibrium [force] and of the conditions [length]; derivatives of the latter by delta, a t."""
+    def evaluate(self, u: Floats, force: Floats) -> Residual:
+        """At nodal displacements and nodal forces."""
         p, d = self.problem, self.problem.dimension
         balance = p.stiffness @ u + p.jump.T @ force - self.load
         jump = p.jump @ u
-        size = len(force)
-        law = np.zeros(size)
-        by_jump, by_force = np.zeros((size // d, d, d)), np.zeros((size // d, d, d))
+        count = len(force)
+        law = np.zeros(count)
+        by_jump, by_force = np.zeros((count // d, d, d)), np.zeros((count // d, d, d))
 
-        def put(target: Floats, rows: Floats, numbers: Floats) -> None:
+        def put(target: Floats, rows: Integers, numbers: Floats) -> None:
             target[rows // d, rows % d, rows % d] = numbers
 
         free, tied, spring = (self.simple[kind] for kind in (Kind.FREE, Kind.TIED, Kind.SPRING))
@@ -89,51 +106,49 @@ class StepEquations:
         law[self.normal] = np.where(closed, -opening, force[self.normal] / self.r[self.normal])
         put(by_jump, self.normal, np.where(closed, -1.0, 0.0))
         put(by_force, self.normal, np.where(closed, 0.0, 1 / self.r[self.normal]))
+        if len(self.rough):
+            self._slide(jump, force, law, by_jump, by_force)
+        return Residual(balance, law, by_jump, by_force, self._size(u, force, jump, balance, law))
 
+    def _slide(self, jump: Floats, force: Floats, law: Floats, by_jump: Floats, by_force: Floats) -> None:
+        """Friction at all points that have it: sticking where the trial force is inside the cone."""
+        d = self.problem.dimension
+        rows = self.rough[:, None] + np.arange(1, d)
+        point = self.rough // d
+        r = self.r[self.rough][:, None]
         _, pressure = self._contact(self.rough, jump, force)
-        for row, q in zip(self.rough, pressure):
-            self._slide(int(row), float(q), jump, force, law, by_jump, by_force)
-        return balance, law, _blocks(by_jump), _blocks(by_force)
+        friction = self.value[self.rough + 1][:, None]
+        bound = friction * pressure[:, None]
+        slip = jump[rows] - self.old[rows]
+        trial = force[rows] + r * slip
+        size = np.linalg.norm(trial, axis=1)[:, None]
+        sticks = (size <= bound) & (bound > 0)
+        direction = trial / np.where(size > 0, size, 1.0)
+        law[rows] = np.where(sticks, -slip, (force[rows] - bound * direction) / r)
+        unit = np.eye(d - 1)
+        turn = ((unit - direction[:, :, None] * direction[:, None, :])
+                * (bound / np.where(size > 0, size, 1.0))[:, :, None])
+        stuck = sticks[:, :, None]
+        by_force[point, 1:, 1:] = np.where(stuck, 0.0, (unit - turn) / r[:, :, None])
+        by_jump[point, 1:, 1:] = np.where(stuck, -unit, -turn)
+        # The bound falls with the traction and with the opening.
+        falls = np.where(~sticks & (pressure[:, None] > 0), friction * direction, 0.0)
+        by_force[point, 1:, 0] = falls / r
+        by_jump[point, 1:, 0] = falls
 
-    def _slide(self, row: int, pressure: float, jump: Floats, force: Floats, law: Floats, by_jump: Floats,
-               by_force: Floats) -> None:
-        d, r = self.problem.dimension, self.r[row]
-        tangents = slice(row + 1, row + d)
-        point, inner = row // d, slice(1, d)
-        slip = jump[tangents] - self.old[tangents]
-        trial = force[tangents] + r * slip
-        size = float(np.linalg.norm(trial))
-        bound = self.value[row + 1] * pressure
-        if size <= bound and bound > 0:
-            law[tangents] = -slip
-            by_jump[point, inner, inner] = -np.eye(d - 1)
-            return
-        direction = trial / size if size > 0 else np.zeros(d - 1)
-        law[tangents] = (force[tangents] - bound * direction) / r
-        turn = (np.eye(d - 1) - np.outer(direction, direction)) * (bound / size if size > 0 else 0.0)
-        by_force[point, inner, inner] = (np.eye(d - 1) - turn) / r
-        by_jump[point, inner, inner] = -turn
-        if pressure > 0:  # the bound falls with the traction and with the opening
-            by_force[point, inner, 0] = self.value[row + 1] * direction / r
-            by_jump[point, inner, 0] = self.value[row + 1] * direction
-
-    def size(self, u: Floats, force: Floats) -> tuple[float, float]:
-        """What forces and lengths are measured by."""
-        jump = self.problem.jump @ u
-        work = abs(self.problem.stiffness) @ abs(u)
-        forces = max(abs(self.load).max(), abs(force).max(initial=0.0), 1e-4 * work.max(), 1e-300)
-        contact = self.normal
-        gaps = abs(self.value[contact]).max(initial=0.0)
+    def _size(self, u: Floats, force: Floats, jump: Floats, balance: Floats, law: Floats) -> float:
+        p = self.problem
+        work = self.absolute @ abs(u)
+        forces = max(abs(self.load).max(), abs(force).max(initial=0.0), LOST_DIGITS * work.max(), 1e-300)
+        gaps = abs(self.value[self.normal]).max(initial=0.0)
         lengths = max(abs(jump).max(initial=0.0), abs(u).max(), gaps, abs(self.old).max(initial=0.0), 1e-300)
-        return float(forces), float(lengths)
+        return float(max(abs(balance).max() / forces, abs(law).max(initial=0.0) / lengths))
 
 
-def _blocks(blocks: Floats) -> sparse.csr_matrix:
+def _blocks(blocks: Floats) -> sparse.bsr_matrix:
     """Block diagonal matrix."""
     count, d, _ = blocks.shape
-    row = np.arange(count * d).reshape(count, d, 1) + np.zeros((1, 1, d), dtype=np.int64)
-    column = np.arange(count * d).reshape(count, 1, d) + np.zeros((1, d, 1), dtype=np.int64)
-    return sparse.csr_matrix((blocks.ravel(), (row.ravel(), column.ravel())), (count * d, count * d))
+    return sparse.bsr_matrix((blocks, np.arange(count), np.arange(count + 1)), (count * d, count * d))
 
 
 class _Iteration:
@@ -141,19 +156,14 @@ class _Iteration:
         self.equations = equations
         self.shift = shift
 
-    def residual(self, u: Floats, force: Floats) -> float:
-        balance, law, _, _ = self.equations.evaluate(u, force)
-        forces, lengths = self.equations.size(u, force)
-        return float(max(abs(balance).max() / forces, abs(law).max(initial=0.0) / lengths))
-
-    def direction(self, u: Floats, force: Floats) -> tuple[Floats, Floats]:
+    def _direction(self, at: Residual) -> tuple[Floats, Floats]:
         p = self.equations.problem
-        balance, law, by_jump, by_force = self.equations.evaluate(u, force)
-        size = len(u)
+        size = p.stiffness.shape[0]
         held = sparse.diags(p.stiffness.diagonal() * self.shift[:size])
         loose = sparse.diags(self.shift[size:] / self.equations.r)
-        matrix = sparse.bmat([[p.stiffness + held, p.jump.T], [by_jump @ p.jump, by_force + loose]], format="csc")
-        step = splu(matrix).solve(-np.concatenate([balance, law]))
+        matrix = sparse.bmat([[p.stiffness + held, p.jump.T],
+                              [_blocks(at.by_jump) @ p.jump, _blocks(at.by_force) + loose]], format="csc")
+        step = splu(matrix).solve(-np.concatenate([at.balance, at.law]))
         if not np.isfinite(step).all():
             raise RuntimeError("singular")
         return step[:size], step[size:]
@@ -161,62 +171,67 @@ class _Iteration:
     def run(self, start: State, damped: bool) -> State:
         """Full steps, or steps that must not raise the residual much; the best state on the way."""
         u, force = start.displacement.copy(), start.force.copy()
-        best = State(u.copy(), force.copy(), self.residual(u, force))
+        here = self.equations.evaluate(u, force)
+        best = State(u, force, here.size)
         idle = 0
         for _ in range(MOST_STEPS):
-            try:
-                du, df = self.direction(u, force)
-            except RuntimeError:
-                return best
-            length, here = 1.0, self.residual(u, force)
-            while damped and length > 1e-3 and self.residual(u + length * du, force + length * df) > 1.02 * here:
-                length *= 0.5
-            u, force = u + length * du, force + length * df
-            now = self.residual(u, force)
-            idle = idle + 1 if now > 0.5 * best.residual else 0
-            if now < best.residual:
-                best = State(u.copy(), force.copy(), now)
             if best.residual <= TOLERANCE or (idle >= 3 and best.converged) or idle >= 15:
                 break
+            try:
+                du, df = self._direction(here)
+            except RuntimeError:
+                break
+            length = 1.0
+            there = self.equations.evaluate(u + du, force + df)
+            while damped and length > 1e-3 and there.size > 1.02 * here.size:
+                length *= 0.5
+                there = self.equations.evaluate(u + length * du, force + length * df)
+            u, force, here = u + length * du, force + length * df, there
+            idle = idle + 1 if here.size > 0.5 * best.residual else 0
+            if here.size < best.residual:
+                best = State(u, force, here.size)
         return best
 
 
-def _search(iteration: _Iteration, problem: Problem, step: int, old: Floats, start: State,
-            counts: tuple[int, ...]) -> State:
+def _search(equations: StepEquations, shift: Floats, start: State, count: int) -> State:
+    """Newton from the start, then from where so many iterations of a splitting arrive."""
+    iteration = _Iteration(equations, shift)
     best = iteration.run(start, damped=False)
-    for count in counts:
-        for factor in (0.3, 3.0):
-            if best.converged:
-                return best
-            u, force = split(problem, step, old, start.displacement, start.force, factor, count)
-            for damped in (False, True):
+    for factor in (0.3, 3.0):
+        if best.converged:
+            break
+        u, force = split(equations.problem, equations.step, equations.old, start.displacement, start.force, factor, count)
+        for damped in (False, True):
+            if not best.converged:
                 best = min(best, iteration.run(State(u, force, np.inf), damped), key=lambda s: s.residual)
-                if best.converged:
-                    return best
     return best
 
 
-def solve_step(problem: Problem, step: int, old: Floats, choice: Choice) -> State:
-    """One load step from a start: Newton, damped Newton, and Newton from where a splitting of the problem arrives."""
-    iteration = _Iteration(StepEquations(problem, step, old, choice.penalty), choice.shift)
-    return _search(iteration, problem, step, old, choice.start, (100, 1000))
+@dataclasses.dataclass(frozen=True)
+class Found:
+    """slides: no state was found, and with springs to the ground parts move as far as these are weak."""
+    state: State
+    slides: bool
 
 
-def slides(problem: Problem, step: int, old: Floats, start: State) -> bool:
-    """Whether parts move on without end where no solution was found.
-
-    With weak springs to the ground at every node there is an equilibrium; if it moves away in proportion as the springs
-    get weaker, and they carry the same share of the loads, the joints do not.
-    """
-    shares, ways = [], []
-    for weakness in (1e-4, 1e-6):
-        springs = weakness * problem.stiffness.diagonal()
-        held = dataclasses.replace(problem, stiffness=(problem.stiffness + sparse.diags(springs)).tocsr())
-        equations = StepEquations(held, step, old, 1.0)
-        size = len(start.displacement) + len(start.force)
-        state = _search(_Iteration(equations, np.full(size, SHIFT)), held, step, old, start, (100,))
-        if not state.converged:
-            return False
-        shares.append(abs(springs * state.displacement).max() / equations.size(state.displacement, state.force)[0])
-        ways.append(abs(state.displacement).max())
-    return bool(ways[1] > 30 * ways[0] and shares[1] > 0.3 * shares[0])
+def solve_step(problem: Problem, step: int, old: Floats, choice: Choice) -> Found:
+    """One load step from a start: Newton, a splitting, springs to the ground that fade away, a longer splitting."""
+    equations = StepEquations(problem, step, old, choice.penalty)
+    state = _search(equations, choice.shift, choice.start, 100)
+    if state.converged:
+        return Found(state, False)
+    ways = []
+    from_springs = choice.start
+    for weakness in 10.0 ** np.arange(-2, -9, -1):
+        springs = sparse.diags(weakness * problem.stiffness.diagonal())
+        held = dataclasses.replace(problem, stiffness=(problem.stiffness + springs).tocsr())
+        now = _search(StepEquations(held, step, old, choice.penalty), choice.shift, from_springs, 100)
+        if now.converged:
+            from_springs = now
+            ways.append(abs(now.displacement).max())
+    state = min(state, _Iteration(equations, choice.shift).run(from_springs, False), key=lambda s: s.residual)
+    if state.converged:
+        return Found(state, False)
+    if len(ways) >= 4 and ways[-1] > SLIDING * ways[-2] > SLIDING**2 * ways[-3]:
+        return Found(state, True)
+    return Found(_search(equations, choice.shift, from_springs, 1000), False)

@@ -30,7 +30,7 @@ class History:
 
     def _local(self, field: Floats, joint: str) -> Floats:
         """[step, point, component]"""
-        return field[:, self._rows(joint)].reshape(self.problem.steps, -1, self.problem.dimension)
+        return np.asarray(field[:, self._rows(joint)].reshape(self.problem.steps, -1, self.problem.dimension))
 
     def _global_force(self, joint: str) -> Floats:
         frame = self.problem.frame[self.problem.points[joint]]
@@ -44,22 +44,22 @@ class History:
         nodes, area, _ = nodal_areas(self.scene.mesh, response.target, self.scene.thickness)
         direction = _unit(response.vectors["Direction"])
         moved = self.displacement.reshape(self.problem.steps, -1, self.problem.dimension)[:, nodes] @ direction
-        return moved @ (area / area.sum())
+        return np.asarray(moved @ (area / area.sum()))
 
     def _interface_force(self, response: Response) -> Floats:
-        return self._global_force(response.target).sum(axis=1) @ _unit(response.vectors["Direction"])
+        return np.asarray(self._global_force(response.target).sum(axis=1) @ _unit(response.vectors["Direction"]))
 
     def _bolt_force(self, response: Response) -> Floats:
         normal = self.problem.normal[self.problem.points[response.target]]
-        return np.einsum("spi,pi->s", self._global_force(response.target), normal)
+        return np.asarray(np.einsum("spi,pi->s", self._global_force(response.target), normal))
 
     def _interface_moment(self, response: Response) -> Floats:
         places = self.problem.nodes[self.problem.node1[self.problem.points[response.target]]]
         arm = places - np.array(response.vectors["Centre"])
         force = self._global_force(response.target)
         if self.problem.dimension == 2:
-            return np.einsum("p,sp->s", arm[:, 0], force[:, :, 1]) - np.einsum("p,sp->s", arm[:, 1], force[:, :, 0])
-        return np.cross(arm[None], force).sum(axis=1) @ _unit(response.vectors["Axis"])
+            return np.asarray(force[:, :, 1] @ arm[:, 0] - force[:, :, 0] @ arm[:, 1])
+        return np.asarray(np.cross(arm[None], force).sum(axis=1) @ _unit(response.vectors["Axis"]))
 
     def _maximum(self, response: Response) -> Floats:
         rows = self._rows(response.target)
@@ -75,14 +75,14 @@ class History:
             return np.zeros(self.problem.steps)
         jump = self._local(self.jump, response.target)
         slip = np.diff(jump[:, :, 1:], axis=0, prepend=0.0)
-        return np.cumsum((slip * self._local(self.force, response.target)[:, :, 1:]).sum(axis=(1, 2)))
+        return np.asarray(np.cumsum((slip * self._local(self.force, response.target)[:, :, 1:]).sum(axis=(1, 2))))
 
     _EVALUATE = {"Mean Displacement": _mean_displacement, "Interface Force": _interface_force,
                  "Bolt Force": _bolt_force, "Interface Moment": _interface_moment, "Maximum": _maximum,
                  "Dissipation": _dissipation}
 
     def floor(self, response: Response) -> float:
-        """The least size by which an error of this response is measured; one digit of docs/method/constants.md each."""
+        """The least size by which an error of this response is measured, see NaturalSizes."""
         p = self.problem
         node = np.linalg.norm(self.displacement.reshape(p.steps, -1, p.dimension), axis=2).max(initial=0.0)
         sides = np.where(np.repeat(p.node2, p.dimension) >= 0, 2, 1)
@@ -109,4 +109,4 @@ class History:
 
 def _unit(vector: tuple[float, ...]) -> Floats:
     array = np.array(vector)
-    return array / np.linalg.norm(array)
+    return np.asarray(array / np.linalg.norm(array))

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..scenes.mesh import Floats
 from ..scenes.scene import Scene
-from .newton import SHIFT, Choice, State, slides, solve_step
+from .newton import SHIFT, Choice, State, solve_step
 from .problem import Problem, assemble
 from .responses import History
 from .statics import Verdict, statics
@@ -81,13 +81,13 @@ class _March:
         for step in range(self.problem.steps):
             for start in self._starts(step, state):
                 found = solve_step(self.problem, step, old, Choice(self.shift, self.penalty, start))
-                if found.converged:
+                self.slides = found.slides
+                if found.state.converged or found.slides:
                     break
-            else:
+            if not found.state.converged:
                 self.failed_step = step
-                self.slides = not self.uneven and slides(self.problem, step, old, state)
                 return None
-            state = found
+            state = found.state
             displacements.append(state.displacement)
             forces.append(state.force)
             old = self.problem.jump @ state.displacement

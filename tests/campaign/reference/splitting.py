@@ -30,7 +30,7 @@ class _Cones:
         size = np.linalg.norm(force[:, 1:], axis=1)
         bound = -self.friction * force[:, 0]
         force[:, 1:] *= np.where(size > bound, bound / np.maximum(size, 1e-300), 1.0)[:, None]
-        return force
+        return np.asarray(force)
 
 
 def split(problem: Problem, step: int, old: Floats, u: Floats, force: Floats, factor: float,

@@ -41,13 +41,15 @@ class Verdict:
 def _generators(problem: Problem, step: int, outer: bool) -> tuple[sparse.csr_matrix, list[tuple[float | None, None]]]:
     """Nodal forces in local components as combinations of columns, and the bounds of their factors."""
     d = problem.dimension
-    rows, columns, entries = [], [], []
+    rows: list[int] = []
+    columns: list[int] = []
+    entries: list[float] = []
     bounds: list[tuple[float | None, None]] = []
 
     def add(row: int, values: Floats, least: float | None) -> None:
         rows.extend(range(row, row + len(values)))
         columns.extend([len(bounds)] * len(values))
-        entries.extend(values)
+        entries.extend(values.tolist())
         bounds.append((least, None))
 
     value = problem.value[step]

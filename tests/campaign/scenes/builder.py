@@ -69,7 +69,7 @@ class Builder:
     def press(self, name: str, part: str, axis: int, end: int, history: Floats, *ranges: tuple[int, int]) -> None:
         """Pressure [step] on flat faces."""
         size = float(abs(history).max())
-        self.support(name, part, axis, end, Law("Pressure", {"Pressure": Varying(size, vector(history / size))}), *ranges)
+        self.support(name, part, axis, end, Law("Pressure", {"Pressure": Varying(size, vector((history / size).tolist()))}), *ranges)
 
     def weigh(self, histories: Floats, parts: Sequence[str] = ()) -> None:
         """Body force [step, axis of the lattice] of the parts, none named: of all."""
@@ -89,7 +89,7 @@ class Builder:
 
     def _direction(self) -> tuple[float, ...]:
         direction = self.draw.random.standard_normal(self.dimension)
-        return vector(direction / np.linalg.norm(direction))
+        return vector((direction / np.linalg.norm(direction)).tolist())
 
     def _responses_of(self, joint: Joint) -> list[Response]:
         if joint.law.type in ("Prescribed Traction", "Pressure"):

@@ -61,20 +61,19 @@ class Draw:
 
     def steady(self) -> Floats:
         """A history that is never below a third of its end, one factor per step."""
-        return np.clip(1 + 0.3 * self.random.standard_normal(self.steps), 0.35, 2.0)
+        return np.asarray(np.clip(1 + 0.3 * self.random.standard_normal(self.steps), 0.35, 2.0))
 
     def changing(self) -> Floats:
         """A history that grows, goes to and fro, or jumps about, with either sign."""
         if self.steps == 1:
             return np.ones(1)
         place = np.arange(1, self.steps + 1) / self.steps
-        match self.count(0, 2):
-            case 0:
-                return place
-            case 1:
-                return np.sin(2 * np.pi * place * self.between(0.5, 1.2)) + 1e-3
-            case _:
-                return self.random.uniform(-1, 1, self.steps)
+        kind = self.count(0, 2)
+        if kind == 0:
+            return place
+        if kind == 1:
+            return np.asarray(np.sin(2 * np.pi * place * self.between(0.5, 1.2)) + 1e-3)
+        return self.random.uniform(-1, 1, self.steps)
 
     def number(self, value: float) -> Number:
         """Mostly the value itself, sometimes with a history."""
@@ -97,27 +96,26 @@ class Draw:
         """Of springs per area, from 10^low to 10^high times modulus over size."""
         return self.base / self.length * self.magnitude(low, high)
 
-    def contact(self) -> Law:
-        """Contact with or without friction."""
-        if self.chance(0.3):
+    def contact(self, rough: float = 0.7) -> Law:
+        """Contact; rough: how often it has friction."""
+        if not self.chance(rough):
             return Law("Unilateral Contact", {"Gap": self.gap()})
         return Law("Coulomb Friction", {"Friction Coefficient": self.number(self.friction()), "Gap": self.gap()})
 
     def bond(self) -> Law:
         """A joint that does not open."""
-        match self.count(0, 4):
-            case 0 if self.perfect:
-                return Law("Perfect")
-            case 1 if self.perfect and self.overlaps:
-                jump = self.strain * self.length * self.between(-0.5, 1.0)
-                return Law("Preload Jump", {"Jump": self.number(jump)})
-            case _:
-                return Law("Linear Elastic", {"Normal Stiffness": self.number(self.stiffness(-1, 3)),
-                                              "Tangential Stiffness": self.number(self.stiffness(-1, 3))})
+        kind = self.count(0, 4)
+        if kind == 0 and self.perfect:
+            return Law("Perfect")
+        if kind == 1 and self.perfect and self.overlaps:
+            jump = self.strain * self.length * self.between(-0.5, 1.0)
+            return Law("Preload Jump", {"Jump": self.number(jump)})
+        return Law("Linear Elastic", {"Normal Stiffness": self.number(self.stiffness(-1, 3)),
+                                      "Tangential Stiffness": self.number(self.stiffness(-1, 3))})
 
-    def law(self, bonded: float = 0.35) -> Law:
-        """Of an interface; bonded: how often it is a bond."""
-        return self.bond() if self.chance(bonded) else self.contact()
+    def law(self, bonded: float = 0.35, rough: float = 0.7) -> Law:
+        """Of an interface; bonded: how often it is a bond; rough: how often a contact has friction."""
+        return self.bond() if self.chance(bonded) else self.contact(rough)
 
     def foundation(self, low: float, high: float) -> Law:
         """Springs to the ground."""

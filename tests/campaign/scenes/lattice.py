@@ -130,7 +130,7 @@ class Lattice:
                 other = self._owner.get(self._neighbour(cell, axis, 1))
                 if other is not None and other != owner:
                     planes[owner, other, axis, cell[axis]].append(cell)
-        result = []
+        result: list[Contact] = []
         for (part1, part2, axis, index), cells in planes.items():
             name = f"j{len(result)}"
             self.mesh.side_sets[name + "_1"] = [s for c in cells for s in self._sides[c, axis, 1]]

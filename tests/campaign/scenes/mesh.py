@@ -50,6 +50,6 @@ class Mesh:
         first = 0
         for block in self.blocks:
             if side.element < first + len(block.nodes):
-                return block.nodes[side.element - first][list(SIDES[block.type][side.side])]
+                return np.asarray(block.nodes[side.element - first][list(SIDES[block.type][side.side])])
             first += len(block.nodes)
         raise IndexError(f"there is no element {side.element}")

@@ -53,10 +53,13 @@ def stack(draw: Draw) -> Scene:
         lattice.fill(f"block{block}", (int(edges[left]), int(edges[right])), (row, row + height))
         row += height
     builder = Builder(draw, lattice)
-    builder.join(lambda _: draw.law())
+    builder.join(lambda _: draw.law(0.35, rough=0.85))
     _support_below(draw, builder, "block0")
+    for block in range(1, blocks):
+        if draw.chance(0.5):
+            builder.support(f"side{block}", f"block{block}", 0, 1, draw.foundation(-4, 0))
     top = f"block{blocks - 1}"
-    shear = draw.load * draw.magnitude(-1.5, 0) * draw.changing()
+    shear = draw.load * draw.magnitude(-2, -0.3) * draw.changing()
     builder.pull("load", top, 1, 1, lift(draw, dimension, -draw.load * draw.steady(), shear))
     return builder.finish()
 
