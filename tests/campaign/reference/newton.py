@@ -193,6 +193,14 @@ class _Iteration:
         return best
 
 
+def forces_for(problem: Problem, step: int, displacement: Floats) -> Floats:
+    """The smallest nodal forces that balance the parts as well as any at given displacements."""
+    missing = problem.loads[step] - problem.stiffness @ displacement
+    square = problem.jump @ problem.jump.T
+    matrix = (square + sparse.diags(np.full(square.shape[0], 1e-9))).tocsc()
+    return np.asarray(splu(matrix).solve(problem.jump @ missing))
+
+
 def _search(equations: StepEquations, shift: Floats, start: State, count: int) -> State:
     """Newton from the start, then from where so many iterations of a splitting arrive."""
     iteration = _Iteration(equations, shift)

@@ -103,8 +103,9 @@ class History:
         return float(force)
 
     def size(self, response: Response) -> float:
-        """What an error of this response is relative to."""
-        return float(max(abs(self.response(response)).max(), self.floor(response)))
+        """What an error of this response is relative to; the floor twice, for Harmos counts in it how far the loads would
+        move bodies that nothing but the search direction holds."""
+        return float(max(abs(self.response(response)).max(), 2 * self.floor(response)))
 
 
 def _unit(vector: tuple[float, ...]) -> Floats:

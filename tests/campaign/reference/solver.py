@@ -8,13 +8,15 @@ import numpy as np
 
 from ..scenes.mesh import Floats
 from ..scenes.scene import Scene
-from .newton import SHIFT, Choice, State, solve_step
+from .newton import SHIFT, Choice, State, forces_for, solve_step
 from .problem import Problem, assemble
 from .responses import History
 from .statics import Verdict, statics
 
 # Two ways to an answer that differ by more, relative to its size, have found two answers.
 SAME = 1e-6
+# Slip below this share of the largest jump is none.
+AT_REST = 1e-9
 # Tried when one of the ways fails.
 MORE_WAYS = 2
 
@@ -49,8 +51,29 @@ class Answer:
         return [name for name, spread in self.spread.items() if spread <= SAME]
 
 
+def follow(answer: Answer, displacement: Floats) -> Answer:
+    """The answer with one more way: that of an equilibrium next to given displacements [step, dof], if there is one."""
+    first = answer.histories[0]
+    scene, problem = first.scene, first.problem
+    if displacement.shape != first.displacement.shape:
+        return answer
+    shift = np.full(problem.stiffness.shape[0] + len(problem.kind), SHIFT)
+    old = np.zeros(len(problem.kind))
+    displacements, forces = [], []
+    for step, u in enumerate(displacement):
+        start = State(u, forces_for(problem, step, u), np.inf)
+        state = solve_step(problem, step, old, Choice(shift, 1.0, start)).state
+        if not state.converged:
+            return answer
+        displacements.append(state.displacement)
+        forces.append(state.force)
+        old = problem.jump @ state.displacement
+    found = History(scene, problem, np.array(displacements), np.array(forces))
+    return _compare(scene, [found, *answer.histories], answer.verdicts)
+
+
 class _March:
-    """All load steps by one way; seed 0: from rest, with an even shift; others: uneven, from contact everywhere."""
+    """All load steps by one way; seed 0: from rest, with an even shift; others: uneven, from sticking everywhere."""
 
     def __init__(self, scene: Scene, problem: Problem, seed: int) -> None:
         self.scene = scene
@@ -66,11 +89,29 @@ class _March:
     def _starts(self, step: int, state: State) -> list[State]:
         if not self.uneven:
             return [state]
-        size = abs(self.problem.loads[step]).max() + abs(state.force).max(initial=0.0)
-        normal = self.problem.contact_points * self.problem.dimension
+        p = self.problem
+        size = abs(p.loads[step]).max() + abs(state.force).max(initial=0.0)
+        normal = p.contact_points * p.dimension
         force = state.force.copy()
         force[normal] -= size * self.random.uniform(0.5, 1.5, len(normal))
+        for axis in range(1, p.dimension):  # sticking with friction that is not needed, where it costs nothing
+            force[normal + axis] = 0.7 * p.friction[step] * force[normal] * self.random.uniform(-1, 1, len(normal))
         return [State(state.displacement, force, np.inf), state]
+
+    def _stirred(self, step: int, old: Floats, state: State) -> State:
+        """The state with other friction at points that do not slip, solved again: the same where it is determined."""
+        p, d = self.problem, self.problem.dimension
+        jump = p.jump @ state.displacement
+        rows = p.contact_points * d
+        slip = np.linalg.norm((jump - old).reshape(-1, d)[p.contact_points, 1:], axis=1)
+        rests = slip <= AT_REST * abs(jump).max(initial=0.0)
+        force = state.force.copy()
+        for axis in range(1, d):
+            free = 0.7 * p.friction[step] * abs(force[rows]) * self.random.uniform(-1, 1, len(rows))
+            force[rows + axis] = np.where(rests, free, force[rows + axis])
+        start = State(state.displacement, force, np.inf)
+        found = solve_step(p, step, old, Choice(self.shift, self.penalty, start))
+        return found.state if found.state.converged else state
 
     def run(self) -> History | None:
         """The fields; none when a step fails."""
@@ -87,7 +128,7 @@ class _March:
             if not found.state.converged:
                 self.failed_step = step
                 return None
-            state = found.state
+            state = self._stirred(step, old, found.state) if self.uneven else found.state
             displacements.append(state.displacement)
             forces.append(state.force)
             old = self.problem.jump @ state.displacement

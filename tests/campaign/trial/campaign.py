@@ -8,11 +8,12 @@ import statistics
 import time
 from collections.abc import Iterable
 
-from ..reference.solver import solve
+from ..reference.solver import follow, solve
 from ..scenes.classes import make_scene
 from ..scenes.scene_file import write_scene
+from .fields import read_displacements
 from .program import run_harmos
-from .verdict import FORBIDDEN, MOST_MISSED, Judgement, Verdict, judge
+from .verdict import FORBIDDEN, MOST_MISSED, Judgement, Verdict, judge, judge_again
 
 # Below, a true error is round-off and its ratio to the estimate says nothing.
 LEAST_ERROR = 1e-9
@@ -36,7 +37,11 @@ def try_scene(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path,
     place = folder / f"{name}_{seed}"
     run = run_harmos(program, write_scene(scene, place), limit)
     start = time.monotonic()
-    judgement = judge(scene, run, solve(scene))
+    answer = solve(scene)
+    judgement = judge(scene, run, answer)
+    if judgement.verdict is Verdict.WRONG and answer.histories:
+        near = follow(answer, read_displacements(place / "results" / "scene.e", scene.mesh))
+        judgement = judge_again(scene, run, near, judgement)
     if judgement.verdict in (Verdict.RIGHT, Verdict.EQUILIBRIUM_RIGHT, Verdict.NOT_DETERMINED_SAID):
         shutil.rmtree(place)
     return Trial(name, seed, len(scene.mesh.nodes), run.stages, run.seconds, time.monotonic() - start, judgement)
@@ -72,7 +77,8 @@ def _figures(trials: list[Trial]) -> Iterable[str]:
 def report(trials: list[Trial]) -> tuple[str, bool]:
     """The table, the figures, every scene that is not as it should be, and whether the goals are met."""
     lines = [table(trials), "", *_figures(trials), ""]
-    good = (Verdict.RIGHT, Verdict.EQUILIBRIUM_RIGHT, Verdict.NOT_DETERMINED_SAID, Verdict.NOT_DETERMINED_CERTIFIED)
+    good = (Verdict.RIGHT, Verdict.OTHER, Verdict.EQUILIBRIUM_RIGHT, Verdict.NOT_DETERMINED_SAID,
+            Verdict.NOT_DETERMINED_CERTIFIED)
     for trial in sorted(trials, key=lambda t: t.judgement.verdict.value):
         if trial.judgement.verdict not in good:
             lines.append(f"{trial.name} {trial.seed}: {trial.judgement.verdict.value}; {trial.judgement.detail}")

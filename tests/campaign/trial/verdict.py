@@ -15,6 +15,7 @@ class Verdict(enum.Enum):
     RIGHT = "certified and right"
     WRONG = "certified and WRONG"
     REFUSED = "refused although determined"
+    OTHER = "certified, another solution of friction"
     EQUILIBRIUM_RIGHT = "exit 4, right"
     EQUILIBRIUM_WRONG = "exit 4, WRONG"
     EQUILIBRIUM_MISSED = "no equilibrium, missed"
@@ -65,6 +66,15 @@ def _of_certified(scene: Scene, run: Run, answer: Answer) -> Judgement:
         return Judgement(Verdict.RIGHT, error, estimate, detail)
     said = "unique" in run.status or "unique" in run.reason or "determined" in run.reason
     return Judgement(Verdict.NOT_DETERMINED_SAID if said else Verdict.NOT_DETERMINED_CERTIFIED, error, estimate, detail)
+
+
+def judge_again(scene: Scene, run: Run, answer: Answer, judgement: Judgement) -> Judgement:
+    """A second look at what seems wrong, with an answer that includes the equilibrium next to what Harmos found."""
+    errors = true_errors(run, answer)
+    worst = max(errors.values(), default=math.inf)
+    if len(answer.determined) < len(answer.values) and worst <= scene.accuracy:
+        return dataclasses.replace(judgement, verdict=Verdict.OTHER, error=math.nan)
+    return judgement
 
 
 def judge(scene: Scene, run: Run, answer: Answer) -> Judgement:
