@@ -15,7 +15,7 @@ from .statics import Verdict, statics
 
 # Two ways to an answer that differ by more, relative to its size, have found two answers.
 SAME = 1e-6
-# Slip below this share of the largest jump is none.
+# Slip and openings below this share of the largest jump are none.
 AT_REST = 1e-9
 # Tried when one of the ways fails.
 MORE_WAYS = 2
@@ -99,13 +99,17 @@ class _March:
         return [State(state.displacement, force, np.inf), state]
 
     def _stirred(self, step: int, old: Floats, state: State) -> State:
-        """The state with other friction at points that do not slip, solved again: the same where it is determined."""
+        """The state with other pressure where contacts just touch, other friction where they do not slip, solved again:
+        the same where it is determined."""
         p, d = self.problem, self.problem.dimension
         jump = p.jump @ state.displacement
         rows = p.contact_points * d
         slip = np.linalg.norm((jump - old).reshape(-1, d)[p.contact_points, 1:], axis=1)
         rests = slip <= AT_REST * abs(jump).max(initial=0.0)
+        touches = abs(jump[rows] + p.value[step][rows]) <= AT_REST * abs(jump).max(initial=0.0)
         force = state.force.copy()
+        more = 0.1 * abs(force).max(initial=0.0) * self.random.uniform(0, 1, len(rows))
+        force[rows] -= np.where(touches, more, 0.0)
         for axis in range(1, d):
             free = 0.7 * p.friction[step] * abs(force[rows]) * self.random.uniform(-1, 1, len(rows))
             force[rows + axis] = np.where(rests, free, force[rows + axis])
