@@ -34,7 +34,7 @@ class History:
 
     def _global_force(self, joint: str) -> Floats:
         frame = self.problem.frame[self.problem.points[joint]]
-        return np.einsum("spc,pci->spi", self._local(self.force, joint), frame)
+        return np.asarray(np.einsum("spc,pci->spi", self._local(self.force, joint), frame))
 
     def response(self, response: Response) -> Floats:
         """One value per load step."""
@@ -68,7 +68,7 @@ class History:
         field = {"Contact Pressure": -stress[:, :, 0], "Normal Traction": abs(stress[:, :, 0]),
                  "Tangential Traction": np.linalg.norm(stress[:, :, 1:], axis=2), "Opening": jump[:, :, 0],
                  "Slip": np.linalg.norm(jump[:, :, 1:], axis=2)}[response.field]
-        return np.maximum(0.0, field.max(axis=1))
+        return np.asarray(np.maximum(0.0, field.max(axis=1)))
 
     def _dissipation(self, response: Response) -> Floats:
         if self.scene.joint(response.target).law.type not in DISSIPATIVE:
