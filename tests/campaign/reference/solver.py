@@ -79,6 +79,7 @@ class _March:
         self.scene = scene
         self.problem = problem
         self.random = np.random.default_rng(seed)
+        self.seed = seed
         self.uneven = seed > 0
         size = problem.stiffness.shape[0] + len(problem.kind)
         self.shift = SHIFT * (self.random.uniform(0.2, 5.0, size) if self.uneven else np.ones(size))
@@ -99,8 +100,8 @@ class _March:
         return [State(state.displacement, force, np.inf), state]
 
     def _stirred(self, step: int, old: Floats, state: State) -> State:
-        """The state with other pressure where contacts just touch, other friction where they do not slip, solved again:
-        the same where it is determined."""
+        """The state with other pressure where contacts just touch, or other friction where they do not slip, solved
+        again: the same where it is determined. Not both, lest one undoes the other."""
         p, d = self.problem, self.problem.dimension
         jump = p.jump @ state.displacement
         rows = p.contact_points * d
@@ -108,11 +109,13 @@ class _March:
         rests = slip <= AT_REST * abs(jump).max(initial=0.0)
         touches = abs(jump[rows] + p.value[step][rows]) <= AT_REST * abs(jump).max(initial=0.0)
         force = state.force.copy()
-        more = 0.1 * abs(force).max(initial=0.0) * self.random.uniform(0, 1, len(rows))
-        force[rows] -= np.where(touches, more, 0.0)
-        for axis in range(1, d):
-            free = 0.7 * p.friction[step] * abs(force[rows]) * self.random.uniform(-1, 1, len(rows))
-            force[rows + axis] = np.where(rests, free, force[rows + axis])
+        if self.seed % 2:
+            more = 0.1 * abs(force).max(initial=0.0) * self.random.uniform(0, 1, len(rows))
+            force[rows] -= np.where(touches, more, 0.0)
+        else:
+            for axis in range(1, d):
+                free = 0.7 * p.friction[step] * abs(force[rows]) * self.random.uniform(-1, 1, len(rows))
+                force[rows + axis] = np.where(rests, free, force[rows + axis])
         start = State(state.displacement, force, np.inf)
         found = solve_step(p, step, old, Choice(self.shift, self.penalty, start))
         return found.state if found.state.converged else state
@@ -150,7 +153,7 @@ def _compare(scene: Scene, histories: list[History], verdicts: list[Verdict]) ->
     return Answer(Outcome.SOLVED, histories, values, sizes, spread, None, verdicts)
 
 
-def solve(scene: Scene, ways: int = 2) -> Answer:
+def solve(scene: Scene, ways: int = 3) -> Answer:
     """Solves a scene by several ways; where none succeeds, statics says whether one could."""
     problem = assemble(scene)
     verdicts = [statics(problem, step) for step in range(problem.steps)]
