@@ -10,7 +10,8 @@ from .mesh import Floats
 from .piles import lift
 from .scene import Law, Scene
 
-LARGEST_TURN = np.pi / 18  # between neighbouring faces of curved joints, far below any crease
+# Cells around a ring: where one turns in another, and else at least; neighbouring faces are far from a crease.
+FINE, COARSE = 36, 12
 
 
 def rings(draw: Draw) -> Scene:
@@ -20,7 +21,7 @@ def rings(draw: Draw) -> Scene:
     if nested:
         draw.crossing()
     segments = draw.count(2, 6)
-    around = int(np.ceil(2 * np.pi / LARGEST_TURN)) if nested else segments * draw.count(3, 5)
+    around = FINE if nested else segments * max(draw.count(3, 5), -(-COARSE // segments))
     lines = [cells([1.0], [around]), cells([0.2 * length] * (2 if nested else 1), [1] * (2 if nested else 1))]
     if not nested and draw.chance(0.5):
         lines[1] = cells([0.2 * length], [2])
