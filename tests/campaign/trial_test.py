@@ -49,7 +49,7 @@ class Judging(unittest.TestCase):
 
     def test_other_endings(self) -> None:
         self.expect(Verdict.REFUSED, run(Ending.NOT_CONVERGED), answer())
-        self.expect(Verdict.NOT_DETERMINED_SAID, run(Ending.NOT_CONVERGED), answer(spread=0.1))
+        self.expect(Verdict.NOT_DETERMINED_REFUSED, run(Ending.NOT_CONVERGED), answer(spread=0.1))
         self.expect(Verdict.EQUILIBRIUM_WRONG, run(Ending.NO_EQUILIBRIUM), answer())
         self.expect(Verdict.EQUILIBRIUM_RIGHT, run(Ending.NO_EQUILIBRIUM), answer(Outcome.NO_EQUILIBRIUM))
         self.expect(Verdict.EQUILIBRIUM_MISSED, run(Ending.NOT_CONVERGED), answer(Outcome.NO_EQUILIBRIUM))

@@ -17,6 +17,8 @@ from .verdict import FORBIDDEN, MOST_MISSED, Judgement, Verdict, judge, judge_ag
 
 # Below, a true error is round-off and its ratio to the estimate says nothing.
 LEAST_ERROR = 1e-9
+# Of scenes with these verdicts nothing more is said.
+EXPECTED = (Verdict.RIGHT, Verdict.EQUILIBRIUM_RIGHT, Verdict.NOT_DETERMINED_SAID, Verdict.NOT_DETERMINED_CERTIFIED)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -42,7 +44,7 @@ def try_scene(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path,
     if judgement.verdict is Verdict.WRONG and answer.histories:
         near = follow(answer, read_displacements(place / "results" / "scene.e", scene.mesh))
         judgement = judge_again(scene, run, near, judgement)
-    if judgement.verdict in (Verdict.RIGHT, Verdict.EQUILIBRIUM_RIGHT, Verdict.NOT_DETERMINED_SAID):
+    if judgement.verdict in EXPECTED:
         shutil.rmtree(place)
     return Trial(name, seed, len(scene.mesh.nodes), run.stages, run.seconds, time.monotonic() - start, judgement)
 
@@ -64,9 +66,9 @@ def table(trials: list[Trial]) -> str:
 
 def _figures(trials: list[Trial]) -> Iterable[str]:
     ratios = [trial.judgement.estimate / trial.judgement.error for trial in trials
-              if trial.judgement.error > LEAST_ERROR and trial.judgement.estimate > 0]
+              if trial.judgement.error > LEAST_ERROR and trial.judgement.verdict in EXPECTED]
     if ratios:
-        yield f"estimate / true error: least {min(ratios):.2f}, median {statistics.median(ratios):.2f} of {len(ratios)}"
+        yield f"estimate / true error where right: least {min(ratios):.2f}, median {statistics.median(ratios):.2f} of {len(ratios)}"
     stages = [trial.stages for trial in trials if trial.judgement.verdict is Verdict.RIGHT]
     if stages:
         yield f"linear stages, certified and right: sum {sum(stages)}, median {statistics.median(stages):g}, most {max(stages)}"
@@ -77,10 +79,8 @@ def _figures(trials: list[Trial]) -> Iterable[str]:
 def report(trials: list[Trial]) -> tuple[str, bool]:
     """The table, the figures, every scene that is not as it should be, and whether the goals are met."""
     lines = [table(trials), "", *_figures(trials), ""]
-    good = (Verdict.RIGHT, Verdict.OTHER, Verdict.EQUILIBRIUM_RIGHT, Verdict.NOT_DETERMINED_SAID,
-            Verdict.NOT_DETERMINED_CERTIFIED)
     for trial in sorted(trials, key=lambda t: t.judgement.verdict.value):
-        if trial.judgement.verdict not in good:
+        if trial.judgement.verdict not in EXPECTED:
             lines.append(f"{trial.name} {trial.seed}: {trial.judgement.verdict.value}; {trial.judgement.detail}")
     by_verdict = dict(zip(Verdict, _counts(trials)))
     lost = by_verdict[Verdict.EQUILIBRIUM_RIGHT] + by_verdict[Verdict.EQUILIBRIUM_MISSED]

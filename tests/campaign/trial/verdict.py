@@ -19,7 +19,8 @@ class Verdict(enum.Enum):
     EQUILIBRIUM_RIGHT = "exit 4, right"
     EQUILIBRIUM_WRONG = "exit 4, WRONG"
     EQUILIBRIUM_MISSED = "no equilibrium, missed"
-    NOT_DETERMINED_SAID = "not determined, said or refused"
+    NOT_DETERMINED_SAID = "not determined in part, said so"
+    NOT_DETERMINED_REFUSED = "not determined in part, refused"
     NOT_DETERMINED_CERTIFIED = "not determined in part, rest right"
     CRASHED = "crash"
     HUNG = "hang"
@@ -103,4 +104,4 @@ def judge(scene: Scene, run: Run, answer: Answer) -> Judgement:
         return _of_certified(scene, run, answer)
     if run.ending is Ending.NO_EQUILIBRIUM:
         return plain(Verdict.EQUILIBRIUM_WRONG)
-    return plain(Verdict.REFUSED if len(answer.determined) == len(answer.values) else Verdict.NOT_DETERMINED_SAID)
+    return plain(Verdict.REFUSED if len(answer.determined) == len(answer.values) else Verdict.NOT_DETERMINED_REFUSED)
