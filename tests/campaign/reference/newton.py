@@ -17,12 +17,14 @@ from .laws import Kind
 from .problem import Problem
 from .splitting import split
 
-SHIFT = 1e-11
+SHIFT = 1e-12
 # Of residuals: relative to the forces that act, and to the jumps and gaps.
 TOLERANCE = 1e-11
 MOST_STEPS = 40
-# Of the sum of absolute terms in a row of equilibrium, this is lost to round-off at TOLERANCE.
-LOST_DIGITS = 1e-4
+# Where bodies have moved far, K u is a difference of large numbers: so many times these count as forces, which makes
+# the tolerance their round-off; but what is missing to equilibrium is never more than TOLERANCE over LEAST_SHARE.
+LOST_DIGITS = 1e-5
+LEAST_SHARE = 1e-3
 # With springs ten times weaker, parts that nothing stops move ten times as far; those that weak joints hold do not.
 SLIDING = 8.0
 
@@ -139,10 +141,12 @@ class StepEquations:
     def _size(self, u: Floats, force: Floats, jump: Floats, balance: Floats, law: Floats) -> float:
         p = self.problem
         work = self.absolute @ abs(u)
-        forces = max(abs(self.load).max(), abs(force).max(initial=0.0), LOST_DIGITS * work.max(), 1e-300)
+        acting = max(abs(self.load).max(), abs(force).max(initial=0.0), 1e-300)
+        forces = max(acting, LOST_DIGITS * work.max())
+        missing = abs(balance).max()
         gaps = abs(self.value[self.normal]).max(initial=0.0)
         lengths = max(abs(jump).max(initial=0.0), abs(u).max(), gaps, abs(self.old).max(initial=0.0), 1e-300)
-        return float(max(abs(balance).max() / forces, abs(law).max(initial=0.0) / lengths))
+        return float(max(missing / forces, LEAST_SHARE * missing / acting, abs(law).max(initial=0.0) / lengths))
 
 
 def _blocks(blocks: Floats) -> sparse.bsr_matrix:
@@ -230,7 +234,7 @@ def solve_step(problem: Problem, step: int, old: Floats, choice: Choice) -> Foun
         return Found(state, False)
     ways = []
     from_springs = choice.start
-    for weakness in 10.0 ** np.arange(-2, -9, -1):
+    for weakness in 10.0 ** np.arange(-2, -11, -1):
         springs = sparse.diags(weakness * problem.stiffness.diagonal())
         held = dataclasses.replace(problem, stiffness=(problem.stiffness + springs).tocsr())
         now = _search(StepEquations(held, step, old, choice.penalty), choice.shift, from_springs, 100)

@@ -171,6 +171,8 @@ def solve(scene: Scene, ways: int = 3) -> Answer:
             return Answer(Outcome.SLIDES, [], {}, {}, {}, march.failed_step, verdicts)
         else:
             failed = march.failed_step
+        if seed > 0 and not histories:
+            break
         if len(histories) == ways:
             return _compare(scene, histories, verdicts)
     return Answer(Outcome.UNKNOWN, histories, {}, {}, {}, failed, verdicts)
