@@ -44,7 +44,7 @@ def coulomb(friction: float, gap: float = 0.0) -> Law:
 
 
 class ClosedForms(unittest.TestCase):
-    def close(self, answer: Answer, name: str, expected: list[float], digits: int = 11) -> None:
+    def close(self, answer: Answer, name: str, expected: list[float], digits: int = 10) -> None:
         self.assertIs(answer.outcome, Outcome.SOLVED)
         np.testing.assert_allclose(answer.values[name], expected, rtol=0, atol=10.0**-digits, err_msg=name)
 

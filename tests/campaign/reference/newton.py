@@ -75,6 +75,8 @@ class StepEquations:
         d = problem.dimension
         self.normal = problem.contact_points * d
         self.rough = self.normal[problem.kind[self.normal + 1] == Kind.FRICTION]
+        given = np.isin(problem.kind, (Kind.TIED, Kind.CONTACT))  # prescribed jumps and gaps [length], as forces
+        self.imposed = float(abs(self.r * self.value)[given].max(initial=0.0))
         self.simple = {kind: np.flatnonzero(problem.kind == kind) for kind in (Kind.FREE, Kind.TIED, Kind.SPRING)}
 
     def _contact(self, rows: Integers, jump: Floats, force: Floats) -> tuple[Floats, Floats]:
@@ -141,7 +143,7 @@ class StepEquations:
     def _size(self, u: Floats, force: Floats, jump: Floats, balance: Floats, law: Floats) -> float:
         p = self.problem
         work = self.absolute @ abs(u)
-        acting = max(abs(self.load).max(), abs(force).max(initial=0.0), 1e-300)
+        acting = max(abs(self.load).max(), abs(force).max(initial=0.0), 1e-6 * self.imposed, 1e-300)
         forces = max(acting, LOST_DIGITS * work.max())
         missing = abs(balance).max()
         gaps = abs(self.value[self.normal]).max(initial=0.0)
