@@ -84,7 +84,8 @@ class History:
     def floor(self, response: Response) -> float:
         """The least size by which an error of this response is measured, see NaturalSizes."""
         p = self.problem
-        node = np.linalg.norm(self.displacement.reshape(p.steps, -1, p.dimension), axis=2).max(initial=0.0)
+        # Twice, for Harmos counts how far loads would move bodies that nothing but the search direction holds, too.
+        node = 2 * np.linalg.norm(self.displacement.reshape(p.steps, -1, p.dimension), axis=2).max(initial=0.0)
         sides = np.where(np.repeat(p.node2, p.dimension) >= 0, 2, 1)
         forces = (sides * abs(self.force)).sum(axis=1).max(initial=0.0)
         springs = (sides * SEARCH_DIRECTION * p.spring * abs(self.jump)).sum(axis=1).max(initial=0.0)
@@ -103,9 +104,8 @@ class History:
         return float(force)
 
     def size(self, response: Response) -> float:
-        """What an error of this response is relative to; the floor twice, for Harmos counts in it how far the loads would
-        move bodies that nothing but the search direction holds."""
-        return float(max(abs(self.response(response)).max(), 2 * self.floor(response)))
+        """What an error of this response is relative to."""
+        return float(max(abs(self.response(response)).max(), self.floor(response)))
 
 
 def _unit(vector: tuple[float, ...]) -> Floats:
