@@ -28,7 +28,7 @@ def _print_answer(scene: Scene, answer: Answer) -> None:
     print(f"{len(scene.mesh.nodes)} nodes, {scene.steps} steps, accuracy {scene.accuracy:g}: {answer.outcome.value}"
           + ("" if answer.failed_step is None else f" at step {answer.failed_step + 1}"))
     print("share of the loads that statics leaves unbalanced:",
-          " ".join(f"{verdict.outer:.1e}" for verdict in answer.verdicts))
+          " ".join(f"{balance.outer:.1e}" for balance in answer.balances))
     for name, values in answer.values.items():
         print(f"  {name:24} spread {answer.spread[name]:.0e}  " + " ".join(f"{value:.9e}" for value in values))
 

@@ -11,7 +11,7 @@ from ..scenes.scene import Scene
 from .newton import SHIFT, Choice, State, forces_for, solve_step
 from .problem import Problem, assemble
 from .responses import History
-from .statics import Verdict, statics
+from .statics import Balance, statics
 
 # Two ways to an answer that differ by more, relative to its size, have found two answers.
 SAME = 1e-6
@@ -35,7 +35,7 @@ class Answer:
 
     histories: the fields by several ways, of which the first one counts. values: per response [step]. sizes: by which
     errors are measured. spread: largest relative difference between the ways, per response. failed_step: the first
-    without solution. verdicts: statics per load step.
+    without solution. balances: statics per load step.
     """
     outcome: Outcome
     histories: list[History]
@@ -43,7 +43,7 @@ class Answer:
     sizes: dict[str, float]
     spread: dict[str, float]
     failed_step: int | None
-    verdicts: list[Verdict]
+    balances: list[Balance]
 
     @property
     def determined(self) -> list[str]:
@@ -69,7 +69,7 @@ def follow(answer: Answer, displacement: Floats) -> Answer:
         forces.append(state.force)
         old = problem.jump @ state.displacement
     found = History(scene, problem, np.array(displacements), np.array(forces))
-    return _compare(scene, [found, *answer.histories], answer.verdicts)
+    return _compare(scene, [found, *answer.histories], answer.balances)
 
 
 class _March:
@@ -142,7 +142,7 @@ class _March:
         return History(self.scene, self.problem, np.array(displacements), np.array(forces))
 
 
-def _compare(scene: Scene, histories: list[History], verdicts: list[Verdict]) -> Answer:
+def _compare(scene: Scene, histories: list[History], balances: list[Balance]) -> Answer:
     values, sizes, spread = {}, {}, {}
     for response in scene.responses:
         all_values = [history.response(response) for history in histories]
@@ -150,16 +150,16 @@ def _compare(scene: Scene, histories: list[History], verdicts: list[Verdict]) ->
         sizes[response.name] = histories[0].size(response)
         largest = max(float(abs(other - all_values[0]).max()) for other in all_values)
         spread[response.name] = 0.0 if largest == 0 else largest / sizes[response.name]
-    return Answer(Outcome.SOLVED, histories, values, sizes, spread, None, verdicts)
+    return Answer(Outcome.SOLVED, histories, values, sizes, spread, None, balances)
 
 
 def solve(scene: Scene, ways: int = 3) -> Answer:
     """Solves a scene by several ways; where none succeeds, statics says whether one could."""
     problem = assemble(scene)
-    verdicts = [statics(problem, step) for step in range(problem.steps)]
-    for step, verdict in enumerate(verdicts):
-        if verdict.impossible:
-            return Answer(Outcome.NO_EQUILIBRIUM, [], {}, {}, {}, step, verdicts)
+    balances = [statics(problem, step) for step in range(problem.steps)]
+    for step, balance in enumerate(balances):
+        if balance.impossible:
+            return Answer(Outcome.NO_EQUILIBRIUM, [], {}, {}, {}, step, balances)
     histories: list[History] = []
     failed = None
     for seed in range(ways + MORE_WAYS):
@@ -168,11 +168,11 @@ def solve(scene: Scene, ways: int = 3) -> Answer:
         if history is not None:
             histories.append(history)
         elif march.slides:
-            return Answer(Outcome.SLIDES, [], {}, {}, {}, march.failed_step, verdicts)
+            return Answer(Outcome.SLIDES, [], {}, {}, {}, march.failed_step, balances)
         else:
             failed = march.failed_step
         if seed > 0 and not histories:
             break
         if len(histories) == ways:
-            return _compare(scene, histories, verdicts)
-    return Answer(Outcome.UNKNOWN, histories, {}, {}, {}, failed, verdicts)
+            return _compare(scene, histories, balances)
+    return Answer(Outcome.UNKNOWN, histories, {}, {}, {}, failed, balances)

@@ -22,8 +22,8 @@ POSSIBLE = 1e-8
 
 
 @dataclasses.dataclass(frozen=True)
-class Verdict:
-    """unbalanced: least share of the loads that finds no reaction, with cones that are too large and too small."""
+class Balance:
+    """Least share of the loads that finds no reaction, with cones that are too large (outer) and too small (inner)."""
     outer: float
     inner: float
 
@@ -103,8 +103,8 @@ def _unbalanced(problem: Problem, step: int, outer: bool) -> float:
     return float(answer.fun) if answer.status == 0 else float("nan")
 
 
-def statics(problem: Problem, step: int) -> Verdict:
+def statics(problem: Problem, step: int) -> Balance:
     """Of one load step."""
     outer = _unbalanced(problem, step, True)
     has_cones = problem.dimension == 3 and bool((problem.friction[step] > 0).any())
-    return Verdict(outer, _unbalanced(problem, step, False) if has_cones else outer)
+    return Balance(outer, _unbalanced(problem, step, False) if has_cones else outer)
