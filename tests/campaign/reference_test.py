@@ -57,7 +57,8 @@ class ClosedForms(unittest.TestCase):
         self.assertEqual(len(answer.determined), 8)
 
     def test_spring_in_series(self) -> None:
-        answer = solve(pile(Law("Linear Elastic", {"Normal Stiffness": 50.0, "Tangential Stiffness": 20.0}), [(0, 7.0)]))
+        glue = Law("Linear Elastic", {"Normal Stiffness": 50.0, "Tangential Stiffness": 20.0})
+        answer = solve(pile(glue, [(0, 7.0)]))
         self.close(answer, "v", [7 / 50 + 7 * 2 * HEIGHT / YOUNG])
 
     def test_gap_closes_and_preload_pulls(self) -> None:

@@ -21,7 +21,7 @@ def answer(outcome: Outcome = Outcome.SOLVED, spread: float = 0.0) -> Answer:
 
 def run(ending: Ending = Ending.CERTIFIED, error: float = 0.0, reason: str = "") -> Run:
     values = {"u": np.array([1.0, 2.0 + error]), "F": np.array([5.0, 5.0])}
-    return Run(ending, "", reason, values, {"u": 1e-3, "F": 1e-3}, 10, 0.1, "")
+    return Run(ending, "", reason, values, {"u": 1e-3, "F": 1e-3}, 10, 0.1)
 
 
 class Judging(unittest.TestCase):

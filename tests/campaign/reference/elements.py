@@ -47,7 +47,8 @@ def _simplex_rule(dimension: int) -> list[tuple[Floats, Floats, float]]:
     return [(np.full(dimension + 1, 1 / (dimension + 1)), slopes, volume)]
 
 
-_RULES = {"TRI3": _simplex_rule(2), "TET4": _simplex_rule(3), "QUAD4": _product_rule(_QUAD), "HEX8": _product_rule(_HEX)}
+_RULES = {"TRI3": _simplex_rule(2), "QUAD4": _product_rule(_QUAD),
+          "TET4": _simplex_rule(3), "HEX8": _product_rule(_HEX)}
 
 
 def _strain(gradient: Floats) -> Floats:

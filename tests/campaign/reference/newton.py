@@ -44,7 +44,7 @@ class State:
 
 @dataclasses.dataclass(frozen=True)
 class Choice:
-    """What may be chosen freely and must not matter: the shift [row of the matrix], the scale of the penalty, a start."""
+    """What may be chosen freely and must not matter: shift [row of the matrix], scale of the penalty, start."""
     shift: Floats
     penalty: float
     start: State
@@ -214,7 +214,8 @@ def _search(equations: StepEquations, shift: Floats, start: State, count: int) -
     for factor in (0.3, 3.0):
         if best.converged:
             break
-        u, force = split(equations.problem, equations.step, equations.old, start.displacement, start.force, factor, count)
+        u, force = split(equations.problem, equations.step, equations.old, start.displacement, start.force, factor,
+                         count)
         for damped in (False, True):
             if not best.converged:
                 best = min(best, iteration.run(State(u, force, np.inf), damped), key=lambda s: s.residual)

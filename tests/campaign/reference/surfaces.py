@@ -1,4 +1,4 @@
-"""Points of a joint: pairs of nodes with an area, a normal and a frame, by integrals over the faces of its first side."""
+"""Points of a joint: pairs of nodes with area, normal and frame, by integrals over the faces of its first side."""
 from __future__ import annotations
 
 import dataclasses

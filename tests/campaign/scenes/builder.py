@@ -69,7 +69,8 @@ class Builder:
     def press(self, name: str, part: str, axis: int, end: int, history: Floats, *ranges: tuple[int, int]) -> None:
         """Pressure [step] on flat faces."""
         size = float(abs(history).max())
-        self.support(name, part, axis, end, Law("Pressure", {"Pressure": Varying(size, vector((history / size).tolist()))}), *ranges)
+        pressure = Varying(size, vector((history / size).tolist()))
+        self.support(name, part, axis, end, Law("Pressure", {"Pressure": pressure}), *ranges)
 
     def weigh(self, histories: Floats, parts: Sequence[str] = ()) -> None:
         """Body force [step, axis of the lattice] of the parts, none named: of all."""
@@ -127,5 +128,5 @@ class Builder:
             largest = max(self.mesh.blocks, key=lambda block: len(block.nodes))
             if len(largest.nodes) >= 12:
                 pieces[largest.name] = 2
-        return Scene(self.mesh, kinematics, thickness, list(self.parts.values()), self.joints, self.draw.steps, accuracy,
-                     candidates, pieces)
+        return Scene(self.mesh, kinematics, thickness, list(self.parts.values()), self.joints, self.draw.steps,
+                     accuracy, candidates, pieces)

@@ -43,7 +43,8 @@ def write_exodus(mesh: Mesh, path: pathlib.Path) -> None:
         for number, block in enumerate(mesh.blocks, 1):
             file.createDimension(f"num_el_in_blk{number}", block.nodes.shape[0])
             file.createDimension(f"num_nod_per_el{number}", block.nodes.shape[1])
-            connect = file.createVariable(f"connect{number}", "i", (f"num_el_in_blk{number}", f"num_nod_per_el{number}"))
+            sizes = (f"num_el_in_blk{number}", f"num_nod_per_el{number}")
+            connect = file.createVariable(f"connect{number}", "i", sizes)
             connect[:] = block.nodes + 1
             connect.elem_type = block.type
         if not mesh.side_sets:

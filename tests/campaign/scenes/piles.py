@@ -31,7 +31,8 @@ def _support_below(draw: Draw, builder: Builder, part: str) -> None:
         case 3:
             builder.support("ground", part, 1, 0, draw.foundation(-1, 2))
         case _:
-            builder.support("ground", part, 1, 0, Law("Coulomb Friction", {"Friction Coefficient": draw.between(0.3, 1)}))
+            law = Law("Coulomb Friction", {"Friction Coefficient": draw.between(0.3, 1)})
+            builder.support("ground", part, 1, 0, law)
 
 
 def stack(draw: Draw) -> Scene:
@@ -71,7 +72,10 @@ def beams(draw: Draw) -> Scene:
     layers = draw.count(1, 4) if dimension == 2 else draw.count(1, 2)
     segments = draw.count(2, 5) if layers == 1 else 1
     draw.overlaps = layers == 1  # else joints end at the wall
-    along = [draw.count(2, 5)] * segments if layers == 1 else [draw.count(6, 14) if dimension == 2 else draw.count(4, 8)]
+    if layers == 1:
+        along = [draw.count(2, 5)] * segments
+    else:
+        along = [draw.count(6, 14) if dimension == 2 else draw.count(4, 8)]
     lines = [cells([length * 4 / len(along)] * len(along), along),
              cells([length * draw.between(0.1, 0.4) for _ in range(layers)], [draw.count(1, 2) for _ in range(layers)])]
     lattice = Lattice(lines + ([_depth(draw)] if dimension == 3 else []))
@@ -123,7 +127,8 @@ def floating(draw: Draw) -> Scene:
             builder.support(f"spring{body}", f"body{body}", 0, 1, draw.foundation(-5, -1))
     size = draw.load * draw.magnitude(-1.5, 0)
     up = size * (draw.changing() if draw.chance(0.5) else -draw.steady())
-    builder.pull("load", f"body{bodies - 1}", 1, 1, lift(draw, dimension, up, size * draw.between(0, 0.7) * draw.changing()))
+    drag = size * draw.between(0, 0.7) * draw.changing()
+    builder.pull("load", f"body{bodies - 1}", 1, 1, lift(draw, dimension, up, drag))
     if draw.chance(0.3):
         builder.weigh(lift(draw, dimension, -size / length * draw.steady(), np.zeros(draw.steps)))
     return builder.finish()

@@ -266,5 +266,6 @@ def laps(draw: Draw) -> Scene:
         histories[:, 0] = draw.strain * length * draw.magnitude(-1, 1) * draw.changing()
         builder.move("grip", "plate2", 0, 1, histories)
     else:
-        builder.pull("pull", "plate2", 0, 1, lift(draw, dimension, 0.02 * size * draw.changing(), size * draw.changing()))
+        histories = lift(draw, dimension, 0.02 * size * draw.changing(), size * draw.changing())
+        builder.pull("pull", "plate2", 0, 1, histories)
     return builder.finish()

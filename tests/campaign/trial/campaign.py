@@ -68,10 +68,12 @@ def _figures(trials: list[Trial]) -> Iterable[str]:
     ratios = [trial.judgement.estimate / trial.judgement.error for trial in trials
               if trial.judgement.error > LEAST_ERROR and trial.judgement.verdict in EXPECTED]
     if ratios:
-        yield f"estimate / true error where right: least {min(ratios):.2f}, median {statistics.median(ratios):.2f} of {len(ratios)}"
+        yield (f"estimate / true error where right: least {min(ratios):.2f}, "
+               f"median {statistics.median(ratios):.2f} of {len(ratios)}")
     stages = [trial.stages for trial in trials if trial.judgement.verdict is Verdict.RIGHT]
     if stages:
-        yield f"linear stages, certified and right: sum {sum(stages)}, median {statistics.median(stages):g}, most {max(stages)}"
+        yield (f"linear stages, certified and right: sum {sum(stages)}, median {statistics.median(stages):g}, "
+               f"most {max(stages)}")
     yield (f"time: Harmos {sum(trial.harmos_seconds for trial in trials):.0f} s, "
            f"reference {sum(trial.reference_seconds for trial in trials):.0f} s")
 

@@ -31,7 +31,7 @@ class Ending(enum.Enum):
 
 @dataclasses.dataclass
 class Run:
-    """What Harmos said. status: its words. values: per response [step]. stages: linear stages. output: standard error."""
+    """What Harmos said. status, reason: its words. values: per response [step]. stages: linear stages."""
     ending: Ending
     status: str
     reason: str
@@ -39,7 +39,6 @@ class Run:
     estimates: dict[str, float]
     stages: int
     seconds: float
-    output: str
 
 
 def _ending(code: int) -> Ending:
@@ -54,16 +53,16 @@ def run_harmos(program: pathlib.Path, scene: pathlib.Path, limit: float, *argume
         done = subprocess.run(command, cwd=scene.parent, env={**os.environ, **ENVIRONMENT}, timeout=limit,
                               capture_output=True, text=True, errors="replace", check=False)
     except subprocess.TimeoutExpired:
-        return Run(Ending.HUNG, "", f"more than {limit:g} s", {}, {}, 0, limit, "")
+        return Run(Ending.HUNG, "", f"more than {limit:g} s", {}, {}, 0, limit)
     record_file = results / f"{scene.stem}_result.json"
     if not record_file.exists():
-        return Run(_ending(done.returncode), "", done.stderr.strip()[-400:], {}, {}, 0, 0.0, done.stderr)
+        return Run(_ending(done.returncode), "", done.stderr.strip()[-400:], {}, {}, 0, 0.0)
     record = json.loads(record_file.read_text())
     return Run(_ending(done.returncode), record["status"], record["reason"],
                _history(results / f"{scene.stem}_history.csv"),
                {name: float("nan") if estimate is None else float(estimate)
                 for name, estimate in record.get("response_error_estimates", {}).items()},
-               int(record["linear_stages"]), float(record["wall_seconds"]), done.stdout + done.stderr)
+               int(record["linear_stages"]), float(record["wall_seconds"]))
 
 
 def _history(path: pathlib.Path) -> dict[str, Floats]:
