@@ -63,7 +63,7 @@ class Response:
 
 @dataclasses.dataclass
 class Scene:
-    """kinematics: 3-D, Plane Strain or Plane Stress. accuracy: the one asked for. pieces: into which METIS cuts parts."""
+    """kinematics: 3-D, Plane Strain or Plane Stress. accuracy: the one asked for. pieces: of parts."""
     mesh: Mesh
     kinematics: str
     thickness: float
