@@ -29,7 +29,7 @@ def pile(law: Law, loads: list[tuple[float, float]], more: list[tuple[str, int, 
         name = f"side_{part}_{end}"
         joints.append(Joint(name, lattice.outer(name, part, 0, end), None, law_of))
     force = (0.0, -weight) if weight else ()
-    up, right = (dict[str, tuple[float, ...]](Direction=x) for x in ((0.0, 1.0), (1.0, 0.0)))
+    up, right = {"Direction": (0.0, 1.0)}, {"Direction": (1.0, 0.0)}
     responses = [Response("N", "Bolt Force", "joint"), Response("T", "Interface Force", "joint", right),
                  Response("R", "Interface Force", "ground", up), Response("v", "Mean Displacement", "load", up),
                  Response("w", "Mean Displacement", "load", right), Response("D", "Dissipation", "joint"),
@@ -100,6 +100,30 @@ class ClosedForms(unittest.TestCase):
         self.assertIs(beyond.outcome, Outcome.NO_EQUILIBRIUM)
         self.assertEqual(beyond.failed_step, 1)
         self.assertIs(solve(pile(coulomb(0.2), [(0.0, 1.0)])).outcome, Outcome.NO_EQUILIBRIUM)
+
+    def test_friction_in_space_opposes_sliding(self) -> None:
+        """A cube dragged askew over another one, held by springs k on top: it moves by (F - mu W) / k along F."""
+        drag, weight, mu, k = np.array([0.3, 0.4]), 1.2, 0.25, 2.0
+        for kind in ("HEX8", "TET4"):
+            lattice = Lattice([[0.0, 1.0], [0.0, 1.0], [0.0, 1.0, 2.0]])
+            lattice.fill("low", (0, 1), (0, 1), (0, 1))
+            lattice.fill("high", (0, 1), (0, 1), (1, 2))
+            mesh = lattice.build({"low": kind, "high": kind}, lambda x: x)
+            joints = [Joint("joint", c.side1, c.side2, coulomb(mu)) for c in lattice.contacts()]
+            held = Law("Prescribed Displacement", {"X": 0.0, "Y": 0.0, "Z": 0.0})
+            joints.append(Joint("ground", lattice.outer("ground", "low", 2, 0), None, held))
+            spring = Law("Elastic Foundation", {"Normal Stiffness": 0.0, "Tangential Stiffness": k})
+            joints.append(Joint("top", lattice.outer("top", "high", 2, 1), None, spring))
+            along, across = {"Direction": (0.6, 0.8, 0.0)}, {"Direction": (-0.8, 0.6, 0.0)}
+            responses = [Response("w", "Mean Displacement", "top", along), Response("N", "Bolt Force", "joint"),
+                         Response("T", "Interface Force", "joint", along),
+                         Response("S", "Interface Force", "joint", across)]
+            parts = [Part("low", 1e7, 0.0), Part("high", 1e7, 0.0, (*drag.tolist(), -weight))]
+            answer = solve(Scene(mesh, "3-D", 1.0, parts, joints, 1, 1e-3, responses))
+            self.close(answer, "N", [-weight], 9)
+            self.close(answer, "T", [mu * weight], 6)
+            self.close(answer, "S", [0.0], 6)
+            self.close(answer, "w", [(0.5 - mu * weight) / k], 5)
 
     def test_what_is_free_to_move_is_not_determined(self) -> None:
         answer = solve(pile(Law("Unilateral Contact"), [(0.0, -10.0)]))

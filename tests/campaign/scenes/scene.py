@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from .mesh import Mesh
 
@@ -57,7 +57,7 @@ class Response:
     name: str
     type: str
     target: str
-    vectors: dict[str, tuple[float, ...]] = dataclasses.field(default_factory=dict)
+    vectors: Mapping[str, tuple[float, ...]] = dataclasses.field(default_factory=dict)
     field: str = ""
 
 
