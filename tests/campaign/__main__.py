@@ -14,12 +14,13 @@ import argparse
 import pathlib
 import sys
 import tempfile
+from collections.abc import Iterator
 
 from .reference.solver import Answer, solve
 from .scenes.classes import CLASSES, make_scene
 from .scenes.scene import Scene
 from .scenes.scene_file import write_scene
-from .trial.campaign import report, try_scene
+from .trial.campaign import Trial, report, try_scene
 from .trial.program import run_harmos
 from .trial.verdict import judge, true_errors
 
@@ -55,19 +56,29 @@ def _try(options: argparse.Namespace) -> bool:
     return True
 
 
-def _run(options: argparse.Namespace) -> bool:
+def _trials(options: argparse.Namespace) -> Iterator[Trial]:
     names = options.only or list(CLASSES)
-    trials = []
     for index in range(options.scenes):
         name, seed = names[index % len(names)], options.first + index // len(names)
         trial = try_scene(name, seed, options.harmos, options.output, options.limit)
-        trials.append(trial)
         print(f"{name} {seed}: {trial.nodes} nodes, {trial.judgement.verdict.value}, {trial.stages} stages, "
               f"{trial.harmos_seconds:.1f} s, reference {trial.reference_seconds:.1f} s; {trial.judgement.detail}",
               file=sys.stderr, flush=True)
+        yield trial
+
+
+def _run(options: argparse.Namespace) -> bool:
+    trials: list[Trial] = []
+    is_whole = True
+    try:
+        for trial in _trials(options):
+            trials.append(trial)
+    except KeyboardInterrupt:
+        is_whole = False
+        print("interrupted: what there is so far", file=sys.stderr)
     text, met = report(trials)
     print(text)
-    return met
+    return met and is_whole
 
 
 def _options() -> argparse.Namespace:
