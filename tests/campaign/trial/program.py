@@ -7,6 +7,7 @@ import enum
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 
 import numpy as np
@@ -46,17 +47,20 @@ def _ending(code: int) -> Ending:
 
 
 def run_harmos(program: pathlib.Path, scene: pathlib.Path, limit: float, *arguments: str) -> Run:
-    """Solves a scene into the folder beside it; ends it after so many seconds."""
+    """Solves a scene into the folder beside it; ends it after so many seconds. What it prints stays in harmos.log."""
     results = scene.parent / "results"
+    shutil.rmtree(results, ignore_errors=True)  # or the record of an earlier run would count
     command = [str(program), "run", scene.name, "--output", results.name, *arguments]
     try:
         done = subprocess.run(command, cwd=scene.parent, env={**os.environ, **ENVIRONMENT}, timeout=limit,
                               capture_output=True, text=True, errors="replace", check=False)
     except subprocess.TimeoutExpired:
         return Run(Ending.HUNG, "", f"more than {limit:g} s", {}, {}, 0, limit)
+    (scene.parent / "harmos.log").write_text(done.stdout + done.stderr)
     record_file = results / f"{scene.stem}_result.json"
     if not record_file.exists():
-        return Run(_ending(done.returncode), "", done.stderr.strip()[-400:], {}, {}, 0, 0.0)
+        said = " ".join(line for line in done.stderr.split("\n") if line.strip("- "))
+        return Run(_ending(done.returncode), "", f"exit code {done.returncode}; {said}", {}, {}, 0, 0.0)
     record = json.loads(record_file.read_text())
     return Run(_ending(done.returncode), record["status"], record["reason"],
                _history(results / f"{scene.stem}_history.csv"),

@@ -81,7 +81,7 @@ def judge_again(scene: Scene, run: Run, answer: Answer, judgement: Judgement) ->
 def judge(scene: Scene, run: Run, answer: Answer) -> Judgement:
     """The verdict on one scene."""
     def plain(verdict: Verdict, detail: str = "") -> Judgement:
-        return Judgement(verdict, math.nan, math.nan, detail or f"{run.ending.name.lower()}: {run.reason[:100]}")
+        return Judgement(verdict, math.nan, math.nan, detail or f"{run.ending.name.lower()}: {run.reason[:200]}")
 
     match run.ending:
         case Ending.CRASHED | Ending.FAILED:
