@@ -1,6 +1,7 @@
 #include <harmos/files/StoredExpansions.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>

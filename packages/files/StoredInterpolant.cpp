@@ -1,14 +1,27 @@
 #include <harmos/files/StoredInterpolant.hpp>
 
+#include <cmath>
+#include <limits>
+
+#include <harmos/base/Error.hpp>
 #include <harmos/files/detail/Hdf5Source.hpp>
 
 namespace harmos::files {
 
 namespace {
 
+void demand(bool fits) {
+  if (fits) return;
+  throw base::Error("The interpolation in the study file is damaged: its sizes do not fit together.",
+                    base::ExitCode::input);
+}
+
 probability::HatSum readHats(const Hdf5Source& group, const std::vector<probability::HatLine>& lines,
                              std::size_t responses) {
   const std::vector<double> nodes = group.group("nodes").values(), factors = group.group("factors").values();
+  demand(!lines.empty() && nodes.size() % lines.size() == 0);
+  for (const double node : nodes) demand(node >= 0.0 && node < std::numeric_limits<int>::max());
+  for (const double factor : factors) demand(std::isfinite(factor));
   std::vector<probability::HatSum::Term> terms(nodes.size() / lines.size());
   for (std::size_t p = 0; p < terms.size(); ++p) {
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -43,6 +56,7 @@ StoredInterpolant::StoredInterpolant(const Hdf5Source& statistics)
   interpolant_ = results::Interpolant{readHats(group.group("values"), lines, responses_.size()),
                                       readHats(group.group("doubt"), lines, responses_.size()),
                                       group.group("calibrations").values(), group.group("floors").values()};
+  demand(interpolant_->calibrations.size() == responses_.size() && interpolant_->floors.size() == responses_.size());
 }
 
 StoredInterpolant::Prediction StoredInterpolant::evaluate(const std::vector<double>& point) const {

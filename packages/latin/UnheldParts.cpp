@@ -32,8 +32,10 @@ std::vector<double> statesOf(const statics::RigidAssembly& rigid, const Iterate&
     const statics::Joint& joint = rigid.joints[j];
     const assembly::Interface& interface = assembly.interfaces[joint.interface];
     const auto& states = state.states(joint.interface);
-    if (assembly.ownerOf(interface.body1) != comm.getRank() || states.empty()) continue;
-    const laws::LocalState& at = states[static_cast<std::size_t>(step * interface.pairs() + joint.pair)];
+    const bool isEliminated = state.eliminated().contains(joint.interface);
+    if (assembly.ownerOf(interface.body1) != comm.getRank() || (states.empty() && !isEliminated)) continue;
+    const laws::LocalState at =
+        isEliminated ? laws::LocalState() : states[static_cast<std::size_t>(step * interface.pairs() + joint.pair)];
     double* numbers = mine.data() + numbersPerJoint * j;
     numbers[0] = 1.0 + static_cast<int>(at.status);
     std::copy(at.traction.begin(), at.traction.end(), numbers + 1);
@@ -91,6 +93,8 @@ double largestTraction(const Iterate& state, int step) {
   for (int row = 0; row < state.hattedTraction().numRows(); ++row) {
     if (state.layout().area()[row] > 0.0) mine = std::max(mine, std::abs(state.hattedTraction()(row, step)));
   }
+  const base::Matrix& ofBoundaries = state.boundaryFields().traction;
+  for (int row = 0; row < ofBoundaries.numRows(); ++row) mine = std::max(mine, std::abs(ofBoundaries(row, step)));
   Teuchos::reduceAll(state.layout().comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
   return largest;
 }

@@ -30,7 +30,7 @@ TEST(EarlyEnd, KeepsWhatAnEarlierMarchHasFound) {
                                laws::makeLaw("Prescribed Traction", {{"Z", 1.0}}, {{"Z", {-1.0, -2.0, -4.0}}}), 3);
   base::Timers timers;
   FixedPoint fixedPoint(cubes.assembly(), {}, self(), timers);
-  March march(fixedPoint, 10, 1e-3);
+  March march(fixedPoint, 10, 1e-3, 0);
   base::Matrix alpha(fixedPoint.layout().rows(), 3);
   ASSERT_EQ(march.run(alpha, 1e-3, March::Guess::extrapolation), March::End::reached);
   EXPECT_EQ(march.stepsReached(), 3);

@@ -152,7 +152,7 @@ TEST(March, StopsBeforeAStepThatCannotBeBalanced) {
   base::Matrix alpha = problem.zero();
   base::Timers timers;
   LoadBalance balance(problem.fixedPoint.assembly(), *self(), timers);
-  March march(problem.fixedPoint, memory, accuracy);
+  March march(problem.fixedPoint, memory, accuracy, 0);
   march.setLoadBalance(balance);
   int steps = 0;
   march.setObserver([&](int, int, const Iterate&) { ++steps; });
