@@ -36,9 +36,8 @@ void describePart(input::ParameterSpec& spec) {
   }
 }
 
-// Regular polygons of nine and more sides are coarse circles; chamfers of 45 degrees, and the edges of hexagons and
-// boxes, are creases.
-constexpr double usualCreaseAngle = 40.0;
+// Regular polygons of eight and more sides are coarse circles; the edges of hexagons and boxes are creases.
+constexpr double usualCreaseAngle = 50.0;
 
 void describeCreaseAngle(input::ParameterSpec& spec) {
   spec.number("Crease Angle")

@@ -14,6 +14,7 @@
 #include <harmos/files/ExodusMesh.hpp>
 #include <harmos/files/ExodusWriter.hpp>
 #include <harmos/files/StoredExpansions.hpp>
+#include <harmos/files/StoredInterpolant.hpp>
 #include <harmos/files/StoredSurfaceData.hpp>
 #include <harmos/files/StudyJournal.hpp>
 #include <harmos/files/detail/StudyFile.hpp>
@@ -158,7 +159,7 @@ std::string journal(const std::string& path) {
       result.curveErrors = {std::numeric_limits<double>::quiet_NaN()};
       journal.append(result);
     }
-    journal.appendNote("calibration", "1.5");
+    journal.appendNote("calibration", {"1.5"});
   }
   return contentOf(path);
 }
@@ -185,6 +186,9 @@ Target studyTarget(const std::string& folder) {
       std::vector<double> point(expansions->parameters().size(), 0.3);
       expansions->evaluate(point);
       expansions->isInside(point);
+    }
+    if (const auto interpolant = files::StoredInterpolant::read(path)) {
+      interpolant->evaluate(std::vector<double>(interpolant->parameters().size(), 0.3));
     }
   };
   return target;

@@ -70,7 +70,8 @@ while done < kills:
         try:
             # Most kills meet the solutions, some the start and the end.
             process.wait(random.uniform(0.0, 0.6 * duration) if done < kills else None)
-            assert process.returncode == 0, process.returncode
+            # 3: an audit may find more than was accepted, for what is solved after a kill is calibrated anew.
+            assert process.returncode in (0, 3), process.returncode
             break
         except subprocess.TimeoutExpired:
             process.kill()

@@ -73,5 +73,6 @@ def _history(path: pathlib.Path) -> dict[str, Floats]:
     """Columns by name, without time 0."""
     with path.open() as file:
         header, *rows = list(csv.reader(file))
-    table = np.array([[float(cell) for cell in row] for row in rows if float(row[0]) > 0])
+    solved = [[float(cell) for cell in row] for row in rows if float(row[0]) > 0]
+    table = np.array(solved).reshape(len(solved), len(header))
     return {name: table[:, column] for column, name in enumerate(header) if name not in ("step", "time")}
