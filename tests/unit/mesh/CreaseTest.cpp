@@ -130,7 +130,7 @@ TEST(Crease, MayEndWithinASurface) {
     if (point[0] == 0.0 && point[2] == 0.0) point[2] = 0.25 * (4.0 - point[1]);
   }
   unite(mesh, {"house_zmax"});
-  const InterfaceSurface roof = onAll(mesh, usual);
+  const InterfaceSurface roof = onAll(mesh, 40.0);
   const Piece house = makePiece(mesh, "house", {"house"});
   std::map<double, int> points;  // on the ridge
   for (const int node : roof.node1) {
