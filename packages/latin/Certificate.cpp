@@ -34,6 +34,8 @@ constexpr int maximumCorrections = 8;
 constexpr double hiddenLimit = 1.0;  // CausalCorrection::Result::hidden
 // Corrections below this share of the accuracy may be round-off, which does not contract.
 constexpr double settledShare = 0.1;
+// Two corrections tell a contraction roughly: one that looks faster than this is not believed.
+constexpr double leastContraction = 0.6;
 // Slower contraction, or none, is that of round-off.
 constexpr double steadyContraction = 0.8;
 // From an error above this one a tangent can land anywhere; the next correction tells nothing of it.
@@ -192,7 +194,7 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
       const bool grew = result.contraction > 1.0 && error > settledShare * accuracy_;
       if (grew && !isCausal) return result;
       // The correction leaves a share of the residual, and so of the error.
-      const double left = isCausal ? std::max(laterTarget, step.reduction) : step.reduction;
+      const double left = isCausal ? std::max(leastContraction, step.reduction) : step.reduction;
       const double kappa = std::clamp(result.contraction, left, steadyContraction);
       for (double& e : errors) e /= 1.0 - kappa;
       result.conclusive = !grew;

@@ -20,7 +20,7 @@ struct SceneRunRequest {
   std::vector<std::string> overrides;                           // "List/Sublist/Name=value"
   std::string directory = "results";                            // of the result files
   std::function<void(const latin::IterationReport&)> observer;  // after every iteration, on every rank; may be empty
-  std::function<bool()> interrupted;  // asked after every iteration; may be empty
+  std::function<bool()> interrupted;                            // asked after every iteration; may be empty
 };
 
 /// What came of a run.
