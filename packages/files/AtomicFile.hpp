@@ -10,11 +10,13 @@ void createFolderOf(const std::string& path);
 /// A file or folder that is to be removed again unless it is finished: by the destructor, or by removeUnfinished().
 class Unfinished {
  public:
+  /// From now on; need not exist yet.
   explicit Unfinished(std::string path);
   ~Unfinished();
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;
 
+  /// As given.
   const std::string& path() const { return path_; }
   /// It stays, or was moved away.
   void finish();
@@ -26,6 +28,7 @@ class Unfinished {
 /// What a file is to say when the process is ended amid anything; forgotten by the destructor.
 class LastWords {
  public:
+  /// From now on: `path` is to hold `content`, whatever it holds then.
   LastWords(std::string path, const std::string& content);
   ~LastWords();
   LastWords(const LastWords&) = delete;

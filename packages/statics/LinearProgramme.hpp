@@ -20,7 +20,9 @@ class LinearProgramme {
   /// Without columns; `right` is b, with one entry per row.
   explicit LinearProgramme(const std::vector<double>& right);
   ~LinearProgramme();
+  /// Takes over the columns; the other one may only be destroyed or assigned to then.
   LinearProgramme(LinearProgramme&&) noexcept;
+  /// The same.
   LinearProgramme& operator=(LinearProgramme&&) noexcept;
 
   /// Adds an unknown with its bounds and its cost; infinite bounds are none. Taken in by the next solve().

@@ -10,7 +10,7 @@ namespace harmos::study {
 
 /// What the expansions of a study will take with one local stage, from sizes alone.
 struct ChaosCost {
-  bool isGalerkin = false;
+  bool isGalerkin = false;   ///< the local stage; else the pseudo-spectral one
   double terms = 0.0;        // polynomials of the highest order that may be solved
   double points = 0.0;       // of the tensor grid, at which laws are realised
   double replicated = 0.0;   // bytes that every rank has: the program, and laws and polynomials at the points
