@@ -29,6 +29,10 @@ constexpr int longestWait = 15;
 constexpr double settledGap = 0.02;
 // Of the accuracy asked for: the residual that the first march goes to. A correction then gains about a factor of ten.
 constexpr double marchShare = 1.0;
+// Of the linear stages of a run: a first try whose restarts have led to no certificate is given up for one with fewer
+// restarts, and so is that.
+constexpr double shareOfFirstTry = 0.5;
+constexpr double shareOfLaterTry = 0.27;
 
 // A state this many times larger than the first one was extrapolated beyond all measure: the digits of the forces are
 // lost in k w, and everything finite would look small beside it.
@@ -116,8 +120,7 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
 bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   const int before = stages();
   const auto running = timers_.start("certificate");
-  const Certificate::Result attempt =
-      certificate_->attempt(iterate, alpha_, image_, stagesBefore_ + options_.maximumIterations);
+  const Certificate::Result attempt = certificate_->attempt(iterate, alpha_, image_, stagesBefore_ + stageLimit());
   if (attempt.conclusive) estimates_ = attempt.estimates;
   alpha_.assign(attempt.state);
   stagesOfCertificates_ += stages() - before;
@@ -128,17 +131,41 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   return attempt.claimed;
 }
 
+bool LatinSolver::isSofter() const {
+  return fixedPoint_.searchDirectionScale() < options_.stages.searchDirectionScale;
+}
+
+int LatinSolver::stageLimit() const {
+  return isSofter() ? std::min(options_.maximumIterations, endWhenSofter_) : options_.maximumIterations;
+}
+
 void LatinSolver::march(LatinResult& result, March::Guess guess) {
-  March march(fixedPoint_, options_.memory, options_.accuracy, options_.restarts);
+  stagesOfCertificates_ = 0;
+  for (int restarts = options_.restarts; restarts >= 0; --restarts) {
+    const double share = restarts == options_.restarts ? shareOfFirstTry : shareOfLaterTry;
+    const int stagesOfTry = static_cast<int>(share * options_.maximumIterations);
+    endWhenSofter_ = restarts > 0 ? stages() + stagesOfTry : options_.maximumIterations;
+    tryToMarch(result, guess, restarts);
+    if (result.outcome != Outcome::iterationLimit || !isSofter() || stages() >= options_.maximumIterations) break;
+    fixedPoint_.rescale(options_.stages.searchDirectionScale);
+    certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
+    estimates_.clear();
+    alpha_.putScalar(0.0);
+    guess = March::Guess::extrapolation;
+  }
+  result.iterations = stages() - stagesOfCertificates_;
+}
+
+void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restarts) {
+  March march(fixedPoint_, options_.memory, options_.accuracy, restarts);
   march.setLoadBalance(*balance_);
-  march.setStop([&] { return mustStop() || stages() >= options_.maximumIterations; });
+  march.setStop([&] { return mustStop() || stages() >= stageLimit(); });
   march.setObserver([&](int step, int iterations, const Iterate& iterate) {
     state_ = &iterate;
     result.iterations += iterations;
     for (const auto& observer : observers_) observer({result.iterations, stages(), 0.0, 0.0, step});
   });
   double tolerance = marchShare * options_.accuracy;
-  stagesOfCertificates_ = 0;
   March::End end = March::End::reached;
   do {
     const auto running = timers_.start("acceleration");
@@ -151,8 +178,7 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
     state_ = &fixedPoint_.apply(alpha_, image_);
     tolerance *= March::tightening;
     guess = March::Guess::state;
-  } while (end == March::End::reached && stages() < options_.maximumIterations && !certify(*state_, result));
-  result.iterations = stages() - stagesOfCertificates_;
+  } while (end == March::End::reached && stages() < stageLimit() && !certify(*state_, result));
   if (end == March::End::noEquilibrium) {
     result.outcome = Outcome::noEquilibrium;
     result.reason = march.reason();

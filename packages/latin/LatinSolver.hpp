@@ -65,8 +65,14 @@ class LatinSolver {
   /// Collective. The first image that it sees is the measure of all others.
   bool hasDiverged(const base::Matrix& image);
   void deliver(LatinResult& result);
-  /// Load step after load step, to ever smaller residuals, until the certificate claims.
+  /// Load step after load step; where restarts of the march lead nowhere, from the beginning with fewer of them.
   void march(LatinResult& result, March::Guess guess);
+  /// Once, to ever smaller residuals, until the certificate claims.
+  void tryToMarch(LatinResult& result, March::Guess guess, int restarts);
+  /// Whether a restart has made the search direction softer than the options want it.
+  bool isSofter() const;
+  /// Linear stages of this run, at most: of the run, or of a try with a softer search direction.
+  int stageLimit() const;
   /// All load steps at once.
   void iterate(LatinResult& result);
   /// Tries for a certificate of alpha_, whose iterate is given; true when it claims. Leaves its corrected state in
@@ -89,6 +95,7 @@ class LatinSolver {
   double startSize_ = 0.0;
   int stagesBefore_ = 0;
   int stagesOfCertificates_ = 0;
+  int endWhenSofter_ = 0;                             // stages at which a try with a softer search direction ends
   std::vector<double> estimates_;                     // of the last certificate that was conclusive; empty: none was
   std::vector<std::unique_ptr<Snapshot>> snapshots_;  // of the last iterations that were looked at
 };
