@@ -1,12 +1,11 @@
 #include "Interrupt.hpp"
 
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <thread>
 
-#include <semaphore.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <harmos/files/AtomicFile.hpp>
@@ -21,20 +20,27 @@ constexpr std::chrono::milliseconds untilAsked{800};
 // The same when the calculation has stopped in time and writes what it has.
 constexpr std::chrono::seconds untilWritten{10};
 
-volatile std::sig_atomic_t interrupted = 0;
+std::atomic<bool> interrupted = false;
 std::atomic<bool> isStopping = false;
-::sem_t signalled;
 
-extern "C" void rememberInterrupt(int number) {
-  interrupted = 1;
-  std::signal(number, SIG_DFL);
-  ::sem_post(&signalled);
+::sigset_t watchedSignals() {
+  ::sigset_t signals;
+  ::sigemptyset(&signals);
+  ::sigaddset(&signals, SIGINT);
+  ::sigaddset(&signals, SIGTERM);
+  return signals;
 }
 
 /// Waits for a signal in a thread of its own; it does nothing else.
 void watch() {
-  while (::sem_wait(&signalled) != 0 && errno == EINTR) {
+  const ::sigset_t signals = watchedSignals();
+  int number = 0;
+  while (::sigwait(&signals, &number) != 0) {
   }
+  interrupted = true;
+  // A second signal ends the process at once.
+  ::signal(number, SIG_DFL);
+  ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   std::this_thread::sleep_for(untilAsked);
   if (isStopping) std::this_thread::sleep_for(untilWritten);
   harmos::files::removeUnfinished();
@@ -43,19 +49,15 @@ void watch() {
 
 }  // namespace
 
+// Blocked in all threads, which inherit it, the signals reach nobody but watch(): METIS would take one that comes while
+// it works for an error of its own.
 void catchInterrupts() {
-  static const bool isWatched = [] {
-    ::sem_init(&signalled, 0, 0);
-    std::thread(watch).detach();
-    return true;
-  }();
-  static_cast<void>(isWatched);
-  if (interrupted != 0) return;
-  std::signal(SIGINT, rememberInterrupt);
-  std::signal(SIGTERM, rememberInterrupt);
+  const ::sigset_t signals = watchedSignals();
+  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread(watch).detach();
 }
 
 bool wasInterrupted() {
-  if (interrupted != 0) isStopping = true;
-  return interrupted != 0;
+  if (interrupted) isStopping = true;
+  return interrupted;
 }

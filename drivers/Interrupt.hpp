@@ -5,8 +5,8 @@
 /// 130: the phase it is in, or a library, never looks up. What it was writing is removed, what it had written stays. A
 /// second signal ends the process at once.
 ///
-/// To be called again after the start of a library that sets handlers of its own, and never by a library of Harmos: the
-/// handlers of a process belong to its program.
+/// To be called once, before any other thread is started, and never by a library of Harmos: the signals of a process
+/// belong to its program.
 void catchInterrupts();
 /// Whether there was one.
 bool wasInterrupted();

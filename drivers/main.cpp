@@ -43,7 +43,6 @@ int main(int argc, char** argv) {
   int one = 1;
   Tpetra::ScopeGuard scope(&one, &programOnly);
   const auto communicator = Tpetra::getDefaultComm();
-  catchInterrupts();  // once more: MPI may have set handlers of its own
   return harmos::cli::runCommandLine({argv + 1, argv + argc},
                                      {communicator, std::cout, std::cerr, isatty(STDERR_FILENO) != 0, wasInterrupted});
 }
