@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/latin/detail/RigidWork.hpp>
 #include <harmos/latin/detail/SymmetricEigen.hpp>
 
 namespace harmos::latin {
@@ -34,12 +35,6 @@ bool haveOneStiffness(const std::vector<std::array<laws::AffineComponent, 3>>& c
     }
     return true;
   });
-}
-
-/// Work of a unit force along `axis` at the arm r in the unit translations and rotations.
-std::array<double, 6> work(const base::Vector3& r, const base::Vector3& axis) {
-  const base::Vector3 moment = base::cross(r, axis);
-  return {axis[0], axis[1], axis[2], moment[0], moment[1], moment[2]};
 }
 
 }  // namespace
@@ -117,7 +112,7 @@ void EliminatedBoundaries::keepBodiesHeld() {
           for (std::size_t c = 0; c < 3; ++c) {
             const double spring = boundaries_[i].isEliminated ? boundaries_[i].components[0][c].stiffness : k;
             const base::Vector3 r = (1.0 / size) * (nodes[interface.nodes(side)[p]] - centre);
-            const auto worked = work(r, axis(interface, p, c));
+            const auto worked = rigidWork(r, axis(interface, p, c));
             for (int row = 0; row < 6; ++row) {
               for (int column = 0; column < 6; ++column) {
                 gram(row, column) += interface.area[p] * std::min(spring, k) * worked[row] * worked[column];

@@ -6,6 +6,8 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/latin/detail/RigidWork.hpp>
+
 namespace harmos::latin {
 namespace {
 
@@ -23,11 +25,6 @@ Imbalance worstOfAllRanks(const Imbalance& mine, const Teuchos::Comm<int>& comm)
 }
 
 constexpr int motions = 6;
-
-/// Work of the force d [force] at the arm r [length] in the unit translations and rotations.
-std::array<double, motions> work(const base::Vector3& r, const base::Vector3& d) {
-  return {d[0], d[1], d[2], r[1] * d[2] - r[2] * d[1], r[2] * d[0] - r[0] * d[2], r[0] * d[1] - r[1] * d[0]};
-}
 
 /// Sums over the interface rows of one body at one load step.
 struct StepSums {
@@ -61,7 +58,7 @@ Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMov
           // A body that has lost every contact feels only f.
           sum.forces += area * std::max(std::abs(hatted), std::abs(traction));
         }
-        const auto worked = work(r, d);
+        const auto worked = rigidWork(r, d);
         for (std::size_t i = 0; i < motions; ++i) sum.resultant[i] += worked[i];
       }
     }

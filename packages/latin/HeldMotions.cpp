@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <harmos/latin/detail/RigidWork.hpp>
 #include <harmos/latin/detail/SymmetricEigen.hpp>
 
 namespace harmos::latin {
@@ -18,8 +19,7 @@ constexpr double none = 1e-12;
 
 /// Adds sum of s m m^T, with m the work of a unit force along `axis` at the arm r in the six motions.
 void addSpring(base::Matrix& stiffness, double spring, const base::Vector3& r, const base::Vector3& axis) {
-  const base::Vector3 moment = base::cross(r, axis);
-  const double worked[motions] = {axis[0], axis[1], axis[2], moment[0], moment[1], moment[2]};
+  const auto worked = rigidWork(r, axis);
   for (int i = 0; i < motions; ++i) {
     for (int j = 0; j < motions; ++j) stiffness(i, j) += spring * worked[i] * worked[j];
   }
