@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <numeric>
 #include <set>
 
 #include <exodusII.h>
@@ -80,59 +81,115 @@ void putProvenance(const ExodusHandle& file, const std::vector<std::string>& inf
                "write the information records");
 }
 
-void putMesh(const ExodusHandle& file, const std::string& title, const ResultMesh& mesh) {
-  const int id = file.id();
-  file.check(
-      ex_put_init(id, title.substr(0, MAX_LINE_LENGTH).c_str(), mesh.dimension, static_cast<int64_t>(mesh.nodes.size()),
-                  mesh.elements(), static_cast<int64_t>(mesh.blocks.size()), static_cast<int64_t>(mesh.nodeSets.size()),
-                  static_cast<int64_t>(mesh.sideSets.size())),
-      "write the sizes");
+std::vector<int> idsOf(std::size_t count) {
+  std::vector<int> ids(count);
+  std::iota(ids.begin(), ids.end(), 1);
+  return ids;
+}
 
+template <typename List>
+void putNames(const ExodusHandle& file, ex_entity_type kind, const List& list, const std::string& what) {
+  if (list.empty()) return;
+  std::vector<std::string> names;
+  collectNames(list, names);
+  file.check(ex_put_names(file.id(), kind, pointers(names).data()), "name the " + what);
+}
+
+/// Defines all blocks at once: the library copies the file whenever it goes back to defining, and looks through all
+/// that is defined.
+void defineBlocks(const ExodusHandle& file, const std::vector<ResultMesh::Block>& blocks) {
+  if (blocks.empty()) return;
+  std::vector<std::string> types;
+  std::vector<int> elements, nodes;
+  for (const auto& block : blocks) {
+    types.push_back(block.type);
+    elements.push_back(block.elements());
+    nodes.push_back(block.nodesPerElement);
+  }
+  const std::vector<int> none(blocks.size(), 0);
+  file.check(ex_put_concat_elem_block(file.id(), idsOf(blocks.size()).data(), pointers(types).data(), elements.data(),
+                                      nodes.data(), none.data(), 0),
+             "define the blocks");
+  putNames(file, EX_ELEM_BLOCK, blocks, "blocks");
+}
+
+/// Defines and fills all sets at once. Side sets have one entry more, the sides.
+void putSets(const ExodusHandle& file, const ResultMesh& mesh) {
+  std::vector<std::vector<int>> numbers;
+  for (const auto& set : mesh.sideSets) {
+    numbers.push_back(fromOne(set.element));
+    numbers.push_back(fromOne(set.side));
+  }
+  for (const auto& set : mesh.nodeSets) numbers.push_back(fromOne(set.node));
+  std::vector<ex_set> sets;
+  auto list = numbers.begin();
+  const auto add = [&](ex_entity_type kind, std::size_t id) {
+    ex_set set{};
+    set.id = static_cast<int64_t>(id);
+    set.type = kind;
+    set.num_entry = static_cast<int64_t>(list->size());
+    set.entry_list = list++->data();
+    if (kind == EX_SIDE_SET) set.extra_list = list++->data();
+    sets.push_back(set);
+  };
+  for (std::size_t i = 0; i < mesh.sideSets.size(); ++i) add(EX_SIDE_SET, i + 1);
+  for (std::size_t i = 0; i < mesh.nodeSets.size(); ++i) add(EX_NODE_SET, i + 1);
+  if (!sets.empty()) file.check(ex_put_sets(file.id(), sets.size(), sets.data()), "write the sets");
+  putNames(file, EX_SIDE_SET, mesh.sideSets, "side sets");
+  putNames(file, EX_NODE_SET, mesh.nodeSets, "node sets");
+}
+
+void putCoordinates(const ExodusHandle& file, const ResultMesh& mesh) {
   std::array<std::vector<double>, 3> coordinates;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const auto& point : mesh.nodes) coordinates[axis].push_back(point[axis]);
-  file.check(ex_put_coord(id, coordinates[0].data(), coordinates[1].data(), coordinates[2].data()),
+  file.check(ex_put_coord(file.id(), coordinates[0].data(), coordinates[1].data(), coordinates[2].data()),
              "write the coordinates");
   const std::vector<std::string> axes{"x", "y", "z"};
-  file.check(ex_put_coord_names(id, pointers(axes).data()), "write the names of the axes");
+  file.check(ex_put_coord_names(file.id(), pointers(axes).data()), "write the names of the axes");
+}
 
+void putConnectivity(const ExodusHandle& file, const std::vector<ResultMesh::Block>& blocks) {
   int64_t number = 0;
-  for (const auto& block : mesh.blocks) {
+  for (const auto& block : blocks) {
     ++number;
-    file.check(
-        ex_put_block(id, EX_ELEM_BLOCK, number, block.type.c_str(), block.elements(), block.nodesPerElement, 0, 0, 0),
-        "write block " + block.name);
-    file.check(ex_put_name(id, EX_ELEM_BLOCK, number, block.name.c_str()), "name block " + block.name);
     if (block.elements() > 0)
-      file.check(ex_put_conn(id, EX_ELEM_BLOCK, number, fromOne(block.connectivity).data(), nullptr, nullptr),
+      file.check(ex_put_conn(file.id(), EX_ELEM_BLOCK, number, fromOne(block.connectivity).data(), nullptr, nullptr),
                  "write block " + block.name);
-  }
-  number = 0;
-  for (const auto& set : mesh.sideSets) {
-    ++number;
-    file.check(ex_put_set_param(id, EX_SIDE_SET, number, static_cast<int64_t>(set.element.size()), 0),
-               "write side set " + set.name);
-    file.check(ex_put_name(id, EX_SIDE_SET, number, set.name.c_str()), "name side set " + set.name);
-    if (!set.element.empty())
-      file.check(ex_put_set(id, EX_SIDE_SET, number, fromOne(set.element).data(), fromOne(set.side).data()),
-                 "write side set " + set.name);
-  }
-  number = 0;
-  for (const auto& set : mesh.nodeSets) {
-    ++number;
-    file.check(ex_put_set_param(id, EX_NODE_SET, number, static_cast<int64_t>(set.node.size()), 0),
-               "write node set " + set.name);
-    file.check(ex_put_name(id, EX_NODE_SET, number, set.name.c_str()), "name node set " + set.name);
-    if (!set.node.empty())
-      file.check(ex_put_set(id, EX_NODE_SET, number, fromOne(set.node).data(), nullptr), "write node set " + set.name);
   }
 }
 
 void putVariableNames(const ExodusHandle& file, ex_entity_type kind, const std::vector<std::string>& names) {
   if (names.empty()) return;
-  const int count = static_cast<int>(names.size());
-  file.check(ex_put_variable_param(file.id(), kind, count), "declare variables");
-  file.check(ex_put_variable_names(file.id(), kind, count, pointers(names).data()), "name variables");
+  file.check(ex_put_variable_names(file.id(), kind, static_cast<int>(names.size()), pointers(names).data()),
+             "name variables");
+}
+
+void defineVariables(const ExodusHandle& file, std::size_t blocks, const ResultVariables& variables) {
+  std::vector<int> truth(blocks * variables.element.size(), 1);
+  file.check(ex_put_all_var_param(
+                 file.id(), static_cast<int>(variables.global.size()), static_cast<int>(variables.nodal.size()),
+                 blocks == 0 ? 0 : static_cast<int>(variables.element.size()), truth.data(), 0, nullptr, 0, nullptr),
+             "declare variables");
+  putVariableNames(file, EX_GLOBAL, variables.global);
+  putVariableNames(file, EX_NODAL, variables.nodal);
+  if (blocks > 0) putVariableNames(file, EX_ELEM_BLOCK, variables.element);
+}
+
+/// The cheapest order: all that is defined comes before what is written, for defining moves what is there.
+void putMesh(const ExodusHandle& file, const std::string& title, const ResultMesh& mesh,
+             const ResultVariables& variables, const std::vector<std::string>& information) {
+  file.check(
+      ex_put_init(file.id(), title.substr(0, MAX_LINE_LENGTH).c_str(), mesh.dimension,
+                  static_cast<int64_t>(mesh.nodes.size()), mesh.elements(), static_cast<int64_t>(mesh.blocks.size()),
+                  static_cast<int64_t>(mesh.nodeSets.size()), static_cast<int64_t>(mesh.sideSets.size())),
+      "write the sizes");
+  putProvenance(file, information);
+  defineBlocks(file, mesh.blocks);
+  defineVariables(file, mesh.blocks.size(), variables);
+  putSets(file, mesh);
+  putCoordinates(file, mesh);
+  putConnectivity(file, mesh.blocks);
 }
 
 }  // namespace
@@ -163,18 +220,7 @@ ExodusWriter::ExodusWriter(const std::string& path, const std::string& title, Re
   requireUnique(mesh.sideSets, "side sets", path);
   requireUnique(mesh.nodeSets, "node sets", path);
   state_ = std::make_unique<State>(path, std::move(mesh), std::move(variables));
-  putMesh(state_->file, title, state_->mesh);
-  putProvenance(state_->file, information);
-  putVariableNames(state_->file, EX_GLOBAL, state_->variables.global);
-  putVariableNames(state_->file, EX_NODAL, state_->variables.nodal);
-  putVariableNames(state_->file, EX_ELEM_BLOCK, state_->variables.element);
-  if (!state_->variables.element.empty() && !state_->mesh.blocks.empty()) {
-    std::vector<int> truth(state_->mesh.blocks.size() * state_->variables.element.size(), 1);
-    state_->file.check(
-        ex_put_truth_table(state_->file.id(), EX_ELEM_BLOCK, static_cast<int>(state_->mesh.blocks.size()),
-                           static_cast<int>(state_->variables.element.size()), truth.data()),
-        "declare element variables");
-  }
+  putMesh(state_->file, title, state_->mesh, state_->variables, information);
 }
 
 ExodusWriter::~ExodusWriter() = default;
