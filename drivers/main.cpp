@@ -24,8 +24,10 @@ void useOneThread() {
 }
 
 /// What Open MPI must not do, unless the user wants it to: its own handlers of SIGSEGV and others print stacks and may
-/// hang in a damaged heap for minutes, and it takes the short-lived processes that read files for a mistake.
+/// hang in a damaged heap for minutes, and it takes the short-lived processes that read files for a mistake. A process
+/// that mpirun has not started needs no folder for its session either, which fails where many start at once.
 void tameOpenMpi() {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
   ::setenv("OMPI_MCA_opal_signal", "", 0);
   ::setenv("OMPI_MCA_mpi_warn_on_fork", "0", 0);
 }
