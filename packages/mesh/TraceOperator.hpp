@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace harmos::mesh {
+
+/// Trace operator B of one side of an interface, a sparse matrix points x nodes, the same for every component:
+/// w_p = sum_j B_pj u_j [length], nodal forces of the side F_j = sum_p B_pj h_p f_p [force].
+///
+/// Where the nodes of a side are the points, B selects one node for each point with coefficient 1.
+class TraceOperator {
+ public:
+  /// One entry of a row.
+  struct Entry {
+    int node = -1;        ///< of the body (or mesh), counted from 0
+    double weight = 1.0;  ///< B_pj, no dimension
+  };
+  /// The entries of one point, owned by the operator.
+  struct Row {
+    const Entry* first;
+    const Entry* last;
+    const Entry* begin() const { return first; }
+    const Entry* end() const { return last; }
+  };
+
+  /// No points.
+  TraceOperator() = default;
+  /// Selects node nodes[p] for point p.
+  explicit TraceOperator(const std::vector<int>& nodes);
+  /// Adds a point; its entries have different nodes.
+  void append(const std::vector<Entry>& row);
+
+  /// How many points there are.
+  int points() const { return static_cast<int>(pointers_.size()) - 1; }
+  /// The entries of point p.
+  Row row(int p) const { return {entries_.data() + pointers_[p], entries_.data() + pointers_[p + 1]}; }
+  /// Every row is one entry of weight 1.
+  bool isSelection() const { return isSelection_; }
+
+ private:
+  std::vector<std::size_t> pointers_{0};
+  std::vector<Entry> entries_;
+  bool isSelection_ = true;
+};
+
+}  // namespace harmos::mesh
