@@ -62,14 +62,16 @@ SearchDirection::SearchDirection(const Assembly& assembly, double scale, const T
       double softness = 0.0;
       for (int side = 0; side < interface.sides(); ++side) {
         const auto body = static_cast<std::size_t>(interface.body(side));
-        const double stiffness = diagonals[body][interface.nodes(side)[p]];
-        if (!(stiffness > 0.0)) {
-          throw base::Error("part \"" + assembly.bodies[body].name +
-                            "\": the stiffness matrix has the diagonal entry " + std::to_string(stiffness) +
-                            " at a node of interface \"" + interface.name +
-                            "\"; elastic bodies have positive diagonals");
+        for (const mesh::TraceOperator::Entry& entry : interface.trace(side).row(static_cast<int>(p))) {
+          const double stiffness = diagonals[body][entry.node];
+          if (!(stiffness > 0.0)) {
+            throw base::Error("part \"" + assembly.bodies[body].name +
+                              "\": the stiffness matrix has the diagonal entry " + std::to_string(stiffness) +
+                              " at a node of interface \"" + interface.name +
+                              "\"; elastic bodies have positive diagonals");
+          }
+          softness += entry.weight * entry.weight * interface.area[p] / stiffness;
         }
-        softness += interface.area[p] / stiffness;
       }
       k[p] = weight * interface.sides() / softness;
     }

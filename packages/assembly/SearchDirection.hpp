@@ -10,12 +10,13 @@ namespace harmos::assembly {
 
 /// Search direction k > 0 [stress/length] of every interface node pair, the same on both sides.
 ///
-/// Automatic: k = scale * factor * harmonic mean over the sides of diag(K)/h, with diag(K) the mean over the components
-/// of the node's diagonal entries, so that k does not depend on the frame and friction's cone keeps its shape; three
-/// times that where the law bonds. A boundary uses its own side. With a consistent interface mass k is constant over an
-/// interface (its area-weighted geometric mean), because only then the operator stays symmetric and the discrete
-/// solution independent of k. A boundary with a prescribed traction has a value too, which nothing uses.
-/// Units: diag(K) [force/length], h [area], `scale` [-]. The values are the same on every rank.
+/// Automatic: k = scale * factor * harmonic mean over the sides of 1 / (h (B D^-1 B^T)_pp), of a node that is a point
+/// D/h, with D = diag(K) the mean over the components of the nodes' diagonal entries, so that k does not depend on the
+/// frame and friction's cone keeps its shape; three times that where the law bonds. A boundary uses its own side. With
+/// a consistent interface mass k is constant over an interface (its area-weighted geometric mean), because only then
+/// the operator stays symmetric and the discrete solution independent of k. A boundary with a prescribed traction has a
+/// value too, which nothing uses. Units: diag(K) [force/length], h [area], `scale` [-]. The values are the same on
+/// every rank.
 class SearchDirection {
  public:
   /// Measured to be near the optimum on bolted and glued assemblies; the exact value matters little.

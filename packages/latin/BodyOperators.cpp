@@ -17,6 +17,19 @@ void addRotated(const base::Frame& q, bool transposed, int dimension, const doub
   for (int c = 0; c < dimension; ++c) to[c] += y[c];
 }
 
+/// Neighbouring points feel the same nodes. Of entries that are sorted.
+void addUpRepeated(std::vector<substructure::BoundaryTerm::NodeEntry>& entries) {
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < entries.size(); ++i) {
+    if (entries[i].row == entries[kept].row && entries[i].column == entries[kept].column) {
+      entries[kept].value += entries[i].value;
+    } else {
+      entries[++kept] = entries[i];
+    }
+  }
+  if (!entries.empty()) entries.resize(kept + 1);
+}
+
 /// What interfaces and boundaries make of a body's operator, in the numbering of its representative (toMaster empty:
 /// its own) and, where its axes are others, in these.
 substructure::BoundaryTerm boundaryTerm(const assembly::Assembly& assembly,
@@ -33,21 +46,25 @@ substructure::BoundaryTerm boundaryTerm(const assembly::Assembly& assembly,
     const std::vector<double>& k = searchDirection.of(static_cast<int>(i));
     for (int side = 0; side < interface.sides(); ++side) {
       if (interface.body(side) != body) continue;
-      std::vector<int> nodes = interface.nodes(side);
-      if (!toMaster.empty()) {
-        for (int& node : nodes) node = toMaster[node];
-      }
-      if (interface.mass.empty()) {
-        for (std::size_t p = 0; p < nodes.size(); ++p) {
-          for (int c = 0; c < dimension; ++c) {
-            const int dof = nodes[p] * dimension + c;
-            term.diagonal[dof] += k[p] * interface.area[p];
+      const mesh::TraceOperator& trace = interface.trace(side);
+      const auto numberOf = [&](int node) { return toMaster.empty() ? node : toMaster[node]; };
+      const auto add = [&](int p, int q, double value) {
+        for (const auto& [row, rowWeight] : trace.row(p)) {
+          for (const auto& [column, columnWeight] : trace.row(q)) {
+            term.entries.push_back({numberOf(row), numberOf(column), rowWeight * columnWeight * value});
           }
         }
-      }
-      for (const mesh::MassEntry& entry : interface.mass) {
-        const auto row = static_cast<std::size_t>(entry.row);
-        term.entries.push_back({nodes[row], nodes[entry.column], k[row] * entry.value});
+      };
+      for (const mesh::MassEntry& entry : interface.mass) add(entry.row, entry.column, k[entry.row] * entry.value);
+      for (int p = 0; p < interface.pairs() && interface.mass.empty(); ++p) {
+        if (!trace.isSelection()) {
+          add(p, p, k[p] * interface.area[p]);
+          continue;
+        }
+        for (int c = 0; c < dimension; ++c) {
+          const int dof = numberOf(trace.node(p)) * dimension + c;
+          term.diagonal[dof] += k[p] * interface.area[p];
+        }
       }
     }
   }
@@ -55,6 +72,7 @@ substructure::BoundaryTerm boundaryTerm(const assembly::Assembly& assembly,
   std::sort(term.entries.begin(), term.entries.end(), [](const auto& a, const auto& b) {
     return std::tie(a.row, a.column, a.value) < std::tie(b.row, b.column, b.value);
   });
+  addUpRepeated(term.entries);
   for (const EliminatedBoundaries::Node& node : eliminated.nodes(body)) {
     const int number = toMaster.empty() ? node.node : toMaster[node.node];
     const auto turned = [&](const base::Tensor3& a) { return rotation ? base::turnedBack(*rotation, a) : a; };
@@ -119,8 +137,13 @@ void BodyOperators::mapBlocks(const assembly::Assembly& assembly, const TraceLay
   for (const TraceLayout::Block& block : layout.blocks()) {
     const Place& place = places_[block.body];
     BlockMap map{&place, block.begin, {}};
-    for (int node : assembly.interfaces[block.interface].nodes(block.side)) {
-      map.row.push_back(groups_[place.group]->rowOf(masterDof(place, node)));
+    const mesh::TraceOperator& trace = assembly.interfaces[block.interface].trace(block.side);
+    for (int p = 0; p < trace.points(); ++p) {
+      std::vector<mesh::TraceOperator::Entry> row;
+      for (const auto& [node, weight] : trace.row(p)) {
+        row.push_back({groups_[place.group]->rowOf(masterDof(place, node)), weight});
+      }
+      map.trace.append(row);
     }
     blocks_.push_back(std::move(map));
   }
@@ -179,11 +202,7 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
     if (!interface.law->prescribesTraction() || places_[interface.body1].group < 0) continue;
     base::Matrix& loads = loads_[interface.body1];
     for (int t = 0; t < allSteps_; ++t) {
-      const std::vector<double> force = prescribedForces(interface, dimension_, t);
-      for (std::size_t i = 0; i < force.size(); ++i) {
-        const auto d = static_cast<std::size_t>(dimension_);
-        loads(interface.node1[i / d] * dimension_ + static_cast<int>(i % d), t) += force[i];
-      }
+      interface.trace1.addTransposed(dimension_, prescribedForces(interface, dimension_, t).data(), loads[t]);
     }
   }
   for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -227,13 +246,12 @@ void BodyOperators::solve(const base::Matrix& forces, int first, int count, subs
     for (int t = first; t < first + count; ++t) {
       const double* from = forces[t] + block.begin;
       double* to = right[block.place->member * columns + t];
-      if (block.place->rotates) {
-        for (std::size_t p = 0; p < block.row.size(); ++p, from += dimension_) {
-          addRotated(block.place->rotation, true, dimension_, from, to + block.row[p]);
-        }
-      } else {
-        for (std::size_t p = 0; p < block.row.size(); ++p, from += dimension_) {
-          for (int c = 0; c < dimension_; ++c) to[block.row[p] + c] += from[c];
+      for (int p = 0; p < block.trace.points(); ++p, from += dimension_) {
+        base::Vector3 turned{};
+        if (block.place->rotates) addRotated(block.place->rotation, true, dimension_, from, turned.data());
+        const double* force = block.place->rotates ? turned.data() : from;
+        for (const auto& [row, weight] : block.trace.row(p)) {
+          for (int c = 0; c < dimension_; ++c) to[row + c] += weight * force[c];
         }
       }
     }
@@ -248,12 +266,16 @@ void BodyOperators::trace(base::Matrix& trace, int first, int count) const {
     for (int t = first; t < first + count; ++t) {
       const double* from = solution[block.place->member * columns + t];
       double* to = trace[t] + block.begin;
-      for (std::size_t p = 0; p < block.row.size(); ++p, to += dimension_) {
+      for (int p = 0; p < block.trace.points(); ++p, to += dimension_) {
+        base::Vector3 w{};
+        for (const auto& [row, weight] : block.trace.row(p)) {
+          for (int c = 0; c < dimension_; ++c) w[c] += weight * from[row + c];
+        }
         if (block.place->rotates) {
           std::fill(to, to + dimension_, 0.0);
-          addRotated(block.place->rotation, false, dimension_, from + block.row[p], to);
+          addRotated(block.place->rotation, false, dimension_, w.data(), to);
         } else {
-          std::copy_n(from + block.row[p], dimension_, to);
+          std::copy_n(w.data(), dimension_, to);
         }
       }
     }

@@ -15,8 +15,8 @@ class OperatorGroup;
 
 /// The factored operators of the bodies that this rank owns; congruent bodies share one.
 ///
-/// Of a body: A = K + k h + s with the search directions k h and the springs s of eliminated boundaries; P strikes out
-/// the directions that these hold, in which u = g is given:
+/// Of a body: A = K + B^T k h B + s with the search directions k h, the trace operators B and the springs s of
+/// eliminated boundaries; P strikes out the directions that these hold, in which u = g is given:
 ///   S u' = P (B^T r + l - A g),  S = P A P + d (1 - P),  u = u' + g,
 /// and the reactions are what is left of the equilibrium there, (1 - P) (A u - B^T r - l).
 ///
@@ -75,7 +75,7 @@ class BodyOperators {
   struct BlockMap {
     const Place* place;
     int begin;
-    std::vector<int> row;  // of the first component of each node of the block in the vectors of its group
+    mesh::TraceOperator trace;  // B of the block; for a node the row of its first component in the vectors of the group
   };
 
   void mapBlocks(const assembly::Assembly& assembly, const TraceLayout& layout);

@@ -77,8 +77,9 @@ void EliminatedBoundaries::choose(Elimination which) {
   for (std::size_t i = 0; i < boundaries_.size(); ++i) {
     const assembly::Interface& interface = assembly_.interfaces[i];
     const laws::InterfaceLaw& law = *interface.law;
-    if (interface.sides() != 1 || interface.pairs() == 0 || isConsistent[interface.body1] || !law.isAffine() ||
-        law.prescribesTraction()) {
+    // A direction is held at a node, not at a mean of several.
+    if (interface.sides() != 1 || interface.pairs() == 0 || !interface.trace1.isSelection() ||
+        isConsistent[interface.body1] || !law.isAffine() || law.prescribesTraction()) {
       continue;
     }
     Boundary& boundary = boundaries_[i];
@@ -111,7 +112,7 @@ void EliminatedBoundaries::keepBodiesHeld() {
           const double k = searchDirection_.of(static_cast<int>(i))[p];
           for (std::size_t c = 0; c < 3; ++c) {
             const double spring = boundaries_[i].isEliminated ? boundaries_[i].components[0][c].stiffness : k;
-            const base::Vector3 r = (1.0 / size) * (nodes[interface.nodes(side)[p]] - centre);
+            const base::Vector3 r = (1.0 / size) * (interface.trace(side).at(p, nodes) - centre);
             const auto worked = rigidWork(r, axis(interface, p, c));
             for (int row = 0; row < 6; ++row) {
               for (int column = 0; column < 6; ++column) {
@@ -138,7 +139,8 @@ void EliminatedBoundaries::gather() {
   for (std::size_t i = 0; i < boundaries_.size(); ++i) {
     if (!boundaries_[i].isEliminated) continue;
     isEmpty_ = false;
-    for (const int node : assembly_.interfaces[i].node1) found[assembly_.interfaces[i].body1].emplace(node, 0);
+    const assembly::Interface& interface = assembly_.interfaces[i];
+    for (int p = 0; p < interface.pairs(); ++p) found[interface.body1].emplace(interface.trace1.node(p), 0);
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     for (auto& [node, position] : found[b]) {
@@ -152,7 +154,7 @@ void EliminatedBoundaries::gather() {
     if (!boundary.isEliminated) continue;
     const assembly::Interface& interface = assembly_.interfaces[i];
     for (int p = 0; p < interface.pairs(); ++p) {
-      boundary.node.push_back(found[interface.body1].at(interface.node1[p]));
+      boundary.node.push_back(found[interface.body1].at(interface.trace1.node(p)));
       Node& node = bodies_[interface.body1].nodes[boundary.node.back()];
       for (std::size_t c = 0; c < 3; ++c) {
         const laws::AffineComponent& component = boundary.components[0][c];
@@ -252,11 +254,11 @@ void EliminatedBoundaries::refuse(int interfaceIndex, int pair, int step, double
     if (static_cast<int>(i) == interfaceIndex || !boundaries_[i].isEliminated || other.body1 != interface.body1) {
       continue;
     }
-    if (std::count(other.node1.begin(), other.node1.end(), interface.node1[pair]) > 0) {
-      others += (others.empty() ? "\"" : ", \"") + other.name + "\"";
-    }
+    bool isThere = false;
+    for (int p = 0; p < other.pairs(); ++p) isThere = isThere || other.trace1.node(p) == interface.trace1.node(pair);
+    if (isThere) others += (others.empty() ? "\"" : ", \"") + other.name + "\"";
   }
-  const base::Vector3& x = assembly_.bodies[interface.body1].nodes[interface.node1[pair]];
+  const base::Vector3& x = interface.position[pair];
   std::ostringstream message;
   message << "boundary \"" << interface.name << "\" and " << (others.empty() ? "itself" : others)
           << " hold the node at (" << x[0] << ", " << x[1] << ", " << x[2] << ") at different places in load step "

@@ -26,8 +26,8 @@ enum class Elimination {
 /// directions is the reaction of the node; where several boundaries hold it, they share it with the least sum of h f^2.
 /// k: [stress/length], c, f: [stress], w, v: [length], h: area of the pair.
 ///
-/// Left to the local stage: boundaries of bodies with a consistent interface mass, springs that change with the load
-/// step, and all boundaries of a body that would then be free to move.
+/// Left to the local stage: boundaries whose points are no nodes, those of bodies with a consistent interface mass,
+/// springs that change with the load step, and all boundaries of a body that would then be free to move.
 class EliminatedBoundaries {
  public:
   /// A node of a body that boundaries of it touch.

@@ -47,7 +47,8 @@ Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMov
     for (std::size_t pair = 0; pair < static_cast<std::size_t>(block.pairs); ++pair) {
       const auto row = static_cast<std::size_t>(block.begin) + pair * dimension;
       const double area = interface.area[pair];
-      const base::Vector3 r = assembly.bodies[body].nodes[interface.nodes(block.side)[pair]] - held.centre(block.body);
+      const base::Vector3 x = interface.trace(block.side).at(static_cast<int>(pair), assembly.bodies[body].nodes);
+      const base::Vector3 r = x - held.centre(block.body);
       for (std::size_t t = 0; t < steps; ++t) {
         StepSums& sum = sums[body * steps + t];
         base::Vector3 d{};
@@ -67,7 +68,7 @@ Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMov
   std::size_t first = 0;
   for (const int i : boundaries.interfaces) {
     const assembly::Interface& interface = assembly.interfaces[i];
-    const std::size_t rows = interface.node1.size() * dimension;
+    const std::size_t rows = static_cast<std::size_t>(interface.pairs()) * dimension;
     for (std::size_t t = 0; t < steps; ++t) {
       StepSums& sum = sums[static_cast<std::size_t>(interface.body1) * steps + t];
       for (std::size_t row = first; row < first + rows; ++row) {

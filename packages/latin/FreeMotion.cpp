@@ -60,7 +60,7 @@ class Push {
     visit([&](const TraceLayout::Block& block, int row, int pair) {
       if (block.body != body) return;
       const double k = layout().stiffness()[row];
-      sum[0] += layout().area()[row] * k * base::norm(motion.at(node(block, pair)));
+      sum[0] += layout().area()[row] * k * base::norm(motion.at(place(block, pair)));
     });
     fixedPoint_.metric().sum(sum);
     return sum[0];
@@ -85,7 +85,7 @@ class Push {
     base::Matrix moved(alpha_);
     visit([&](const TraceLayout::Block& block, int row, int pair) {
       if (bodies.count(block.body) == 0) return;
-      const base::Vector3 way = motion.at(node(block, pair));
+      const base::Vector3 way = motion.at(place(block, pair));
       for (int c = 0; c < layout().dimension(); ++c) {
         moved[step_][row + c] +=
             layout().stiffness()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] * way[c];
@@ -122,7 +122,7 @@ class Push {
     std::vector<double> sum(1, 0.0);
     visit([&](const TraceLayout::Block& block, int row, int pair) {
       if (bodies.count(block.body) == 0) return;
-      const base::Vector3 way = motion.at(node(block, pair));
+      const base::Vector3 way = motion.at(place(block, pair));
       for (int c = 0; c < layout().dimension(); ++c) {
         sum[0] -= layout().area()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
                   (iterate.hattedTraction()[step_][row + c] - unmoved_[step_][row + c]) * way[c];
@@ -131,7 +131,7 @@ class Push {
     visitBoundaries(iterate, [&](int index, int pair, const base::Vector3& change) {
       const assembly::Interface& interface = fixedPoint_.assembly().interfaces[index];
       if (bodies.count(interface.body1) == 0) return;
-      const base::Vector3& x = fixedPoint_.assembly().bodies[interface.body1].nodes[interface.node1[pair]];
+      const base::Vector3 x = interface.trace1.at(pair, fixedPoint_.assembly().bodies[interface.body1].nodes);
       sum[0] -= base::dot(change, motion.at(x));
     });
     fixedPoint_.metric().sum(sum);
@@ -140,10 +140,9 @@ class Push {
 
  private:
   const TraceLayout& layout() const { return fixedPoint_.layout(); }
-  const base::Vector3& node(const TraceLayout::Block& block, int pair) const {
+  base::Vector3 place(const TraceLayout::Block& block, int pair) const {
     const auto& interface = fixedPoint_.assembly().interfaces[block.interface];
-    const int index = interface.nodes(block.side)[pair];
-    return fixedPoint_.assembly().bodies[block.body].nodes[index];
+    return interface.trace(block.side).at(pair, fixedPoint_.assembly().bodies[block.body].nodes);
   }
   template <class Action>
   void visit(const Action& action) const {

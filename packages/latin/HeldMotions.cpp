@@ -83,7 +83,7 @@ HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::Sea
       if (!bodies_[b].isHeld) continue;
       for (int p = 0; p < interface.pairs(); ++p) {
         const double k = interface.area[p] * searchDirection.of(static_cast<int>(i))[p];
-        const base::Vector3 r = assembly.bodies[b].nodes[interface.nodes(side)[p]] - bodies_[b].centre;
+        const base::Vector3 r = interface.trace(side).at(p, assembly.bodies[b].nodes) - bodies_[b].centre;
         for (std::size_t c = 0; c < 3 && !isEliminated; ++c) addSpring(bodies_[b].stiffness, k, r, unit(c));
         if (!isEliminated) continue;
         const EliminatedBoundaries::Node& node =

@@ -30,7 +30,7 @@ std::vector<base::Vector3> Iterate::tractions(int interfaceIndex, int column) co
   std::vector<base::Vector3> tractions(interface.pairs());
   if (fields.eliminated.contains(interfaceIndex)) {
     for (int p = 0; p < interface.pairs(); ++p) {
-      const base::Vector3 w = displacement(interface.body1, interface.node1[p], column);
+      const base::Vector3 w = traceOfBody(interface, p, column);
       const base::Vector3 reaction =
           fields.linear->operators().reaction(interface.body1, fields.eliminated.nodeOf(interfaceIndex, p), column);
       tractions[p] = fields.eliminated.traction(interfaceIndex, p, step, w, reaction);
@@ -73,7 +73,7 @@ const BoundaryFields& Iterate::boundaryFields() const {
       const std::vector<base::Vector3> on = tractions(i, t);
       for (int p = 0; p < interface.pairs(); ++p, f += dimension, w += dimension) {
         std::copy_n(on[p].begin(), dimension, f);
-        std::copy_n(displacement(interface.body1, interface.node1[p], t).begin(), dimension, w);
+        std::copy_n(traceOfBody(interface, p, t).begin(), dimension, w);
       }
     }
   }

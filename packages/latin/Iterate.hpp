@@ -75,6 +75,15 @@ class Iterate {
   base::Vector3 displacement(int body, int node, int column) const {
     return valid().linear->displacement(body, node, column);
   }
+  /// w1 = B u [length] at a point of side 1 of an interface, from the body, where no field has it. To be asked by the
+  /// owner of body 1.
+  base::Vector3 traceOfBody(const assembly::Interface& interface, int point, int column) const {
+    base::Vector3 w{};
+    for (const auto& [node, weight] : interface.trace1.row(point)) {
+      w = w + weight * displacement(interface.body1, node, column);
+    }
+    return w;
+  }
   /// Largest of the linear stage [length], see BodyOperators::largestDisplacement().
   double largestDisplacement(double share) const { return valid().linear->operators().largestDisplacement(share); }
 

@@ -141,9 +141,8 @@ LoadBalance::LoadBalance(const assembly::Assembly& assembly, const Teuchos::Comm
     const auto& nodes = assembly.bodies[interface.body1].nodes;
     for (std::size_t t = 0; t < steps; ++t) {
       const std::vector<double> forces = prescribedForces(interface, dimension, static_cast<int>(t));
-      for (std::size_t p = 0; p < interface.node1.size(); ++p) {
-        add(static_cast<std::size_t>(interface.body1), t, nodes[interface.node1[p]],
-            forces.data() + p * static_cast<std::size_t>(dimension));
+      for (int p = 0; p < interface.pairs(); ++p) {
+        add(static_cast<std::size_t>(interface.body1), t, interface.trace1.at(p, nodes), forces.data() + p * dimension);
       }
     }
   }

@@ -35,25 +35,25 @@ Matrix weighted(const assembly::Interface& interface, int dimension, const std::
 }
 
 /// Rigid motions of an interface about its centre, rotations scaled by its size, so that all columns are lengths alike.
-Matrix rigidMotions(const assembly::Interface& interface, const std::vector<base::Vector3>& nodes, int dimension) {
+Matrix rigidMotions(const assembly::Interface& interface, int dimension) {
   const int pairs = interface.pairs();
   base::Vector3 centre{};
   double total = 0.0;
   for (int p = 0; p < pairs; ++p) {
     const auto i = static_cast<std::size_t>(p);
-    for (std::size_t c = 0; c < 3; ++c) centre[c] += interface.area[i] * nodes[interface.node1[i]][c];
+    for (std::size_t c = 0; c < 3; ++c) centre[c] += interface.area[i] * interface.position[i][c];
     total += interface.area[i];
   }
   for (double& c : centre) c /= total;
   double size = 0.0;
-  for (int node : interface.node1) {
-    for (std::size_t c = 0; c < 3; ++c) size = std::max(size, std::abs(nodes[node][c] - centre[c]));
+  for (const base::Vector3& x : interface.position) {
+    for (std::size_t c = 0; c < 3; ++c) size = std::max(size, std::abs(x[c] - centre[c]));
   }
   if (size == 0.0) size = 1.0;
 
   Matrix motions(pairs * dimension, dimension == 3 ? 6 : 3);
   for (int p = 0; p < pairs; ++p) {
-    const base::Vector3& x = nodes[interface.node1[p]];
+    const base::Vector3& x = interface.position[p];
     const double r[3] = {(x[0] - centre[0]) / size, (x[1] - centre[1]) / size, (x[2] - centre[2]) / size};
     const int row = p * dimension;
     for (int c = 0; c < dimension; ++c) motions(row + c, c) = 1.0;
@@ -131,11 +131,8 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
     int column = 0;
     for (std::size_t i : mine) {
       const TraceLayout::Block& at = layout.blocks()[i];
-      const auto& nodes = assembly.interfaces[at.interface].nodes(at.side);
       for (int m = 0; m < blocks_[i].force.numCols(); ++m, ++column) {
-        for (int row = 0; row < blocks_[i].force.numRows(); ++row) {
-          right(nodes[row / dimension] * dimension + row % dimension, column) += blocks_[i].force(row, m);
-        }
+        assembly.interfaces[at.interface].trace(at.side).addTransposed(dimension, blocks_[i].force[m], right[column]);
       }
     }
     body.response = count > 0 ? operators.solveBody(body.body, right) : right;
@@ -145,14 +142,12 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
     column = 0;
     for (std::size_t i : mine) {
       const TraceLayout::Block& at = layout.blocks()[i];
-      const auto& nodes = assembly.interfaces[at.interface].nodes(at.side);
       Block& block = blocks_[i];
       // Not the rows of `force`: a Teuchos matrix without columns, as that of a boundary, loses its rows when copied.
       block.reaction.shape(at.pairs * dimension, count);
       for (int j = 0; j < count; ++j) {
-        for (int row = 0; row < block.reaction.numRows(); ++row) {
-          block.reaction(row, j) = -response(nodes[row / dimension] * dimension + row % dimension, j);
-        }
+        assembly.interfaces[at.interface].trace(at.side).addProduct(dimension, response[j], block.reaction[j]);
+        for (int row = 0; row < block.reaction.numRows(); ++row) block.reaction(row, j) = -block.reaction(row, j);
       }
       const int modes = block.force.numCols();
       for (int m = 0; m < modes; ++m) {
@@ -188,13 +183,13 @@ void MacroProblem::updateLoads(const assembly::Assembly& assembly, const BodyOpe
     const Block& block = blocks_[i];
     Matrix& sums = bodies_[block.body].loads;
     const Matrix& held = operators.held(at.body);
-    const auto& nodes = assembly.interfaces[at.interface].nodes(at.side);
-    const int dimension = layout_.dimension();
+    std::vector<double> trace(block.force.numRows());
     for (int t = 0; t < held.numCols(); ++t) {
+      std::fill(trace.begin(), trace.end(), 0.0);
+      assembly.interfaces[at.interface].trace(at.side).addProduct(layout_.dimension(), held[t], trace.data());
       for (int m = 0; m < block.force.numCols(); ++m) {
-        for (int row = 0; row < block.force.numRows(); ++row) {
-          sums(first[block.body] + m, t) +=
-              block.force(row, m) * held(nodes[row / dimension] * dimension + row % dimension, t);
+        for (std::size_t row = 0; row < trace.size(); ++row) {
+          sums(first[block.body] + m, t) += block.force[m][row] * trace[row];
         }
       }
     }
@@ -210,7 +205,7 @@ void MacroProblem::buildModes(const assembly::Assembly& assembly, const assembly
       modes_.emplace_back(interface.pairs() * layout_.dimension(), 0, false);
       continue;
     }
-    const Matrix motions = rigidMotions(interface, assembly.bodies[interface.body1].nodes, layout_.dimension());
+    const Matrix motions = rigidMotions(interface, layout_.dimension());
     modes_.push_back(orthonormal(interface, layout_.dimension(), searchDirection.of(static_cast<int>(i)), motions));
     unknowns_ += modes_.back().numCols();
   }

@@ -8,17 +8,19 @@ namespace harmos::latin {
 base::Matrix nodalForces(const TraceLayout& layout, const base::Matrix& traction) {
   const int dimension = layout.dimension();
   std::vector<double> area(layout.nodes(), 0.0);
-  for (std::size_t i = 0; i < layout.nodeOf().size(); ++i) {
-    area[layout.nodeOf()[i]] += layout.area()[i * static_cast<std::size_t>(dimension)];
+  const mesh::TraceOperator& trace = layout.trace();
+  for (int p = 0; p < trace.points(); ++p) {
+    for (const auto& [node, weight] : trace.row(p)) area[node] += std::abs(weight) * layout.area()[p * dimension];
   }
   base::Matrix forces(std::max(1, layout.nodes() * dimension), traction.numCols());
   for (int t = 0; t < traction.numCols(); ++t) {
-    for (std::size_t i = 0; i < layout.nodeOf().size(); ++i) {
-      const int node = layout.nodeOf()[i];
-      const double scale = 1.0 / std::sqrt(area[node]);
-      for (int c = 0; c < dimension; ++c) {
-        const int row = static_cast<int>(i) * dimension + c;
-        forces[t][node * dimension + c] += scale * layout.area()[row] * traction[t][row];
+    for (int p = 0; p < trace.points(); ++p) {
+      for (const auto& [node, weight] : trace.row(p)) {
+        const double scale = area[node] > 0.0 ? weight / std::sqrt(area[node]) : 0.0;
+        for (int c = 0; c < dimension; ++c) {
+          const int row = p * dimension + c;
+          forces[t][node * dimension + c] += scale * layout.area()[row] * traction[t][row];
+        }
       }
     }
   }

@@ -102,6 +102,13 @@ void OperatorGroup::multiply(const double* u, const std::vector<int>& rows, doub
     }
     result[i] = sum;
   }
+  for (const substructure::BoundaryTerm::NodeEntry& entry : term_.entries) {
+    const auto at = std::lower_bound(rows.begin(), rows.end(), entry.row * term_.dimension);
+    if (at == rows.end() || *at != entry.row * term_.dimension) continue;
+    for (int c = 0; c < term_.dimension; ++c) {
+      result[at - rows.begin() + c] += entry.value * u[entry.column * term_.dimension + c];
+    }
+  }
   for (const substructure::BoundaryTerm::NodeTensor& spring : term_.springs) {
     const int first = spring.node * term_.dimension;
     const auto at = std::lower_bound(rows.begin(), rows.end(), first);

@@ -14,7 +14,7 @@ void fillBoundary(const Iterate& state, int interfaceIndex, std::vector<double>&
     for (std::size_t p = 0; p < pairs; ++p) {
       double* value = values.data() + (static_cast<std::size_t>(t) * pairs + p) * width;
       const base::Vector3 f = base::toFrame(interface.frame[p], tractions[p]);
-      const base::Vector3 u = state.displacement(interface.body1, interface.node1[p], t);
+      const base::Vector3 u = state.traceOfBody(interface, static_cast<int>(p), t);
       const base::Vector3 w = base::toFrame(interface.frame[p], u);
       for (std::size_t c = 0; c < 3; ++c) {
         value[c] = f[c];
@@ -60,7 +60,7 @@ PairFields pairFields(const Iterate& state, int interfaceIndex) {
   PairFields fields;
   fields.pairs = interface.pairs();
   fields.steps = state.assembly().steps();
-  const std::size_t count = interface.node1.size() * static_cast<std::size_t>(fields.steps);
+  const std::size_t count = static_cast<std::size_t>(fields.pairs) * static_cast<std::size_t>(fields.steps);
   std::vector<double> values(count * width, 0.0);
   if (interface.law->prescribesTraction() || state.eliminated().contains(interfaceIndex)) {
     if (state.layout().owns(interface.body1)) fillBoundary(state, interfaceIndex, values);

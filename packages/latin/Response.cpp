@@ -26,7 +26,7 @@ std::vector<double> ResultantResponse::evaluate(const Iterate& state) const {
     std::vector<base::Vector3> arms;
     for (int p = 0; p < interface.pairs(); ++p) {
       const base::Vector3& direction = direction_.empty() ? interface.frame[p][0] : direction_[0];
-      arms.push_back(centre_.empty() ? direction : cross(direction, nodes[interface.node1[p]] - centre_[0]));
+      arms.push_back(centre_.empty() ? direction : cross(direction, interface.trace1.at(p, nodes) - centre_[0]));
     }
     for (int t = 0; t < state.assembly().steps(); ++t) {
       const std::vector<base::Vector3> tractions = state.tractions(i, t);

@@ -33,7 +33,7 @@ std::vector<base::Vector3> placesOf(const Assembly& assembly, const Interface& i
   const auto& nodes = assembly.bodies[interface.body(side)].nodes;
   const auto pairs = static_cast<std::size_t>(interface.pairs());
   std::vector<base::Vector3> places;
-  for (const int node : interface.nodes(side)) places.push_back(nodes[node]);
+  for (int p = 0; p < interface.pairs(); ++p) places.push_back(interface.trace(side).at(p, nodes));
   if (interface.mass.empty()) return places;
   std::vector<base::Vector3> sums(pairs, base::Vector3{});
   std::vector<double> total(pairs, 0.0);

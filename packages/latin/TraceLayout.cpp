@@ -25,9 +25,13 @@ TraceLayout::TraceLayout(const assembly::Assembly& assembly, const assembly::Sea
       for (std::size_t p = 0; p < k.size(); ++p) {
         area_.insert(area_.end(), dimension_, interface.area[p]);
         stiffness_.insert(stiffness_.end(), dimension_, k[p]);
-        const auto [at, isNew] = number.emplace(std::pair(interface.body(side), interface.nodes(side)[p]), nodes_);
-        nodes_ += isNew ? 1 : 0;
-        nodeOf_.push_back(at->second);
+        std::vector<mesh::TraceOperator::Entry> row;
+        for (const auto& [node, weight] : interface.trace(side).row(static_cast<int>(p))) {
+          const auto [at, isNew] = number.emplace(std::pair(interface.body(side), node), nodes_);
+          nodes_ += isNew ? 1 : 0;
+          row.push_back({at->second, weight});
+        }
+        trace_.append(row);
       }
     }
   }

@@ -13,8 +13,8 @@ namespace harmos::latin {
 
 /// Where the trace of each interface side stands in a field on this rank.
 ///
-/// A field is a base::Matrix with one row per component of every node of every owned interface side (global x, y, z;
-/// node by node) and one column per load step. Boundaries with a prescribed traction and those that are eliminated
+/// A field is a base::Matrix with one row per component of every point of every owned interface side (global x, y, z;
+/// point by point) and one column per load step. Boundaries with a prescribed traction and those that are eliminated
 /// carry no unknowns and have no rows.
 class TraceLayout {
  public:
@@ -43,10 +43,10 @@ class TraceLayout {
   const std::vector<double>& area() const { return area_; }
   /// Search direction k [stress/length] of every row.
   const std::vector<double>& stiffness() const { return stiffness_; }
-  /// Number of different nodes of owned bodies that have rows; a node may belong to several interfaces.
+  /// Number of different nodes of owned bodies that interfaces feel; a node may belong to several interfaces.
   int nodes() const { return nodes_; }
-  /// Which of these nodes each group of `dimension` rows belongs to.
-  const std::vector<int>& nodeOf() const { return nodeOf_; }
+  /// B of all blocks, one below the other: a point for each group of `dimension` rows, over these nodes.
+  const mesh::TraceOperator& trace() const { return trace_; }
   /// The communicator of all ranks that share the assembly.
   const Teuchos::Comm<int>& comm() const { return *comm_; }
   /// The same, to be kept.
@@ -62,7 +62,7 @@ class TraceLayout {
   std::vector<double> area_;
   std::vector<double> stiffness_;
   int nodes_ = 0;
-  std::vector<int> nodeOf_;
+  mesh::TraceOperator trace_;
   std::vector<bool> owned_;
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
 };

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <harmos/base/Vector3.hpp>
+
 namespace harmos::mesh {
 
 /// Trace operator B of one side of an interface, a sparse matrix points x nodes, the same for every component:
@@ -38,6 +40,14 @@ class TraceOperator {
   Row row(int p) const { return {entries_.data() + pointers_[p], entries_.data() + pointers_[p + 1]}; }
   /// Every row is one entry of weight 1.
   bool isSelection() const { return isSelection_; }
+  /// The node of point p; only of a selection.
+  int node(int p) const { return entries_[p].node; }
+  /// (B x)_p of a vector x per node, such as the place at which the forces of the point act on the body.
+  base::Vector3 at(int p, const std::vector<base::Vector3>& x) const;
+  /// y += B x for vectors of `dimension` components per node and point, node by node.
+  void addProduct(int dimension, const double* x, double* y) const;
+  /// y += B^T x likewise.
+  void addTransposed(int dimension, const double* x, double* y) const;
 
  private:
   std::vector<std::size_t> pointers_{0};

@@ -181,13 +181,15 @@ class Checker {
   /// A part of the traction is not 0 at any pair, and nowhere along a free direction.
   template <typename Part>
   bool isWasted(const assembly::Interface& interface, const std::string& holder, const Part& part) const {
-    std::vector<bool> acts(interface.node1.size(), false);
+    std::vector<bool> acts(static_cast<std::size_t>(interface.pairs()), false);
     for (std::size_t t = 0; t < scene_.times.size(); ++t) {
       const auto tractions = latin::prescribedTractions(interface, static_cast<int>(t));
       for (std::size_t p = 0; p < tractions.size(); ++p) {
         const base::Vector3 acting = part(tractions[p]);
         if (norm(acting) == 0.0) continue;
-        if (!holdsWholly(holder, interface.body1, interface.node1[p], acting)) return false;
+        for (const auto& entry : interface.trace1.row(static_cast<int>(p))) {
+          if (!holdsWholly(holder, interface.body1, entry.node, acting)) return false;
+        }
         acts[p] = true;
       }
     }

@@ -86,7 +86,8 @@ HeldNodes::HeldNodes(const std::vector<assembly::Interface>& interfaces, const s
   bond();
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const assembly::Interface& interface = interfaces[i];
-    if (interface.sides() == 1 && interface.law->isAffine() && !interface.law->prescribesTraction()) {
+    if (interface.sides() == 1 && interface.trace1.isSelection() && interface.law->isAffine() &&
+        !interface.law->prescribesTraction()) {
       hold(static_cast<int>(i));
     }
   }
@@ -100,9 +101,10 @@ void HeldNodes::bond() {
   };
   for (const assembly::Interface& interface : interfaces_) {
     if (interface.sides() != 2 || !interface.law->bonds()) continue;
+    if (!interface.trace1.isSelection() || !interface.trace2.isSelection()) continue;
     for (int p = 0; p < interface.pairs(); ++p) {
-      representative_[find(first_[interface.body1] + interface.node1[p])] =
-          find(first_[interface.body2] + interface.node2[p]);
+      representative_[find(first_[interface.body1] + interface.trace1.node(p))] =
+          find(first_[interface.body2] + interface.trace2.node(p));
     }
   }
   for (std::size_t node = 0; node < representative_.size(); ++node) {
@@ -125,13 +127,13 @@ void HeldNodes::hold(int interfaceIndex) {
   for (std::size_t c = 0; c < 3; ++c) shared[c] = std::make_shared<const std::vector<double>>(std::move(values[c]));
   const bool isLocal = interface.law->frame() == laws::Frame::interface;
   for (int p = 0; p < interface.pairs(); ++p) {
-    auto& holdings = holdings_[representative_[first_[interface.body1] + interface.node1[p]]];
+    auto& holdings = holdings_[representative_[first_[interface.body1] + interface.trace1.node(p)]];
     for (int c = 0; c < dimension_; ++c) {
       if (!isHeld[c]) continue;
       base::Vector3 axis{};
       axis[c] = 1.0;
-      holdings.push_back(
-          {interfaceIndex, interface.body1, interface.node1[p], isLocal ? interface.frame[p][c] : axis, shared[c]});
+      holdings.push_back({interfaceIndex, interface.body1, interface.trace1.node(p),
+                          isLocal ? interface.frame[p][c] : axis, shared[c]});
     }
   }
 }

@@ -148,10 +148,10 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
   return surfaces;
 }
 
-Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<mesh::Piece>& pieces,
+Interfaces makeInterfaces(const Scene& scene, const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
                           std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent) {
   const auto carriers =
-      isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(pieces, dimension, surfaces);
+      isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(pieces, mesh.dimension, surfaces);
   Interfaces made;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const mesh::InterfaceSurface& surface = surfaces[s];
@@ -167,13 +167,14 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
     for (std::size_t p = 0; p < surface.node1.size(); ++p) {
       if (carriers[s][p].surface != static_cast<int>(s)) continue;
       made.places[s][p] = {static_cast<int>(made.interfaces.size()), interface.pairs()};
-      interface.node1.push_back(surface.node1[p]);
-      if (surface.piece2 >= 0) interface.node2.push_back(surface.node2[p]);
+      interface.trace1.append({{surface.node1[p], 1.0}});
+      if (surface.piece2 >= 0) interface.trace2.append({{surface.node2[p], 1.0}});
+      interface.position.push_back(mesh.nodes[pieces[surface.piece1].nodes[surface.node1[p]]]);
       interface.frame.push_back(surface.frame[p]);
       interface.area.push_back(isAlongNormals ? norm(surface.normal[p]) : surface.area[p]);
       interface.gap.push_back(surface.gap[p]);
     }
-    if (interface.node1.empty()) continue;
+    if (interface.pairs() == 0) continue;
     if (isConsistent && !isAlongNormals) {
       for (const mesh::MassEntry& entry : surface.mass) {
         interface.mass.push_back({entry.row, entry.column, entry.value});

@@ -33,7 +33,8 @@ void ChaosLocalStage::setLaws(const Realisations& laws, Method method) {
       if (!joint.springs->isRandom()) joint.springs.reset();
     }
     if (!lines_.isActive(static_cast<int>(i))) continue;
-    const std::size_t size = interface.node1.size() * static_cast<std::size_t>(interface.law->historySize());
+    const std::size_t size =
+        static_cast<std::size_t>(interface.pairs()) * static_cast<std::size_t>(interface.law->historySize());
     const std::vector<double> zero(size, 0.0);
     joint.histories.assign(joint.laws.size(), {zero, zero, zero});
   }

@@ -133,9 +133,11 @@ void SpectralSystem::addLoads(const assembly::Interface& boundary) {
   for (int column = 0; column < steps_ * terms_; ++column) {
     const std::vector<double> force = latin::prescribedForces(boundary, dimension_, column);
     for (int p = 0; p < boundary.pairs(); ++p) {
-      for (int c = 0; c < dimension_; ++c) {
-        at(right_, dofOf(boundary.body1, boundary.node1[p]) + c, column) +=
-            force[static_cast<std::size_t>(p) * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(c)];
+      for (const auto& [node, weight] : boundary.trace1.row(p)) {
+        for (int c = 0; c < dimension_; ++c) {
+          at(right_, dofOf(boundary.body1, node) + c, column) +=
+              weight * force[static_cast<std::size_t>(p * dimension_ + c)];
+        }
       }
     }
   }
@@ -152,12 +154,17 @@ std::vector<SpectralSystem::Entry> SpectralSystem::springs(const assembly::Inter
     }
     for (int side = 0; side < interface.sides(); ++side) {
       for (int other = 0; other < interface.sides(); ++other) {
-        const int row = dofOf(interface.body(side), interface.nodes(side)[r]);
-        const int column = dofOf(interface.body(other), interface.nodes(other)[s]);
-        for (int a = 0; a < dimension_; ++a) {
-          for (int b = 0; b < dimension_; ++b) {
-            const double value = mass.value * rowAxis[a] * columnAxis[b];
-            if (value != 0.0) entries.push_back({row + a, column + b, side == other ? value : -value});
+        const double sign = side == other ? 1.0 : -1.0;
+        for (const auto& [rowNode, rowWeight] : interface.trace(side).row(mass.row)) {
+          for (const auto& [columnNode, columnWeight] : interface.trace(other).row(mass.column)) {
+            const int row = dofOf(interface.body(side), rowNode);
+            const int column = dofOf(interface.body(other), columnNode);
+            for (int a = 0; a < dimension_; ++a) {
+              for (int b = 0; b < dimension_; ++b) {
+                const double value = sign * rowWeight * columnWeight * mass.value * rowAxis[a] * columnAxis[b];
+                if (value != 0.0) entries.push_back({row + a, column + b, value});
+              }
+            }
           }
         }
       }
@@ -171,10 +178,12 @@ void SpectralSystem::addOffset(const assembly::Interface& interface, std::size_t
   for (const mesh::MassEntry& mass : massOf(interface)) {
     const base::Vector3 axis = axisOf(interface, component, static_cast<std::size_t>(mass.column));
     for (int side = 0; side < interface.sides(); ++side) {
-      const int dof = dofOf(interface.body(side), interface.nodes(side)[mass.row]);
-      for (int c = 0; c < dimension_; ++c) {
-        const double force = mass.value * traction * axis[c];
-        at(right_, dof + c, column) += side == 0 ? force : -force;
+      for (const auto& [node, weight] : interface.trace(side).row(mass.row)) {
+        const int dof = dofOf(interface.body(side), node);
+        for (int c = 0; c < dimension_; ++c) {
+          const double force = weight * mass.value * traction * axis[c];
+          at(right_, dof + c, column) += side == 0 ? force : -force;
+        }
       }
     }
   }
@@ -182,13 +191,14 @@ void SpectralSystem::addOffset(const assembly::Interface& interface, std::size_t
 
 void SpectralSystem::hold(const assembly::Interface& interface, std::size_t component, int column, double jump) {
   if (interface.sides() != 1) refuse(interface, "does not treat rigid joints of two bodies");
-  for (std::size_t p = 0; p < interface.node1.size(); ++p) {
-    const base::Vector3 axis = axisOf(interface, component, p);
+  if (!interface.trace1.isSelection()) refuse(interface, "holds nodes, no means of several nodes");
+  for (int p = 0; p < interface.pairs(); ++p) {
+    const base::Vector3 axis = axisOf(interface, component, static_cast<std::size_t>(p));
     for (int c = 0; c < dimension_; ++c) {
       const double cosine = axis[c];
       if (std::abs(cosine) <= straight) continue;
       if (std::abs(cosine) < 1.0 - straight) refuse(interface, "holds boundaries along the axes only");
-      const int dof = dofOf(interface.body1, interface.node1[p]) + c;
+      const int dof = dofOf(interface.body1, interface.trace1.node(p)) + c;
       isHeld_[dof] = 1;
       // The ground is at rest: the jump is -w1.
       at(held_, dof, column) = -jump * cosine;

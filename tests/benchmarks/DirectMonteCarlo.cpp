@@ -128,10 +128,10 @@ CondensedMonteCarlo::CondensedMonteCarlo(const RandomGlue& glue, const GluedMatr
   std::vector<std::pair<int, int>> jumps;
   for (std::size_t g = 0; g < 2; ++g) {
     const assembly::Interface& interface = glue.assembly().interfaces[glue.interfaceOf(g)];
-    for (std::size_t p = 0; p < interface.node1.size(); ++p) {
+    for (int p = 0; p < interface.pairs(); ++p) {
       for (int c = 0; c < 2; ++c) {
-        jumps.emplace_back(matrices.system().dofOf(interface.body1, interface.node1[p]) + c,
-                           matrices.system().dofOf(interface.body2, interface.node2[p]) + c);
+        jumps.emplace_back(matrices.system().dofOf(interface.body1, interface.trace1.node(p)) + c,
+                           matrices.system().dofOf(interface.body2, interface.trace2.node(p)) + c);
       }
     }
   }

@@ -30,13 +30,12 @@ SolvedScene::SolvedScene(const SceneInput& input, const Teuchos::RCP<const Teuch
     auto name = std::find(names_.begin(), names_.end(), interface.name);
     if (name == names_.end()) name = names_.insert(name, interface.name);
     const latin::PairFields fields = latin::pairFields(solver.state(), static_cast<int>(i));
-    const auto& nodes = assembly.bodies[interface.body1].nodes;
     for (int t = 0; t < assembly.steps(); ++t) {
       for (int p = 0; p < interface.pairs(); ++p) {
         const auto pair = static_cast<std::size_t>(p);
         const std::size_t at = fields.at(t, p);
         pairs_[t].push_back({static_cast<int>(name - names_.begin()),
-                             {nodes[interface.node1[pair]], interface.area[pair], fields.traction[at], fields.jump[at],
+                             {interface.position[pair], interface.area[pair], fields.traction[at], fields.jump[at],
                               fields.status[at]}});
       }
     }

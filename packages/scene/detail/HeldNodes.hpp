@@ -26,7 +26,7 @@ struct Conflict {
 };
 
 /// Which nodes boundaries hold, and where: of all affine laws that leave a component no choice, whatever its traction.
-/// Nodes that interfaces bond move as one and count as one.
+/// Nodes that interfaces bond move as one and count as one. Interfaces whose points are no nodes hold and bond none.
 class HeldNodes {
  public:
   /// `nodes`: how many each body has. The interfaces must outlive this.

@@ -111,9 +111,9 @@ substructure::Substructure lattice(const std::string& name, double start, bool i
   return body;
 }
 
-/// An interface over a whole cross-section of unit areas.
+/// An interface over a whole cross-section of unit areas, at x = place.
 assembly::Interface section(const std::string& name, std::shared_ptr<const laws::InterfaceLaw> law, int body1,
-                            bool atEnd, int body2 = -1) {
+                            bool atEnd, double place, int body2 = -1) {
   assembly::Interface joint;
   joint.name = name;
   joint.law = std::move(law);
@@ -121,8 +121,9 @@ assembly::Interface section(const std::string& name, std::shared_ptr<const laws:
   joint.body2 = body2;
   for (int j = 0; j < width; ++j)
     for (int k = 0; k < width; ++k) {
-      joint.node1.push_back(nodeAt(atEnd ? length - 1 : 0, j, k));
-      if (body2 >= 0) joint.node2.push_back(nodeAt(0, j, k));
+      joint.trace1.append({{nodeAt(atEnd ? length - 1 : 0, j, k), 1.0}});
+      if (body2 >= 0) joint.trace2.append({{nodeAt(0, j, k), 1.0}});
+      joint.position.push_back({place, 1.0 * j, 1.0 * k});
       const double outward = atEnd ? 1.0 : -1.0;
       joint.frame.push_back({{{outward, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, outward}}});
       joint.area.push_back(1.0);
@@ -147,9 +148,9 @@ bool solve(const Teuchos::RCP<const Teuchos::Comm<int>>& communicator) {
   assembly::Assembly assembly;
   assembly.owner = {0, second};
   assembly.bodies = {lattice("A", 0.0, rank == 0), lattice("B", length - 1.0, rank == second)};
-  assembly.interfaces = {section("clamp", std::make_shared<laws::PointwiseLaw<Clamp>>(), 0, false),
-                         section("glue", std::make_shared<laws::PointwiseLaw<PlasticGlue>>(), 0, true, 1),
-                         section("pull", std::make_shared<laws::PointwiseLaw<Pull>>(), 1, true)};
+  assembly.interfaces = {section("clamp", std::make_shared<laws::PointwiseLaw<Clamp>>(), 0, false, 0.0),
+                         section("glue", std::make_shared<laws::PointwiseLaw<PlasticGlue>>(), 0, true, length - 1.0, 1),
+                         section("pull", std::make_shared<laws::PointwiseLaw<Pull>>(), 1, true, 2.0 * (length - 1))};
   assembly.times = {1.0, 2.0, 3.0};
 
   latin::LatinOptions options;
@@ -157,7 +158,8 @@ bool solve(const Teuchos::RCP<const Teuchos::Comm<int>>& communicator) {
   base::Timers timers;
   latin::LatinSolver solver(assembly, options, communicator, timers);
   std::vector<latin::DisplacementResponse::Node> end;
-  for (int node : assembly.interfaces[2].node1) end.push_back({1, node, 1.0 / (width * width)});
+  const mesh::TraceOperator& trace = assembly.interfaces[2].trace1;
+  for (int p = 0; p < trace.points(); ++p) end.push_back({1, trace.node(p), 1.0 / (width * width)});
   solver.addResponse(std::make_shared<latin::DisplacementResponse>("end", end, base::Vector3{1.0, 0.0, 0.0}));
   const latin::LatinResult result = solver.solve();
 

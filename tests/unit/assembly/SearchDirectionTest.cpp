@@ -52,7 +52,7 @@ TEST(SearchDirection, OfABondIsThreeTimesStiffer) {
 TEST(SearchDirection, DoesNotDependOnTheOrderOfTheSides) {
   Assembly swapped = twoBodies(30.0, 60.0);
   std::swap(swapped.interfaces[0].body1, swapped.interfaces[0].body2);
-  std::swap(swapped.interfaces[0].node1, swapped.interfaces[0].node2);
+  std::swap(swapped.interfaces[0].trace1, swapped.interfaces[0].trace2);
   EXPECT_DOUBLE_EQ(k(swapped, 0), k(twoBodies(30.0, 60.0), 0));
 }
 
@@ -91,8 +91,9 @@ TEST(SearchDirection, OfEqualBodiesIsThatOfTheRepresentative) {
 Assembly wideInterface(bool isConsistent) {
   Assembly assembly = twoBodies(30.0, 30.0);
   Interface& joint = assembly.interfaces[0];
-  joint.node1 = {1, 2};  // diagonals 60 and 30
-  joint.node2 = {1, 0};
+  joint.trace1 = mesh::TraceOperator({1, 2});  // diagonals 60 and 30
+  joint.trace2 = mesh::TraceOperator({1, 0});
+  joint.position.push_back(joint.position[0]);
   joint.frame.push_back(joint.frame[0]);
   joint.area = {0.5, 1.5};
   joint.gap = {0.0, 0.0};
@@ -103,6 +104,19 @@ Assembly wideInterface(bool isConsistent) {
 TEST(SearchDirection, VariesFromNodeToNode) {
   EXPECT_NEAR(k(wideInterface(false), 0, 0), factor * 60.0 / 0.5, 1e-12);
   EXPECT_NEAR(k(wideInterface(false), 0, 1), factor * 30.0 / 1.5, 1e-12);
+}
+
+TEST(SearchDirection, OfAMeanOfNodesIsThatOfItsCompliance) {
+  Assembly assembly = wideInterface(false);
+  mesh::TraceOperator& trace = assembly.interfaces[0].trace1;
+  trace = {};
+  trace.append({{1, 0.25}, {2, 0.75}});  // diagonals 60 and 30
+  trace.append({{1, -0.5}, {2, 1.5}});
+  const auto expected = [](double area, double compliance1, double stiffness2) {
+    return factor * 2.0 / (area * compliance1 + area / stiffness2);
+  };
+  EXPECT_NEAR(k(assembly, 0, 0), expected(0.5, 0.0625 / 60.0 + 0.5625 / 30.0, 60.0), 1e-12);
+  EXPECT_NEAR(k(assembly, 0, 1), expected(1.5, 0.25 / 60.0 + 2.25 / 30.0, 30.0), 1e-12);
 }
 
 TEST(SearchDirection, IsConstantWithConsistentMass) {

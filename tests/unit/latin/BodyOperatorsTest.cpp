@@ -7,6 +7,7 @@
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
+#include "Traces.hpp"
 
 namespace harmos::latin {
 namespace {
@@ -97,6 +98,32 @@ TEST(BodyOperators, OfEqualBodiesAreOne) {
       for (int j = 0; j < 3; ++j) {
         for (int dof = 0; dof < x.numRows(); ++dof) EXPECT_NEAR(x(dof, j), y(dof, j), 1e-11 * x.normInf());
       }
+    }
+  }
+}
+
+// B is carried along with the nodes: rotated bodies whose sides feel means of nodes.
+TEST(BodyOperators, OfEqualBodiesWithEqualTraceOperatorsAreOne) {
+  for (const Motion motion : {translated, rotated, mirrored}) {
+    const auto smooth = [&](bool isShared, bool isBothSides) {
+      BoxAssembly boxes = wedges(motion, isShared);
+      std::vector<assembly::Interface>& interfaces = boxes.assembly().interfaces;
+      interfaces[1].trace1 = smoothed(interfaces[1].trace1);
+      if (isBothSides) interfaces[4].trace1 = smoothed(interfaces[4].trace1);
+      return Operators(boxes.assembly());
+    };
+    EXPECT_EQ(smooth(true, false).bodies.operators(), 2);
+    Operators own = smooth(false, true), shared = smooth(true, true);
+    EXPECT_EQ(shared.bodies.operators(), 1);
+    base::Matrix forces(own.layout.rows(), steps), trace(forces), sharedTrace(forces);
+    randomize(forces);
+    own.bodies.solve(forces, 0, steps, substructure::Precision::exact);
+    shared.bodies.solve(forces, 0, steps, substructure::Precision::exact);
+    own.bodies.trace(trace, 0, steps);
+    shared.bodies.trace(sharedTrace, 0, steps);
+    for (int t = 0; t < steps; ++t) {
+      for (int row = 0; row < trace.numRows(); ++row)
+        EXPECT_NEAR(trace(row, t), sharedTrace(row, t), 1e-11 * trace.normInf());
     }
   }
 }

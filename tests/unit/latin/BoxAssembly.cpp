@@ -50,8 +50,9 @@ void BoxAssembly::add(const std::vector<mesh::InterfaceSurface>& surfaces,
     joint.law = law;
     joint.body1 = surface.piece1;
     joint.body2 = surface.piece2;
-    joint.node1 = surface.node1;
-    joint.node2 = surface.node2;
+    joint.trace1 = mesh::TraceOperator(surface.node1);
+    joint.trace2 = mesh::TraceOperator(surface.node2);
+    for (const int node : surface.node1) joint.position.push_back(assembly_.bodies[joint.body1].nodes[node]);
     joint.frame = surface.frame;
     joint.area = surface.area;
     joint.gap = surface.gap;

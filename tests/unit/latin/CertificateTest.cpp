@@ -37,7 +37,8 @@ Answer solve(bool isDriven, const LatinOptions& options, double throwUpper = 0.0
   base::Timers timers;
   LatinSolver solver(cubes.assembly(), options, self(), timers);
   std::vector<DisplacementResponse::Node> top;
-  for (int node : cubes.assembly().interfaces[2].node1) top.push_back({1, node, 1.0 / 9.0});
+  const mesh::TraceOperator& trace = cubes.assembly().interfaces[2].trace1;
+  for (int p = 0; p < trace.points(); ++p) top.push_back({1, trace.node(p), 1.0 / 9.0});
   solver.addResponse(std::make_shared<DisplacementResponse>("top", top, base::Vector3{1.0, 0.0, 0.0}));
   solver.addResponse(
       std::make_shared<ResultantResponse>("shear", std::vector<int>{1}, std::vector<base::Vector3>{{1.0, 0.0, 0.0}}));

@@ -55,8 +55,9 @@ inline assembly::Interface pointInterface(const std::string& name, std::shared_p
   joint.law = std::move(law);
   joint.body1 = body1;
   joint.body2 = body2;
-  joint.node1 = {node1};
-  if (body2 >= 0) joint.node2 = {node2};
+  joint.trace1.append({{node1, 1.0}});
+  if (body2 >= 0) joint.trace2.append({{node2, 1.0}});
+  joint.position = {{static_cast<double>(node1), 0.0, 0.0}};  // on a chain that starts at 0
   joint.frame.push_back({{{normal, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, normal}}});
   joint.area = {area};
   joint.gap = {gap};

@@ -81,7 +81,8 @@ assembly::Interface onePair(std::shared_ptr<const laws::InterfaceLaw> law) {
   interface.law = std::move(law);
   interface.body1 = 0;
   interface.body2 = 1;
-  interface.node1 = interface.node2 = {0};
+  interface.trace1 = interface.trace2 = mesh::TraceOperator({0});
+  interface.position = {{}};
   interface.frame = {{base::Vector3{1, 0, 0}, base::Vector3{0, 1, 0}, base::Vector3{0, 0, 1}}};
   interface.area = {1.0};
   interface.gap = {0.0};

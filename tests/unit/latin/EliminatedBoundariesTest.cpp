@@ -172,7 +172,7 @@ TEST(EliminatedBoundaries, FollowLawsThatAreReplaced) {
   assembly.interfaces[0].law = laws::makeLaw("Prescribed Displacement", {{"X", 0.03}, {"Z", 0.02}});
   solver.fixedPoint().updateLaws();
   EXPECT_EQ(solver.solve().outcome, Outcome::certified);
-  const int node = assembly.interfaces[0].node1[0];
+  const int node = assembly.interfaces[0].trace1.node(0);
   EXPECT_NEAR(solver.state().displacement(0, node, 1)[2], 0.02, 1e-14);
   assembly.interfaces[3].law = foundation(100.0, 30.0);
   EXPECT_THROW(solver.fixedPoint().updateLaws(), base::Error);

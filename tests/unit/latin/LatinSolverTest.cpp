@@ -129,7 +129,7 @@ TEST(LatinSolver, DoesNotCareWhichSideIsOne) {
       twoChains(laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}}), move(-0.15, {1.0}), 1);
   assembly::Interface& joint = swapped.interfaces[1];
   std::swap(joint.body1, joint.body2);
-  std::swap(joint.node1, joint.node2);
+  std::swap(joint.trace1, joint.trace2);
   joint.frame[0] = {{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}};
   expectValues(solve(swapped), 1, {-both * 0.15});
 }

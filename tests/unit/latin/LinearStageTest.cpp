@@ -39,12 +39,7 @@ struct Stage {
       std::vector<double> force(3 * block.pairs);
       for (int t = 0; t < steps; ++t) {
         applyMass(joint, 3, linear.traction()[t] + block.begin, force.data());
-        for (int p = 0; p < block.pairs; ++p) {
-          for (int c = 0; c < 3; ++c) {
-            forces(3 * joint.nodes(block.side)[p] + c, t) +=
-                force[3 * static_cast<std::size_t>(p) + static_cast<std::size_t>(c)];
-          }
-        }
+        joint.trace(block.side).addTransposed(3, force.data(), forces[t]);
       }
     }
     return forces;
@@ -110,9 +105,9 @@ TEST(LinearStage, BalancesEveryBodyInTheVelocityForm) {
 TEST(LinearStage, TakesTheTraceFromTheBodies) {
   const Stage stage(loadedCubes());
   for (const TraceLayout::Block& block : stage.layout.blocks()) {
-    const auto& nodes = stage.assembly.interfaces[block.interface].nodes(block.side);
+    const mesh::TraceOperator& trace = stage.assembly.interfaces[block.interface].trace(block.side);
     for (int p = 0; p < block.pairs; ++p) {
-      const base::Vector3 u = stage.linear.displacement(block.body, nodes[p], 2);
+      const base::Vector3 u = stage.linear.displacement(block.body, trace.node(p), 2);
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(stage.linear.trace()(block.begin + 3 * p + c, 2), u[c], 1e-12);
     }
   }
@@ -148,7 +143,6 @@ TEST(LinearStage, StaysOnTheSearchDirectionOfIncrements) {
 TEST(LinearStage, ShiftsTheSearchDirectionOfAnInterfaceRigidly) {
   const Stage stage(loadedCubes());
   const assembly::Interface& joint = stage.assembly.interfaces[1];
-  const auto& nodes = stage.assembly.bodies[0].nodes;
   const auto shift = [&](int interfaceIndex, int side, int pair, int t) {
     base::Vector3 d{};
     for (int c = 0; c < 3; ++c) {
@@ -169,7 +163,7 @@ TEST(LinearStage, ShiftsTheSearchDirectionOfAnInterfaceRigidly) {
     const base::Vector3 first = shift(1, 0, 0, 1);
     double stretch = 0.0;
     for (std::size_t c = 0; c < 3; ++c) {
-      stretch += (one[c] - first[c]) * (nodes[joint.node1[p]][c] - nodes[joint.node1[0]][c]);
+      stretch += (one[c] - first[c]) * (joint.position[p][c] - joint.position[0][c]);
     }
     EXPECT_NEAR(stretch, 0.0, 1e-12);
   }
@@ -186,7 +180,7 @@ std::array<double, 6> resultant(const Stage& stage, int interfaceIndex, int t) {
   for (int side = 0; side < 2; ++side) {
     applyMass(joint, 3, stage.linear.traction()[t] + stage.layout.begin(interfaceIndex, side), force.data());
     for (int p = 0; p < joint.pairs(); ++p) {
-      const base::Vector3& x = stage.assembly.bodies[joint.body1].nodes[joint.node1[p]];
+      const base::Vector3& x = joint.position[p];
       const double* f = force.data() + 3 * p;
       for (std::size_t c = 0; c < 3; ++c) sum[c] += f[c];
       sum[3] += x[1] * f[2] - x[2] * f[1];

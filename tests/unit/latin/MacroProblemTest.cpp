@@ -16,11 +16,13 @@ template <class Keep>
 void restrictJoint(assembly::Assembly& assembly, int index, const Keep& keep) {
   assembly::Interface& joint = assembly.interfaces[index];
   assembly::Interface kept = joint;
-  kept.node1.clear(), kept.node2.clear(), kept.frame.clear(), kept.area.clear(), kept.gap.clear();
-  for (std::size_t p = 0; p < joint.node1.size(); ++p) {
-    if (!keep(assembly.bodies[joint.body1].nodes[joint.node1[p]])) continue;
-    kept.node1.push_back(joint.node1[p]);
-    kept.node2.push_back(joint.node2[p]);
+  kept.trace1 = kept.trace2 = {};
+  kept.position.clear(), kept.frame.clear(), kept.area.clear(), kept.gap.clear();
+  for (int p = 0; p < joint.pairs(); ++p) {
+    if (!keep(joint.position[p])) continue;
+    kept.trace1.append({{joint.trace1.node(p), 1.0}});
+    kept.trace2.append({{joint.trace2.node(p), 1.0}});
+    kept.position.push_back(joint.position[p]);
     kept.frame.push_back(joint.frame[p]);
     kept.area.push_back(joint.area[p]);
     kept.gap.push_back(joint.gap[p]);

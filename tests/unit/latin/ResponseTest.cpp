@@ -104,9 +104,9 @@ TEST(DisplacementResponse, IsAWeightedSumAlongADirection) {
   const auto& top = solved.solver.state().assembly().interfaces[2];
   std::vector<DisplacementResponse::Node> nodes;
   double expected = 0.0;
-  for (std::size_t p = 0; p < top.node1.size(); ++p) {
-    nodes.push_back({top.body1, top.node1[p], top.area[p]});
-    const base::Vector3 u = solved.solver.state().displacement(top.body1, top.node1[p], 0);
+  for (int p = 0; p < top.pairs(); ++p) {
+    nodes.push_back({top.body1, top.trace1.node(p), top.area[p]});
+    const base::Vector3 u = solved.solver.state().displacement(top.body1, top.trace1.node(p), 0);
     expected += top.area[p] * (0.6 * u[0] + 0.8 * u[2]);
   }
   EXPECT_NEAR(solved(DisplacementResponse("u", nodes, {0.6, 0.0, 0.8}))[0], expected, 1e-14);
@@ -122,8 +122,8 @@ BoxAssembly dragged() {
   const assembly::Interface& top = cubes.assembly().interfaces[2];
   base::Matrix& loads = cubes.assembly().bodies[1].loads;
   loads.shape(3 * static_cast<int>(cubes.assembly().bodies[1].nodes.size()), 4);
-  for (std::size_t p = 0; p < top.node1.size(); ++p) {
-    for (int t = 0; t < 4; ++t) loads(3 * top.node1[p] + 2, t) = -4.0 * top.area[p];
+  for (int p = 0; p < top.pairs(); ++p) {
+    for (int t = 0; t < 4; ++t) loads(3 * top.trace1.node(p) + 2, t) = -4.0 * top.area[p];
   }
   return cubes;
 }
@@ -169,7 +169,7 @@ TEST(PairFields, OfAPrescribedTractionHaveItAndTheDisplacement) {
     EXPECT_NEAR(f[0], -3.0, 1e-12);
     EXPECT_NEAR(std::hypot(f[1], f[2]), std::hypot(1.0, 2.0), 1e-12);
     const auto& top = solved.solver.state().assembly().interfaces[2];
-    const base::Vector3 u = solved.solver.state().displacement(1, top.node1[p], 1);
+    const base::Vector3 u = solved.solver.state().displacement(1, top.trace1.node(p), 1);
     EXPECT_NEAR(fields.jump[fields.at(1, p)][0], -u[2], 1e-12);
   }
 }

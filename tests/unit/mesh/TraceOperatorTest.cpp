@@ -39,6 +39,22 @@ TEST(TraceOperator, WeighsSeveralNodes) {
   EXPECT_EQ(traceAt(b, 1, {4.0, 6.0, 8.0}), 7.0);
 }
 
+TEST(TraceOperator, CarriesVectorsToPointsAndForcesBack) {
+  TraceOperator b(std::vector<int>{1});
+  b.append({{0, 0.25}, {2, 0.75}});
+  EXPECT_EQ(TraceOperator(std::vector<int>{7, 4}).node(1), 4);
+  EXPECT_EQ(b.at(1, {{4, 0, 1}, {9, 9, 9}, {8, 4, 1}}), (base::Vector3{7, 3, 1}));
+
+  const std::vector<double> u{4, 0, 6, 1, 8, 4};  // of three nodes in the plane
+  std::vector<double> w{1, 1, 1, 1};
+  b.addProduct(2, u.data(), w.data());
+  EXPECT_EQ(w, (std::vector<double>{7, 2, 8, 4}));
+  const std::vector<double> f{3, 1, 4, 8};
+  std::vector<double> forces{0, 0, 0, 0, 1, 1};
+  b.addTransposed(2, f.data(), forces.data());
+  EXPECT_EQ(forces, (std::vector<double>{1, 2, 3, 1, 4, 7}));
+}
+
 TEST(TraceOperator, OfOtherWeightOrWithoutEntriesIsNoSelection) {
   TraceOperator half, empty;
   half.append({{0, 0.5}});

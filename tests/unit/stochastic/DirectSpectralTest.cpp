@@ -1,3 +1,5 @@
+#include <functional>
+
 #include <gtest/gtest.h>
 
 #include <harmos/base/Error.hpp>
@@ -17,13 +19,13 @@ std::vector<Law> lawsOf(const std::vector<double>& x) {
       spring(x[0], 0.5 * x[0]), pull(x[1], 0.5, {{"X", {0.5, -1.0, 1.0}}})};
 }
 
-// The equations are those of Galerkin's LATIN, solved in another way.
-TEST(DirectSpectral, AgreesWithGalerkin) {
+void expectAgreement(const std::function<void(assembly::Assembly&)>& change) {
   const auto projection = projectionOf(randomVector({std::make_shared<probability::Lognormal>(10.0, 3.0),
                                                      std::make_shared<probability::Normal>(2.0, 0.2)}),
                                        3);
   const Realisations laws = realisations(*projection, lawsOf);
-  const assembly::Assembly assembly = springsInSeries(laws[0], steps);
+  assembly::Assembly assembly = springsInSeries(laws[0], steps);
+  change(assembly);
   const std::vector<std::shared_ptr<const latin::Response>> responses = {displacement("end", 1, 2),
                                                                          displacement("side", 1, 0, {0.0, 1.0, 0.0})};
   base::Timers timers;
@@ -50,6 +52,21 @@ TEST(DirectSpectral, AgreesWithGalerkin) {
       }
     }
   }
+}
+
+// The equations are those of Galerkin's LATIN, solved in another way.
+TEST(DirectSpectral, AgreesWithGalerkin) {
+  expectAgreement([](assembly::Assembly&) {});
+}
+
+TEST(DirectSpectral, AgreesWithGalerkinBetweenMeansOfNodes) {
+  expectAgreement([](assembly::Assembly& assembly) {
+    assembly::Interface &joint = assembly.interfaces[1], &end = assembly.interfaces[2];
+    joint.trace1 = joint.trace2 = end.trace1 = {};
+    joint.trace1.append({{3, 1.25}, {2, -0.25}});
+    joint.trace2.append({{0, 0.5}, {1, 0.5}});
+    end.trace1.append({{2, 0.75}, {1, 0.25}});
+  });
 }
 
 TEST(DirectSpectral, RefusesWhatItDoesNotTreat) {
