@@ -99,16 +99,21 @@ PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& 
       const int p = side == 0 ? surface.piece1 : surface.piece2;
       if (p < 0) continue;
       const auto& piece = pieces[at(p)];
-      const auto& nodes = side == 0 ? surface.node1 : surface.node2;
+      const auto& trace = side == 0 ? surface.trace1 : surface.trace2;
       const std::string name = surface.piece2 < 0 ? surface.name : surface.name + (side == 0 ? "_1" : "_2");
       if (std::find(order.begin(), order.end(), name) == order.end()) order.push_back(name);
-      if (surface.face.empty()) {
-        for (int node : nodes) nodeSets[name].node.push_back(layout.firstNode[at(p)] + node);
+      if (surface.face.empty() || !trace.isSelection()) {
+        std::set<int> known;
+        for (int pair = 0; pair < trace.points(); ++pair) {
+          for (const auto& entry : trace.row(pair)) {
+            if (known.insert(entry.node).second) nodeSets[name].node.push_back(layout.firstNode[at(p)] + entry.node);
+          }
+        }
         continue;
       }
       for (const auto& face : surface.face) {
         std::vector<int> key;
-        for (int pair : face) key.push_back(piece.nodes[at(nodes[at(pair)])]);
+        for (int pair : face) key.push_back(piece.nodes[at(trace.node(pair))]);
         const auto found = skins[at(p)].find(sorted(std::move(key)));
         if (found == skins[at(p)].end()) continue;  // a face of the other side that this mesh does not have
         const auto position = std::lower_bound(piece.elements.begin(), piece.elements.end(), found->second.element) -
@@ -131,18 +136,16 @@ PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& 
   return layout;
 }
 
-InterfacesLayout layOutInterfaces(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
-                                  const std::vector<mesh::InterfaceSurface>& surfaces) {
+InterfacesLayout layOutInterfaces(int dimension, const std::vector<mesh::InterfaceSurface>& surfaces) {
   InterfacesLayout layout;
-  layout.mesh.dimension = mesh.dimension;
+  layout.mesh.dimension = dimension;
   const std::map<std::size_t, const char*> types{{1, "SPHERE"}, {2, "BAR2"}, {3, "TRI3"}, {4, "SHELL4"}};
   std::vector<std::pair<std::string, std::size_t>> order;  // interface and nodes per face
   std::map<std::pair<std::string, std::size_t>, std::vector<int>> faces;
   for (const auto& surface : surfaces) {
     const int first = static_cast<int>(layout.mesh.nodes.size());
     layout.firstPair.push_back(first);
-    for (int node : surface.node1)
-      layout.mesh.nodes.push_back(mesh.nodes[at(pieces[at(surface.piece1)].nodes[at(node)])]);
+    layout.mesh.nodes.insert(layout.mesh.nodes.end(), surface.position.begin(), surface.position.end());
     const auto add = [&](const std::vector<int>& face) {
       const std::pair<std::string, std::size_t> key{surface.name, face.size()};
       if (faces.find(key) == faces.end()) order.push_back(key);
@@ -150,7 +153,7 @@ InterfacesLayout layOutInterfaces(const mesh::Mesh& mesh, const std::vector<mesh
     };
     for (const auto& face : surface.face) add(face);
     if (surface.face.empty())
-      for (int pair = 0; pair < static_cast<int>(surface.node1.size()); ++pair) add({pair});
+      for (int pair = 0; pair < surface.pairs(); ++pair) add({pair});
   }
   Names names;
   for (const auto& key : order) {

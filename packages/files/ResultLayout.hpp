@@ -10,7 +10,8 @@ namespace harmos::files {
 
 /// The file of parts: one element block per piece and element type, named after the piece, PIECE or where it has
 /// several types PIECE_TYPE. Every piece has nodes of its own, so that they are doubled at interfaces. Side sets
-/// INTERFACE_1 and INTERFACE_2, for outer boundaries BOUNDARY; of interfaces without faces node sets of the same names.
+/// INTERFACE_1 and INTERFACE_2, for outer boundaries BOUNDARY; of interfaces without faces, and of sides whose
+/// nodes are no points of the interface, node sets of the same names.
 /// A name already in use gets "_set" appended.
 struct PartsLayout {
   ResultMesh mesh;                        // coordinates as in the mesh [length]
@@ -21,7 +22,7 @@ struct PartsLayout {
 PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
                         const std::vector<mesh::InterfaceSurface>& surfaces);
 
-/// The file of interfaces: its nodes are the node pairs, at the place of side 1; blocks of SHELL4 and TRI3, in 2-D
+/// The file of interfaces: its nodes are the pairs at their positions; blocks of SHELL4 and TRI3, in 2-D
 /// BAR2, named after the interface, or of SPHERE (points) where an interface has no faces. INTERFACE_TYPE where an
 /// interface has faces of two types. At a crease several nodes lie at one place, each on the faces of its patch, so
 /// that pressures and normals do not mix there.
@@ -29,8 +30,7 @@ struct InterfacesLayout {
   ResultMesh mesh;             // coordinates as in the mesh [length]; no sets
   std::vector<int> firstPair;  // result node of a surface's pair 0; the others follow
 };
-/// Lays out the file of interfaces, likewise.
-InterfacesLayout layOutInterfaces(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
-                                  const std::vector<mesh::InterfaceSurface>& surfaces);
+/// Lays out the file of interfaces, likewise, in 2 or 3 dimensions.
+InterfacesLayout layOutInterfaces(int dimension, const std::vector<mesh::InterfaceSurface>& surfaces);
 
 }  // namespace harmos::files

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <harmos/mesh/Mesh.hpp>
+#include <harmos/mesh/TraceOperator.hpp>
 
 namespace harmos::mesh {
 
@@ -16,25 +17,31 @@ struct MassEntry {
 
 /// Geometry of one interface between two pieces, or between one piece and the ground (outer boundary).
 ///
-/// Node pairs are conforming: pair p joins the local node node1[p] of piece1 and node2[p] of piece2. Where the surface
-/// turns at a crease, a pair of nodes occurs once for every smooth patch of faces around it, each with the area and the
-/// normal of its own faces. n is the unit normal from side 1 to side 2, on a boundary out of the part, and the x axis
-/// where there is none, such as at inner nodes; x1, x2 are coordinates.
+/// Pair p is a point of the surface, and trace1 and trace2 say what it feels of the local nodes of piece1 and piece2:
+/// where the meshes match, it joins one node of each. Where the surface turns at a crease, a pair of nodes occurs once
+/// for every smooth patch of faces around it, each with the area and the normal of its own faces. n is the unit normal
+/// from side 1 to side 2, on a boundary out of the part, and the x axis where there is none, such as at inner nodes;
+/// x1, x2 are coordinates.
 struct InterfaceSurface {
-  std::string name;  // of the interface it belongs to
-  int piece1 = -1;   // index into the list of pieces
-  int piece2 = -1;   // -1: outer boundary, one side only
-  /// Per pair, local node number in piece1.
-  std::vector<int> node1, node2;       // node2: the same in piece2; empty for an outer boundary
-  std::vector<int> patch;              // per pair, patch of its nodes from 0, the same in all surfaces of an interface
-  std::vector<base::Frame> frame;      // per pair, n the direction of `normal`
-  std::vector<base::Vector3> normal;   // per pair, int N n dS [as area]; with a projection, which n then is, area n
-  std::vector<double> area;            // per pair, int N dS [length^2; in 2-D length times thickness], > 0
-  std::vector<double> gap;             // per pair, (x2 - x1).n [length]; 0 without a projection
-  std::vector<std::vector<int>> face;  // pair numbers of each face in the node order of side 1; empty for single nodes
+  std::string name;                     // of the interface it belongs to
+  int piece1 = -1;                      // index into the list of pieces
+  int piece2 = -1;                      // -1: outer boundary, one side only
+  TraceOperator trace1;                 // pairs x local nodes of piece1
+  TraceOperator trace2;                 // the same of piece2; no points for an outer boundary
+  std::vector<base::Vector3> position;  // per pair, its place [length], of two nodes that of side 1
+  std::vector<int> patch;               // per pair, patch of its nodes from 0, the same in all surfaces of an interface
+  std::vector<base::Frame> frame;       // per pair, n the direction of `normal`
+  std::vector<base::Vector3> normal;    // per pair, int N n dS [as area]; with a projection, which n then is, area n
+  std::vector<double> area;             // per pair, int N dS [length^2; in 2-D length times thickness], > 0
+  std::vector<double> gap;              // per pair, (x2 - x1).n [length]; 0 without a projection
+  std::vector<std::vector<int>> face;  // pair numbers of each face in the node order of side 1, or of the side that has
+                                       // it; empty for single nodes
   /// Both triangles, by row and column; its row sums are area as it was found. Empty for single nodes, and where the
   /// faces of both sides differ.
   std::vector<MassEntry> mass;
+
+  /// How many pairs there are.
+  int pairs() const { return trace1.points(); }
 };
 
 }  // namespace harmos::mesh

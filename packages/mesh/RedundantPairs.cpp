@@ -20,6 +20,11 @@ bool isCut(const std::vector<Piece>& pieces, const InterfaceSurface& surface) {
   return surface.piece2 >= 0 && at(pieces, surface.piece1).part == at(pieces, surface.piece2).part;
 }
 
+/// Points that feel several nodes have no copies.
+bool isOfNodes(const InterfaceSurface& surface) {
+  return surface.trace1.isSelection() && surface.trace2.isSelection();
+}
+
 int meshNode(const std::vector<Piece>& pieces, int piece, int node) {
   return at(pieces, piece).nodes[node];
 }
@@ -44,15 +49,15 @@ void mergeCopies(const std::vector<Piece>& pieces, int dimension, std::vector<In
   std::map<Place, std::vector<PairCarrier>> copies;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const InterfaceSurface& surface = surfaces[s];
-    if (isCut(pieces, surface)) continue;
+    if (isCut(pieces, surface) || !isOfNodes(surface)) continue;
     const bool hasTwoSides = surface.piece2 >= 0;
     Place place{
         surface.name, at(pieces, surface.piece1).part, hasTwoSides ? at(pieces, surface.piece2).part : "", -1, -1, 0};
-    for (std::size_t p = 0; p < surface.node1.size(); ++p) {
-      place.meshNode1 = meshNode(pieces, surface.piece1, surface.node1[p]);
+    for (int p = 0; p < surface.pairs(); ++p) {
+      place.meshNode1 = meshNode(pieces, surface.piece1, surface.trace1.node(p));
       place.patch = surface.patch[p];
-      if (hasTwoSides) place.meshNode2 = meshNode(pieces, surface.piece2, surface.node2[p]);
-      copies[place].push_back({static_cast<int>(s), static_cast<int>(p)});
+      if (hasTwoSides) place.meshNode2 = meshNode(pieces, surface.piece2, surface.trace2.node(p));
+      copies[place].push_back({static_cast<int>(s), p});
     }
   }
   for (const auto& [key, pairs] : copies) {
@@ -78,9 +83,8 @@ void keepSpanningTrees(const std::vector<Piece>& pieces, std::vector<InterfaceSu
   std::map<int, std::vector<PairCarrier>> links;  // by mesh node
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (!isCut(pieces, surfaces[s])) continue;
-    for (std::size_t p = 0; p < surfaces[s].node1.size(); ++p) {
-      links[meshNode(pieces, surfaces[s].piece1, surfaces[s].node1[p])].push_back(
-          {static_cast<int>(s), static_cast<int>(p)});
+    for (int p = 0; p < surfaces[s].pairs(); ++p) {
+      links[meshNode(pieces, surfaces[s].piece1, surfaces[s].trace1.node(p))].push_back({static_cast<int>(s), p});
     }
   }
   for (auto& [node, pairs] : links) {
@@ -107,7 +111,11 @@ void keepSpanningTrees(const std::vector<Piece>& pieces, std::vector<InterfaceSu
 
 Carriers mergeRedundantPairs(const std::vector<Piece>& pieces, int dimension, std::vector<InterfaceSurface>& surfaces) {
   Carriers carriers;
-  for (const InterfaceSurface& surface : surfaces) carriers.emplace_back(surface.node1.size());
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    carriers.emplace_back(static_cast<std::size_t>(surfaces[s].pairs()));
+    if (isOfNodes(surfaces[s])) continue;
+    for (int p = 0; p < surfaces[s].pairs(); ++p) carriers[s][p] = {static_cast<int>(s), p};
+  }
   mergeCopies(pieces, dimension, surfaces, carriers);
   keepSpanningTrees(pieces, surfaces, carriers);
   return carriers;

@@ -42,15 +42,16 @@ InterfaceSurface SurfaceBuilder::build(const std::string& name) const {
               << (projection_ ? ", or choose a Projection Direction that is not parallel to faces." : ".");
       throw base::Error(message.str(), base::ExitCode::input);
     }
-    number[point] = static_cast<int>(surface.node1.size());
-    surface.node1.push_back(localNode(pieces_[piece1_], node1));
+    number[point] = surface.pairs();
+    surface.trace1.append({{localNode(pieces_[piece1_], node1), 1.0}});
+    surface.position.push_back(place1);
     surface.patch.push_back(patch);
     surface.normal.push_back(projection_ ? data.area * *projection_ : data.normal);
     surface.frame.push_back(frameFromNormal(surface.normal.back(), mesh_.dimension));
     surface.area.push_back(data.area);
     surface.gap.push_back(0.0);
     if (piece2_ < 0) continue;
-    surface.node2.push_back(localNode(pieces_[piece2_], node2));
+    surface.trace2.append({{localNode(pieces_[piece2_], node2), 1.0}});
     if (projection_) surface.gap.back() = dot(mesh_.nodes[node2] - place1, surface.frame.back()[0]);
   }
   for (const auto& face : faces_) {

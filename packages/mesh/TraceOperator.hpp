@@ -33,6 +33,8 @@ class TraceOperator {
   explicit TraceOperator(const std::vector<int>& nodes);
   /// Adds a point; its entries have different nodes.
   void append(const std::vector<Entry>& row);
+  /// Adds point p of another operator.
+  void appendFrom(const TraceOperator& other, int p) { append({other.row(p).begin(), other.row(p).end()}); }
 
   /// How many points there are.
   int points() const { return static_cast<int>(pointers_.size()) - 1; }

@@ -69,6 +69,7 @@ class Checker {
     std::map<std::size_t, std::size_t> counts;     // of their faces
     for (const mesh::InterfaceSurface& surface : places_.surfaces) {
       if (scene_.laws.count(surface.name) == 0) continue;  // a cut
+      if (!surface.trace1.isSelection() && (surface.piece2 < 0 || !surface.trace2.isSelection())) continue;
       const std::size_t owner = order(surface.name);
       for (const auto& face : surface.face) counts[owner] += owners[faceOf(surface, face)].insert(owner).second ? 1 : 0;
     }
@@ -103,10 +104,11 @@ class Checker {
   }
 
   Face faceOf(const mesh::InterfaceSurface& surface, const std::vector<int>& pairs) const {
-    const bool isTurned = surface.piece2 >= 0 && surface.piece2 < surface.piece1;
+    const bool hasTwoSides = surface.piece2 >= 0 && surface.trace2.isSelection();
+    const bool isTurned = hasTwoSides && (surface.piece2 < surface.piece1 || !surface.trace1.isSelection());
     Face face{isTurned ? surface.piece2 : surface.piece1, isTurned ? surface.piece1 : surface.piece2, {}};
     for (const int pair : pairs) {
-      face.nodes.push_back(places_.pieces[face.piece1].nodes[(isTurned ? surface.node2 : surface.node1)[pair]]);
+      face.nodes.push_back(places_.pieces[face.piece1].nodes[(isTurned ? surface.trace2 : surface.trace1).node(pair)]);
     }
     std::sort(face.nodes.begin(), face.nodes.end());
     return face;
@@ -199,10 +201,10 @@ class Checker {
   /// On one of the common faces, all nodes of a boundary are held along their normals.
   bool holdsNormals(const std::string& contact, const std::string& holder, const std::set<Face>& common) const {
     return std::any_of(places_.surfaces.begin(), places_.surfaces.end(), [&](const mesh::InterfaceSurface& surface) {
-      if (surface.name != contact || surface.piece2 >= 0) return false;
+      if (surface.name != contact || surface.piece2 >= 0 || !surface.trace1.isSelection()) return false;
       return std::any_of(surface.face.begin(), surface.face.end(), [&](const std::vector<int>& face) {
         return common.count(faceOf(surface, face)) > 0 && std::all_of(face.begin(), face.end(), [&](int p) {
-                 return holdsWholly(holder, surface.piece1, surface.node1[p], surface.frame[p][0]);
+                 return holdsWholly(holder, surface.piece1, surface.trace1.node(p), surface.frame[p][0]);
                });
       });
     });

@@ -123,7 +123,7 @@ class InterfaceStep {
 
 void writeInterfaces(const Problem& problem, const latin::Iterate& state, const std::string& path,
                      const FieldFile& file) {
-  const auto layout = files::layOutInterfaces(problem.mesh, problem.bodies.pieces, problem.surfaces);
+  const auto layout = files::layOutInterfaces(problem.mesh.dimension, problem.surfaces);
   const int dimension = problem.mesh.dimension;
   const auto& interfaces = problem.assembly.interfaces;
   std::vector<latin::PairFields> fields;
@@ -151,8 +151,10 @@ void writeInterfaces(const Problem& problem, const latin::Iterate& state, const 
       for (std::size_t s = 0; s < problem.surfaces.size(); ++s) {
         const mesh::InterfaceSurface& surface = problem.surfaces[s];
         if (!state.layout().owns(surface.piece1)) continue;
-        for (std::size_t p = 0; p < surface.node1.size(); ++p)
-          values[at(layout.firstPair[s]) + p] = state.displacement(surface.piece1, surface.node1[p], t)[at(c)];
+        for (int p = 0; p < surface.pairs(); ++p) {
+          for (const auto& [node, weight] : surface.trace1.row(p))
+            values[at(layout.firstPair[s] + p)] += weight * state.displacement(surface.piece1, node, t)[at(c)];
+        }
       }
       file.gather(values);
     }

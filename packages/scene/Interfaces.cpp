@@ -49,13 +49,12 @@ struct Misfits {
 };
 
 /// A law that depends on the normal needs one at every node, and some need that there is only one.
-void checkNormals(const laws::InterfaceLaw& law, const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
-                  const std::vector<mesh::InterfaceSurface>& surfaces) {
+void checkNormals(const laws::InterfaceLaw& law, const std::vector<mesh::InterfaceSurface>& surfaces) {
   if (law.creases() == laws::Creases::ignore) return;
   Misfits without, several;
   for (const mesh::InterfaceSurface& surface : surfaces) {
-    for (std::size_t p = 0; p < surface.node1.size(); ++p) {
-      const base::Vector3& place = mesh.nodes[pieces[surface.piece1].nodes[surface.node1[p]]];
+    for (int p = 0; p < surface.pairs(); ++p) {
+      const base::Vector3& place = surface.position[p];
       if (norm(surface.normal[p]) <= cancelled * surface.area[p]) without.add(place);
       if (surface.patch[p] == 1) several.add(place);
     }
@@ -101,9 +100,7 @@ std::vector<std::vector<mesh::PairCarrier>> everyPairItself(const std::vector<me
   std::vector<std::vector<mesh::PairCarrier>> carriers;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     auto& pairs = carriers.emplace_back();
-    for (std::size_t p = 0; p < surfaces[s].node1.size(); ++p) {
-      pairs.push_back({static_cast<int>(s), static_cast<int>(p)});
-    }
+    for (int p = 0; p < surfaces[s].pairs(); ++p) pairs.push_back({static_cast<int>(s), p});
   }
   return carriers;
 }
@@ -128,7 +125,7 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
         for (const char* entry : {"Side Set", "Side 1", "Side 2"}) {
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }
-        checkNormals(law, mesh, pieces, found);
+        checkNormals(law, found);
         append(std::move(found));
       });
     }
@@ -148,14 +145,14 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
   return surfaces;
 }
 
-Interfaces makeInterfaces(const Scene& scene, const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
+Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<mesh::Piece>& pieces,
                           std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent) {
   const auto carriers =
-      isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(pieces, mesh.dimension, surfaces);
+      isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(pieces, dimension, surfaces);
   Interfaces made;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const mesh::InterfaceSurface& surface = surfaces[s];
-    made.places.emplace_back(surface.node1.size());
+    made.places.emplace_back(static_cast<std::size_t>(surface.pairs()));
     assembly::Interface interface;
     const auto law = scene.laws.find(surface.name);
     interface.law = law == scene.laws.end() ? scene.cutLaw : law->second;
@@ -164,12 +161,12 @@ Interfaces makeInterfaces(const Scene& scene, const mesh::Mesh& mesh, const std:
     interface.body2 = surface.piece2;
     // Such a traction acts along the normals of the faces, which a mean normal times an area would exaggerate.
     const bool isAlongNormals = interface.law->prescribesTraction() && interface.law->frame() == laws::Frame::interface;
-    for (std::size_t p = 0; p < surface.node1.size(); ++p) {
+    for (int p = 0; p < surface.pairs(); ++p) {
       if (carriers[s][p].surface != static_cast<int>(s)) continue;
       made.places[s][p] = {static_cast<int>(made.interfaces.size()), interface.pairs()};
-      interface.trace1.append({{surface.node1[p], 1.0}});
-      if (surface.piece2 >= 0) interface.trace2.append({{surface.node2[p], 1.0}});
-      interface.position.push_back(mesh.nodes[pieces[surface.piece1].nodes[surface.node1[p]]]);
+      interface.trace1.appendFrom(surface.trace1, p);
+      if (surface.piece2 >= 0) interface.trace2.appendFrom(surface.trace2, p);
+      interface.position.push_back(surface.position[p]);
       interface.frame.push_back(surface.frame[p]);
       interface.area.push_back(isAlongNormals ? norm(surface.normal[p]) : surface.area[p]);
       interface.gap.push_back(surface.gap[p]);

@@ -35,8 +35,8 @@ struct Interfaces {
 /// redundant (the areas of `surfaces` change), unless `isConsistent`: then every pair of a surface is kept, with the
 /// consistent interface mass where the surface has faces. A traction that is prescribed in the frame of the interface
 /// gets |int N n dS| for areas and no mass: a uniform pressure then has the nodal forces and the resultant of the faces
-/// themselves. Laws are shared with the scene.
-Interfaces makeInterfaces(const Scene& scene, const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
+/// themselves. `dimension`: 2 or 3. Laws are shared with the scene.
+Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<mesh::Piece>& pieces,
                           std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent);
 
 }  // namespace harmos::scene

@@ -53,7 +53,7 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   assembly.dimension = problem.mesh.dimension;
   assembly.times = scene.times;
   Interfaces made =
-      makeInterfaces(scene, problem.mesh, problem.bodies.pieces, problem.surfaces, scene.hasConsistentMass);
+      makeInterfaces(scene, assembly.dimension, problem.bodies.pieces, problem.surfaces, scene.hasConsistentMass);
   assembly.interfaces = std::move(made.interfaces);
   problem.places = std::move(made.places);
   if (errors.count() == 0) {

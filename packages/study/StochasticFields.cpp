@@ -128,7 +128,7 @@ void writeInterfaces(const ChaosStudy& chaos, const Moments& moments, const std:
                      const scene::FieldFile& file) {
   const scene::Problem& problem = chaos.problem();
   const auto& solver = chaos.solver();
-  const auto layout = files::layOutInterfaces(problem.mesh, problem.bodies.pieces, problem.surfaces);
+  const auto layout = files::layOutInterfaces(problem.mesh.dimension, problem.surfaces);
   const int dimension = problem.mesh.dimension;
   std::vector<std::string> fields = {"contact_pressure"};
   scene::addVector(fields, "traction", dimension);

@@ -124,13 +124,13 @@ class Writer {
     references_.push_back({reference, &law});
     out_ << "*NODE, NSET=" << interface.name() << "\n" << reference << ", 0, 0, 0\n*EQUATION\n";
     const mesh::InterfaceSurface& surface = interfaceSurface(interface.name());
-    for (std::size_t p = 0; p < surface.node1.size(); ++p) {
+    for (int p = 0; p < surface.pairs(); ++p) {
       for (std::size_t c = 0; c < 3; ++c) {
         const double n = surface.frame[p][0][c];
         const bool isTangential = std::abs(n) < 1e-12;
         out_ << (isTangential ? 2 : 3) << "\n"
-             << meshNode(surface.piece2, surface.node2[p]) << ", " << c + 1 << ", 1, "
-             << meshNode(surface.piece1, surface.node1[p]) << ", " << c + 1 << ", -1";
+             << meshNode(surface.piece2, surface.trace2.node(p)) << ", " << c + 1 << ", 1, "
+             << meshNode(surface.piece1, surface.trace1.node(p)) << ", " << c + 1 << ", -1";
         if (!isTangential) out_ << ", " << reference << ", 1, " << n;
         out_ << "\n";
       }
@@ -140,7 +140,7 @@ class Writer {
   void nodeSet(const std::string& name) {
     const mesh::InterfaceSurface& surface = interfaceSurface(name);
     out_ << "*NSET, NSET=" << name << "\n";
-    for (const int node : surface.node1) out_ << meshNode(surface.piece1, node) << "\n";
+    for (int p = 0; p < surface.pairs(); ++p) out_ << meshNode(surface.piece1, surface.trace1.node(p)) << "\n";
   }
 
   void mean(const Parameters& response) {

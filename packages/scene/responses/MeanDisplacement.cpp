@@ -15,9 +15,11 @@ Nodes nodesOf(const input::Parameters& p, const ResponseContext& context) {
   double total = 0.0;
   Nodes nodes;
   for (const mesh::InterfaceSurface& surface : surfaces) {
-    for (std::size_t i = 0; i < surface.node1.size(); ++i) {
-      nodes.push_back({surface.piece1, surface.node1[i], surface.area[i]});
-      total += surface.area[i];
+    for (int pair = 0; pair < surface.pairs(); ++pair) {
+      for (const auto& [node, weight] : surface.trace1.row(pair)) {
+        nodes.push_back({surface.piece1, node, weight * surface.area[pair]});
+      }
+      total += surface.area[pair];
     }
   }
   for (auto& node : nodes) node.weight /= total;

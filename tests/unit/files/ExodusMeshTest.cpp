@@ -270,13 +270,13 @@ TEST(SharedMesh, TurbineIsJoinedByWholeFaces) {
   for (const char* wheel : {"compressor", "turbine"}) {
     const auto joint = finder.betweenParts("joint", wheel, "middle");
     ASSERT_EQ(joint.size(), 1u);
-    EXPECT_EQ(joint[0].node1.size(), 19u);
+    EXPECT_EQ(joint[0].pairs(), 19);
     EXPECT_EQ(joint[0].face.size(), 24u);
   }
-  for (const auto& [set, nodes] : {std::pair("fixed", 184u), std::pair("moving", 347u)}) {
+  for (const auto& [set, nodes] : {std::pair("fixed", 184), std::pair("moving", 347)}) {
     const auto boundary = finder.onNodeSet(set, set);
     ASSERT_EQ(boundary.size(), 1u);
-    EXPECT_EQ(boundary[0].node1.size(), nodes);
+    EXPECT_EQ(boundary[0].pairs(), nodes);
     EXPECT_FALSE(boundary[0].face.empty());
   }
 }

@@ -18,10 +18,18 @@ struct SharedFace {
     surface.name = "joint";
     surface.piece1 = 0;
     surface.piece2 = 1;
-    surface.node1 = {4, 5, 6, 7};
-    surface.node2 = {0, 1, 2, 3};
+    surface.trace1 = mesh::TraceOperator({4, 5, 6, 7});
+    surface.trace2 = mesh::TraceOperator({0, 1, 2, 3});
+    surface.position = placesOf({4, 5, 6, 7});
     surface.face = {{0, 1, 3, 2}};
   }
+  /// Of nodes of the part on the left, which has the first nodes of the mesh.
+  std::vector<base::Vector3> placesOf(const std::vector<int>& nodes) const {
+    std::vector<base::Vector3> places;
+    for (const int node : nodes) places.push_back(mesh.nodes[node]);
+    return places;
+  }
+
   mesh::Mesh mesh;
   std::vector<mesh::Piece> parts;
   mesh::InterfaceSurface surface;
@@ -51,17 +59,30 @@ TEST(ResultLayout, SidesOfInterfacesBecomeSideSets) {
   EXPECT_EQ(layout.mesh.sideSets[1].side, std::vector<int>{3});  // -x
 }
 
+TEST(ResultLayout, SidesWhoseNodesAreNoPointsBecomeNodeSets) {
+  SharedFace scene;
+  scene.surface.trace2 = {};
+  for (int p = 0; p < 4; ++p) scene.surface.trace2.append({{p, 0.75}, {(p + 1) % 4, 0.25}});
+  const auto layout = files::layOutParts(scene.mesh, scene.parts, {scene.surface});
+  ASSERT_EQ(layout.mesh.sideSets.size(), 1u);
+  EXPECT_EQ(layout.mesh.sideSets[0].name, "joint_1");
+  ASSERT_EQ(layout.mesh.nodeSets.size(), 1u);
+  EXPECT_EQ(layout.mesh.nodeSets[0].name, "joint_2");
+  EXPECT_EQ(layout.mesh.nodeSets[0].node, (std::vector<int>{8, 9, 10, 11}));
+}
+
 TEST(ResultLayout, BoundariesWithoutFacesBecomeNodeSetsAndPoints) {
   SharedFace scene;
   mesh::InterfaceSurface fixed;
   fixed.name = "left";  // as the part: sets and blocks must not share a name
   fixed.piece1 = 0;
-  fixed.node1 = {0, 1};
+  fixed.trace1 = mesh::TraceOperator({0, 1});
+  fixed.position = scene.placesOf({0, 1});
   const auto parts = files::layOutParts(scene.mesh, scene.parts, {fixed});
   ASSERT_EQ(parts.mesh.nodeSets.size(), 1u);
   EXPECT_EQ(parts.mesh.nodeSets[0].name, "left_set");
   EXPECT_EQ(parts.mesh.nodeSets[0].node, (std::vector<int>{0, 1}));
-  const auto interfaces = files::layOutInterfaces(scene.mesh, scene.parts, {fixed});
+  const auto interfaces = files::layOutInterfaces(3, {fixed});
   ASSERT_EQ(interfaces.mesh.blocks.size(), 1u);
   EXPECT_EQ(interfaces.mesh.blocks[0].type, "SPHERE");
   EXPECT_EQ(interfaces.mesh.blocks[0].elements(), 2);
@@ -71,7 +92,7 @@ TEST(ResultLayout, InterfacesAreSurfacesOfPairs) {
   const SharedFace scene;
   auto second = scene.surface;
   second.name = "other";
-  const auto layout = files::layOutInterfaces(scene.mesh, scene.parts, {scene.surface, second});
+  const auto layout = files::layOutInterfaces(3, {scene.surface, second});
   EXPECT_EQ(layout.firstPair, (std::vector<int>{0, 4}));
   ASSERT_EQ(layout.mesh.blocks.size(), 2u);
   EXPECT_EQ(layout.mesh.blocks[0].type, "SHELL4");
@@ -85,10 +106,11 @@ TEST(ResultLayout, PatchesOfACreaseKeepTheirNodes) {
   mesh::InterfaceSurface corner;  // the side x = 0 and the bottom of the first cube
   corner.name = "corner";
   corner.piece1 = 0;
-  corner.node1 = {0, 0, 1, 1, 2, 3, 4, 5};
+  corner.trace1 = mesh::TraceOperator({0, 0, 1, 1, 2, 3, 4, 5});
+  corner.position = scene.placesOf({0, 0, 1, 1, 2, 3, 4, 5});
   corner.patch = {0, 1, 0, 1, 0, 0, 0, 0};
   corner.face = {{0, 4, 5, 2}, {1, 3, 7, 6}};
-  const auto layout = files::layOutInterfaces(scene.mesh, scene.parts, {corner});
+  const auto layout = files::layOutInterfaces(3, {corner});
   ASSERT_EQ(layout.mesh.nodes.size(), 8u);
   EXPECT_EQ(layout.mesh.nodes[0], layout.mesh.nodes[1]);
   EXPECT_EQ(layout.mesh.blocks.at(0).connectivity, (std::vector<int>{0, 4, 5, 2, 1, 3, 7, 6}));

@@ -50,9 +50,9 @@ void BoxAssembly::add(const std::vector<mesh::InterfaceSurface>& surfaces,
     joint.law = law;
     joint.body1 = surface.piece1;
     joint.body2 = surface.piece2;
-    joint.trace1 = mesh::TraceOperator(surface.node1);
-    joint.trace2 = mesh::TraceOperator(surface.node2);
-    for (const int node : surface.node1) joint.position.push_back(assembly_.bodies[joint.body1].nodes[node]);
+    joint.trace1 = surface.trace1;
+    joint.trace2 = surface.trace2;
+    joint.position = surface.position;
     joint.frame = surface.frame;
     joint.area = surface.area;
     joint.gap = surface.gap;

@@ -40,15 +40,37 @@ TEST_F(CutBoxes, EveryContactNodeHasOneCarrierAndTheAreaOfTheUncutContact) {
   double area = 0.0;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (surfaces[s].name != "contact") continue;
-    for (std::size_t p = 0; p < surfaces[s].node1.size(); ++p) {
+    for (int p = 0; p < surfaces[s].pairs(); ++p) {
       EXPECT_GE(carriers[s][p].surface, 0);
       if (!carries(s, p)) continue;
-      EXPECT_TRUE(nodes.insert(meshNode(surfaces[s].piece1, surfaces[s].node1[p])).second);
+      EXPECT_TRUE(nodes.insert(meshNode(surfaces[s].piece1, surfaces[s].trace1.node(p))).second);
       area += surfaces[s].area[p];
     }
   }
   EXPECT_EQ(nodes.size(), 25u);
   EXPECT_NEAR(area, 16.0, 1e-12);  // sums of a few dozen terms
+}
+
+// Such points have no copies: what each feels is its own.
+TEST_F(CutBoxes, PairsThatFeelSeveralNodesKeepTheirUnknowns) {
+  std::vector<InterfaceSurface> mixed = surfaces;
+  for (InterfaceSurface& surface : mixed) {
+    if (surface.name != "contact") continue;
+    surface.trace2 = {};
+    for (int p = 0; p < surface.pairs(); ++p) surface.trace2.append({{0, 0.5}, {1, 0.5}});
+  }
+  const auto found = mergeRedundantPairs(pieces, mesh.dimension, mixed);
+  for (std::size_t s = 0; s < mixed.size(); ++s) {
+    for (std::size_t p = 0; p < found[s].size(); ++p) {
+      if (mixed[s].name == "contact") {
+        EXPECT_EQ(found[s][p].surface, static_cast<int>(s));
+        EXPECT_EQ(found[s][p].pair, static_cast<int>(p));
+        EXPECT_EQ(mixed[s].area[p], surfaces[s].area[p]);
+      } else {
+        EXPECT_EQ(found[s][p].surface, carriers[s][p].surface);
+      }
+    }
+  }
 }
 
 TEST_F(CutBoxes, PiecesThatShareANodeAreTiedOnce) {
@@ -59,8 +81,8 @@ TEST_F(CutBoxes, PiecesThatShareANodeAreTiedOnce) {
   std::map<int, int> ties;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (surfaces[s].name == "contact") continue;
-    for (std::size_t p = 0; p < surfaces[s].node1.size(); ++p) {
-      if (carries(s, p)) ++ties[meshNode(surfaces[s].piece1, surfaces[s].node1[p])];
+    for (int p = 0; p < surfaces[s].pairs(); ++p) {
+      if (carries(s, p)) ++ties[meshNode(surfaces[s].piece1, surfaces[s].trace1.node(p))];
     }
   }
   bool meetsThree = false;
@@ -88,7 +110,7 @@ TEST(RedundantPairs, PartsThatShareNodesBothHaveTheirs) {
   const auto shared = surfaces;
   const auto carriers = mergeRedundantPairs(pieces, mesh.dimension, surfaces);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    EXPECT_EQ(surfaces[s].node1.size(), 10u);
+    EXPECT_EQ(surfaces[s].pairs(), 10);
     EXPECT_EQ(surfaces[s].area, shared[s].area);
     for (std::size_t p = 0; p < carriers[s].size(); ++p) {
       EXPECT_EQ(carriers[s][p].surface, static_cast<int>(s));
