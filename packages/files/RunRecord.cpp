@@ -44,6 +44,7 @@ std::string toJson(const RunRecord& record) {
                {"exit_code", record.exitCode},
                {"accuracy", record.accuracy},
                {"error_estimate", record.errorEstimate},
+               {"round_off_estimate", record.roundOffEstimate},
                {"response_error_estimates", errors},
                {"response_sizes", sizes},
                {"steps", record.steps},

@@ -19,6 +19,7 @@ struct RunRecord {
   std::vector<std::string> remarks;  // on what the solution does not determine, one sentence each
   int exitCode = 0;                  // of the process, see base::ExitCode; 130: interrupted
   double accuracy = 0.0;             // relative error that was asked for
+  double roundOffEstimate = 0.0;     // relative, what round-off takes of it at most; 0: far below the accuracy
   double errorEstimate = std::numeric_limits<double>::quiet_NaN();  // relative, of the whole solution; NaN: none
   std::vector<std::pair<std::string, double>> responseErrors;       // relative estimate per response and field
   std::vector<std::pair<std::string, double>> responseSizes;        // what these are relative to, in their units

@@ -1,7 +1,10 @@
 #include <harmos/latin/BodyOperators.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 #include <harmos/latin/PrescribedForces.hpp>
 #include <harmos/latin/detail/OperatorGroup.hpp>
@@ -188,8 +191,14 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
     const auto& nodes = eliminated_.nodes(static_cast<int>(b));
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       for (int t = 0; t < allSteps_; ++t) {
-        const base::Vector3& force = eliminated_.force(static_cast<int>(b), n, t);
-        const base::Vector3& place = eliminated_.held(static_cast<int>(b), n, t);
+        base::Vector3 force = eliminated_.force(static_cast<int>(b), n, t);
+        base::Vector3 place = eliminated_.held(static_cast<int>(b), n, t);
+        if (reference_ != nullptr && !reference_->isEmpty()) {
+          const int number = static_cast<int>(b), node = nodes[n].node;
+          force = force - base::product(nodes[n].springs, reference_->at(number, node, t));
+          const base::Vector3 below = reference_->below(place, number, node, t);
+          place = below - base::product(nodes[n].free, below);
+        }
         for (int c = 0; c < dimension_; ++c) {
           loads_[b](nodes[n].node * dimension_ + c, t) += force[c];
           held_[b](nodes[n].node * dimension_ + c, t) = place[c];
@@ -214,6 +223,7 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
       if (held.numCols() == 0) held.shape(groups_[g]->dofs(), columns);
       toGroup(places_[body], held_[body], held);
     }
+    if (!perturbations_.empty()) loads += perturbations_[g];
     groups_[g]->setLoads(loads, held);
     for (const int body : members_[g]) fromGroup(places_[body], groups_[g]->loads(), loads_[body]);
   }
@@ -314,6 +324,38 @@ base::Vector3 BodyOperators::reaction(int body, std::size_t node, int column) co
   const int at = place.member * static_cast<int>(steps_.size()) + column;
   const base::Vector3 reaction = group.reaction(group.heldPlace(masterDof(place, held.node) / dimension_), at);
   return place.rotates ? base::toFrame(place.rotation, reaction) : reaction;
+}
+
+void BodyOperators::perturb(const assembly::Assembly& assembly, unsigned seed, double times) {
+  std::vector<base::Matrix> forces;
+  perturbation_.assign(places_.size(), 0.0);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    forces.push_back(groups_[g]->roundOffForces(seed));
+    forces.back().scale(times);
+    for (const int body : members_[g]) {
+      for (int t = 0; t < allSteps_; ++t) {
+        const double* column = forces.back()[places_[body].member * allSteps_ + t];
+        const double square = std::inner_product(column, column + forces.back().numRows(), column, 0.0);
+        perturbation_[body] = std::max(perturbation_[body], std::sqrt(square));
+      }
+    }
+  }
+  perturbations_ = std::move(forces);
+  updateLoads(assembly);
+}
+
+void BodyOperators::unperturb(const assembly::Assembly& assembly) {
+  perturbations_.clear();
+  updateLoads(assembly);
+}
+
+double BodyOperators::squaredTerms() const {
+  double sum = 0.0;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const double terms = groups_[g]->largestDisplacement(1.0) * groups_[g]->stiffnessNorm();
+    sum += static_cast<double>(members_[g].size()) * terms * terms;
+  }
+  return sum;
 }
 
 double BodyOperators::largestDisplacement(double share) const {

@@ -6,6 +6,7 @@
 #include <harmos/base/Matrix.hpp>
 #include <harmos/base/Timers.hpp>
 #include <harmos/latin/EliminatedBoundaries.hpp>
+#include <harmos/latin/ReferenceMotions.hpp>
 #include <harmos/latin/TraceLayout.hpp>
 #include <harmos/substructure/SubstructureSolver.hpp>
 
@@ -35,9 +36,23 @@ class BodyOperators {
 
   /// Sets which load step each column of a field is; to be called before the first solve().
   void select(const std::vector<int>& steps);
+  /// Motions that displacements, also held ones, are counted from; none at first. They must outlive it; updateLoads()
+  /// must follow, and whenever they change.
+  void setReference(const ReferenceMotions& reference) { reference_ = &reference; }
   /// Reads body forces, prescribed tractions and what eliminated boundaries prescribe anew; nothing else may have
   /// changed.
   void updateLoads(const assembly::Assembly& assembly);
+  /// Loads all bodies besides with forces like those that round-off leaves in their equations at the last solve, in
+  /// which all load steps were selected, `times` as large; signs by `seed`. Congruent bodies have the same signs.
+  void perturb(const assembly::Assembly& assembly, unsigned seed, double times);
+  /// Takes these loads away.
+  void unperturb(const assembly::Assembly& assembly);
+  /// Largest over the load steps of the norm of the forces that perturb() has put on each body of the assembly [force];
+  /// 0 for those of other ranks.
+  const std::vector<double>& perturbation() const { return perturbation_; }
+  /// Sum over the owned bodies of the squares of what largestDisplacement(1) times the norm of the diagonal of A makes
+  /// [force]: how large the terms are that A u adds up.
+  double squaredTerms() const;
   /// Finds u for all owned bodies and the columns first .. first + count - 1, where r are the nodal forces [force] on
   /// the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement(). Bodies that are solved on
   /// their traces only are solved to this precision.
@@ -87,6 +102,7 @@ class BodyOperators {
   }
 
   const EliminatedBoundaries& eliminated_;
+  const ReferenceMotions* reference_ = nullptr;
   int dimension_;
   int allSteps_;
   std::vector<int> steps_;  // load step of every column
@@ -94,6 +110,8 @@ class BodyOperators {
   std::vector<std::unique_ptr<OperatorGroup>> groups_;
   std::vector<std::vector<int>> members_;  // bodies of each group, first: the representative
   std::vector<BlockMap> blocks_;
+  std::vector<base::Matrix> perturbations_;  // of each group; empty: none
+  std::vector<double> perturbation_;
   std::vector<base::Matrix> loads_;
   std::vector<base::Matrix> held_;
 };

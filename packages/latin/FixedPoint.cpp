@@ -24,6 +24,7 @@ FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& o
       heldMotions_(assembly, searchDirection_, eliminated_),
       layout_(assembly, searchDirection_, eliminated_, comm),
       metric_(layout_),
+      reference_(assembly),
       linear_(makeLinearStage()),
       local_([&]() -> std::unique_ptr<LocalStage> {
         if (makeLocalStage) return makeLocalStage(searchDirection_, layout_);
@@ -38,20 +39,27 @@ FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& o
               heldMotions_,
               layout_,
               metric_,
+              reference_,
               options_.formulation,
               linear_.get(),
               *local_,
               {},
               {},
+              {},
+              {},
               {}},
       iterates_(iteratesKept, Iterate(fields_, 0)) {
+  if (pointwise_ != nullptr) pointwise_->setReference(reference_);
   selectAll();
 }
 
 std::unique_ptr<LinearStage> FixedPoint::makeLinearStage() {
   const auto make = [&] {
-    return std::make_unique<LinearStage>(assembly_, searchDirection_, layout_, eliminated_, options_.formulation,
-                                         options_.macroProblem, options_.solver, timers_);
+    auto stage = std::make_unique<LinearStage>(assembly_, searchDirection_, layout_, eliminated_, options_.formulation,
+                                               options_.macroProblem, options_.solver, timers_);
+    stage->setReference(reference_);
+    if (!reference_.isEmpty()) stage->updateLoads();
+    return stage;
   };
   if (eliminated_.isEmpty()) return make();
   try {
@@ -83,6 +91,46 @@ void FixedPoint::rescale(double scale) {
   select(std::vector<int>(fields_.steps));
 }
 
+void FixedPoint::addDifference(const ReferenceMotions& rho1, const ReferenceMotions& rho2, base::Matrix& alpha) const {
+  const int dimension = layout_.dimension();
+  for (const TraceLayout::Block& block : layout_.blocks()) {
+    const assembly::Interface& interface = assembly_.interfaces[block.interface];
+    for (int t = 0; t < alpha.numCols(); ++t) {
+      int row = block.begin;
+      for (int p = 0; p < block.pairs; ++p) {
+        const base::Vector3 way = rho1.difference(rho2, interface, block.side, p, t);
+        for (int c = 0; c < dimension; ++c, ++row) alpha[t][row] += layout_.stiffness()[row] * way[c];
+      }
+    }
+  }
+}
+
+void FixedPoint::recentre(const Iterate& iterate, base::Matrix& alpha) {
+  const ReferenceMotions before = reference_;
+  reference_.add(iterate.relativeTrace(), layout_);
+  addDifference(before, reference_, alpha);
+  linear_->updateLoads();
+  ++fields_.present;
+}
+
+void FixedPoint::uncentre(base::Matrix& alpha) {
+  if (reference_.isEmpty()) return;
+  addReference(alpha);
+  reference_.clear();
+  linear_->updateLoads();
+  ++fields_.present;
+}
+
+void FixedPoint::perturb(unsigned seed, double times) {
+  linear_->perturb(seed, times);
+  ++fields_.present;
+}
+
+void FixedPoint::unperturb() {
+  linear_->unperturb();
+  ++fields_.present;
+}
+
 void FixedPoint::select(const std::vector<int>& steps) {
   linear_->select(steps);
   fields_.steps = steps;
@@ -109,6 +157,8 @@ const Iterate& FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image)
   base::Matrix& traction = fields_.hattedTraction;
   linear_->solve(alpha, beta);
   fields_.hasHattedTrace = false;
+  fields_.hasWholeTrace = false;
+  fields_.hasWholeHattedTrace = false;
   fields_.hasBoundaries = false;
   const auto running = timers_.start("local");
   local_->solve(beta, traction);

@@ -52,6 +52,26 @@ class FixedPoint {
   /// the scales. Ends the validity of all iterates. Throws as the constructor.
   void rescale(double scale);
 
+  /// Collective, all load steps selected. From now on displacements are counted from the rigid motions of the bodies in
+  /// `iterate`, that of alpha: alpha = f^ + k w^ becomes f^ + k (w^ - rho), and T that of such states; see
+  /// ReferenceMotions. Displacement form, with the local stage PointwiseLocalStage. Ends the validity of all iterates.
+  void recentre(const Iterate& iterate, base::Matrix& alpha);
+  /// Counts from zero again; alpha becomes f^ + k w^.
+  void uncentre(base::Matrix& alpha);
+  /// Makes of alpha, counted from the motions, what it is counted from zero; changes nothing else.
+  void addReference(base::Matrix& alpha) const { addDifference(reference_, ReferenceMotions(assembly_), alpha); }
+  /// Whether recentre() can be called.
+  bool canRecentre() const { return options_.formulation == Formulation::displacement && pointwise_ != nullptr; }
+  /// What displacements are counted from.
+  const ReferenceMotions& reference() const { return reference_; }
+
+  /// From now on T is that of bodies with other round-off, `times` as large, drawn by `seed`; to be called after an
+  /// application to all load steps, whose displacements tell how large it is. See BodyOperators::perturb(). Ends the
+  /// validity of all iterates.
+  void perturb(unsigned seed, double times);
+  /// T is again what it was.
+  void unperturb();
+
   /// Collective. image = T(alpha) [stress], both rows of the layout x columns selected, and two objects. Throws
   /// base::Error as LocalStage::solve(). The fields of both stages are valid until the next apply(), select() or
   /// selectAll().
@@ -86,6 +106,8 @@ class FixedPoint {
   double searchDirectionScale() const { return options_.searchDirectionScale; }
 
  private:
+  /// alpha += k (rho1 - rho2).
+  void addDifference(const ReferenceMotions& rho1, const ReferenceMotions& rho2, base::Matrix& alpha) const;
   /// May give up the elimination, where boundaries leave the assembly free to move.
   std::unique_ptr<LinearStage> makeLinearStage();
 
@@ -97,6 +119,7 @@ class FixedPoint {
   HeldMotions heldMotions_;
   TraceLayout layout_;
   StateMetric metric_;
+  ReferenceMotions reference_;
   std::unique_ptr<LinearStage> linear_;
   PointwiseLocalStage* pointwise_ = nullptr;  // local_, or null when that is another one
   std::unique_ptr<LocalStage> local_;

@@ -6,7 +6,39 @@
 
 namespace harmos::latin {
 
+base::Matrix Iterate::whole(const base::Matrix& relative) const {
+  base::Matrix whole(relative);
+  const int dimension = layout().dimension();
+  for (const TraceLayout::Block& block : layout().blocks()) {
+    const assembly::Interface& interface = assembly().interfaces[block.interface];
+    for (int t = 0; t < whole.numCols(); ++t) {
+      double* w = whole[t] + block.begin;
+      for (int p = 0; p < block.pairs; ++p) {
+        const base::Vector3 rho = reference().at(interface, block.side, p, fields_->steps[t]);
+        for (int c = 0; c < dimension; ++c) *w++ += rho[c];
+      }
+    }
+  }
+  return whole;
+}
+
+const base::Matrix& Iterate::trace() const {
+  Fields& fields = valid();
+  if (fields.reference.isEmpty()) return relativeTrace();
+  if (!fields.hasWholeTrace) fields.wholeTrace = whole(relativeTrace());
+  fields.hasWholeTrace = true;
+  return fields.wholeTrace;
+}
+
 const base::Matrix& Iterate::hattedTrace() const {
+  Fields& fields = valid();
+  if (fields.reference.isEmpty()) return relativeHattedTrace();
+  if (!fields.hasWholeHattedTrace) fields.wholeHattedTrace = whole(relativeHattedTrace());
+  fields.hasWholeHattedTrace = true;
+  return fields.wholeHattedTrace;
+}
+
+const base::Matrix& Iterate::relativeHattedTrace() const {
   Fields& fields = valid();
   base::Matrix& hatted = fields.hattedTrace;
   if (fields.hasHattedTrace) return hatted;

@@ -6,6 +6,7 @@
 #include <harmos/latin/HeldMotions.hpp>
 #include <harmos/latin/LinearStage.hpp>
 #include <harmos/latin/LocalStage.hpp>
+#include <harmos/latin/ReferenceMotions.hpp>
 #include <harmos/latin/StateMetric.hpp>
 
 namespace harmos::latin {
@@ -35,13 +36,18 @@ class Iterate {
     const HeldMotions& heldMotions;
     const TraceLayout& layout;
     const StateMetric& metric;
+    const ReferenceMotions& reference;
     Formulation formulation;
     const LinearStage* linear;
     const LocalStage& local;
     base::Matrix beta;
     base::Matrix hattedTraction;
-    base::Matrix hattedTrace;  // computed when asked for
+    base::Matrix hattedTrace;  // relative; computed when asked for, as those that follow
+    base::Matrix wholeTrace;   // where there are reference motions, as the next
+    base::Matrix wholeHattedTrace;
     bool hasHattedTrace = false;
+    bool hasWholeTrace = false;
+    bool hasWholeHattedTrace = false;
     std::vector<int> steps = {};  // load step of every column
     BoundaryFields boundaries = {};
     bool hasBoundaries = false;
@@ -57,11 +63,17 @@ class Iterate {
   /// beta = f - k w [stress] of the linear stage (velocity form: f - k dw).
   const base::Matrix& beta() const { return valid().beta; }
   /// w [length] of the linear stage.
-  const base::Matrix& trace() const { return valid().linear->trace(); }
+  const base::Matrix& trace() const;
+  /// w' = w - rho [length], what the linear stage has found beyond its ReferenceMotions.
+  const base::Matrix& relativeTrace() const { return valid().linear->trace(); }
   /// f [stress] of the linear stage, in equilibrium with the bodies.
   const base::Matrix& traction() const { return valid().linear->traction(); }
   /// w^ [length] of the local stage.
   const base::Matrix& hattedTrace() const;
+  /// w^ - rho [length].
+  const base::Matrix& relativeHattedTrace() const;
+  /// The motions rho.
+  const ReferenceMotions& reference() const { return fields_->reference; }
   /// f^ [stress] of the local stage, which obeys the interface laws.
   const base::Matrix& hattedTraction() const { return valid().hattedTraction; }
   /// f [stress] on side 1 of the pairs of an interface at one column, in global axes: of the linear stage, or what its
@@ -73,7 +85,8 @@ class Iterate {
   const std::vector<laws::LocalState>& states(int interfaceIndex) const { return valid().local.states(interfaceIndex); }
   /// u [length] of a node of an owned body, linear stage.
   base::Vector3 displacement(int body, int node, int column) const {
-    return valid().linear->displacement(body, node, column);
+    const base::Vector3 u = relativeDisplacement(body, node, column);
+    return reference().isEmpty() ? u : u + reference().at(body, node, fields_->steps[column]);
   }
   /// w1 = B u [length] at a point of side 1 of an interface, from the body, where no field has it. To be asked by the
   /// owner of body 1.
@@ -84,7 +97,11 @@ class Iterate {
     }
     return w;
   }
-  /// Largest of the linear stage [length], see BodyOperators::largestDisplacement().
+  /// u' = u - rho [length]: strained like u, with more digits where the body has moved far.
+  base::Vector3 relativeDisplacement(int body, int node, int column) const {
+    return valid().linear->displacement(body, node, column);
+  }
+  /// Largest u' of the linear stage [length], see BodyOperators::largestDisplacement().
   double largestDisplacement(double share) const { return valid().linear->operators().largestDisplacement(share); }
 
   /// The assembly that is iterated.
@@ -103,6 +120,8 @@ class Iterate {
   const StateMetric& metric() const { return fields_->metric; }
 
  private:
+  /// The rows of the layout of `relative`, and rho there.
+  base::Matrix whole(const base::Matrix& relative) const;
   Fields& valid() const {
     assert(isValid() && "another apply() or select() has come after this iterate");
     return *fields_;

@@ -26,6 +26,9 @@ struct LatinOptions {
   /// How often a march that stagnates may go on with a tenth of the search direction; after such a run the fixed point
   /// keeps the last one.
   int restarts = 2;
+  /// Whether displacements are counted from the rigid motion of each body where round-off asks for it, see
+  /// FixedPoint::recentre(); after such a run the fixed point keeps these motions.
+  bool recentres = true;
   StageOptions stages;  ///< how both stages are built
 
   LatinOptions() = default;

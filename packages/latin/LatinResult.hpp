@@ -9,6 +9,7 @@ namespace harmos::latin {
 enum class Outcome {
   certified,       ///< the error estimate is below the accuracy asked for
   iterationLimit,  ///< it is not, after the largest number of iterations
+  roundOff,        ///< it cannot be: double precision has not the digits
   noEquilibrium,   ///< the interface laws cannot carry the loads
   interrupted      ///< the caller asked to stop
 };
@@ -30,7 +31,8 @@ struct LatinResult {
   std::vector<ResponseResult> responses;      ///< in the order of LatinSolver::addResponse()
   double forceErrorEstimate = 0.0;            ///< relative, field of interface forces
   double displacementErrorEstimate = 0.0;     ///< relative, field of interface displacements
-  double errorEstimate = 0.0;                 ///< largest of all estimates
+  double errorEstimate = 0.0;                 ///< largest of all estimates, which round-off is a part of
+  double roundOffEstimate = 0.0;              ///< largest share of round-off in them; 0: far below the accuracy
   double indicator = 0.0;                     ///< the customary |s - s^| / |s|: not an error, for comparison only
   int solvedSteps = 0;                        ///< load steps that were solved; later values and fields mean nothing
   int iterations = 0;                         ///< applications of T outside the error estimate, in linear stages

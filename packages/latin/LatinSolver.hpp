@@ -58,7 +58,7 @@ class LatinSolver {
   /// The iteration itself, for those who go on from here.
   FixedPoint& fixedPoint() { return fixedPoint_; }
   /// The delivered state alpha [stress]: a start for another run, or a checkpoint.
-  const base::Matrix& alpha() const { return alpha_; }
+  const base::Matrix& alpha() const { return fixedPoint_.reference().isEmpty() ? alpha_ : whole_; }
 
  private:
   bool settled(int iteration, const Iterate& iterate, double tolerance, double& change);
@@ -75,9 +75,16 @@ class LatinSolver {
   int stageLimit() const;
   /// All load steps at once.
   void iterate(LatinResult& result);
-  /// Tries for a certificate of alpha_, whose iterate is given; true when it claims. Leaves its corrected state in
-  /// alpha_.
+  /// Tries for a certificate of alpha_, whose iterate is given; true when that is the end of the run: it claims, or
+  /// round-off forbids it for ever. Leaves its corrected state in alpha_.
   bool certify(const Iterate& iterate, LatinResult& result);
+  /// Estimates round-off in alpha_, adds it to the estimates, and says in `result` if it is too much; true when it is
+  /// not, and the sum is within the accuracy.
+  bool standsRoundOff(LatinResult& result);
+  /// Names of the promised quantities, as Snapshot::distance() has them.
+  std::vector<std::string> quantities() const;
+  /// Counts displacements from the rigid motions of bodies in alpha_; the certificate begins anew.
+  void recentre();
   int stages() const { return fixedPoint_.linearStage().stages() - stagesBefore_; }
 
   const assembly::Assembly& assembly_;
@@ -91,11 +98,13 @@ class LatinSolver {
   std::function<bool()> interrupted_;
   base::Matrix alpha_;
   base::Matrix image_;
+  base::Matrix whole_;  // alpha_ of whole displacements, where they are counted from reference motions
   const Iterate* state_ = nullptr;
   double startSize_ = 0.0;
   int stagesBefore_ = 0;
   int stagesOfCertificates_ = 0;
   int endWhenSofter_ = 0;                             // stages at which a try with a softer search direction ends
+  bool knowsRoundOff_ = false;                        // of a state of this run
   std::vector<double> estimates_;                     // of the last certificate that was conclusive; empty: none was
   std::vector<std::unique_ptr<Snapshot>> snapshots_;  // of the last iterations that were looked at
 };

@@ -33,6 +33,16 @@ void LinearStage::updateLoads() {
   if (macro_) macro_->updateLoads(assembly_, operators_);
 }
 
+void LinearStage::perturb(unsigned seed, double times) {
+  operators_.perturb(assembly_, seed, times);
+  if (macro_) macro_->updateLoads(assembly_, operators_);
+}
+
+void LinearStage::unperturb() {
+  operators_.unperturb(assembly_);
+  if (macro_) macro_->updateLoads(assembly_, operators_);
+}
+
 void LinearStage::applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const {
   for (const TraceLayout::Block& block : layout_.blocks()) {
     const assembly::Interface& interface = assembly_.interfaces[block.interface];

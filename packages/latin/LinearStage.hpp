@@ -31,6 +31,15 @@ class LinearStage {
   /// To be called when the laws of boundaries without unknowns have been replaced.
   void updateLoads();
 
+  /// Motions that all displacements are counted from, from now on: u' and w' of u = rho + u', w = rho + w' take the
+  /// place of u and w. They must outlive it; updateLoads() is to be called when they change. Displacement form only.
+  void setReference(const ReferenceMotions& reference) { operators_.setReference(reference); }
+
+  /// As BodyOperators::perturb(), also for the macro problem.
+  void perturb(unsigned seed, double times);
+  /// Undoes it.
+  void unperturb();
+
   /// Collective. From alpha [stress] to beta = f - k w [stress] (velocity form: f - k dw); keeps w.
   void solve(const base::Matrix& alpha, base::Matrix& beta);
 
@@ -54,6 +63,8 @@ class LinearStage {
   const BodyOperators& operators() const { return operators_; }
   /// Unknowns of the macro problem; 0 without one.
   int macroUnknowns() const { return macro_ ? macro_->unknowns() : 0; }
+  /// Of the macro problem, see MacroProblem::softness(); 1 without one.
+  double softness() const { return macro_ ? macro_->softness() : 1.0; }
 
  private:
   void applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <random>
 #include <set>
 #include <sstream>
 
@@ -10,6 +11,8 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
+#include <harmos/base/Numerals.hpp>
 #include <harmos/latin/InterfaceMass.hpp>
 #include <harmos/latin/detail/SymmetricEigen.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
@@ -21,8 +24,13 @@ using base::Matrix;
 
 // Eigenvalue of a rigid motion over the largest one, below which an interface cannot feel the motion.
 constexpr double felt = 1e-10;
+// Negative eigenvalue, where P^T h k P = 1, beyond that of a motion that nothing holds.
+constexpr double roundOff = 1e-10;
+constexpr std::size_t mostNames = 4;
 // Share in the floating motion from which on the parts of an interface are named.
 constexpr double takesPart = 1e-3;
+// Of an inverse iteration, whose result is wanted to a factor of two.
+constexpr int softnessIterations = 8;
 
 /// y = k h x for one side, k taken at the row.
 Matrix weighted(const assembly::Interface& interface, int dimension, const std::vector<double>& k, const Matrix& x) {
@@ -167,6 +175,22 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
   }
   updateLoads(assembly, operators);
   factor(assembly, options, contributions);
+  softness_ = findSoftness();
+}
+
+double MacroProblem::findSoftness() const {
+  if (unknowns_ == 0) return 1.0;
+  Matrix x(unknowns_, 1), y(unknowns_, 1);
+  std::mt19937 random;  // its sequence is fixed by the standard, that of the distributions is not
+  for (int i = 0; i < unknowns_; ++i) x(i, 0) = random() / 2147483648.0 - 1.0;
+  double length = x.normFrobenius();
+  for (int i = 0; i < softnessIterations; ++i) {
+    x.scale(1.0 / length);
+    solver_->solve(x, y);
+    length = y.normFrobenius();
+    x.assign(y);
+  }
+  return std::max(1.0, length);
 }
 
 void MacroProblem::updateLoads(const assembly::Assembly& assembly, const BodyOperators& operators) {
@@ -274,6 +298,16 @@ void MacroProblem::reportFloating(const assembly::Assembly& assembly, const Matr
         names.insert(assembly.bodies[assembly.interfaces[i].body(side)].name);
       }
     }
+  }
+  if (values.front() < -roundOff) {
+    std::vector<std::string> quoted;
+    for (const std::string& name : names) quoted.push_back("\"" + name + "\"");
+    throw base::Error("double precision does not suffice for the chain of part(s) " +
+                          base::joinNames(quoted, mostNames) +
+                          ": round-off has made the macro problem indefinite (smallest eigenvalue " +
+                          base::toText(values.front()) + ", largest " + base::toText(values.back()) +
+                          "); make the stiffnesses of parts that are joined differ less, or the chain shorter",
+                      base::ExitCode::notConverged);
   }
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "\"" : ", \"") + name + "\"";

@@ -32,6 +32,10 @@ class MacroProblem {
   /// first .. first + steps.size() - 1, which are the load steps `steps`.
   void correct(base::Matrix& alpha, base::Matrix& forces, int first, const std::vector<int>& steps) const;
 
+  /// 1 over the smallest eigenvalue of G, about, in the norm in which P^T h k P = 1: how many times further resultants
+  /// that are not in balance move the softest chain of bodies than they move one; 1 without unknowns.
+  double softness() const { return softness_; }
+
   /// Coarse unknowns of all interfaces, the same on every rank.
   int unknowns() const { return unknowns_; }
 
@@ -53,12 +57,14 @@ class MacroProblem {
   };
 
   void buildModes(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection);
+  double findSoftness() const;
   void factor(const assembly::Assembly& assembly, const substructure::SolverOptions& options,
               const std::vector<base::Matrix>& contributions);
   [[noreturn]] void reportFloating(const assembly::Assembly& assembly, const base::Matrix& matrix) const;
 
   const TraceLayout& layout_;
   int unknowns_ = 0;
+  double softness_ = 1.0;
   std::vector<base::Matrix> modes_;  // per interface: P, pairs*dimension x modes, orthonormal in h k
   std::vector<int> firstMode_;       // per interface
   std::vector<Block> blocks_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <harmos/latin/detail/SafeRelaxation.hpp>
 #include <harmos/latin/detail/Stagnation.hpp>
@@ -17,6 +18,18 @@ constexpr double flying = 0.1;
 // The size of forces takes the reactions of eliminated boundaries in so often; bodies that are solved on their traces
 // must be solved as a whole for them.
 constexpr int iterationsPerReaction = 8;
+// Of |alpha|, times the softness of the macro problem: round-off in the motion of bodies, so far above the smallest
+// number that it hinders no iteration from getting there.
+constexpr double withinReachOfRoundOff = 1e-13;
+// Forces below this share of |alpha| are nothing but round-off.
+constexpr double nothing = 1e-13;
+// Where |alpha| is not many times the forces, bodies have not moved much more than they were strained.
+constexpr double manyTimes = 10.0;
+// Of |alpha|: the motion of bodies is known well enough when the residual has come to this share.
+constexpr double motionIsKnown = 1e-7;
+// Or when it has not been halved for so many iterations, below the share that follows.
+constexpr int iterationsToHalve = 8;
+constexpr double motionIsGuessed = 1e-4;
 
 }  // namespace
 
@@ -74,7 +87,8 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   EquilibriumWatch watch = unused;
   Stagnation stagnation;
   base::Matrix image(state.numRows(), 1);
-  int iteration = 0, sinceLanding = 0, landings = 0;
+  int iteration = 0, sinceLanding = 0, landings = 0, sinceHalved = 0;
+  double halved = std::numeric_limits<double>::infinity();
   bool isListening = false;
   End end = End::reached;
   const Iterate* iterate = nullptr;
@@ -84,9 +98,20 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
     ++sinceLanding;
     const double size = metric.distance(image, state);
     const double force = forceSize(*iterate, iteration % iterationsPerReaction == 0);
-    if (size <= std::max(tolerance * force, noise * metric.norm(image))) {
+    const double whole = metric.norm(image);
+    if (size <= std::max(tolerance * force, noise * whole)) {
       largestForce_ = force;
       break;
+    }
+    if (leavesWithoutDigits_ && force * manyTimes < whole && force > nothing * whole &&
+        tolerance * force < withinReachOfRoundOff * fixedPoint_.linearStage().softness() * whole) {
+      sinceHalved = size < 0.5 * halved ? 0 : sinceHalved + 1;
+      if (sinceHalved == 0) halved = size;
+      if (size <= motionIsKnown * whole || (sinceHalved >= iterationsToHalve && size <= motionIsGuessed * whole)) {
+        largestForce_ = force;
+        lacksDigits_ = true;
+        break;
+      }
     }
     if (mustStop_ && mustStop_()) {
       end = End::stopped;
@@ -143,6 +168,7 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
   } restore{fixedPoint_};
   fixedPoint_.startUnloaded();
   stepsReached_ = 0;
+  lacksDigits_ = false;
   for (int t = 0; t < alpha.numCols(); ++t) {
     // What an earlier run has found for the steps to come is better than a copy.
     if (end != End::reached && guess == Guess::state) break;

@@ -46,6 +46,11 @@ class March {
 
   /// Asked before every load step whether its loads can be balanced at all; must outlive it.
   void setLoadBalance(LoadBalance& balance) { balance_ = &balance; }
+  /// Whether load steps are left as soon as their forces are lost in k w, see lacksDigits(); at first they are not.
+  void setLeavesWithoutDigits(bool leaves) { leavesWithoutDigits_ = leaves; }
+  /// The last run has left a load step because its forces are so small beside k w that round-off would spoil them:
+  /// displacements should be counted from the motion of the bodies that it has found, see FixedPoint::recentre().
+  bool lacksDigits() const { return lacksDigits_; }
   /// Asked on every rank after every iteration.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
   /// Told on every rank after every load step: step, iterations that it took, fields of the last one.
@@ -75,6 +80,8 @@ class March {
   std::vector<AndersonAcceleration> accelerations_;  // per load step
   base::Matrix tractions_;                           // f^ of every load step that was visited
   int restarts_;
+  bool leavesWithoutDigits_ = false;
+  bool lacksDigits_ = false;
   LoadBalance* balance_ = nullptr;
   std::string reason_;
   double largestForce_ = 0.0;

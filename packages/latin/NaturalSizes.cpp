@@ -11,8 +11,11 @@ namespace harmos::latin {
 namespace {
 
 constexpr double smallShare = 1e-3;
-// Forces are differences of large numbers when bodies move without being held: f = alpha - k w. Below this share of k
-// w, with the automatic k, too few digits are left.
+// Forces are differences of large numbers when bodies move without being held: f = alpha - k w. Where all of them are
+// below this share of k w, with the automatic k, they are round-off; counted from reference motions, less of them is.
+constexpr double nothing = 1e-10;
+constexpr double nothingFromReference = 1e-12;
+// Of k w: what forces are measured by where there are none.
 constexpr double cancellation = 1e-7;
 
 }  // namespace
@@ -69,9 +72,11 @@ NaturalSizes::NaturalSizes(const Iterate& state) {
     return *std::max_element(values.begin(), values.end());
   };
   displacement_ = all[0];
-  force_ = std::max(smallShare * largest(forces), cancellation * largest(springs));
-  stress_ = std::max(smallShare * all[1], cancellation * all[2]);
-  squaredForce_ = cancellation * cancellation * largest(squaredSprings);
+  const double roundOff = state.reference().isEmpty() ? nothing : nothingFromReference;
+  const bool areNothing = largest(forces) <= roundOff * largest(springs);
+  force_ = areNothing ? cancellation * largest(springs) : smallShare * largest(forces);
+  stress_ = areNothing ? cancellation * all[2] : smallShare * all[1];
+  squaredForce_ = areNothing ? cancellation * cancellation * largest(squaredSprings) : 0.0;
   squaredDisplacement_ = smallShare * smallShare * displacement_ * displacement_ * total[0];
 }
 

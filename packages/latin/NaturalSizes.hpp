@@ -13,8 +13,9 @@ class NaturalSizes {
 
   /// The size below which a response of this kind counts as zero: 1e-3 of the largest displacement, sum of interface
   /// forces, or interface traction; of an energy 1e-6 of force times displacement, because rigid motions count there;
-  /// of a moment that of a force times the size of the assembly. Forces and tractions are not measured by less than
-  /// 1e-7 of k w, k the automatic search direction: fewer digits are left.
+  /// of a moment that of a force times the size of the assembly. Where all forces are round-off, 1e-10 of k w or less
+  /// with k the automatic search direction (1e-12 where displacements are counted from ReferenceMotions), they are
+  /// measured by 1e-7 of k w.
   double floor(Quantity quantity) const;
   /// The scale of the response, if it has one, else the floor of its quantity.
   double floor(const Response& response) const {

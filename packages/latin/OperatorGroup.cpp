@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -24,6 +26,17 @@ std::vector<int> traceOf(const substructure::BoundaryTerm& term) {
     for (int c = 0; c < term.dimension; ++c) dofs.push_back(node * term.dimension + c);
   }
   return dofs;
+}
+
+/// 1 or -1, the same for (row, column) and (column, row), else as if by chance.
+double signOf(unsigned seed, int row, int column) {
+  std::uint64_t x =
+      (static_cast<std::uint64_t>(std::min(row, column)) << 32U) | static_cast<unsigned>(std::max(row, column));
+  x += 0x9e3779b97f4a7c15U * (seed + std::uint64_t{1});
+  // The finaliser of SplitMix64, Steele et al. (2014), doi:10.1145/2660193.2660195.
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
+  return ((x ^ (x >> 31U)) & 1U) != 0U ? 1.0 : -1.0;
 }
 
 bool areEqual(const std::vector<substructure::BoundaryTerm::NodeTensor>& a,
@@ -62,6 +75,39 @@ bool OperatorGroup::has(const substructure::BoundaryTerm& term) const {
     if (std::abs(term_.diagonal[i] - term.diagonal[i]) > roundOff * term_.diagonal[i]) return false;
   }
   return areEqual(term_.springs, term.springs) && areEqual(term_.free, term.free);
+}
+
+std::vector<double> OperatorGroup::diagonal() const {
+  const substructure::CrsView view = substructure::viewOf(*stiffness_, "operator");
+  std::vector<double> diagonal(term_.diagonal);
+  diagonal.resize(static_cast<std::size_t>(view.rows), 0.0);
+  for (int row = 0; row < view.rows; ++row) {
+    const std::size_t at = view.positionOf(row, row);
+    if (at != view.rowPointers[view.rows]) diagonal[row] += view.values[at];
+  }
+  return diagonal;
+}
+
+double OperatorGroup::stiffnessNorm() const {
+  const std::vector<double> values = diagonal();
+  return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
+}
+
+base::Matrix OperatorGroup::roundOffForces(unsigned seed) const {
+  const substructure::CrsView view = substructure::viewOf(*stiffness_, "operator");
+  const base::Matrix& u = wholeSolution();
+  std::vector<double> roots = diagonal();
+  for (double& value : roots) value = std::sqrt(value);
+  base::Matrix forces(loads_.numRows(), loads_.numCols());
+  for (int row = 0; row < view.rows; ++row) {
+    for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
+      const int column = view.columns[k];
+      const double entry =
+          signOf(seed, row, column) * std::numeric_limits<double>::epsilon() * roots[row] * roots[column];
+      for (int j = 0; j < u.numCols(); ++j) forces[loadColumns_[j]][row] += entry * u[j][column];
+    }
+  }
+  return forces;
 }
 
 int OperatorGroup::rowOf(int dof) const {

@@ -39,12 +39,17 @@ void fillSide(const Iterate& state, int interfaceIndex, int side, std::vector<do
       base::Vector3 f{};
       const int row = begin + static_cast<int>(p) * dimension;
       for (int c = 0; c < dimension; ++c) {
-        w[c] = state.hattedTrace()[t][row + c];
+        w[c] = state.relativeHattedTrace()[t][row + c];
         f[c] = state.hattedTraction()[t][row + c];
       }
       const base::Vector3 localTrace = base::toFrame(interface.frame[p], w);
       for (std::size_t c = 0; c < 3; ++c) value[3 + c] += side == 0 ? -localTrace[c] : localTrace[c];
       if (side != 0) continue;
+      if (!state.reference().isEmpty()) {
+        const base::Vector3 jump = state.reference().jump(interface, static_cast<int>(p), t);
+        const base::Vector3 localJump = base::toFrame(interface.frame[p], jump);
+        for (std::size_t c = 0; c < 3; ++c) value[3 + c] += localJump[c];
+      }
       const base::Vector3 localTraction = base::toFrame(interface.frame[p], f);
       std::copy(localTraction.begin(), localTraction.end(), value);
       const laws::LocalState none;

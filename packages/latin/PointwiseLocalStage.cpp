@@ -90,6 +90,16 @@ void PointwiseLocalStage::keepJump(Joint& joint, const laws::LocalState* state) 
   }
 }
 
+void PointwiseLocalStage::addReference(const assembly::Interface& interface, Joint& joint, int step) const {
+  if (reference_ == nullptr || reference_->isEmpty()) return;
+  const bool local = interface.law->frame() == laws::Frame::interface;
+  for (std::size_t p = 0; p < joint.line.size(); ++p) {
+    const base::Vector3 jump = reference_->jump(interface, static_cast<int>(p), step);
+    laws::LocalLine& line = joint.line[p];
+    line.freeJump = line.freeJump + (local ? base::toFrame(interface.frame[p], jump) : jump);
+  }
+}
+
 void PointwiseLocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const base::Matrix& beta,
                                      base::Matrix& traction) {
   const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];
@@ -97,6 +107,7 @@ void PointwiseLocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, co
   if (formulation_ == Formulation::velocity) beginAtLastJump(joint);
   laws::LocalState* state = joint.state.data() + static_cast<std::size_t>(t) * joint.line.size();
   const int step = steps_[t];
+  addReference(interface, joint, step);
   interface.law->solve(step, {interface.pairs(), joint.line.data(), interface.gap.data(), joint.history[0].data(),
                               joint.history[1].data(), state});
   const double check = lines_.write(interfaceIndex, t, state, traction);

@@ -7,6 +7,7 @@
 #include <harmos/latin/InterfaceLines.hpp>
 #include <harmos/latin/LocalStage.hpp>
 #include <harmos/latin/PairTangents.hpp>
+#include <harmos/latin/ReferenceMotions.hpp>
 
 namespace harmos::latin {
 
@@ -20,6 +21,9 @@ class PointwiseLocalStage final : public LocalStage {
   PointwiseLocalStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                       const TraceLayout& layout, Formulation formulation);
 
+  /// Motions that the fields of the linear stage are counted from, which must outlive it; none at first. In the
+  /// displacement form only.
+  void setReference(const ReferenceMotions& reference) { reference_ = &reference; }
   void select(const std::vector<int>& steps) override;
   /// Displacement form only.
   void startFromHere() override;
@@ -53,11 +57,14 @@ class PointwiseLocalStage final : public LocalStage {
   /// Velocity form: what was met at one load step is where the lines of the next one begin.
   static void beginAtLastJump(Joint& joint);
   static void keepJump(Joint& joint, const laws::LocalState* state);
+  /// Lines are those of whole displacements.
+  void addReference(const assembly::Interface& interface, Joint& joint, int step) const;
   void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
 
   const assembly::Assembly& assembly_;
   InterfaceLines lines_;
   Formulation formulation_;
+  const ReferenceMotions* reference_ = nullptr;
   std::vector<int> steps_;  // load step of every column
   std::vector<Joint> joints_;
 };

@@ -25,6 +25,7 @@ results::Status statusOf(latin::Outcome outcome) {
     case latin::Outcome::noEquilibrium:
       return results::Status::noEquilibrium;
     case latin::Outcome::iterationLimit:
+    case latin::Outcome::roundOff:
     case latin::Outcome::interrupted:
       break;
   }
@@ -44,8 +45,9 @@ latin::LatinOptions forReplacedLaws(latin::LatinOptions options) {
   if (options.stages.elimination == latin::Elimination::affine) {
     options.stages.elimination = latin::Elimination::rigid;
   }
-  // States of other configurations are starts only while the search direction is theirs.
+  // States of other configurations are starts only while search directions and reference motions are theirs.
   options.restarts = 0;
+  options.recentres = false;
   return options;
 }
 

@@ -28,6 +28,7 @@ const char* statusOf(latin::Outcome outcome) {
     case latin::Outcome::certified:
       return "certified";
     case latin::Outcome::iterationLimit:
+    case latin::Outcome::roundOff:
       return "not converged";
     case latin::Outcome::noEquilibrium:
       return "no equilibrium";
@@ -97,6 +98,7 @@ void describe(const latin::LatinResult& solution, const std::vector<double>& tim
   }
   record.exitCode = exitCodeOf(solution.outcome);
   record.errorEstimate = solution.errorEstimate;
+  record.roundOffEstimate = solution.roundOffEstimate;
   record.responseErrors.clear();
   record.responseSizes.clear();
   for (const auto& response : solution.responses) {
@@ -142,6 +144,7 @@ int exitCodeOf(latin::Outcome outcome) {
     case latin::Outcome::certified:
       return static_cast<int>(base::ExitCode::ok);
     case latin::Outcome::iterationLimit:
+    case latin::Outcome::roundOff:
       return static_cast<int>(base::ExitCode::notConverged);
     case latin::Outcome::noEquilibrium:
       return static_cast<int>(base::ExitCode::noEquilibrium);

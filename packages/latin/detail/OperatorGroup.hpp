@@ -51,6 +51,13 @@ class OperatorGroup {
   /// Largest component of the solution, and `share` of what the loads do where only the trace is solved.
   double largestDisplacement(double share) const;
 
+  /// Forces [force], rows and columns as loads(), like those that round-off leaves in A u of the last solve: sum over j
+  /// of +-e (a_ii a_jj)^1/2 u_j over the entries of K, e the spacing of numbers at 1, a the diagonal of K + k h. The
+  /// signs are symmetric and depend on `seed`, i and j only. All load steps must have been solved.
+  base::Matrix roundOffForces(unsigned seed) const;
+  /// Euclidean norm of the diagonal of K + k h [force/length].
+  double stiffnessNorm() const;
+
   /// Place of a node among those that are held, or -1.
   int heldPlace(int node) const;
   /// Reaction [force] of a held node, of the last solve.
@@ -61,6 +68,7 @@ class OperatorGroup {
   void project(base::Matrix& vectors, bool onTrace) const;
   void multiply(const double* u, const std::vector<int>& rows, double* result) const;
   const base::Matrix& reactions() const;
+  std::vector<double> diagonal() const;
 
   Teuchos::RCP<const base::CrsMatrix> stiffness_;
   substructure::BoundaryTerm term_;

@@ -1,0 +1,114 @@
+#include <harmos/latin/detail/RoundOff.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/latin/CausalCorrection.hpp>
+#include <harmos/latin/Snapshot.hpp>
+
+namespace harmos::latin {
+namespace {
+
+// So many times larger than in truth: far above round-off, far below what opens or closes a contact.
+constexpr double enlargement = 16384.0;
+constexpr unsigned draws = 3;
+// Entries are rounded by less than this, but factors, solves and sums round as well.
+constexpr double safety = 1.0;
+// What a correction may add to what the first linear stage shows.
+constexpr double afterOneStage = 30.0;
+// Of the accuracy: less is not worth a correction.
+constexpr double negligible = 0.1;
+constexpr double target = 0.1;
+constexpr int maximumStages = 40;
+// How many times further than forces of their size push a structure can round-off move what is measured by its floor:
+// at least, and times the softness of the macro problem.
+constexpr double leastFlexibility = 1e6;
+constexpr double flexibilityOfSoftness = 1e3;
+
+// An accuracy that is no longer worth being asked for.
+constexpr double worthAsking = 0.05;
+
+struct Restore {
+  FixedPoint& fixedPoint;
+  ~Restore() { fixedPoint.unperturb(); }
+};
+
+double largest(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+bool RoundOff::mayMatter(const Iterate& iterate, double accuracy) const {
+  const auto steps = static_cast<std::size_t>(iterate.assembly().steps());
+  std::vector<double> sums(steps + 1, 0.0);
+  for (std::size_t t = 0; t < steps; ++t) {
+    const double* f = iterate.hattedTraction()[static_cast<int>(t)];
+    for (std::size_t row = 0; row < iterate.layout().area().size(); ++row) {
+      sums[t] += iterate.layout().area()[row] * std::abs(f[row]);
+    }
+    const BoundaryFields& boundaries = iterate.boundaryFields();
+    for (std::size_t row = 0; row < boundaries.area.size(); ++row) {
+      sums[t] += boundaries.area[row] * std::abs(boundaries.traction[static_cast<int>(t)][row]);
+    }
+  }
+  sums[steps] = fixedPoint_.linearStage().operators().squaredTerms();
+  iterate.metric().sum(sums);
+  const double terms = std::sqrt(sums.back());
+  sums.pop_back();
+  const double relative = std::numeric_limits<double>::epsilon() * terms *
+                          std::max(leastFlexibility, flexibilityOfSoftness * fixedPoint_.linearStage().softness());
+  return relative > negligible * accuracy * largest(sums);
+}
+
+RoundOff::Estimate RoundOff::estimate(const Iterate& iterate, const base::Matrix& alpha, double accuracy) {
+  const Snapshot before(iterate, responses_);
+  Estimate result;
+  base::Matrix image(alpha.numRows(), alpha.numCols());
+  for (unsigned draw = 0; draw < draws; ++draw) {
+    fixedPoint_.perturb(draw, enlargement);
+    const Restore restore{fixedPoint_};
+    const std::vector<double>& here = fixedPoint_.linearStage().operators().perturbation();
+    std::vector<double> forces(here);
+    fixedPoint_.metric().sum(forces);
+    result.body = static_cast<int>(std::max_element(forces.begin(), forces.end()) - forces.begin());
+    const Iterate* moved = &fixedPoint_.apply(alpha, image);
+    std::vector<double> errors = before.distance(Snapshot(*moved, responses_));
+    double factor = safety / enlargement;
+    const bool isEnough = largest(errors) * factor * afterOneStage <= negligible * accuracy;
+    if (isEnough) {
+      factor *= afterOneStage;
+    } else if (fixedPoint_.canRecentre()) {
+      base::Matrix state(alpha);
+      CausalCorrection(fixedPoint_).correct(*moved, state, target, maximumStages);
+      errors = before.distance(Snapshot(fixedPoint_.apply(state, image), responses_));
+    }
+    result.errors.resize(errors.size(), 0.0);
+    for (std::size_t i = 0; i < errors.size(); ++i) result.errors[i] = std::max(result.errors[i], factor * errors[i]);
+    if (isEnough) break;
+  }
+  return result;
+}
+
+std::string describe(const RoundOff::Estimate& estimate, const std::vector<std::string>& names,
+                     const assembly::Assembly& assembly) {
+  const auto worst = std::max_element(estimate.errors.begin(), estimate.errors.end());
+  std::ostringstream text;
+  text.precision(2);
+  text << "double precision does not give this accuracy: round-off alone may change "
+       << names[static_cast<std::size_t>(worst - estimate.errors.begin())] << " by " << *worst
+       << ", most of it from part \"" << assembly.bodies[estimate.body].name
+       << "\", whose stiffness adds up terms far larger than its forces; ";
+  const double attainable = *worst / shareOfRoundOff;
+  if (attainable < worthAsking) text << "ask for an accuracy of " << attainable << " or more, or ";
+  text << "cut slender parts into pieces (\"Pieces\"), whose motions as a whole cost no digits, and let stiffnesses "
+          "differ "
+          "less";
+  return text.str();
+}
+
+}  // namespace harmos::latin

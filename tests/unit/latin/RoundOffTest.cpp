@@ -1,0 +1,166 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <harmos/latin/LatinSolver.hpp>
+#include <harmos/latin/PairFields.hpp>
+#include <harmos/latin/detail/RoundOff.hpp>
+
+#include "BoxAssembly.hpp"
+#include "Chains.hpp"
+
+namespace harmos::latin {
+namespace {
+
+/// Two cubes glued to each other, the lower one glued to a ground that moves by `way` along x; 4 N pull at the top.
+BoxAssembly carried(double way) {
+  BoxAssembly cubes({{"lower", {0, 0, 0}, {2, 2, 2}, {2, 2, 2}}, {"upper", {0, 0, 2}, {2, 2, 4}, {2, 2, 2}}});
+  cubes.hold("ground", "lower_zmin", laws::makeLaw("Prescribed Displacement", {{"X", way}, {"Y", 0.0}, {"Z", 0.0}}));
+  cubes.join("joint", "lower_zmax", "upper_zmin", laws::makeLaw("Perfect", {}));
+  cubes.hold("top", "upper_zmax", laws::makeLaw("Prescribed Traction", {{"X", 0.5}, {"Z", 1.0}}));
+  return cubes;
+}
+
+struct Pull {
+  LatinResult result;
+  double error;  // of the force through the joint
+};
+
+Pull pull(double way, bool recentres, double accuracy) {
+  BoxAssembly cubes = carried(way);
+  base::Timers timers;
+  LatinOptions options;
+  options.accuracy = accuracy;
+  options.recentres = recentres;
+  LatinSolver solver(cubes.assembly(), options, self(), timers);
+  solver.addResponse(
+      std::make_shared<ResultantResponse>("pull", std::vector<int>{1}, std::vector<base::Vector3>{{0.0, 0.0, 1.0}}));
+  Pull pull{solver.solve(), 0.0};
+  pull.error = std::abs(pull.result.responses[0].values[0] / 4.0 - 1.0);
+  return pull;
+}
+
+// In the equations of whole displacements the stiffness adds up terms of 1e9 N.
+TEST(RoundOff, LeavesTheForcesOfBodiesThatAreCarriedFar) {
+  const Pull centred = pull(1e6, true, 1e-9);
+  EXPECT_EQ(centred.result.outcome, Outcome::certified) << centred.result.reason;
+  EXPECT_LT(centred.error, 1e-11);
+  EXPECT_GT(pull(1e6, false, 1e-9).error, 1e-9);
+}
+
+TEST(RoundOff, RefusesWhatDoublePrecisionDoesNotGive) {
+  const Pull whole = pull(1e6, false, 1e-9);
+  EXPECT_EQ(whole.result.outcome, Outcome::roundOff) << whole.result.reason;
+  EXPECT_NE(whole.result.reason.find("double precision"), std::string::npos) << whole.result.reason;
+  EXPECT_NE(whole.result.reason.find("\"lower\"") == std::string::npos,
+            whole.result.reason.find("\"upper\"") == std::string::npos)
+      << whole.result.reason;
+  EXPECT_GT(whole.result.roundOffEstimate, whole.error);
+}
+
+TEST(RoundOff, IsNotLookedForWhereItCannotMatter) {
+  BoxAssembly cubes = carried(0.0);
+  base::Timers timers;
+  FixedPoint fixedPoint(cubes.assembly(), {}, self(), timers);
+  base::Matrix alpha(fixedPoint.layout().rows(), 1), image(alpha);
+  for (int i = 0; i < 30; ++i) {
+    fixedPoint.apply(alpha, image);
+    alpha.assign(image);
+  }
+  const std::vector<std::shared_ptr<const Response>> none;
+  EXPECT_FALSE(RoundOff(fixedPoint, none).mayMatter(fixedPoint.apply(alpha, image), 1e-3));
+  EXPECT_TRUE(RoundOff(fixedPoint, none).mayMatter(fixedPoint.apply(alpha, image), 1e-12));
+}
+
+TEST(RoundOff, ExperimentLeavesNoTrace) {
+  BoxAssembly cubes = carried(3.0);
+  base::Timers timers;
+  FixedPoint fixedPoint(cubes.assembly(), {}, self(), timers);
+  base::Matrix alpha(fixedPoint.layout().rows(), 1), before(alpha), during(alpha), after(alpha);
+  randomize(alpha);
+  fixedPoint.apply(alpha, before);
+  fixedPoint.perturb(1, 1e6);
+  fixedPoint.apply(alpha, during);
+  fixedPoint.unperturb();
+  fixedPoint.apply(alpha, after);
+  const double change = fixedPoint.metric().distance(during, before);
+  EXPECT_GT(change, 1e-12 * fixedPoint.metric().norm(before));
+  EXPECT_LT(change, 1e-6 * fixedPoint.metric().norm(before));
+  EXPECT_EQ(fixedPoint.metric().distance(after, before), 0.0);
+}
+
+/// Cubes with friction between them on springs, two load steps, pushed at the top.
+BoxAssembly rubbing() {
+  BoxAssembly cubes({{"lower", {0, 0, 0}, {2, 2, 2}, {2, 2, 2}}, {"upper", {0, 0, 2}, {2, 2, 4}, {2, 2, 2}}}, 2);
+  cubes.hold("bottom", "lower_zmin",
+             laws::makeLaw("Elastic Foundation", {{"Normal Stiffness", 50.0}, {"Tangential Stiffness", 20.0}}));
+  cubes.hold("side", "lower_xmin", laws::makeLaw("Symmetry", {}));
+  cubes.join("joint", "lower_zmax", "upper_zmin", laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}}));
+  cubes.hold("top", "upper_zmax",
+             laws::makeLaw("Prescribed Displacement", {{"X", 0.3}, {"Y", 0.1}, {"Z", -0.2}}, {{"X", {0, 0.4, 1}}}));
+  return cubes;
+}
+
+// T of states that are counted from the motions of bodies is T of whole states, counted from them.
+TEST(ReferenceMotions, ChangeNothingButWhereDisplacementsAreCountedFrom) {
+  BoxAssembly cubes = rubbing();
+  base::Timers timers;
+  FixedPoint fixedPoint(cubes.assembly(), {}, self(), timers);
+  base::Matrix alpha(fixedPoint.layout().rows(), 2), image(alpha), relativeImage(alpha);
+  randomize(alpha);
+  const Iterate& whole = fixedPoint.apply(alpha, image);
+  const base::Matrix trace(whole.trace()), hattedTrace(whole.hattedTrace()), traction(whole.hattedTraction());
+  const PairFields pairs = pairFields(whole, 2), boundary = pairFields(whole, 0);
+  base::Matrix relative(alpha);
+  fixedPoint.recentre(whole, relative);
+  const Iterate& counted = fixedPoint.apply(relative, relativeImage);
+  EXPECT_LT(counted.relativeTrace().normInf(), 0.8 * trace.normInf());
+  fixedPoint.addReference(relative);
+  fixedPoint.addReference(relativeImage);
+  const auto expectEqual = [](const base::Matrix& a, const base::Matrix& b) {
+    base::Matrix difference(a);
+    difference -= b;
+    EXPECT_LT(difference.normInf(), 1e-11 * b.normInf());
+  };
+  expectEqual(relative, alpha);
+  expectEqual(relativeImage, image);
+  expectEqual(counted.trace(), trace);
+  expectEqual(counted.hattedTrace(), hattedTrace);
+  expectEqual(counted.hattedTraction(), traction);
+  for (const auto& [now, then] :
+       {std::pair(pairFields(counted, 2), pairs), std::pair(pairFields(counted, 0), boundary)}) {
+    for (std::size_t i = 0; i < then.jump.size(); ++i) {
+      EXPECT_LT(base::distance(now.jump[i], then.jump[i]), 1e-11);
+      EXPECT_LT(base::distance(now.traction[i], then.traction[i]), 1e-8);
+    }
+  }
+}
+
+TEST(ReferenceMotions, AreThoseOfBodiesThatMoveRigidly) {
+  BoxAssembly cubes = carried(0.0);
+  base::Timers timers;
+  FixedPoint fixedPoint(cubes.assembly(), {}, self(), timers);
+  const TraceLayout& layout = fixedPoint.layout();
+  base::Matrix trace(layout.rows(), 1);
+  const base::Vector3 way{3e5, -2e4, 1e5}, turn{4e4, 5e5, -6e3};
+  for (const TraceLayout::Block& block : layout.blocks()) {
+    const mesh::TraceOperator& points = cubes.assembly().interfaces[block.interface].trace(block.side);
+    for (int p = 0; p < block.pairs; ++p) {
+      const base::Vector3 u = way + base::cross(turn, points.at(p, cubes.assembly().bodies[block.body].nodes));
+      for (int c = 0; c < 3; ++c) trace(block.begin + 3 * p + c, 0) = u[c];
+    }
+  }
+  ReferenceMotions motions(cubes.assembly());
+  EXPECT_TRUE(motions.isEmpty());
+  motions.add(trace, layout);
+  const int far = static_cast<int>(cubes.assembly().bodies[1].nodes.size()) - 1;
+  const base::Vector3 u = way + base::cross(turn, cubes.assembly().bodies[1].nodes[far]);
+  EXPECT_LT(base::distance(motions.at(1, far, 0), u), 1e-9 * base::norm(u));
+  for (int pair = 0; pair < 9; ++pair) {
+    EXPECT_LT(base::norm(motions.jump(cubes.assembly().interfaces[1], pair, 0)), 1e-9 * base::norm(u));
+  }
+  EXPECT_LT(base::norm(motions.below(u, 1, far, 0)), 1e-9 * base::norm(u));
+}
+
+}  // namespace
+}  // namespace harmos::latin
