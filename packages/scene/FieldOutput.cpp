@@ -44,7 +44,7 @@ void writeParts(const Problem& problem, const latin::Iterate& state, const std::
     base::Matrix displacement(static_cast<int>(part.nodes.size()) * dimension, steps);
     for (int t = 0; t < steps; ++t)
       for (int node = 0; node < static_cast<int>(part.nodes.size()); ++node) {
-        const auto u = state.displacement(static_cast<int>(body), node, t);
+        const auto u = state.relativeDisplacement(static_cast<int>(body), node, t);
         for (int c = 0; c < dimension; ++c) displacement(node * dimension + c, t) = u[at(c)];
       }
     stress[body] = elasticity::elementStress(problem.mesh, part, *problem.bodies.materials[body],
