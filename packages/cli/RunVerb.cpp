@@ -35,6 +35,10 @@ void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
         << response.values[result.solution.solvedSteps - 1] << std::setprecision(2) << "  ";
     if (std::isfinite(response.errorEstimate)) out << "+- " << response.errorEstimate * response.size << ", ";
     printEstimate(out, response.errorEstimate);
+    if (response.range.widest() >= 0) {
+      const auto last = static_cast<std::size_t>(result.solution.solvedSteps - 1);
+      out << ", not unique: from " << response.range.lower[last] << " to " << response.range.upper[last];
+    }
     if (response.isSmall) out << ", counts as zero: not above " << response.size;
     out << "\n";
   }

@@ -46,7 +46,7 @@ void StudyProgress::report(const results::StudyResults& results) {
     if (rate < 0.5) line << ", " << 60.0 * rate << " per minute";
     if (results.count() < all) line << ", " << duration((all - results.count()) / rate) << " left";
   }
-  const int solved = results.count(results::Status::certified) + results.count(results::Status::calibrated);
+  const int solved = results.solved();
   if (solved < results.count()) line << ", " << results.count() - solved << " without solution";
   if (isTerminal_) {
     stream_ << "\r\033[K" << line.str() << std::flush;

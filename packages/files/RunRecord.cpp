@@ -32,6 +32,9 @@ std::string toJson(const RunRecord& record) {
   for (const auto& [name, value] : record.responseErrors) errors[name] = value;
   Json sizes = Json::object();
   for (const auto& [name, value] : record.responseSizes) sizes[name] = value;
+  Json ranges = Json::object();
+  for (const RecordedRange& range : record.responseRanges)
+    ranges[range.response] = {{"lower", range.lower}, {"upper", range.upper}};
   Json phases = Json::object();
   for (const auto& phase : record.phases)
     phases[phase.name] = {{"wall_seconds", phase.wallSeconds}, {"cpu_seconds", phase.cpuSeconds}};
@@ -47,6 +50,7 @@ std::string toJson(const RunRecord& record) {
                {"round_off_estimate", record.roundOffEstimate},
                {"response_error_estimates", errors},
                {"response_sizes", sizes},
+               {"response_ranges", ranges},
                {"steps", record.steps},
                {"solved_steps", record.solvedSteps},
                {"iterations", record.iterations},

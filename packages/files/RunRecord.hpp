@@ -11,10 +11,17 @@
 
 namespace harmos::files {
 
+/// What a response may be at every load step, in its unit; infinite where there is no end.
+struct RecordedRange {
+  std::string response;              // its name
+  std::vector<double> lower, upper;  // per load step
+};
+
 /// How a run went; what SCENE_result.json says.
 struct RunRecord {
-  std::string scene;                 // path as given
-  std::string status;                // running, certified, not converged, no equilibrium, interrupted, failed
+  std::string scene;  // path as given
+  /// running, certified, "certified, not unique", not converged, no equilibrium, interrupted, failed
+  std::string status;
   std::string reason;                // why it stopped, one sentence
   std::vector<std::string> remarks;  // on what the solution does not determine, one sentence each
   int exitCode = 0;                  // of the process, see base::ExitCode; 130: interrupted
@@ -23,6 +30,7 @@ struct RunRecord {
   double errorEstimate = std::numeric_limits<double>::quiet_NaN();  // relative, of the whole solution; NaN: none
   std::vector<std::pair<std::string, double>> responseErrors;       // relative estimate per response and field
   std::vector<std::pair<std::string, double>> responseSizes;        // what these are relative to, in their units
+  std::vector<RecordedRange> responseRanges;                        // of those that the problem does not determine
   int steps = 0, solvedSteps = 0;                                   // load steps, and how many of them are written
   int iterations = 0;                                               // of LATIN
   int linearStages = 0;                                             // whatever for

@@ -10,6 +10,10 @@ namespace harmos::files {
 
 void writeStudyTable(const std::string& path, const results::StudyResults& results) {
   const results::StudyDescription& description = results.description();
+  // Some names of a status hold a comma.
+  const auto quoted = [](const std::string& name) {
+    return name.find(',') == std::string::npos ? name : '"' + name + '"';
+  };
   const auto cell = [](double value) { return "," + (std::isnan(value) ? "" : base::toText(value)); };
   std::string text = "id";
   for (const auto& parameter : description.parameters) text += "," + parameter.name;
@@ -21,7 +25,7 @@ void writeStudyTable(const std::string& path, const results::StudyResults& resul
     text += std::to_string(configuration.id);
     for (const double value : configuration.values) text += cell(value);
     if (result) {
-      text += std::string(",") + results::statusName(result->status) + "," + std::to_string(result->iterations) +
+      text += "," + quoted(results::statusName(result->status)) + "," + std::to_string(result->iterations) +
               cell(result->errorEstimate) + "," + std::to_string(result->starts.empty() ? 0 : result->starts.front());
     } else {
       text += ",open,,,";

@@ -251,6 +251,12 @@ void BodyOperators::solve(const base::Matrix& forces, int first, int count, subs
       }
     }
   }
+  addForces(forces, first, count);
+  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g]->solve(solved[g], precision);
+}
+
+void BodyOperators::addForces(const base::Matrix& forces, int first, int count) {
+  const int columns = static_cast<int>(steps_.size());
   for (const BlockMap& block : blocks_) {
     base::Matrix& right = groups_[block.place->group]->forces();
     for (int t = first; t < first + count; ++t) {
@@ -266,7 +272,11 @@ void BodyOperators::solve(const base::Matrix& forces, int first, int count, subs
       }
     }
   }
-  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g]->solve(solved[g], precision);
+}
+
+void BodyOperators::addBalanced(const base::Matrix& forces) {
+  addForces(forces, 0, static_cast<int>(steps_.size()));
+  for (auto& group : groups_) group->keepSolution();
 }
 
 void BodyOperators::trace(base::Matrix& trace, int first, int count) const {

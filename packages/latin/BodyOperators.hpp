@@ -57,6 +57,8 @@ class BodyOperators {
   /// the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement(). Bodies that are solved on
   /// their traces only are solved to this precision.
   void solve(const base::Matrix& forces, int first, int count, substructure::Precision precision);
+  /// Adds nodal forces to those of the last solve of all columns which move no body: reactions follow, u stays.
+  void addBalanced(const base::Matrix& forces);
   /// The linear part of it for one owned body and arbitrary columns, in the body's own numbering: S u = P r, u [length]
   /// from r [force], dofs x columns.
   base::Matrix solveBody(int body, const base::Matrix& forces) const;
@@ -93,6 +95,8 @@ class BodyOperators {
     mesh::TraceOperator trace;  // B of the block; for a node the row of its first component in the vectors of the group
   };
 
+  /// Adds forces on traces [force] to those of the groups, the columns first .. first + count - 1.
+  void addForces(const base::Matrix& forces, int first, int count);
   void mapBlocks(const assembly::Assembly& assembly, const TraceLayout& layout);
   /// Carries a body's vectors, dofs x steps, into the columns of its group, or back.
   void toGroup(const Place& place, const base::Matrix& own, base::Matrix& group) const;

@@ -170,6 +170,7 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
   base::Matrix state(alpha);
   base::Matrix next(image);
   const Iterate* iterate = &first;
+  fixedPoint_.shareTractions(state, next, accuracy_);
   auto before = std::make_unique<Snapshot>(*iterate, responses_);
   double previous = 0.0, hidden = 0.0;
   for (int count = 0; count < maximumCorrections; ++count) {
@@ -177,8 +178,8 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
     const bool isCausal = causal_ && !(beginsWithNewton && count == 0);
     const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
     if (stages < (isCausal ? leastStages : leastVectors)) return result;
-    const Correction step = isCausal ? correctCausally(*iterate, state, count, stages)
-                                     : correctByNewton(*iterate, state, next, count, previous, stages);
+    Correction step = isCausal ? correctCausally(*iterate, state, count, stages)
+                               : correctByNewton(*iterate, state, next, count, previous, stages);
     if (!step.reduced) {
       result.state = step.state;
       result.conclusive = false;
@@ -186,6 +187,7 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
       return result;
     }
     iterate = &fixedPoint_.apply(step.state, next);
+    fixedPoint_.shareTractions(step.state, next, accuracy_);
     auto after = std::make_unique<Snapshot>(*iterate, responses_);
     std::vector<double> errors = after->distance(*before);
     const double error = largest(errors);
@@ -214,6 +216,7 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
       before = std::move(after);
     } else {
       iterate = &smooth(state, next);
+      fixedPoint_.shareTractions(state, next, accuracy_);
       before = std::make_unique<Snapshot>(*iterate, responses_);
     }
     result.state = state;

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/latin/detail/TractionShare.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -51,7 +52,10 @@ FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& o
       iterates_(iteratesKept, Iterate(fields_, 0)) {
   if (pointwise_ != nullptr) pointwise_->setReference(reference_);
   selectAll();
+  share_ = std::make_unique<TractionShare>(assembly, searchDirection_, eliminated_);
 }
+
+FixedPoint::~FixedPoint() = default;
 
 std::unique_ptr<LinearStage> FixedPoint::makeLinearStage() {
   const auto make = [&] {
@@ -88,6 +92,7 @@ void FixedPoint::rescale(double scale) {
   fields_.linear = linear_.get();
   fields_.searchDirectionScale = scale;
   fields_.boundaries = {};
+  share_ = std::make_unique<TractionShare>(assembly_, searchDirection_, eliminated_);
   select(std::vector<int>(fields_.steps));
 }
 
@@ -168,6 +173,30 @@ const Iterate& FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image)
   Iterate& iterate = iterates_[fields_.present % iteratesKept];
   iterate = Iterate(fields_, fields_.present);
   return iterate;
+}
+
+void FixedPoint::addBalanced(const base::Matrix& tractions) {
+  linear_->addBalanced(tractions, fields_.beta);
+  fields_.hattedTraction += tractions;
+  fields_.hasBoundaries = false;
+}
+
+void FixedPoint::shareTractions(base::Matrix& alpha, base::Matrix& image, double tolerance) {
+  if (share_->isEmpty()) return;
+  const Iterate& iterate = iterates_[fields_.present % iteratesKept];
+  base::Matrix difference(alpha.numRows(), alpha.numCols());
+  for (const TractionShare::Finding& finding : share_->find(iterate, tolerance))
+    share_->addDifference(finding, finding.stress.least(), layout_, difference);
+  addBalanced(difference);
+  alpha += difference;
+  image += difference;
+}
+
+Indeterminacy FixedPoint::indeterminacy(const std::vector<std::shared_ptr<const Response>>& responses,
+                                        double tolerance) {
+  const Iterate& iterate = iterates_[fields_.present % iteratesKept];
+  return findIndeterminacy(*share_, iterate, responses, tolerance,
+                           [this](const base::Matrix& tractions) { addBalanced(tractions); });
 }
 
 PointwiseLocalStage& FixedPoint::pointwiseStage() {

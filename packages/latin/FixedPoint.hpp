@@ -5,8 +5,11 @@
 
 #include <harmos/latin/Iterate.hpp>
 #include <harmos/latin/PointwiseLocalStage.hpp>
+#include <harmos/latin/ResponseRange.hpp>
 
 namespace harmos::latin {
+
+class TractionShare;
 
 /// How the two stages are built; see LatinOptions for what the user may set.
 struct StageOptions {
@@ -29,6 +32,7 @@ class FixedPoint {
   FixedPoint(const assembly::Assembly& assembly, const StageOptions& options,
              const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers,
              const MakeLocalStage& makeLocalStage = {});
+  ~FixedPoint();
   FixedPoint(const FixedPoint&) = delete;
   FixedPoint& operator=(const FixedPoint&) = delete;
 
@@ -77,6 +81,13 @@ class FixedPoint {
   /// selectAll().
   const Iterate& apply(const base::Matrix& alpha, base::Matrix& image);
 
+  /// Collective. Gives the present iterate, its alpha and its image [stress] those tractions that are defined where the
+  /// bodies cannot tell what pairs share (TractionShare): T and its fixed points mean the same as before. `tolerance`
+  /// [-]: relative accuracy of the fields. All load steps must be selected.
+  void shareTractions(base::Matrix& alpha, base::Matrix& image, double tolerance);
+  /// Collective. What the present iterate does not determine, see findIndeterminacy().
+  Indeterminacy indeterminacy(const std::vector<std::shared_ptr<const Response>>& responses, double tolerance);
+
   /// Collective. The linear stage alone, for the load steps selected: beta [stress] of alpha, see LinearStage::solve().
   /// No iterate is valid afterwards.
   void solveLinear(const base::Matrix& alpha, base::Matrix& beta) {
@@ -108,6 +119,8 @@ class FixedPoint {
  private:
   /// alpha += k (rho1 - rho2).
   void addDifference(const ReferenceMotions& rho1, const ReferenceMotions& rho2, base::Matrix& alpha) const;
+  /// Adds tractions [stress] to the present iterate that the bodies do not feel.
+  void addBalanced(const base::Matrix& tractions);
   /// May give up the elimination, where boundaries leave the assembly free to move.
   std::unique_ptr<LinearStage> makeLinearStage();
 
@@ -123,6 +136,7 @@ class FixedPoint {
   std::unique_ptr<LinearStage> linear_;
   PointwiseLocalStage* pointwise_ = nullptr;  // local_, or null when that is another one
   std::unique_ptr<LocalStage> local_;
+  std::unique_ptr<TractionShare> share_;
   Iterate::Fields fields_;
   std::vector<Iterate> iterates_;  // in turns, so that an old one is known to be no longer valid
 };

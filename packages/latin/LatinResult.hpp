@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <harmos/latin/ResponseRange.hpp>
+
 namespace harmos::latin {
 
 /// How a run ended.
@@ -21,6 +23,7 @@ struct ResponseResult {
   double errorEstimate = 0.0;  ///< relative to `size`; not a number without a certificate or an attempt at one
   double size = 0.0;           ///< its largest value over the load steps, or its floor, in its unit
   bool isSmall = false;        ///< all values are below the floor, see NaturalSizes: it counts as zero
+  ResponseRange range;         ///< what it may be, where the problem does not determine it to the accuracy asked for
 };
 
 /// What a run achieved. The fields are read from LatinSolver::state().
@@ -37,6 +40,9 @@ struct LatinResult {
   int solvedSteps = 0;                        ///< load steps that were solved; later values and fields mean nothing
   int iterations = 0;                         ///< applications of T outside the error estimate, in linear stages
   int linearStages = 0;                       ///< all applications of T, those of the error estimate included
+
+  /// Whether the problem determines all responses; known of what is certified only.
+  bool isUnique() const;
 };
 
 }  // namespace harmos::latin

@@ -9,6 +9,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
 #include <harmos/base/Vector3.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/detail/RoundOff.hpp>
@@ -36,6 +37,9 @@ constexpr double shareOfFirstTry = 0.5;
 constexpr double shareOfLaterTry = 0.27;
 // Each takes what the one before has left of the motions of bodies.
 constexpr int maximumRecentrings = 3;
+
+// Interfaces that a remark names.
+constexpr std::size_t mostNames = 6;
 
 // A state this many times larger than the first one was extrapolated beyond all measure: the digits of the forces are
 // lost in k w, and everything finite would look small beside it.
@@ -316,18 +320,40 @@ void LatinSolver::iterate(LatinResult& result) {
   }
 }
 
+void LatinSolver::addIndeterminacy(LatinResult& result) {
+  const Indeterminacy found = fixedPoint_.indeterminacy(responses_, options_.accuracy);
+  for (std::size_t i = 0; i < responses_.size(); ++i) {
+    const ResponseRange& range = found.responses[i];
+    ResponseResult& response = result.responses[i];
+    if (!(range.width() > options_.accuracy * response.size)) continue;
+    response.range = range;
+    result.remarks.push_back(describe(response.name, range, response.values));
+  }
+  if (found.pressures.empty()) return;
+  std::vector<std::string> names;
+  for (const std::string& name : found.pressures) names.push_back(base::quoted(name));
+  result.remarks.push_back("pressures are not determined where pairs of " + base::joinNames(names, mostNames) +
+                           " meet at one node, and their friction with them: there may be other solutions, with other "
+                           "displacements");
+}
+
 void LatinSolver::deliver(LatinResult& result) {
   if (!fixedPoint_.reference().isEmpty()) {
     whole_ = alpha_;
     fixedPoint_.addReference(whole_);
   }
   state_ = &fixedPoint_.apply(alpha_, image_);
+  fixedPoint_.shareTractions(alpha_, image_, options_.accuracy);
   result.indicator = customaryIndicator(*state_);
   const Snapshot last(*state_, responses_);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < responses_.size(); ++i) {
-    result.responses.push_back({responses_[i]->name(), last.responses()[i],
-                                estimates_.empty() ? unknown : estimates_[i], last.size(i), last.isSmall(i)});
+    result.responses.push_back({responses_[i]->name(),
+                                last.responses()[i],
+                                estimates_.empty() ? unknown : estimates_[i],
+                                last.size(i),
+                                last.isSmall(i),
+                                {}});
   }
   result.forceErrorEstimate = estimates_.empty() ? unknown : estimates_[estimates_.size() - 2];
   result.displacementErrorEstimate = estimates_.empty() ? unknown : estimates_.back();
@@ -335,6 +361,7 @@ void LatinSolver::deliver(LatinResult& result) {
   if (result.outcome == Outcome::certified) {
     const auto running = timers_.start("statics");
     result.remarks = describeUnheldParts(*state_);
+    addIndeterminacy(result);
   }
   if (result.outcome != Outcome::iterationLimit) return;
   const Imbalance imbalance = largestImbalance(*state_);

@@ -65,6 +65,8 @@ class LatinSolver {
   /// Collective. The first image that it sees is the measure of all others.
   bool hasDiverged(const base::Matrix& image);
   void deliver(LatinResult& result);
+  /// What the problem does not determine: ranges of responses, with a remark on each.
+  void addIndeterminacy(LatinResult& result);
   /// Load step after load step; where restarts of the march lead nowhere, from the beginning with fewer of them.
   void march(LatinResult& result, March::Guess guess);
   /// Once, to ever smaller residuals, until the certificate claims.

@@ -52,6 +52,13 @@ void LinearStage::applyMass(const base::Matrix& traction, base::Matrix& forces, 
   }
 }
 
+void LinearStage::addBalanced(const base::Matrix& tractions, base::Matrix& beta) {
+  traction_ += tractions;
+  beta += tractions;
+  applyMass(tractions, forces_, 0, tractions.numCols());
+  operators_.addBalanced(forces_);
+}
+
 void LinearStage::solveSteps(base::Matrix& alpha, int first, int count) {
   applyMass(alpha, forces_, first, count);
   if (macro_) {

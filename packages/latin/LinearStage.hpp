@@ -43,6 +43,9 @@ class LinearStage {
   /// Collective. From alpha [stress] to beta = f - k w [stress] (velocity form: f - k dw); keeps w.
   void solve(const base::Matrix& alpha, base::Matrix& beta);
 
+  /// Adds tractions [stress] to those of the last solve of all columns, and to its beta, that move no body.
+  void addBalanced(const base::Matrix& tractions, base::Matrix& beta);
+
   /// Trace w [length] and traction f [stress] of the last solve.
   const base::Matrix& trace() const { return trace_; }
   /// The latter [stress].

@@ -17,17 +17,26 @@ std::vector<double> DisplacementResponse::evaluate(const Iterate& state) const {
   return values;
 }
 
+base::Vector3 ResultantResponse::arm(const assembly::Assembly& assembly, const assembly::Interface& interface,
+                                     int pair) const {
+  const base::Vector3& direction = direction_.empty() ? interface.frame[pair][0] : direction_[0];
+  if (centre_.empty()) return direction;
+  return cross(direction, interface.trace1.at(pair, assembly.bodies[interface.body1].nodes) - centre_[0]);
+}
+
+base::Vector3 ResultantResponse::slope(const assembly::Assembly& assembly, const At& at) const {
+  if (std::count(interfaces_.begin(), interfaces_.end(), at.interface) == 0) return {};
+  const assembly::Interface& interface = assembly.interfaces[at.interface];
+  return interface.area[at.pair] * arm(assembly, interface, at.pair);
+}
+
 std::vector<double> ResultantResponse::evaluate(const Iterate& state) const {
   std::vector<double> values(state.assembly().steps(), 0.0);
   for (int i : interfaces_) {
     const assembly::Interface& interface = state.assembly().interfaces[i];
     if (!state.layout().owns(interface.body1)) continue;
-    const auto& nodes = state.assembly().bodies[interface.body1].nodes;
     std::vector<base::Vector3> arms;
-    for (int p = 0; p < interface.pairs(); ++p) {
-      const base::Vector3& direction = direction_.empty() ? interface.frame[p][0] : direction_[0];
-      arms.push_back(centre_.empty() ? direction : cross(direction, interface.trace1.at(p, nodes) - centre_[0]));
-    }
+    for (int p = 0; p < interface.pairs(); ++p) arms.push_back(arm(state.assembly(), interface, p));
     for (int t = 0; t < state.assembly().steps(); ++t) {
       const std::vector<base::Vector3> tractions = state.tractions(i, t);
       for (int p = 0; p < interface.pairs(); ++p) values[t] += interface.area[p] * dot(tractions[p], arms[p]);
@@ -45,6 +54,17 @@ std::vector<double> PairResponse::evaluate(const Iterate& state) const {
   return values;
 }
 
+bool PairResponse::reads(int interface) const {
+  return std::count(interfaces_.begin(), interfaces_.end(), interface) > 0;
+}
+
+base::Vector3 DissipationResponse::slope(const assembly::Assembly& assembly, const At& at) const {
+  const assembly::Interface& interface = assembly.interfaces[at.interface];
+  if (!reads(at.interface) || !interface.law->dissipates()) return {};
+  const base::Vector3& n = interface.frame[at.pair][0];
+  return interface.area[at.pair] * (at.jumpChange - dot(n, at.jumpChange) * n);
+}
+
 void DissipationResponse::include(const assembly::Interface& interface, const PairFields& fields,
                                   std::vector<double>& values) const {
   if (!interface.law->dissipates()) return;
@@ -52,6 +72,25 @@ void DissipationResponse::include(const assembly::Interface& interface, const Pa
   for (int t = 0; t < fields.steps; ++t) {
     for (int p = 0; p < fields.pairs; ++p) values[t] += interface.area[p] * lost[fields.at(t, p)];
   }
+}
+
+base::Vector3 MaximumResponse::slope(const assembly::Assembly& assembly, const At& at) const {
+  if (!reads(at.interface)) return {};
+  const base::Frame& frame = assembly.interfaces[at.interface].frame[at.pair];
+  const double normal = dot(frame[0], at.traction);
+  const base::Vector3 shear = at.traction - normal * frame[0];
+  switch (field_) {
+    case Field::contactPressure:
+      return -1.0 * frame[0];
+    case Field::normalTraction:
+      return (normal > 0.0 ? 1.0 : -1.0) * frame[0];
+    case Field::tangentialTraction:
+      return base::norm(shear) > 0.0 ? shear : frame[1];
+    case Field::opening:
+    case Field::slip:
+      break;
+  }
+  return {};
 }
 
 void MaximumResponse::include(const assembly::Interface& interface, const PairFields& fields,

@@ -30,6 +30,17 @@ class Response {
   /// One value per load step. Collective: the same values on every rank. All load steps must be selected.
   virtual std::vector<double> evaluate(const Iterate& state) const = 0;
 
+  /// A pair with unknowns at a load step, in global components.
+  struct At {
+    int interface = -1;          ///< position in the assembly
+    int pair = -1;               ///< of the interface
+    base::Vector3 traction{};    ///< f on side 1 [stress]
+    base::Vector3 jumpChange{};  ///< of the jump over the load step [length]
+  };
+  /// How the value at the load step grows with the traction on side 1 of a pair while all displacements stay [its unit
+  /// / stress]; of a value that is not linear a direction in which it grows. 0: it does not depend on it.
+  virtual base::Vector3 slope(const assembly::Assembly& /*assembly*/, const At& /*at*/) const { return {}; }
+
  private:
   std::string name_;
   Quantity quantity_;
@@ -74,8 +85,11 @@ class ResultantResponse : public Response {
         direction_(std::move(direction)),
         centre_(std::move(centre)) {}
   std::vector<double> evaluate(const Iterate& state) const override;
+  base::Vector3 slope(const assembly::Assembly& assembly, const At& at) const override;
 
  private:
+  base::Vector3 arm(const assembly::Assembly& assembly, const assembly::Interface& interface, int pair) const;
+
   std::vector<int> interfaces_;
   std::vector<base::Vector3> direction_;  // none or one
   std::vector<base::Vector3> centre_;     // none or one
@@ -93,6 +107,8 @@ class PairResponse : public Response {
   /// Includes the share of one interface in `values`, one per load step and 0 before the first interface.
   virtual void include(const assembly::Interface& interface, const PairFields& fields,
                        std::vector<double>& values) const = 0;
+  /// Whether the number depends on an interface.
+  bool reads(int interface) const;
 
  private:
   std::vector<int> interfaces_;
@@ -107,6 +123,7 @@ class DissipationResponse : public PairResponse {
       : PairResponse(std::move(name), Quantity::energy, std::move(interfaces)) {}
   void include(const assembly::Interface& interface, const PairFields& fields,
                std::vector<double>& values) const override;
+  base::Vector3 slope(const assembly::Assembly& assembly, const At& at) const override;
 };
 
 /// Largest value over the nodes of an interface, of the local stage's fields (which obey the laws).
@@ -122,6 +139,7 @@ class MaximumResponse : public PairResponse {
         field_(field) {}
   void include(const assembly::Interface& interface, const PairFields& fields,
                std::vector<double>& values) const override;
+  base::Vector3 slope(const assembly::Assembly& assembly, const At& at) const override;
 
  private:
   Field field_;

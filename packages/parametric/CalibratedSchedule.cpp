@@ -81,15 +81,33 @@ void CalibratedSchedule::estimate(const Indicators& indicators, results::Configu
   result.curveErrors.assign(solver_.responses().size(), calibration_.estimate(ofResponses));
 }
 
-void CalibratedSchedule::deliver(results::ConfigurationResult& result) const {
-  const bool isCertified = result.status == results::Status::certified;
-  result.status = isCertified ? results::Status::certified : results::Status::calibrated;
+bool CalibratedSchedule::addRanges(results::ConfigurationResult& result) {
+  const double accuracy = solver_.options().accuracy;
+  const auto ranges = solver_.iteration().ranges(solver_.responses());
+  const latin::Snapshot last(solver_.iteration().state(), solver_.responses());
+  bool isUnique = true;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (!(ranges[i].width() > accuracy * last.size(i))) continue;
+    isUnique = false;
+    result.reason += "; " + latin::describe(solver_.responses()[i]->name(), ranges[i], result.curves[i]);
+  }
+  return isUnique;
+}
+
+void CalibratedSchedule::deliver(results::ConfigurationResult& result) {
+  const bool isCertified = results::isCertified(result.status);
   result.reason = isCertified ? "the error estimate of a certificate is below the accuracy asked for"
                               : "the calibrated error estimate is below the accuracy asked for";
   result.curves.clear();
   for (const auto& response : solver_.responses())
     result.curves.push_back(response->evaluate(solver_.iteration().state()));
   estimate(indicators_, result);
+  const bool isUnique = addRanges(result);
+  if (isCertified) {
+    result.status = isUnique ? results::Status::certified : results::Status::certifiedNotUnique;
+  } else {
+    result.status = isUnique ? results::Status::calibrated : results::Status::calibratedNotUnique;
+  }
 }
 
 bool CalibratedSchedule::march(const Indicators& target, bool isToBeKept, results::ConfigurationResult& result) {
@@ -149,7 +167,7 @@ bool CalibratedSchedule::refer(const latin::Snapshot& claimed, results::Configur
   const bool goesOn = solver_.certify(&tight, certified);
   solver_.summary().certificates = certificates;  // it is not what is delivered
   if (!goesOn) return false;
-  if (certified.status == results::Status::certified) {
+  if (results::isCertified(certified.status)) {
     record(latin::Snapshot(solver_.certifiedState(), solver_.responses()), certified.errorEstimate, claimed);
   } else {
     ++solver_.summary().openAudits;
@@ -212,7 +230,7 @@ bool CalibratedSchedule::confirm(results::ConfigurationResult& result) {
   const latin::Snapshot certified(solver_.certifiedState(), solver_.responses());
   const auto [responseError, forceError] = errorsAgainst(certified, claimed);
   isContradicted_ =
-      result.status == results::Status::certified && std::max(responseError, forceError) > solver_.options().accuracy;
+      results::isCertified(result.status) && std::max(responseError, forceError) > solver_.options().accuracy;
   indicators_ = solver_.iteration().beginAt(tight);
   result.linearStages += solver_.iteration().stages();
   return true;

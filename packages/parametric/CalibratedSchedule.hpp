@@ -55,7 +55,9 @@ class CalibratedSchedule {
   bool reopen(results::ResultSink& sink);
   bool march(const Indicators& target, bool isToBeKept, results::ConfigurationResult& result);
 
-  void deliver(results::ConfigurationResult& result) const;
+  void deliver(results::ConfigurationResult& result);
+  /// Adds to the reason which responses the problem does not determine; true when it determines all.
+  bool addRanges(results::ConfigurationResult& result);
   void estimate(const Indicators& indicators, results::ConfigurationResult& result) const;
 
   StudySolver& solver_;

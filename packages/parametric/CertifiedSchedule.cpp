@@ -1,6 +1,7 @@
 #include <harmos/parametric/CertifiedSchedule.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/results/StatusName.hpp>
 
 namespace harmos::parametric {
 
@@ -13,7 +14,7 @@ bool CertifiedSchedule::solve(const design::Configuration& configuration, result
       solver_.states().copy(nearest[0], start, unused);
       result.starts.push_back(solver_.states().id(nearest[0]));
       if (!solver_.certify(&start, result)) return false;
-      if (result.status == results::Status::certified) {
+      if (results::isCertified(result.status)) {
         solver_.rememberCertified(configuration, result);
         return true;
       }

@@ -23,9 +23,10 @@ constexpr std::size_t iterationsToFallLater = 8;
 
 ConfigurationIteration::ConfigurationIteration(latin::FixedPoint& fixedPoint,
                                                const std::vector<std::shared_ptr<const latin::Response>>& responses,
-                                               int neighbours, int memory, base::Timers& timers)
+                                               int neighbours, int memory, double accuracy, base::Timers& timers)
     : fixedPoint_(fixedPoint),
       neighbours_(neighbours),
+      accuracy_(accuracy),
       timers_(timers),
       gauge_(fixedPoint, responses),
       start_(fixedPoint),
@@ -97,6 +98,7 @@ Indicators ConfigurationIteration::beginAt(const base::Matrix& alpha) {
 Indicators ConfigurationIteration::applyAll() {
   alpha_.assign(next_);
   state_ = &fixedPoint_.apply(alpha_, image_);
+  fixedPoint_.shareTractions(alpha_, image_, accuracy_);
   beta_.assign(state_->beta());
   const auto running = timers_.start("indicators");
   const Indicators indicators = gauge_.measure(*state_, alpha_, image_);
@@ -232,6 +234,11 @@ Indicators ConfigurationIteration::march(const Indicators& target) {
   }
   isFirstMarch_ = false;
   return applyAll();
+}
+
+std::vector<latin::ResponseRange> ConfigurationIteration::ranges(
+    const std::vector<std::shared_ptr<const latin::Response>>& responses) {
+  return fixedPoint_.indeterminacy(responses, accuracy_).responses;
 }
 
 base::Matrix ConfigurationIteration::linear() const {

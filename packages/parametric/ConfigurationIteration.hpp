@@ -20,11 +20,12 @@ namespace harmos::parametric {
 class ConfigurationIteration {
  public:
   /// `neighbours`: solved states that a start is made of, at most. `memory`: differences that the acceleration keeps
-  /// beyond those of the start. The phases "start", "indicators" and "acceleration" are charged to `timers`. All
-  /// arguments must outlive it.
+  /// beyond those of the start. `accuracy`: relative one
+  /// that fields have in the end [-], see FixedPoint::shareTractions(). The phases "start", "indicators" and
+  /// "acceleration" are charged to `timers`. All arguments must outlive it.
   ConfigurationIteration(latin::FixedPoint& fixedPoint,
                          const std::vector<std::shared_ptr<const latin::Response>>& responses, int neighbours,
-                         int memory, base::Timers& timers);
+                         int memory, double accuracy, base::Timers& timers);
   /// Asked on every rank before every load step; march() then goes on with the stage of all load steps at once.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
 
@@ -46,6 +47,8 @@ class ConfigurationIteration {
     assert(state_ != nullptr && "no stage of all load steps has been made");
     return *state_;
   }
+  /// Collective. What the responses may be at state(), see FixedPoint::indeterminacy().
+  std::vector<latin::ResponseRange> ranges(const std::vector<std::shared_ptr<const latin::Response>>& responses);
   /// alpha [stress] of the last stage of all load steps, and its image under the linear part of the linear stage.
   const base::Matrix& alpha() const { return alpha_; }
   /// The latter: A alpha = beta - b [stress], rows of the layout x load steps; see SolvedStates.
@@ -68,6 +71,7 @@ class ConfigurationIteration {
 
   latin::FixedPoint& fixedPoint_;
   int neighbours_;
+  double accuracy_;
   base::Timers& timers_;
   Gauge gauge_;
   ReducedBasisStart start_;

@@ -7,6 +7,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/results/StatusName.hpp>
 
 namespace harmos::parametric {
 namespace {
@@ -18,10 +19,10 @@ constexpr int neighboursWhenDemanding = 24;
 constexpr std::size_t memoryForStates = std::size_t{1} << 30;  // byte, all ranks alike
 constexpr std::size_t mostStates = 100000;
 
-results::Status statusOf(latin::Outcome outcome) {
-  switch (outcome) {
+results::Status statusOf(const latin::LatinResult& solution) {
+  switch (solution.outcome) {
     case latin::Outcome::certified:
-      return results::Status::certified;
+      return solution.isUnique() ? results::Status::certified : results::Status::certifiedNotUnique;
     case latin::Outcome::noEquilibrium:
       return results::Status::noEquilibrium;
     case latin::Outcome::iterationLimit:
@@ -63,7 +64,7 @@ StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
       solver_(assembly, options_, std::move(comm), timers),
       fixedPoint_(solver_.fixedPoint()),
       iteration_(fixedPoint_, responses_, options.accuracy < demanding ? neighboursWhenDemanding : neighbours,
-                 options.memory, timers),
+                 options.memory, options.accuracy, timers),
       states_(statesThatFit(fixedPoint_.layout(), assembly.steps())) {
   for (const auto& response : responses_) solver_.addResponse(response);
   iteration_.setStop([this] { return mustStop(); });
@@ -86,8 +87,12 @@ bool StudySolver::install(const design::Configuration& configuration, results::C
 
 bool StudySolver::certify(const base::Matrix* start, results::ConfigurationResult& result) {
   const latin::LatinResult solution = solver_.solve(start);
-  result.status = statusOf(solution.outcome);
+  result.status = statusOf(solution);
   result.reason = solution.reason;
+  for (const auto& response : solution.responses) {
+    if (response.range.widest() >= 0)
+      result.reason += "; " + latin::describe(response.name, response.range, response.values);
+  }
   result.iterations += solution.iterations;
   result.linearStages += solution.linearStages;
   result.errorEstimate = solution.errorEstimate;
@@ -97,7 +102,7 @@ bool StudySolver::certify(const base::Matrix* start, results::ConfigurationResul
     result.curves.push_back(response.values);
     result.curveErrors.push_back(response.errorEstimate);
   }
-  if (result.status == results::Status::certified) ++summary_.certificates;
+  if (results::isCertified(result.status)) ++summary_.certificates;
   return solution.outcome != latin::Outcome::interrupted;
 }
 
@@ -105,7 +110,7 @@ bool StudySolver::certifyAnew(const design::Configuration& configuration, result
   try {
     result.starts.clear();
     if (!certify(nullptr, result)) return false;
-    if (result.status == results::Status::certified) rememberCertified(configuration, result);
+    if (results::isCertified(result.status)) rememberCertified(configuration, result);
   } catch (const base::Error& error) {
     result.status = results::Status::failed;
     result.reason = error.what();

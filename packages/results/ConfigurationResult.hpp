@@ -8,12 +8,14 @@ namespace harmos::results {
 
 /// How the solution of one configuration ended.
 enum class Status {
-  certified,      // two corrections of its own bound its error
-  calibrated,     // its free indicators, calibrated on certified configurations, are below the request
-  notConverged,   // the request was not met
-  noEquilibrium,  // the interface laws cannot carry the loads
-  failed,         // something threw; see the reason
-  inadmissible    // its parameters violate a range of the scene
+  certified,            // two corrections of its own bound its error
+  certifiedNotUnique,   // the same, but the problem does not determine all responses; see the reason
+  calibrated,           // its free indicators, calibrated on certified configurations, are below the request
+  calibratedNotUnique,  // the same, but the problem does not determine all responses; see the reason
+  notConverged,         // the request was not met
+  noEquilibrium,        // the interface laws cannot carry the loads
+  failed,               // something threw; see the reason
+  inadmissible          // its parameters violate a range of the scene
 };
 
 /// What is known about one configuration; the curves are those of the scene's responses.

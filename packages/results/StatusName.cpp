@@ -6,8 +6,12 @@ const char* statusName(Status status) {
   switch (status) {
     case Status::certified:
       return "certified";
+    case Status::certifiedNotUnique:
+      return "certified, not unique";
     case Status::calibrated:
       return "calibrated";
+    case Status::calibratedNotUnique:
+      return "calibrated, not unique";
     case Status::notConverged:
       return "not converged";
     case Status::noEquilibrium:
@@ -28,12 +32,17 @@ std::optional<Status> statusNamed(const std::string& name) {
 }
 
 bool isSolved(Status status) {
-  return status == Status::certified || status == Status::calibrated;
+  return isCertified(status) || status == Status::calibrated || status == Status::calibratedNotUnique;
+}
+
+bool isCertified(Status status) {
+  return status == Status::certified || status == Status::certifiedNotUnique;
 }
 
 const std::vector<Status>& allStatuses() {
-  static const std::vector<Status> all = {Status::certified,     Status::calibrated, Status::notConverged,
-                                          Status::noEquilibrium, Status::failed,     Status::inadmissible};
+  static const std::vector<Status> all = {
+      Status::certified,    Status::certifiedNotUnique, Status::calibrated, Status::calibratedNotUnique,
+      Status::notConverged, Status::noEquilibrium,      Status::failed,     Status::inadmissible};
   return all;
 }
 

@@ -39,6 +39,11 @@ int StudyResults::count(Status status) const {
                                         [&](const auto& place) { return place && place->status == status; }));
 }
 
+int StudyResults::solved() const {
+  return static_cast<int>(std::count_if(results_.begin(), results_.end(),
+                                        [](const auto& place) { return place && isSolved(place->status); }));
+}
+
 std::vector<double> StudyResults::responses(int id) const {
   const ConfigurationResult* result = find(id);
   const bool isSolved = result && results::isSolved(result->status) && !result->curves.empty();

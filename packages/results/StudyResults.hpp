@@ -35,6 +35,8 @@ class StudyResults {
   int count() const { return count_; }
   /// How many have a result with this status.
   int count(Status status) const;
+  /// How many are as accurate as asked for.
+  int solved() const;
   /// The scalar responses of a configuration, in the order of the description: of its solution, if it has one as
   /// accurate as asked for, else what the study wants in its place, else not a number, as while it is open.
   std::vector<double> responses(int id) const;

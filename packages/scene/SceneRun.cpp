@@ -23,10 +23,10 @@ namespace harmos::scene {
 
 namespace {
 
-const char* statusOf(latin::Outcome outcome) {
-  switch (outcome) {
+const char* statusOf(const latin::LatinResult& solution) {
+  switch (solution.outcome) {
     case latin::Outcome::certified:
-      return "certified";
+      return solution.isUnique() ? "certified" : "certified, not unique";
     case latin::Outcome::iterationLimit:
     case latin::Outcome::roundOff:
       return "not converged";
@@ -84,7 +84,7 @@ class Recorder {
 };
 
 void describe(const latin::LatinResult& solution, const std::vector<double>& times, files::RunRecord& record) {
-  record.status = statusOf(solution.outcome);
+  record.status = statusOf(solution);
   record.reason = solution.reason;
   record.remarks = solution.remarks;
   record.steps = static_cast<int>(times.size());
@@ -104,6 +104,11 @@ void describe(const latin::LatinResult& solution, const std::vector<double>& tim
   for (const auto& response : solution.responses) {
     record.responseErrors.emplace_back(response.name, response.errorEstimate);
     record.responseSizes.emplace_back(response.name, response.size);
+  }
+  record.responseRanges.clear();
+  for (const auto& response : solution.responses) {
+    if (response.range.widest() < 0) continue;
+    record.responseRanges.push_back({response.name, response.range.lower, response.range.upper});
   }
   record.responseErrors.emplace_back("interface forces", solution.forceErrorEstimate);
   record.responseErrors.emplace_back("interface displacements", solution.displacementErrorEstimate);

@@ -67,6 +67,10 @@ bool LinearProgramme::solve() {
   return solver_->simplex.isProvenOptimal();
 }
 
+bool LinearProgramme::isUnbounded() const {
+  return solver_->simplex.isProvenDualInfeasible();
+}
+
 double LinearProgramme::value() const {
   return solver_->simplex.objectiveValue();
 }

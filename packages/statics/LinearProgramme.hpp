@@ -8,7 +8,7 @@ namespace harmos::statics {
 /// A linear programme that grows by columns: the least c.x with lower <= x <= upper and A x = b.
 ///
 /// Solved by the primal simplex method of CLP, from the last basis on, to 1e-10 in rows and reduced costs: they should
-/// be of the order of one. The least value must be finite.
+/// be of the order of one.
 class LinearProgramme {
  public:
   /// An entry of a column.
@@ -31,6 +31,8 @@ class LinearProgramme {
   int columns() const;
   /// Whether it found a solution; no solution is known before, nor where it fails.
   bool solve();
+  /// Whether the last solve() found none because c.x has no least value.
+  bool isUnbounded() const;
   /// The least c.x of the last solve().
   double value() const;
   /// The unknowns of the last solve(), in the order of their columns.

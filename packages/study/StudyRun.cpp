@@ -17,9 +17,8 @@ namespace harmos::study {
 namespace {
 
 int exitCodeOf(const results::StudyResults& results) {
-  const auto count = [&](results::Status status) { return results.count(status); };
-  const int solved = count(results::Status::certified) + count(results::Status::calibrated);
-  const int unbalanced = count(results::Status::noEquilibrium);
+  const int solved = results.solved();
+  const int unbalanced = results.count(results::Status::noEquilibrium);
   if (solved == results.count()) {
     return static_cast<int>(results.fallsShort() ? base::ExitCode::notConverged : base::ExitCode::ok);
   }

@@ -38,6 +38,8 @@ class OperatorGroup {
   int rowOf(int dof) const;
   /// f [force], to be filled for the columns that are solved next.
   base::Matrix& forces() { return forces_; }
+  /// To be called when forces() has changed in a way that moves no body, after the last solve.
+  void keepSolution() { hasReactions_ = false; }
   /// Solves these columns, by single ones when they are not all.
   void solve(const std::vector<int>& columns, substructure::Precision precision);
   /// Rows of forces() of the last solve [length].

@@ -29,7 +29,7 @@ SCHEMA, SCHEMA_VERSION = "harmos-study", 1
 """What a study file says it is, and the newest version of it that is understood here."""
 SEAL_LENGTH = 16
 """Bytes of the checksum at the end of a study file."""
-SOLVED = ("certified", "calibrated")
+SOLVED = ("certified", "certified, not unique", "calibrated", "calibrated, not unique")
 """Statuses of configurations with a solution as accurate as asked for."""
 MOST_SURROGATE_POINTS = 2000
 """Configurations that a response surface goes through at most; Harmos takes as many."""

@@ -1,4 +1,5 @@
 // The same assembly on 1, 2 and 4 ranks: bodies apart, ranks without a body, an owner that is not the first.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -114,6 +115,62 @@ TEST_P(Ranks, FindTheSame) {
 
 TEST_P(Ranks, FindTheSameBetweenMeansOfNodes) {
   expectTheSame(fiveChainsInTheMean(), GetParam());
+}
+
+/// Three chains that meet in one place, joined there in a ring with areas 1, 2 and 3.
+assembly::Assembly ringOfChains() {
+  assembly::Assembly assembly;
+  for (const double first : {0.0, 3.0, 3.0})
+    assembly.bodies.push_back(chain("from " + std::to_string(assembly.bodies.size()), first, 4, 10.0));
+  assembly.times = {1.0, 2.0};
+  const std::shared_ptr<const laws::InterfaceLaw> perfect = laws::makeLaw("Perfect");
+  assembly.interfaces = {
+      pointInterface("wall", clamp(), 0, 0, -1, 0, 1.0, 0.0, -1.0),
+      pointInterface("01", perfect, 0, 3, 1, 0, 1.0),
+      pointInterface("12", perfect, 1, 0, 2, 0, 2.0),
+      pointInterface("20", perfect, 2, 0, 0, 3, 3.0),
+      pointInterface("held", clamp(), 2, 3),
+      pointInterface("pull", laws::makeLaw("Prescribed Traction", {{"X", 0.2}, {"Y", 0.1}}, {{"Y", {1, -1}}}), 1, 3)};
+  return assembly;
+}
+
+// The least sum of h t^2 around a ring is where the tractions add up to nothing.
+TEST_P(Ranks, ShareAroundARingAlike) {
+  const auto comm = Tpetra::getDefaultComm();
+  const int size = comm->getSize();
+  for (const std::vector<int>& owner : {std::vector<int>{0, 0, 0}, std::vector<int>{0, 1 % size, 2 % size}}) {
+    assembly::Assembly assembly = ringOfChains();
+    assembly.owner = owner;
+    for (std::size_t b = 0; b < owner.size(); ++b) {
+      if (owner[b] != comm->getRank()) assembly.bodies[b].stiffness = Teuchos::null;
+    }
+    LatinOptions options;
+    options.accuracy = 1e-9;
+    options.stages.formulation = GetParam();
+    base::Timers timers;
+    LatinSolver solver(assembly, options, comm, timers);
+    const std::vector<base::Vector3> along{{0.0, 1.0, 0.0}};
+    for (const int i : {1, 2, 3})
+      solver.addResponse(std::make_shared<ResultantResponse>(std::to_string(i), std::vector<int>{i}, along));
+    solver.addResponse(std::make_shared<ResultantResponse>("wall", std::vector<int>{0}, along));
+    const LatinResult result = solver.solve();
+    ASSERT_EQ(result.outcome, Outcome::certified) << result.reason;
+    for (int t = 0; t < 2; ++t) {
+      double sum = 0.0, largest = 0.0;
+      for (int i = 0; i < 3; ++i) {
+        sum += result.responses[i].values[t] / (i + 1.0);
+        largest = std::max(largest, std::abs(result.responses[i].values[t]));
+      }
+      EXPECT_GT(largest, 1e-3);
+      EXPECT_NEAR(sum, 0.0, 1e-8 * largest);
+    }
+    EXPECT_FALSE(result.isUnique());
+    EXPECT_LT(result.responses[3].range.widest(), 0) << "the wall feels nothing of it";
+    EXPECT_TRUE(std::isinf(result.responses[0].range.width()));
+    EXPECT_EQ(std::count_if(result.remarks.begin(), result.remarks.end(),
+                            [](const std::string& text) { return text.find("\" is not determined") != text.npos; }),
+              3);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Formulations, Ranks, testing::Values(Formulation::displacement, Formulation::velocity),

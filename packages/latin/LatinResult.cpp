@@ -1,0 +1,12 @@
+#include <harmos/latin/LatinResult.hpp>
+
+#include <algorithm>
+
+namespace harmos::latin {
+
+bool LatinResult::isUnique() const {
+  return std::all_of(responses.begin(), responses.end(),
+                     [](const ResponseResult& response) { return response.range.widest() < 0; });
+}
+
+}  // namespace harmos::latin

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <harmos/latin/Response.hpp>
+
+namespace harmos::latin {
+
+class TractionShare;
+
+/// What a response may be at every load step where the problem does not determine it: the bodies feel nothing of how
+/// pairs share what they transmit, but the response does. Empty lists where it is determined.
+struct ResponseRange {
+  std::vector<double> lower;  ///< [unit of the response]; minus infinity: no end
+  std::vector<double> upper;  ///< the same; infinity
+
+  /// The load step, from 0, at which it is widest; -1 where the response is determined.
+  int widest() const;
+  /// Largest width over the load steps [unit of the response]; 0 where the response is determined.
+  double width() const;
+};
+
+/// 'response "N" is not determined: at load step 2 it may be anything from 1 to 3 ...', one sentence for the user.
+/// `values` per load step, as they are given; `range` has a width.
+std::string describe(const std::string& response, const ResponseRange& range, const std::vector<double>& values);
+
+/// What the problem does not determine at a state.
+struct Indeterminacy {
+  std::vector<ResponseRange> responses;  ///< of all responses, in their order
+  /// Names of interfaces whose friction depends on pressures that are not determined: where these are others, slip may
+  /// be another, too, so that there may be other solutions far away.
+  std::vector<std::string> pressures;
+};
+
+/// Collective. The ranges of responses at a state over all tractions that the laws admit at its jumps and that move no
+/// body, found by linear programmes along Response::slope(), group by group of pairs, and by evaluating the responses
+/// at what these find: every value is one that occurs. Exact for resultants in the plane; in space cones are met from
+/// inside, 2 % too narrow at most; of a maximum the range may be wider. `add` adds tractions [stress] to the state,
+/// which is as before at the end. `tolerance` as TractionShare.
+Indeterminacy findIndeterminacy(const TractionShare& share, const Iterate& state,
+                                const std::vector<std::shared_ptr<const Response>>& responses, double tolerance,
+                                const std::function<void(const base::Matrix&)>& add);
+
+}  // namespace harmos::latin

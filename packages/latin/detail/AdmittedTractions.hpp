@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/assembly/Interface.hpp>
+#include <harmos/latin/detail/TractionSet.hpp>
+
+namespace harmos::latin {
+
+/// The directions, in global components, in which an affine law holds a pair whatever the traction.
+std::vector<base::Vector3> rigidAxes(const assembly::Interface& interface, int pair, int dimension, int step,
+                                     double compliance);
+
+/// What the law of an interface admits at the jumps of some of its pairs, load step after load step.
+///
+/// A rigid component of an affine law takes any traction. Of contact, with friction or not, the law itself is asked: a
+/// pair that is pressed by far more than it carries closes and sticks if it can, and how far it moves for that tells
+/// whether it was open or slid. Of all other laws nothing is known: the traction is taken for the only one.
+class AdmittedTractions {
+ public:
+  /// A pair at a load step, in global components.
+  struct At {
+    base::Vector3 traction{};  ///< on side 1 [stress]
+    base::Vector3 jump{};      ///< [length]
+    double size = 0.0;         ///< of the tractions around it [stress]
+    double uncertainty = 0.0;  ///< of the jump [length]
+  };
+
+  /// `pairs` of the interface, which must outlive it; `compliances` [length/stress] of their nodes, the size of jumps
+  /// that a traction makes there.
+  AdmittedTractions(const assembly::Interface& interface, int dimension, std::vector<int> pairs,
+                    std::vector<double> compliances);
+
+  /// At the next load step, counted from 0, whose states are given pair by pair: the sets, which hold the tractions.
+  /// Openings and slip below the uncertainty, or `tolerance` times the compliance times the size, count as none.
+  std::vector<TractionSet> next(int step, const std::vector<At>& states, double tolerance);
+
+ private:
+  std::vector<laws::LocalState> ask(int step, const std::vector<laws::LocalLine>& lines, std::vector<double>& history);
+  base::Vector3 toLaw(std::size_t i, const base::Vector3& v) const;
+
+  const assembly::Interface& interface_;
+  int dimension_;
+  std::vector<int> pairs_;
+  std::vector<double> compliances_;
+  std::vector<double> gaps_;
+  std::vector<double> history_;
+};
+
+}  // namespace harmos::latin
