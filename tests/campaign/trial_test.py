@@ -41,9 +41,13 @@ class Judging(unittest.TestCase):
     def test_only_what_is_determined_counts(self) -> None:
         wrong = run()
         wrong.values["F"] = np.array([7.0, 5.0])
-        self.expect(Verdict.NOT_DETERMINED_CERTIFIED, wrong, answer(spread=0.1))
-        said = dataclasses.replace(wrong, status="certified, not unique")
-        self.expect(Verdict.NOT_DETERMINED_SAID, said, answer(spread=0.1))
+        self.expect(Verdict.NOT_DETERMINED_UNSAID, wrong, answer(spread=0.1))
+        self.expect(Verdict.NOT_DETERMINED_UNSAID, dataclasses.replace(wrong, ranges=frozenset("u")), answer(spread=0.1))
+        self.expect(Verdict.NOT_DETERMINED_SAID, dataclasses.replace(wrong, ranges=frozenset("F")), answer(spread=0.1))
+        warned = dataclasses.replace(wrong, remarks=("nothing holds part",))
+        self.expect(Verdict.NOT_DETERMINED_SAID, warned, answer(spread=0.1))
+        # What is not determined by less than was asked for is right all the same.
+        self.expect(Verdict.NOT_DETERMINED_SAID, wrong, answer(spread=1e-4))
         self.expect(Verdict.WRONG, wrong, answer(spread=1e-9))
         self.expect(Verdict.WRONG, run(error=0.1), answer(spread=0.1))
 

@@ -18,7 +18,7 @@ from .verdict import FORBIDDEN, MOST_MISSED, Judgement, Verdict, judge, judge_ag
 # Below, a true error is round-off and its ratio to the estimate says nothing.
 LEAST_ERROR = 1e-9
 # Of scenes with these verdicts nothing more is said.
-EXPECTED = (Verdict.RIGHT, Verdict.EQUILIBRIUM_RIGHT, Verdict.NOT_DETERMINED_SAID, Verdict.NOT_DETERMINED_CERTIFIED)
+EXPECTED = (Verdict.RIGHT, Verdict.EQUILIBRIUM_RIGHT, Verdict.NOT_DETERMINED_SAID)
 
 
 @dataclasses.dataclass(frozen=True)

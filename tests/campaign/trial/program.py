@@ -32,7 +32,8 @@ class Ending(enum.Enum):
 
 @dataclasses.dataclass
 class Run:
-    """What Harmos said. status, reason: its words. values: per response [step]. stages: linear stages."""
+    """What Harmos said. status, reason, remarks: its words. values: per response [step]. stages: linear stages.
+    ranges: names of the responses that it says the problem does not determine."""
     ending: Ending
     status: str
     reason: str
@@ -40,6 +41,8 @@ class Run:
     estimates: dict[str, float]
     stages: int
     seconds: float
+    ranges: frozenset[str] = frozenset()
+    remarks: tuple[str, ...] = ()
 
 
 def _ending(code: int) -> Ending:
@@ -66,7 +69,8 @@ def run_harmos(program: pathlib.Path, scene: pathlib.Path, limit: float, *argume
                _history(results / f"{scene.stem}_history.csv"),
                {name: float("nan") if estimate is None else float(estimate)
                 for name, estimate in record.get("response_error_estimates", {}).items()},
-               int(record["linear_stages"]), float(record["wall_seconds"]))
+               int(record["linear_stages"]), float(record["wall_seconds"]),
+               frozenset(record.get("response_ranges", {})), tuple(record.get("remarks", [])))
 
 
 def _history(path: pathlib.Path) -> dict[str, Floats]:

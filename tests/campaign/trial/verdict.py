@@ -21,7 +21,7 @@ class Verdict(enum.Enum):
     EQUILIBRIUM_MISSED = "no equilibrium, missed"
     NOT_DETERMINED_SAID = "not determined in part, said so"
     NOT_DETERMINED_REFUSED = "not determined in part, refused"
-    NOT_DETERMINED_CERTIFIED = "not determined in part, rest right"
+    NOT_DETERMINED_UNSAID = "not determined in part, NOT said"
     CRASHED = "crash"
     HUNG = "hang"
     INPUT = "input refused"
@@ -32,6 +32,9 @@ class Verdict(enum.Enum):
 # Verdicts of which none may occur; of those in MISSED, at most this share of the scenes without equilibrium.
 FORBIDDEN = (Verdict.WRONG, Verdict.REFUSED, Verdict.EQUILIBRIUM_WRONG, Verdict.CRASHED, Verdict.HUNG, Verdict.INPUT)
 MOST_MISSED = 0.02
+# How remarks begin that say that more than the responses they name may be different: parts that are free to move, and
+# friction that depends on pressures which are not determined.
+WARNINGS = ("nothing holds", "pressures are not determined")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -65,8 +68,12 @@ def _of_certified(scene: Scene, run: Run, answer: Answer) -> Judgement:
         return Judgement(Verdict.WRONG, error, estimate, detail)
     if len(errors) == len(answer.values):
         return Judgement(Verdict.RIGHT, error, estimate, detail)
-    said = "unique" in run.status or "unique" in run.reason or "determined" in run.reason
-    return Judgement(Verdict.NOT_DETERMINED_SAID if said else Verdict.NOT_DETERMINED_CERTIFIED, error, estimate, detail)
+    unsaid = [name for name, spread in answer.spread.items() if spread > scene.accuracy and name not in run.ranges]
+    if unsaid and not any(remark.startswith(WARNINGS) for remark in run.remarks):
+        worst = max(unsaid, key=lambda name: answer.spread[name])
+        detail = f"{', '.join(unsaid)}; {worst} by {answer.spread[worst]:.1e}"
+        return Judgement(Verdict.NOT_DETERMINED_UNSAID, error, estimate, detail)
+    return Judgement(Verdict.NOT_DETERMINED_SAID, error, estimate, detail)
 
 
 def judge_again(scene: Scene, run: Run, answer: Answer, judgement: Judgement) -> Judgement:
