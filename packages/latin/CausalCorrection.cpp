@@ -38,7 +38,7 @@ CausalCorrection::CausalCorrection(FixedPoint& fixedPoint)
     : fixedPoint_(fixedPoint),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
       steps_(static_cast<std::size_t>(fixedPoint.assembly().steps()),
-             Step{CorrectionSpace(fixedPoint.metric()), PairTangents(fixedPoint.assembly(), lines_)}) {}
+             Step{TangentSpace(fixedPoint.metric(), fixedPoint.assembly(), lines_)}) {}
 
 double CausalCorrection::evaluate(int step) {
   fixedPoint_.pointwiseStage().solveColumn(step, beta_, traction_);
@@ -48,35 +48,13 @@ double CausalCorrection::evaluate(int step) {
   return scaledNorm(fixedPoint_.metric(), residual_[step], nullptr);
 }
 
-void CausalCorrection::appendTangent(Step& step, int first) {
-  const int rows = alpha_.numRows();
-  const int count = step.space.size() - first;
-  if (count == 0) return;
-  base::Matrix y(rows, count), g(rows, count);
-  for (int j = 0; j < count; ++j) std::copy_n(step.space.image(first + j), rows, y[j]);
-  step.tangents.apply(y, g);
-  for (int j = 0; j < count; ++j) {
-    const double* v = step.space.direction(first + j);
-    for (int row = 0; row < rows; ++row) g[j][row] = v[row] + y[j][row] - 2.0 * g[j][row];
-    step.space.append(g[j]);
-  }
-}
-
-void CausalCorrection::differentiate(int step) {
-  Step& here = steps_[step];
-  fixedPoint_.pointwiseStage().differentiateColumn(step, here.tangents);
-  here.space.forgetTangent();
-  appendTangent(here, 0);
-  here.isStale = false;
-}
-
 bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& direction) {
   Step& here = steps_[step];
   const int rows = alpha_.numRows();
   const std::vector<double> alpha(alpha_[step], alpha_[step] + rows), beta(beta_[step], beta_[step] + rows);
   double length = 1.0;
   for (int halving = 0; halving <= halvings; ++halving, length *= 0.5) {
-    here.space.move(direction.c, length, alpha_[step], beta_[step]);
+    here.tangent.space().move(direction.c, length, alpha_[step], beta_[step]);
     const double reached = evaluate(step);
     if (reached < here.residual) {
       here.isStale = length < 1.0 || reached > misprediction * direction.left;
@@ -95,10 +73,13 @@ void CausalCorrection::reduce(int step) {
   Step& here = steps_[step];
   here.residual = evaluate(step);
   const double enough = here.isLeft ? noise_ : target_;
-  for (int i = 0; i < gaussNewtonSteps && here.space.size() > 0 && here.residual > enough; ++i) {
+  for (int i = 0; i < gaussNewtonSteps && here.tangent.space().size() > 0 && here.residual > enough; ++i) {
     const bool isFresh = here.isStale;
-    if (isFresh) differentiate(step);
-    const CorrectionSpace::LeastSquares direction = here.space.solve(residual_[step]);
+    if (isFresh) {
+      here.tangent.differentiate(step, fixedPoint_.pointwiseStage());
+      here.isStale = false;
+    }
+    const CorrectionSpace::LeastSquares direction = here.tangent.space().solve(residual_[step]);
     if (direction.left > worthwhile * here.residual) break;
     if (!takeStep(step, direction) && isFresh) break;
   }
@@ -135,22 +116,12 @@ std::vector<int> CausalCorrection::unfinished() {
   const double way = longestWay();
   for (std::size_t t = 0; t < steps_.size(); ++t) {
     Step& step = steps_[t];
-    step.isLeft = step.residual > noise_ &&
-                  (step.residual > target_ || step.residual > allowedToHide * step.space.smallestSingularValue() * way);
+    step.isLeft =
+        step.residual > noise_ &&
+        (step.residual > target_ || step.residual > allowedToHide * step.tangent.space().smallestSingularValue() * way);
     if (step.isLeft) result.push_back(static_cast<int>(t));
   }
   return result;
-}
-
-bool CausalCorrection::continueKrylov(const Step& step, std::vector<double>& v) const {
-  if (step.space.size() == 0 || step.isStale) return false;
-  const int rows = alpha_.numRows();
-  const int last = step.space.size() - 1;
-  base::Matrix y(rows, 1), moved(rows, 1);
-  std::copy_n(step.space.image(last), rows, y[0]);
-  step.tangents.apply(y, moved);
-  for (int row = 0; row < rows; ++row) v[row] = 2.0 * moved[0][row] - y[0][row];
-  return step.space.makeIndependent(v.data());
 }
 
 bool CausalCorrection::extend(const std::vector<int>& steps) {
@@ -160,7 +131,7 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
   for (const int t : steps) {
     Step& step = steps_[t];
     std::vector<double> v(residual_[t], residual_[t] + rows);
-    if (!step.space.makeIndependent(v.data()) && !continueKrylov(step, v)) {
+    if (!step.tangent.space().makeIndependent(v.data()) && !(!step.isStale && step.tangent.continueKrylov(v))) {
       step.isStale = true;
       continue;
     }
@@ -184,8 +155,7 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
   for (int i = 0; i < count; ++i) {
     const int t = selected[i];
     for (int row = 0; row < rows; ++row) image[i][row] = (image[i][row] - startImage_[t][row]) / lengths[i];
-    steps_[t].space.add(directions[i].data(), image[i]);
-    if (!steps_[t].isStale) appendTangent(steps_[t], steps_[t].space.size() - 1);
+    steps_[t].tangent.add(directions[i].data(), image[i], !steps_[t].isStale);
   }
   return true;
 }
@@ -201,7 +171,7 @@ double CausalCorrection::hidden() const {
   double largest = 0.0;
   for (const Step& step : steps_) {
     if (step.residual <= noise_) continue;
-    const double seen = step.space.smallestSingularValue() * way;
+    const double seen = step.tangent.space().smallestSingularValue() * way;
     largest = std::max(largest, seen > 0.0 ? step.residual / seen : std::numeric_limits<double>::infinity());
   }
   return largest;

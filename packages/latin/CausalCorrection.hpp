@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include <harmos/latin/CorrectionSpace.hpp>
 #include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/TangentSpace.hpp>
 
 namespace harmos::latin {
 
@@ -39,8 +39,7 @@ class CausalCorrection {
 
  private:
   struct Step {
-    CorrectionSpace space;
-    PairTangents tangents;
+    TangentSpace tangent;
     bool isStale = true;    // the tangents are not those of a state like this one
     double residual = 0.0;  // |R|
     double moved = 0.0;     // |alpha - start|
@@ -57,17 +56,11 @@ class CausalCorrection {
   /// The residuals of the load steps from `first` on in turn, as small as their spaces allow; the steps before have
   /// come to their end.
   void sweep(int first);
-  /// Finds the tangents of a load step that evaluate() has just met, and the g of all its directions.
-  void differentiate(int step);
-  /// The g of the directions from `first` on.
-  void appendTangent(Step& step, int first);
   /// The load steps that have not come to their end.
   std::vector<int> unfinished();
   double longestWay() const;
   double largestResidual() const;
   double hidden() const;
-  /// Makes v the tangent's image of the last direction, independent of the others; false when it is not.
-  bool continueKrylov(const Step& step, std::vector<double>& v) const;
   /// New directions for some load steps; false when there are none.
   bool extend(const std::vector<int>& steps);
 

@@ -4,7 +4,11 @@
 #include <cmath>
 
 #include <harmos/latin/CausalCorrection.hpp>
+#include <harmos/latin/EquilibriumCheck.hpp>
+#include <harmos/latin/March.hpp>
+#include <harmos/latin/StepwiseCorrection.hpp>
 #include <harmos/latin/detail/SafeRelaxation.hpp>
+#include <harmos/latin/detail/UnheldParts.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -16,10 +20,10 @@ constexpr double laterTarget = 0.3;
 constexpr double causalLimit = 2.0;
 constexpr int maximumStages = 40;
 constexpr int leastStages = 1;  // that must be affordable, with those that follow
-// Linear stages of causal corrections that stagnated, before others take their place.
-constexpr int stagesToWaste = 20;
-// Of a run so far, from which on a march to a smaller residual is dearer than Newton corrections.
-constexpr int stagesOfASlowMarch = 80;
+// Times that a stepwise correction goes on to a tenth of the residual when too much can be hidden in it.
+constexpr int maximumPasses = 3;
+constexpr double nextPass = 0.1;
+constexpr double allowedToHide = 0.5;
 
 // Of Newton corrections.
 constexpr int leastVectors = 40;
@@ -44,10 +48,17 @@ constexpr double farAway = 0.3;
 // A state so many times larger than the image of nothing, in which bodies are beyond reach, was not asked for.
 constexpr double thrownSize = 1e4;
 
+/// Whether what is far away is where it belongs: springs, however soft, or contacts hold all parts, and their forces
+/// balance the loads to `accuracy` without anything added for the digits that k w takes from them.
+bool isHeldThere(const Iterate& iterate, double accuracy) {
+  return largestImbalance(iterate).relative <= accuracy && describeUnheldParts(iterate).empty();
+}
+
 /// An iterate has thrown a body so far away that forces are lost beside k w and everything is small beside its way. The
 /// image of nothing tells ways that are prescribed. `iterate` and `image` are those of alpha; leaves `image` as it was.
-bool isThrown(FixedPoint& fixedPoint, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image) {
-  if (!NaturalSizes(iterate).isBeyondReach()) return false;
+bool isThrown(FixedPoint& fixedPoint, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image,
+              double accuracy) {
+  if (!NaturalSizes(iterate).isBeyondReach() || isHeldThere(iterate, accuracy)) return false;
   const base::Matrix nothing(alpha.numRows(), alpha.numCols());
   fixedPoint.apply(nothing, image);
   const double size = fixedPoint.metric().norm(image);
@@ -92,13 +103,9 @@ double fieldGap(const Iterate& state) {
   return std::max(force, displacement);
 }
 
-Certificate::Certificate(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses,
-                         double accuracy)
-    : fixedPoint_(fixedPoint),
-      responses_(responses),
-      accuracy_(accuracy),
-      stagesBefore_(fixedPoint.linearStage().stages()),
-      newton_(fixedPoint) {
+Certificate::Certificate(FixedPoint& fixedPoint, StepNewton& newton,
+                         const std::vector<std::shared_ptr<const Response>>& responses, double accuracy)
+    : fixedPoint_(fixedPoint), responses_(responses), accuracy_(accuracy), stepNewton_(newton), newton_(fixedPoint) {
   if (fixedPoint.formulation() == Formulation::displacement) causal_ = std::make_unique<CausalCorrection>(fixedPoint);
 }
 
@@ -109,14 +116,43 @@ Certificate::Correction Certificate::correctCausally(const Iterate& iterate, con
   Correction result;
   result.state = alpha;
   const double target = count == 0 ? firstTarget : laterTarget;
-  const int before = fixedPoint_.linearStage().stages();
   const CausalCorrection::Result step =
       causal_->correct(iterate, result.state, target, std::min(stages, maximumStages));
   result.reduction = step.reduction;
-  result.reduced = step.reduction <= causalLimit * target;
+  result.isReduced = step.reduction <= causalLimit * target;
   result.hidden = step.hidden;
-  if (!result.reduced) wasted_ += fixedPoint_.linearStage().stages() - before;
   if (!(step.reduction <= 1.0)) result.state = alpha;
+  return result;
+}
+
+Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, const base::Matrix& alpha,
+                                                     base::Matrix& image, int count, int stageLimit) {
+  const StateMetric& metric = fixedPoint_.metric();
+  const auto largestDistance = [&](const base::Matrix& a, const base::Matrix& b) {
+    base::Matrix difference(a);
+    difference -= b;
+    return std::sqrt(largest(metric.squaredNorms(difference)));
+  };
+  Correction result;
+  result.state = alpha;
+  const double noise = March::noise * std::sqrt(largest(metric.squaredNorms(alpha)));
+  const double before = largestDistance(image, alpha);
+  const double share = count == 0 ? firstTarget : laterTarget;
+  StepwiseCorrection correction(fixedPoint_, stepNewton_);
+  const Iterate* present = &iterate;
+  double target = share * before;
+  for (int pass = 0; pass < maximumPasses; ++pass, target *= nextPass) {
+    const StepwiseCorrection::Result step = correction.correct(*present, result.state, target, stageLimit);
+    if (!step.isReached) return result;
+    present = &fixedPoint_.apply(result.state, image);
+    result.iterate = present;
+    const double left = largestDistance(image, result.state);
+    result.reduction = left <= noise ? 0.0 : left / before;
+    const double seen = step.smallestSingularValue * largestDistance(result.state, alpha);
+    result.hidden = left <= noise ? 0.0 : left / seen;
+    if (result.hidden <= allowedToHide) break;
+  }
+  result.isReduced = result.reduction <= causalLimit * share;
   return result;
 }
 
@@ -129,9 +165,9 @@ Certificate::Correction Certificate::correctByNewton(const Iterate& iterate, con
   const NewtonCorrection::Result step =
       newton_.solve(iterate, alpha, image, isClose ? closeTarget : krylovTarget, std::min(stages, maximumVectors));
   result.reduction = step.reduction;
-  result.reduced = step.reduction <= krylovLimit;
+  result.isReduced = step.reduction <= krylovLimit;
   result.hidden = step.hidden;
-  if (result.reduced) result.state += step.step;
+  if (result.isReduced) result.state += step.step;
   return result;
 }
 
@@ -146,25 +182,19 @@ const Iterate& Certificate::smooth(base::Matrix& state, base::Matrix& image) {
   return *iterate;
 }
 
-bool Certificate::isDearToGoOn() const {
-  return wasted_ > stagesToWaste || fixedPoint_.linearStage().stages() - stagesBefore_ > stagesOfASlowMarch;
-}
-
 Certificate::Result Certificate::attempt(const Iterate& first, const base::Matrix& alpha, const base::Matrix& image,
                                          int stageLimit) {
-  Result result = attemptOnce(first, alpha, image, stageLimit, false);
-  for (int newton = 0; result.stagnated && causal_ && isDearToGoOn(); ++newton) {
-    if (newton > 0) causal_.reset();
-    const base::Matrix state(result.state);
-    base::Matrix next(state.numRows(), state.numCols());
-    const Iterate& iterate = fixedPoint_.apply(state, next);
-    result = attemptOnce(iterate, state, next, stageLimit, true);
-  }
-  return result;
+  if (!causal_) return attemptOnce(Kind::newton, first, alpha, image, stageLimit);
+  if (stepNewton_.isUsed()) return attemptOnce(Kind::stepwise, first, alpha, image, stageLimit);
+  const Result result = attemptOnce(Kind::causal, first, alpha, image, stageLimit);
+  if (!result.stagnated) return result;
+  base::Matrix next(alpha.numRows(), alpha.numCols());
+  const Iterate& iterate = fixedPoint_.apply(result.state, next);
+  return attemptOnce(Kind::stepwise, iterate, result.state, next, stageLimit);
 }
 
-Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::Matrix& alpha, const base::Matrix& image,
-                                             int stageLimit, bool beginsWithNewton) {
+Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, const base::Matrix& alpha,
+                                             const base::Matrix& image, int stageLimit) {
   Result result;
   result.state = alpha;
   base::Matrix state(alpha);
@@ -175,18 +205,18 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
   double previous = 0.0, hidden = 0.0;
   for (int count = 0; count < maximumCorrections; ++count) {
     const double gap = fieldGap(*iterate);
-    const bool isCausal = causal_ && !(beginsWithNewton && count == 0);
     const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
-    if (stages < (isCausal ? leastStages : leastVectors)) return result;
-    Correction step = isCausal ? correctCausally(*iterate, state, count, stages)
-                               : correctByNewton(*iterate, state, next, count, previous, stages);
-    if (!step.reduced) {
+    if (stages < (kind == Kind::newton ? leastVectors : leastStages)) return result;
+    Correction step = kind == Kind::causal     ? correctCausally(*iterate, state, count, stages)
+                            : kind == Kind::stepwise ? correctStepwise(*iterate, state, next, count, stageLimit - 2)
+                                                     : correctByNewton(*iterate, state, next, count, previous, stages);
+    if (!step.isReduced) {
       result.state = step.state;
       result.conclusive = false;
-      result.stagnated = isCausal;
+      result.stagnated = true;
       return result;
     }
-    iterate = &fixedPoint_.apply(step.state, next);
+    iterate = step.iterate != nullptr ? step.iterate : &fixedPoint_.apply(step.state, next);
     fixedPoint_.shareTractions(step.state, next, accuracy_);
     auto after = std::make_unique<Snapshot>(*iterate, responses_);
     std::vector<double> errors = after->distance(*before);
@@ -194,9 +224,9 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
     if (count > 0) {
       result.contraction = error == 0.0 ? 0.0 : error / previous;
       const bool grew = result.contraction > 1.0 && error > settledShare * accuracy_;
-      if (grew && !isCausal) return result;
+      if (grew && kind == Kind::newton) return result;
       // The correction leaves a share of the residual, and so of the error.
-      const double left = isCausal ? std::max(leastContraction, step.reduction) : step.reduction;
+      const double left = kind == Kind::newton ? step.reduction : std::max(leastContraction, step.reduction);
       const double kappa = std::clamp(result.contraction, left, steadyContraction);
       for (double& e : errors) e /= 1.0 - kappa;
       result.conclusive = !grew;
@@ -204,7 +234,7 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
       result.state = state;
       if (!grew && std::max(hidden, step.hidden) <= hiddenLimit && previous <= farAway &&
           largest(errors) <= accuracy_ && gap <= allowedGap * accuracy_ &&
-          !isThrown(fixedPoint_, *iterate, step.state, next)) {
+          !isThrown(fixedPoint_, *iterate, step.state, next, accuracy_)) {
         result.claimed = true;
         return result;
       }
@@ -212,7 +242,7 @@ Certificate::Result Certificate::attemptOnce(const Iterate& first, const base::M
     previous = error;
     hidden = step.hidden;
     state.assign(step.state);
-    if (isCausal) {
+    if (kind != Kind::newton) {
       before = std::move(after);
     } else {
       iterate = &smooth(state, next);

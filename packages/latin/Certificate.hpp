@@ -5,6 +5,7 @@
 
 #include <harmos/latin/NewtonCorrection.hpp>
 #include <harmos/latin/Snapshot.hpp>
+#include <harmos/latin/StepNewton.hpp>
 
 namespace harmos::latin {
 
@@ -14,16 +15,17 @@ class CausalCorrection;
 ///
 /// From alpha, a first correction (CausalCorrection) moves to a1. A second one, in the same spaces and further
 /// directions, estimates the error of a1: e2 = |q(a1) - q(a2)| for every promised quantity q. With kappa = max e2 / max
-/// e1 the estimate is E = e2 / (1 - kappa), in which kappa counts as 0.3 at least, since the second correction leaves
-/// so much of the residual, and as 0.8 at most. It is claimed for a1 when E <= accuracy, e1 <= 0.3, kappa <= 1 (or e2
+/// e1 the estimate is E = e2 / (1 - kappa), in which kappa counts as 0.6 at least, for the second correction leaves
+/// some of the residual, and as 0.8 at most. It is claimed for a1 when E <= accuracy, e1 <= 0.3, kappa <= 1 (or e2
 /// is a tenth of the accuracy), both corrections reduced the largest residual of a load step to 0.2 and 0.6 and hide no
 /// more than their way in it, the gap between the two fields of the iteration is below ten times the accuracy, and no
-/// body was thrown far away. If E is too large, a2 takes the place of a1 and is corrected once more.
+/// body was thrown far away without being held there. If E is too large, a2 takes the place of a1 and is corrected once
+/// more.
 ///
-/// Where a causal correction stagnates, and the way there was long, a NewtonCorrection takes its place, once; the next
-/// time, and in the velocity form always, all corrections are of that kind: they start anew each time and need relaxed
-/// iterations after each, which smooth their rough residual; they must reduce the residual to 0.15, and kappa counts as
-/// what they leave at least.
+/// Where a causal correction stagnates, and from the beginning where the way there needed StepNewton, a
+/// StepwiseCorrection takes its place. In the velocity form corrections are a NewtonCorrection each: they start anew
+/// each time and need relaxed iterations after each, which smooth their rough residual; they must reduce the residual
+/// to 0.15, and kappa counts as what they leave at least.
 ///
 /// The gap is max(|f - f^| / |f^|, |w - w^| / |w|): with f - f^ = -k (w - w^) one of them is large for any k far from
 /// the stiffness of the bodies, so an absurd k cannot hide behind small changes.
@@ -40,7 +42,8 @@ class Certificate {
   };
 
   /// Of one run, from its beginning on. All arguments must outlive it. `accuracy`: relative [-].
-  Certificate(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses, double accuracy);
+  Certificate(FixedPoint& fixedPoint, StepNewton& newton, const std::vector<std::shared_ptr<const Response>>& responses,
+              double accuracy);
   ~Certificate();
   Certificate(const Certificate&) = delete;
   Certificate& operator=(const Certificate&) = delete;
@@ -50,19 +53,23 @@ class Certificate {
   Result attempt(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int stageLimit);
 
  private:
+  /// How a state is corrected.
+  enum class Kind { causal, stepwise, newton };
   /// One correction of a state: what became of it.
   struct Correction {
-    base::Matrix state;      // corrected
-    double reduction = 1.0;  // of the residual
-    bool reduced = false;    // the residual, as much as an estimate needs
-    double hidden = 0.0;     // as NewtonCorrection::Result::hidden
+    base::Matrix state;                // corrected
+    double reduction = 1.0;            // of the residual
+    bool isReduced = false;            // the residual, as much as an estimate needs
+    double hidden = 0.0;               // as NewtonCorrection::Result::hidden
+    const Iterate* iterate = nullptr;  // of `state`, where its image is known
   };
-  Result attemptOnce(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int stageLimit,
-                     bool beginsWithNewton);
-  /// Whether Newton corrections are worth their price where a causal one has stagnated.
-  bool isDearToGoOn() const;
+  Result attemptOnce(Kind kind, const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image,
+                     int stageLimit);
   /// Number `count` of this attempt.
   Correction correctCausally(const Iterate& iterate, const base::Matrix& alpha, int count, int stages);
+  /// Replaces the image by that of the corrected state.
+  Correction correctStepwise(const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image, int count,
+                             int stageLimit);
   Correction correctByNewton(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int count,
                              double previous, int stages);
   /// Relaxed iterations of `state`, whose image is given; returns its iterate.
@@ -71,10 +78,9 @@ class Certificate {
   FixedPoint& fixedPoint_;
   const std::vector<std::shared_ptr<const Response>>& responses_;
   double accuracy_;
-  int stagesBefore_;  // linear stages before this run
+  StepNewton& stepNewton_;
   NewtonCorrection newton_;
-  std::unique_ptr<CausalCorrection> causal_;  // displacement form, until it has stagnated too often
-  int wasted_ = 0;                            // linear stages of causal corrections that stagnated
+  std::unique_ptr<CausalCorrection> causal_;  // displacement form
 };
 
 /// The gap that a claim allows, over the accuracy.

@@ -49,15 +49,22 @@ std::vector<double> CorrectionSpace::project(int count, std::vector<double>& x) 
   return total;
 }
 
+std::vector<double> CorrectionSpace::coefficients(const double* v) const {
+  std::vector<double> products(size_);
+  if (size_ == 0) return products;
+  const Teuchos::BLAS<int, double> blas;
+  std::vector<double> x = scaled(v);
+  x = scaled(x.data());
+  blas.GEMV(Teuchos::TRANS, rows(), size_, 1.0, directions_.data(), rows(), x.data(), 1, 0.0, products.data(), 1);
+  metric_->sum(products);
+  return products;
+}
+
 bool CorrectionSpace::makeIndependent(double* v) const {
   const Teuchos::BLAS<int, double> blas;
   const double before = norm(scaled(v));
-  std::vector<double> products(size_);
   for (int pass = 0; pass < 2 && size_ > 0; ++pass) {
-    std::vector<double> x = scaled(v);
-    x = scaled(x.data());
-    blas.GEMV(Teuchos::TRANS, rows(), size_, 1.0, directions_.data(), rows(), x.data(), 1, 0.0, products.data(), 1);
-    metric_->sum(products);
+    const std::vector<double> products = coefficients(v);
     blas.GEMV(Teuchos::NO_TRANS, rows(), size_, -1.0, directions_.data(), rows(), products.data(), 1, 1.0, v, 1);
   }
   const double length = norm(scaled(v));

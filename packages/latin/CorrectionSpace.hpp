@@ -19,10 +19,14 @@ class CorrectionSpace {
 
   /// Directions so far. Not collective.
   int size() const { return size_; }
+  /// Numbers of a direction on this rank. Not collective.
+  int rows() const { return static_cast<int>(metric_->scale().size()); }
 
   /// Takes from v, rows of the layout, what the space holds already and scales it to length one; false when nothing but
   /// round-off is left.
   bool makeIndependent(double* v) const;
+  /// The coefficients of what the space holds of a vector [stress], rows of the layout.
+  std::vector<double> coefficients(const double* v) const;
   /// Adds a direction that makeIndependent() has made, with its y; append() must follow for its g. Not collective.
   void add(const double* v, const double* y);
   /// Adds the g [stress] of the next direction that has none.
@@ -51,7 +55,6 @@ class CorrectionSpace {
   const double* direction(int direction) const { return directions_.data() + at(direction); }
 
  private:
-  int rows() const { return static_cast<int>(metric_->scale().size()); }
   std::size_t at(int column) const { return static_cast<std::size_t>(rows()) * static_cast<std::size_t>(column); }
   /// Removes from x, scaled, what the leading `count` columns of Q hold, twice, and returns the sum of both
   /// coefficients.

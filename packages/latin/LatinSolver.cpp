@@ -112,7 +112,8 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   if (fixedPoint_.searchDirectionScale() != options_.stages.searchDirectionScale) {
     fixedPoint_.rescale(options_.stages.searchDirectionScale);
   }
-  certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
+  newton_.emplace(fixedPoint_);
+  certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
   balance_.emplace(assembly_, fixedPoint_.layout().comm(), timers_);
   LatinResult result;
   if (options_.algorithm == Algorithm::accelerated && fixedPoint_.formulation() == Formulation::displacement) {
@@ -185,7 +186,7 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
     tryToMarch(result, guess, restarts);
     if (result.outcome != Outcome::iterationLimit || !isSofter() || stages() >= options_.maximumIterations) break;
     fixedPoint_.rescale(options_.stages.searchDirectionScale);
-    certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
+    certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
     estimates_.clear();
     fixedPoint_.uncentre(alpha_);
     alpha_.putScalar(0.0);
@@ -201,6 +202,7 @@ void LatinSolver::recentre() {
 
 void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restarts) {
   March march(fixedPoint_, options_.memory, options_.accuracy, restarts);
+  march.setNewton(*newton_);
   march.setLoadBalance(*balance_);
   march.setStop([&] { return mustStop() || stages() >= stageLimit(); });
   march.setObserver([&](int step, int iterations, const Iterate& iterate) {
@@ -223,7 +225,7 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
       end = march.run(alpha_, tolerance, March::Guess::state);
     }
     if (fixedPoint_.searchDirectionScale() != scale) {
-      certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
+      certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
     }
     result.solvedSteps = std::max(result.solvedSteps, march.stepsReached());
     state_ = &fixedPoint_.apply(alpha_, image_);

@@ -95,6 +95,7 @@ class LatinSolver {
   FixedPoint fixedPoint_;
   std::vector<std::shared_ptr<const Response>> responses_;
   std::vector<std::function<void(const IterationReport&)>> observers_;
+  std::optional<StepNewton> newton_;        // of this run
   std::optional<LoadBalance> balance_;      // of the laws and loads of this solve()
   std::optional<Certificate> certificate_;  // of this run: keeps its directions from one attempt to the next
   std::function<bool()> interrupted_;

@@ -30,6 +30,11 @@ constexpr double motionIsKnown = 1e-7;
 // Or when it has not been halved for so many iterations, below the share that follows.
 constexpr int iterationsToHalve = 8;
 constexpr double motionIsGuessed = 1e-4;
+// Newton's method is tried so often at a load step, until it has failed so often in a row, and goes to this share of
+// what the step must come to.
+constexpr int maximumNewtonTries = 3;
+constexpr int maximumNewtonFailures = 3;
+constexpr double newtonShare = 0.5;
 
 }  // namespace
 
@@ -74,7 +79,19 @@ void March::restart(const Iterate& iterate, base::Matrix& alpha, base::Matrix& s
   fixedPoint_.rescale(softer * fixedPoint_.searchDirectionScale());
   for (AndersonAcceleration& acceleration : accelerations_) acceleration.restart();
   largestForce_ /= std::sqrt(softer);
+  newtonFailures_ = 0;
   --restarts_;
+}
+
+bool March::mayTryNewton() const {
+  return newton_ != nullptr && newtonFailures_ < maximumNewtonFailures;
+}
+
+bool March::solveByNewton(const Iterate& iterate, base::Matrix& state, double target) {
+  const base::Matrix beta(iterate.beta());
+  const bool isReached = newton_->solve(state, beta, target, mustStop_).isReached;
+  newtonFailures_ = isReached ? 0 : newtonFailures_ + 1;
+  return isReached;
 }
 
 March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance) {
@@ -87,7 +104,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   EquilibriumWatch watch = unused;
   Stagnation stagnation;
   base::Matrix image(state.numRows(), 1);
-  int iteration = 0, sinceLanding = 0, landings = 0, sinceHalved = 0;
+  int iteration = 0, sinceLanding = 0, landings = 0, sinceHalved = 0, newtonTries = 0;
   double halved = std::numeric_limits<double>::infinity();
   bool isListening = false;
   End end = End::reached;
@@ -117,7 +134,20 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       end = End::stopped;
       break;
     }
-    if (restarts_ > 0 && stagnation.isFound(size, tolerance * force)) {
+    const bool isStagnant = !fixedPoint_.assembly().isAffine() && stagnation.isFound(size, tolerance * force);
+    if (isStagnant && newtonTries < maximumNewtonTries && mayTryNewton()) {
+      ++newtonTries;
+      if (solveByNewton(*iterate, state, newtonShare * tolerance * force)) {
+        acceleration.restart();
+        watch = unused;
+        stagnation = Stagnation();
+        sinceLanding = 0;
+        isListening = false;
+        continue;
+      }
+      iterate = &fixedPoint_.apply(state, image);
+    }
+    if (isStagnant && restarts_ > 0) {
       restart(*iterate, alpha, state);
       watch = unused;
       stagnation = Stagnation();

@@ -5,6 +5,7 @@
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/EquilibriumWatch.hpp>
 #include <harmos/latin/LoadBalance.hpp>
+#include <harmos/latin/StepNewton.hpp>
 
 namespace harmos::latin {
 
@@ -13,10 +14,10 @@ namespace harmos::latin {
 /// What a step does then depends on nothing that is still moving, which is faster and far surer along paths with
 /// friction than to iterate all load steps at once. Each step iterates with Anderson acceleration until |T(alpha) -
 /// alpha| <= tolerance |f^| in the state metric, |f^| the largest of the steps so far. Bodies that fly freely are set
-/// down on what stops them (EquilibriumWatch), relaxed iterations help to find them. Where a step stagnates, the search
-/// direction k was too stiff for what its bodies do (sliding, hanging on soft springs): the march goes on with a tenth
-/// of it, at most `restarts` times, and never where all laws are affine, for then the acceleration is a Krylov method.
-/// Displacement form only.
+/// down on what stops them (EquilibriumWatch), relaxed iterations help to find them. Where a step stagnates, StepNewton
+/// is tried. When that fails as well, the search direction k was too stiff for what the bodies do (sliding, hanging on
+/// soft springs): the march goes on with a tenth of it, at most `restarts` times. Neither where all laws are affine,
+/// for then the acceleration is a Krylov method. Displacement form only.
 class March {
  public:
   /// How a march ended.
@@ -51,6 +52,8 @@ class March {
   /// The last run has left a load step because its forces are so small beside k w that round-off would spoil them:
   /// displacements should be counted from the motion of the bodies that it has found, see FixedPoint::recentre().
   bool lacksDigits() const { return lacksDigits_; }
+  /// What helps load steps that stagnate; must outlive it. Without it there is no such help.
+  void setNewton(StepNewton& newton) { newton_ = &newton; }
   /// Asked on every rank after every iteration.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
   /// Told on every rank after every load step: step, iterations that it took, fields of the last one.
@@ -66,6 +69,10 @@ class March {
   const std::string& reason() const { return reason_; }
 
  private:
+  /// Whether there is Newton's method, and it has not failed too often.
+  bool mayTryNewton() const;
+  /// Tries it for a state whose iterate is given; false where it leads nowhere.
+  bool solveByNewton(const Iterate& iterate, base::Matrix& state, double target);
   End iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance);
   /// Size of f^ [force length, square root], at least that of the steps before; with the reactions of eliminated
   /// boundaries when they are asked for, which takes longer.
@@ -74,6 +81,8 @@ class March {
   void restart(const Iterate& iterate, base::Matrix& alpha, base::Matrix& state);
 
   FixedPoint& fixedPoint_;
+  StepNewton* newton_ = nullptr;
+  int newtonFailures_ = 0;  // in a row, with this search direction
   double accuracy_;
   std::function<bool()> mustStop_;
   std::function<void(int, int, const Iterate&)> observer_;

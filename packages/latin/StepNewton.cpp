@@ -1,0 +1,163 @@
+#include <harmos/latin/StepNewton.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace harmos::latin {
+namespace {
+
+// Of the residual, that least squares may leave: of the first step, and when the last one has gained more.
+constexpr double firstForcing = 0.5;
+constexpr double leastForcing = 0.1;
+// More than this share left, and not to be reduced: nothing resists the motion that it stands for.
+constexpr double unanswered = 0.75;
+// It has been answered when no more than this share of it is left along itself.
+constexpr double answered = 0.5;
+// Share of it that round-off must not reach on the way.
+constexpr double visible = 1e-3;
+// A step has gone too far when R points back along it by more than this share of what it did forth at its beginning,
+// and ends where it points by less than the next share, either way.
+constexpr double tooFar = 0.5;
+constexpr double closeEnough = 0.1;
+constexpr int maximumLooks = 40;
+constexpr int maximumSteps = 60;
+// Steps in which the best residual must fall to a share.
+constexpr int patience = 20;
+constexpr double progress = 0.9;
+// Residuals below this share of the state are round-off.
+constexpr double noise = 1e-13;
+
+}  // namespace
+
+StepNewton::StepNewton(FixedPoint& fixedPoint)
+    : fixedPoint_(fixedPoint), lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()) {}
+
+double StepNewton::evaluate() {
+  fixedPoint_.pointwiseStage().begin();
+  fixedPoint_.pointwiseStage().solveColumn(0, beta_, traction_);
+  for (int row = 0; row < alpha_.numRows(); ++row) {
+    residual_[0][row] = 2.0 * traction_[0][row] - beta_[0][row] - alpha_[0][row];
+  }
+  return fixedPoint_.metric().norm(residual_);
+}
+
+bool StepNewton::extend(std::vector<double> v) {
+  if (space().size() >= maximumDirections) return false;
+  if (!space().makeIndependent(v.data()) && !tangent_->continueKrylov(v)) return false;
+  const int rows = alpha_.numRows();
+  base::Matrix shifted(rows, 1), image(rows, 1);
+  // As large as the state itself, so that the difference has its digits.
+  const double size = std::max(fixedPoint_.metric().norm(start_), fixedPoint_.metric().norm(residual_));
+  for (int row = 0; row < rows; ++row) shifted[0][row] = start_[0][row] + size * v[row];
+  fixedPoint_.solveLinear(shifted, image);
+  for (int row = 0; row < rows; ++row) image[0][row] = (image[0][row] - startImage_[0][row]) / size;
+  tangent_->add(v.data(), image[0], true);
+  return true;
+}
+
+CorrectionSpace::LeastSquares StepNewton::leastSquares(double enough) {
+  CorrectionSpace::LeastSquares result = space().solve(residual_[0]);
+  while (result.left > enough) {
+    std::vector<double> left(residual_[0], residual_[0] + residual_.numRows());
+    tangent_->subtract(result.c, left);
+    if (!extend(std::move(left))) break;
+    result = space().solve(residual_[0]);
+  }
+  return result;
+}
+
+void StepNewton::moveFrom(const std::vector<double>& c, double length) {
+  alpha_.assign(fromAlpha_);
+  beta_.assign(fromBeta_);
+  space().move(c, length, alpha_[0], beta_[0]);
+}
+
+double StepNewton::step(const std::vector<double>& c, double size) {
+  const StateMetric& metric = fixedPoint_.metric();
+  base::Matrix way(alpha_.numRows(), 1), unused(alpha_.numRows(), 1);
+  space().move(c, 1.0, way[0], unused[0]);
+  const double begin = metric.dot(residual_, way);
+  moveFrom(c, 1.0);
+  double reached = evaluate();
+  double end = metric.dot(residual_, way);
+  if (reached < size || !(begin > 0.0) || !(end < -tooFar * begin)) return reached;
+  double low = 0.0, high = 1.0, forth = begin;
+  for (int look = 0; look < maximumLooks; ++look) {
+    // Halves in turns with secants, which stay at one end where R has a kink.
+    const double length = look % 2 == 0 ? 0.5 * (low + high) : low + (high - low) * forth / (forth - end);
+    moveFrom(c, length);
+    reached = evaluate();
+    const double along = metric.dot(residual_, way);
+    if (std::abs(along) <= closeEnough * begin) break;
+    (along > 0.0 ? low : high) = length;
+    (along > 0.0 ? forth : end) = along;
+  }
+  return reached;
+}
+
+std::optional<double> StepNewton::follow(std::vector<double> c) {
+  const StateMetric& metric = fixedPoint_.metric();
+  const int rows = alpha_.numRows();
+  std::vector<double> left(residual_[0], residual_[0] + rows);
+  tangent_->subtract(c, left);
+  extend(left);  // unless the space holds it
+  c.resize(space().size(), 0.0);
+  moveFrom(c, 1.0);
+  fromAlpha_.assign(alpha_);
+  fromBeta_.assign(beta_);
+  base::Matrix motion(rows, 1);
+  std::copy(left.begin(), left.end(), motion[0]);
+  const double squared = metric.dot(motion, motion);
+  const std::vector<double> along = space().coefficients(left.data());
+  for (double length = 1.0;; length *= 2.0) {
+    moveFrom(along, length);
+    const double reached = evaluate();
+    if (metric.dot(residual_, motion) < answered * squared) return reached;
+    if (noise * metric.norm(alpha_) > visible * std::sqrt(squared)) return std::nullopt;
+  }
+}
+
+StepNewton::Result StepNewton::solve(base::Matrix& state, const base::Matrix& beta, double target,
+                                     const std::function<bool()>& mustStop) {
+  const int rows = state.numRows();
+  if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale()) {
+    tangent_.emplace(fixedPoint_.metric(), fixedPoint_.assembly(), lines_);
+    scale_ = fixedPoint_.searchDirectionScale();
+  }
+  for (base::Matrix* field :
+       {&start_, &startImage_, &alpha_, &beta_, &traction_, &residual_, &fromAlpha_, &fromBeta_}) {
+    field->shape(rows, 1);
+  }
+  for (base::Matrix* field : {&start_, &alpha_}) field->assign(state);
+  for (base::Matrix* field : {&startImage_, &beta_}) field->assign(beta);
+  const auto enough = [&] { return std::max(target, noise * fixedPoint_.metric().norm(alpha_)); };
+  Result result;
+  result.residual = evaluate();
+  double best = result.residual, last = result.residual, forcing = firstForcing;
+  for (int number = 0, sinceBest = 0; number < maximumSteps && sinceBest < patience; ++number) {
+    const double goal = enough();
+    if (result.residual <= goal) break;
+    if (mustStop && mustStop()) break;
+    tangent_->differentiate(0, fixedPoint_.pointwiseStage());
+    const double size = result.residual;
+    const CorrectionSpace::LeastSquares direction =
+        leastSquares(size * std::max(forcing, std::min(firstForcing, 0.5 * goal / size)));
+    fromAlpha_.assign(alpha_);
+    fromBeta_.assign(beta_);
+    const std::optional<double> reached =
+        direction.left > unanswered * size ? follow(direction.c) : step(direction.c, size);
+    if (!reached) break;
+    result.residual = *reached;
+    result.smallestSingularValue = space().smallestSingularValue();
+    const double gain = result.residual / last;
+    forcing = std::clamp(gain * gain, leastForcing, firstForcing);
+    last = result.residual;
+    sinceBest = result.residual < progress * best ? 0 : sinceBest + 1;
+    best = std::min(best, result.residual);
+  }
+  result.isReached = result.residual <= enough();
+  if (result.isReached) state.assign(alpha_);
+  return result;
+}
+
+}  // namespace harmos::latin

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/TangentSpace.hpp>
+
+namespace harmos::latin {
+
+/// Semi-smooth Newton method for R(alpha) = T(alpha) - alpha = 0 at one load step, in a space of directions whose
+/// images are kept.
+///
+/// The image y of a direction v under the linear stage depends on no state, no load step and no status, so that
+/// whatever the laws do, least squares of R - (I - J) V c need local stages only; a new direction is solved where they
+/// leave too much of R. Two things are done beyond Newton's method, both from I - T being monotone, or nearly so with
+/// friction:
+///  * what no direction reduces, l = R - (I - J) V c, is a motion that nothing resists: it is followed, twice as far
+///    each time, until something answers;
+///  * where R grows and points back along the way d, the step ends where R.d = 0.
+/// Displacement form, with the local stage PointwiseLocalStage. Norms are those of StateMetric.
+/// Source of the method: Alart, Curnier (1991), doi:10.1016/0045-7825(91)90022-X; of the recycling: Parks et al.
+/// (2006), doi:10.1137/040607277.
+class StepNewton {
+ public:
+  /// What has become of a load step.
+  struct Result {
+    bool isReached = false;              ///< |R| <= target
+    double residual = 0.0;               ///< |R| at the end [force length, square root]
+    double smallestSingularValue = 1.0;  ///< of I - J in the space
+  };
+
+  /// Directions that are kept, at most.
+  static constexpr int maximumDirections = 200;
+
+  /// `fixedPoint` must outlive it. Directions are forgotten when its search direction has got another scale.
+  explicit StepNewton(FixedPoint& fixedPoint);
+
+  /// Whether there are any directions.
+  bool isUsed() const { return tangent_ && scale_ == fixedPoint_.searchDirectionScale() && space().size() > 0; }
+
+  /// Collective, one load step selected. Moves `state`, one column, whose beta [stress] of the linear stage is given,
+  /// until |R| <= target; leaves it as it was where that cannot be reached, or is no longer wanted: `mustStop`, may be
+  /// empty, is asked on every rank. No iterate is valid afterwards. Throws base::Error as LocalStage::solve().
+  Result solve(base::Matrix& state, const base::Matrix& beta, double target, const std::function<bool()>& mustStop);
+
+ private:
+  const CorrectionSpace& space() const { return tangent_->space(); }
+  /// R of the present alpha, into residual_; returns |R|.
+  double evaluate();
+  /// c of the least squares of R, with new directions until no more than `enough` of it is left.
+  CorrectionSpace::LeastSquares leastSquares(double enough);
+  /// Adds a direction, solved here; false when v holds nothing new, or the space is full.
+  bool extend(std::vector<double> v);
+  /// alpha and beta from `from`, by a length along c.
+  void moveFrom(const std::vector<double>& c, double length);
+  /// Newton's step, or where R points back from its end, as much of it as R does not. Returns |R|.
+  double step(const std::vector<double>& c, double size);
+  /// Follows what is left of R after this step, until something answers. Returns |R|; none where nothing has answered
+  /// before it would be lost in round-off.
+  std::optional<double> follow(std::vector<double> c);
+
+  FixedPoint& fixedPoint_;
+  InterfaceLines lines_;
+  std::optional<TangentSpace> tangent_;
+  double scale_ = 0.0;               // of the search direction of tangent_
+  base::Matrix start_, startImage_;  // alpha and beta that images are differences from
+  base::Matrix alpha_, beta_, traction_, residual_;
+  base::Matrix fromAlpha_, fromBeta_;  // where the present step begins
+};
+
+}  // namespace harmos::latin

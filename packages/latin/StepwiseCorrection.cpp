@@ -1,0 +1,38 @@
+#include <harmos/latin/StepwiseCorrection.hpp>
+
+#include <algorithm>
+
+namespace harmos::latin {
+
+StepwiseCorrection::Result StepwiseCorrection::correct(const Iterate& iterate, base::Matrix& alpha, double target,
+                                                       int stageLimit) {
+  const base::Matrix images(iterate.beta());
+  const int rows = alpha.numRows();
+  base::Matrix state(rows, 1), beta(rows, 1), image(rows, 1);
+  // All load steps are met from the unloaded state again at the end, also when a law throws.
+  const struct Restore {
+    FixedPoint& fixedPoint;
+    ~Restore() {
+      fixedPoint.startUnloaded();
+      fixedPoint.selectAll();
+    }
+  } restore{fixedPoint_};
+  fixedPoint_.startUnloaded();
+  const auto mustStop = [&] { return fixedPoint_.linearStage().stages() >= stageLimit; };
+  Result result;
+  for (int t = 0; t < alpha.numCols(); ++t) {
+    fixedPoint_.select({t});
+    std::copy_n(alpha[t], rows, state[0]);
+    std::copy_n(images[t], rows, beta[0]);
+    const StepNewton::Result step = newton_.solve(state, beta, target, mustStop);
+    if (!step.isReached) return result;
+    result.smallestSingularValue = std::min(result.smallestSingularValue, step.smallestSingularValue);
+    std::copy_n(state[0], rows, alpha[t]);
+    fixedPoint_.pointwiseStage().accept();
+    fixedPoint_.startFromHere();
+  }
+  result.isReached = true;
+  return result;
+}
+
+}  // namespace harmos::latin

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <harmos/latin/StepNewton.hpp>
+
+namespace harmos::latin {
+
+/// Corrects a state towards alpha = T(alpha), one load step after the other, each by Newton's method with the history
+/// that the corrected steps before it have left.
+///
+/// Unlike a CausalCorrection it takes steps that make |R| greater, which kinks of the laws may ask for, and gives all
+/// load steps the directions of all. Displacement form, with the local stage PointwiseLocalStage.
+class StepwiseCorrection {
+ public:
+  /// What a correction has come to.
+  struct Result {
+    bool isReached = false;  ///< by every load step
+    /// The least over the load steps of the singular values of I - J in the space of directions.
+    double smallestSingularValue = 1.0;
+  };
+
+  /// Both must outlive it.
+  StepwiseCorrection(FixedPoint& fixedPoint, StepNewton& newton) : fixedPoint_(fixedPoint), newton_(newton) {}
+
+  /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
+  /// target, or one cannot reach that, or the linear stage has reached `stageLimit` stages. No iterate is valid
+  /// afterwards. Throws base::Error as LocalStage::solve().
+  Result correct(const Iterate& iterate, base::Matrix& alpha, double target, int stageLimit);
+
+ private:
+  FixedPoint& fixedPoint_;
+  StepNewton& newton_;
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/latin/CorrectionSpace.hpp>
+#include <harmos/latin/PairTangents.hpp>
+#include <harmos/latin/PointwiseLocalStage.hpp>
+
+namespace harmos::latin {
+
+/// A CorrectionSpace with the tangent J of T at one state, which gives the g = (I - J) v = v + y - 2 D y of its
+/// directions: products, for which no linear stage is needed.
+class TangentSpace {
+ public:
+  /// All arguments, of which the buffers of `lines` are used, must outlive it.
+  TangentSpace(const StateMetric& metric, const assembly::Assembly& assembly, InterfaceLines& lines)
+      : space_(metric), tangents_(assembly, lines) {}
+
+  /// The directions and what is known of them.
+  const CorrectionSpace& space() const { return space_; }
+
+  /// Collective. Takes the tangents of a column that `local` has just met with solveColumn().
+  void differentiate(int column, PointwiseLocalStage& local);
+  /// Collective. Adds a direction v that CorrectionSpace::makeIndependent() has made, with its y [stress]. `isCurrent`:
+  /// the tangents are those of the state at hand, so that its g is found as well; otherwise differentiate() must
+  /// follow.
+  void add(const double* v, const double* y, bool isCurrent);
+  /// Collective. Makes v what J makes of the last direction, independent of all of them; false when it is not.
+  bool continueKrylov(std::vector<double>& v) const;
+  /// Collective. Takes G c from `residual` [stress], rows of the layout.
+  void subtract(const std::vector<double>& c, std::vector<double>& residual) const;
+
+ private:
+  void append(int first);
+
+  CorrectionSpace space_;
+  PairTangents tangents_;
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,67 @@
+// Scenes that the iterations of LATIN alone find slowly or not at all, with the linear stages that they may take.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "Honest.hpp"
+
+namespace harmos::verification {
+namespace {
+
+const std::string barModulus = "Materials/soft/Young's Modulus";
+const std::string way = "Boundaries/drive/Law/X";
+
+SceneInput draggedBlock() {
+  return SceneInput::fromFile("dragged_block.xml");
+}
+
+// The bar is a spring of E A / L = 500 N/mm, the friction 12 N: the block slides from a way of 0.024 on, and sticks
+// after each turn until the bar has changed by twice that. Between the turns there are four load steps.
+TEST(DraggedBlock, SticksAndSlidesByTurns) {
+  const SolvedRun run(draggedBlock());
+  ASSERT_TRUE(run.isCertified()) << run.result().reason;
+  const std::vector<double>& pull = run.values("pull");
+  for (const int t : {2, 3, 4, 6, 7, 8, 10, 11, 12, 14, 15, 16, 18, 19, 20}) {
+    const double sense = (t - 1) / 4 % 2 == 0 ? 1.0 : -1.0;
+    EXPECT_NEAR(pull[t], 12.0 * sense, 1e-4) << "load step " << t + 1;
+  }
+  // The block, held at the edge of its lower face, tilts a little.
+  EXPECT_NEAR(pull[1], 6.25, 0.01);
+  for (const int t : {5, 9, 13, 17}) EXPECT_NEAR(std::abs(pull[t]), 0.5, 0.01) << "load step " << t + 1;
+  for (const double support : run.values("support")) EXPECT_NEAR(support, 40.0, 1e-4);
+  // 1000 were not enough.
+  EXPECT_LE(run.result().linearStages, 60);
+}
+
+TEST(DraggedBlock, IsFoundForAnyBarAndAnyWay) {
+  for (const auto& [name, value] :
+       {std::pair(barModulus, 50.0), std::pair(barModulus, 5e7), std::pair(way, 5.0), std::pair(way, 500.0)}) {
+    SCOPED_TRACE(name + " " + std::to_string(value));
+    const SolvedRun run(draggedBlock().set(assignment(name, value)));
+    ASSERT_TRUE(run.isCertified()) << run.result().reason;
+    const double limit = std::min(12.0, std::abs(0.05 * value / 10.0));
+    EXPECT_NEAR(run.value("pull"), name == barModulus ? limit : 12.0, 1e-2 * limit);
+    EXPECT_LE(run.result().linearStages, 60);
+  }
+}
+
+// The block stands where its springs hold it, however far that is, and is not taken for one that was thrown away.
+TEST(LiftedBlock, HangsOnSpringsOfAnyStiffness) {
+  for (const double stiffness : {1e-2, 1e-4, 1e-6}) {
+    SCOPED_TRACE(stiffness);
+    SceneInput scene = SceneInput::fromFile("lifted_block.xml");
+    for (const char* direction : {"Normal", "Tangential"}) {
+      scene.set(assignment(std::string("Boundaries/springs/Law/") + direction + " Stiffness", stiffness));
+    }
+    const SolvedRun run(scene);
+    ASSERT_TRUE(run.isCertified()) << run.result().reason;
+    EXPECT_NEAR(run.value("height", 1), 1.0 / stiffness, 1e-3 / stiffness);
+    EXPECT_NEAR(run.value("height", 2), 0.5 / stiffness, 1e-3 / stiffness);
+    EXPECT_LE(run.result().linearStages, 220);
+  }
+}
+
+}  // namespace
+}  // namespace harmos::verification
