@@ -22,6 +22,8 @@ constexpr double irreducible = 0.9;
 // Nor is an extrapolation believed that is so many times longer than a constant residual.
 constexpr double reach = 20.0;
 constexpr double longestStretch = 1048576.0;
+// Differences for which there is room at once.
+constexpr int growthOfMemory = 2;
 
 }  // namespace
 
@@ -34,14 +36,17 @@ void AndersonAcceleration::restart() {
   resume();
 }
 
-void AndersonAcceleration::reserve(int rows, int columns) {
+void AndersonAcceleration::begin(int columns) {
   if (!steps_.empty()) return;
   steps_.resize(columns);
-  for (Step& step : steps_) {
-    step.residuals.shape(rows, memory_);
-    step.images.shape(rows, memory_);
-    step.gram.shape(memory_, memory_);
-  }
+  for (Step& step : steps_) step.gram.shape(memory_, memory_);
+}
+
+void AndersonAcceleration::reserve(Step& step, int rows, int count) const {
+  if (count <= step.residuals.numCols()) return;
+  const int room = std::min(memory_, std::max(count, step.residuals.numCols() + growthOfMemory));
+  step.residuals.reshape(rows, room);
+  step.images.reshape(rows, room);
 }
 
 void AndersonAcceleration::seed(const std::vector<base::Matrix>& residuals, const std::vector<base::Matrix>& images) {
@@ -50,7 +55,8 @@ void AndersonAcceleration::seed(const std::vector<base::Matrix>& residuals, cons
   const Teuchos::BLAS<int, double> blas;
   const int rows = residuals[0].numRows();
   const int count = residuals[0].numCols();
-  reserve(rows, static_cast<int>(residuals.size()));
+  begin(static_cast<int>(residuals.size()));
+  for (Step& step : steps_) reserve(step, rows, count);
   const auto size = static_cast<std::size_t>(count) * static_cast<std::size_t>(count);
   std::vector<double> products(size * steps_.size());
   for (std::size_t t = 0; t < steps_.size(); ++t) {
@@ -128,6 +134,7 @@ void AndersonAcceleration::append(const base::Matrix& image) {
   for (std::size_t t = 0; t < steps_.size(); ++t) {
     Step& step = steps_[t];
     const int i = static_cast<int>(t);
+    reserve(step, rows, stored_);
     double* difference = step.residuals[column];
     double* imageDifference = step.images[column];
     // What lies between an iterate that was given up and the next one is no direction of progress.
@@ -172,6 +179,7 @@ void AndersonAcceleration::judge(const base::Matrix& alpha, const base::Matrix& 
 
 double AndersonAcceleration::extrapolate(const Step& step, const Sizes& size, const double* products,
                                          double* extrapolation) const {
+  if (stored_ == 0) return size.residual;
   const std::vector<double> gamma = solveNormalEquations(step.gram, stored_, products, noise * noise * size.image);
   const Teuchos::BLAS<int, double> blas;
   blas.GEMV(Teuchos::NO_TRANS, residual_.numRows(), stored_, 1.0, step.images.values(), step.images.stride(),
@@ -204,7 +212,7 @@ void AndersonAcceleration::move(Step& step, bool isDrifting, const double* image
 void AndersonAcceleration::advance(base::Matrix& alpha, const base::Matrix& image) {
   const Teuchos::BLAS<int, double> blas;
   const int rows = alpha.numRows();
-  reserve(rows, alpha.numCols());
+  begin(alpha.numCols());
   scaleResidual(alpha, image);
   const std::vector<Sizes> sizes = measure(image);
   if (started_) append(image);

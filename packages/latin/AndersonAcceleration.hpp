@@ -25,6 +25,9 @@ namespace harmos::latin {
 /// combination that reduces the residual, however far it leads.
 class AndersonAcceleration {
  public:
+  /// Numbers that a difference takes, over those of a state of one load step.
+  static constexpr int statesPerDifference = 2;
+
   /// `memory`: differences kept, >= 1. `isAffine`: T is, in all that it is used for. `metric` must outlive it.
   AndersonAcceleration(const StateMetric& metric, int memory, bool isAffine = false);
 
@@ -59,7 +62,9 @@ class AndersonAcceleration {
     double image;
   };
 
-  void reserve(int rows, int columns);
+  void begin(int columns);
+  /// Makes room for so many differences of a step: few load steps need all that the memory allows.
+  void reserve(Step& step, int rows, int count) const;
   void scaleResidual(const base::Matrix& alpha, const base::Matrix& image);
   std::vector<Sizes> measure(const base::Matrix& image) const;
   static void forget(Step& step);

@@ -14,6 +14,9 @@ namespace harmos::latin {
 /// but those that say otherwise.
 class CorrectionSpace {
  public:
+  /// Numbers that a direction takes, over those of a state of one load step: v, y and g.
+  static constexpr int statesPerDirection = 3;
+
   /// `metric`, of a state with one field, must outlive it.
   explicit CorrectionSpace(const StateMetric& metric) : metric_(&metric) {}
 

@@ -6,6 +6,9 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
+#include <harmos/latin/AndersonAcceleration.hpp>
+#include <harmos/latin/CorrectionSpace.hpp>
+
 namespace harmos::scene {
 
 CostEstimate estimateCost(const Problem& problem, const Teuchos::Comm<int>& comm) {
@@ -14,7 +17,10 @@ CostEstimate estimateCost(const Problem& problem, const Teuchos::Comm<int>& comm
   constexpr double entriesInSpace = 25.0, growthInSpace = 4.0 / 3.0, entriesInPlane = 8.0;
   // Of a factorisation: measured with so many unknowns, and how it grows with them.
   constexpr double measuredSeconds = 0.8, measuredUnknowns = 24000.0, growthOfSeconds = 1.7;
-  constexpr double storedVectors = 80.0;                // of Anderson's method and of the certificate
+  // Of a load step as most are: differences in its march, directions in its certificate, and fields of both stages.
+  constexpr int differences = 15, directions = 12, fields = 20;
+  constexpr int storedStates = latin::AndersonAcceleration::statesPerDifference * differences +
+                               latin::CorrectionSpace::statesPerDirection * directions + fields;
   constexpr double secondsPerEntryAndColumn = 2.4e-10;  // forward and backward substitution of several columns
   CostEstimate cost;
   const assembly::Assembly& assembly = problem.assembly;
@@ -35,7 +41,7 @@ CostEstimate estimateCost(const Problem& problem, const Teuchos::Comm<int>& comm
   cost.matrixBytes = matrixEntryBytes * sum[0];
   cost.factorBytes = entryBytes * sum[1];
   cost.factorSeconds = sum[2];
-  cost.fieldBytes = entryBytes * storedVectors * static_cast<double>(cost.interfaceUnknowns) * assembly.steps();
+  cost.fieldBytes = entryBytes * storedStates * static_cast<double>(cost.interfaceUnknowns) * assembly.steps();
   cost.stageSeconds = secondsPerEntryAndColumn * sum[1] * assembly.steps();
   return cost;
 }
