@@ -197,7 +197,7 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
 
 void LatinSolver::recentre() {
   fixedPoint_.recentre(fixedPoint_.apply(alpha_, image_), alpha_);
-  certificate_.emplace(fixedPoint_, responses_, options_.accuracy);
+  certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
 }
 
 void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restarts) {
