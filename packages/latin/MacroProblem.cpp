@@ -205,6 +205,8 @@ void MacroProblem::updateLoads(const assembly::Assembly& assembly, const BodyOpe
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     const TraceLayout::Block& at = layout_.blocks()[i];
     const Block& block = blocks_[i];
+    // Without unknowns there are no rows to multiply.
+    if (block.force.numCols() == 0) continue;
     Matrix& sums = bodies_[block.body].loads;
     const Matrix& held = operators.held(at.body);
     std::vector<double> trace(block.force.numRows());
