@@ -340,12 +340,12 @@ void LatinSolver::addIndeterminacy(LatinResult& result) {
 }
 
 void LatinSolver::deliver(LatinResult& result) {
+  state_ = &fixedPoint_.apply(alpha_, image_);
+  fixedPoint_.shareTractions(alpha_, image_, options_.accuracy);
   if (!fixedPoint_.reference().isEmpty()) {
     whole_ = alpha_;
     fixedPoint_.addReference(whole_);
   }
-  state_ = &fixedPoint_.apply(alpha_, image_);
-  fixedPoint_.shareTractions(alpha_, image_, options_.accuracy);
   result.indicator = customaryIndicator(*state_);
   const Snapshot last(*state_, responses_);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
