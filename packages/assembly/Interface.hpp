@@ -27,8 +27,9 @@ struct Interface {
   mesh::TraceOperator trace2;                     ///< B_2, points x nodes of body2; no points on a boundary
   std::vector<base::Vector3> position;            ///< per pair: undeformed place on the interface [length]
   std::vector<base::Frame> frame;                 ///< per pair: rows n, t1, t2
-  /// Per pair: lumped interface mass h [length^2; in 2-D length times thickness], > 0; where the law prescribes its
-  /// traction in the frame, the length of int N n dS, so that a pressure acts along the normals of the faces.
+  /// Per pair: lumped interface mass h [length^2; in 2-D length times thickness], > 0. Where the law prescribes its
+  /// traction, int N dS, which on quadratic faces may be 0 or negative; in the frame, the length of int N n dS with its
+  /// sign along n, so that a pressure acts along the normals of the faces.
   std::vector<double> area;
   std::vector<double> gap;            ///< per pair: geometric opening (x2 - x1).n [length]; 0 on a boundary
   std::vector<mesh::MassEntry> mass;  ///< consistent interface mass [as area], both triangles; empty: lumped

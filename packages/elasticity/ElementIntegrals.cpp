@@ -9,6 +9,8 @@ namespace {
 
 // Of the longest: an element has no extent where the difference of its coordinates is rounding.
 constexpr double shortest = 1e-10;
+// Of the volume of an element: a Jacobian that is 0 but for rounding.
+constexpr double roundOff = 1e-10;
 
 /// Determinant of J and its cofactors, J^-t = cofactor / determinant. False: not positive beyond rounding.
 bool invert(const double (&j)[3][3], double (&cofactor)[3][3], double& determinant) {
@@ -40,28 +42,63 @@ bool invert(const double (&j)[2][2], double (&cofactor)[2][2], double& determina
 }
 
 template <int D>
-bool integrateIn(const ReferenceElement& reference, const base::Vector3* const* corners, bool withProduct,
-                 ElementIntegrals& result) {
-  const int nodes = reference.nodes, dofs = D * nodes;
-  result = ElementIntegrals{};
-  for (int point = 0; point < reference.points; ++point) {
-    const double* local = reference.gradient.data() + point * dofs;
-    double jacobian[D][D] = {};
-    for (int a = 0; a < nodes; ++a) {
-      for (int i = 0; i < D; ++i) {
-        for (int k = 0; k < D; ++k) jacobian[i][k] += (*corners[a])[i] * local[D * a + k];
-      }
+void addJacobian(const double* gradient, const base::Vector3* const* nodes, int count, double (&jacobian)[D][D]) {
+  for (int a = 0; a < count; ++a) {
+    for (int i = 0; i < D; ++i) {
+      for (int k = 0; k < D; ++k) jacobian[i][k] += (*nodes[a])[i] * gradient[D * a + k];
     }
+  }
+}
+
+/// A gradient in space of one in the reference element.
+template <int D>
+void transform(const double (&cofactor)[D][D], double determinant, const double* local, double* gradient) {
+  for (int i = 0; i < D; ++i) {
+    double sum = 0.0;
+    for (int k = 0; k < D; ++k) sum += cofactor[i][k] * local[k];
+    gradient[i] = sum / determinant;
+  }
+}
+
+/// Whether the element is turned inside out at one of its nodes, although it need not be at the quadrature points.
+/// Jacobians of 0 are allowed there: middles of edges at a quarter of their length make a crack tip.
+template <int D>
+bool isFolded(const ElementBasis& basis, const base::Vector3* const* nodes, double volume) {
+  for (int at = 0; at < basis.atNodes.points; ++at) {
+    double jacobian[D][D] = {}, cofactor[D][D], determinant;
+    addJacobian<D>(basis.atNodes.gradient.data() + at * D * basis.atNodes.nodes, nodes, basis.atNodes.nodes, jacobian);
+    invert(jacobian, cofactor, determinant);
+    if (determinant < -roundOff * volume) return true;
+  }
+  return false;
+}
+
+template <int D>
+bool integrateIn(const ElementBasis& basis, const base::Vector3* const* places, bool withProduct,
+                 ElementIntegrals& result) {
+  const mesh::ReferenceElement& reference = basis.reference;
+  const int nodes = reference.nodes, functions = basis.functions(), dofs = D * functions;
+  result.volume = 0.0;
+  std::fill_n(result.value.begin(), nodes, 0.0);
+  std::fill_n(result.gradient.begin(), dofs, 0.0);
+  if (withProduct) std::fill_n(result.product.begin(), dofs * dofs, 0.0);
+  double centre[D][D] = {}, centreCofactor[D][D], centreDeterminant = 0.0;
+  if (basis.modes > 0) {
+    addJacobian<D>(basis.atCentre.gradient.data(), places, nodes, centre);
+    if (!invert(centre, centreCofactor, centreDeterminant)) return false;
+  }
+  for (int point = 0; point < reference.points; ++point) {
+    const double* local = reference.gradient.data() + point * D * nodes;
+    double jacobian[D][D] = {};
+    addJacobian<D>(local, places, nodes, jacobian);
     double cofactor[D][D], determinant;
     if (!invert(jacobian, cofactor, determinant)) return false;
     const double weight = reference.weight[point] * determinant;
     double gradient[ElementIntegrals::maximumDofs];
-    for (int a = 0; a < nodes; ++a) {
-      for (int i = 0; i < D; ++i) {
-        double sum = 0.0;
-        for (int k = 0; k < D; ++k) sum += cofactor[i][k] * local[D * a + k];
-        gradient[D * a + i] = sum / determinant;
-      }
+    for (int a = 0; a < nodes; ++a) transform<D>(cofactor, determinant, local + D * a, gradient + D * a);
+    for (int m = 0; m < basis.modes; ++m) {
+      transform<D>(centreCofactor, determinant, basis.modeGradient.data() + D * (point * basis.modes + m),
+                   gradient + D * (nodes + m));
     }
     result.volume += weight;
     const double* value = reference.value.data() + point * nodes;
@@ -74,15 +111,15 @@ bool integrateIn(const ReferenceElement& reference, const base::Vector3* const* 
       for (int j = i / D * D; j < dofs; ++j) row[j] += factor * gradient[j];
     }
   }
-  return true;
+  return !isFolded<D>(basis, places, result.volume);
 }
 
 }  // namespace
 
-bool integrate(const ReferenceElement& reference, const base::Vector3* const* corners, bool withProduct,
+bool integrate(const ElementBasis& basis, const base::Vector3* const* nodes, bool withProduct,
                ElementIntegrals& integrals) {
-  return reference.dimension == 3 ? integrateIn<3>(reference, corners, withProduct, integrals)
-                                  : integrateIn<2>(reference, corners, withProduct, integrals);
+  return basis.reference.dimension == 3 ? integrateIn<3>(basis, nodes, withProduct, integrals)
+                                        : integrateIn<2>(basis, nodes, withProduct, integrals);
 }
 
 }  // namespace harmos::elasticity

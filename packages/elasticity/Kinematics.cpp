@@ -30,7 +30,7 @@ Kinematics kinematicsNamed(const std::string& name) {
 }
 
 const std::vector<std::string>& formulationNames() {
-  static const std::vector<std::string> names{"Full Integration", "B-Bar"};
+  static const std::vector<std::string> names{"Full Integration", "B-Bar", "Incompatible Modes"};
   return names;
 }
 

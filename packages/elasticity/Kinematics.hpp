@@ -15,10 +15,11 @@ const std::vector<std::string>& kinematicsNames();
 /// The kinematics of this name. Throws base::Error (input) for any other name.
 Kinematics kinematicsNamed(const std::string& name);
 
-/// How the volume change enters: as it is, or as its mean over the element (no locking as nu approaches 0.5).
-enum class Formulation { fullIntegration, bBar };
+/// How displacements become strains: as they are; with the volume change as its mean over the element (no locking as nu
+/// approaches 0.5); or with incompatible modes besides (elements that bend without shear, and hardly lock either).
+enum class Formulation { fullIntegration, bBar, incompatibleModes };
 
-/// Names for input: Full Integration, B-Bar.
+/// Names for input: Full Integration, B-Bar, Incompatible Modes.
 const std::vector<std::string>& formulationNames();
 /// The formulation of this name. Throws base::Error (input) for any other name.
 Formulation formulationNamed(const std::string& name);

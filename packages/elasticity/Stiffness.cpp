@@ -83,11 +83,12 @@ class ElementStiffness {
     for (std::size_t m = 0; m < 3; ++m) bulk_ += thickness * (c[m][0] + c[m][1] + c[m][2]);
   }
 
-  /// Upper triangle of the node blocks, a <= b; diagonal blocks are whole and symmetric.
-  void compute(const ElementIntegrals& integrals, int nodes, double* stiffness) const {
-    const int dofs = D * nodes;
-    for (int a = 0; a < nodes; ++a) {
-      for (int b = a; b < nodes; ++b) {
+  /// Upper triangle of the node blocks, a <= b, in rows of D x functions; diagonal blocks are whole and symmetric.
+  /// Incompatible modes are eliminated: no force acts on them.
+  void compute(const ElementIntegrals& integrals, const ElementBasis& basis, double* stiffness) const {
+    const int functions = basis.functions(), dofs = D * functions;
+    for (int a = 0; a < functions; ++a) {
+      for (int b = a; b < functions; ++b) {
         double m[D][D], block[D][D];
         for (int k = 0; k < D; ++k) {
           for (int l = 0; l < D; ++l) m[k][l] = integrals.product.data()[(D * a + k) * dofs + D * b + l];
@@ -109,9 +110,22 @@ class ElementStiffness {
         }
       }
     }
+    for (int last = dofs - 1; last >= D * basis.reference.nodes; --last) eliminate(last, dofs, stiffness);
   }
 
  private:
+  /// Eliminates the last dof that is left, whose force is 0.
+  static void eliminate(int last, int stride, double* stiffness) {
+    for (int i = 0; i < last; ++i) {
+      const double factor = stiffness[i * stride + last] / stiffness[last * stride + last];
+      for (int j = i / D * D; j < last; ++j) {
+        // The lower triangle of a diagonal block is that of the upper one, to the last bit.
+        stiffness[i * stride + j] =
+            j < i ? stiffness[j * stride + i] : stiffness[i * stride + j] - factor * stiffness[j * stride + last];
+      }
+    }
+  }
+
   void addMeanDilatation(const ElementIntegrals& integrals, int a, int b, double (&m)[D][D],
                          double (&block)[D][D]) const {
     const double* ga = integrals.gradient.data() + D * a;
@@ -136,6 +150,14 @@ class ElementStiffness {
 
 void checkFormulation(const mesh::Mesh& mesh, const mesh::Piece& piece, const std::vector<ElementGroup>& groups,
                       Formulation formulation, Kinematics kinematics) {
+  if (formulation == Formulation::incompatibleModes &&
+      std::none_of(groups.begin(), groups.end(),
+                   [](const ElementGroup& group) { return hasIncompatibleModes(group.block->type); })) {
+    throw base::Error("The formulation Incompatible Modes is asked for " + nameOf(mesh, piece, groups[0], 0) + ", a " +
+                          mesh::exodusName(groups[0].block->type) +
+                          ", but only HEX8 and QUAD4 elements have such modes. Use Full Integration.",
+                      base::ExitCode::input);
+  }
   if (formulation != Formulation::bBar) return;
   if (kinematics == Kinematics::planeStress) {
     throw base::Error("Part \"" + piece.name +
@@ -145,6 +167,13 @@ void checkFormulation(const mesh::Mesh& mesh, const mesh::Piece& piece, const st
   }
   for (const ElementGroup& group : groups) {
     const mesh::ElementType type = group.block->type;
+    if (mesh::isQuadratic(type)) {
+      throw base::Error("The formulation B-Bar is asked for " + nameOf(mesh, piece, group, 0) + ", a " +
+                            mesh::exodusName(type) +
+                            ": a constant volume change would make quadratic elements as inaccurate as linear ones, "
+                            "and they hardly lock. Use Full Integration.",
+                        base::ExitCode::input);
+    }
     if (type != mesh::ElementType::tri3 && type != mesh::ElementType::tet4) continue;
     throw base::Error(
         "The formulation B-Bar is asked for " + nameOf(mesh, piece, group, 0) + ", a " + mesh::exodusName(type) +
@@ -156,7 +185,8 @@ void checkFormulation(const mesh::Mesh& mesh, const mesh::Piece& piece, const st
 
 template <int D>
 Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece& piece,
-                                       const std::vector<ElementGroup>& groups, const ElementStiffness<D>& element) {
+                                       const std::vector<ElementGroup>& groups, Formulation formulation,
+                                       const ElementStiffness<D>& element) {
   const std::size_t nodes = piece.nodes.size();
   const NodeGraph graph(groups, nodes);
   std::vector<std::size_t> pointers(1, 0);
@@ -172,12 +202,13 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece
     }
   }
   std::vector<double> values(columns.size(), 0.0);
+  double stiffness[ElementIntegrals::maximumDofs * ElementIntegrals::maximumDofs];
   forEachElement(
-      mesh, piece, groups, true, [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
-        const int perElement = group.nodesPerElement(), dofs = D * perElement;
+      mesh, piece, groups, formulation, true,
+      [&](const ElementGroup& group, int number, const ElementBasis& basis, const ElementIntegrals& integrals) {
+        const int perElement = group.nodesPerElement(), dofs = D * basis.functions();
         const int* local = group.nodesOf(number);
-        double stiffness[ElementIntegrals::maximumDofs * ElementIntegrals::maximumDofs];
-        element.compute(integrals, perElement, stiffness);
+        element.compute(integrals, basis, stiffness);
         for (int a = 0; a < perElement; ++a) {
           const int stride = D * graph.degree(local[a]);
           double* rows = values.data() + pointers[D * static_cast<std::size_t>(local[a])];
@@ -204,8 +235,8 @@ Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const me
   checkFormulation(mesh, piece, groups, formulation, kinematics);
   const ElasticityMatrix c = reduced(material.elasticity(), kinematics);
   return kinematics == Kinematics::threeDimensional
-             ? assemble(mesh, piece, groups, ElementStiffness<3>(c, formulation, 1.0))
-             : assemble(mesh, piece, groups, ElementStiffness<2>(c, formulation, thickness));
+             ? assemble(mesh, piece, groups, formulation, ElementStiffness<3>(c, formulation, 1.0))
+             : assemble(mesh, piece, groups, formulation, ElementStiffness<2>(c, formulation, thickness));
 }
 
 std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Piece& piece, const base::Vector3& force,
@@ -219,16 +250,17 @@ std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Piece& piece, 
   const double depth = dimension == 2 ? thickness : 1.0;
   std::vector<double> forces(dimension * piece.nodes.size(), 0.0);
   const std::vector<ElementGroup> groups = groupsOf(mesh, piece, kinematics);
-  forEachElement(
-      mesh, piece, groups, false, [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
-        const auto perElement = static_cast<std::size_t>(group.nodesPerElement());
-        const int* local = group.nodesOf(number);
-        for (std::size_t a = 0; a < perElement; ++a) {
-          for (std::size_t i = 0; i < dimension; ++i) {
-            forces[dimension * static_cast<std::size_t>(local[a]) + i] += depth * force[i] * integrals.value[a];
-          }
-        }
-      });
+  forEachElement(mesh, piece, groups, Formulation::fullIntegration, false,
+                 [&](const ElementGroup& group, int number, const ElementBasis&, const ElementIntegrals& integrals) {
+                   const auto perElement = static_cast<std::size_t>(group.nodesPerElement());
+                   const int* local = group.nodesOf(number);
+                   for (std::size_t a = 0; a < perElement; ++a) {
+                     for (std::size_t i = 0; i < dimension; ++i) {
+                       forces[dimension * static_cast<std::size_t>(local[a]) + i] +=
+                           depth * force[i] * integrals.value[a];
+                     }
+                   }
+                 });
   return forces;
 }
 

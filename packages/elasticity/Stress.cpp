@@ -16,8 +16,8 @@ base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, con
   }
   const ElasticityMatrix c = reduced(material.elasticity(), kinematics);
   base::Matrix stress(6 * static_cast<int>(piece.elements.size()), displacements.numCols());
-  forEachElement(mesh, piece, groupsOf(mesh, piece, kinematics), false,
-                 [&](const ElementGroup& group, int number, const ElementIntegrals& integrals) {
+  forEachElement(mesh, piece, groupsOf(mesh, piece, kinematics), Formulation::fullIntegration, false,
+                 [&](const ElementGroup& group, int number, const ElementBasis&, const ElementIntegrals& integrals) {
                    const int perElement = group.nodesPerElement();
                    const int* local = group.nodesOf(number);
                    for (int column = 0; column < displacements.numCols(); ++column) {

@@ -12,7 +12,7 @@ namespace harmos::elasticity {
 /// (dofs x columns), in the global axes.
 ///
 /// Row 6 e + c of the result is component c = xx, yy, zz, xy, yz, zx of the element Piece::elements[e]; same columns as
-/// the displacements. The mean is that of the stress of both formulations. In plane strain zz is the stress that keeps
+/// the displacements. The mean is that of the stress of all formulations. In plane strain zz is the stress that keeps
 /// eps_zz = 0, in plane stress zz, yz and zx are 0. Throws base::Error as assembleStiffness does, but for the
 /// formulation, and when the displacements have other rows than the part has dofs. Not collective.
 base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, const Material& material,

@@ -201,8 +201,9 @@ class Reader {
     }
     if (unsupported.empty()) return;
     refuse("these element blocks have elements that are not supported in " + std::to_string(mesh_.dimension) +
-           " dimensions: " + unsupported + ". Supported are the linear elements " +
-           (mesh_.dimension == 3 ? "HEX8, WEDGE6, PYRAMID5 and TET4" : "QUAD4 and TRI3") +
+           " dimensions: " + unsupported + ". Supported are " +
+           (mesh_.dimension == 3 ? "HEX8, WEDGE6, PYRAMID5 and TET4, and the quadratic HEX20, HEX27, WEDGE15 and TET10"
+                                 : "QUAD4 and TRI3, and the quadratic QUAD8, QUAD9 and TRI6") +
            "; mesh these blocks anew, or name them in \"Unused Blocks\".");
   }
 

@@ -73,6 +73,12 @@ std::map<std::vector<int>, mesh::Face> skinByNodes(const mesh::Elements& element
   return result;
 }
 
+/// Exodus names of faces by the number of their nodes.
+std::map<std::size_t, const char*> typesOfFaces(int dimension) {
+  if (dimension == 2) return {{1, "SPHERE"}, {2, "BAR2"}, {3, "BAR3"}};
+  return {{1, "SPHERE"}, {3, "TRI3"}, {4, "SHELL4"}, {6, "TRI6"}, {8, "SHELL8"}, {9, "SHELL9"}};
+}
+
 }  // namespace
 
 PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
@@ -139,7 +145,7 @@ PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& 
 InterfacesLayout layOutInterfaces(int dimension, const std::vector<mesh::InterfaceSurface>& surfaces) {
   InterfacesLayout layout;
   layout.mesh.dimension = dimension;
-  const std::map<std::size_t, const char*> types{{1, "SPHERE"}, {2, "BAR2"}, {3, "TRI3"}, {4, "SHELL4"}};
+  const std::map<std::size_t, const char*> types = typesOfFaces(dimension);
   std::vector<std::pair<std::string, std::size_t>> order;  // interface and nodes per face
   std::map<std::pair<std::string, std::size_t>, std::vector<int>> faces;
   for (const auto& surface : surfaces) {

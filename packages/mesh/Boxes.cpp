@@ -58,7 +58,7 @@ Box readBox(const input::Parameters& parameters) {
   box.element = dimension == 2 ? ElementType::quad4 : ElementType::hex8;
   if (parameters.has("Element")) {
     const std::string& name = parameters.text("Element");
-    const auto type = elementTypeFromExodus(name, space, std::stoi(name.substr(name.size() - 1)));
+    const auto type = elementTypeFromExodus(name, space, std::stoi(name.substr(name.find_first_of("0123456789"))));
     if (!type) refuse("Element = " + name + " does not exist in " + std::to_string(space) + " dimensions.");
     box.element = *type;
   }
@@ -78,7 +78,8 @@ input::ParameterSpec describeBoxes() {
   box.numbers("Cells").doc("Number of cells in each direction.");
   box.text("Element")
       .optional()
-      .oneOf({"Hex8", "Wedge6", "Tet4", "Pyramid5", "Quad4", "Tri3"})
+      .oneOf({"Hex8", "Wedge6", "Tet4", "Pyramid5", "Quad4", "Tri3", "Hex20", "Hex27", "Wedge15", "Tet10", "Quad8",
+              "Quad9", "Tri6"})
       .doc("Element that the cells are divided into; Hex8 in space and Quad4 in the plane when not given.");
   return spec;
 }

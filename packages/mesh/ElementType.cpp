@@ -13,22 +13,30 @@ struct Topology {
   const char* name;
   std::vector<const char*> exodusNames;  // accepted when reading
   const CellTopologyData* shards;
-  std::vector<std::vector<int>> sides;
+  std::vector<std::vector<int>> sides, edges;
 };
 
-Topology topology(ElementType type, const char* name, std::vector<const char*> exodusNames,
-                  const CellTopologyData* shards) {
-  Topology result{type, name, std::move(exodusNames), shards, {}};
-  for (unsigned side = 0; side < shards->side_count; ++side) {
-    const auto& subcell = shards->side[side];
-    result.sides.emplace_back(subcell.node, subcell.node + subcell.topology->node_count);
+std::vector<std::vector<int>> nodesOf(const CellTopologyData_Subcell* subcells, unsigned count) {
+  std::vector<std::vector<int>> result;
+  for (unsigned i = 0; i < count; ++i) {
+    result.emplace_back(subcells[i].node, subcells[i].node + subcells[i].topology->node_count);
   }
   return result;
 }
 
-const std::array<Topology, 6>& topologies() {
+Topology topology(ElementType type, const char* name, std::vector<const char*> exodusNames,
+                  const CellTopologyData* shards) {
+  return {type,
+          name,
+          std::move(exodusNames),
+          shards,
+          nodesOf(shards->side, shards->side_count),
+          nodesOf(shards->edge, shards->edge_count)};
+}
+
+const std::array<Topology, 13>& topologies() {
   using namespace shards;
-  static const std::array<Topology, 6> all = {
+  static const std::array<Topology, 13> all = {
       topology(ElementType::tri3, "TRI3", {"TRI", "TRI3", "TRIANGLE", "TRIANGLE3", "TRISHELL", "TRISHELL3"},
                getCellTopologyData<Triangle<3>>()),
       topology(ElementType::quad4, "QUAD4", {"QUAD", "QUAD4", "QUADRILATERAL", "QUADRILATERAL4", "SHELL", "SHELL4"},
@@ -39,6 +47,19 @@ const std::array<Topology, 6>& topologies() {
       topology(ElementType::wedge6, "WEDGE6", {"WEDGE", "WEDGE6"}, getCellTopologyData<Wedge<6>>()),
       topology(ElementType::hex8, "HEX8", {"HEX", "HEX8", "HEXAHEDRON", "HEXAHEDRON8"},
                getCellTopologyData<Hexahedron<8>>()),
+      topology(ElementType::tri6, "TRI6", {"TRI", "TRI6", "TRIANGLE", "TRIANGLE6", "TRISHELL", "TRISHELL6"},
+               getCellTopologyData<Triangle<6>>()),
+      topology(ElementType::quad8, "QUAD8", {"QUAD", "QUAD8", "QUADRILATERAL", "QUADRILATERAL8", "SHELL", "SHELL8"},
+               getCellTopologyData<Quadrilateral<8>>()),
+      topology(ElementType::quad9, "QUAD9", {"QUAD", "QUAD9", "QUADRILATERAL", "QUADRILATERAL9", "SHELL", "SHELL9"},
+               getCellTopologyData<Quadrilateral<9>>()),
+      topology(ElementType::tet10, "TET10", {"TET", "TET10", "TETRA", "TETRA10"},
+               getCellTopologyData<Tetrahedron<10>>()),
+      topology(ElementType::wedge15, "WEDGE15", {"WEDGE", "WEDGE15"}, getCellTopologyData<Wedge<15>>()),
+      topology(ElementType::hex20, "HEX20", {"HEX", "HEX20", "HEXAHEDRON", "HEXAHEDRON20"},
+               getCellTopologyData<Hexahedron<20>>()),
+      topology(ElementType::hex27, "HEX27", {"HEX", "HEX27", "HEXAHEDRON", "HEXAHEDRON27"},
+               getCellTopologyData<Hexahedron<27>>()),
   };
   return all;
 }
@@ -51,6 +72,24 @@ const Topology& topologyOf(ElementType type) {
 
 int nodesPerElement(ElementType type) {
   return static_cast<int>(topologyOf(type).shards->node_count);
+}
+
+int cornersPerElement(ElementType type) {
+  return static_cast<int>(topologyOf(type).shards->vertex_count);
+}
+
+bool isQuadratic(ElementType type) {
+  return nodesPerElement(type) > cornersPerElement(type);
+}
+
+ElementType linearType(ElementType type) {
+  for (const Topology& candidate : topologies()) {
+    if (dimensionOf(candidate.type) == dimensionOf(type) && !isQuadratic(candidate.type) &&
+        nodesPerElement(candidate.type) == cornersPerElement(type)) {
+      return candidate.type;
+    }
+  }
+  return type;
 }
 
 int dimensionOf(ElementType type) {
@@ -79,6 +118,10 @@ int sidesPerElement(ElementType type) {
 
 const std::vector<int>& sideNodes(ElementType type, int side) {
   return topologyOf(type).sides[side];
+}
+
+const std::vector<std::vector<int>>& edgesOf(ElementType type) {
+  return topologyOf(type).edges;
 }
 
 }  // namespace harmos::mesh

@@ -6,12 +6,20 @@
 
 namespace harmos::mesh {
 
-/// The supported elements, all linear; nodes and sides are numbered as in Exodus II and Shards, which agree for them.
-enum class ElementType { tri3, quad4, tet4, pyramid5, wedge6, hex8 };
+/// The supported elements, linear ones first; nodes and sides are numbered as in Exodus II and Shards, which agree for
+/// them: corners, then the middles of edges (of hexahedra and wedges: below, upright, above), then those of the volume
+/// and of the faces of hex27.
+enum class ElementType { tri3, quad4, tet4, pyramid5, wedge6, hex8, tri6, quad8, quad9, tet10, wedge15, hex20, hex27 };
 
-/// From 3 of tri3 to 8 of hex8.
+/// From 3 of tri3 to 27 of hex27.
 int nodesPerElement(ElementType type);
-/// 2 for tri3 and quad4, 3 for the others.
+/// The corners among them, which come first: from 3 to 8.
+int cornersPerElement(ElementType type);
+/// Whether shape functions are quadratic: there are nodes besides the corners.
+bool isQuadratic(ElementType type);
+/// The element with the same corners and no other nodes.
+ElementType linearType(ElementType type);
+/// 2 for triangles and quadrilaterals, 3 for the others.
 int dimensionOf(ElementType type);
 /// Exodus name in upper case, for example "HEX8".
 const char* exodusName(ElementType type);
@@ -20,8 +28,11 @@ const char* exodusName(ElementType type);
 std::optional<ElementType> elementTypeFromExodus(const std::string& name, int dimension, int nodes);
 /// Faces of an element, edges in 2-D.
 int sidesPerElement(ElementType type);
-/// Local node numbers of side `side` (both 0-based), in the order of Shards: counter-clockwise seen from outside. The
-/// side is not checked.
+/// Local node numbers of side `side` (both 0-based), in the order of Shards: corners counter-clockwise seen from
+/// outside, then the middles of the edges from the first corner on, then that of the side. The side is not checked.
 const std::vector<int>& sideNodes(ElementType type, int side);
+/// Local node numbers of all edges in the order of Shards: both ends and, of quadratic elements, the middle. In the
+/// plane edges are sides.
+const std::vector<std::vector<int>>& edgesOf(ElementType type);
 
 }  // namespace harmos::mesh

@@ -4,21 +4,23 @@
 #include <vector>
 
 #include <harmos/mesh/Mesh.hpp>
+#include <harmos/mesh/NodalWeight.hpp>
 
 namespace harmos::mesh {
 
-/// Integrals over one face (edge in 2-D) with its linear or bilinear shape functions N, exact on plane faces, by 2 x 2
-/// Gauss points on warped quadrilaterals. One entry per corner; n is the unit normal out of the element.
+/// Integrals over one face (edge in 2-D) with its shape functions N, exact on plane faces, by 2 x 2 Gauss points on
+/// warped quadrilaterals, by 6 points on triangles and 3 per direction on lines and quadrilaterals that are quadratic.
+/// One entry per node. Areas of quadratic faces as in Hinton, Rock, Zienkiewicz, Earthquake Engng Struct. Dyn. 4
+/// (1976), 245-249.
 struct FaceIntegrals {
-  std::vector<double> area;               // int N_i dS [length^2; in 2-D length times thickness]
-  std::vector<base::Vector3> normal;      // int N_i n dS [as area], outwards, whatever the projection
-  std::vector<std::vector<double>> mass;  // int N_i N_j dS [as area]; row sums are area
+  std::vector<NodalWeight> weight;        // one per node
+  std::vector<std::vector<double>> mass;  // int N_i N_j dS [as weights]; row sums are shares; may be left out
 };
 
-/// Integrates over the face with the given corners: 2 (an edge in the plane, times `thickness`), 3 or 4 points
-/// [length], counter-clockwise seen from outside. With a unit vector `projection` dS of area and mass is the area seen
-/// along it. The number of corners is not checked.
-FaceIntegrals integrateFace(const std::vector<base::Vector3>& corners, double thickness,
+/// Integrates over the face with nodes at these places [length] in the order of sideNodes(): in a mesh of 2 dimensions
+/// an edge of 2 or 3 nodes, times `thickness`; of 3 dimensions 3, 4, 6, 8 or 9. With a unit vector `projection` dS of
+/// share, area and mass is the area seen along it. The number of nodes is not checked.
+FaceIntegrals integrateFace(int dimension, const std::vector<base::Vector3>& nodes, double thickness,
                             const std::optional<base::Vector3>& projection = std::nullopt);
 
 }  // namespace harmos::mesh

@@ -16,55 +16,60 @@ base::Vector3 project(const base::Vector3& point, const std::optional<base::Vect
 }
 
 struct PlacedFace {
-  std::vector<base::Vector3> corners;  // projected
+  std::vector<base::Vector3> nodes;  // projected
+  double shortestEdge = 0.0;         // the same
   base::Vector3 centre{};
   base::Vector3 normal{};  // not projected, any length
 };
 
-std::vector<PlacedFace> place(const std::vector<base::Vector3>& nodes, const std::vector<Face>& faces,
+std::vector<PlacedFace> place(int dimension, const std::vector<base::Vector3>& nodes, const std::vector<Face>& faces,
                               const std::optional<base::Vector3>& projection) {
   std::vector<PlacedFace> result;
   for (const Face& face : faces) {
     PlacedFace placed;
-    std::vector<base::Vector3> corners;
+    std::vector<base::Vector3> places;
     for (const int node : face.nodes) {
-      corners.push_back(nodes[node]);
-      placed.corners.push_back(project(corners.back(), projection));
-      placed.centre = placed.centre + (1.0 / static_cast<double>(face.nodes.size())) * placed.corners.back();
+      places.push_back(nodes[node]);
+      placed.nodes.push_back(project(places.back(), projection));
+      placed.centre = placed.centre + (1.0 / static_cast<double>(face.nodes.size())) * placed.nodes.back();
     }
-    for (const base::Vector3& part : integrateFace(corners, 1.0).normal) placed.normal = placed.normal + part;
+    const int corners = cornersOfFace(dimension, places.size());
+    placed.shortestEdge = shortestEdge({placed.nodes.begin(), placed.nodes.begin() + corners});
+    for (const NodalWeight& part : integrateFace(dimension, places, 1.0).weight) {
+      placed.normal = placed.normal + part.flux;
+    }
     if (projection) placed.normal = dot(placed.normal, *projection) * *projection;
     result.push_back(std::move(placed));
   }
   return result;
 }
 
-/// The nodes of `face2` in the order of the corners of `a` on which they lie; empty if they do not coincide.
+/// The nodes of `face2` in the order of the nodes of `a` on which they lie; empty if they do not coincide.
 std::vector<int> partners(const PlacedFace& a, const PlacedFace& b, const Face& face2, double tolerance) {
   std::vector<int> result;
-  if (a.corners.size() != b.corners.size()) return result;
-  for (const base::Vector3& corner : a.corners) {
-    for (std::size_t j = 0; j < b.corners.size(); ++j) {
-      if (distance(corner, b.corners[j]) <= tolerance) result.push_back(face2.nodes[j]);
+  if (a.nodes.size() != b.nodes.size()) return result;
+  for (const base::Vector3& at : a.nodes) {
+    for (std::size_t j = 0; j < b.nodes.size(); ++j) {
+      if (distance(at, b.nodes[j]) <= tolerance) result.push_back(face2.nodes[j]);
     }
   }
-  if (result.size() != a.corners.size()) result.clear();
+  if (result.size() != a.nodes.size()) result.clear();
   return result;
 }
 
 }  // namespace
 
-std::vector<FacePair> matchFaces(const std::vector<base::Vector3>& nodes, const std::vector<Face>& side1,
-                                 const std::vector<Face>& side2, const std::optional<base::Vector3>& projection) {
-  const auto placed1 = place(nodes, side1, projection);
-  const auto placed2 = place(nodes, side2, projection);
+std::vector<FacePair> matchFaces(const Mesh& mesh, const std::vector<Face>& side1, const std::vector<Face>& side2,
+                                 const std::optional<base::Vector3>& projection) {
+  const auto placed1 = place(mesh.dimension, mesh.nodes, side1, projection);
+  const auto placed2 = place(mesh.dimension, mesh.nodes, side2, projection);
   std::vector<base::Vector3> centres;
   for (const PlacedFace& face : placed2) centres.push_back(face.centre);
   const PointSearch search(std::move(centres));
   std::vector<bool> taken(side2.size(), false);
   std::vector<FacePair> pairs;
   for (std::size_t i = 0; i < side1.size(); ++i) {
-    const double tolerance = conformingTolerance * shortestEdge(placed1[i].corners);
+    const double tolerance = conformingTolerance * placed1[i].shortestEdge;
     for (const int candidate : search.within(placed1[i].centre, tolerance)) {
       const auto j = static_cast<std::size_t>(candidate);
       if (taken[j] || !(dot(placed1[i].normal, placed2[j].normal) < 0.0)) continue;
@@ -114,7 +119,8 @@ double shortestEdge(const std::vector<base::Vector3>& corners) {
 std::map<int, double> localSizes(const Mesh& mesh, const std::vector<Face>& faces) {
   std::map<int, double> sizes;
   for (const Face& face : faces) {
-    const double size = shortestEdge(pointsOf(mesh, face.nodes));
+    const auto last = face.nodes.begin() + cornersOfFace(mesh.dimension, face.nodes.size());
+    const double size = shortestEdge(pointsOf(mesh, {face.nodes.begin(), last}));
     for (const int node : face.nodes) {
       const auto [entry, isNew] = sizes.emplace(node, size);
       entry->second = std::min(entry->second, size);

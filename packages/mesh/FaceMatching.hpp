@@ -21,10 +21,9 @@ constexpr double conformingTolerance = 1e-4;
 
 /// Pairs every face of one side with the face of the other whose nodes coincide and whose normal is opposite.
 ///
-/// `nodes`: coordinates of the mesh nodes [length]. With a unit vector `projection` the nodes need only coincide when
-/// seen along it. Sorted by face1; faces without a partner do not appear, no face does twice. O(n log n).
-std::vector<FacePair> matchFaces(const std::vector<base::Vector3>& nodes, const std::vector<Face>& side1,
-                                 const std::vector<Face>& side2,
+/// With a unit vector `projection` the nodes need only coincide when seen along it. Sorted by face1; faces without a
+/// partner do not appear, no face does twice. O(n log n).
+std::vector<FacePair> matchFaces(const Mesh& mesh, const std::vector<Face>& side1, const std::vector<Face>& side2,
                                  const std::optional<base::Vector3>& projection = std::nullopt);
 
 /// How far the nodes of one list are from the nearest node of another.

@@ -32,10 +32,11 @@ constexpr double sagitta = 0.05;
 constexpr double facing = 0.98;
 constexpr double close = 0.1;  // of the shortest edge: corners that would coincide without a gap
 
-/// What is asked of a face again and again.
+/// What is asked of a face again and again; curved ones count as those with straight edges.
 struct Facet {
-  Facet(const std::vector<base::Vector3>& nodes, const Face& face) {
-    for (const int node : face.nodes) corners.push_back(nodes[node]);
+  Facet(const Mesh& mesh, const Face& face) {
+    const int count = cornersOfFace(mesh.dimension, face.nodes.size());
+    for (int i = 0; i < count; ++i) corners.push_back(mesh.nodes[face.nodes[i]]);
     for (const base::Vector3& x : corners) centre = centre + (1.0 / static_cast<double>(corners.size())) * x;
     if (corners.size() == 2) {
       const base::Vector3 along = corners[1] - corners[0];
@@ -139,20 +140,20 @@ bool lieOnEachOther(const Facet& one, const Facet& other) {
 }
 
 /// Of faces without a partner: index into `side1`, index into `side2`.
-std::vector<std::pair<int, int>> overlappingFaces(const std::vector<base::Vector3>& nodes,
-                                                  const std::vector<Face>& side1, const std::vector<bool>& isMatched1,
-                                                  const std::vector<Face>& side2, const std::vector<bool>& isMatched2) {
+std::vector<std::pair<int, int>> overlappingFaces(const Mesh& mesh, const std::vector<Face>& side1,
+                                                  const std::vector<bool>& isMatched1, const std::vector<Face>& side2,
+                                                  const std::vector<bool>& isMatched2) {
   std::vector<Facet> facets;
   std::vector<std::pair<Box3, int>> boxes;
   for (std::size_t j = 0; j < side2.size(); ++j) {
-    facets.emplace_back(nodes, side2[j]);
+    facets.emplace_back(mesh, side2[j]);
     if (!isMatched2[j]) boxes.emplace_back(facets.back().box(), static_cast<int>(j));
   }
   const geometry::index::rtree<std::pair<Box3, int>, geometry::index::quadratic<16>> tree(boxes);
   std::vector<std::pair<int, int>> pairs;
   for (std::size_t i = 0; i < side1.size(); ++i) {
     if (isMatched1[i]) continue;
-    const Facet one(nodes, side1[i]);
+    const Facet one(mesh, side1[i]);
     std::vector<std::pair<Box3, int>> near;
     tree.query(geometry::index::intersects(one.box()), std::back_inserter(near));
     std::vector<int> found;
@@ -171,7 +172,7 @@ FaceOverlap findOverlap(const Mesh& mesh, const std::vector<Face>& side1, const 
                         const std::vector<FacePair>& matched) {
   std::vector<bool> isMatched1(side1.size(), false), isMatched2(side2.size(), false);
   for (const FacePair& pair : matched) isMatched1[pair.face1] = isMatched2[pair.face2] = true;
-  const auto pairs = overlappingFaces(mesh.nodes, side1, isMatched1, side2, isMatched2);
+  const auto pairs = overlappingFaces(mesh, side1, isMatched1, side2, isMatched2);
   FaceOverlap overlap;
   if (pairs.empty()) return overlap;
   std::map<int, int> partner;

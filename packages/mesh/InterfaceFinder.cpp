@@ -74,7 +74,7 @@ std::vector<Face> InterfaceFinder::facesOf(const std::string& where, const std::
 }
 
 FaceIntegrals InterfaceFinder::integrate(const Face& face, const std::optional<base::Vector3>& projection) const {
-  return integrateFace(pointsOf(mesh_, face.nodes), thickness_, projection);
+  return integrateFace(mesh_.dimension, pointsOf(mesh_, face.nodes), thickness_, projection);
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, const std::vector<Face>& side1,
@@ -110,8 +110,8 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string
     double outward = 0.0;
     double folded = 0.0;
     for (const Face& face : side1) {
-      for (const base::Vector3& normal : integrate(face).normal) {
-        const double along = dot(normal, *projection);
+      for (const NodalWeight& weight : integrate(face).weight) {
+        const double along = dot(weight.normal, *projection);
         (along > 0.0 ? outward : folded) += along;
       }
     }
@@ -121,7 +121,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string
                         "\" faces both ways along Projection Direction; restrict it to the faces that can touch.");
     }
   }
-  const auto pairs = matchFaces(mesh_.nodes, side1, side2, projection);
+  const auto pairs = matchFaces(mesh_, side1, side2, projection);
   if (pairs.size() == side1.size() && pairs.size() == side2.size()) {
     return join(name, side1, side2, pairs, creaseAngle, projection);
   }
@@ -171,9 +171,8 @@ std::vector<InterfaceSurface> InterfaceFinder::joinDifferentFaces(const std::str
     half.mass.clear();
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
       base::Vector3& sum = sums.try_emplace(nodes1[i]).first->second;
-      sum = sum + half.normal[i];
-      half.area[i] *= 0.5;
-      half.normal[i] = 0.5 * orientation * half.normal[i];
+      sum = sum + half.weight[i].flux;
+      half.weight[i] = half.weight[i].scaled(0.5, orientation);
     }
     return half;
   };
@@ -214,10 +213,9 @@ std::vector<InterfaceSurface> InterfaceFinder::joinNodes(const std::string& name
     const auto holder = [&](const std::vector<int>& pieces, int node) {
       return *std::find_if(pieces.begin(), pieces.end(), [&](int piece) { return map_.has(piece, node); });
     };
-    const auto weight1 = weights1.total(node1);
-    const auto weight2 = weights2.total(node2);
-    builders.addNode(holder(pieces1, node1), holder(pieces2, node2), node1, node2, 0.5 * (weight1.area + weight2.area),
-                     0.5 * (weight1.normal - weight2.normal));
+    NodalWeight mean = weights1.total(node1).scaled(0.5);
+    mean += weights2.total(node2).scaled(0.5, -1.0);
+    builders.addNode(holder(pieces1, node1), holder(pieces2, node2), node1, node2, mean);
   }
   return builders.build(name);
 }
@@ -230,7 +228,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
   if (part1 == part2) refuse(where, "Part 1 and Part 2 are both \"" + part1 + "\"; an interface joins two parts.");
   const auto skin1 = skin(elements_, map_.elements(pieces1));
   const auto skin2 = skin(elements_, map_.elements(pieces2));
-  const auto faces = matchFaces(mesh_.nodes, skin1, skin2);
+  const auto faces = matchFaces(mesh_, skin1, skin2);
   auto surfaces = join(name, skin1, skin2, faces, creaseAngle, std::nullopt);
 
   std::set<int> inFaces;
@@ -385,7 +383,7 @@ std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name
   SurfaceBuilders builders(mesh_, pieces_, oneNormal);
   for (const int node : nodes) {
     for (const auto& [piece, weight] : weights.at(node)) {
-      builders.addNode(piece, -1, node, -1, weight.area, weight.normal);
+      builders.addNode(piece, -1, node, -1, weight);
     }
   }
   return builders.build(name);

@@ -1,4 +1,4 @@
-#include <harmos/mesh/detail/InterfaceFrame.hpp>
+#include <harmos/mesh/InterfaceFrame.hpp>
 
 #include <cmath>
 

@@ -31,8 +31,10 @@ struct InterfaceSurface {
   std::vector<base::Vector3> position;  // per pair, its place [length], of two nodes that of side 1
   std::vector<int> patch;               // per pair, patch of its nodes from 0, the same in all surfaces of an interface
   std::vector<base::Frame> frame;       // per pair, n the direction of `normal`
-  std::vector<base::Vector3> normal;    // per pair, int N n dS [as area]; with a projection, which n then is, area n
-  std::vector<double> area;             // per pair, int N dS [length^2; in 2-D length times thickness], > 0
+  std::vector<base::Vector3> normal;    // per pair, NodalWeight::normal; with a projection, which n then is, area n
+  std::vector<double> area;             // per pair, NodalWeight::area [length^2; in 2-D length times thickness], > 0
+  std::vector<base::Vector3> flux;      // per pair of a boundary, NodalWeight::flux [as area]; of others may be empty
+  std::vector<double> share;            // the same of NodalWeight::share
   std::vector<double> gap;              // per pair, (x2 - x1).n [length]; 0 without a projection
   std::vector<std::vector<int>> face;  // pair numbers of each face in the node order of side 1, or of the side that has
                                        // it; empty for single nodes

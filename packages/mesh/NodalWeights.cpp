@@ -13,8 +13,8 @@ double volume(const Mesh& mesh, const Elements& elements, int element, double th
   double flux = 0.0;
   for (int side = 0; side < sidesPerElement(elements.type(element)); ++side) {
     const auto corners = pointsOf(mesh, elements.side(element, side));
-    const FaceIntegrals face = integrateFace(corners, thickness);
-    for (std::size_t i = 0; i < corners.size(); ++i) flux += dot(corners[i], face.normal[i]);
+    const FaceIntegrals face = integrateFace(mesh.dimension, corners, thickness);
+    for (std::size_t i = 0; i < corners.size(); ++i) flux += dot(corners[i], face.weight[i].flux);
   }
   return flux / mesh.dimension;
 }
@@ -27,12 +27,10 @@ NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const Pie
   const auto isWanted = [&](int node) { return std::binary_search(wanted.begin(), wanted.end(), node); };
   for (const Face& face : skin(elements, elementList)) {
     if (std::none_of(face.nodes.begin(), face.nodes.end(), isWanted)) continue;
-    const FaceIntegrals integrals = integrateFace(pointsOf(mesh, face.nodes), thickness);
+    const FaceIntegrals integrals = integrateFace(mesh.dimension, pointsOf(mesh, face.nodes), thickness);
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
       if (!isWanted(face.nodes[i])) continue;
-      Weight& weight = weights_[face.nodes[i]][map.of(face.element)];
-      weight.area += integrals.area[i];
-      weight.normal = weight.normal + integrals.normal[i];
+      weights_[face.nodes[i]][map.of(face.element)] += integrals.weight[i];
     }
   }
   std::map<int, std::map<int, double>> volumes;
@@ -51,21 +49,23 @@ NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const Pie
     for (const auto& [owner, part] : byPiece) total += part;
     const double area =
         mesh.dimension == 3 ? std::pow(std::abs(total), 2.0 / 3.0) : std::sqrt(std::abs(total) * thickness);
-    for (const auto& [owner, part] : byPiece) weights_[node][owner].area = area * part / total;
+    for (const auto& [owner, part] : byPiece) {
+      NodalWeight& weight = weights_[node][owner];
+      weight.share = weight.area = area * part / total;
+    }
   }
 }
 
-const std::map<int, NodalWeights::Weight>& NodalWeights::at(int node) const {
-  static const std::map<int, Weight> none;
+const std::map<int, NodalWeight>& NodalWeights::at(int node) const {
+  static const std::map<int, NodalWeight> none;
   const auto found = weights_.find(node);
   return found == weights_.end() ? none : found->second;
 }
 
-NodalWeights::Weight NodalWeights::total(int node) const {
-  Weight sum;
+NodalWeight NodalWeights::total(int node) const {
+  NodalWeight sum;
   for (const auto& [piece, weight] : at(node)) {
-    sum.area += weight.area;
-    sum.normal = sum.normal + weight.normal;
+    sum += weight;
   }
   return sum;
 }

@@ -27,7 +27,7 @@ FaceGraph faceGraph(const Elements& mesh, const std::vector<int>& elements, std:
   std::vector<idx_t> begin = {0}, nodes;
   std::size_t fewest = 4;  // nodes of a face
   for (const int element : elements) {
-    const ElementType type = mesh.type(element);
+    const ElementType type = linearType(mesh.type(element));  // elements that share corners share the nodes between
     const int* own = mesh.nodes(element);
     nodes.insert(nodes.end(), own, own + nodesPerElement(type));
     begin.push_back(static_cast<idx_t>(nodes.size()));

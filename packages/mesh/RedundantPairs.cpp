@@ -5,7 +5,8 @@
 #include <tuple>
 
 #include <harmos/base/Vector3.hpp>
-#include <harmos/mesh/detail/InterfaceFrame.hpp>
+#include <harmos/mesh/InterfaceFrame.hpp>
+#include <harmos/mesh/NodalWeight.hpp>
 
 namespace harmos::mesh {
 namespace {
@@ -64,17 +65,19 @@ void mergeCopies(const std::vector<Piece>& pieces, int dimension, std::vector<In
     const PairCarrier carrier = *std::max_element(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
       return areaOf(surfaces, a) < areaOf(surfaces, b);
     });
-    double total = 0.0;
-    base::Vector3 normal{};
-    for (const PairCarrier& pair : pairs) {
-      total += areaOf(surfaces, pair);
-      normal = normal + surfaces[pair.surface].normal[pair.pair];
-      carriers[pair.surface][pair.pair] = carrier;
-    }
+    for (const PairCarrier& pair : pairs) carriers[pair.surface][pair.pair] = carrier;
     if (pairs.size() == 1) continue;
-    areaOf(surfaces, carrier) = total;
-    surfaces[carrier.surface].normal[carrier.pair] = normal;
-    surfaces[carrier.surface].frame[carrier.pair] = frameFromNormal(normal, dimension);
+    NodalWeight total;
+    for (const auto& [copy, pair] : pairs) {
+      const InterfaceSurface& surface = surfaces[copy];
+      total += {surface.share[pair], surface.flux[pair], surface.area[pair], surface.normal[pair]};
+    }
+    InterfaceSurface& surface = surfaces[carrier.surface];
+    surface.share[carrier.pair] = total.share;
+    surface.flux[carrier.pair] = total.flux;
+    surface.area[carrier.pair] = total.area;
+    surface.normal[carrier.pair] = total.normal;
+    surface.frame[carrier.pair] = frameFromNormal(total.normal, dimension);
   }
 }
 

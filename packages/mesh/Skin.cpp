@@ -7,13 +7,20 @@
 namespace harmos::mesh {
 namespace {
 
+constexpr std::size_t mostNodes = 9;
+
 struct Candidate {
-  std::array<int, 4> key;  // node numbers, ascending
+  std::array<int, mostNodes> key;  // node numbers, ascending
   int element;
   int side;
 };
 
 }  // namespace
+
+int cornersOfFace(int dimension, std::size_t nodes) {
+  if (dimension == 2) return 2;
+  return nodes == 3 || nodes == 6 ? 3 : 4;
+}
 
 std::vector<Face> skin(const Elements& mesh, const std::vector<int>& elements) {
   std::vector<Candidate> candidates;
@@ -21,7 +28,8 @@ std::vector<Face> skin(const Elements& mesh, const std::vector<int>& elements) {
     const ElementType type = mesh.type(element);
     const int* nodes = mesh.nodes(element);
     for (int side = 0; side < sidesPerElement(type); ++side) {
-      Candidate candidate{{-1, -1, -1, -1}, element, side};
+      Candidate candidate{{}, element, side};
+      candidate.key.fill(-1);
       auto next = candidate.key.begin();
       for (const int local : sideNodes(type, side)) *next++ = nodes[local];
       std::sort(candidate.key.begin(), candidate.key.end());

@@ -6,12 +6,15 @@
 
 namespace harmos::mesh {
 
-/// One side of one element (an edge in 2-D); nodes counter-clockwise seen from outside.
+/// One side of one element (an edge in 2-D); nodes in the order of sideNodes().
 struct Face {
   int element = -1;        // mesh element number
   int side = -1;           // of that element, counted from 0
   std::vector<int> nodes;  // mesh node numbers
 };
+
+/// Corners of a face of a mesh of this many dimensions that has so many nodes; they come first.
+int cornersOfFace(int dimension, std::size_t nodes);
 
 /// The sides of `elements` that no two of them share, by element and side. Sides are shared if they have the same
 /// nodes. `elements` are mesh element numbers, each once.

@@ -5,11 +5,12 @@
 
 #include <harmos/base/Vector3.hpp>
 #include <harmos/mesh/PointSearch.hpp>
+#include <harmos/mesh/ReferenceElement.hpp>
 
 namespace harmos::mesh {
 namespace {
 
-/// Elements of a cell by its corners: 0..3 counter-clockwise below (or in the plane), 4..7 above, 8 the middle.
+/// Corners of the elements of a cell: 0..3 counter-clockwise below (or in the plane), 4..7 above, 8 the middle.
 const std::vector<std::vector<int>>& elementsOfCell(ElementType type) {
   static const std::map<ElementType, std::vector<std::vector<int>>> all = {
       {ElementType::quad4, {{0, 1, 2, 3}}},
@@ -21,8 +22,34 @@ const std::vector<std::vector<int>>& elementsOfCell(ElementType type) {
       {ElementType::pyramid5,
        {{0, 4, 5, 1, 8}, {1, 5, 6, 2, 8}, {2, 6, 7, 3, 8}, {0, 3, 7, 4, 8}, {0, 1, 2, 3, 8}, {4, 7, 6, 5, 8}}},
   };
-  return all.at(type);
+  return all.at(linearType(type));
 }
+
+/// Where in a cell the nodes of its elements are that are no corners.
+class MiddleNodes {
+ public:
+  explicit MiddleNodes(ElementType type) {
+    if (!isQuadratic(type)) return;
+    const auto places = nodePlaces(type);
+    shapes_ = shapeFunctions(linearType(type), {places.begin() + cornersPerElement(type), places.end()});
+  }
+
+  /// In units of the cell, for an element with these corners of it.
+  std::vector<base::Vector3> inCell(const std::vector<int>& corners) const {
+    static constexpr base::Vector3 cell[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                             {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+    std::vector<base::Vector3> result(shapes_.points);
+    for (int at = 0; at < shapes_.points; ++at) {
+      for (int a = 0; a < shapes_.nodes; ++a) {
+        result[at] = result[at] + shapes_.value[at * shapes_.nodes + a] * cell[corners[a]];
+      }
+    }
+    return result;
+  }
+
+ private:
+  ShapeFunctions shapes_;  // of the linear element
+};
 
 }  // namespace
 
@@ -49,6 +76,7 @@ void StructuredMesh::addGrid(const std::array<int, 3>& cells, const Map& map) {
   }
   const int row = n[0] + 1;
   const int layer = row * (n[1] + 1);
+  const MiddleNodes middles(block.type);
   for (int k = 0; k < std::max(n[2], 1); ++k) {
     for (int j = 0; j < n[1]; ++j) {
       for (int i = 0; i < n[0]; ++i) {
@@ -68,6 +96,10 @@ void StructuredMesh::addGrid(const std::array<int, 3>& cells, const Map& map) {
         }
         for (const auto& element : elementsOfCell(block.type)) {
           for (const int local : element) block.connectivity.push_back(nodes[local]);
+          for (const base::Vector3& at : middles.inCell(element)) {
+            block.connectivity.push_back(static_cast<int>(mesh_.nodes.size()));
+            mesh_.nodes.push_back(place(i + at[0], j + at[1], k + at[2]));
+          }
         }
       }
     }

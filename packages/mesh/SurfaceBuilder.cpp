@@ -4,7 +4,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Vector3.hpp>
-#include <harmos/mesh/detail/InterfaceFrame.hpp>
+#include <harmos/mesh/InterfaceFrame.hpp>
 
 namespace harmos::mesh {
 
@@ -14,16 +14,14 @@ SurfaceBuilder::SurfaceBuilder(const Mesh& mesh, const std::vector<Piece>& piece
 
 void SurfaceBuilder::addFace(const std::vector<SurfacePoint>& corners, const FaceIntegrals& integrals) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    addPoint(corners[i], integrals.area[i], integrals.normal[i]);
+    addPoint(corners[i], integrals.weight[i]);
     for (std::size_t j = 0; j < integrals.mass.size(); ++j) mass_[{corners[i], corners[j]}] += integrals.mass[i][j];
   }
   faces_.push_back(corners);
 }
 
-void SurfaceBuilder::addPoint(const SurfacePoint& point, double area, const base::Vector3& normal) {
-  PointData& data = points_[point];
-  data.area += area;
-  data.normal = data.normal + normal;
+void SurfaceBuilder::addPoint(const SurfacePoint& point, const NodalWeight& weight) {
+  points_[point] += weight;
 }
 
 InterfaceSurface SurfaceBuilder::build(const std::string& name) const {
@@ -49,6 +47,8 @@ InterfaceSurface SurfaceBuilder::build(const std::string& name) const {
     surface.normal.push_back(projection_ ? data.area * *projection_ : data.normal);
     surface.frame.push_back(frameFromNormal(surface.normal.back(), mesh_.dimension));
     surface.area.push_back(data.area);
+    surface.flux.push_back(projection_ ? data.share * *projection_ : data.flux);
+    surface.share.push_back(data.share);
     surface.gap.push_back(0.0);
     if (piece2_ < 0) continue;
     surface.trace2.append({{localNode(pieces_[piece2_], node2), 1.0}});

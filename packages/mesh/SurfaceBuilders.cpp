@@ -18,7 +18,7 @@ void SurfaceBuilders::add(int piece1, int piece2, const std::vector<int>& nodes1
   OrientedFace& face = corners_.emplace_back();
   for (std::size_t i = 0; i < nodes1.size(); ++i) {
     face.pairs.emplace_back(nodes1[i], nodes2.empty() ? -1 : nodes2[i]);
-    face.normal = face.normal + integrals.normal[i];
+    face.normal = face.normal + integrals.weight[i].flux;
   }
   faces_.push_back({piece1, piece2, std::move(integrals), isListed});
 }
@@ -33,8 +33,8 @@ void SurfaceBuilders::addShare(int piece1, int piece2, const std::vector<int>& n
   add(piece1, piece2, nodes1, nodes2, std::move(integrals), false);
 }
 
-void SurfaceBuilders::addNode(int piece1, int piece2, int node1, int node2, double area, const base::Vector3& normal) {
-  nodes_.push_back({piece1, piece2, {node1, node2}, area, normal});
+void SurfaceBuilders::addNode(int piece1, int piece2, int node1, int node2, const NodalWeight& weight) {
+  nodes_.push_back({piece1, piece2, {node1, node2}, weight});
 }
 
 std::vector<InterfaceSurface> SurfaceBuilders::build(const std::string& name) const {
@@ -50,12 +50,12 @@ std::vector<InterfaceSurface> SurfaceBuilders::build(const std::string& name) co
     for (std::size_t i = 0; i < patch[f].size(); ++i) {
       const auto& [node1, node2] = corners_[f].pairs[i];
       corners.emplace_back(node1, node2, patch[f][i]);
-      if (!face.isListed) builder.addPoint(corners.back(), face.integrals.area[i], face.integrals.normal[i]);
+      if (!face.isListed) builder.addPoint(corners.back(), face.integrals.weight[i]);
     }
     if (face.isListed) builder.addFace(corners, face.integrals);
   }
   for (const AddedNode& node : nodes_) {
-    at(node.piece1, node.piece2).addPoint({node.pair.first, node.pair.second, 0}, node.area, node.normal);
+    at(node.piece1, node.piece2).addPoint({node.pair.first, node.pair.second, 0}, node.weight);
   }
   std::vector<InterfaceSurface> surfaces;
   for (const auto& [pieces, builder] : all) surfaces.push_back(builder.build(name));

@@ -1,12 +1,16 @@
 #include <harmos/scene/Interfaces.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Vector3.hpp>
+#include <harmos/laws/AffineComponent.hpp>
+#include <harmos/mesh/InterfaceFrame.hpp>
+#include <harmos/mesh/Skin.hpp>
 
 namespace harmos::scene {
 
@@ -74,6 +78,36 @@ void checkNormals(const laws::InterfaceLaw& law, const std::vector<mesh::Interfa
   }
 }
 
+/// Whether the tractions of a law need no field of their own: they are given, or what they hold or join, node by node.
+bool actsOnNodes(const laws::InterfaceLaw& law, int steps) {
+  if (law.prescribesTraction()) return true;
+  if (!law.isAffine()) return false;
+  for (int t = 0; t < steps; ++t) {
+    for (const laws::AffineComponent& component : laws::affineComponents(law, t, 1.0)) {
+      if (component.stiffness != 0.0 && !std::isinf(component.stiffness)) return false;
+    }
+  }
+  return true;
+}
+
+/// Tractions in between nodes are not known on quadratic faces yet, where areas of nodes are no weights for them.
+void checkQuadraticFaces(const laws::InterfaceLaw& law, const mesh::Mesh& mesh, int steps,
+                         const std::vector<mesh::InterfaceSurface>& surfaces) {
+  if (actsOnNodes(law, steps)) return;
+  std::size_t count = 0;
+  for (const mesh::InterfaceSurface& surface : surfaces) {
+    count += std::count_if(surface.face.begin(), surface.face.end(), [&](const std::vector<int>& face) {
+      return static_cast<int>(face.size()) > mesh::cornersOfFace(mesh.dimension, face.size());
+    });
+  }
+  if (count == 0) return;
+  throw base::Error("\"" + std::string(law.name()) +
+                        "\" cannot act on faces of quadratic elements, of which there are " + std::to_string(count) +
+                        ".\n  Mesh these parts with linear elements, or choose a law that joins, holds or loads the "
+                        "faces.",
+                    base::ExitCode::input);
+}
+
 std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, double creaseAngle, const mesh::Mesh& mesh,
                                                const std::vector<mesh::Piece>& pieces,
                                                const mesh::InterfaceFinder& finder) {
@@ -105,6 +139,15 @@ std::vector<std::vector<mesh::PairCarrier>> everyPairItself(const std::vector<me
   return carriers;
 }
 
+/// Makes area times n the integral of N n over the faces. Where n would point inwards the area is negative, as at the
+/// corners of quadratic quadrilaterals; where the integral is 0, as at those of triangles, the area is.
+void alignWithNormal(const base::Vector3& flux, int dimension, base::Frame& frame, double& area) {
+  const double size = norm(flux);
+  const double sign = dot(flux, frame[0]) < 0.0 ? -1.0 : 1.0;
+  if (size > cancelled * std::abs(area)) frame = mesh::frameFromNormal(sign * flux, dimension);
+  area = sign * size;
+}
+
 }  // namespace
 
 std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh::Mesh& mesh,
@@ -126,6 +169,7 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }
         checkNormals(law, found);
+        checkQuadraticFaces(law, mesh, static_cast<int>(scene.times.size()), found);
         append(std::move(found));
       });
     }
@@ -168,7 +212,9 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
       if (surface.piece2 >= 0) interface.trace2.appendFrom(surface.trace2, p);
       interface.position.push_back(surface.position[p]);
       interface.frame.push_back(surface.frame[p]);
-      interface.area.push_back(isAlongNormals ? norm(surface.normal[p]) : surface.area[p]);
+      interface.area.push_back(interface.law->prescribesTraction() ? surface.share[p] : surface.area[p]);
+      if (isAlongNormals)
+        alignWithNormal(surface.flux[p], dimension, interface.frame.back(), interface.area.back());
       interface.gap.push_back(surface.gap[p]);
     }
     if (interface.pairs() == 0) continue;

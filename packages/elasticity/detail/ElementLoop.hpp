@@ -1,34 +1,35 @@
 #pragma once
 
 #include <harmos/base/Error.hpp>
+#include <harmos/elasticity/detail/ElementFault.hpp>
 #include <harmos/elasticity/detail/ElementIntegrals.hpp>
 #include <harmos/elasticity/detail/PartElements.hpp>
 
 namespace harmos::elasticity {
 
-/// Calls visit(group, number in the group, integrals) for every element of a part; throws base::Error naming the first
-/// one that is turned inside out or has no volume.
+/// Calls visit(group, number in the group, basis, integrals) for every element of a part; throws base::Error that
+/// counts the ones that are turned inside out or have no volume, and names the first.
 template <class Visitor>
 void forEachElement(const mesh::Mesh& mesh, const mesh::Piece& piece, const std::vector<ElementGroup>& groups,
-                    bool withProduct, const Visitor& visit) {
+                    Formulation formulation, bool withProduct, const Visitor& visit) {
   ElementIntegrals integrals;
+  ElementFaults faults(mesh, piece);
   for (const ElementGroup& group : groups) {
-    const ReferenceElement reference = referenceElement(group.block->type);
-    const auto perElement = static_cast<std::size_t>(reference.nodes);
+    const ElementBasis basis(group.block->type, formulation);
+    const auto perElement = static_cast<std::size_t>(basis.reference.nodes);
     for (int number = 0; number < group.elements(); ++number) {
-      const base::Vector3* corners[ElementIntegrals::maximumNodes];
+      const base::Vector3* places[ElementIntegrals::maximumFunctions];
       const int* nodes =
           group.block->connectivity.data() + static_cast<std::size_t>(group.inBlock[number]) * perElement;
-      for (std::size_t a = 0; a < perElement; ++a) corners[a] = &mesh.nodes[nodes[a]];
-      if (!integrate(reference, corners, withProduct, integrals)) {
-        throw base::Error("Jacobian not positive in " + nameOf(mesh, piece, group, number) +
-                              ": the element is turned inside out, folded, or has no volume. Check the order of its "
-                              "nodes and their coordinates.",
-                          base::ExitCode::input);
+      for (std::size_t a = 0; a < perElement; ++a) places[a] = &mesh.nodes[nodes[a]];
+      if (integrate(basis, places, withProduct, integrals)) {
+        visit(group, number, basis, integrals);
+      } else {
+        faults.add(group, number);
       }
-      visit(group, number, integrals);
     }
   }
+  faults.throwIfAny();
 }
 
 }  // namespace harmos::elasticity

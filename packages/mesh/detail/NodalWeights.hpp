@@ -12,27 +12,22 @@ namespace harmos::mesh {
 
 /// Gives single nodes an area, for interfaces without faces.
 ///
-/// A node of the skin of the given pieces together has its share of the skin's area, int N dS, and the normal int N n
-/// dS; an inner node the area V^(2/3) (in 2-D V^(1/2) times thickness), V being its share of the volume, and no normal.
+/// A node of the skin of the given pieces together has the sums of what FaceIntegrals gives it; an inner node the area
+/// V^(2/3) (in 2-D V^(1/2) times thickness), V being its share of the volume, and no normal.
 /// Both are split over the pieces that own the faces or elements around the node.
 class NodalWeights {
  public:
-  struct Weight {
-    double area = 0.0;
-    base::Vector3 normal{};
-  };
-
   /// For the elements of `pieces`; `wanted` are mesh nodes, ascending.
   NodalWeights(const Mesh& mesh, const Elements& elements, const PieceMap& map, const std::vector<int>& pieces,
                const std::vector<int>& wanted, double thickness);
 
   /// Weights by piece; empty if none of the pieces has the node.
-  const std::map<int, Weight>& at(int node) const;
+  const std::map<int, NodalWeight>& at(int node) const;
   /// The sum over the pieces.
-  Weight total(int node) const;
+  NodalWeight total(int node) const;
 
  private:
-  std::map<int, std::map<int, Weight>> weights_;
+  std::map<int, std::map<int, NodalWeight>> weights_;
 };
 
 }  // namespace harmos::mesh

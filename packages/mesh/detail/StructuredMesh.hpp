@@ -26,6 +26,7 @@ class StructuredMesh {
   void addBlock(const std::string& name, ElementType type);
   /// Cells per direction; each cell is one hexahedron or quadrilateral, or two wedges, two triangles, six tetrahedra
   /// (all cells cut the same way, so that the faces of neighbours agree), or six pyramids around a node in its middle.
+  /// All nodes of quadratic elements are on the map, middles of edges included.
   void addGrid(const std::array<int, 3>& cells, const Map& map);
   /// The faces on the skin of a finished or current block whose nodes all lie in the region.
   void addSideSet(const std::string& name, const std::string& block, const Region& region);

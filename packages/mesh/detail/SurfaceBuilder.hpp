@@ -27,24 +27,19 @@ class SurfaceBuilder {
 
   /// A face of the surface, its corners in the order of the integrals. The mass may be left out.
   void addFace(const std::vector<SurfacePoint>& corners, const FaceIntegrals& integrals);
-  /// A share of a point that belongs to no face of the surface. `normal` may have any length, also zero if there is no
+  /// What a point has besides the faces of the surface. Normals may have any length, also zero if there is no
   /// direction.
-  void addPoint(const SurfacePoint& point, double area, const base::Vector3& normal);
+  void addPoint(const SurfacePoint& point, const NodalWeight& weight);
 
   /// Pairs ascend by the local nodes of side 1. Throws base::Error(input) if a pair has no area.
   InterfaceSurface build(const std::string& name) const;
 
  private:
-  struct PointData {
-    double area = 0.0;
-    base::Vector3 normal{};
-  };
-
   const Mesh& mesh_;
   const std::vector<Piece>& pieces_;
   int piece1_, piece2_;
   std::optional<base::Vector3> projection_;
-  std::map<SurfacePoint, PointData> points_;
+  std::map<SurfacePoint, NodalWeight> points_;
   std::vector<std::vector<SurfacePoint>> faces_;
   std::map<std::pair<SurfacePoint, SurfacePoint>, double> mass_;
 };

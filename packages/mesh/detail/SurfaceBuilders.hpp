@@ -30,8 +30,8 @@ class SurfaceBuilders {
   /// those seen from side 1, normals out of it.
   void addShare(int piece1, int piece2, const std::vector<int>& nodes1, const std::vector<int>& nodes2,
                 FaceIntegrals integrals);
-  /// A node pair that belongs to no face. `normal` may have any length, also zero if there is no direction.
-  void addNode(int piece1, int piece2, int node1, int node2, double area, const base::Vector3& normal);
+  /// A node pair that belongs to no face. Normals may have any length, also zero if there is no direction.
+  void addNode(int piece1, int piece2, int node1, int node2, const NodalWeight& weight);
 
   /// By ascending pieces. Throws base::Error(input) if a pair has no area.
   std::vector<InterfaceSurface> build(const std::string& name) const;
@@ -45,8 +45,7 @@ class SurfaceBuilders {
   struct AddedNode {
     int piece1, piece2;
     NodePair pair;
-    double area;
-    base::Vector3 normal;
+    NodalWeight weight;
   };
   void add(int piece1, int piece2, const std::vector<int>& nodes1, const std::vector<int>& nodes2,
            FaceIntegrals integrals, bool isListed);

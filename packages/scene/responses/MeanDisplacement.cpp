@@ -17,9 +17,9 @@ Nodes nodesOf(const input::Parameters& p, const ResponseContext& context) {
   for (const mesh::InterfaceSurface& surface : surfaces) {
     for (int pair = 0; pair < surface.pairs(); ++pair) {
       for (const auto& [node, weight] : surface.trace1.row(pair)) {
-        nodes.push_back({surface.piece1, node, weight * surface.area[pair]});
+        nodes.push_back({surface.piece1, node, weight * surface.share[pair]});
       }
-      total += surface.area[pair];
+      total += surface.share[pair];
     }
   }
   for (auto& node : nodes) node.weight /= total;

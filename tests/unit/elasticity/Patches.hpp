@@ -38,7 +38,13 @@ inline std::vector<Case> everyCase() {
     cases.push_back({type, Kinematics::threeDimensional, Formulation::fullIntegration});
     if (type != Type::tet4) cases.push_back({type, Kinematics::threeDimensional, Formulation::bBar});
   }
-  for (const Type type : {Type::tri3, Type::quad4}) {
+  for (const Type type : {Type::tet10, Type::wedge15, Type::hex20, Type::hex27}) {
+    cases.push_back({type, Kinematics::threeDimensional, Formulation::fullIntegration});
+  }
+  cases.push_back({Type::hex8, Kinematics::threeDimensional, Formulation::incompatibleModes});
+  cases.push_back({Type::quad4, Kinematics::planeStrain, Formulation::incompatibleModes});
+  cases.push_back({Type::quad4, Kinematics::planeStress, Formulation::incompatibleModes});
+  for (const Type type : {Type::tri3, Type::quad4, Type::tri6, Type::quad8, Type::quad9}) {
     cases.push_back({type, Kinematics::planeStrain, Formulation::fullIntegration});
     cases.push_back({type, Kinematics::planeStress, Formulation::fullIntegration});
   }
@@ -63,8 +69,9 @@ struct Patch {
     }
   }
 
-  /// Moves every node by up to `amplitude` in every direction.
+  /// Moves every node by up to `amplitude` in every direction, so that edges of quadratic elements are curved.
   Patch& distort(double amplitude) {
+    if (mesh::isQuadratic(mesh.blocks[0].type)) amplitude *= 0.35;  // more would fold elements at their corners
     double phase = 0.3;
     for (base::Vector3& x : mesh.nodes) {
       for (int i = 0; i < mesh.dimension; ++i) x[i] += amplitude * std::sin(phase += 1.7);

@@ -138,7 +138,43 @@ TEST(Stiffness, namesElementsThatAreInsideOutOrFlat) {
   }
 }
 
+TEST(Stiffness, saysWhichMiddleNodeIsHowFarOutOfPlace) {
+  Patch patch({mesh::ElementType::hex20, Kinematics::threeDimensional, Formulation::fullIntegration}, 1,
+              {1.0, 1.0, 2.0});
+  // The middle of the edge from corner 1 to 2, moved beyond a quarter of its length: the element is folded at corner 1,
+  // but at no quadrature point.
+  const int node = patch.mesh.blocks[0].connectivity[8];
+  base::Vector3& place = patch.mesh.nodes[node];
+  place[0] = 0.26;
+  EXPECT_EQ(messageOf(patch, Formulation::fullIntegration, Kinematics::threeDimensional), "no error");
+  place[0] = 0.2;
+  const std::string message = messageOf(patch, Formulation::fullIntegration, Kinematics::threeDimensional);
+  EXPECT_NE(message.find("element 1 of block \"box\" (element 1 of the mesh): the element is folded: its node " +
+                         std::to_string(node + 1) +
+                         " of the mesh at (0.2, 0, 0) is 0.3 away from the middle of its edge, 0.3 of the length of "
+                         "the edge."),
+            std::string::npos)
+      << message;
+}
+
+TEST(Stiffness, countsElementsThatCannotBeUsed) {
+  Patch patch(hexahedra, 2);
+  std::vector<int>& nodes = patch.mesh.blocks[0].connectivity;
+  for (const int element : {2, 5, 7}) std::swap(nodes[8 * element], nodes[8 * element + 4]);
+  const std::string message = messageOf(patch, Formulation::fullIntegration, Kinematics::threeDimensional);
+  EXPECT_NE(message.find("element 3 of block"), std::string::npos) << message;
+  EXPECT_NE(message.find("The same is wrong with 2 more elements of the part."), std::string::npos) << message;
+}
+
+TEST(Stiffness, incompatibleModesNeedHexahedraOrQuadrilaterals) {
+  const Patch wedges({mesh::ElementType::wedge6, Kinematics::threeDimensional, Formulation::fullIntegration}, 1);
+  EXPECT_NE(messageOf(wedges, Formulation::incompatibleModes, Kinematics::threeDimensional).find("only HEX8 and QUAD4"),
+            std::string::npos);
+}
+
 TEST(Stiffness, refusesBBarWhereItDoesNotHelp) {
+  const Patch quadratic({mesh::ElementType::hex20, Kinematics::threeDimensional, Formulation::fullIntegration}, 1);
+  EXPECT_NE(messageOf(quadratic, Formulation::bBar, Kinematics::threeDimensional).find("HEX20"), std::string::npos);
   const Patch tetrahedra({mesh::ElementType::tet4, Kinematics::threeDimensional, Formulation::bBar}, 1);
   EXPECT_NE(messageOf(tetrahedra, Formulation::bBar, Kinematics::threeDimensional).find("TET4"), std::string::npos);
   EXPECT_NE(messageOf(Patch(quadrilaterals, 1), Formulation::bBar, Kinematics::planeStress).find("plane stress"),
