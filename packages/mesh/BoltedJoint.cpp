@@ -52,7 +52,7 @@ Ring square(double halfSide) {
 
 class Joint {
  public:
-  explicit Joint(double refinement) : refinement_(refinement) {}
+  Joint(double refinement, ElementType element) : refinement_(refinement), element_(element) {}
 
   Mesh build() {
     addPlate("cover_bottom", 0.0, -1.0);
@@ -91,7 +91,7 @@ class Joint {
   void addPlate(const char* name, double z, double end) {
     const double top = z + plateThickness;
     const int layers = count(3);
-    mesh_.addBlock(name, ElementType::hex8);
+    mesh_.addBlock(name, element_);
     for (const double x : {-boltDistance, boltDistance}) {
       addRings(x, 3, circle(holeRadius), circle(headRadius), z, top, layers);
       addRings(x, 4, circle(headRadius), square(plateHalfWidth), z, top, layers);
@@ -106,10 +106,10 @@ class Joint {
   void addBolt(int bolt) {
     const std::string number = std::to_string(bolt);
     const double x = boltPosition(bolt);
-    mesh_.addBlock("bolt_" + number, ElementType::hex8);
+    mesh_.addBlock("bolt_" + number, element_);
     addDisc(x, 0.0, 3.0 * plateThickness, count(10));
     addHead(x, -headHeight, 0.0);
-    mesh_.addBlock("head_" + number, ElementType::hex8);
+    mesh_.addBlock("head_" + number, element_);
     addHead(x, 3.0 * plateThickness, 3.0 * plateThickness + headHeight);
   }
 
@@ -148,6 +148,7 @@ class Joint {
   }
 
   double refinement_;
+  ElementType element_;
   StructuredMesh mesh_{3};
 };
 
@@ -162,15 +163,20 @@ input::ParameterSpec describeBoltedJoint() {
       .above(0.0)
       .atMost(20.0)
       .doc("Multiplies the number of elements in every direction; 1 gives 5796 elements.");
+  spec.text("Element")
+      .optional()
+      .oneOf({"Hex8", "Hex20", "Hex27"})
+      .doc("Hex8 when not given; quadratic ones follow holes, shanks and heads with curved edges.");
   return spec;
 }
 
-Mesh boltedJoint(double refinement) {
-  return Joint(refinement).build();
+Mesh boltedJoint(double refinement, ElementType element) {
+  return Joint(refinement, element).build();
 }
 
 Mesh boltedJoint(const input::Parameters& parameters) {
-  return boltedJoint(parameters.number("Refinement"));
+  const int nodes = parameters.has("Element") ? std::stoi(parameters.text("Element").substr(3)) : 8;
+  return boltedJoint(parameters.number("Refinement"), *elementTypeFromExodus("HEX", 3, nodes));
 }
 
 }  // namespace harmos::mesh

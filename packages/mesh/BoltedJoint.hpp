@@ -9,7 +9,7 @@ class Parameters;
 
 namespace harmos::mesh {
 
-/// The form that boltedJoint() reads: its one entry is Refinement [-], above 0, at most 20.
+/// The form that boltedJoint() reads: Refinement [-], above 0, at most 20, and Element, a hexahedron.
 input::ParameterSpec describeBoltedJoint();
 
 /// Three plates held by two bolts, in hexahedra with conforming nodes at every interface; lengths in mm.
@@ -20,7 +20,8 @@ input::ParameterSpec describeBoltedJoint();
 /// at least 1; at 1 the mesh has 8516 nodes and 5796 elements. The plates lie normal to z, from z = 0 to 30, the covers
 /// reach from the overlap to x = -80, where they are fixed, the centre to x = 80, where it is loaded. Source: after the
 /// first example of Champaney, Blanze, Boucard (2004), dimensions our own.
-Mesh boltedJoint(double refinement = 1.0);
+/// Nodes of quadratic `element`s, hex20 or hex27, follow the circles.
+Mesh boltedJoint(double refinement = 1.0, ElementType element = ElementType::hex8);
 /// The same from a list that was checked against describeBoltedJoint(). Throws base::Error when it was not.
 Mesh boltedJoint(const input::Parameters& parameters);
 

@@ -6,6 +6,7 @@
 #include <harmos/mesh/BoltedJoint.hpp>
 #include <harmos/mesh/Boxes.hpp>
 #include <harmos/mesh/GluedAssembly.hpp>
+#include <harmos/mesh/Refinement.hpp>
 
 namespace harmos::scene {
 
@@ -40,8 +41,8 @@ std::vector<Source> generators() {
 std::vector<input::ParameterSpec> meshForms() {
   input::ParameterSpec exodus("Exodus");
   exodus.summary(
-      "A mesh in an Exodus II file: 8-node hexahedra, 6-node wedges, 5-node pyramids, 4-node tetrahedra; in "
-      "the plane 4-node quadrilaterals, 3-node triangles.");
+      "A mesh in an Exodus II file: hexahedra of 8, 20 or 27 nodes, wedges of 6 or 15, pyramids of 5, tetrahedra of 4 "
+      "or 10; in the plane quadrilaterals of 4, 8 or 9 nodes, triangles of 3 or 6.");
   exodus.text("File").required().doc("Path of the file; a relative one starts at the folder of the scene.");
   std::vector<input::ParameterSpec> forms{exodus};
   for (const Source& source : generators()) forms.push_back(source.form);
@@ -60,13 +61,24 @@ std::optional<std::string> meshFile(const input::Parameters& source, const std::
   return (std::filesystem::path(scenePath).parent_path() / source.text("File")).string();
 }
 
-mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath) {
+namespace {
+
+mesh::Mesh givenMesh(const input::Parameters& source, const std::string& scenePath) {
   for (const Source& generator : generators()) {
     if (generator.form.name() == source.type()) return generator.make(source);
   }
   const bool hasUnused = source.has("Unused Blocks");
   return files::readExodus(*meshFile(source, scenePath),
                            hasUnused ? source.texts("Unused Blocks") : std::vector<std::string>{});
+}
+
+}  // namespace
+
+mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath) {
+  mesh::Mesh mesh = givenMesh(source, scenePath);
+  for (int i = source.has("Refine") ? source.integer("Refine") : 0; i > 0; --i) mesh = mesh::refined(mesh);
+  if (source.has("Order") && source.integer("Order") == 2) mesh = mesh::raised(mesh);
+  return mesh;
 }
 
 }  // namespace harmos::scene

@@ -20,6 +20,17 @@ void describeModel(input::ParameterSpec& spec) {
   spec.number("Thickness").unit("length").defaultValue(1.0).above(0.0).doc("Of plane models.");
 }
 
+void describeMesh(input::ParameterSpec& spec) {
+  spec.summary("Where nodes, element blocks, side sets and node sets come from.");
+  spec.texts("Unused Blocks").optional().doc("Element blocks that belong to no part.");
+  spec.integer("Refine").optional().atLeast(0).atMost(8).doc(
+      "How many times every element is split at the middles of its edges, in the plane into 4, in space into 8; sets "
+      "are "
+      "split with them, and no node moves.");
+  spec.integer("Order").optional().atLeast(1).atMost(2).doc(
+      "2 makes linear elements quadratic: TRI6, QUAD8, TET10, WEDGE15, HEX20, with straight edges.");
+}
+
 void describePart(input::ParameterSpec& spec) {
   spec.summary("Elastic bodies, each made of one or several element blocks of the mesh.");
   spec.texts("Blocks").optional().doc("Names of its element blocks; absent: the block with the part's own name.");
@@ -28,7 +39,9 @@ void describePart(input::ParameterSpec& spec) {
   spec.text("Formulation")
       .defaultValue("Full Integration")
       .oneOf(elasticity::formulationNames())
-      .doc("B-Bar avoids volumetric locking of nearly incompressible materials in hexahedra and quadrilaterals.");
+      .doc(
+          "B-Bar avoids volumetric locking of nearly incompressible materials in hexahedra and quadrilaterals; with "
+          "Incompatible Modes HEX8 and QUAD4 elements bend as they should, one in the thickness is enough.");
   input::ParameterSpec& force = spec.list("Body Force", false, true);
   force.summary("Force per volume in global components.");
   for (const char* component : {"X", "Y", "Z"}) {
@@ -86,11 +99,7 @@ input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
   spec.text("Title").defaultValue("").doc("Of the result files.");
   describeModel(spec.list("Model"));
   spec.namedNumbers("Values").summary("Numbers to share: write \"$name\" as the value of any number.");
-  spec.alternatives("Mesh", meshForms(), true)
-      .summary("Where nodes, element blocks, side sets and node sets come from.")
-      .texts("Unused Blocks")
-      .optional()
-      .doc("Element blocks that belong to no part.");
+  describeMesh(spec.alternatives("Mesh", meshForms(), true));
   spec.namedLists("Materials", true).summary("Elastic materials.").choose(elasticity::builtInMaterials().forms());
   describePart(spec.namedLists("Parts", true));
   describeInterface(spec.namedLists("Interfaces"), laws);
