@@ -20,6 +20,8 @@ namespace {
 using Place = std::vector<std::pair<int, int>>;
 // Quadratic children of a split element have nodes at quarters of each of three directions.
 constexpr double unit = 64.0;
+// Relative difference of lengths that rounding does not make.
+constexpr double shorter = 1e-9;
 
 [[noreturn]] void refuse(const ElementBlock& block, const std::string& what) {
   throw base::Error("block \"" + block.name + "\" " + what, base::ExitCode::input);
@@ -69,8 +71,7 @@ std::size_t choose(const std::vector<Subdivision>& ways, const Mesh& mesh, const
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t way = 0; way < ways.size(); ++way) {
     const double length = distance(middle(ends[way][0]), middle(ends[way][1]));
-    // Equal ones may differ by rounding: the first, on all machines.
-    if (length < (1.0 - 1e-9) * shortest) {
+    if (length < (1.0 - shorter) * shortest) {  // of equal ones the first, on all machines
       shortest = length;
       best = way;
     }

@@ -88,7 +88,7 @@ SceneInput& SceneInput::remove(const std::string& path) {
 SceneInput& SceneInput::changeMesh(const std::function<void(mesh::Mesh&)>& change) {
   static MeshFiles files;
   const auto comm = Tpetra::getDefaultComm();
-  mesh::Mesh mesh = scene::makeMesh(scene().input.list("Mesh"), path_);
+  mesh::Mesh mesh = this->mesh();
   change(mesh);
   const std::string file = newMeshFile(*comm);
   if (comm->getRank() == 0) {
@@ -109,6 +109,10 @@ SceneInput& SceneInput::changeMesh(const std::function<void(mesh::Mesh&)>& chang
 
 scene::Scene SceneInput::scene() const {
   return scene::makeScene(input_, path_, overrides_, laws::builtInLaws());
+}
+
+mesh::Mesh SceneInput::mesh() const {
+  return scene::makeMesh(scene().input.list("Mesh"), path_);
 }
 
 namespace {

@@ -28,6 +28,8 @@ class SceneInput {
   SceneInput& changeMesh(const std::function<void(mesh::Mesh&)>& change);
 
   scene::Scene scene() const;
+  /// The mesh of the scene as it is now.
+  mesh::Mesh mesh() const;
 
  private:
   input::InputNode& list(const std::string& path);
