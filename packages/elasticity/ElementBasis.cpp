@@ -6,7 +6,8 @@ bool hasIncompatibleModes(mesh::ElementType type) {
   return type == mesh::ElementType::hex8 || type == mesh::ElementType::quad4;
 }
 
-ElementBasis::ElementBasis(mesh::ElementType type, Formulation formulation) : reference(mesh::referenceElement(type)) {
+ElementBasis::ElementBasis(mesh::ElementType type, Formulation formulation, Kinematics kinematics)
+    : reference(mesh::referenceElement(type)), isRevolved(isAxisymmetric(kinematics)) {
   if (mesh::isQuadratic(type)) atNodes = mesh::shapeFunctions(type, mesh::nodePlaces(type));
   if (formulation != Formulation::incompatibleModes || !hasIncompatibleModes(type)) return;
   modes = reference.dimension;

@@ -23,7 +23,8 @@ bool canBeIntegrated(const std::vector<base::Vector3>& nodes, mesh::ElementType 
   std::vector<const base::Vector3*> places;
   for (const base::Vector3& node : nodes) places.push_back(&node);
   ElementIntegrals integrals;
-  return integrate(ElementBasis(type, Formulation::fullIntegration), places.data(), false, integrals);
+  return integrate(ElementBasis(type, Formulation::fullIntegration, Kinematics::threeDimensional), places.data(), false,
+                   integrals);
 }
 
 /// Which node in a middle is farthest out of place, and by how much; empty when the corners are wrong already.

@@ -11,6 +11,7 @@ namespace {
 constexpr double shortest = 1e-10;
 // Of the volume of an element: a Jacobian that is 0 but for rounding.
 constexpr double roundOff = 1e-10;
+constexpr double pi = 3.14159265358979323846;
 
 /// Determinant of J and its cofactors, J^-t = cofactor / determinant. False: not positive beyond rounding.
 bool invert(const double (&j)[3][3], double (&cofactor)[3][3], double& determinant) {
@@ -77,11 +78,12 @@ template <int D>
 bool integrateIn(const ElementBasis& basis, const base::Vector3* const* places, bool withProduct,
                  ElementIntegrals& result) {
   const mesh::ReferenceElement& reference = basis.reference;
-  const int nodes = reference.nodes, functions = basis.functions(), dofs = D * functions;
+  const int nodes = reference.nodes, functions = basis.functions(), perFunction = basis.gradients();
+  const int entries = perFunction * functions;
   result.volume = 0.0;
   std::fill_n(result.value.begin(), nodes, 0.0);
-  std::fill_n(result.gradient.begin(), dofs, 0.0);
-  if (withProduct) std::fill_n(result.product.begin(), dofs * dofs, 0.0);
+  std::fill_n(result.gradient.begin(), entries, 0.0);
+  if (withProduct) std::fill_n(result.product.begin(), entries * entries, 0.0);
   double centre[D][D] = {}, centreCofactor[D][D], centreDeterminant = 0.0;
   if (basis.modes > 0) {
     addJacobian<D>(basis.atCentre.gradient.data(), places, nodes, centre);
@@ -93,22 +95,29 @@ bool integrateIn(const ElementBasis& basis, const base::Vector3* const* places, 
     addJacobian<D>(local, places, nodes, jacobian);
     double cofactor[D][D], determinant;
     if (!invert(jacobian, cofactor, determinant)) return false;
-    const double weight = reference.weight[point] * determinant;
+    const double* value = reference.value.data() + point * nodes;
+    double weight = reference.weight[point] * determinant;
     double gradient[ElementIntegrals::maximumDofs];
-    for (int a = 0; a < nodes; ++a) transform<D>(cofactor, determinant, local + D * a, gradient + D * a);
+    for (int a = 0; a < nodes; ++a) transform<D>(cofactor, determinant, local + D * a, gradient + perFunction * a);
+    if (basis.isRevolved) {
+      double radius = 0.0;
+      for (int a = 0; a < nodes; ++a) radius += value[a] * (*places[a])[0];
+      if (!(radius > 0.0)) return false;
+      weight *= 2.0 * pi * radius;
+      for (int a = 0; a < nodes; ++a) gradient[perFunction * a + D] = value[a] / radius;
+    }
     for (int m = 0; m < basis.modes; ++m) {
       transform<D>(centreCofactor, determinant, basis.modeGradient.data() + D * (point * basis.modes + m),
-                   gradient + D * (nodes + m));
+                   gradient + perFunction * (nodes + m));
     }
     result.volume += weight;
-    const double* value = reference.value.data() + point * nodes;
     for (int a = 0; a < nodes; ++a) result.value[a] += weight * value[a];
-    for (int i = 0; i < dofs; ++i) result.gradient[i] += weight * gradient[i];
+    for (int i = 0; i < entries; ++i) result.gradient[i] += weight * gradient[i];
     if (!withProduct) continue;
-    for (int i = 0; i < dofs; ++i) {
+    for (int i = 0; i < entries; ++i) {
       const double factor = weight * gradient[i];
-      double* row = result.product.data() + i * dofs;
-      for (int j = i / D * D; j < dofs; ++j) row[j] += factor * gradient[j];
+      double* row = result.product.data() + i * entries;
+      for (int j = i / perFunction * perFunction; j < entries; ++j) row[j] += factor * gradient[j];
     }
   }
   return !isFolded<D>(basis, places, result.volume);

@@ -21,7 +21,7 @@ std::size_t indexOf(const std::string& name, const std::vector<std::string>& nam
 }  // namespace
 
 const std::vector<std::string>& kinematicsNames() {
-  static const std::vector<std::string> names{"3-D", "Plane Strain", "Plane Stress"};
+  static const std::vector<std::string> names{"3-D", "Plane Strain", "Plane Stress", "Axisymmetric"};
   return names;
 }
 

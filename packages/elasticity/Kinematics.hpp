@@ -7,10 +7,12 @@
 
 namespace harmos::elasticity {
 
-/// How strains follow from displacements: in space, in the plane with eps_zz = 0, or in the plane with sigma_zz = 0.
-enum class Kinematics { threeDimensional, planeStrain, planeStress };
+/// How strains follow from displacements: in space, in the plane with eps_zz = 0, in the plane with sigma_zz = 0, or in
+/// a half plane that turns about the axis y, with the radius x >= 0 and eps_zz = u_x / x around the hoop, without
+/// torsion. Stiffness and forces are then those of the whole circle.
+enum class Kinematics { threeDimensional, planeStrain, planeStress, axisymmetric };
 
-/// Names for input: 3-D, Plane Strain, Plane Stress.
+/// Names for input: 3-D, Plane Strain, Plane Stress, Axisymmetric.
 const std::vector<std::string>& kinematicsNames();
 /// The kinematics of this name. Throws base::Error (input) for any other name.
 Kinematics kinematicsNamed(const std::string& name);
@@ -23,6 +25,11 @@ enum class Formulation { fullIntegration, bBar, incompatibleModes };
 const std::vector<std::string>& formulationNames();
 /// The formulation of this name. Throws base::Error (input) for any other name.
 Formulation formulationNamed(const std::string& name);
+
+/// Whether the plane turns about the axis y.
+inline bool isAxisymmetric(Kinematics kinematics) {
+  return kinematics == Kinematics::axisymmetric;
+}
 
 /// Components of a displacement: 3, or 2 in the plane.
 inline int dimensionOf(Kinematics kinematics) {

@@ -1,10 +1,13 @@
 #include <harmos/elasticity/Stiffness.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 #include <string>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/elasticity/detail/ElementLoop.hpp>
+#include <harmos/elasticity/detail/StrainOperator.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
 
 namespace harmos::elasticity {
@@ -62,22 +65,28 @@ struct NodeGraph {
 
 /// Turns the integrals of an element into its stiffness: both are linear in each other, so C enters once per element.
 ///
-/// K_ab[i][j] = sum_kl C_ikjl int g_ak g_bl dV. With B-bar the strain gains I/3 (mean - local) volume change, and with
-/// D_ab = int g_a g_b^t dV - G_a G_b^t/V, G_a = int g_a dV, P = C:I the block gains
-/// -(P D_ab + D_ab P)/3 + (I:C:I) D_ab/9.
-template <int D>
+/// With D displacement components and G gradients g per function, and the strains E_k g_k u of StrainOperator,
+/// K_ab = sum_kl E_k^t C E_l int g_ak g_bl dV. With B-bar the strain gains I/3 (mean - local) volume change
+/// sum_k T_k g_k u, T_k = I:E_k, and with D_ab = int g_a g_b^t dV - G_a G_b^t/V, G_a = int g_a dV, P_k = E_k^t C:I the
+/// block gains -(P D_ab T^t + T D_ab P^t)/3 + (I:C:I) T D_ab T^t/9.
+template <int D, int G>
 class ElementStiffness {
  public:
-  ElementStiffness(const ElasticityMatrix& c, Formulation formulation, double thickness)
+  ElementStiffness(const ElasticityMatrix& c, Formulation formulation, const StrainOperator& strain, double thickness)
       : bBar_(formulation == Formulation::bBar) {
-    constexpr std::size_t voigt[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
-    for (int i = 0; i < D; ++i) {
-      for (int j = 0; j < D; ++j) {
-        for (int k = 0; k < D; ++k) {
-          for (int l = 0; l < D; ++l) c_[i][j][k][l] = thickness * c[voigt[i][k]][voigt[j][l]];
+    for (int k = 0; k < G; ++k) {
+      for (int i = 0; i < D; ++i) {
+        for (int m = 0; m < 6; ++m) {
+          const double first = strain.coefficient[k][m][i];
+          if (first == 0.0) continue;
+          for (int l = 0; l < G; ++l) {
+            for (int j = 0; j < D; ++j) {
+              for (int n = 0; n < 6; ++n) c_[i][j][k][l] += thickness * first * c[m][n] * strain.coefficient[l][n][j];
+            }
+          }
+          pressure_[i][k] += thickness * first * (c[m][0] + c[m][1] + c[m][2]);
+          if (m < 3) volume_[i][k] += first;
         }
-        const auto& row = c[voigt[i][j]];
-        pressure_[i][j] = thickness * (row[0] + row[1] + row[2]);
       }
     }
     for (std::size_t m = 0; m < 3; ++m) bulk_ += thickness * (c[m][0] + c[m][1] + c[m][2]);
@@ -86,18 +95,18 @@ class ElementStiffness {
   /// Upper triangle of the node blocks, a <= b, in rows of D x functions; diagonal blocks are whole and symmetric.
   /// Incompatible modes are eliminated: no force acts on them.
   void compute(const ElementIntegrals& integrals, const ElementBasis& basis, double* stiffness) const {
-    const int functions = basis.functions(), dofs = D * functions;
+    const int functions = basis.functions(), dofs = D * functions, entries = G * functions;
     for (int a = 0; a < functions; ++a) {
       for (int b = a; b < functions; ++b) {
-        double m[D][D], block[D][D];
-        for (int k = 0; k < D; ++k) {
-          for (int l = 0; l < D; ++l) m[k][l] = integrals.product.data()[(D * a + k) * dofs + D * b + l];
+        double m[G][G], block[D][D];
+        for (int k = 0; k < G; ++k) {
+          for (int l = 0; l < G; ++l) m[k][l] = integrals.product.data()[(G * a + k) * entries + G * b + l];
         }
         for (int i = 0; i < D; ++i) {
           for (int j = 0; j < D; ++j) {
             double sum = 0.0;
-            for (int k = 0; k < D; ++k) {
-              for (int l = 0; l < D; ++l) sum += c_[i][j][k][l] * m[k][l];
+            for (int k = 0; k < G; ++k) {
+              for (int l = 0; l < G; ++l) sum += c_[i][j][k][l] * m[k][l];
             }
             block[i][j] = sum;
           }
@@ -126,24 +135,37 @@ class ElementStiffness {
     }
   }
 
-  void addMeanDilatation(const ElementIntegrals& integrals, int a, int b, double (&m)[D][D],
+  void addMeanDilatation(const ElementIntegrals& integrals, int a, int b, double (&m)[G][G],
                          double (&block)[D][D]) const {
-    const double* ga = integrals.gradient.data() + D * a;
-    const double* gb = integrals.gradient.data() + D * b;
-    for (int k = 0; k < D; ++k) {
-      for (int l = 0; l < D; ++l) m[k][l] -= ga[k] * gb[l] / integrals.volume;
+    const double* ga = integrals.gradient.data() + G * a;
+    const double* gb = integrals.gradient.data() + G * b;
+    for (int k = 0; k < G; ++k) {
+      for (int l = 0; l < G; ++l) m[k][l] -= ga[k] * gb[l] / integrals.volume;
+    }
+    double left[D][G] = {}, right[G][D] = {};  // T D_ab, D_ab T^t
+    for (int i = 0; i < D; ++i) {
+      for (int k = 0; k < G; ++k) {
+        for (int l = 0; l < G; ++l) {
+          left[i][k] += volume_[i][l] * m[l][k];
+          right[k][i] += m[k][l] * volume_[i][l];
+        }
+      }
     }
     for (int i = 0; i < D; ++i) {
       for (int j = 0; j < D; ++j) {
-        double sum = 0.0;
-        for (int k = 0; k < D; ++k) sum += pressure_[i][k] * m[k][j] + m[i][k] * pressure_[k][j];
-        block[i][j] += bulk_ / 9.0 * m[i][j] - sum / 3.0;
+        double sum = 0.0, both = 0.0;
+        for (int k = 0; k < G; ++k) {
+          sum += pressure_[i][k] * right[k][j] + left[i][k] * pressure_[j][k];
+          both += volume_[i][k] * right[k][j];
+        }
+        block[i][j] += bulk_ / 9.0 * both - sum / 3.0;
       }
     }
   }
 
-  double c_[D][D][D][D];
-  double pressure_[D][D];
+  double c_[D][D][G][G] = {};
+  double pressure_[D][G] = {};
+  double volume_[D][G] = {};
   double bulk_ = 0.0;
   bool bBar_;
 };
@@ -158,6 +180,13 @@ void checkFormulation(const mesh::Mesh& mesh, const mesh::Piece& piece, const st
                           ", but only HEX8 and QUAD4 elements have such modes. Use Full Integration.",
                       base::ExitCode::input);
   }
+  if (formulation == Formulation::incompatibleModes && isAxisymmetric(kinematics)) {
+    throw base::Error(
+        "Part \"" + piece.name +
+            "\" asks for the formulation Incompatible Modes in axisymmetry, where such modes would change "
+            "the stress around the hoop. Use Full Integration, or quadratic elements.",
+        base::ExitCode::input);
+  }
   if (formulation != Formulation::bBar) return;
   if (kinematics == Kinematics::planeStress) {
     throw base::Error("Part \"" + piece.name +
@@ -168,11 +197,11 @@ void checkFormulation(const mesh::Mesh& mesh, const mesh::Piece& piece, const st
   for (const ElementGroup& group : groups) {
     const mesh::ElementType type = group.block->type;
     if (mesh::isQuadratic(type)) {
-      throw base::Error("The formulation B-Bar is asked for " + nameOf(mesh, piece, group, 0) + ", a " +
-                            mesh::exodusName(type) +
-                            ": a constant volume change would make quadratic elements as inaccurate as linear ones, "
-                            "and they hardly lock. Use Full Integration.",
-                        base::ExitCode::input);
+      throw base::Error(
+          "The formulation B-Bar is asked for " + nameOf(mesh, piece, group, 0) + ", a " + mesh::exodusName(type) +
+              ", but it is made for linear elements. Use HEX8 or QUAD4 elements, or Full Integration with "
+              "Poisson's ratio below about 0.49.",
+          base::ExitCode::input);
     }
     if (type != mesh::ElementType::tri3 && type != mesh::ElementType::tet4) continue;
     throw base::Error(
@@ -183,10 +212,37 @@ void checkFormulation(const mesh::Mesh& mesh, const mesh::Piece& piece, const st
   }
 }
 
-template <int D>
+// Of the largest radius of a part: coordinates that are 0 but for rounding.
+constexpr double onAxis = 1e-9;
+
+/// Per node of the part, whether it lies on the axis of axisymmetry, where nothing moves along the radius. Throws
+/// base::Error (input) that counts the nodes of negative radius.
+std::vector<bool> findAxis(const mesh::Mesh& mesh, const mesh::Piece& piece, Kinematics kinematics) {
+  std::vector<bool> isOnAxis(piece.nodes.size(), false);
+  if (!isAxisymmetric(kinematics)) return isOnAxis;
+  double largest = 0.0;
+  for (const int node : piece.nodes) largest = std::max(largest, std::abs(mesh.nodes[node][0]));
+  int count = 0, worst = -1;
+  for (std::size_t local = 0; local < piece.nodes.size(); ++local) {
+    const int node = piece.nodes[local];
+    const double radius = mesh.nodes[node][0];
+    isOnAxis[local] = std::abs(radius) <= onAxis * largest;
+    if (isOnAxis[local] || radius > 0.0) continue;
+    ++count;
+    if (worst < 0 || radius < mesh.nodes[worst][0]) worst = node;
+  }
+  if (count == 0) return isOnAxis;
+  std::ostringstream text;
+  text << "Part \"" << piece.name << "\" has " << count << (count == 1 ? " node" : " nodes")
+       << " with a negative radius x, the farthest node " << worst + 1 << " of the mesh at (" << mesh.nodes[worst][0]
+       << ", " << mesh.nodes[worst][1] << "). In axisymmetry the axis is x = 0 and parts lie at x >= 0: move the mesh.";
+  throw base::Error(text.str(), base::ExitCode::input);
+}
+
+template <int D, int G>
 Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece& piece,
                                        const std::vector<ElementGroup>& groups, Formulation formulation,
-                                       const ElementStiffness<D>& element) {
+                                       Kinematics kinematics, const ElementStiffness<D, G>& element) {
   const std::size_t nodes = piece.nodes.size();
   const NodeGraph graph(groups, nodes);
   std::vector<std::size_t> pointers(1, 0);
@@ -202,9 +258,10 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece
     }
   }
   std::vector<double> values(columns.size(), 0.0);
+  const std::vector<bool> isFixed = findAxis(mesh, piece, kinematics);
   double stiffness[ElementIntegrals::maximumDofs * ElementIntegrals::maximumDofs];
   forEachElement(
-      mesh, piece, groups, formulation, true,
+      mesh, piece, groups, formulation, kinematics, true,
       [&](const ElementGroup& group, int number, const ElementBasis& basis, const ElementIntegrals& integrals) {
         const int perElement = group.nodesPerElement(), dofs = D * basis.functions();
         const int* local = group.nodesOf(number);
@@ -216,6 +273,9 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece
             double* block = rows + D * graph.positionOf(local[b], local[a]);
             for (int i = 0; i < D; ++i) {
               for (int j = 0; j < D; ++j) {
+                // A radial displacement that is 0 couples with nothing.
+                const bool isDiagonal = a == b && i == j;
+                if (!isDiagonal && ((i == 0 && isFixed[local[a]]) || (j == 0 && isFixed[local[b]]))) continue;
                 block[i * stride + j] +=
                     a <= b ? stiffness[(D * a + i) * dofs + D * b + j] : stiffness[(D * b + j) * dofs + D * a + i];
               }
@@ -234,9 +294,13 @@ Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const me
   const std::vector<ElementGroup> groups = groupsOf(mesh, piece, kinematics);
   checkFormulation(mesh, piece, groups, formulation, kinematics);
   const ElasticityMatrix c = reduced(material.elasticity(), kinematics);
-  return kinematics == Kinematics::threeDimensional
-             ? assemble(mesh, piece, groups, formulation, ElementStiffness<3>(c, formulation, 1.0))
-             : assemble(mesh, piece, groups, formulation, ElementStiffness<2>(c, formulation, thickness));
+  const StrainOperator strain(kinematics);
+  const auto assembled = [&](const auto& element) {
+    return assemble(mesh, piece, groups, formulation, kinematics, element);
+  };
+  if (kinematics == Kinematics::threeDimensional) return assembled(ElementStiffness<3, 3>(c, formulation, strain, 1.0));
+  if (isAxisymmetric(kinematics)) return assembled(ElementStiffness<2, 3>(c, formulation, strain, 1.0));
+  return assembled(ElementStiffness<2, 2>(c, formulation, strain, thickness));
 }
 
 std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Piece& piece, const base::Vector3& force,
@@ -247,10 +311,10 @@ std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Piece& piece, 
                           "; in 2-D it must be 0.",
                       base::ExitCode::input);
   }
-  const double depth = dimension == 2 ? thickness : 1.0;
+  const double depth = dimension == 2 && !isAxisymmetric(kinematics) ? thickness : 1.0;
   std::vector<double> forces(dimension * piece.nodes.size(), 0.0);
   const std::vector<ElementGroup> groups = groupsOf(mesh, piece, kinematics);
-  forEachElement(mesh, piece, groups, Formulation::fullIntegration, false,
+  forEachElement(mesh, piece, groups, Formulation::fullIntegration, kinematics, false,
                  [&](const ElementGroup& group, int number, const ElementBasis&, const ElementIntegrals& integrals) {
                    const auto perElement = static_cast<std::size_t>(group.nodesPerElement());
                    const int* local = group.nodesOf(number);
@@ -261,6 +325,10 @@ std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Piece& piece, 
                      }
                    }
                  });
+  const std::vector<bool> isFixed = findAxis(mesh, piece, kinematics);
+  for (std::size_t node = 0; node < isFixed.size(); ++node) {
+    if (isFixed[node]) forces[dimension * node] = 0.0;
+  }
   return forces;
 }
 

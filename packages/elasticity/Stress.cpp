@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <harmos/elasticity/detail/ElementLoop.hpp>
+#include <harmos/elasticity/detail/StrainOperator.hpp>
 
 namespace harmos::elasticity {
 
@@ -15,22 +16,28 @@ base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, con
                       " were given.");
   }
   const ElasticityMatrix c = reduced(material.elasticity(), kinematics);
+  const StrainOperator operators(kinematics);
   base::Matrix stress(6 * static_cast<int>(piece.elements.size()), displacements.numCols());
-  forEachElement(mesh, piece, groupsOf(mesh, piece, kinematics), Formulation::fullIntegration, false,
+  forEachElement(mesh, piece, groupsOf(mesh, piece, kinematics), Formulation::fullIntegration, kinematics, false,
                  [&](const ElementGroup& group, int number, const ElementBasis&, const ElementIntegrals& integrals) {
                    const int perElement = group.nodesPerElement();
                    const int* local = group.nodesOf(number);
                    for (int column = 0; column < displacements.numCols(); ++column) {
-                     double h[3][3] = {};  // mean displacement gradient
+                     double h[3][3] = {};  // mean of gradient k times component i
                      for (int a = 0; a < perElement; ++a) {
                        for (int i = 0; i < dimension; ++i) {
                          const double u = displacements(dimension * local[a] + i, column) / integrals.volume;
-                         for (int k = 0; k < dimension; ++k)
-                           h[i][k] += u * integrals.gradient.data()[dimension * a + k];
+                         for (int k = 0; k < operators.gradients; ++k)
+                           h[i][k] += u * integrals.gradient.data()[operators.gradients * a + k];
                        }
                      }
-                     const double strain[6] = {h[0][0],           h[1][1],           h[2][2],
-                                               h[0][1] + h[1][0], h[1][2] + h[2][1], h[2][0] + h[0][2]};
+                     double strain[6] = {};
+                     for (int m = 0; m < 6; ++m) {
+                       for (int i = 0; i < dimension; ++i) {
+                         for (int k = 0; k < operators.gradients; ++k)
+                           strain[m] += operators.coefficient[k][m][i] * h[i][k];
+                       }
+                     }
                      double* result = stress[column] + 6 * (group.firstElement + number);
                      for (std::size_t m = 0; m < 6; ++m) {
                        result[m] = 0.0;

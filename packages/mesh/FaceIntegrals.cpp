@@ -1,5 +1,6 @@
 #include <harmos/mesh/FaceIntegrals.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -97,20 +98,33 @@ void lump(FaceIntegrals& face, const std::vector<base::Vector3>& squares) {
   }
 }
 
+// Of the largest radius of a face: radii that are 0 but for rounding.
+constexpr double onAxis = 1e-9;
+
+/// Around a node on the axis forces along the radius cancel, and it does not move there.
+void removeRadialFlux(FaceIntegrals& face, const std::vector<base::Vector3>& nodes) {
+  double largest = 0.0;
+  for (const base::Vector3& x : nodes) largest = std::max(largest, std::abs(x[0]));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (std::abs(nodes[i][0]) <= onAxis * largest) face.weight[i].flux[0] = 0.0;
+  }
+}
+
 }  // namespace
 
-FaceIntegrals integrateFace(int dimension, const std::vector<base::Vector3>& nodes, double thickness,
+FaceIntegrals integrateFace(int dimension, const std::vector<base::Vector3>& nodes, const Depth& depth,
                             const std::optional<base::Vector3>& projection) {
   const std::size_t n = nodes.size();
   FaceIntegrals result{std::vector<NodalWeight>(n), {n, std::vector<double>(n)}};
   std::vector<base::Vector3> squares(n);  // int N_i^2 n dS
   for (const QuadraturePoint& at : rule(dimension, n)) {
-    base::Vector3 first{}, second{};
+    base::Vector3 first{}, second{}, place{};
     for (std::size_t i = 0; i < n; ++i) {
+      place = place + at.shape[i] * nodes[i];
       first = first + at.alongFirst[i] * nodes[i];
       second = second + at.alongSecond[i] * nodes[i];
     }
-    if (dimension == 2) second = {0.0, 0.0, thickness};
+    if (dimension == 2) second = {0.0, 0.0, depth.at(place)};
     const base::Vector3 normal = at.weight * cross(first, second);
     const double area = projection ? std::abs(dot(normal, *projection)) : norm(normal);
     for (std::size_t i = 0; i < n; ++i) {
@@ -129,6 +143,7 @@ FaceIntegrals integrateFace(int dimension, const std::vector<base::Vector3>& nod
       weight.normal = weight.flux;
     }
   }
+  if (dimension == 2 && depth.isRevolved()) removeRadialFlux(result, nodes);
   return result;
 }
 

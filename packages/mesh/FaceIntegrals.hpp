@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include <harmos/mesh/Depth.hpp>
 #include <harmos/mesh/Mesh.hpp>
 #include <harmos/mesh/NodalWeight.hpp>
 
@@ -18,9 +19,10 @@ struct FaceIntegrals {
 };
 
 /// Integrates over the face with nodes at these places [length] in the order of sideNodes(): in a mesh of 2 dimensions
-/// an edge of 2 or 3 nodes, times `thickness`; of 3 dimensions 3, 4, 6, 8 or 9. With a unit vector `projection` dS of
-/// share, area and mass is the area seen along it. The number of nodes is not checked.
-FaceIntegrals integrateFace(int dimension, const std::vector<base::Vector3>& nodes, double thickness,
+/// an edge of 2 or 3 nodes, times `depth`; of 3 dimensions 3, 4, 6, 8 or 9. With a unit vector `projection` dS of
+/// share, area and mass is the area seen along it. On the axis of revolution a flux has no radial part. The number of
+/// nodes is not checked.
+FaceIntegrals integrateFace(int dimension, const std::vector<base::Vector3>& nodes, const Depth& depth,
                             const std::optional<base::Vector3>& projection = std::nullopt);
 
 }  // namespace harmos::mesh

@@ -50,10 +50,10 @@ const Set& findSet(const std::string& where, const std::vector<Set>& sets, const
 
 }  // namespace
 
-InterfaceFinder::InterfaceFinder(const Mesh& mesh, const std::vector<Piece>& pieces, double thickness)
+InterfaceFinder::InterfaceFinder(const Mesh& mesh, const std::vector<Piece>& pieces, const Depth& depth)
     : mesh_(mesh),
       pieces_(pieces),
-      thickness_(mesh.dimension == 2 ? thickness : 1.0),
+      depth_(mesh.dimension == 2 ? depth : Depth()),
       elements_(mesh),
       map_(mesh, elements_, pieces) {}
 
@@ -74,7 +74,7 @@ std::vector<Face> InterfaceFinder::facesOf(const std::string& where, const std::
 }
 
 FaceIntegrals InterfaceFinder::integrate(const Face& face, const std::optional<base::Vector3>& projection) const {
-  return integrateFace(mesh_.dimension, pointsOf(mesh_, face.nodes), thickness_, projection);
+  return integrateFace(mesh_.dimension, pointsOf(mesh_, face.nodes), depth_, projection);
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, const std::vector<Face>& side1,
@@ -205,8 +205,8 @@ std::vector<InterfaceSurface> InterfaceFinder::joinNodes(const std::string& name
   }
   std::sort(nodes1.begin(), nodes1.end());
   std::sort(nodes2.begin(), nodes2.end());
-  const NodalWeights weights1(mesh_, elements_, map_, pieces1, nodes1, thickness_);
-  const NodalWeights weights2(mesh_, elements_, map_, pieces2, nodes2, thickness_);
+  const NodalWeights weights1(mesh_, elements_, map_, pieces1, nodes1, depth_);
+  const NodalWeights weights2(mesh_, elements_, map_, pieces2, nodes2, depth_);
   SurfaceBuilders builders(mesh_, pieces_, oneNormal);
   for (const auto& [node1, node2] : pairs) {
     // Where a body is cut, its pieces are tied to each other: one of them is enough.
@@ -379,7 +379,7 @@ std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name
   }
   if (nodesOf(faces).size() == nodes.size()) return onFaces(name, faces, creaseAngle);
 
-  const NodalWeights weights(mesh_, elements_, map_, pieces, {nodes.begin(), nodes.end()}, thickness_);
+  const NodalWeights weights(mesh_, elements_, map_, pieces, {nodes.begin(), nodes.end()}, depth_);
   SurfaceBuilders builders(mesh_, pieces_, oneNormal);
   for (const int node : nodes) {
     for (const auto& [piece, weight] : weights.at(node)) {

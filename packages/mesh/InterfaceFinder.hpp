@@ -29,9 +29,9 @@ class InterfaceFinder {
   /// A crease angle that no surface has.
   static constexpr double oneNormal = 180.0;
 
-  /// `thickness` [length] multiplies lengths in 2-D and does not count in 3-D. Throws base::Error(input) if two parts
-  /// share an element.
-  InterfaceFinder(const Mesh& mesh, const std::vector<Piece>& pieces, double thickness = 1.0);
+  /// `depth` multiplies lengths in 2-D and does not count in 3-D. Throws base::Error(input) if two parts share an
+  /// element.
+  InterfaceFinder(const Mesh& mesh, const std::vector<Piece>& pieces, const Depth& depth = 1.0);
 
   /// The interface between two side sets whose faces coincide node by node (within conformingTolerance).
   ///
@@ -88,7 +88,7 @@ class InterfaceFinder {
 
   const Mesh& mesh_;
   const std::vector<Piece>& pieces_;
-  double thickness_;
+  Depth depth_;
   Elements elements_;
   PieceMap map_;
 };

@@ -8,26 +8,26 @@
 namespace harmos::mesh {
 namespace {
 
-/// Volume of an element by the divergence theorem, 3 V = int x.n dS; in 2-D 2 V = int x.n dS.
-double volume(const Mesh& mesh, const Elements& elements, int element, double thickness) {
+/// Volume of an element by the divergence theorem, 3 V = int x.n dS; of constant thickness in 2-D 2 V = int x.n dS.
+double volume(const Mesh& mesh, const Elements& elements, int element, const Depth& depth) {
   double flux = 0.0;
   for (int side = 0; side < sidesPerElement(elements.type(element)); ++side) {
     const auto corners = pointsOf(mesh, elements.side(element, side));
-    const FaceIntegrals face = integrateFace(mesh.dimension, corners, thickness);
+    const FaceIntegrals face = integrateFace(mesh.dimension, corners, depth);
     for (std::size_t i = 0; i < corners.size(); ++i) flux += dot(corners[i], face.weight[i].flux);
   }
-  return flux / mesh.dimension;
+  return flux / (depth.isRevolved() ? 3 : mesh.dimension);
 }
 
 }  // namespace
 
 NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const PieceMap& map,
-                           const std::vector<int>& pieces, const std::vector<int>& wanted, double thickness) {
+                           const std::vector<int>& pieces, const std::vector<int>& wanted, const Depth& depth) {
   const auto elementList = map.elements(pieces);
   const auto isWanted = [&](int node) { return std::binary_search(wanted.begin(), wanted.end(), node); };
   for (const Face& face : skin(elements, elementList)) {
     if (std::none_of(face.nodes.begin(), face.nodes.end(), isWanted)) continue;
-    const FaceIntegrals integrals = integrateFace(mesh.dimension, pointsOf(mesh, face.nodes), thickness);
+    const FaceIntegrals integrals = integrateFace(mesh.dimension, pointsOf(mesh, face.nodes), depth);
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
       if (!isWanted(face.nodes[i])) continue;
       weights_[face.nodes[i]][map.of(face.element)] += integrals.weight[i];
@@ -39,7 +39,7 @@ NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const Pie
     const int* nodes = elements.nodes(element);
     const auto isInner = [&](int node) { return isWanted(node) && weights_.count(node) == 0; };
     if (std::none_of(nodes, nodes + count, isInner)) continue;
-    const double share = volume(mesh, elements, element, thickness) / count;
+    const double share = volume(mesh, elements, element, depth) / count;
     for (int i = 0; i < count; ++i) {
       if (isInner(nodes[i])) volumes[nodes[i]][map.of(element)] += share;
     }
@@ -47,8 +47,8 @@ NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const Pie
   for (const auto& [node, byPiece] : volumes) {
     double total = 0.0;
     for (const auto& [owner, part] : byPiece) total += part;
-    const double area =
-        mesh.dimension == 3 ? std::pow(std::abs(total), 2.0 / 3.0) : std::sqrt(std::abs(total) * thickness);
+    const double area = mesh.dimension == 3 ? std::pow(std::abs(total), 2.0 / 3.0)
+                                            : std::sqrt(std::abs(total) * depth.at(mesh.nodes[node]));
     for (const auto& [owner, part] : byPiece) {
       NodalWeight& weight = weights_[node][owner];
       weight.share = weight.area = area * part / total;

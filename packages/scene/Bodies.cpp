@@ -105,6 +105,10 @@ Model makeModel(const input::Parameters& parameters, const mesh::Mesh& mesh) {
   return model;
 }
 
+mesh::Depth depthOf(const Model& model) {
+  return elasticity::isAxisymmetric(model.kinematics) ? mesh::Depth::revolved() : mesh::Depth(model.thickness);
+}
+
 Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors) {
   checkBlocks(scene, mesh, errors);
   Bodies bodies;

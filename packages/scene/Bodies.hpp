@@ -13,6 +13,7 @@
 #include <harmos/elasticity/Stiffness.hpp>
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/input/Schedule.hpp>
+#include <harmos/mesh/Depth.hpp>
 #include <harmos/mesh/Mesh.hpp>
 #include <harmos/mesh/Piece.hpp>
 #include <harmos/scene/Scene.hpp>
@@ -23,12 +24,15 @@ namespace harmos::scene {
 /// How elements turn displacements into stress, the same for the whole scene.
 struct Model {
   elasticity::Kinematics kinematics = elasticity::Kinematics::threeDimensional;  // of all parts
-  double thickness = 1.0;                                                        // [length], 2-D only
+  double thickness = 1.0;  // [length], of plane strain and plane stress only
 };
 
 /// The kinematics asked for, see checkDimensions(); else those that are usual for the mesh: plane strain in the plane.
 /// `model` is the list Model of the scene.
 Model makeModel(const input::Parameters& model, const mesh::Mesh& mesh);
+
+/// How far the plane reaches out of it: the thickness, or the whole circle of axisymmetry.
+mesh::Depth depthOf(const Model& model);
 
 /// What the scene says of a part, for all bodies that it is cut into.
 struct PartOptions {

@@ -16,7 +16,7 @@ bool fitsKinematics(const Parameters& model, int dimension, input::ErrorList& er
   if (elasticity::dimensionOf(elasticity::kinematicsNamed(kinematics)) == dimension) return true;
   errors.add(model.where("Kinematics"),
              "\"" + kinematics + "\" does not fit the mesh, which has " + std::to_string(dimension) + " dimensions.",
-             dimension == 3 ? "Allowed: 3-D." : "Allowed: Plane Strain, Plane Stress.");
+             dimension == 3 ? "Allowed: 3-D." : "Allowed: Plane Strain, Plane Stress, Axisymmetric.");
   return false;
 }
 

@@ -47,7 +47,7 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   problem.bodies = makeBodies(scene, problem.mesh, errors);
   throwTogether(errors, comm);
 
-  const mesh::InterfaceFinder finder(problem.mesh, problem.bodies.pieces, problem.model.thickness);
+  const mesh::InterfaceFinder finder(problem.mesh, problem.bodies.pieces, depthOf(problem.model));
   problem.surfaces = findSurfaces(scene, problem.mesh, problem.bodies.pieces, finder, errors);
   assembly::Assembly& assembly = problem.assembly;
   assembly.dimension = problem.mesh.dimension;

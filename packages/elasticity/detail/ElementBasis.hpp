@@ -10,7 +10,7 @@ namespace harmos::elasticity {
 /// What integrals over elements of one type need of their reference element.
 struct ElementBasis {
   /// The incompatible modes join where the formulation asks for them and the type has any.
-  ElementBasis(mesh::ElementType type, Formulation formulation);
+  ElementBasis(mesh::ElementType type, Formulation formulation, Kinematics kinematics);
 
   mesh::ReferenceElement reference;
   mesh::ShapeFunctions atNodes;   ///< of quadratic elements, to find folds beside the quadrature points
@@ -19,6 +19,10 @@ struct ElementBasis {
   /// dM_m/dxi_j of the modes M_m = 1 - xi_m^2: quadrature points x modes x dimension.
   std::vector<double> modeGradient;
 
+  bool isRevolved = false;  ///< the element turns about the axis y
+
+  /// Derivatives in space per function, and the value over the radius in axisymmetry.
+  int gradients() const { return reference.dimension + (isRevolved ? 1 : 0); }
   /// Functions per displacement component: nodes and modes.
   int functions() const { return reference.nodes + modes; }
 };

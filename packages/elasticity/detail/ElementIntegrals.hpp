@@ -10,9 +10,10 @@ namespace harmos::elasticity {
 /// Integrals over one element from which stiffness, loads and mean stress follow without further loops over points.
 ///
 /// With g_a = grad N_a [1/length] of nodes and then incompatible modes, flattened to one vector of functions x
-/// dimension entries. Incompatible modes have int g dV = 0, so that elements of any shape reproduce constant stress:
-/// their gradients are those at the centre of the element, times its Jacobian over the local one (Taylor, Beresford,
-/// Wilson, Int. J. Numer. Meth. Engng 10 (1976), 1211-1219, doi:10.1002/nme.1620100602).
+/// gradients entries; in axisymmetry N_a / r is a third gradient, and dV = 2 pi r dA. Incompatible modes have int g dV
+/// = 0, so that elements of any shape reproduce constant stress: their gradients are those at the centre of the
+/// element, times its Jacobian over the local one (Taylor, Beresford, Wilson, Int. J. Numer. Meth. Engng 10 (1976),
+/// 1211-1219, doi:10.1002/nme.1620100602).
 struct ElementIntegrals {
   static constexpr int maximumFunctions = 27;
   static constexpr int maximumDofs = 3 * maximumFunctions;

@@ -11,11 +11,11 @@ namespace harmos::elasticity {
 /// counts the ones that are turned inside out or have no volume, and names the first.
 template <class Visitor>
 void forEachElement(const mesh::Mesh& mesh, const mesh::Piece& piece, const std::vector<ElementGroup>& groups,
-                    Formulation formulation, bool withProduct, const Visitor& visit) {
+                    Formulation formulation, Kinematics kinematics, bool withProduct, const Visitor& visit) {
   ElementIntegrals integrals;
   ElementFaults faults(mesh, piece);
   for (const ElementGroup& group : groups) {
-    const ElementBasis basis(group.block->type, formulation);
+    const ElementBasis basis(group.block->type, formulation, kinematics);
     const auto perElement = static_cast<std::size_t>(basis.reference.nodes);
     for (int number = 0; number < group.elements(); ++number) {
       const base::Vector3* places[ElementIntegrals::maximumFunctions];

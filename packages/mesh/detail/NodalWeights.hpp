@@ -13,13 +13,13 @@ namespace harmos::mesh {
 /// Gives single nodes an area, for interfaces without faces.
 ///
 /// A node of the skin of the given pieces together has the sums of what FaceIntegrals gives it; an inner node the area
-/// V^(2/3) (in 2-D V^(1/2) times thickness), V being its share of the volume, and no normal.
+/// V^(2/3) (in 2-D (V times depth)^(1/2)), V being its share of the volume, and no normal.
 /// Both are split over the pieces that own the faces or elements around the node.
 class NodalWeights {
  public:
   /// For the elements of `pieces`; `wanted` are mesh nodes, ascending.
   NodalWeights(const Mesh& mesh, const Elements& elements, const PieceMap& map, const std::vector<int>& pieces,
-               const std::vector<int>& wanted, double thickness);
+               const std::vector<int>& wanted, const Depth& depth);
 
   /// Weights by piece; empty if none of the pieces has the node.
   const std::map<int, NodalWeight>& at(int node) const;

@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <harmos/base/Error.hpp>
+
+#include "Body.hpp"
+
+namespace harmos::verification {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double inner = 1.0, outer = 2.0, pressure = 0.01, nu = 0.3;
+
+const std::vector<Elements> planeElements = {{"Quad4", "Full Integration", 2},
+                                             {"Quad8", "Full Integration", 2},
+                                             {"Quad9", "Full Integration", 2},
+                                             {"Tri6", "Full Integration", 2},
+                                             {"Quad4", "B-Bar", 2}};
+
+SceneInput revolved(const Elements& elements, const std::vector<int>& cells,
+                    const std::function<base::Vector3(const base::Vector3&)>& place) {
+  SceneInput scene = bodyOf(elements, cells, place);
+  return scene.add("Model", xmlText("Kinematics", "Axisymmetric"))
+      .set(assignment("Materials/elastic/Poisson's Ratio", nu));
+}
+
+// Lame: a tube between two frictionless plates. All forces are those of the whole circle.
+TEST(Axisymmetry, TubeUnderPressureIsInClosedForm) {
+  for (const Elements& elements : planeElements) {
+    SceneInput scene = revolved(elements, {8, 2}, [](const base::Vector3& x) {
+      return base::Vector3{inner + (outer - inner) * x[0], x[1], 0.0};
+    });
+    scene.add("Boundaries", boundary("inside", "body_xmin", "Pressure", {{"Pressure", pressure}}) +
+                                boundary("top", "body_ymax", "Symmetry") + boundary("bottom", "body_ymin", "Symmetry"));
+    scene.add("Responses", meanDisplacement("u", "body_xmin", {1.0, 0.0}) +
+                               forceResponse("top force", "top", {0.0, 1.0}) +
+                               forceResponse("push", "inside", {1.0, 0.0}));
+    const SolvedScene run(scene);
+    ASSERT_TRUE(run.isCertified()) << run.result.reason;
+    const double u = (1.0 + nu) * pressure * inner / (outer * outer - inner * inner) *
+                     ((1.0 - 2.0 * nu) * inner * inner + outer * outer);
+    const bool isQuadratic = elements.element != "Quad4";
+    EXPECT_NEAR(run.value("u"), u, (isQuadratic ? 1e-5 : 5e-3) * u) << elements.name();
+    // The axial stress is 2 nu p a^2 / (b^2 - a^2) everywhere, in tension.
+    EXPECT_NEAR(run.value("top force"), 2.0 * nu * pressure * inner * inner * pi, 1e-3 * 0.02) << elements.name();
+    EXPECT_NEAR(run.value("push"), 2.0 * pi * inner * 1.0 * pressure, 1e-12) << elements.name();
+  }
+}
+
+// A hemisphere with nodes on the axis.
+TEST(Axisymmetry, SphereUnderPressureIsInClosedForm) {
+  for (const Elements& elements : planeElements) {
+    SceneInput scene = revolved(elements, {8, 12}, [](const base::Vector3& x) {
+      const double r = inner + (outer - inner) * x[0], angle = 0.5 * pi * x[1];
+      return base::Vector3{x[1] == 1.0 ? 0.0 : r * std::cos(angle), r * std::sin(angle), 0.0};
+    });
+    scene.add("Boundaries", boundary("inside", "body_xmin", "Pressure", {{"Pressure", pressure}}) +
+                                boundary("equator", "body_ymin", "Symmetry"));
+    const SolvedScene run(scene);
+    ASSERT_TRUE(run.isCertified()) << run.result.reason;
+    const double a = inner * inner * inner, b = outer * outer * outer;
+    const double exact = pressure * inner / (b - a) * ((1.0 - 2.0 * nu) * a + 0.5 * (1.0 + nu) * b);
+    const mesh::Mesh mesh = scene.mesh();
+    double largest = 0.0;
+    for (const NodeValue& node : run.displacements()) {
+      const base::Vector3& x = mesh.nodes[node.meshNode];
+      if (x[0] == 0.0) {
+        EXPECT_EQ(node.displacement[0], 0.0);
+      }
+      if (std::abs(base::norm(x) - inner) > 1e-9) continue;
+      largest = std::max(largest, std::abs(dot(node.displacement, x) / inner / exact - 1.0));
+    }
+    EXPECT_LT(largest, elements.element == "Quad4" ? 0.02 : 1e-3) << elements.name();
+  }
+}
+
+TEST(Axisymmetry, WeightIsThatOfTheWholeCircle) {
+  SceneInput scene = revolved({"Quad4", "Full Integration", 2}, {3, 3}, [](const base::Vector3& x) {
+    return base::Vector3{0.5 * x[0], x[1], 0.0};
+  });
+  scene.add("Parts/body/Body Force", xmlNumber("Y", -0.02));
+  scene.add("Boundaries", boundary("ground", "body_ymin", "Symmetry"));
+  scene.add("Responses", forceResponse("ground force", "ground", {0.0, 1.0}));
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  EXPECT_NEAR(run.value("ground force"), 0.02 * pi * 0.25, 1e-9);
+}
+
+TEST(Axisymmetry, RefusesNegativeRadii) {
+  SceneInput scene = revolved({"Quad8", "Full Integration", 2}, {2, 2}, [](const base::Vector3& x) {
+    return base::Vector3{x[0] - 0.25, x[1], 0.0};
+  });
+  scene.add("Boundaries", boundary("ground", "body_ymin", "Symmetry"));
+  try {
+    const SolvedScene run(scene);
+    FAIL() << "no error";
+  } catch (const base::Error& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("Part \"body\" has 5 nodes with a negative radius x, the farthest node"), std::string::npos)
+        << message;
+    EXPECT_NE(message.find("(-0.25, "), std::string::npos) << message;
+  }
+}
+
+}  // namespace
+}  // namespace harmos::verification
