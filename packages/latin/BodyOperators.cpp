@@ -95,7 +95,7 @@ BodyOperators::BodyOperators(const assembly::Assembly& assembly, const assembly:
                              const substructure::SolverOptions& options, base::Timers& timers)
     : eliminated_(eliminated),
       dimension_(assembly.dimension),
-      allSteps_(assembly.steps()),
+      cases_(assembly.steps()),
       places_(assembly.bodies.size()),
       loads_(assembly.bodies.size()),
       held_(assembly.bodies.size()) {
@@ -182,15 +182,17 @@ void BodyOperators::fromGroup(const Place& place, const base::Matrix& group, bas
 }
 
 void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
+  const int steps = assembly.steps();
+  std::vector<base::Matrix> loads(places_.size()), held(places_.size());
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     if (places_[b].group < 0) continue;
     const substructure::Substructure& body = assembly.bodies[b];
-    loads_[b].shape(static_cast<int>(body.nodes.size()) * dimension_, allSteps_);
-    if (body.loads.numRows() > 0) loads_[b] += body.loads;
-    held_[b].shape(loads_[b].numRows(), allSteps_);
+    loads[b].shape(static_cast<int>(body.nodes.size()) * dimension_, steps);
+    if (body.loads.numRows() > 0) loads[b] += body.loads;
+    held[b].shape(loads[b].numRows(), steps);
     const auto& nodes = eliminated_.nodes(static_cast<int>(b));
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      for (int t = 0; t < allSteps_; ++t) {
+      for (int t = 0; t < steps; ++t) {
         base::Vector3 force = eliminated_.force(static_cast<int>(b), n, t);
         base::Vector3 place = eliminated_.held(static_cast<int>(b), n, t);
         if (reference_ != nullptr && !reference_->isEmpty()) {
@@ -200,31 +202,43 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
           place = below - base::product(nodes[n].free, below);
         }
         for (int c = 0; c < dimension_; ++c) {
-          loads_[b](nodes[n].node * dimension_ + c, t) += force[c];
-          held_[b](nodes[n].node * dimension_ + c, t) = place[c];
+          loads[b](nodes[n].node * dimension_ + c, t) += force[c];
+          held[b](nodes[n].node * dimension_ + c, t) = place[c];
         }
       }
     }
-    if (held_[b].normInf() == 0.0) held_[b] = base::Matrix();
   }
   for (const assembly::Interface& interface : assembly.interfaces) {
     if (!interface.law->prescribesTraction() || places_[interface.body1].group < 0) continue;
-    base::Matrix& loads = loads_[interface.body1];
-    for (int t = 0; t < allSteps_; ++t) {
-      interface.trace1.addTransposed(dimension_, prescribedForces(interface, dimension_, t).data(), loads[t]);
+    base::Matrix& sums = loads[interface.body1];
+    for (int t = 0; t < steps; ++t) {
+      interface.trace1.addTransposed(dimension_, prescribedForces(interface, dimension_, t).data(), sums[t]);
     }
   }
+  cases_ = steps;
+  setLoads(std::move(loads), std::move(held));
+}
+
+void BodyOperators::setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held) {
+  loads_ = std::move(loads);
+  held_ = std::move(held);
+  for (const base::Matrix& one : loads_) {
+    if (one.numRows() > 0) cases_ = one.numCols();
+  }
+  for (base::Matrix& one : held_) {
+    if (one.normInf() == 0.0) one = base::Matrix();
+  }
   for (std::size_t g = 0; g < groups_.size(); ++g) {
-    const int columns = static_cast<int>(members_[g].size()) * allSteps_;
-    base::Matrix loads(groups_[g]->dofs(), columns), held;
+    const int columns = static_cast<int>(members_[g].size()) * cases_;
+    base::Matrix sums(groups_[g]->dofs(), columns), places;
     for (const int body : members_[g]) {
-      toGroup(places_[body], loads_[body], loads);
+      toGroup(places_[body], loads_[body], sums);
       if (held_[body].numCols() == 0) continue;
-      if (held.numCols() == 0) held.shape(groups_[g]->dofs(), columns);
-      toGroup(places_[body], held_[body], held);
+      if (places.numCols() == 0) places.shape(groups_[g]->dofs(), columns);
+      toGroup(places_[body], held_[body], places);
     }
-    if (!perturbations_.empty()) loads += perturbations_[g];
-    groups_[g]->setLoads(loads, held);
+    if (!perturbations_.empty()) sums += perturbations_[g];
+    groups_[g]->setLoads(sums, places);
     for (const int body : members_[g]) fromGroup(places_[body], groups_[g]->loads(), loads_[body]);
   }
 }
@@ -234,7 +248,7 @@ void BodyOperators::select(const std::vector<int>& steps) {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     std::vector<int> columns;
     for (std::size_t m = 0; m < members_[g].size(); ++m) {
-      for (const int t : steps_) columns.push_back(static_cast<int>(m) * allSteps_ + t);
+      for (const int t : steps_) columns.push_back(static_cast<int>(m) * cases_ + t);
     }
     groups_[g]->select(std::move(columns));
   }
@@ -343,8 +357,8 @@ void BodyOperators::perturb(const assembly::Assembly& assembly, unsigned seed, d
     forces.push_back(groups_[g]->roundOffForces(seed));
     forces.back().scale(times);
     for (const int body : members_[g]) {
-      for (int t = 0; t < allSteps_; ++t) {
-        const double* column = forces.back()[places_[body].member * allSteps_ + t];
+      for (int t = 0; t < cases_; ++t) {
+        const double* column = forces.back()[places_[body].member * cases_ + t];
         const double square = std::inner_product(column, column + forces.back().numRows(), column, 0.0);
         perturbation_[body] = std::max(perturbation_[body], std::sqrt(square));
       }

@@ -42,6 +42,9 @@ class BodyOperators {
   /// Reads body forces, prescribed tractions and what eliminated boundaries prescribe anew; nothing else may have
   /// changed.
   void updateLoads(const assembly::Assembly& assembly);
+  /// Puts other load cases in the place of the load steps, until updateLoads(): l [force] and g [length] of every body,
+  /// dofs x cases; 0 x 0: of bodies that are not owned here. select() must follow.
+  void setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held);
   /// Loads all bodies besides with forces like those that round-off leaves in their equations at the last solve, in
   /// which all load steps were selected, `times` as large; signs by `seed`. Congruent bodies have the same signs.
   void perturb(const assembly::Assembly& assembly, unsigned seed, double times);
@@ -73,9 +76,9 @@ class BodyOperators {
   /// Largest component of the displacement of all owned bodies as last solved, in their representatives' axes; of a
   /// body that is solved on its trace, of the trace, and `share` of what its loads do to it when only k h holds it.
   double largestDisplacement(double share) const;
-  /// P (l - A g) of an owned body [force], dofs x steps: what moves it from outside.
+  /// P (l - A g) of an owned body [force], dofs x load steps or cases: what moves it from outside.
   const base::Matrix& loads(int body) const { return loads_[body]; }
-  /// g of an owned body [length], dofs x steps; 0 x 0 when it is zero at all steps.
+  /// g of an owned body [length], dofs x load steps or cases; 0 x 0 when it is zero in all of them.
   const base::Matrix& held(int body) const { return held_[body]; }
 
   /// Factored operators on this rank: congruent bodies count once.
@@ -108,8 +111,8 @@ class BodyOperators {
   const EliminatedBoundaries& eliminated_;
   const ReferenceMotions* reference_ = nullptr;
   int dimension_;
-  int allSteps_;
-  std::vector<int> steps_;  // load step of every column
+  int cases_;               // load steps, or what is in their place
+  std::vector<int> steps_;  // load step or case of every column
   std::vector<Place> places_;
   std::vector<std::unique_ptr<OperatorGroup>> groups_;
   std::vector<std::vector<int>> members_;  // bodies of each group, first: the representative

@@ -267,6 +267,25 @@ void EliminatedBoundaries::refuse(int interfaceIndex, int pair, int step, double
   throw base::Error(message.str(), base::ExitCode::input);
 }
 
+EliminatedBoundaries::GroundMotion EliminatedBoundaries::followGround(int interfaceIndex, int pair,
+                                                                      const base::Vector3& motion) const {
+  const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];
+  const Boundary& boundary = boundaries_[interfaceIndex];
+  GroundMotion result;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double stiffness = boundary.components[0][c].stiffness;
+    const base::Vector3 a = axis(interface, pair, c);
+    const base::Vector3 along = (interface.area[pair] * base::dot(motion, a)) * a;
+    if (isRigid(boundary.components[0][c])) {
+      result.held = result.held + along;
+    } else {
+      result.force = result.force + stiffness * along;
+    }
+  }
+  result.held = base::product(bodies_[interface.body1].nodes[boundary.node[pair]].inverse, result.held);
+  return result;
+}
+
 base::Vector3 EliminatedBoundaries::traction(int interfaceIndex, int pair, int step, const base::Vector3& displacement,
                                              const base::Vector3& reaction) const {
   const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];

@@ -68,6 +68,15 @@ class EliminatedBoundaries {
   /// reaction [force] of all rigid directions there.
   base::Vector3 traction(int interfaceIndex, int pair, int step, const base::Vector3& displacement,
                          const base::Vector3& reaction) const;
+  /// What moves a node of a body when the ground under pairs of it does: forces of springs [force], and the place
+  /// [length] to which it is held.
+  struct GroundMotion {
+    base::Vector3 force{};
+    base::Vector3 held{};
+  };
+  /// The share of a pair of an eliminated boundary, the ground under which moves by `motion` [length]; the shares of
+  /// all pairs of a node add up.
+  GroundMotion followGround(int interfaceIndex, int pair, const base::Vector3& motion) const;
   /// Where the node of a pair stands in nodes() of its body.
   std::size_t nodeOf(int interfaceIndex, int pair) const { return boundaries_[interfaceIndex].node[pair]; }
 

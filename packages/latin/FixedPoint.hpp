@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <harmos/latin/Iterate.hpp>
 #include <harmos/latin/PointwiseLocalStage.hpp>
@@ -50,6 +52,12 @@ class FixedPoint {
   /// on them (with Elimination::affine, as long as springs of boundaries stay), but loads do. Throws as
   /// EliminatedBoundaries::update().
   void updateLaws();
+
+  /// Puts load cases of bodies in the place of the load steps, until updateLaws(); see BodyOperators::setLoads(). A
+  /// state then belongs to select()ed cases, and only solveLinear() may be asked.
+  void setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held) {
+    linear_->setLoads(std::move(loads), std::move(held));
+  }
 
   /// Collective. Makes search directions of another scale [-], > 0, and factors all operators anew; what the local
   /// stage remembers stays. A fixed point alpha = f^ + k w^ of before becomes f^ + c (alpha - f^), c the quotient of

@@ -1,5 +1,7 @@
 #include <harmos/latin/LinearStage.hpp>
 
+#include <utility>
+
 #include <harmos/latin/InterfaceMass.hpp>
 
 namespace harmos::latin {
@@ -40,6 +42,11 @@ void LinearStage::perturb(unsigned seed, double times) {
 
 void LinearStage::unperturb() {
   operators_.unperturb(assembly_);
+  if (macro_) macro_->updateLoads(assembly_, operators_);
+}
+
+void LinearStage::setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held) {
+  operators_.setLoads(std::move(loads), std::move(held));
   if (macro_) macro_->updateLoads(assembly_, operators_);
 }
 

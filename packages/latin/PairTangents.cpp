@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace harmos::latin {
 namespace {
@@ -49,6 +50,16 @@ void PairTangents::differentiate(int interfaceIndex, int step, const std::vector
         tangents[p][i][c] = (moved[p].traction[i] - states[p].traction[i]) / exact;
       }
       shifted[p].freeJump[c] = lines[p].freeJump[c];
+    }
+  }
+}
+
+void PairTangents::transpose() {
+  for (std::vector<base::Frame>& tangents : tangents_) {
+    for (base::Frame& tangent : tangents) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < i; ++j) std::swap(tangent[i][j], tangent[j][i]);
+      }
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <harmos/base/Tensor3.hpp>
 #include <harmos/latin/InterfaceLines.hpp>
 #include <harmos/laws/InterfaceLaw.hpp>
 
@@ -22,6 +23,13 @@ class PairTangents {
   /// the lines and states of its pairs, and the history that they were found with. Not collective.
   void differentiate(int interfaceIndex, int step, const std::vector<laws::LocalLine>& lines,
                      const laws::LocalState* states, const std::vector<double>& oldHistory);
+  /// Replaces the tangents dt/d(free jump) of all pairs by their transposes. Not collective.
+  void transpose();
+  /// What a pair of an interface with a side on this rank answers to a free jump alone [stress], in the frame of the
+  /// law. Not collective.
+  base::Vector3 traction(int interfaceIndex, int pair, const base::Vector3& freeJump) const {
+    return base::product(tangents_[interfaceIndex][pair], freeJump);
+  }
   /// Collective. traction = D y [stress], rows of the layout x the same columns.
   void apply(const base::Matrix& y, base::Matrix& traction) const;
 

@@ -17,6 +17,12 @@ std::vector<double> DisplacementResponse::evaluate(const Iterate& state) const {
   return values;
 }
 
+std::optional<ResponseGradient> DisplacementResponse::gradient(const assembly::Assembly& /*assembly*/) const {
+  ResponseGradient result;
+  for (const Node& node : nodes_) result.nodes.push_back({node.body, node.node, node.weight * direction_});
+  return result;
+}
+
 base::Vector3 ResultantResponse::arm(const assembly::Assembly& assembly, const assembly::Interface& interface,
                                      int pair) const {
   const base::Vector3& direction = direction_.empty() ? interface.frame[pair][0] : direction_[0];
@@ -44,6 +50,15 @@ std::vector<double> ResultantResponse::evaluate(const Iterate& state) const {
   }
   state.metric().sum(values);
   return values;
+}
+
+std::optional<ResponseGradient> ResultantResponse::gradient(const assembly::Assembly& assembly) const {
+  ResponseGradient result;
+  for (int i : interfaces_) {
+    const assembly::Interface& interface = assembly.interfaces[i];
+    for (int p = 0; p < interface.pairs(); ++p) result.pairs.push_back({i, p, arm(assembly, interface, p)});
+  }
+  return result;
 }
 
 std::vector<double> PairResponse::evaluate(const Iterate& state) const {

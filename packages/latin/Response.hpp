@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,27 @@ namespace harmos::latin {
 
 /// What a response is measured in; decides below which size its relative error stops to matter.
 enum class Quantity { displacement, force, moment, stress, energy };
+
+/// Derivative of a response at one load step: dJ = sum of weight.du over nodes + sum of h weight.df1 over pairs.
+///
+/// u [length] in global components, f1 [stress] the traction on side 1, h [area]; the weights are in what makes it the
+/// unit of J.
+struct ResponseGradient {
+  /// A node of a body.
+  struct NodeShare {
+    int body;              ///< position in the assembly
+    int node;              ///< of the body, from 0
+    base::Vector3 weight;  ///< dJ/du
+  };
+  /// A pair of an interface.
+  struct PairShare {
+    int interface;         ///< position in the assembly
+    int pair;              ///< of the interface, from 0
+    base::Vector3 weight;  ///< dJ/df1 over h
+  };
+  std::vector<NodeShare> nodes;  ///< may name a node more than once
+  std::vector<PairShare> pairs;  ///< the same
+};
 
 /// A number per load step that the user asks for, read from the fields of an iteration. Its error is estimated and
 /// certified by name.
@@ -29,6 +51,10 @@ class Response {
   void setScale(double scale) { scale_ = scale; }
   /// One value per load step. Collective: the same values on every rank. All load steps must be selected.
   virtual std::vector<double> evaluate(const Iterate& state) const = 0;
+  /// Its derivative, the same at all load steps; nothing where it is not linear in displacements and tractions.
+  virtual std::optional<ResponseGradient> gradient(const assembly::Assembly& /*assembly*/) const {
+    return std::nullopt;
+  }
 
   /// A pair with unknowns at a load step, in global components.
   struct At {
@@ -66,6 +92,7 @@ class DisplacementResponse : public Response {
   /// As it was given.
   const base::Vector3& direction() const { return direction_; }
   std::vector<double> evaluate(const Iterate& state) const override;
+  std::optional<ResponseGradient> gradient(const assembly::Assembly& assembly) const override;
 
  private:
   std::vector<Node> nodes_;
@@ -85,6 +112,7 @@ class ResultantResponse : public Response {
         direction_(std::move(direction)),
         centre_(std::move(centre)) {}
   std::vector<double> evaluate(const Iterate& state) const override;
+  std::optional<ResponseGradient> gradient(const assembly::Assembly& assembly) const override;
   base::Vector3 slope(const assembly::Assembly& assembly, const At& at) const override;
 
  private:

@@ -1,0 +1,222 @@
+#include <harmos/latin/AdjointProblem.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <harmos/latin/CorrectionSpace.hpp>
+
+namespace harmos::latin {
+namespace {
+
+/// The load steps are in their places again at the end, also after an error.
+struct Restore {
+  FixedPoint& fixedPoint;
+  ~Restore() {
+    fixedPoint.updateLaws();
+    fixedPoint.selectAll();
+  }
+};
+
+/// One response on its way.
+struct Column {
+  explicit Column(const StateMetric& metric) : space(metric) {}
+
+  CorrectionSpace space;
+  std::vector<double> start, image;  // right side b, and beta of alpha = 0
+  double size = 0.0;                 // |b|
+  std::vector<double> residual;
+  std::vector<double> c;
+  double hidden = 0.0;
+};
+
+double norm(const StateMetric& metric, const std::vector<double>& a) {
+  std::vector<double> sum{0.0};
+  for (std::size_t row = 0; row < a.size(); ++row) sum[0] += std::pow(metric.scale()[row] * a[row], 2);
+  metric.sum(sum);
+  return std::sqrt(sum[0]);
+}
+
+}  // namespace
+
+AdjointProblem::AdjointProblem(FixedPoint& fixedPoint, const Iterate& state, int step)
+    : fixedPoint_(fixedPoint),
+      lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
+      tangents_(fixedPoint.assembly(), lines_) {
+  PointwiseLocalStage& local = fixedPoint.pointwiseStage();
+  base::Matrix traction(state.beta().numRows(), state.beta().numCols());
+  local.begin();
+  for (int t = 0; t <= step; ++t) {
+    local.solveColumn(t, state.beta(), traction);
+    if (t == step) local.differentiateColumn(t, tangents_);
+    local.accept();
+  }
+  tangents_.transpose();
+}
+
+void AdjointProblem::setLoads(const std::vector<ResponseGradient>& gradients) {
+  const assembly::Assembly& assembly = fixedPoint_.assembly();
+  const EliminatedBoundaries& eliminated = fixedPoint_.eliminated();
+  const int dimension = assembly.dimension;
+  const int cases = static_cast<int>(gradients.size());
+  std::vector<base::Matrix> loads(assembly.bodies.size()), held(assembly.bodies.size());
+  for (std::size_t b = 0; b < loads.size(); ++b) {
+    if (!fixedPoint_.layout().owns(static_cast<int>(b))) continue;
+    const int dofs = dimension * static_cast<int>(assembly.bodies[b].nodes.size());
+    loads[b].shape(dofs, cases);
+    held[b].shape(dofs, cases);
+  }
+  const auto add = [&](std::vector<base::Matrix>& to, int body, int node, int column, const base::Vector3& x) {
+    for (int c = 0; c < dimension; ++c) to[body](node * dimension + c, column) += x[c];
+  };
+  for (int column = 0; column < cases; ++column) {
+    for (const ResponseGradient::NodeShare& share : gradients[column].nodes) {
+      if (!fixedPoint_.layout().owns(share.body)) continue;
+      add(loads, share.body, share.node, column, share.weight);
+    }
+    for (const ResponseGradient::PairShare& share : gradients[column].pairs) {
+      const assembly::Interface& interface = assembly.interfaces[share.interface];
+      if (!eliminated.contains(share.interface) || !fixedPoint_.layout().owns(interface.body1)) continue;
+      // The jump is that of the ground over the body.
+      const auto motion = eliminated.followGround(share.interface, share.pair, -1.0 * share.weight);
+      add(loads, interface.body1, interface.trace1.node(share.pair), column, motion.force);
+      add(held, interface.body1, interface.trace1.node(share.pair), column, motion.held);
+    }
+  }
+  fixedPoint_.setLoads(std::move(loads), std::move(held));
+}
+
+base::Matrix AdjointProblem::meet(const base::Matrix& beta) const {
+  base::Matrix result(beta.numRows(), beta.numCols());
+  tangents_.apply(beta, result);
+  for (int t = 0; t < beta.numCols(); ++t) {
+    for (int row = 0; row < beta.numRows(); ++row) result[t][row] = 2.0 * result[t][row] - beta[t][row];
+  }
+  return result;
+}
+
+base::Matrix AdjointProblem::jumpsOf(const std::vector<ResponseGradient>& gradients) {
+  const assembly::Assembly& assembly = fixedPoint_.assembly();
+  const int cases = static_cast<int>(gradients.size());
+  base::Matrix result(fixedPoint_.layout().rows(), cases);
+  std::vector<std::vector<laws::LocalState>> states(assembly.interfaces.size());
+  for (int column = 0; column < cases; ++column) {
+    for (auto& list : states) list.clear();
+    for (const ResponseGradient::PairShare& share : gradients[column].pairs) {
+      if (!lines_.isActive(share.interface)) continue;
+      const assembly::Interface& interface = assembly.interfaces[share.interface];
+      std::vector<laws::LocalState>& list = states[share.interface];
+      list.resize(interface.pairs());
+      const bool isLocal = interface.law->frame() == laws::Frame::interface;
+      const base::Vector3 a = isLocal ? base::toFrame(interface.frame[share.pair], share.weight) : share.weight;
+      const base::Vector3 t = tangents_.traction(share.interface, share.pair, a);
+      for (std::size_t c = 0; c < 3; ++c) list[share.pair].traction[c] -= 2.0 * t[c];
+    }
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      if (!states[i].empty()) lines_.write(static_cast<int>(i), column, states[i].data(), result);
+    }
+  }
+  return result;
+}
+
+std::vector<AdjointProblem::Adjoint> AdjointProblem::solve(const std::vector<ResponseGradient>& gradients,
+                                                           double hidden, int maximumDirections) {
+  const StateMetric& metric = fixedPoint_.metric();
+  const int rows = fixedPoint_.layout().rows();
+  const int cases = static_cast<int>(gradients.size());
+  const Restore restore{fixedPoint_};
+  setLoads(gradients);
+  std::vector<int> active(cases);
+  std::iota(active.begin(), active.end(), 0);
+  fixedPoint_.select(active);
+
+  base::Matrix alpha(rows, cases), beta(rows, cases);
+  fixedPoint_.solveLinear(alpha, beta);
+  base::Matrix start = meet(beta);
+  start += jumpsOf(gradients);
+  std::vector<Column> columns(cases, Column(metric));
+  for (int j = 0; j < cases; ++j) {
+    Column& column = columns[j];
+    column.start.assign(start[j], start[j] + rows);
+    column.image.assign(beta[j], beta[j] + rows);
+    column.residual = column.start;
+    column.size = norm(metric, column.start);
+  }
+  active.erase(std::remove_if(active.begin(), active.end(), [&](int j) { return columns[j].size == 0.0; }),
+               active.end());
+
+  for (int count = 0; count < maximumDirections && !active.empty(); ++count) {
+    std::vector<std::vector<double>> directions;
+    std::vector<int> extended;
+    for (const int j : active) {
+      std::vector<double> v = columns[j].residual;
+      if (!columns[j].space.makeIndependent(v.data())) continue;
+      directions.push_back(std::move(v));
+      extended.push_back(j);
+    }
+    active = std::move(extended);
+    if (active.empty()) break;
+    const int selected = static_cast<int>(active.size());
+    base::Matrix v(rows, selected), y(rows, selected);
+    for (int i = 0; i < selected; ++i) {
+      // As large as the right side, so that the difference of the two images has its digits.
+      for (int row = 0; row < rows; ++row) v[i][row] = columns[active[i]].size * directions[i][row];
+    }
+    fixedPoint_.select(active);
+    fixedPoint_.solveLinear(v, y);
+    for (int i = 0; i < selected; ++i) {
+      const Column& column = columns[active[i]];
+      for (int row = 0; row < rows; ++row) y[i][row] = (y[i][row] - column.image[row]) / column.size;
+    }
+    const base::Matrix moved = meet(y);
+    std::vector<int> left;
+    for (int i = 0; i < selected; ++i) {
+      Column& column = columns[active[i]];
+      column.space.add(directions[i].data(), y[i]);
+      std::vector<double> g(directions[i]);
+      for (int row = 0; row < rows; ++row) g[row] -= moved[i][row];
+      column.space.append(g.data());
+      const CorrectionSpace::LeastSquares fit = column.space.solve(column.start.data());
+      column.c = fit.c;
+      std::vector<double> solution(rows, 0.0), image(rows, 0.0);
+      column.space.move(fit.c, 1.0, solution.data(), image.data());
+      base::Matrix known(rows, 1);
+      std::copy(image.begin(), image.end(), known[0]);
+      const base::Matrix answer = meet(known);
+      for (int row = 0; row < rows; ++row) {
+        column.residual[row] = column.start[row] - solution[row] + answer[0][row];
+      }
+      const double seen = column.space.smallestSingularValue() * norm(metric, solution);
+      column.hidden = seen > 0.0 ? fit.left / seen : 1.0;
+      if (column.hidden > hidden) left.push_back(active[i]);
+    }
+    active = std::move(left);
+  }
+
+  for (int j = 0; j < cases; ++j) {
+    if (columns[j].c.empty()) continue;
+    std::vector<double> unused(rows, 0.0);
+    columns[j].space.move(columns[j].c, 1.0, alpha[j], unused.data());
+  }
+  std::vector<int> all(cases);
+  std::iota(all.begin(), all.end(), 0);
+  fixedPoint_.select(all);
+  fixedPoint_.solveLinear(alpha, beta);
+  std::vector<Adjoint> result(cases);
+  const assembly::Assembly& assembly = fixedPoint_.assembly();
+  for (int j = 0; j < cases; ++j) {
+    result[j].displacement.resize(assembly.bodies.size());
+    result[j].hidden = columns[j].hidden;
+    result[j].vectors = columns[j].space.size();
+    for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+      if (!fixedPoint_.layout().owns(static_cast<int>(b))) continue;
+      for (std::size_t node = 0; node < assembly.bodies[b].nodes.size(); ++node) {
+        const base::Vector3 z = fixedPoint_.linearStage().displacement(static_cast<int>(b), static_cast<int>(node), j);
+        result[j].displacement[b].insert(result[j].displacement[b].end(), z.begin(), z.begin() + assembly.dimension);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace harmos::latin

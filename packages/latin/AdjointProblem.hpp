@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/PairTangents.hpp>
+#include <harmos/latin/Response.hpp>
+
+namespace harmos::latin {
+
+/// The adjoints of responses at one load step: how much a response J depends on what acts on the bodies there.
+///
+/// With the laws replaced by their tangents T = dt/d(jump) of the solution, its history taken as given, and D u the
+/// jumps of the bodies' displacements u, the adjoint z of dJ = sum weight.du + sum h a.dt obeys
+///   K z + D^T h T^T (D z - a) = weight,
+/// an assembly like that of u, with the same bodies and search directions: it is solved by the same two stages, the
+/// local one with the transposed tangents. All responses are columns of one linear stage; each has a space of
+/// directions of its own. z: [unit of J per force]. Displacement form; with a consistent interface mass T^T is that of
+/// a lumped one. Where the graph of a law has a kink, T is the tangent of one side. Source: Becker, Rannacher (2001),
+/// doi:10.1017/S0962492901000010.
+class AdjointProblem {
+ public:
+  /// The adjoint of one response.
+  struct Adjoint {
+    /// z of the bodies owned here, dofs; of others empty.
+    std::vector<std::vector<double>> displacement;
+    /// What the remaining residual can hide at most, over z in the metric of states; see NewtonCorrection::Result.
+    double hidden = 0.0;
+    int vectors = 0;  ///< directions: linear stages of one column
+  };
+
+  /// Collective. Finds the tangents at a load step, from 0, of a state of all of them; `state` stays valid.
+  AdjointProblem(FixedPoint& fixedPoint, const Iterate& state, int step);
+
+  /// Collective. One adjoint for each gradient; a response ends when no more than the share `hidden` of z can be
+  /// hidden, or after so many directions. Ends the validity of all iterates.
+  std::vector<Adjoint> solve(const std::vector<ResponseGradient>& gradients, double hidden, int maximumDirections);
+
+ private:
+  void setLoads(const std::vector<ResponseGradient>& gradients);
+  /// 2 f - beta of columns whose beta is given, without the jumps a.
+  base::Matrix meet(const base::Matrix& beta) const;
+  /// What the jumps a add to it.
+  base::Matrix jumpsOf(const std::vector<ResponseGradient>& gradients);
+
+  FixedPoint& fixedPoint_;
+  InterfaceLines lines_;
+  PairTangents tangents_;
+};
+
+}  // namespace harmos::latin

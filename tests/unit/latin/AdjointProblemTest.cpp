@@ -1,0 +1,133 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <harmos/latin/AdjointProblem.hpp>
+#include <harmos/latin/LatinSolver.hpp>
+
+#include "BoxAssembly.hpp"
+#include "Chains.hpp"
+
+namespace harmos::latin {
+namespace {
+
+constexpr int steps = 3;
+
+/// Two cubes that slide on one another here and stick there, the upper one on springs at one side.
+BoxAssembly rubbing() {
+  return twoCubes(laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}}),
+                  laws::makeLaw("Prescribed Traction", {{"X", 0.9}, {"Z", -4.0}}, {{"X", {0, 0.5, 1}}}), steps);
+}
+
+/// Displacement of a node, resultants on the joint and at the clamp, and a moment.
+std::vector<std::shared_ptr<const Response>> responses(const assembly::Assembly& assembly) {
+  const auto indexOf = [&](bool isJoint) {
+    for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+      const assembly::Interface& interface = assembly.interfaces[i];
+      if (isJoint ? interface.sides() == 2 : interface.sides() == 1 && !interface.law->prescribesTraction()) {
+        return static_cast<int>(i);
+      }
+    }
+    return -1;
+  };
+  const int joint = indexOf(true), clamp = indexOf(false);
+  return {std::make_shared<DisplacementResponse>(
+              "u", std::vector<DisplacementResponse::Node>{{1, 3, 0.5}, {1, 20, 0.5}}, base::Vector3{1, 0.2, -0.5}),
+          std::make_shared<ResultantResponse>("n", std::vector<int>{joint}, std::vector<base::Vector3>{}),
+          std::make_shared<ResultantResponse>("m", std::vector<int>{joint}, std::vector<base::Vector3>{{0, 1, 0}},
+                                              std::vector<base::Vector3>{{0.1, 0.2, 0.3}}),
+          std::make_shared<ResultantResponse>("r", std::vector<int>{clamp}, std::vector<base::Vector3>{{1, 0, 0.5}})};
+}
+
+/// The responses at the last load step under additional nodal forces there.
+std::vector<double> solve(const std::vector<base::Matrix>& loads, bool withMacroProblem) {
+  BoxAssembly cubes = rubbing();
+  for (std::size_t b = 0; b < loads.size(); ++b) {
+    base::Matrix& all = cubes.assembly().bodies[b].loads;
+    all.shape(loads[b].numRows(), steps);
+    std::copy_n(loads[b][0], loads[b].numRows(), all[steps - 1]);
+  }
+  base::Timers timers;
+  LatinOptions options;
+  options.accuracy = 1e-10;
+  options.stages.macroProblem = withMacroProblem;
+  LatinSolver solver(cubes.assembly(), options, self(), timers);
+  for (const auto& response : responses(cubes.assembly())) solver.addResponse(response);
+  const LatinResult result = solver.solve();
+  EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
+  std::vector<double> values;
+  for (const ResponseResult& response : result.responses) values.push_back(response.values.back());
+  return values;
+}
+
+// dJ = z.dF for any small forces, whether nodes stick or slide, and whatever holds them.
+TEST(AdjointProblem, SaysWhatForcesDoToResponses) {
+  for (const bool withMacroProblem : {true, false}) {
+    BoxAssembly cubes = rubbing();
+    base::Timers timers;
+    LatinOptions options;
+    options.accuracy = 1e-10;
+    options.stages.macroProblem = withMacroProblem;
+    LatinSolver solver(cubes.assembly(), options, self(), timers);
+    solver.solve();
+    AdjointProblem problem(solver.fixedPoint(), solver.state(), steps - 1);
+    std::vector<ResponseGradient> gradients;
+    for (const auto& response : responses(cubes.assembly())) {
+      gradients.push_back(response->gradient(cubes.assembly()).value());
+    }
+    const auto adjoints = problem.solve(gradients, 1e-8, 300);
+
+    std::vector<base::Matrix> loads, against;
+    for (const auto& body : cubes.assembly().bodies) {
+      loads.emplace_back(3 * static_cast<int>(body.nodes.size()), 1);
+      randomize(loads.back(), static_cast<unsigned>(loads.size()));
+      loads.back().scale(1e-5);
+      against.push_back(loads.back());
+      against.back().scale(-1.0);
+    }
+    const std::vector<double> more = solve(loads, withMacroProblem), less = solve(against, withMacroProblem);
+    for (std::size_t j = 0; j < gradients.size(); ++j) {
+      double expected = 0.0;
+      for (std::size_t b = 0; b < loads.size(); ++b) {
+        for (int i = 0; i < loads[b].numRows(); ++i) expected += adjoints[j].displacement[b][i] * loads[b](i, 0);
+      }
+      const double found = 0.5 * (more[j] - less[j]);
+      // The differences have about five digits left; none of them is small.
+      EXPECT_NEAR(found, expected, 1e-4 * std::abs(found)) << "response " << j;
+      EXPECT_GT(std::abs(found), 1e-8);
+      EXPECT_LE(adjoints[j].hidden, 1e-8);
+    }
+  }
+}
+
+// The solver is as it was: another run gives the same numbers.
+TEST(AdjointProblem, LeavesTheSolverAsItWas) {
+  BoxAssembly cubes = rubbing();
+  base::Timers timers;
+  LatinSolver solver(cubes.assembly(), {}, self(), timers);
+  for (const auto& response : responses(cubes.assembly())) solver.addResponse(response);
+  const LatinResult before = solver.solve();
+  AdjointProblem problem(solver.fixedPoint(), solver.state(), 1);
+  EXPECT_TRUE(solver.state().isValid());
+  problem.solve({responses(cubes.assembly())[3]->gradient(cubes.assembly()).value()}, 0.05, 30);
+  const LatinResult after = solver.solve();
+  for (std::size_t j = 0; j < before.responses.size(); ++j) {
+    EXPECT_EQ(before.responses[j].values, after.responses[j].values);
+  }
+}
+
+// A response that is nowhere, such as the resultant of what is prescribed, depends on nothing.
+TEST(AdjointProblem, OfNothingIsNothing) {
+  BoxAssembly cubes = rubbing();
+  base::Timers timers;
+  LatinSolver solver(cubes.assembly(), {}, self(), timers);
+  solver.solve();
+  AdjointProblem problem(solver.fixedPoint(), solver.state(), 1);
+  const auto adjoints = problem.solve({ResponseGradient{}}, 0.05, 30);
+  for (const auto& body : adjoints[0].displacement) {
+    for (const double z : body) EXPECT_EQ(z, 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace harmos::latin
