@@ -40,6 +40,10 @@ void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
       out << ", not unique: from " << response.range.lower[last] << " to " << response.range.upper[last];
     }
     if (response.isSmall) out << ", counts as zero: not above " << response.size;
+    for (const scene::ResponseMeshError& error : result.meshErrors.responses) {
+      if (error.response != response.name) continue;
+      out << "; " << scene::describe(error, response.values[result.solution.solvedSteps - 1]);
+    }
     out << "\n";
   }
   out << result.files.parts << "\n" << result.files.interfaces << "\n" << result.files.history << "\n";

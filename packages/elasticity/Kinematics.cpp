@@ -38,6 +38,12 @@ Formulation formulationNamed(const std::string& name) {
   return static_cast<Formulation>(indexOf(name, formulationNames(), "formulation"));
 }
 
+std::vector<std::size_t> workingComponents(Kinematics kinematics) {
+  if (kinematics == Kinematics::threeDimensional) return {0, 1, 2, 3, 4, 5};
+  if (isAxisymmetric(kinematics)) return {0, 1, 2, 3};
+  return {0, 1, 3};
+}
+
 ElasticityMatrix reduced(const ElasticityMatrix& elasticity, Kinematics kinematics) {
   ElasticityMatrix c = elasticity;
   if (kinematics != Kinematics::planeStress) return c;

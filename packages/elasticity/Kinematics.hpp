@@ -36,6 +36,9 @@ inline int dimensionOf(Kinematics kinematics) {
   return kinematics == Kinematics::threeDimensional ? 3 : 2;
 }
 
+/// Components of stress that do work on the strains of the kinematics, in the order of ElasticityMatrix.
+std::vector<std::size_t> workingComponents(Kinematics kinematics);
+
 /// Stress from strain under the kinematics, C [stress], components as in ElasticityMatrix: for plane stress zz, yz and
 /// zx are eliminated (their rows and columns are zero); otherwise the matrix itself.
 ElasticityMatrix reduced(const ElasticityMatrix& elasticity, Kinematics kinematics);

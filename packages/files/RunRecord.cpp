@@ -35,6 +35,12 @@ std::string toJson(const RunRecord& record) {
   Json ranges = Json::object();
   for (const RecordedRange& range : record.responseRanges)
     ranges[range.response] = {{"lower", range.lower}, {"upper", range.upper}};
+  Json meshErrors = Json::object(), energyShares = Json::object();
+  for (const MeshErrorRecord& error : record.meshErrors) {
+    meshErrors[error.response] = {
+        {"change", error.change}, {"relative", error.relative}, {"word", error.word}, {"parts", error.parts}};
+  }
+  for (const auto& [part, share] : record.meshEnergyShares) energyShares[part] = share;
   Json phases = Json::object();
   for (const auto& phase : record.phases)
     phases[phase.name] = {{"wall_seconds", phase.wallSeconds}, {"cpu_seconds", phase.cpuSeconds}};
@@ -51,6 +57,8 @@ std::string toJson(const RunRecord& record) {
                {"response_error_estimates", errors},
                {"response_sizes", sizes},
                {"response_ranges", ranges},
+               {"mesh_error_estimates", meshErrors},
+               {"mesh_energy_shares", energyShares},
                {"steps", record.steps},
                {"solved_steps", record.solvedSteps},
                {"iterations", record.iterations},

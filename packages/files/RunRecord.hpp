@@ -17,6 +17,15 @@ struct RecordedRange {
   std::vector<double> lower, upper;  // per load step
 };
 
+/// What the mesh is estimated to do to a response, at the last load step.
+struct MeshErrorRecord {
+  std::string response;            // name
+  double change = 0.0;             // converged value less that on this mesh, in the unit of the response
+  double relative = 0.0;           // |change| over the converged value
+  std::string word;                // estimated, uncertain, too coarse, locks
+  std::vector<std::string> parts;  // whose elements bring most of it
+};
+
 /// How a run went; what SCENE_result.json says.
 struct RunRecord {
   std::string scene;  // path as given
@@ -31,6 +40,8 @@ struct RunRecord {
   std::vector<std::pair<std::string, double>> responseErrors;       // relative estimate per response and field
   std::vector<std::pair<std::string, double>> responseSizes;        // what these are relative to, in their units
   std::vector<RecordedRange> responseRanges;                        // of those that the problem does not determine
+  std::vector<MeshErrorRecord> meshErrors;                          // of responses that have one
+  std::vector<std::pair<std::string, double>> meshEnergyShares;     // per part: energy that its mesh does not show
   int steps = 0, solvedSteps = 0;                                   // load steps, and how many of them are written
   int iterations = 0;                                               // of LATIN
   int linearStages = 0;                                             // whatever for

@@ -201,6 +201,7 @@ Scene makeScene(const input::InputTree& input, const std::string& path, const st
   scene.warnings = unusedEntries(input, overrides, scene.input, scene.times);
   const Parameters& solver = scene.input.list("Solver");
   scene.solver = latin::LatinOptions(solver);
+  scene.wantsMeshErrors = solver.flag("Mesh Error");
   scene.hasConsistentMass = solver.text("Interface Mass") == "Consistent";
   return scene;
 }

@@ -116,6 +116,13 @@ void describe(const latin::LatinResult& solution, const std::vector<double>& tim
   record.linearStages = solution.linearStages;
 }
 
+void describe(const MeshErrors& errors, files::RunRecord& record) {
+  for (const ResponseMeshError& error : errors.responses) {
+    record.meshErrors.push_back({error.response, error.change, error.relative, textOf(error.word), error.parts});
+  }
+  for (const PartMeshError& error : errors.parts) record.meshEnergyShares.emplace_back(error.part, error.energyShare);
+}
+
 files::History historyOf(const latin::LatinResult& solution, const std::vector<double>& times) {
   files::History history;
   for (const auto& response : solution.responses) history.responses.push_back(response.name);
@@ -163,7 +170,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
                         const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   base::Timers timers;
   const Scene scene = readScene(request.scene, request.overrides, laws);
-  SceneRunResult result{{}, {}, files::ResultFiles(request.directory, request.scene)};
+  SceneRunResult result{{}, {}, {}, files::ResultFiles(request.directory, request.scene)};
   Recorder recorder(result.record, result.files.record, timers, *comm);
   const latin::LatinOptions& options = scene.solver;
   files::demandDistinct(inputFiles(scene), result.files.all());
@@ -203,11 +210,18 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
       lastWords.reset();
       result.record.earlier.clear();
     }
+    const bool canEstimate = result.solution.outcome == latin::Outcome::certified &&
+                             solver.fixedPoint().formulation() == latin::Formulation::displacement;
+    if (scene.wantsMeshErrors && canEstimate) {
+      const auto estimating = timers.start("mesh error");
+      result.meshErrors = estimateMeshErrors(problem, solver, result.solution, *comm);
+    }
   } catch (const std::exception& error) {
     recorder.writeFailure(error);
     throw;
   }
   describe(result.solution, scene.times, result.record);
+  describe(result.meshErrors, result.record);
   recorder.write();
   return result;
 }

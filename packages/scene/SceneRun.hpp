@@ -11,6 +11,7 @@
 #include <harmos/files/RunRecord.hpp>
 #include <harmos/latin/LatinSolver.hpp>
 #include <harmos/laws/LawRegistry.hpp>
+#include <harmos/scene/MeshError.hpp>
 
 namespace harmos::scene {
 
@@ -26,6 +27,7 @@ struct SceneRunRequest {
 /// What came of a run.
 struct SceneRunResult {
   latin::LatinResult solution;  // responses and error estimates; fields are in the files only
+  MeshErrors meshErrors;        // of a certified solution, if they are wanted
   files::RunRecord record;      // as it was written last
   files::ResultFiles files;     // where the files are
 };

@@ -114,6 +114,11 @@ input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
       .defaultValue("Lumped")
       .oneOf({"Lumped", "Consistent"})
       .doc("How tractions become nodal forces; Consistent applies where an interface has faces.");
+  solver.flag("Mesh Error")
+      .defaultValue(true)
+      .doc(
+          "Estimate the error that the mesh makes in every response, at the last load step; costs a few linear stages. "
+          "Not with the velocity form.");
   spec.namedLists("Responses").summary("Numbers to report at every time step.").choose(builtInResponses().forms());
   return spec;
 }

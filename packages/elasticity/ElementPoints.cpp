@@ -1,0 +1,102 @@
+#include <harmos/elasticity/ElementPoints.hpp>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/elasticity/detail/ElementFault.hpp>
+#include <harmos/elasticity/detail/ElementStrain.hpp>
+#include <harmos/elasticity/detail/PartElements.hpp>
+
+namespace harmos::elasticity {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// The element of twice the order with the same corners, whose points integrate squares.
+mesh::ElementType raised(mesh::ElementType type) {
+  switch (type) {
+    case mesh::ElementType::tri3:
+      return mesh::ElementType::tri6;
+    case mesh::ElementType::quad4:
+      return mesh::ElementType::quad9;
+    case mesh::ElementType::tet4:
+      return mesh::ElementType::tet10;
+    case mesh::ElementType::wedge6:
+      return mesh::ElementType::wedge15;
+    case mesh::ElementType::hex8:
+      return mesh::ElementType::hex27;
+    default:
+      return type;
+  }
+}
+
+/// Whose points of full integration are where stress is sampled.
+mesh::ElementType sampled(mesh::ElementType type) {
+  const mesh::ElementType linear = mesh::linearType(type);
+  const bool isBrick = linear == mesh::ElementType::quad4 || linear == mesh::ElementType::hex8;
+  return isBrick ? linear : type;
+}
+
+}  // namespace
+
+void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& displacements,
+                  const std::function<void(const ElementPoint&)>& visit) {
+  const int dimension = dimensionOf(part.kinematics), columns = displacements.numCols();
+  const int dofs = dimension * static_cast<int>(part.piece.nodes.size());
+  if (displacements.numRows() != dofs) {
+    throw base::Error("Part \"" + part.piece.name + "\" has " + std::to_string(dofs) +
+                      " degrees of freedom; displacements of " + std::to_string(displacements.numRows()) +
+                      " were given.");
+  }
+  const ElasticityMatrix c = reduced(part.material.elasticity(), part.kinematics);
+  const bool isPlane = dimension == 2 && !isAxisymmetric(part.kinematics);
+  std::vector<double> stress(6 * static_cast<std::size_t>(columns));
+  ElementFaults faults(part.mesh, part.piece);
+  for (const ElementGroup& group : groupsOf(part.mesh, part.piece, part.kinematics)) {
+    const mesh::ElementType type = group.block->type;
+    const mesh::ReferenceElement rule =
+        mesh::referenceElement(points == PointSet::sampling ? sampled(type) : raised(type));
+    ElementStrain strain(type, part.formulation, part.kinematics, c, rule.place);
+    const int nodes = group.nodesPerElement();
+    std::vector<base::Vector3> places(nodes);
+    base::Matrix values(dimension * nodes, columns);
+    for (int number = 0; number < group.elements(); ++number) {
+      ElementPoint point;
+      point.element = group.firstElement + number;
+      point.nodes = nodes;
+      point.node = group.nodesOf(number);
+      point.stress = stress.data();
+      for (int a = 0; a < nodes; ++a) {
+        places[a] = part.mesh.nodes[part.piece.nodes[point.node[a]]];
+        for (int j = 0; j < columns; ++j) {
+          std::copy_n(displacements[j] + dimension * point.node[a], dimension, values[j] + dimension * a);
+        }
+      }
+      if (!strain.set(places, values)) {
+        faults.add(group, number);
+        continue;
+      }
+      for (int p = 0; p < rule.points; ++p) {
+        point.value = strain.values(p);
+        point.position = {};
+        for (int a = 0; a < nodes; ++a) point.position = point.position + point.value[a] * places[a];
+        const double circumference = 2.0 * pi * point.position[0];
+        const double depth = isPlane ? part.thickness : isAxisymmetric(part.kinematics) ? circumference : 1.0;
+        point.volume = depth * rule.weight[p] * strain.determinant(p);
+        for (int j = 0; j < columns; ++j) {
+          const std::array<double, 6> eps = strain.strain(p, j);
+          for (std::size_t m = 0; m < 6; ++m) {
+            stress[6 * static_cast<std::size_t>(j) + m] = std::inner_product(eps.begin(), eps.end(), c[m].begin(), 0.0);
+          }
+        }
+        visit(point);
+      }
+    }
+  }
+  faults.throwIfAny();
+}
+
+}  // namespace harmos::elasticity

@@ -1,0 +1,159 @@
+#include <harmos/elasticity/detail/ElementStrain.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <Teuchos_LAPACK.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/elasticity/detail/ElementIntegrals.hpp>
+
+namespace harmos::elasticity {
+namespace {
+
+/// Vectors whose product with (dN/dxi_j) is the gradient of N in space, and the determinant of the Jacobian.
+struct Mapping {
+  std::array<base::Vector3, 3> reciprocal{};
+  double determinant = 0.0;
+};
+
+Mapping mappingAt(const mesh::ShapeFunctions& shape, int point, const std::vector<base::Vector3>& nodes) {
+  std::array<base::Vector3, 3> tangent{};
+  if (shape.dimension == 2) tangent[2] = {0.0, 0.0, 1.0};
+  const double* local = shape.gradient.data() + static_cast<std::ptrdiff_t>(point) * shape.nodes * shape.dimension;
+  for (int a = 0; a < shape.nodes; ++a) {
+    for (int j = 0; j < shape.dimension; ++j) {
+      tangent[j] = tangent[j] + local[shape.dimension * a + j] * nodes[a];
+    }
+  }
+  Mapping mapping;
+  mapping.determinant = base::dot(tangent[0], base::cross(tangent[1], tangent[2]));
+  for (std::size_t j = 0; j < 3; ++j) {
+    mapping.reciprocal[j] = (1.0 / mapping.determinant) * base::cross(tangent[(j + 1) % 3], tangent[(j + 2) % 3]);
+  }
+  return mapping;
+}
+
+}  // namespace
+
+ElementStrain::ElementStrain(mesh::ElementType type, Formulation formulation, Kinematics kinematics,
+                             const ElasticityMatrix& c, const std::vector<base::Vector3>& places)
+    : basis_(type, formulation, kinematics),
+      operators_(kinematics),
+      formulation_(formulation),
+      c_(c),
+      dimension_(mesh::dimensionOf(type)),
+      shape_(mesh::shapeFunctions(type, places)),
+      places_(places),
+      determinant_(places.size()),
+      gradient_(places.size() * static_cast<std::size_t>(basis_.functions() * operators_.gradients)) {}
+
+bool ElementStrain::set(const std::vector<base::Vector3>& nodes, const base::Matrix& displacements) {
+  const base::Vector3* corners[ElementIntegrals::maximumFunctions];
+  for (std::size_t a = 0; a < nodes.size(); ++a) corners[a] = &nodes[a];
+  if (!integrate(basis_, corners, basis_.modes > 0, integrals_)) return false;
+  const Mapping centre = basis_.modes > 0 ? mappingAt(basis_.atCentre, 0, nodes) : Mapping{};
+  for (std::size_t p = 0; p < places_.size(); ++p) {
+    const int point = static_cast<int>(p);
+    const Mapping mapping = mappingAt(shape_, point, nodes);
+    determinant_[p] = mapping.determinant;
+    double* gradient = gradient_.data() + p * static_cast<std::size_t>(basis_.functions() * operators_.gradients);
+    const double* local = shape_.gradient.data() + static_cast<std::ptrdiff_t>(point) * shape_.nodes * dimension_;
+    double radius = 0.0;
+    for (int a = 0; a < shape_.nodes; ++a) {
+      base::Vector3 g{};
+      for (int j = 0; j < dimension_; ++j) g = g + local[dimension_ * a + j] * mapping.reciprocal[j];
+      std::copy_n(g.begin(), dimension_, gradient + operators_.gradients * a);
+      radius += values(point)[a] * nodes[a][0];
+    }
+    for (int a = 0; a < shape_.nodes && basis_.isRevolved; ++a) {
+      gradient[operators_.gradients * a + dimension_] = values(point)[a] / radius;
+    }
+    for (int m = 0; m < basis_.modes; ++m) {
+      // As ElementIntegrals has it: the gradient at the centre times the ratio of the Jacobians.
+      const double factor = -2.0 * places_[p][m] * centre.determinant / mapping.determinant;
+      const base::Vector3 g = factor * centre.reciprocal[m];
+      std::copy_n(g.begin(), dimension_, gradient + operators_.gradients * (shape_.nodes + m));
+    }
+  }
+  values_.shape(dimension_ * basis_.functions(), displacements.numCols());
+  for (int j = 0; j < displacements.numCols(); ++j) {
+    std::copy_n(displacements[j], displacements.numRows(), values_[j]);
+  }
+  if (basis_.modes > 0) findModes();
+  return true;
+}
+
+/// No force acts on the modes: K_mm alpha = -K_mu u.
+void ElementStrain::findModes() {
+  const int gradients = operators_.gradients, entries = gradients * basis_.functions();
+  const int size = dimension_ * basis_.modes, first = dimension_ * shape_.nodes;
+  double c[3][3][3][3] = {};  // components i, j and gradients k, l
+  for (int i = 0; i < dimension_; ++i) {
+    for (int j = 0; j < dimension_; ++j) {
+      for (int k = 0; k < gradients; ++k) {
+        for (int l = 0; l < gradients; ++l) {
+          for (std::size_t m = 0; m < 6; ++m) {
+            for (std::size_t n = 0; n < 6; ++n) {
+              c[i][j][k][l] += operators_.coefficient[k][m][i] * c_[m][n] * operators_.coefficient[l][n][j];
+            }
+          }
+        }
+      }
+    }
+  }
+  const auto stiffness = [&](int row, int column) {  // of functions a <= b
+    const int a = row / dimension_, i = row % dimension_, b = column / dimension_, j = column % dimension_;
+    double sum = 0.0;
+    for (int k = 0; k < gradients; ++k) {
+      for (int l = 0; l < gradients; ++l) {
+        sum += c[i][j][k][l] * integrals_.product[(gradients * a + k) * entries + gradients * b + l];
+      }
+    }
+    return sum;
+  };
+  base::Matrix matrix(size, size), right(size, values_.numCols());
+  for (int column = 0; column < size; ++column) {
+    for (int row = 0; row <= column; ++row) matrix(row, column) = stiffness(first + row, first + column);
+    for (int node = 0; node < first; ++node) {
+      const double k = stiffness(node, first + column);
+      for (int j = 0; j < values_.numCols(); ++j) right(column, j) -= k * values_(node, j);
+    }
+  }
+  int info = 0;
+  Teuchos::LAPACK<int, double>().POSV('U', size, right.numCols(), matrix.values(), matrix.stride(), right.values(),
+                                      right.stride(), &info);
+  if (info != 0) throw base::Error("the incompatible modes of an element are not resisted");
+  for (int j = 0; j < values_.numCols(); ++j) std::copy_n(right[j], size, values_[j] + first);
+}
+
+std::array<double, 6> ElementStrain::strain(int point, int column) const {
+  const int functions = basis_.functions(), gradients = operators_.gradients;
+  const double* gradient = gradient_.data() + static_cast<std::ptrdiff_t>(point) * functions * gradients;
+  double h[3][3] = {}, mean[3][3] = {};  // component i times gradient k
+  const bool isMean = formulation_ == Formulation::bBar;
+  for (int f = 0; f < functions; ++f) {
+    for (int i = 0; i < dimension_; ++i) {
+      const double u = values_(dimension_ * f + i, column);
+      for (int k = 0; k < gradients; ++k) h[i][k] += u * gradient[gradients * f + k];
+      for (int k = 0; k < gradients && isMean; ++k) {
+        mean[i][k] += u * integrals_.gradient[gradients * f + k] / integrals_.volume;
+      }
+    }
+  }
+  std::array<double, 6> strain{};
+  double change = 0.0;
+  for (std::size_t m = 0; m < 6; ++m) {
+    for (int i = 0; i < dimension_; ++i) {
+      for (int k = 0; k < gradients; ++k) {
+        strain[m] += operators_.coefficient[k][m][i] * h[i][k];
+        if (m < 3) change += operators_.coefficient[k][m][i] * (mean[i][k] - h[i][k]) / 3.0;
+      }
+    }
+  }
+  for (std::size_t m = 0; m < 3 && isMean; ++m) strain[m] += change;
+  return strain;
+}
+
+}  // namespace harmos::elasticity

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/base/Vector3.hpp>
+#include <harmos/elasticity/Kinematics.hpp>
+#include <harmos/elasticity/detail/ElementBasis.hpp>
+#include <harmos/elasticity/detail/ElementIntegrals.hpp>
+#include <harmos/elasticity/detail/StrainOperator.hpp>
+#include <harmos/mesh/ReferenceElement.hpp>
+
+namespace harmos::elasticity {
+
+/// Strains of elements of one type and formulation at given points of the reference element.
+class ElementStrain {
+ public:
+  /// `c` [stress]: under the kinematics. places: xi of the points.
+  ElementStrain(mesh::ElementType type, Formulation formulation, Kinematics kinematics, const ElasticityMatrix& c,
+                const std::vector<base::Vector3>& places);
+
+  /// Looks at an element with these nodes [length], displaced by `displacements`, (dimension x nodes) x columns
+  /// [length]. False when it is turned inside out.
+  bool set(const std::vector<base::Vector3>& nodes, const base::Matrix& displacements);
+
+  /// Shape functions N_a of the nodes at a point.
+  const double* values(int point) const {
+    return shape_.value.data() + static_cast<std::ptrdiff_t>(point) * shape_.nodes;
+  }
+  /// Determinant of the Jacobian at a point [length^dimension].
+  double determinant(int point) const { return determinant_[point]; }
+  /// Strain at a point, components xx, yy, zz, xy, yz, zx, shear doubled.
+  std::array<double, 6> strain(int point, int column) const;
+
+ private:
+  void findModes();
+
+  ElementBasis basis_;
+  StrainOperator operators_;
+  Formulation formulation_;
+  ElasticityMatrix c_;
+  int dimension_;
+  mesh::ShapeFunctions shape_;
+  std::vector<base::Vector3> places_;
+  ElementIntegrals integrals_;
+  std::vector<double> determinant_;
+  std::vector<double> gradient_;  // points x functions x gradients
+  base::Matrix values_;           // of nodes and modes, (dimension x functions) x columns
+};
+
+}  // namespace harmos::elasticity

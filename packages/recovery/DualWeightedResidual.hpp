@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/elasticity/ElementPoints.hpp>
+#include <harmos/recovery/TractionCorrection.hpp>
+
+namespace harmos::recovery {
+
+/// What a part adds to the mesh errors of responses.
+struct PartResidual {
+  std::vector<double> change;       ///< dJ of every response: the sum over the elements of dJ_E
+  std::vector<double> absolute;     ///< the sum of |dJ_E|
+  std::vector<double> uncorrected;  ///< dJ without the known tractions
+  double errorEnergy = 0.0;         ///< int (sigma* - sigma) : C^-1 : (sigma* - sigma) dV [force length]
+  double energy = 0.0;              ///< int sigma : C^-1 : sigma dV [force length]
+};
+
+/// Change of responses J from this mesh to an infinitely fine one, the share of one part: of its elements E
+///   dJ_E = int_E (sigma* - sigma) : C^-1 : (zeta* - zeta) dV
+/// with sigma, zeta the stresses of the solution and of the adjoint of a response on this mesh, and sigma*, zeta* those
+/// recovered from them (StressRecovery) and corrected where tractions are known (correctTractions()).
+///
+/// displacements: dofs x (1 + responses), the solution [length], then the adjoints [unit of J per force]; tractions of
+/// `faces` likewise. `skipped`: nodes at which a concentrated force acts. Throws as these two. Not collective.
+/// Source: Becker, Rannacher (2001), doi:10.1017/S0962492901000010; Prudhomme, Oden (1999),
+/// doi:10.1016/S0045-7825(98)00343-0.
+PartResidual dualWeightedResidual(const elasticity::ElasticPart& part, const base::Matrix& displacements,
+                                  const std::vector<bool>& boundary, const std::vector<KnownFace>& faces,
+                                  const std::vector<bool>& skipped);
+
+}  // namespace harmos::recovery

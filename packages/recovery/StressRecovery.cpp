@@ -1,0 +1,178 @@
+#include <harmos/recovery/StressRecovery.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include <Teuchos_LAPACK.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/mesh/Elements.hpp>
+
+namespace harmos::recovery {
+namespace {
+
+// Singular value of a fit, over the largest, below which its points say nothing.
+constexpr double undetermined = 1e-3;
+
+/// What the elements say at their sampling points.
+struct Samples {
+  std::vector<std::size_t> first;  // of each element, and the end
+  std::vector<base::Vector3> position;
+  std::vector<double> volume;
+  std::vector<double> stress;  // 6 x columns of each point
+};
+
+Samples sample(const elasticity::ElasticPart& part, const base::Matrix& displacements) {
+  Samples samples;
+  const std::size_t width = 6 * static_cast<std::size_t>(displacements.numCols());
+  elasticity::forEachPoint(part, elasticity::PointSet::sampling, displacements,
+                           [&](const elasticity::ElementPoint& point) {
+                             while (samples.first.size() <= static_cast<std::size_t>(point.element)) {
+                               samples.first.push_back(samples.position.size());
+                             }
+                             samples.position.push_back(point.position);
+                             samples.volume.push_back(point.volume);
+                             samples.stress.insert(samples.stress.end(), point.stress, point.stress + width);
+                           });
+  samples.first.push_back(samples.position.size());
+  return samples;
+}
+
+/// Which elements of a part a node belongs to, and which nodes an element has.
+class Neighbourhood {
+ public:
+  explicit Neighbourhood(const elasticity::ElasticPart& part) : elements_(part.mesh), part_(part) {
+    ofNode_.resize(part.piece.nodes.size());
+    for (std::size_t e = 0; e < part.piece.elements.size(); ++e) {
+      forEachNode(static_cast<int>(e), [&](int node) { ofNode_[node].push_back(static_cast<int>(e)); });
+    }
+  }
+
+  mesh::ElementType type(int element) const { return elements_.type(part_.piece.elements[element]); }
+  const std::vector<int>& elementsOf(int node) const { return ofNode_[node]; }
+  /// And those that share a node with one of them.
+  std::vector<int> widened(const std::vector<int>& elements) const {
+    std::vector<int> result;
+    for (const int element : elements) {
+      forEachNode(element, [&](int node) { result.insert(result.end(), ofNode_[node].begin(), ofNode_[node].end()); });
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+ private:
+  template <class Visitor>
+  void forEachNode(int element, const Visitor& visit) const {
+    const int number = part_.piece.elements[element];
+    const int* nodes = elements_.nodes(number);
+    for (int a = 0; a < mesh::nodesPerElement(elements_.type(number)); ++a) {
+      visit(mesh::localNode(part_.piece, nodes[a]));
+    }
+  }
+
+  mesh::Elements elements_;
+  const elasticity::ElasticPart& part_;
+  std::vector<std::vector<int>> ofNode_;
+};
+
+bool isSimplex(mesh::ElementType type) {
+  const mesh::ElementType linear = mesh::linearType(type);
+  return linear == mesh::ElementType::tri3 || linear == mesh::ElementType::tet4;
+}
+
+/// Fewer elements around a node do not determine a linear polynomial well.
+std::size_t fewest(mesh::ElementType type) {
+  const bool isPlane = mesh::dimensionOf(type) == 2;
+  if (isSimplex(type)) return isPlane ? 5 : 10;
+  return isPlane ? 4 : 8;
+}
+
+std::vector<int> patchOf(const Neighbourhood& neighbourhood, int node, bool isOnBoundary) {
+  const std::vector<int>& own = neighbourhood.elementsOf(node);
+  if (own.empty()) return {};
+  const mesh::ElementType type = neighbourhood.type(own.front());
+  const bool isTooSmall = own.size() < fewest(type) || (isSimplex(type) && isOnBoundary);
+  return isTooSmall ? neighbourhood.widened(own) : own;
+}
+
+/// Monomials of x up to the given order, 1 first.
+std::vector<double> monomials(const base::Vector3& x, int dimension, bool isQuadratic) {
+  std::vector<double> result{1.0};
+  for (int i = 0; i < dimension; ++i) result.push_back(x[i]);
+  for (int i = 0; i < dimension && isQuadratic; ++i) {
+    for (int j = i; j < dimension; ++j) result.push_back(x[i] * x[j]);
+  }
+  return result;
+}
+
+/// What each sample counts in the value at the node of the polynomial fitted to the samples of these elements.
+struct Fit {
+  std::vector<std::size_t> point;
+  std::vector<double> weight;
+};
+
+Fit fit(const Samples& samples, const std::vector<int>& patch, const base::Vector3& node, int dimension,
+        bool isQuadratic) {
+  Fit result;
+  double size = 0.0;
+  for (const int element : patch) {
+    for (std::size_t p = samples.first[element]; p < samples.first[element + 1]; ++p) {
+      result.point.push_back(p);
+      size = std::max(size, base::distance(samples.position[p], node));
+    }
+  }
+  std::vector<std::vector<double>> rows;
+  for (const std::size_t p : result.point) {
+    rows.push_back(monomials((1.0 / size) * (samples.position[p] - node), dimension, isQuadratic));
+  }
+  const int unknowns = static_cast<int>(rows.front().size());
+  base::Matrix gram(unknowns, unknowns);
+  for (std::size_t s = 0; s < rows.size(); ++s) {
+    const double volume = samples.volume[result.point[s]];
+    for (int i = 0; i < unknowns; ++i) {
+      for (int j = 0; j <= i; ++j) gram(j, i) += volume * rows[s][i] * rows[s][j];
+    }
+  }
+  std::vector<double> values(unknowns), work(64 * static_cast<std::size_t>(unknowns));
+  int info = 0;
+  Teuchos::LAPACK<int, double>().SYEV('V', 'U', unknowns, gram.values(), gram.stride(), values.data(), work.data(),
+                                      static_cast<int>(work.size()), &info);
+  if (info != 0) throw base::Error("LAPACK's SYEV failed with " + std::to_string(info) + " in the recovery of stress.");
+  std::vector<double> first(unknowns, 0.0);  // of the inverse, the row of the constant
+  for (int k = 0; k < unknowns; ++k) {
+    if (values[k] < undetermined * undetermined * values.back()) continue;
+    for (int i = 0; i < unknowns; ++i) first[i] += gram(i, k) * gram(0, k) / values[k];
+  }
+  for (std::size_t s = 0; s < rows.size(); ++s) {
+    result.weight.push_back(samples.volume[result.point[s]] *
+                            std::inner_product(first.begin(), first.end(), rows[s].begin(), 0.0));
+  }
+  return result;
+}
+
+}  // namespace
+
+StressRecovery::StressRecovery(const elasticity::ElasticPart& part, const std::vector<bool>& boundary,
+                               const base::Matrix& displacements) {
+  const int columns = displacements.numCols();
+  const int nodes = static_cast<int>(part.piece.nodes.size());
+  const Samples samples = sample(part, displacements);
+  const Neighbourhood neighbourhood(part);
+  stress_.shape(6 * nodes, columns);
+  for (int node = 0; node < nodes; ++node) {
+    const std::vector<int> patch = patchOf(neighbourhood, node, boundary[node]);
+    if (patch.empty()) continue;
+    const bool isQuadratic = mesh::isQuadratic(neighbourhood.type(patch.front()));
+    const Fit weights = fit(samples, patch, part.mesh.nodes[part.piece.nodes[node]], part.mesh.dimension, isQuadratic);
+    for (std::size_t s = 0; s < weights.point.size(); ++s) {
+      const double* stress = samples.stress.data() + weights.point[s] * 6 * static_cast<std::size_t>(columns);
+      for (int column = 0; column < columns; ++column) {
+        for (int m = 0; m < 6; ++m) stress_[column][6 * node + m] += weights.weight[s] * stress[6 * column + m];
+      }
+    }
+  }
+}
+
+}  // namespace harmos::recovery

@@ -1,0 +1,198 @@
+#include <harmos/scene/MeshError.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <numeric>
+#include <sstream>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/latin/AdjointProblem.hpp>
+#include <harmos/recovery/DualWeightedResidual.hpp>
+#include <harmos/scene/detail/PartFields.hpp>
+
+namespace harmos::scene {
+namespace {
+
+// Share of an adjoint that its residual may hide, and directions that it may take.
+constexpr double hiddenInAdjoint = 0.05;
+constexpr int largestNumberOfDirections = 80;
+// Value over the size of a response, below which theta means nothing.
+constexpr double smallValue = 0.1;
+// |dJ| over the sum of |dJ_E|: less is what is left of cancellation. dJ without known tractions over dJ with them.
+constexpr double cancelled = 0.35, leastRatio = 0.35, largestRatio = 1.4;
+// Of the sum of |dJ_E|, printed where they cancel.
+constexpr double doubtful = 0.5;
+constexpr double coarse = 0.5;
+// Of the sum of |dJ_E|: a part that brings more is named.
+constexpr double named = 0.2;
+constexpr std::size_t namesAtMost = 3;
+// Not told from nothing.
+constexpr double negligible = 0.005;
+
+using Fields = std::vector<std::vector<double>>;  // per body
+
+Fields displacementsOf(const latin::Iterate& state, int step) {
+  const assembly::Assembly& assembly = state.assembly();
+  Fields result(assembly.bodies.size());
+  for (std::size_t b = 0; b < result.size(); ++b) {
+    if (!state.layout().owns(static_cast<int>(b))) continue;
+    for (std::size_t node = 0; node < assembly.bodies[b].nodes.size(); ++node) {
+      const base::Vector3 u = state.displacement(static_cast<int>(b), static_cast<int>(node), step);
+      result[b].insert(result[b].end(), u.begin(), u.begin() + assembly.dimension);
+    }
+  }
+  return result;
+}
+
+/// What one number per part says of a response.
+ResponseMeshError judge(const std::string& response, double value, double size, bool isHidden,
+                        const std::vector<WholePart>& parts, const std::vector<double>& change,
+                        const std::vector<double>& absolute, const std::vector<double>& uncorrected) {
+  const double sum = std::accumulate(change.begin(), change.end(), 0.0);
+  const double all = std::accumulate(absolute.begin(), absolute.end(), 0.0);
+  const double raw = std::accumulate(uncorrected.begin(), uncorrected.end(), 0.0);
+  ResponseMeshError error;
+  error.response = response;
+  const bool cancels = std::abs(sum) < cancelled * all;
+  const double ratio = sum != 0.0 ? raw / sum : 1.0;
+  const double shown = std::copysign(cancels ? std::max(std::abs(sum), doubtful * all) : std::abs(sum), sum);
+  const bool isSmall = std::abs(value) < smallValue * size;
+  const double theta = isSmall ? 0.0 : shown / value;
+  const bool isBeyond = theta >= 1.0;
+  error.change = isSmall || isBeyond ? shown : value * theta / (1.0 - theta);
+  const double converged = value + error.change;
+  error.relative = isBeyond ? 1.0 : std::abs(error.change) / std::max({std::abs(converged), smallValue * size});
+  if (size == 0.0) error.relative = 0.0;
+  if (isBeyond) {
+    error.word = MeshErrorWord::locks;
+  } else if (error.relative > coarse) {
+    error.word = MeshErrorWord::tooCoarse;
+  } else if ((cancels || ratio < leastRatio || ratio > largestRatio || isHidden) && error.relative >= negligible) {
+    error.word = MeshErrorWord::uncertain;
+  }
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return absolute[a] > absolute[b]; });
+  for (const std::size_t p : order) {
+    if (absolute[p] < named * all || error.parts.size() == namesAtMost || all == 0.0) break;
+    error.parts.push_back(parts[p].name);
+  }
+  return error;
+}
+
+/// 0.0873 -> 0.09.
+double oneDigit(double x) {
+  if (x == 0.0) return 0.0;
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(x))));
+  return std::round(x / unit) * unit;
+}
+
+}  // namespace
+
+const char* textOf(MeshErrorWord word) {
+  switch (word) {
+    case MeshErrorWord::estimated:
+      return "estimated";
+    case MeshErrorWord::uncertain:
+      return "uncertain";
+    case MeshErrorWord::tooCoarse:
+      return "too coarse";
+    case MeshErrorWord::locks:
+      return "locks";
+  }
+  return "";
+}
+
+MeshErrors estimateMeshErrors(const Problem& problem, latin::LatinSolver& solver, const latin::LatinResult& solution,
+                              const Teuchos::Comm<int>& comm) {
+  const int step = solution.solvedSteps - 1;
+  std::vector<Fields> fields{displacementsOf(solver.state(), step)};
+  std::vector<latin::ResponseGradient> gradients;
+  std::vector<std::size_t> responses;
+  for (std::size_t i = 0; i < problem.responses.size(); ++i) {
+    auto gradient = problem.responses[i]->gradient(problem.assembly);
+    if (!gradient) continue;
+    gradients.push_back(std::move(*gradient));
+    responses.push_back(i);
+  }
+  std::vector<bool> isHidden(responses.size(), false);
+  if (!gradients.empty()) {
+    latin::AdjointProblem adjoint(solver.fixedPoint(), solver.state(), step);
+    auto adjoints = adjoint.solve(gradients, hiddenInAdjoint, largestNumberOfDirections);
+    for (std::size_t j = 0; j < adjoints.size(); ++j) {
+      isHidden[j] = adjoints[j].hidden > hiddenInAdjoint;
+      fields.push_back(std::move(adjoints[j].displacement));
+    }
+  }
+
+  const std::vector<WholePart> parts = wholeParts(problem, fields, gradients, step, comm);
+  const std::size_t count = responses.size(), width = 3 * count + 2;
+  std::vector<double> mine(width * parts.size(), 0.0);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (static_cast<int>(p) % comm.getSize() != comm.getRank()) continue;
+    const WholePart& part = parts[p];
+    const auto body = static_cast<std::size_t>(part.bodies.front());
+    const elasticity::ElasticPart elastic{problem.mesh,
+                                          part.piece,
+                                          *problem.bodies.materials[body],
+                                          problem.bodies.parts[body].formulation,
+                                          problem.model.kinematics,
+                                          problem.model.thickness};
+    const recovery::PartResidual residual =
+        recovery::dualWeightedResidual(elastic, part.displacements, part.boundary, part.faces, part.skipped);
+    double* to = mine.data() + width * p;
+    for (const auto* list : {&residual.change, &residual.absolute, &residual.uncorrected}) {
+      to = std::copy(list->begin(), list->end(), to);
+    }
+    *to++ = residual.errorEnergy;
+    *to = residual.energy;
+  }
+  std::vector<double> all(mine);
+  if (comm.getSize() > 1) {
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  }
+
+  MeshErrors result;
+  for (std::size_t j = 0; j < count; ++j) {
+    std::vector<double> change, absolute, uncorrected;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const double* of = all.data() + width * p;
+      change.push_back(of[j]);
+      absolute.push_back(of[count + j]);
+      uncorrected.push_back(of[2 * count + j]);
+    }
+    const latin::ResponseResult& response = solution.responses[responses[j]];
+    if (response.isSmall) continue;
+    result.responses.push_back(
+        judge(response.name, response.values[step], response.size, isHidden[j], parts, change, absolute, uncorrected));
+  }
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const double* energies = all.data() + width * p + 3 * count;
+    result.parts.push_back({parts[p].name, energies[1] > 0.0 ? energies[0] / energies[1] : 0.0});
+  }
+  return result;
+}
+
+std::string describe(const ResponseMeshError& error, double value) {
+  std::ostringstream text;
+  if (error.relative < negligible) return "mesh below 0.5 %";
+  if (error.word == MeshErrorWord::locks) {
+    text << "the mesh locks";
+  } else if (error.word == MeshErrorWord::tooCoarse) {
+    text << "the mesh is too coarse (more than " << 100.0 * coarse << " %)";
+  } else {
+    text << "mesh about " << oneDigit(100.0 * error.relative) << " %";
+    if (error.word == MeshErrorWord::uncertain) text << ", uncertain";
+    text << " (towards " << std::setprecision(2) << value + error.change << ")";
+  }
+  const char* separator = "; refine ";
+  for (const std::string& part : error.parts) {
+    text << separator << part;
+    separator = ", ";
+  }
+  return text.str();
+}
+
+}  // namespace harmos::scene

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/recovery/TractionCorrection.hpp>
+#include <harmos/scene/Problem.hpp>
+
+namespace harmos::scene {
+
+/// A part of the scene as one, whatever it was cut into, with fields on its nodes.
+struct WholePart {
+  std::string name;                        ///< in the list Parts
+  mesh::Piece piece;                       ///< all its elements
+  std::vector<int> bodies;                 ///< that it was cut into
+  base::Matrix displacements;              ///< dofs x columns; of nodes of several bodies the mean
+  std::vector<bool> boundary;              ///< per node: it lies on the surface of the part
+  std::vector<bool> skipped;               ///< per node: a concentrated force acts there
+  std::vector<recovery::KnownFace> faces;  ///< of the surface, where tractions are known in all columns
+};
+
+/// The parts of a problem, complete on every rank. `fields`: a column for each, and for each body its displacements
+/// (empty: of bodies of other ranks). `loads`: the forces on nodes of the columns from the second on, those of the
+/// first are the prescribed tractions of load step `step`. Collective.
+std::vector<WholePart> wholeParts(const Problem& problem, const std::vector<std::vector<std::vector<double>>>& fields,
+                                  const std::vector<latin::ResponseGradient>& loads, int step,
+                                  const Teuchos::Comm<int>& comm);
+
+}  // namespace harmos::scene
