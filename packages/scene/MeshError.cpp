@@ -39,7 +39,7 @@ Fields displacementsOf(const latin::Iterate& state, int step) {
   for (std::size_t b = 0; b < result.size(); ++b) {
     if (!state.layout().owns(static_cast<int>(b))) continue;
     for (std::size_t node = 0; node < assembly.bodies[b].nodes.size(); ++node) {
-      const base::Vector3 u = state.displacement(static_cast<int>(b), static_cast<int>(node), step);
+      const base::Vector3 u = state.relativeDisplacement(static_cast<int>(b), static_cast<int>(node), step);
       result[b].insert(result[b].end(), u.begin(), u.begin() + assembly.dimension);
     }
   }
