@@ -69,6 +69,21 @@ bool isIsotropic(const elasticity::ElasticityMatrix& c) {
   return true;
 }
 
+// Of the largest radius: radii of equal bodies differ by rounding.
+constexpr double equalRadii = 1e-9;
+
+/// Whether a motion leaves all nodes of a piece at their distance from the axis.
+bool haveEqualRadii(const mesh::Mesh& mesh, const mesh::Piece& first, const mesh::Piece& second,
+                    const std::vector<int>& image) {
+  double largest = 0.0, difference = 0.0;
+  for (std::size_t node = 0; node < image.size(); ++node) {
+    const double radius = mesh.nodes[first.nodes[node]][0];
+    largest = std::max(largest, std::abs(radius));
+    difference = std::max(difference, std::abs(radius - mesh.nodes[second.nodes[image[node]]][0]));
+  }
+  return difference <= equalRadii * largest;
+}
+
 base::Matrix bodyForces(const std::array<input::Schedule, 3>& force, const mesh::Mesh& mesh, const mesh::Piece& piece,
                         const Model& model, int steps) {
   base::Matrix loads;
@@ -128,7 +143,8 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& 
 }
 
 std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(const Bodies& bodies,
-                                                                             const mesh::Mesh& mesh) {
+                                                                             const mesh::Mesh& mesh,
+                                                                             elasticity::Kinematics kinematics) {
   constexpr base::Frame identity{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::vector<std::shared_ptr<const substructure::Congruence>> congruences(bodies.pieces.size());
   for (std::size_t b = 0; b < congruences.size(); ++b) {
@@ -138,6 +154,10 @@ std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(con
         continue;
       }
       auto found = mesh::findCongruence(mesh, bodies.pieces[a], bodies.pieces[b]);
+      if (found && elasticity::isAxisymmetric(kinematics) &&
+          !haveEqualRadii(mesh, bodies.pieces[a], bodies.pieces[b], found->node)) {
+        continue;
+      }
       if (!found || !(found->rotation == identity || isIsotropic(bodies.materials[a]->elasticity()))) continue;
       auto congruence = std::make_shared<substructure::Congruence>();
       congruence->representative = static_cast<int>(a);
@@ -171,7 +191,7 @@ std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh:
                                                  const Bodies& bodies, const std::vector<int>& owner, int rank,
                                                  input::ErrorList& errors) {
   std::vector<substructure::Substructure> assembled(bodies.pieces.size());
-  const auto congruences = findCongruences(bodies, mesh);
+  const auto congruences = findCongruences(bodies, mesh, model.kinematics);
   std::vector<bool> needsStiffness(assembled.size(), false);
   for (std::size_t b = 0; b < assembled.size(); ++b) {
     if (owner[b] != rank) continue;

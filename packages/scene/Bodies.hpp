@@ -56,9 +56,10 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& 
 
 /// For every body the earlier one that it equals up to a rigid motion or mirror image, elasticity and all; null: none.
 /// That one equals none itself. Bodies with materials of two names are never equal; a turned one is equal only when it
-/// is isotropic.
+/// is isotropic; in axisymmetry equal ones have the same radii.
 std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(const Bodies& bodies,
-                                                                             const mesh::Mesh& mesh);
+                                                                             const mesh::Mesh& mesh,
+                                                                             elasticity::Kinematics kinematics);
 
 /// Which rank owns which body: the largest first, each to the rank that has least to do. One rank, from 0, per body.
 /// The work of a body goes with the number of its nodes to the power 4/3.

@@ -24,10 +24,24 @@ TEST(Bodies, EqualBodiesAreFoundButNotAcrossFormulations) {
     const Scene scene = sample({"Parts/upper/Formulation=" + formulation});
     const mesh::Mesh mesh = makeMesh(scene.input.list("Mesh"), "");
     input::ErrorList errors;
-    const auto congruences = findCongruences(makeBodies(scene, mesh, errors), mesh);
+    const auto congruences =
+        findCongruences(makeBodies(scene, mesh, errors), mesh, elasticity::Kinematics::threeDimensional);
     EXPECT_EQ(congruences[0], nullptr);
     EXPECT_EQ(congruences[1] != nullptr, formulation == "Full Integration");
   }
+}
+
+TEST(Bodies, RingsOfOtherRadiiAreNotEqual) {
+  Scene scene = sample({"Parts/upper/Formulation=Full Integration"});
+  mesh::Mesh mesh = makeMesh(scene.input.list("Mesh"), "");
+  input::ErrorList errors;
+  const Bodies bodies = makeBodies(scene, mesh, errors);
+  const auto isEqual = [&] {
+    return findCongruences(bodies, mesh, elasticity::Kinematics::axisymmetric)[1] != nullptr;
+  };
+  EXPECT_TRUE(isEqual());  // one above the other
+  for (const int node : bodies.pieces[1].nodes) mesh.nodes[node][0] += 3.0;
+  EXPECT_FALSE(isEqual());
 }
 
 TEST(Bodies, LargestGoFirstToTheLeastBusyRank) {
