@@ -1,4 +1,4 @@
-#include <harmos/mesh/detail/SmoothPatches.hpp>
+#include <harmos/mesh/SmoothPatches.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include <harmos/mesh/FaceIntegrals.hpp>
 #include <harmos/mesh/InterfaceSurface.hpp>
 #include <harmos/mesh/Piece.hpp>
-#include <harmos/mesh/detail/SmoothPatches.hpp>
+#include <harmos/mesh/SmoothPatches.hpp>
 
 namespace harmos::mesh {
 

@@ -10,7 +10,7 @@
 #include <harmos/mesh/Boxes.hpp>
 #include <harmos/mesh/InterfaceFinder.hpp>
 #include <harmos/mesh/RedundantPairs.hpp>
-#include <harmos/mesh/detail/SmoothPatches.hpp>
+#include <harmos/mesh/SmoothPatches.hpp>
 
 namespace harmos::mesh {
 namespace {
