@@ -38,6 +38,9 @@ struct InterfaceSurface {
   std::vector<double> gap;              // per pair, (x2 - x1).n [length]; 0 without a projection
   std::vector<std::vector<int>> face;  // pair numbers of each face in the node order of side 1, or of the side that has
                                        // it; empty for single nodes
+  /// Per pair where the meshes do not match, else empty: its number in the whole interface. Where several surfaces have
+  /// the same one, all but one of them are copies: with area 0 and without entries in the trace operators.
+  std::vector<int> point;
   /// Both triangles, by row and column; its row sums are area as it was found. Empty for single nodes, and where the
   /// faces of both sides differ.
   std::vector<MassEntry> mass;

@@ -21,9 +21,9 @@ bool isCut(const std::vector<Piece>& pieces, const InterfaceSurface& surface) {
   return surface.piece2 >= 0 && at(pieces, surface.piece1).part == at(pieces, surface.piece2).part;
 }
 
-/// Points that feel several nodes have no copies.
+/// Points that feel several nodes have no copies but those that say so.
 bool isOfNodes(const InterfaceSurface& surface) {
-  return surface.trace1.isSelection() && surface.trace2.isSelection();
+  return surface.point.empty() && surface.trace1.isSelection() && surface.trace2.isSelection();
 }
 
 int meshNode(const std::vector<Piece>& pieces, int piece, int node) {
@@ -37,7 +37,7 @@ double& areaOf(std::vector<InterfaceSurface>& surfaces, const PairCarrier& pair)
 /// What makes pairs copies of each other: bodies may share mesh nodes as well, but not their displacements.
 struct Place {
   std::string interface, body1, body2;
-  int meshNode1, meshNode2, patch;
+  int meshNode1, meshNode2, patch;  // where meshes do not match, the number of the point instead of the first
   bool operator<(const Place& other) const {
     return std::tie(interface, body1, body2, meshNode1, meshNode2, patch) <
            std::tie(other.interface, other.body1, other.body2, other.meshNode1, other.meshNode2, other.patch);
@@ -50,11 +50,16 @@ void mergeCopies(const std::vector<Piece>& pieces, int dimension, std::vector<In
   std::map<Place, std::vector<PairCarrier>> copies;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const InterfaceSurface& surface = surfaces[s];
-    if (isCut(pieces, surface) || !isOfNodes(surface)) continue;
+    if (isCut(pieces, surface) || (!isOfNodes(surface) && surface.point.empty())) continue;
     const bool hasTwoSides = surface.piece2 >= 0;
     Place place{
         surface.name, at(pieces, surface.piece1).part, hasTwoSides ? at(pieces, surface.piece2).part : "", -1, -1, 0};
     for (int p = 0; p < surface.pairs(); ++p) {
+      if (!surface.point.empty()) {
+        place.meshNode1 = surface.point[p];
+        copies[place].push_back({static_cast<int>(s), p});
+        continue;
+      }
       place.meshNode1 = meshNode(pieces, surface.piece1, surface.trace1.node(p));
       place.patch = surface.patch[p];
       if (hasTwoSides) place.meshNode2 = meshNode(pieces, surface.piece2, surface.trace2.node(p));

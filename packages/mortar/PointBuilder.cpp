@@ -1,0 +1,137 @@
+#include <harmos/mortar/detail/PointBuilder.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <harmos/mesh/SmoothPatches.hpp>
+
+namespace harmos::mortar {
+namespace {
+
+constexpr double leastCovered = 0.05;  // of the area that belongs to a point
+constexpr double roundOff = 1e-12;     // of a coefficient of B
+
+using Entry = mesh::TraceOperator::Entry;
+
+double coveredShare(const FaceCoupling& face, int corner) {
+  return std::accumulate(face.mass[corner].begin(), face.mass[corner].end(), 0.0);
+}
+
+/// Sums up entries of one node, leaves out round-off, and makes a selection of what is one but for it.
+std::vector<Entry> tidied(std::vector<Entry> row, double area) {
+  std::stable_sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.node < b.node; });
+  std::vector<Entry> merged;
+  for (const Entry& entry : row) {
+    if (merged.empty() || merged.back().node != entry.node) merged.push_back({entry.node, 0.0});
+    merged.back().weight += entry.weight / area;
+  }
+  merged.erase(
+      std::remove_if(merged.begin(), merged.end(), [](const Entry& e) { return std::abs(e.weight) <= roundOff; }),
+      merged.end());
+  if (merged.size() == 1 && std::abs(merged[0].weight - 1.0) <= roundOff) merged[0].weight = 1.0;
+  return merged;
+}
+
+}  // namespace
+
+/// Of one side.
+struct PointBuilder::Rows {
+  explicit Rows(std::size_t points) : row(points) {}
+
+  /// int psi_p N_j dS of a face's points, which are -1 where there is none.
+  void add(const std::vector<FaceCoupling::Column>& columns, const CornerMatrix& coefficients,
+           const std::vector<int>& points) {
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (points[p] < 0) continue;
+      for (const FaceCoupling::Column& column : columns) {
+        double sum = 0.0;
+        for (std::size_t q = 0; q < points.size(); ++q) sum += coefficients[p][q] * column.value[q];
+        row[points[p]].push_back({column.node, sum});
+      }
+    }
+  }
+
+  mesh::TraceOperator build(const std::vector<double>& area) {
+    mesh::TraceOperator trace;
+    for (std::size_t p = 0; p < row.size(); ++p) trace.append(tidied(std::move(row[p]), area[p]));
+    return trace;
+  }
+
+  std::vector<std::vector<Entry>> row;
+};
+
+PointBuilder::PointBuilder(const std::vector<mesh::Face>& faces, const std::vector<FaceCoupling>& couplings,
+                           double creaseAngle)
+    : faces_(faces), couplings_(couplings) {
+  std::vector<mesh::OrientedFace> oriented;
+  for (const FaceCoupling& coupling : couplings) {
+    mesh::OrientedFace& face = oriented.emplace_back();
+    for (int p = 0; p < coupling.corners; ++p) {
+      face.pairs.emplace_back(faces[coupling.face].nodes[p], -1);
+      face.normal = face.normal + coupling.normal[p];
+    }
+  }
+  patch_ = mesh::smoothPatches(oriented, creaseAngle);
+  std::map<Key, std::pair<double, double>> areas;  // covered, all
+  for (std::size_t c = 0; c < couplings.size(); ++c) {
+    for (int p = 0; p < couplings[c].corners; ++p) {
+      auto& [covered, whole] = areas[keyOf(c, p)];
+      covered += coveredShare(couplings[c], p);
+      whole += couplings[c].whole[p];
+    }
+  }
+  for (const auto& [key, area] : areas) {
+    if (area.first >= leastCovered * area.second) {
+      number_.emplace(key, static_cast<int>(number_.size()));
+    } else {
+      ++leftOut_;
+    }
+  }
+}
+
+PointBuilder::Key PointBuilder::keyOf(std::size_t coupling, int corner) const {
+  return {faces_[couplings_[coupling].face].nodes[corner], patch_[coupling][corner]};
+}
+
+JoinedSurface PointBuilder::build() const {
+  JoinedSurface surface;
+  for (const auto& [key, number] : number_) {
+    surface.node.push_back(key.first);
+    surface.patch.push_back(key.second);
+  }
+  const std::size_t count = number_.size();
+  surface.area.assign(count, 0.0);
+  surface.normal.assign(count, base::Vector3{});
+  std::array<Rows, 2> rows = {Rows(count), Rows(count)};
+  double whole = 0.0;
+  for (std::size_t c = 0; c < couplings_.size(); ++c) {
+    const FaceCoupling& face = couplings_[c];
+    std::vector<int> points;
+    std::array<bool, FaceShape::mostCorners> isKept{};
+    for (int p = 0; p < face.corners; ++p) {
+      const auto found = number_.find(keyOf(c, p));
+      points.push_back(found == number_.end() ? -1 : found->second);
+      isKept[p] = found != number_.end();
+      whole += face.whole[p];
+    }
+    if (std::none_of(isKept.begin(), isKept.end(), [](bool is) { return is; })) continue;
+    const DualBasis basis(face, isKept);
+    for (int p = 0; p < face.corners; ++p) {
+      if (!isKept[p]) continue;
+      surface.area[points[p]] += basis.areas()[p];
+      for (int q = 0; q < face.corners; ++q) {
+        surface.normal[points[p]] = surface.normal[points[p]] + basis.shares()[p][q] * face.normal[q];
+      }
+    }
+    for (int side = 0; side < 2; ++side) rows[side].add(face.columns[side], basis.coefficients(), points);
+    if (std::all_of(points.begin(), points.end(), [](int p) { return p >= 0; })) surface.face.push_back(points);
+  }
+  for (int side = 0; side < 2; ++side) surface.trace[side] = rows[side].build(surface.area);
+  const double covered = std::accumulate(surface.area.begin(), surface.area.end(), 0.0);
+  surface.report.leftOut = leftOut_;
+  surface.report.uncovered[0] = whole > 0.0 ? std::max(0.0, 1.0 - covered / whole) : 0.0;
+  return surface;
+}
+
+}  // namespace harmos::mortar
