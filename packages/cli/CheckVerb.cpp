@@ -34,6 +34,10 @@ std::vector<int> pairsAtCreases(const scene::Problem& problem) {
   return counts;
 }
 
+bool isOnNodes(const assembly::Interface& interface) {
+  return interface.trace1.isSelection() && interface.trace2.isSelection();
+}
+
 void printProblem(std::ostream& out, const scene::Problem& problem) {
   const assembly::Assembly& assembly = problem.assembly;
   out << assembly.bodies.size() << " substructures:\n";
@@ -52,12 +56,17 @@ void printProblem(std::ostream& out, const scene::Problem& problem) {
       largest = std::max(largest, gap);
     }
     out << "  " << std::left << std::setw(34) << interface.name << std::right << std::setw(10) << interface.pairs()
-        << (interface.sides() == 2 ? " node pairs, " : " nodes, ") << interface.law->name();
+        << (interface.sides() == 1 ? " nodes, "
+            : isOnNodes(interface) ? " node pairs, "
+                                   : " points, ")
+        << interface.law->name();
     if (interface.sides() == 2 && (least != 0.0 || largest != 0.0))
       out << ", initial opening " << std::defaultfloat << std::setprecision(3) << least << " to " << largest;
     if (atCreases[i] > 0) out << ", " << atCreases[i] << " of them added at creases";
     out << "\n";
   }
+  if (!problem.joined.empty()) out << "Joined meshes that do not match:\n";
+  for (const scene::JoinedMeshes& joined : problem.joined) out << joined.text();
   out << assembly.steps() << " time steps, " << problem.responses.size() << " responses\n";
 }
 

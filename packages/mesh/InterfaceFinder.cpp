@@ -31,6 +31,13 @@ std::string boundaryNamed(const std::string& name) {
   return "Boundary \"" + name + "\"";
 }
 
+std::string sideSetNamed(const std::string& name) {
+  return "side set \"" + name + "\"";
+}
+std::string partNamed(const std::string& name) {
+  return "part \"" + name + "\"";
+}
+
 std::string text(const base::Vector3& p) {
   std::ostringstream out;
   out << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
@@ -77,10 +84,10 @@ FaceIntegrals InterfaceFinder::integrate(const Face& face, const std::optional<b
   return integrateFace(mesh_.dimension, pointsOf(mesh_, face.nodes), depth_, projection);
 }
 
-std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, const std::vector<Face>& side1,
-                                                    const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
-                                                    double creaseAngle,
-                                                    const std::optional<base::Vector3>& projection) const {
+std::vector<InterfaceSurface> InterfaceFinder::joinPairs(const std::string& name, const std::vector<Face>& side1,
+                                                         const std::vector<Face>& side2,
+                                                         const std::vector<FacePair>& pairs, double creaseAngle,
+                                                         const std::optional<base::Vector3>& projection) const {
   SurfaceBuilders builders(mesh_, pieces_, creaseAngle, projection);
   for (const FacePair& pair : pairs) {
     const Face& face1 = side1[pair.face1];
@@ -99,7 +106,7 @@ std::vector<InterfaceSurface> InterfaceFinder::join(const std::string& name, con
 std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string& name, const std::string& sideSet1,
                                                                const std::string& sideSet2,
                                                                const std::optional<base::Vector3>& direction,
-                                                               double creaseAngle) const {
+                                                               double creaseAngle, const Joiner& join) const {
   const std::string where = interfaceNamed(name);
   const auto side1 = facesOf(where, sideSet1);
   const auto side2 = facesOf(where, sideSet2);
@@ -123,11 +130,12 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string
   }
   const auto pairs = matchFaces(mesh_, side1, side2, projection);
   if (pairs.size() == side1.size() && pairs.size() == side2.size()) {
-    return join(name, side1, side2, pairs, creaseAngle, projection);
+    return joinPairs(name, side1, side2, pairs, creaseAngle, projection);
   }
   if (!projection) {
     auto surfaces = joinDifferentFaces(name, side1, side2, creaseAngle);
     if (!surfaces.empty()) return surfaces;
+    if (join) return join(sideSetNamed(sideSet1), side1, sideSetNamed(sideSet2), side2);
   }
   const auto nodes1 = nodesOf(side1);
   const auto nodes2 = nodesOf(side2);
@@ -144,7 +152,8 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string
           << "; the shortest edge there is " << localSizes(mesh_, side1).at(apart.node)
           << " long. Mesh both sides with the same nodes and let both side "
           << "sets cover the same surface"
-          << (projection ? "." : "; for sides that are open initially, give Projection Direction.");
+          << (projection ? ", or leave the direction out: then faces are joined that do not match."
+                         : "; for sides that are open initially, give Projection Direction.");
   refuse(where, message.str());
 }
 
@@ -221,7 +230,8 @@ std::vector<InterfaceSurface> InterfaceFinder::joinNodes(const std::string& name
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& name, const std::string& part1,
-                                                            const std::string& part2, double creaseAngle) const {
+                                                            const std::string& part2, double creaseAngle,
+                                                            const Joiner& join) const {
   const std::string where = interfaceNamed(name);
   const auto pieces1 = map_.named(where, part1);
   const auto pieces2 = map_.named(where, part2);
@@ -229,7 +239,22 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
   const auto skin1 = skin(elements_, map_.elements(pieces1));
   const auto skin2 = skin(elements_, map_.elements(pieces2));
   const auto faces = matchFaces(mesh_, skin1, skin2);
-  auto surfaces = join(name, skin1, skin2, faces, creaseAngle, std::nullopt);
+  const FaceOverlap overlap = findOverlap(mesh_, skin1, skin2, faces);
+  if (!overlap.faces1.empty() && join) {
+    std::set<int> touching1(overlap.faces1.begin(), overlap.faces1.end());
+    std::set<int> touching2(overlap.faces2.begin(), overlap.faces2.end());
+    for (const FacePair& pair : faces) {
+      touching1.insert(pair.face1);
+      touching2.insert(pair.face2);
+    }
+    const auto chosen = [](const std::vector<Face>& all, const std::set<int>& which) {
+      std::vector<Face> some;
+      for (const int face : which) some.push_back(all[face]);
+      return some;
+    };
+    return join(partNamed(part1), chosen(skin1, touching1), partNamed(part2), chosen(skin2, touching2));
+  }
+  auto surfaces = joinPairs(name, skin1, skin2, faces, creaseAngle, std::nullopt);
 
   std::set<int> inFaces;
   for (const FacePair& pair : faces) {
@@ -252,7 +277,6 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
   if (faces.empty()) {
     for (const auto& pair : matchNodes(mesh_, skin1, skin2)) single.insert(pair);
   }
-  const FaceOverlap overlap = findOverlap(mesh_, skin1, skin2, faces);
   if (!overlap.faces1.empty()) {
     const auto facesOf = [](std::size_t count, const std::string& part) {
       return std::to_string(count) + (count == 1 ? " face of part \"" : " faces of part \"") + part + "\"";
@@ -275,10 +299,23 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
         << "\" have no coincident faces and no shared or coincident nodes; their nearest nodes are "
         << separation(mesh_.nodes, nodesOf(skin1), nodesOf(skin2)).smallest
         << " apart. Mesh both with the same nodes where they touch; for sides that are open initially, name two side "
-           "sets and give Projection Direction.";
+           "sets, or give Search Distance.";
     refuse(where, message.str());
   }
   return surfaces;
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::joinedSideSets(const std::string& name, const std::string& sideSet1,
+                                                              const std::string& sideSet2, const Joiner& join) const {
+  const std::string where = interfaceNamed(name);
+  return join(sideSetNamed(sideSet1), facesOf(where, sideSet1), sideSetNamed(sideSet2), facesOf(where, sideSet2));
+}
+
+std::vector<InterfaceSurface> InterfaceFinder::joinedParts(const std::string& name, const std::string& part1,
+                                                           const std::string& part2, const Joiner& join) const {
+  const std::string where = interfaceNamed(name);
+  const auto skinOf = [&](const std::string& part) { return skin(elements_, map_.elements(map_.named(where, part))); };
+  return join(partNamed(part1), skinOf(part1), partNamed(part2), skinOf(part2));
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::cuts() const {

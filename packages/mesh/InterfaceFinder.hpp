@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,6 +30,11 @@ class InterfaceFinder {
   /// A crease angle that no surface has.
   static constexpr double oneNormal = 180.0;
 
+  /// Joins faces of two sides that do not match, with the names of both as messages have them. The faces are those
+  /// of both side sets, or those of both parts that lie on each other.
+  using Joiner = std::function<std::vector<InterfaceSurface>(const std::string& name1, const std::vector<Face>& side1,
+                                                             const std::string& name2, const std::vector<Face>& side2)>;
+
   /// `depth` multiplies lengths in 2-D and does not count in 3-D. Throws base::Error(input) if two parts share an
   /// element.
   InterfaceFinder(const Mesh& mesh, const std::vector<Piece>& pieces, const Depth& depth = 1.0);
@@ -39,18 +45,31 @@ class InterfaceFinder {
   /// along it, the normal is along it, the gap is measured along it, and areas are the areas seen along it. Without it,
   /// sides that are meshed with the same nodes but with different faces (triangles against quadrilaterals, other
   /// diagonals) are accepted between uncut parts: areas are then the mean of both sides, and there is no consistent
-  /// mass. Throws base::Error(input) if the sides do not conform or belong to one part.
+  /// mass. Sides that do not conform are left to `join`, if there is one and no projection. Throws base::Error(input)
+  /// if they do not conform otherwise, or belong to one part.
   std::vector<InterfaceSurface> betweenSideSets(const std::string& name, const std::string& sideSet1,
                                                 const std::string& sideSet2,
                                                 const std::optional<base::Vector3>& projection = std::nullopt,
-                                                double creaseAngle = oneNormal) const;
+                                                double creaseAngle = oneNormal, const Joiner& join = {}) const;
 
   /// The interface between two bodies: their coincident faces and, besides, mesh nodes that they share outside of these
   /// faces; if there are no such faces, the nodes that coincide. Areas of nodes without faces: mean over the two bodies
   /// of their nodal skin areas, of volume^(2/3) for nodes inside a part (in 2-D thickness times the root of the plane
-  /// area). Throws base::Error(input) if they do not touch, or if faces lie on each other whose nodes do not coincide.
+  /// area). If faces lie on each other whose nodes do not coincide, they and all that match are left to `join`, if
+  /// there is one. Throws base::Error(input) if there is none then, or if the parts do not touch.
   std::vector<InterfaceSurface> betweenParts(const std::string& name, const std::string& part1,
-                                             const std::string& part2, double creaseAngle = oneNormal) const;
+                                             const std::string& part2, double creaseAngle = oneNormal,
+                                             const Joiner& join = {}) const;
+
+  /// All faces of two side sets, or of the skins of two parts, whether they match or not, joined by `join`. Throws
+  /// base::Error(input) as the other functions do.
+  std::vector<InterfaceSurface> joinedSideSets(const std::string& name, const std::string& sideSet1,
+                                               const std::string& sideSet2, const Joiner& join) const;
+  std::vector<InterfaceSurface> joinedParts(const std::string& name, const std::string& part1, const std::string& part2,
+                                            const Joiner& join) const;
+
+  /// Which part, and which piece of it, elements belong to.
+  const PieceMap& pieces() const { return map_; }
 
   /// The surfaces between the pieces of every part that was cut, named "<part> cut": by their common faces, and by
   /// single nodes where no chain of faces ties pieces that share one. A scene gives them the law Perfect.
@@ -74,9 +93,9 @@ class InterfaceFinder {
  private:
   std::vector<Face> facesOf(const std::string& interface, const std::string& sideSet) const;
   FaceIntegrals integrate(const Face& face, const std::optional<base::Vector3>& projection = std::nullopt) const;
-  std::vector<InterfaceSurface> join(const std::string& name, const std::vector<Face>& side1,
-                                     const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
-                                     double creaseAngle, const std::optional<base::Vector3>& projection) const;
+  std::vector<InterfaceSurface> joinPairs(const std::string& name, const std::vector<Face>& side1,
+                                          const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
+                                          double creaseAngle, const std::optional<base::Vector3>& projection) const;
   std::vector<InterfaceSurface> joinNodes(const std::string& name, const std::vector<int>& pieces1,
                                           const std::vector<int>& pieces2,
                                           const std::vector<std::pair<int, int>>& nodes) const;

@@ -150,10 +150,16 @@ void writeInterfaces(const Problem& problem, const latin::Iterate& state, const 
       auto& values = step.nodal[at(c)];
       for (std::size_t s = 0; s < problem.surfaces.size(); ++s) {
         const mesh::InterfaceSurface& surface = problem.surfaces[s];
-        if (!state.layout().owns(surface.piece1)) continue;
         for (int p = 0; p < surface.pairs(); ++p) {
-          for (const auto& [node, weight] : surface.trace1.row(p))
-            values[at(layout.firstPair[s] + p)] += weight * state.displacement(surface.piece1, node, t)[at(c)];
+          double& value = values[at(layout.firstPair[s] + p)];
+          const auto row = surface.trace1.row(p);
+          const PairPlace& place = problem.places[s][at(p)];
+          if (row.begin() != row.end()) {
+            if (!state.layout().owns(surface.piece1)) continue;
+            for (const auto& [node, weight] : row) value += weight * state.displacement(surface.piece1, node, t)[at(c)];
+          } else if (place.interface >= 0 && state.layout().owns(interfaces[at(place.interface)].body1)) {
+            value = state.traceOfBody(interfaces[at(place.interface)], place.pair, t)[at(c)];
+          }
         }
       }
       file.gather(values);

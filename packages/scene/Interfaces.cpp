@@ -11,6 +11,8 @@
 #include <harmos/laws/AffineComponent.hpp>
 #include <harmos/mesh/InterfaceFrame.hpp>
 #include <harmos/mesh/Skin.hpp>
+#include <harmos/scene/detail/JoinInput.hpp>
+#include <harmos/scene/detail/MeshJoiner.hpp>
 
 namespace harmos::scene {
 
@@ -52,12 +54,18 @@ struct Misfits {
   }
 };
 
+/// A point of meshes that do not match, whose unknowns are in the surface of other pieces.
+bool isCopy(const mesh::InterfaceSurface& surface, int p) {
+  return surface.area[p] == 0.0;
+}
+
 /// A law that depends on the normal needs one at every node, and some need that there is only one.
 void checkNormals(const laws::InterfaceLaw& law, const std::vector<mesh::InterfaceSurface>& surfaces) {
   if (law.creases() == laws::Creases::ignore) return;
   Misfits without, several;
   for (const mesh::InterfaceSurface& surface : surfaces) {
     for (int p = 0; p < surface.pairs(); ++p) {
+      if (isCopy(surface, p)) continue;
       const base::Vector3& place = surface.position[p];
       if (norm(surface.normal[p]) <= cancelled * surface.area[p]) without.add(place);
       if (surface.patch[p] == 1) several.add(place);
@@ -110,13 +118,19 @@ void checkQuadraticFaces(const laws::InterfaceLaw& law, const mesh::Mesh& mesh, 
 
 std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, double creaseAngle, const mesh::Mesh& mesh,
                                                const std::vector<mesh::Piece>& pieces,
-                                               const mesh::InterfaceFinder& finder) {
+                                               const mesh::InterfaceFinder& finder,
+                                               const mesh::InterfaceFinder::Joiner& join) {
   const std::string& name = list.name();
   if (list.has("Side Set")) return finder.onSideSet(name, list.text("Side Set"), creaseAngle);
   if (list.has("Node Set")) {
     return finder.onNodeSet(name, list.text("Node Set"), list.has("Part") ? list.text("Part") : "", creaseAngle);
   }
-  if (list.has("Part 1")) return finder.betweenParts(name, list.text("Part 1"), list.text("Part 2"), creaseAngle);
+  const bool isJoined = isJoiningAskedFor(list);
+  if (list.has("Part 1")) {
+    const std::string &part1 = list.text("Part 1"), &part2 = list.text("Part 2");
+    return isJoined ? finder.joinedParts(name, part1, part2, join)
+                    : finder.betweenParts(name, part1, part2, creaseAngle, join);
+  }
   const auto parts1 = partsOf(list.text("Side 1"), mesh, pieces);
   if (parts1.size() == 1 && parts1 == partsOf(list.text("Side 2"), mesh, pieces)) {
     throw base::Error("both sides belong to the part \"" + *parts1.begin() + "\".\n  An interface joins two parts.",
@@ -127,14 +141,17 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, double cr
     const auto& given = list.numbers("Projection Direction");
     std::copy(given.begin(), given.end(), projection.emplace(base::Vector3{}).begin());
   }
-  return finder.betweenSideSets(name, list.text("Side 1"), list.text("Side 2"), projection, creaseAngle);
+  if (isJoined) return finder.joinedSideSets(name, list.text("Side 1"), list.text("Side 2"), join);
+  return finder.betweenSideSets(name, list.text("Side 1"), list.text("Side 2"), projection, creaseAngle, join);
 }
 
 std::vector<std::vector<mesh::PairCarrier>> everyPairItself(const std::vector<mesh::InterfaceSurface>& surfaces) {
   std::vector<std::vector<mesh::PairCarrier>> carriers;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     auto& pairs = carriers.emplace_back();
-    for (int p = 0; p < surfaces[s].pairs(); ++p) pairs.push_back({static_cast<int>(s), p});
+    for (int p = 0; p < surfaces[s].pairs(); ++p) {
+      pairs.push_back(isCopy(surfaces[s], p) ? mesh::PairCarrier{} : mesh::PairCarrier{static_cast<int>(s), p});
+    }
   }
   return carriers;
 }
@@ -150,12 +167,12 @@ void alignWithNormal(const base::Vector3& flux, int dimension, base::Frame& fram
 
 }  // namespace
 
-std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh::Mesh& mesh,
-                                                 const std::vector<mesh::Piece>& pieces,
-                                                 const mesh::InterfaceFinder& finder, input::ErrorList& errors) {
-  std::vector<mesh::InterfaceSurface> surfaces;
+Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& model, const Bodies& bodies,
+                      const mesh::InterfaceFinder& finder, input::ErrorList& errors) {
+  const std::vector<mesh::Piece>& pieces = bodies.pieces;
+  Surfaces surfaces;
   const auto append = [&](std::vector<mesh::InterfaceSurface> found) {
-    std::move(found.begin(), found.end(), std::back_inserter(surfaces));
+    std::move(found.begin(), found.end(), std::back_inserter(surfaces.all));
   };
   const int before = errors.count();
   for (const char* kind : {"Interfaces", "Boundaries"}) {
@@ -164,7 +181,12 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
         const laws::InterfaceLaw& law = *scene.laws.at(list.name());
         const bool isSplit = law.creases() != laws::Creases::ignore;
         const double creaseAngle = isSplit ? list.number("Crease Angle") : mesh::InterfaceFinder::oneNormal;
-        auto found = surfacesOf(list, creaseAngle, mesh, pieces, finder);
+        const auto join = [&](const std::string& name1, const std::vector<mesh::Face>& side1, const std::string& name2,
+                              const std::vector<mesh::Face>& side2) {
+          const MeshJoiner joiner(list, law, creaseAngle, model.thickness, mesh, bodies, finder);
+          return joiner.join(name1, side1, name2, side2, surfaces.joined);
+        };
+        auto found = surfacesOf(list, creaseAngle, mesh, pieces, finder, join);
         for (const char* entry : {"Side Set", "Side 1", "Side 2"}) {
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }
@@ -176,7 +198,7 @@ std::vector<mesh::InterfaceSurface> findSurfaces(const Scene& scene, const mesh:
   }
   if (errors.count() > before) return surfaces;  // else parts would be reported that a faulty interface should touch
   for (const Parameters& part : scene.input.lists("Parts")) {
-    const bool isTouched = std::any_of(surfaces.begin(), surfaces.end(), [&](const mesh::InterfaceSurface& surface) {
+    const bool isTouched = std::any_of(surfaces.all.begin(), surfaces.all.end(), [&](const auto& surface) {
       const auto is = [&](int piece) { return piece >= 0 && pieces[piece].part == part.name(); };
       return is(surface.piece1) || is(surface.piece2);
     });

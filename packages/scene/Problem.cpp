@@ -48,7 +48,9 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   throwTogether(errors, comm);
 
   const mesh::InterfaceFinder finder(problem.mesh, problem.bodies.pieces, depthOf(problem.model));
-  problem.surfaces = findSurfaces(scene, problem.mesh, problem.bodies.pieces, finder, errors);
+  Surfaces found = findSurfaces(scene, problem.mesh, problem.model, problem.bodies, finder, errors);
+  problem.surfaces = std::move(found.all);
+  problem.joined = std::move(found.joined);
   assembly::Assembly& assembly = problem.assembly;
   assembly.dimension = problem.mesh.dimension;
   assembly.times = scene.times;

@@ -21,6 +21,7 @@ struct Problem {
   Model model;                                                    // kinematics and thickness
   Bodies bodies;                                                  // geometry and materials, parallel to assembly.bodies
   std::vector<mesh::InterfaceSurface> surfaces;                   // of interfaces, boundaries and cuts
+  std::vector<JoinedMeshes> joined;                               // interfaces whose meshes do not match
   std::vector<std::vector<PairPlace>> places;                     // per surface and pair: where its unknowns are
   assembly::Assembly assembly;                                    // what LATIN solves
   std::vector<std::shared_ptr<const latin::Response>> responses;  // in the order of the list Responses

@@ -134,7 +134,23 @@ class SceneChecker {
       errors_.add(interface.where("Projection Direction"), "a projection needs side sets.",
                   "Give \"Side 1\" and \"Side 2\" instead of parts, or remove the direction.");
     }
+    checkJoining(interface);
     makeLaw(interface, 2);
+  }
+
+  void checkJoining(const Parameters& interface) {
+    const auto isGiven = [&](const std::string& entry) {
+      if (entry == "Points On") return interface.text(entry) != "Automatic";
+      return entry == "Gap" ? interface.text(entry) != "Geometric" : interface.has(entry);
+    };
+    for (const std::string entry : {"Points On", "Gap", "Closed Within", "Search Distance"}) {
+      if (!interface.has("Projection Direction") || !isGiven(entry)) continue;
+      errors_.add(interface.where(entry), "it is for meshes that need not match, a projection for those that do.",
+                  "Remove one of them.");
+    }
+    if (interface.has("Closed Within") && interface.text("Gap") != "Closed") {
+      errors_.add(interface.where("Closed Within"), "gaps are not closed.", "Give Gap = Closed, or remove it.");
+    }
   }
 
   void checkBoundary(const Parameters& boundary) {

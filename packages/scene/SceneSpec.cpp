@@ -5,6 +5,7 @@
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/detail/History.hpp>
+#include <harmos/scene/detail/JoinInput.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
 
 namespace harmos::scene {
@@ -66,12 +67,13 @@ void describeCreaseAngle(input::ParameterSpec& spec) {
 void describeInterface(input::ParameterSpec& spec, const laws::LawRegistry& laws) {
   spec.summary("Interfaces join two parts, by two side sets or found between two parts. Side 1 carries the normal.");
   spec.text("Side 1").optional().doc("Side set on the first part.");
-  spec.text("Side 2").optional().doc("Side set on the second part, with nodes that coincide.");
+  spec.text("Side 2").optional().doc("Side set on the second part. Nodes need not coincide.");
   spec.text("Part 1").optional().doc("Instead of side sets: the faces (or nodes) where two parts touch.");
   spec.text("Part 2").optional().doc("See Part 1.");
   spec.numbers("Projection Direction")
       .optional()
       .doc("For surfaces that are open at first: direction along which their nodes coincide and gaps are measured.");
+  describeJoining(spec);
   describeCreaseAngle(spec);
   spec.alternatives("Law", laws.forms(), true).summary("Behaviour of the interface.");
 }

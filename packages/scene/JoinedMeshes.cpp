@@ -1,0 +1,41 @@
+#include <harmos/scene/JoinedMeshes.hpp>
+
+#include <iomanip>
+#include <sstream>
+
+namespace harmos::scene {
+namespace {
+
+// Work in a common turn that is not worth a word: of the interface's own scale.
+constexpr double unfelt = 1e-6;
+// Share of the area that is covered but for round-off.
+constexpr double roundOff = 1e-9;
+
+}  // namespace
+
+std::string JoinedMeshes::text() const {
+  std::ostringstream out;
+  out << std::setprecision(3) << "  " << interface << ": " << points << " points on side " << pointsOn + 1 << ", "
+      << report.faces[0] << " of " << report.given[0] << " faces of side 1, " << report.faces[1] << " of "
+      << report.given[1] << " of side 2\n    uncovered ";
+  for (int side = 0; side < 2; ++side) {
+    const double share = report.uncovered[side] > roundOff ? report.uncovered[side] : 0.0;
+    out << 100.0 * share << " % of those of side " << side + 1 << (side == 0 ? ", " : "; ");
+  }
+  out << "gap up to " << report.largestGap << ", overlap up to " << report.largestOverlap << "\n";
+  if (report.leftOut > 0) {
+    out << "    left out " << report.leftOut << (report.leftOut == 1 ? " corner" : " corners")
+        << " of which hardly anything is covered\n";
+  }
+  if (report.closed > 0) {
+    out << "    closed at " << report.closed << (report.closed == 1 ? " point" : " points") << ", by up to "
+        << report.largestClosed << "\n";
+  }
+  if (report.rigidMotion > unfelt) {
+    out << "    when both sides turn together, tractions do work: their places are up to " << report.rigidMotion
+        << " of the interface's size apart\n";
+  }
+  return out.str();
+}
+
+}  // namespace harmos::scene

@@ -1,0 +1,74 @@
+#include <harmos/scene/detail/MeshJoiner.hpp>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/mortar/JoinSurfaces.hpp>
+#include <harmos/mortar/PieceSurfaces.hpp>
+#include <harmos/scene/detail/JoinInput.hpp>
+
+namespace harmos::scene {
+
+MeshJoiner::MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle,
+                       double thickness, const mesh::Mesh& mesh, const Bodies& bodies,
+                       const mesh::InterfaceFinder& finder)
+    : name_(list.name()),
+      options_(joinOptions(list, law, creaseAngle, thickness)),
+      mesh_(mesh),
+      bodies_(bodies),
+      finder_(finder) {}
+
+std::string MeshJoiner::partOf(const mesh::Face& face) const {
+  return finder_.pieces().part(finder_.pieces().of(face.element));
+}
+
+double MeshJoiner::stiffnessOf(const std::vector<mesh::Face>& side) const {
+  if (side.empty()) return 0.0;
+  const auto c = bodies_.materials[finder_.pieces().of(side[0].element)]->elasticity();
+  return (c[0][0] + c[1][1] + c[2][2]) / 3.0;
+}
+
+void MeshJoiner::demandTwoParts(const std::vector<mesh::Face>& side1, const std::vector<mesh::Face>& side2) const {
+  std::set<std::string> parts;
+  for (const mesh::Face& face : side1) parts.insert(partOf(face));
+  for (const mesh::Face& face : side2) {
+    if (parts.count(partOf(face)) == 0) continue;
+    throw base::Error("Interface \"" + name_ + "\": both sides belong to part \"" + partOf(face) +
+                          "\"; an interface joins two parts. Divide the part into two blocks there.",
+                      base::ExitCode::input);
+  }
+}
+
+std::vector<mesh::InterfaceSurface> MeshJoiner::join(const std::string& name1, const std::vector<mesh::Face>& side1,
+                                                     const std::string& name2, const std::vector<mesh::Face>& side2,
+                                                     std::vector<JoinedMeshes>& reports) const {
+  demandTwoParts(side1, side2);
+  const mortar::Side one{name1, side1, stiffnessOf(side1)}, two{name2, side2, stiffnessOf(side2)};
+  mortar::JoinOptions options = options_;
+  mortar::PieceSurfaces divided;
+  // Cuts may cross the side with the points: where they cross the other one, the other choice may do.
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const auto joined = mortar::joinSurfaces("Interface \"" + name_ + "\"", mesh_, one, two, options);
+    divided = mortar::divideByPieces(name_, joined, one, two, bodies_.pieces, finder_.pieces());
+    if (divided.crossed[0] + divided.crossed[1] == 0) {
+      reports.push_back({name_, joined.pointsOn, static_cast<int>(joined.area.size()), joined.report});
+      return divided.surfaces;
+    }
+    if (options.pointsOn) break;
+    options.pointsOn = 1 - joined.pointsOn;
+  }
+  const int side = divided.crossed[0] > 0 ? 0 : 1;
+  const base::Vector3& place = divided.firstCrossed;
+  std::ostringstream message;
+  message << "Interface \"" << name_ << "\": its meshes do not match, and cuts of " << (side == 0 ? name1 : name2)
+          << " into pieces cross what " << divided.crossed[side] << (divided.crossed[side] == 1 ? " point" : " points")
+          << " of the other side see of it, the first at (" << place[0] << ", " << place[1] << ", " << place[2]
+          << "). Cut only one of both parts and give Points On = "
+          << "Side " << side + 1 << ", or use Pieces = 1 for part \"" << partOf((side == 0 ? side1 : side2)[0])
+          << "\".";
+  throw base::Error(message.str(), base::ExitCode::input);
+}
+
+}  // namespace harmos::scene

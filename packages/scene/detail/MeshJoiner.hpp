@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/input/Parameters.hpp>
+#include <harmos/laws/InterfaceLaw.hpp>
+#include <harmos/mesh/InterfaceFinder.hpp>
+#include <harmos/mortar/JoinSurfaces.hpp>
+#include <harmos/scene/Bodies.hpp>
+#include <harmos/scene/JoinedMeshes.hpp>
+
+namespace harmos::scene {
+
+/// Joins the meshes of an interface that do not match, as its list in the scene asks for. Keeps references to all but
+/// the options.
+class MeshJoiner {
+ public:
+  /// `list`: of the interface, whose law `law` is; `creaseAngle` [degrees] and `thickness` [length] as for
+  /// mesh::InterfaceFinder.
+  MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle, double thickness,
+             const mesh::Mesh& mesh, const Bodies& bodies, const mesh::InterfaceFinder& finder);
+
+  /// The surfaces between all pieces, and a line of `reports`. Throws base::Error(input) if the sides share a part,
+  /// cannot be joined, or if cuts of METIS cross the side without points.
+  std::vector<mesh::InterfaceSurface> join(const std::string& name1, const std::vector<mesh::Face>& side1,
+                                           const std::string& name2, const std::vector<mesh::Face>& side2,
+                                           std::vector<JoinedMeshes>& reports) const;
+
+ private:
+  std::string partOf(const mesh::Face& face) const;
+  double stiffnessOf(const std::vector<mesh::Face>& side) const;
+  void demandTwoParts(const std::vector<mesh::Face>& side1, const std::vector<mesh::Face>& side2) const;
+
+  const std::string& name_;
+  mortar::JoinOptions options_;
+  const mesh::Mesh& mesh_;
+  const Bodies& bodies_;
+  const mesh::InterfaceFinder& finder_;
+};
+
+}  // namespace harmos::scene
