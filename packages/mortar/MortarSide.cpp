@@ -8,6 +8,9 @@ namespace harmos::mortar {
 namespace {
 
 constexpr double equal = 1e-2;  // relative difference of two sizes that is none
+// How many times softer a side is that carries the points whatever the meshes: the nodes of a rigid one cannot give
+// way, and pressures on them oscillate where the other mesh is coarser.
+constexpr double soft = 10.0;
 
 /// -1 if the first is clearly smaller, 1 if the second is, 0 if none.
 int smaller(const std::array<double, 2>& size) {
@@ -19,6 +22,8 @@ int smaller(const std::array<double, 2>& size) {
 
 int chooseMortarSide(int dimension, const std::array<const std::vector<Cell>*, 2>& cells,
                      const std::vector<std::pair<int, int>>& pairs, const std::array<double, 2>& stiffness) {
+  if (stiffness[0] > soft * stiffness[1]) return 1;
+  if (stiffness[1] > soft * stiffness[0]) return 0;
   std::array<double, 2> faceSize{}, area{};
   for (int side = 0; side < 2; ++side) {
     std::vector<bool> isFacing(cells[side]->size(), false);

@@ -356,16 +356,16 @@ TEST(JoinSurfaces, DividesPointsAtCreases) {
   for (const base::Frame& frame : surface.frame) EXPECT_NEAR(std::max(-frame[0][0], frame[0][2]), 1.0, 1e-12);
 }
 
-TEST(JoinSurfaces, TakesThePointsOfTheFinerMeshThenOfTheSofterBodyThenOfTheSmallerSurface) {
+TEST(JoinSurfaces, TakesThePointsOfAMuchSofterBodyThenOfTheFinerMeshThenOfTheSofterBodyThenOfTheSmallerSurface) {
   struct Case {
     int cells1, cells2;
     double stiffness1, stiffness2, width1, width2;
     int expected;
   };
   for (const Case& c :
-       {Case{4, 5, 1.0, 2.0, 1.0, 1.0, 1}, Case{5, 4, 2.0, 1.0, 1.0, 1.0, 0}, Case{4, 4, 1.0, 2.0, 1.0, 1.0, 0},
-        Case{4, 4, 2.0, 1.0, 1.0, 1.0, 1}, Case{4, 2, 1.0, 1.0, 1.0, 0.5, 1}, Case{2, 4, 1.0, 1.0, 0.5, 1.0, 0},
-        Case{4, 4, 1.0, 1.0, 1.0, 1.0, 0}}) {
+       {Case{4, 5, 1.0, 2.0, 1.0, 1.0, 1}, Case{4, 5, 1.0, 20.0, 1.0, 1.0, 0}, Case{5, 4, 20.0, 1.0, 1.0, 1.0, 1},
+        Case{5, 4, 2.0, 1.0, 1.0, 1.0, 0}, Case{4, 4, 1.0, 2.0, 1.0, 1.0, 0}, Case{4, 4, 2.0, 1.0, 1.0, 1.0, 1},
+        Case{4, 2, 1.0, 1.0, 1.0, 0.5, 1}, Case{2, 4, 1.0, 1.0, 0.5, 1.0, 0}, Case{4, 4, 1.0, 1.0, 1.0, 1.0, 0}}) {
     mesh::Mesh mesh;
     Side side1 = meshGrid(mesh, "one", {4, c.cells1, 4, rectangle(0.0, 0.0, c.width1, 1.0)});
     Side side2 = meshGrid(mesh, "two", {4, c.cells2, 4, rectangle(0.0, 0.0, c.width2, 1.0), true});

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <harmos/base/Error.hpp>
 
 #include "SolvedScene.hpp"
@@ -157,6 +160,78 @@ TEST(NonMatching, StaysAsItIsWhenThePartWithThePointsIsCut) {
     EXPECT_EQ(cut.pairs("contact").size(), whole.pairs("contact").size());
     scene.set("Parts/upper/Pieces=4");
     EXPECT_THROW(SolvedScene{scene}, base::Error);
+  }
+}
+
+/// The same wherever the bodies are in space.
+TEST(NonMatching, PassesThePatchTestInAnyOrientation) {
+  SceneInput scene =
+      sceneOf("contact_patch/space.xml", {"Unilateral Contact", "{3, 2, 1}", "{2, 5, 1}", "Tet4", "Hex8", "Automatic"});
+  scene.changeMesh([](mesh::Mesh& mesh) {
+    const base::Vector3 axis = (1.0 / std::sqrt(14.0)) * base::Vector3{1.0, 2.0, 3.0};
+    for (base::Vector3& x : mesh.nodes) {
+      const double c = std::cos(0.7), s = std::sin(0.7);
+      x = c * x + s * cross(axis, x) + (1.0 - c) * dot(axis, x) * axis + base::Vector3{0.3, -1.1, 2.0};
+    }
+  });
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  for (const PairValue& pair : run.pairs("contact")) EXPECT_NEAR(pair.traction[0], -pressure, tolerance * pressure);
+}
+
+/// Lame's rings of radii 1, 2 and 3 with an interference of 0.002, by facets that deviate by up to 0.0015: with Gap =
+/// Closed these do not count.
+TEST(NonMatching, PressesARingOntoAnother) {
+  const double plane = modulus / (1.0 - nu * nu);
+  const double exact = plane * 0.002 / 2.0 * 5.0 * 3.0 / (2.0 * 4.0 * 8.0);
+  for (const char* pointsOn : {"Side 1", "Side 2"}) {
+    SceneInput scene = SceneInput::fromFile("nonmatching/press_fit.xml");
+    scene.set("Interfaces/contact/Points On=" + std::string(pointsOn));
+    scene.changeMesh([](mesh::Mesh& mesh) {
+      for (base::Vector3& x : mesh.nodes) {
+        const double angle = 0.5 * std::acos(-1.0) * x[1];
+        x = {x[0] * std::cos(angle), x[0] * std::sin(angle), 0.0};
+      }
+    });
+    const SolvedScene run(scene);
+    ASSERT_TRUE(run.isCertified()) << run.result.reason;
+    EXPECT_NEAR(run.value("force"), -exact * 2.0, 0.01 * exact * 2.0);
+    for (const PairValue& pair : run.pairs("contact")) EXPECT_NEAR(pair.traction[0], -exact, 0.03 * exact);
+  }
+}
+
+/// A scene of the cylinders, in which the mesh of one body is another one.
+TEST(NonMatching, GivesTheContactOfHertz) {
+  constexpr double radius = 50.0, length = 15.0, force = 500.0, halfWidth = 0.371395, peak = 857.07;
+  // Points of the rigid plane only where its mesh is the coarser one: it does not give way.
+  for (const auto& [cells, pointsOn] :
+       {std::pair("{45, 4}", "Side 1"), std::pair("{45, 4}", "Automatic"), std::pair("{77, 4}", "Automatic")}) {
+    SceneInput scene = SceneInput::fromFile("cylinders/hertz.xml");
+    scene.remove("Interfaces/contact/Projection Direction");
+    scene.set("Interfaces/contact/Points On=" + std::string(pointsOn));
+    scene.set("Mesh/Boxes/plane/Cells=" + std::string(cells));
+    scene.set("Values/pressure=" + std::to_string(0.5 * force / length));
+    scene.changeMesh([&](mesh::Mesh& mesh) {
+      // Graded towards the contact; the upper body with its radius below.
+      const auto graded = [&](double s) { return length * std::sinh(4.0 * s) / std::sinh(4.0); };
+      const std::vector<int>& lower = mesh.blocks[0].connectivity;
+      const int last = *std::max_element(lower.begin(), lower.end());
+      for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
+        base::Vector3& at = mesh.nodes[node];
+        const double x = graded(at[0]), y = graded(at[1]);
+        const double depth = node <= last ? 0.0 : x * x / (radius + std::sqrt(radius * radius - x * x));
+        at = {x, y + depth * (1.0 - std::abs(y) / length), 0.0};
+      }
+    });
+    const SolvedScene run(scene);
+    ASSERT_TRUE(run.isCertified()) << run.result.reason;
+    EXPECT_NEAR(run.value("P"), 0.5 * force, 1e-3 * force);
+    EXPECT_NEAR(run.value("p0"), peak, 0.03 * peak);
+    double widest = 0.0;
+    for (const PairValue& pair : run.pairs("contact")) {
+      if (pair.status != laws::Status::open) widest = std::max(widest, std::abs(pair.position[0]));
+    }
+    EXPECT_NEAR(widest, halfWidth, 0.12 * halfWidth);
   }
 }
 
