@@ -18,7 +18,7 @@ double coveredShare(const FaceCoupling& face, int corner) {
   return std::accumulate(face.mass[corner].begin(), face.mass[corner].end(), 0.0);
 }
 
-/// Sums up entries of one node, leaves out round-off, and makes a selection of what is one but for it.
+/// Sums up entries of one node and leaves out round-off, so that what is a selection but for it is one.
 std::vector<Entry> tidied(std::vector<Entry> row, double area) {
   std::stable_sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.node < b.node; });
   std::vector<Entry> merged;
@@ -29,7 +29,9 @@ std::vector<Entry> tidied(std::vector<Entry> row, double area) {
   merged.erase(
       std::remove_if(merged.begin(), merged.end(), [](const Entry& e) { return std::abs(e.weight) <= roundOff; }),
       merged.end());
-  if (merged.size() == 1 && std::abs(merged[0].weight - 1.0) <= roundOff) merged[0].weight = 1.0;
+  double sum = 0.0;
+  for (const Entry& entry : merged) sum += entry.weight;
+  for (Entry& entry : merged) entry.weight /= sum;  // 1 but for round-off, which is no motion
   return merged;
 }
 
