@@ -27,9 +27,9 @@ int moreDegrees(const FlatFace& face, double diameter) {
 /// Sums up the pairs of cells of one face of the mortar side.
 class Coupler {
  public:
-  Coupler(int dimension, const std::vector<base::Vector3>& points, double thickness, const SideCells& mortar,
+  Coupler(int dimension, const std::vector<base::Vector3>& points, const mesh::Depth& depth, const SideCells& mortar,
           const SideCells& other)
-      : dimension_(dimension), points_(points), thickness_(thickness), mortar_(mortar), other_(other) {}
+      : dimension_(dimension), points_(points), depth_(depth), mortar_(mortar), other_(other) {}
 
   FaceCoupling start(int face) const {
     FaceCoupling coupling;
@@ -42,10 +42,12 @@ class Coupler {
     const Plane plane(cell.centre, cell.normal, dimension_);
     const FlatFace own(shapeOf(mortar_, cell.face), points_, nodesOf(mortar_, cell.face), plane);
     const FaceShape& corners = cornersOf(own.shape());
-    integratePolygon(cell.on(plane), corners.polynomialDegree() + moreDegrees(own, own.size()), quadrature_);
+    integratePolygon(cell.on(plane), corners.polynomialDegree() + moreDegrees(own, own.size()) + degreeOfDepth(),
+                     quadrature_);
     for (const QuadraturePoint& at : quadrature_) {
       const auto psi = corners.values(own.parentOf(at.place));
-      for (int p = 0; p < coupling.corners; ++p) coupling.whole[p] += psi[p] * at.weight * thickness_;
+      const double weight = at.weight * depthAt(plane, at.place);
+      for (int p = 0; p < coupling.corners; ++p) coupling.whole[p] += psi[p] * weight;
     }
   }
 
@@ -57,13 +59,13 @@ class Coupler {
     const FlatFace own(shapeOf(mortar_, cell.face), points_, nodesOf(mortar_, cell.face), plane);
     const FlatFace opposite(shapeOf(other_, facing.face), points_, nodesOf(other_, facing.face), plane);
     const FaceShape& corners = cornersOf(own.shape());
-    const int degree = corners.polynomialDegree() +
+    const int degree = corners.polynomialDegree() + degreeOfDepth() +
                        std::max(own.shape().polynomialDegree(), opposite.shape().polynomialDegree()) +
                        std::max(moreDegrees(own, common.diameter()), moreDegrees(opposite, common.diameter()));
     integratePolygon(common, degree, quadrature_);
     Block ownBlock{}, oppositeBlock{};
     for (const QuadraturePoint& at : quadrature_) {
-      const double weight = at.weight * thickness_;
+      const double weight = at.weight * depthAt(plane, at.place);
       const Parent parent = own.parentOf(at.place);
       const auto n = corners.values(parent);
       const auto oppositeValues = opposite.shape().values(opposite.parentOf(at.place));
@@ -94,6 +96,11 @@ class Coupler {
  private:
   using Block = std::array<CornerVector, FaceShape::mostNodes>;  // by node of a face
 
+  /// The circumference grows linearly with the radius.
+  int degreeOfDepth() const { return depth_.isRevolved() ? 1 : 0; }
+  double depthAt(const Plane& plane, const Flat& place) const {
+    return dimension_ == 2 ? depth_.at(plane.pointAt(place)) : 1.0;
+  }
   const std::vector<int>& nodesOf(const SideCells& side, int face) const { return side.faces[face].nodes; }
   const FaceShape& shapeOf(const SideCells& side, int face) const {
     return FaceShape::of(dimension_, nodesOf(side, face).size());
@@ -128,7 +135,7 @@ class Coupler {
 
   int dimension_;
   const std::vector<base::Vector3>& points_;
-  double thickness_;
+  mesh::Depth depth_;
   const SideCells& mortar_;
   const SideCells& other_;
   std::vector<QuadraturePoint> quadrature_;
@@ -136,10 +143,10 @@ class Coupler {
 
 }  // namespace
 
-std::vector<FaceCoupling> coupleFaces(int dimension, const std::vector<base::Vector3>& points, double thickness,
+std::vector<FaceCoupling> coupleFaces(int dimension, const std::vector<base::Vector3>& points, const mesh::Depth& depth,
                                       const SideCells& mortar, const SideCells& other,
                                       const std::vector<std::pair<int, int>>& pairs, const Reach& reach) {
-  Coupler coupler(dimension, points, dimension == 2 ? thickness : 1.0, mortar, other);
+  Coupler coupler(dimension, points, depth, mortar, other);
   std::vector<FaceCoupling> couplings;
   auto pair = pairs.begin();
   for (std::size_t first = 0, last = 0; first < mortar.cells.size(); first = last) {

@@ -44,10 +44,11 @@ constexpr double roundOff = 1e-13;  // gap over the coordinates of the interface
 }
 
 /// Share of the area of the other side's covered faces that is not covered.
-double uncoveredShare(const SideCells& other, const std::set<int>& faces, double covered, double thickness) {
+double uncoveredShare(const SideCells& other, const std::set<int>& faces, double covered, int dimension,
+                      const mesh::Depth& depth) {
   double whole = 0.0;
   for (const Cell& cell : other.cells) {
-    if (faces.count(cell.face) > 0) whole += cell.area * thickness;
+    if (faces.count(cell.face) > 0) whole += cell.area * (dimension == 2 ? depth.at(cell.centre) : 1.0);
   }
   return whole > 0.0 ? std::max(0.0, 1.0 - covered / whole) : 0.0;
 }
@@ -108,7 +109,7 @@ JoinedSurface joinSurfaces(const std::string& where, const mesh::Mesh& mesh, con
     for (auto& [first, second] : facing.pairs) std::swap(first, second);
     std::sort(facing.pairs.begin(), facing.pairs.end());
   }
-  const auto couplings = coupleFaces(mesh.dimension, mesh.nodes, options.thickness, cells[mortar], cells[1 - mortar],
+  const auto couplings = coupleFaces(mesh.dimension, mesh.nodes, options.depth, cells[mortar], cells[1 - mortar],
                                      facing.pairs, options.reach);
   if (couplings.empty()) refuseDistantSides(where, mesh, sides, facing, options.reach);
 
@@ -122,8 +123,7 @@ JoinedSurface joinSurfaces(const std::string& where, const mesh::Mesh& mesh, con
     covered += coupling.area;
   }
   JoinReport& report = surface.report;
-  const double thickness = mesh.dimension == 2 ? options.thickness : 1.0;
-  report.uncovered[1] = uncoveredShare(cells[1 - mortar], opposite, covered, thickness);
+  report.uncovered[1] = uncoveredShare(cells[1 - mortar], opposite, covered, mesh.dimension, options.depth);
   report.faces = {static_cast<int>(couplings.size()), static_cast<int>(opposite.size())};
   if (mortar == 1) {
     std::swap(report.uncovered[0], report.uncovered[1]);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <harmos/mesh/Depth.hpp>
 #include <harmos/mesh/Mesh.hpp>
 #include <harmos/mesh/Skin.hpp>
 #include <harmos/mortar/JoinedSurface.hpp>
@@ -32,7 +33,7 @@ struct JoinOptions {
   double within = 0.0;         // up to which gaps and overlaps are closed, with closedWithin [length]
   Reach reach;                 // how far apart faces may lie along their normals
   double creaseAngle = 180.0;  // [degrees], as for mesh::smoothPatches()
-  double thickness = 1.0;      // [length], in 2-D
+  mesh::Depth depth;           // in 2-D
 };
 
 /// Joins two sides of an interface whose nodes need not coincide, in the plane or in space, of any linear and quadratic

@@ -32,7 +32,7 @@ struct JoinedSurface {
   std::vector<base::Vector3> place;          // per point, where its forces act on the mortar side [length]
   std::vector<base::Vector3> normal;         // per point, int psi n dS [area]
   std::vector<base::Frame> frame;            // per point, n the direction of `normal`
-  std::vector<double> area;                  // per point, h = int psi dS [length^2; in 2-D length times thickness], > 0
+  std::vector<double> area;                  // per point, h = int psi dS [length^2; in 2-D length times depth], > 0
   std::vector<double> gap;                   // per point, n . (B2 x2 - B1 x1) [length], > 0 if open
   std::array<mesh::TraceOperator, 2> trace;  // B of both sides, with nodes of the mesh; rows sum to 1
   /// Points of the covered faces of the mortar side, in the order of their corners (seen from outside of that side);

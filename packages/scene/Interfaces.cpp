@@ -98,21 +98,41 @@ bool actsOnNodes(const laws::InterfaceLaw& law, int steps) {
   return true;
 }
 
-/// Tractions in between nodes are not known on quadratic faces yet, where areas of nodes are no weights for them.
-void checkQuadraticFaces(const laws::InterfaceLaw& law, const mesh::Mesh& mesh, int steps,
-                         const std::vector<mesh::InterfaceSurface>& surfaces) {
-  if (actsOnNodes(law, steps)) return;
+/// How many quadratic faces there are on which a law needs tractions between the nodes: areas of nodes are no weights
+/// for them there.
+std::size_t countUnsuitedFaces(const laws::InterfaceLaw& law, const mesh::Mesh& mesh, int steps,
+                               const std::vector<mesh::InterfaceSurface>& surfaces) {
+  if (actsOnNodes(law, steps)) return 0;
   std::size_t count = 0;
   for (const mesh::InterfaceSurface& surface : surfaces) {
     count += std::count_if(surface.face.begin(), surface.face.end(), [&](const std::vector<int>& face) {
       return static_cast<int>(face.size()) > mesh::cornersOfFace(mesh.dimension, face.size());
     });
   }
+  return count;
+}
+
+/// The surfaces of an interface whose sides are joined by mortar integrals, matching or not.
+std::vector<mesh::InterfaceSurface> joinedSurfacesOf(const Parameters& list, const mesh::InterfaceFinder& finder,
+                                                     const mesh::InterfaceFinder::Joiner& join) {
+  if (list.has("Part 1")) return finder.joinedParts(list.name(), list.text("Part 1"), list.text("Part 2"), join);
+  return finder.joinedSideSets(list.name(), list.text("Side 1"), list.text("Side 2"), join);
+}
+
+/// The same where the law needs it on quadratic faces; boundaries have no other side that they could be joined to.
+void suitQuadraticFaces(const Parameters& list, const laws::InterfaceLaw& law, const mesh::Mesh& mesh, int steps,
+                        const mesh::InterfaceFinder& finder, const mesh::InterfaceFinder::Joiner& join,
+                        std::vector<mesh::InterfaceSurface>& surfaces) {
+  const std::size_t count = countUnsuitedFaces(law, mesh, steps, surfaces);
   if (count == 0) return;
+  if (list.has("Part 1") || (list.has("Side 1") && !list.has("Projection Direction"))) {
+    surfaces = joinedSurfacesOf(list, finder, join);
+    return;
+  }
   throw base::Error("\"" + std::string(law.name()) +
-                        "\" cannot act on faces of quadratic elements, of which there are " + std::to_string(count) +
-                        ".\n  Mesh these parts with linear elements, or choose a law that joins, holds or loads the "
-                        "faces.",
+                        "\" cannot act on faces of quadratic elements here, of which there are " +
+                        std::to_string(count) +
+                        ".\n  Mesh the part with linear elements, or choose a law that holds or loads the faces.",
                     base::ExitCode::input);
 }
 
@@ -128,8 +148,7 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, double cr
   const bool isJoined = isJoiningAskedFor(list);
   if (list.has("Part 1")) {
     const std::string &part1 = list.text("Part 1"), &part2 = list.text("Part 2");
-    return isJoined ? finder.joinedParts(name, part1, part2, join)
-                    : finder.betweenParts(name, part1, part2, creaseAngle, join);
+    return isJoined ? joinedSurfacesOf(list, finder, join) : finder.betweenParts(name, part1, part2, creaseAngle, join);
   }
   const auto parts1 = partsOf(list.text("Side 1"), mesh, pieces);
   if (parts1.size() == 1 && parts1 == partsOf(list.text("Side 2"), mesh, pieces)) {
@@ -141,7 +160,7 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, double cr
     const auto& given = list.numbers("Projection Direction");
     std::copy(given.begin(), given.end(), projection.emplace(base::Vector3{}).begin());
   }
-  if (isJoined) return finder.joinedSideSets(name, list.text("Side 1"), list.text("Side 2"), join);
+  if (isJoined) return joinedSurfacesOf(list, finder, join);
   return finder.betweenSideSets(name, list.text("Side 1"), list.text("Side 2"), projection, creaseAngle, join);
 }
 
@@ -183,15 +202,15 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
         const double creaseAngle = isSplit ? list.number("Crease Angle") : mesh::InterfaceFinder::oneNormal;
         const auto join = [&](const std::string& name1, const std::vector<mesh::Face>& side1, const std::string& name2,
                               const std::vector<mesh::Face>& side2) {
-          const MeshJoiner joiner(list, law, creaseAngle, model.thickness, mesh, bodies, finder);
+          const MeshJoiner joiner(list, law, creaseAngle, depthOf(model), mesh, bodies, finder);
           return joiner.join(name1, side1, name2, side2, surfaces.joined);
         };
         auto found = surfacesOf(list, creaseAngle, mesh, pieces, finder, join);
+        suitQuadraticFaces(list, law, mesh, static_cast<int>(scene.times.size()), finder, join, found);
         for (const char* entry : {"Side Set", "Side 1", "Side 2"}) {
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }
         checkNormals(law, found);
-        checkQuadraticFaces(law, mesh, static_cast<int>(scene.times.size()), found);
         append(std::move(found));
       });
     }
@@ -235,8 +254,7 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
       interface.position.push_back(surface.position[p]);
       interface.frame.push_back(surface.frame[p]);
       interface.area.push_back(interface.law->prescribesTraction() ? surface.share[p] : surface.area[p]);
-      if (isAlongNormals)
-        alignWithNormal(surface.flux[p], dimension, interface.frame.back(), interface.area.back());
+      if (isAlongNormals) alignWithNormal(surface.flux[p], dimension, interface.frame.back(), interface.area.back());
       interface.gap.push_back(surface.gap[p]);
     }
     if (interface.pairs() == 0) continue;

@@ -43,7 +43,7 @@ bool isJoiningAskedFor(const input::Parameters& list) {
 }
 
 mortar::JoinOptions joinOptions(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle,
-                                double thickness) {
+                                const mesh::Depth& depth) {
   mortar::JoinOptions options;
   if (law.bonds() || law.isAffine() || list.has("Part 1")) options.reach.relative = touching;
   for (int side = 0; side < 2; ++side) {
@@ -56,7 +56,7 @@ mortar::JoinOptions joinOptions(const input::Parameters& list, const laws::Inter
   }
   if (list.has("Search Distance")) options.reach.distance = list.number("Search Distance");
   options.creaseAngle = creaseAngle;
-  options.thickness = thickness;
+  options.depth = depth;
   return options;
 }
 

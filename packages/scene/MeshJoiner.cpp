@@ -12,10 +12,10 @@
 namespace harmos::scene {
 
 MeshJoiner::MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle,
-                       double thickness, const mesh::Mesh& mesh, const Bodies& bodies,
+                       const mesh::Depth& depth, const mesh::Mesh& mesh, const Bodies& bodies,
                        const mesh::InterfaceFinder& finder)
     : name_(list.name()),
-      options_(joinOptions(list, law, creaseAngle, thickness)),
+      options_(joinOptions(list, law, creaseAngle, depth)),
       mesh_(mesh),
       bodies_(bodies),
       finder_(finder) {}

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <harmos/mesh/Depth.hpp>
 #include <harmos/mortar/Reach.hpp>
 #include <harmos/mortar/detail/Cell.hpp>
 
@@ -40,13 +41,13 @@ struct SideCells {
 
 /// Integrates over the common refinement of both sides: cells are projected on the plane of the mortar side's cell,
 /// clipped and cut into triangles. `pairs`: cells of the mortar side and of the other one, ascending. `points`:
-/// coordinates of the mesh nodes [length]; `thickness` [length] multiplies lengths in 2-D. Faces without a common part
+/// coordinates of the mesh nodes [length]; `depth` multiplies lengths in 2-D. Faces without a common part
 /// do not appear.
 ///
 /// Exact where both faces are affine images of their parents. On others the integrand is no polynomial: the order grows
 /// with the distortion, and what depends on the rule being one and the same (sums of rows, biorthogonality, linear
 /// fields) holds to round-off nevertheless.
-std::vector<FaceCoupling> coupleFaces(int dimension, const std::vector<base::Vector3>& points, double thickness,
+std::vector<FaceCoupling> coupleFaces(int dimension, const std::vector<base::Vector3>& points, const mesh::Depth& depth,
                                       const SideCells& mortar, const SideCells& other,
                                       const std::vector<std::pair<int, int>>& pairs, const Reach& reach);
 

@@ -20,6 +20,8 @@ class Plane {
     const base::Vector3 arm = point - origin_;
     return {dot(arm, first_), dot(arm, second_)};
   }
+  /// The point [length] of the plane at a place.
+  base::Vector3 pointAt(const Flat& place) const { return origin_ + place[0] * first_ + place[1] * second_; }
   /// Height [length] of a point over the plane.
   double height(const base::Vector3& point) const { return dot(point - origin_, normal_); }
   /// Height [length] at a place of another plane (through `point`, with the normal `other`, not across this one's).

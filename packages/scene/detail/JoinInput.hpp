@@ -13,9 +13,9 @@ void describeJoining(input::ParameterSpec& spec);
 /// side, or how far apart faces of two parts may be.
 bool isJoiningAskedFor(const input::Parameters& list);
 
-/// What the list of an interface says, whose law is `law`; `creaseAngle` [degrees] and `thickness` [length] as for
+/// What the list of an interface says, whose law is `law`; `creaseAngle` [degrees] and `depth` as for
 /// mesh::InterfaceFinder.
 mortar::JoinOptions joinOptions(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle,
-                                double thickness);
+                                const mesh::Depth& depth);
 
 }  // namespace harmos::scene

@@ -16,9 +16,9 @@ namespace harmos::scene {
 /// the options.
 class MeshJoiner {
  public:
-  /// `list`: of the interface, whose law `law` is; `creaseAngle` [degrees] and `thickness` [length] as for
+  /// `list`: of the interface, whose law `law` is; `creaseAngle` [degrees] and `depth` as for
   /// mesh::InterfaceFinder.
-  MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle, double thickness,
+  MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle, const mesh::Depth& depth,
              const mesh::Mesh& mesh, const Bodies& bodies, const mesh::InterfaceFinder& finder);
 
   /// The surfaces between all pieces, and a line of `reports`. Throws base::Error(input) if the sides share a part,

@@ -121,7 +121,7 @@ TEST(JoinSurfaces, PassesThePatchTestForAllKindsOfFacesInThePlane) {
           const Side side2 = meshGrid(mesh, "two", {kind2, count2, 1, line, true});
           JoinOptions options;
           options.pointsOn = pointsOn;
-          options.thickness = 2.0;
+          options.depth = 2.0;
           const JoinedSurface surface = joinSurfaces("test", mesh, side1, side2, options);
           expectSound(surface);
           expectLinearReproduction(surface, mesh, 1e-12);
