@@ -37,7 +37,8 @@ void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
     printEstimate(out, response.errorEstimate);
     if (response.range.widest() >= 0) {
       const auto last = static_cast<std::size_t>(result.solution.solvedSteps - 1);
-      out << ", not unique: from " << response.range.lower[last] << " to " << response.range.upper[last];
+      out << std::setprecision(5) << ", not unique: from " << response.range.lower[last] << " to "
+          << response.range.upper[last] << std::setprecision(2);
     }
     if (response.isSmall) out << ", counts as zero: not above " << response.size;
     for (const scene::ResponseMeshError& error : result.meshErrors.responses) {
