@@ -208,8 +208,8 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, co
     const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
     if (stages < (kind == Kind::newton ? leastVectors : leastStages)) return result;
     Correction step = kind == Kind::causal     ? correctCausally(*iterate, state, count, stages)
-                            : kind == Kind::stepwise ? correctStepwise(*iterate, state, next, count, stageLimit - 2)
-                                                     : correctByNewton(*iterate, state, next, count, previous, stages);
+                      : kind == Kind::stepwise ? correctStepwise(*iterate, state, next, count, stageLimit - 2)
+                                               : correctByNewton(*iterate, state, next, count, previous, stages);
     if (!step.isReduced) {
       result.state = step.state;
       result.conclusive = false;
