@@ -119,11 +119,23 @@ std::optional<double> StepNewton::follow(std::vector<double> c) {
 
 StepNewton::Result StepNewton::solve(base::Matrix& state, const base::Matrix& beta, double target,
                                      const std::function<bool()>& mustStop) {
+  if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale()) forget();
+  const bool isFull = space().size() >= maximumDirections;
+  Result result = attempt(state, beta, target, mustStop);
+  if (result.isReached || !isFull || (mustStop && mustStop())) return result;
+  // What it holds are the directions of other states.
+  forget();
+  return attempt(state, beta, target, mustStop);
+}
+
+void StepNewton::forget() {
+  tangent_.emplace(fixedPoint_.metric(), fixedPoint_.assembly(), lines_);
+  scale_ = fixedPoint_.searchDirectionScale();
+}
+
+StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& beta, double target,
+                                       const std::function<bool()>& mustStop) {
   const int rows = state.numRows();
-  if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale()) {
-    tangent_.emplace(fixedPoint_.metric(), fixedPoint_.assembly(), lines_);
-    scale_ = fixedPoint_.searchDirectionScale();
-  }
   for (base::Matrix* field :
        {&start_, &startImage_, &alpha_, &beta_, &traction_, &residual_, &fromAlpha_, &fromBeta_}) {
     field->shape(rows, 1);

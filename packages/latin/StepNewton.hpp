@@ -34,7 +34,8 @@ class StepNewton {
   /// Directions that are kept, at most.
   static constexpr int maximumDirections = 200;
 
-  /// `fixedPoint` must outlive it. Directions are forgotten when its search direction has got another scale.
+  /// `fixedPoint` must outlive it. Directions are forgotten when its search direction has got another scale, and where
+  /// a full space does not help.
   explicit StepNewton(FixedPoint& fixedPoint);
 
   /// Whether there are any directions.
@@ -47,6 +48,10 @@ class StepNewton {
 
  private:
   const CorrectionSpace& space() const { return tangent_->space(); }
+  /// solve() in the space as it is.
+  Result attempt(base::Matrix& state, const base::Matrix& beta, double target, const std::function<bool()>& mustStop);
+  /// Begins with an empty space.
+  void forget();
   /// R of the present alpha, into residual_; returns |R|.
   double evaluate();
   /// c of the least squares of R, with new directions until no more than `enough` of it is left.

@@ -43,7 +43,8 @@ TEST(DraggedBlock, IsFoundForAnyBarAndAnyWay) {
     ASSERT_TRUE(run.isCertified()) << run.result().reason;
     const double limit = std::min(12.0, std::abs(0.05 * value / 10.0));
     EXPECT_NEAR(run.value("pull"), name == barModulus ? limit : 12.0, 1e-2 * limit);
-    EXPECT_LE(run.result().linearStages, 60);
+    // Of far ways some go into counting displacements from the motion of the block.
+    EXPECT_LE(run.result().linearStages, 100);
   }
 }
 
