@@ -26,6 +26,8 @@ class Divider {
     surface.frame.push_back(joined_.frame[point]);
     surface.normal.push_back(isCopy ? base::Vector3{} : joined_.normal[point]);
     surface.area.push_back(isCopy ? 0.0 : joined_.area[point]);
+    surface.share.push_back(surface.area.back());
+    surface.flux.push_back(surface.normal.back());
     surface.gap.push_back(joined_.gap[point]);
     surface.position.push_back(joined_.place[point]);
     surface.point.push_back(point);
