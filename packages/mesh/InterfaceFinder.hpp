@@ -61,10 +61,11 @@ class InterfaceFinder {
                                              const std::string& part2, double creaseAngle = oneNormal,
                                              const Joiner& join = {}) const;
 
-  /// All faces of two side sets, or of the skins of two parts, whether they match or not, joined by `join`. Throws
-  /// base::Error(input) as the other functions do.
+  /// All faces of two side sets, whether they match or not, joined by `join`. Throws base::Error(input) as the other
+  /// functions do.
   std::vector<InterfaceSurface> joinedSideSets(const std::string& name, const std::string& sideSet1,
                                                const std::string& sideSet2, const Joiner& join) const;
+  /// The same of the skins of two parts.
   std::vector<InterfaceSurface> joinedParts(const std::string& name, const std::string& part1, const std::string& part2,
                                             const Joiner& join) const;
 

@@ -9,9 +9,9 @@ namespace harmos::mesh {
 
 /// Shape functions N_a of an element type at points of its reference element, with coordinates xi as in Intrepid2.
 struct ShapeFunctions {
-  int dimension = 0;
-  int nodes = 0;
-  int points = 0;
+  int dimension = 0;             ///< of the reference element
+  int nodes = 0;                 ///< of the element
+  int points = 0;                ///< places at which the functions are known
   std::vector<double> value;     ///< N_a: points x nodes
   std::vector<double> gradient;  ///< dN_a/dxi_j: points x nodes x dimension
 };

@@ -21,10 +21,10 @@ class TraceOperator {
   };
   /// The entries of one point, owned by the operator.
   struct Row {
-    const Entry* first;
-    const Entry* last;
-    const Entry* begin() const { return first; }
-    const Entry* end() const { return last; }
+    const Entry* first;                           ///< the first entry
+    const Entry* last;                            ///< behind the last one
+    const Entry* begin() const { return first; }  ///< for loops over the entries
+    const Entry* end() const { return last; }     ///< the same
   };
 
   /// No points.

@@ -60,7 +60,9 @@ TEST_P(ContactPatchPlane, IsExact) {
 INSTANTIATE_TEST_SUITE_P(Cases, ContactPatchPlane,
                          ::testing::Values(Case{"Frictionless", "Unilateral Contact", ""},
                                            Case{"Friction", "Coulomb Friction", ""}, Case{"Bonded", "Perfect", ""},
-                                           Case{"Triangles", "Coulomb Friction", "Tri3"}),
+                                           Case{"Triangles", "Coulomb Friction", "Tri3"},
+                                           Case{"QuadraticQuadrilaterals", "Coulomb Friction", "Quad8"},
+                                           Case{"QuadraticTriangles", "Unilateral Contact", "Tri6"}),
                          [](const auto& test) { return test.param.name; });
 
 TEST_P(ContactPatchSpace, IsExact) {
@@ -83,7 +85,11 @@ INSTANTIATE_TEST_SUITE_P(Cases, ContactPatchSpace,
                                            Case{"Friction", "Coulomb Friction", ""}, Case{"Bonded", "Perfect", ""},
                                            Case{"Tetrahedra", "Coulomb Friction", "Tet4"},
                                            Case{"Wedges", "Coulomb Friction", "Wedge6"},
-                                           Case{"Pyramids", "Coulomb Friction", "Pyramid5"}),
+                                           Case{"Pyramids", "Coulomb Friction", "Pyramid5"},
+                                           Case{"QuadraticHexahedra", "Coulomb Friction", "Hex20"},
+                                           Case{"FullHexahedra", "Unilateral Contact", "Hex27"},
+                                           Case{"QuadraticTetrahedra", "Coulomb Friction", "Tet10"},
+                                           Case{"QuadraticWedges", "Unilateral Contact", "Wedge15"}),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
