@@ -186,7 +186,7 @@ Certificate::Result Certificate::attempt(const Iterate& first, const base::Matri
                                          int stageLimit) {
   if (!causal_) return attemptOnce(Kind::newton, first, alpha, image, stageLimit);
   if (stepNewton_.isUsed()) return attemptOnce(Kind::stepwise, first, alpha, image, stageLimit);
-  const Result result = attemptOnce(Kind::causal, first, alpha, image, stageLimit);
+  Result result = attemptOnce(Kind::causal, first, alpha, image, stageLimit);
   if (!result.stagnated) return result;
   base::Matrix next(alpha.numRows(), alpha.numCols());
   const Iterate& iterate = fixedPoint_.apply(result.state, next);

@@ -88,7 +88,8 @@ bool March::mayTryNewton() const {
 }
 
 bool March::solveByNewton(const Iterate& iterate, base::Matrix& state, double target) {
-  const base::Matrix beta(iterate.beta());
+  base::Matrix beta(state.numRows(), 1);  // a copy: the field goes with the next solve
+  beta.assign(iterate.beta());
   const bool isReached = newton_->solve(state, beta, target, mustStop_).isReached;
   newtonFailures_ = isReached ? 0 : newtonFailures_ + 1;
   return isReached;
