@@ -150,11 +150,11 @@ class Writer {
     const mesh::SideSet& set = sideSet(response.text("Side Set"));
     for (std::size_t i = 0; i < set.element.size(); ++i) {
       const std::vector<int> corners = elements_.side(set.element[i], set.side[i]);
-      const mesh::FaceIntegrals face = mesh::integrateFace(mesh::pointsOf(problem_.mesh, corners), 1.0);
+      const mesh::FaceIntegrals face = mesh::integrateFace(3, mesh::pointsOf(problem_.mesh, corners), 1.0);
       for (std::size_t c = 0; c < corners.size(); ++c) {
-        weights.emplace_back(corners[c] + 1, face.area[c]);
+        weights.emplace_back(corners[c] + 1, face.weight[c].share);
         nodes.insert(corners[c] + 1);
-        area += face.area[c];
+        area += face.weight[c].share;
       }
     }
     out_ << "** MEAN " << response.name();
@@ -205,8 +205,7 @@ class Writer {
     for (std::size_t i = 0; i < set.element.size(); ++i) {
       const auto corners = mesh::pointsOf(problem_.mesh, elements_.side(set.element[i], set.side[i]));
       base::Vector3 normal{};
-      for (const base::Vector3& share : mesh::integrateFace(corners, 1.0).normal)
-        for (std::size_t c = 0; c < 3; ++c) normal[c] += share[c];
+      for (const mesh::NodalWeight& weight : mesh::integrateFace(3, corners, 1.0).weight) normal = normal + weight.flux;
       const double length = std::hypot(normal[0], normal[1], normal[2]);
       double pull = 0.0;
       for (std::size_t c = 0; c < 3; ++c) pull += traction[c] * normal[c] / length;
