@@ -9,11 +9,10 @@
 #include <harmos/elasticity/detail/ElementFault.hpp>
 #include <harmos/elasticity/detail/ElementStrain.hpp>
 #include <harmos/elasticity/detail/PartElements.hpp>
+#include <harmos/mesh/Depth.hpp>
 
 namespace harmos::elasticity {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// The element of twice the order with the same corners, whose points integrate squares.
 mesh::ElementType raised(mesh::ElementType type) {
@@ -52,7 +51,7 @@ void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& 
                       " were given.");
   }
   const ElasticityMatrix c = reduced(part.material.elasticity(), part.kinematics);
-  const bool isPlane = dimension == 2 && !isAxisymmetric(part.kinematics);
+  const mesh::Depth depth = isAxisymmetric(part.kinematics) ? mesh::Depth::revolved() : mesh::Depth(part.thickness);
   std::vector<double> stress(6 * static_cast<std::size_t>(columns));
   ElementFaults faults(part.mesh, part.piece);
   for (const ElementGroup& group : groupsOf(part.mesh, part.piece, part.kinematics)) {
@@ -83,9 +82,8 @@ void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& 
         point.value = strain.values(p);
         point.position = {};
         for (int a = 0; a < nodes; ++a) point.position = point.position + point.value[a] * places[a];
-        const double circumference = 2.0 * pi * point.position[0];
-        const double depth = isPlane ? part.thickness : isAxisymmetric(part.kinematics) ? circumference : 1.0;
-        point.volume = depth * rule.weight[p] * strain.determinant(p);
+        const double across = dimension == 2 ? depth.at(point.position) : 1.0;
+        point.volume = across * rule.weight[p] * strain.determinant(p);
         for (int j = 0; j < columns; ++j) {
           const std::array<double, 6> eps = strain.strain(p, j);
           for (std::size_t m = 0; m < 6; ++m) {
