@@ -206,13 +206,7 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
   }
   target_ = target * before;
   // All load steps are met from the unloaded state again at the end, also when a law throws.
-  const struct Restore {
-    FixedPoint& fixedPoint;
-    ~Restore() {
-      fixedPoint.startUnloaded();
-      fixedPoint.selectAll();
-    }
-  } restore{fixedPoint_};
+  const FixedPoint::AllStepsAtEnd restore(fixedPoint_);
   sweep(0);
   const int first = fixedPoint_.linearStage().stages();
   std::vector<double> residuals{largestResidual()};  // after every linear stage

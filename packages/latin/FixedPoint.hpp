@@ -48,6 +48,22 @@ class FixedPoint {
   /// From now on the first column follows on the unloaded state again, as after construction.
   void startUnloaded() { local_->startUnloaded(); }
 
+  /// At its end, also when a law throws, all load steps are selected again and follow on the unloaded state.
+  class AllStepsAtEnd {
+   public:
+    /// `fixedPoint` must outlive it.
+    explicit AllStepsAtEnd(FixedPoint& fixedPoint) : fixedPoint_(fixedPoint) {}
+    ~AllStepsAtEnd() {
+      fixedPoint_.startUnloaded();
+      fixedPoint_.selectAll();
+    }
+    AllStepsAtEnd(const AllStepsAtEnd&) = delete;
+    AllStepsAtEnd& operator=(const AllStepsAtEnd&) = delete;
+
+   private:
+    FixedPoint& fixedPoint_;
+  };
+
   /// To be called when laws of the assembly have been replaced by others of the same kind: the operators do not depend
   /// on them (with Elimination::affine, as long as springs of boundaries stay), but loads do. Throws as
   /// EliminatedBoundaries::update().

@@ -190,13 +190,7 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
   base::Matrix state(rows, 1);  // no view of alpha: copies of a view share its values
   End end = End::reached;
   // All load steps are selected again at the end, also when a law throws.
-  const struct Restore {
-    FixedPoint& fixedPoint;
-    ~Restore() {
-      fixedPoint.startUnloaded();
-      fixedPoint.selectAll();
-    }
-  } restore{fixedPoint_};
+  const FixedPoint::AllStepsAtEnd restore(fixedPoint_);
   fixedPoint_.startUnloaded();
   stepsReached_ = 0;
   lacksDigits_ = false;

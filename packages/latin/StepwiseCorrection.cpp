@@ -10,13 +10,7 @@ StepwiseCorrection::Result StepwiseCorrection::correct(const Iterate& iterate, b
   const int rows = alpha.numRows();
   base::Matrix state(rows, 1), beta(rows, 1), image(rows, 1);
   // All load steps are met from the unloaded state again at the end, also when a law throws.
-  const struct Restore {
-    FixedPoint& fixedPoint;
-    ~Restore() {
-      fixedPoint.startUnloaded();
-      fixedPoint.selectAll();
-    }
-  } restore{fixedPoint_};
+  const FixedPoint::AllStepsAtEnd restore(fixedPoint_);
   fixedPoint_.startUnloaded();
   const auto mustStop = [&] { return fixedPoint_.linearStage().stages() >= stageLimit; };
   Result result;

@@ -216,13 +216,7 @@ void ConfigurationIteration::settle(int step, const Indicators& target) {
 Indicators ConfigurationIteration::march(const Indicators& target) {
   {
     // All load steps are selected again at the end, also when a law throws.
-    const struct Restore {
-      latin::FixedPoint& fixedPoint;
-      ~Restore() {
-        fixedPoint.startUnloaded();
-        fixedPoint.selectAll();
-      }
-    } restore{fixedPoint_};
+    const latin::FixedPoint::AllStepsAtEnd restore(fixedPoint_);
     fixedPoint_.startUnloaded();
     for (int t = 0; t < alpha_.numCols(); ++t) {
       if (mustStop_ && mustStop_()) break;
