@@ -6,8 +6,9 @@ namespace harmos::latin {
 
 StepwiseCorrection::Result StepwiseCorrection::correct(const Iterate& iterate, base::Matrix& alpha, double target,
                                                        int stageLimit) {
-  const base::Matrix images(iterate.beta());
   const int rows = alpha.numRows();
+  // A copy: the iterate's fields are overwritten from the first load step on.
+  const base::Matrix images(Teuchos::Copy, iterate.beta().values(), iterate.beta().stride(), rows, alpha.numCols());
   base::Matrix state(rows, 1), beta(rows, 1), image(rows, 1);
   // All load steps are met from the unloaded state again at the end, also when a law throws.
   const FixedPoint::AllStepsAtEnd restore(fixedPoint_);
