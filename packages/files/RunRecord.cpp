@@ -47,6 +47,7 @@ std::string toJson(const RunRecord& record) {
   Json json = {{"program", "Harmos"},
                {"version", version()},
                {"scene", record.scene},
+               {"units", record.units.empty() ? Json() : Json(record.units)},
                {"status", record.status},
                {"reason", record.reason},
                {"remarks", record.remarks},

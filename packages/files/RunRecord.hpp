@@ -29,6 +29,7 @@ struct MeshErrorRecord {
 /// How a run went; what SCENE_result.json says.
 struct RunRecord {
   std::string scene;  // path as given
+  std::string units;  // length, force, time of all numbers, as the scene declares them; empty: it does not
   /// running, certified, "certified, not unique", not converged, no equilibrium, interrupted, failed
   std::string status;
   std::string reason;                // why it stopped, one sentence

@@ -1,6 +1,10 @@
-"""What `harmos report` starts, as python3 FOLDER: this folder comes first on the module path, no other harmos wins."""
+"""What the program starts, as python3 FOLDER VERB ...: this folder comes first on the module path, no other harmos wins."""
+import importlib
 import sys
 
-from harmos.report.__main__ import main
+MODULES = {"report": "harmos.report.__main__", "import": "harmos.exchange.__main__",
+           "convert": "harmos.exchange.__main__"}
+"""Where the function main() of each verb is; it takes the words that it is given."""
 
-sys.exit(main())
+verb = sys.argv[1]
+sys.exit(importlib.import_module(MODULES[verb]).main(sys.argv[2:] if verb == "report" else sys.argv[1:]))

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include <harmos/files/ExodusMesh.hpp>
+#include <harmos/files/MeshFile.hpp>
 #include <harmos/mesh/BoltedJoint.hpp>
 #include <harmos/mesh/Boxes.hpp>
 #include <harmos/mesh/GluedAssembly.hpp>
@@ -43,7 +43,10 @@ std::vector<input::ParameterSpec> meshForms() {
   exodus.summary(
       "A mesh in an Exodus II file: hexahedra of 8, 20 or 27 nodes, wedges of 6 or 15, pyramids of 5, tetrahedra of 4 "
       "or 10; in the plane quadrilaterals of 4, 8 or 9 nodes, triangles of 3 or 6.");
-  exodus.text("File").required().doc("Path of the file; a relative one starts at the folder of the scene.");
+  exodus.text("File").required().doc(
+      "Path of the file; a relative one starts at the folder of the scene. Files that end in .msh (Gmsh), .inp "
+      "(Abaqus, "
+      "CalculiX), .unv, .med or .vtu are read as what they are.");
   std::vector<input::ParameterSpec> forms{exodus};
   for (const Source& source : generators()) forms.push_back(source.form);
   return forms;
@@ -68,8 +71,8 @@ mesh::Mesh givenMesh(const input::Parameters& source, const std::string& scenePa
     if (generator.form.name() == source.type()) return generator.make(source);
   }
   const bool hasUnused = source.has("Unused Blocks");
-  return files::readExodus(*meshFile(source, scenePath),
-                           hasUnused ? source.texts("Unused Blocks") : std::vector<std::string>{});
+  return files::readMesh(*meshFile(source, scenePath),
+                         hasUnused ? source.texts("Unused Blocks") : std::vector<std::string>{});
 }
 
 }  // namespace

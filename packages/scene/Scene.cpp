@@ -18,6 +18,7 @@
 #include <harmos/scene/detail/Names.hpp>
 #include <harmos/scene/detail/Place.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
+#include <harmos/scene/detail/Units.hpp>
 #include <harmos/scene/detail/UnusedEntries.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
 
@@ -215,6 +216,7 @@ Scene makeScene(const input::InputTree& input, const std::string& path, const st
   SceneChecker(laws, scene, errors).check();
   errors.throwIfAny();
   scene.warnings = unusedEntries(input, overrides, scene.input, scene.times);
+  for (std::string& sentence : implausibleNumbers(scene.input)) scene.warnings.push_back(std::move(sentence));
   const Parameters& solver = scene.input.list("Solver");
   scene.solver = latin::LatinOptions(solver);
   scene.wantsMeshErrors = solver.flag("Mesh Error");

@@ -24,7 +24,8 @@ struct Scene {
   std::vector<double> times;       // end of each load step [time], ascending from above 0
   std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;  // by name in the list Materials
   std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;         // by name of interface or boundary
-  std::vector<std::string> warnings;  // what the input says without effect: a sentence each, with its place
+  std::vector<std::string>
+      warnings;  // what the input says without effect or likely wrong: a sentence each, with its place
   std::shared_ptr<const laws::InterfaceLaw> cutLaw;  // between the pieces of one part; null when no part is cut
 };
 

@@ -177,6 +177,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
   const Problem problem = makeProblem(scene, *comm, timers);
 
   result.record.scene = request.scene;
+  if (scene.input.has("Units")) result.record.units = scene.input.text("Units");
   result.record.warnings = scene.warnings;
   result.record.accuracy = options.accuracy;
   result.record.status = "running";

@@ -7,6 +7,7 @@
 #include <harmos/scene/detail/History.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
+#include <harmos/scene/detail/Units.hpp>
 
 namespace harmos::scene {
 
@@ -99,6 +100,13 @@ input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
   input::ParameterSpec spec("Harmos");
   spec.summary("A scene: elastic parts, the interfaces between them, loads, and what to report.");
   spec.text("Title").defaultValue("").doc("Of the result files.");
+  spec.text("Units")
+      .optional()
+      .oneOf(unitSystems())
+      .doc(
+          "Length, force and time of all numbers. Nothing is converted: materials that no solid has in them are asked "
+          "about, "
+          "and results say them.");
   describeModel(spec.list("Model"));
   spec.namedNumbers("Values").summary("Numbers to share: write \"$name\" as the value of any number.");
   describeMesh(spec.alternatives("Mesh", meshForms(), true));

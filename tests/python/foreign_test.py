@@ -21,6 +21,17 @@ class ForeignTest(unittest.TestCase):
         content = numpy.arange(1e6)
         numpy.testing.assert_array_equal(read_foreign(self.path, lambda: content), content)
 
+    def test_an_end_without_an_answer_is_damage(self) -> None:
+        def end() -> None:
+            os._exit(0)
+
+        with self.assertRaisesRegex(ValueError, "reading it ends the process"):
+            read_foreign(self.path, end)
+
+    def test_memory_has_an_end(self) -> None:
+        with self.assertRaisesRegex(ValueError, "MemoryError"):
+            read_foreign(self.path, lambda: numpy.ones(10**12))
+
     def test_errors_name_the_file(self) -> None:
         def refuse(error: Exception) -> None:
             raise error

@@ -12,6 +12,7 @@ Command meshCommand();
 Command compareCommand();
 Command studyCommand();
 Command reportCommand();
+Command importCommand();
 Command predictCommand();
 
 }  // namespace harmos::cli

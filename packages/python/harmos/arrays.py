@@ -14,3 +14,5 @@ Texts = NDArray[numpy.str_]
 """Words such as the status of configurations."""
 Records = NDArray[numpy.void]
 """Rows with named columns, a structured array."""
+Array = NDArray[Any]
+"""Numbers of a kind that the words say."""

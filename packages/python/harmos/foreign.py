@@ -12,6 +12,9 @@ Content = TypeVar("Content")
 SECONDS, SECONDS_PER_BYTE = 30, 1e-6
 """Processor time that reading may take, whatever the size of the file, and with it."""
 
+BYTES, BYTES_PER_BYTE = 1e9, 100.0
+"""Memory that reading may take beyond what the process has, in the same way."""
+
 
 def read_foreign(path: str | os.PathLike[str], read: Callable[[], Content]) -> Content:
     """What `read` returns, which must be fit for pickling; `path` is the file that it reads.
@@ -20,12 +23,13 @@ def read_foreign(path: str | os.PathLike[str], read: Callable[[], Content]) -> C
         OSError: as `read` does.
         ValueError: `read` raises anything else or never ends, or the child dies.
     """
-    seconds = SECONDS + int(SECONDS_PER_BYTE * os.stat(path).st_size)
+    size = os.stat(path).st_size
+    seconds, memory = SECONDS + int(SECONDS_PER_BYTE * size), int(BYTES + BYTES_PER_BYTE * size)
     receiver, sender = os.pipe()
     child = os.fork()
     if child == 0:
         os.close(receiver)
-        _read_in_child(sender, path, seconds, read)
+        _read_in_child(sender, path, seconds, memory, read)
     os.close(sender)
     with os.fdopen(receiver, "rb") as pipe:
         answer = pipe.read()
@@ -34,13 +38,16 @@ def read_foreign(path: str | os.PathLike[str], read: Callable[[], Content]) -> C
         number = os.WTERMSIG(status)
         cause = "reading it does not end" if number == signal.SIGXCPU else f"reading it fails, {signal.strsignal(number)}"
         raise ValueError(f"{path} is damaged: {cause}")
+    if not answer:
+        raise ValueError(f"{path} is damaged: reading it ends the process")
     content = pickle.loads(answer)
     if isinstance(content, Exception):
         raise content
     return content  # type: ignore[no-any-return]
 
 
-def _read_in_child(sender: int, path: str | os.PathLike[str], seconds: int, read: Callable[[], Content]) -> None:
+def _read_in_child(sender: int, path: str | os.PathLike[str], seconds: int, memory: int,
+                   read: Callable[[], Content]) -> None:
     """Never returns."""
     status = 1
     try:
@@ -48,6 +55,9 @@ def _read_in_child(sender: int, path: str | os.PathLike[str], seconds: int, read
             signal.signal(number, signal.SIG_DFL)
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, resource.getrlimit(resource.RLIMIT_CPU)[1]))
+        with open("/proc/self/statm", encoding="ascii") as own:
+            taken = int(own.read().split()[0]) * resource.getpagesize()
+        resource.setrlimit(resource.RLIMIT_AS, (taken + memory, resource.getrlimit(resource.RLIMIT_AS)[1]))
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, 1)
         os.dup2(nowhere, 2)

@@ -53,6 +53,23 @@ TEST(Scene, EffectiveInputIsTheSameScene) {
   EXPECT_EQ(input::effectiveInput(again.input), effective);
 }
 
+TEST(Scene, AsksAboutMaterialsThatNoSolidHasInItsUnits) {
+  const auto warnings = [](const std::string& units, const std::string& modulus) {
+    return sample({"Units=" + units, "Materials/steel/Young's Modulus=" + modulus}).warnings;
+  };
+  EXPECT_TRUE(warnings("mm N s", "210000").empty());
+  EXPECT_TRUE(warnings("m N s", "2.1e11").empty());
+  EXPECT_TRUE(sample({"Materials/steel/Young's Modulus=2.1e11"}).warnings.empty()) << "nothing is declared";
+  const auto stiff = warnings("mm N s", "2.1e11"), soft = warnings("m N s", "210000");
+  ASSERT_EQ(stiff.size(), 1u);
+  EXPECT_NE(stiff[0].find("Materials / steel / Young's Modulus: in the units \"mm N s\" this is 2.1e+17 Pa, more than "
+                          "diamond has. It is a usual one in \"m N s\": change the number or the units."),
+            std::string::npos)
+      << stiff[0];
+  ASSERT_EQ(soft.size(), 1u);
+  EXPECT_NE(soft[0].find("less than soft rubber has. It is a usual one in \"mm N s\", "), std::string::npos) << soft[0];
+}
+
 TEST(Scene, SaysWhatItHoldsInVain) {
   EXPECT_TRUE(sample().warnings.empty());
   std::string text = sampleScene();

@@ -13,15 +13,15 @@ from harmos.report.writing import Pictures, demand_distinct, replace_file
 from harmos.results import read_study
 
 
-def main() -> int:
-    """Does what the command line says; returns the exit code, 2 when the study or the curve cannot be read."""
+def main(words: list[str] | None = None) -> int:
+    """Does what the words say, those of the command line if there are none; returns the exit code, 2 when the study or the curve cannot be read."""
     parser = argparse.ArgumentParser(prog="python3 -m harmos.report", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("study")
     parser.add_argument("page")
     parser.add_argument("--abscissa", default="", help="curve to draw the other curves against (default: time)")
     parser.add_argument("--pictures", type=pathlib.Path, help="folder that also gets the pictures, as PNG files")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(words)
     try:
         demand_distinct(arguments.study, arguments.page)
         study = read_study(arguments.study)

@@ -1,0 +1,56 @@
+#include <harmos/files/MeshFile.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/files/AtomicFile.hpp>
+#include <harmos/files/ExodusMesh.hpp>
+#include <harmos/files/PythonPackage.hpp>
+
+namespace harmos::files {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 4> convertedEndings = {".msh", ".unv", ".med", ".vtu"};
+
+bool isConverted(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return std::find(convertedEndings.begin(), convertedEndings.end(), ending) != convertedEndings.end();
+}
+
+/// A new folder among the temporary files.
+std::string temporaryFolder() {
+  std::string name = (fs::temp_directory_path() / "harmos.XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr)
+    throw base::Error("Cannot make the folder " + name + ": " + std::strerror(errno) + ".");
+  return name;
+}
+
+}  // namespace
+
+mesh::Mesh readMesh(const std::string& path, const std::vector<std::string>& unused) {
+  if (!isConverted(path)) return readExodus(path, unused);
+  const Unfinished folder(temporaryFolder());
+  const std::string exodus = (fs::path(folder.path()) / "mesh.e").string();
+  const ScriptEnd end = runPythonPackage({"convert", path, exodus}, {}, true);
+  if (end.exitCode != 0) {
+    const bool isInput = end.exitCode == static_cast<int>(base::ExitCode::input);
+    std::string reason = end.errorOutput;
+    reason.erase(reason.find_last_not_of('\n') + 1);
+    throw base::Error("Cannot read the mesh file \"" + path + "\":\n  " + reason,
+                      isInput ? base::ExitCode::input : base::ExitCode::failure);
+  }
+  return readExodus(exodus, unused);
+}
+
+}  // namespace harmos::files

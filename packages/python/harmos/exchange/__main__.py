@@ -1,0 +1,99 @@
+"""Imports files of other programs; `harmos import` and the entry Mesh/File call it.
+
+python3 -m harmos.exchange import FILE --output DIR [--units "mm N s"]
+python3 -m harmos.exchange convert FILE MESH.e
+"""
+import argparse
+import os
+import pathlib
+import sys
+
+from harmos.exchange.findings import Findings, Refused
+from harmos.exchange.mesh import Mesh, clean_name
+from harmos.exchange.reading import Missing, demand_importable, load, read_mesh
+from harmos.exchange.scene import Comment, SceneList
+from harmos.exchange.start import starting_scene
+from harmos.exchange.units import SYSTEMS
+
+
+def main(words: "list[str] | None" = None) -> int:
+    """Does what the command line says; returns the exit code, 2 when the file cannot be imported."""
+    parser = argparse.ArgumentParser(prog="harmos", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    verbs = parser.add_subparsers(dest="verb", required=True)
+    importing = verbs.add_parser("import")
+    importing.add_argument("file")
+    importing.add_argument("--output", required=True)
+    importing.add_argument("--units", default="")
+    converting = verbs.add_parser("convert")
+    converting.add_argument("file")
+    converting.add_argument("mesh")
+    arguments = parser.parse_args(words)
+    try:
+        if arguments.verb == "convert":
+            _convert(arguments.file, arguments.mesh)
+        else:
+            _import(arguments)
+    except Refused as error:
+        print(error if arguments.verb == "convert" else f"{error}\nNothing was written.", file=sys.stderr)
+        return 2
+    except (Missing, OSError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0
+
+
+def _convert(path: str, mesh_path: str) -> None:
+    """The mesh alone, for the entry Mesh/File."""
+    findings = Findings()
+    _write_mesh(mesh_path, read_mesh(path, findings))
+
+
+def _write_mesh(path: str, mesh: Mesh) -> None:
+    writer = load("harmos.exchange.exodus", "python3-netcdf4")
+    writer.write_exodus(path, mesh)  # type: ignore[attr-defined]
+
+
+def _import(arguments: argparse.Namespace) -> None:
+    path = arguments.file
+    findings = Findings()
+    if arguments.units and arguments.units not in SYSTEMS:
+        raise Refused(f"--units \"{arguments.units}\": there are {', '.join(SYSTEMS)}.")
+    units = SYSTEMS[arguments.units or "mm N s"]
+    stem = clean_name(pathlib.Path(path).stem)
+    folder = pathlib.Path(arguments.output)
+    outputs = [folder / f"{stem}.e", folder / f"{stem}.xml"]
+    demand_importable(path)
+    for output in outputs:
+        if output.exists() and output.samefile(path):
+            raise Refused(f"the result {output} would replace the input {path}. Name another folder by --output.")
+    mesh = read_mesh(path, findings)
+    findings.found.insert(0, mesh.text())
+    scene = starting_scene(mesh, f"{stem}.e", stem, units, bool(arguments.units), findings)
+    scene.items.insert(0, _heading(path, findings))
+    folder.mkdir(parents=True, exist_ok=True)
+    _write_both(outputs, mesh, scene)
+    for line in findings.text():
+        print(line)
+    print(f"{outputs[1]}: the starting scene; \"harmos check {outputs[1]}\" says what it will take.", flush=True)
+
+
+def _heading(path: str, findings: Findings) -> Comment:
+    return Comment([f"Imported from {pathlib.Path(path).name}.", *findings.text()])
+
+
+def _write_both(outputs: list[pathlib.Path], mesh: Mesh, scene: SceneList) -> None:
+    """Replaces both files when both are complete."""
+    partial = [output.with_name(f"{output.name}.partial.{os.getpid()}") for output in outputs]
+    try:
+        _write_mesh(str(partial[0]), mesh)
+        partial[1].write_text(scene.text() + "\n", encoding="utf-8")
+        for complete, output in zip(partial, outputs):
+            os.replace(complete, output)
+    finally:
+        for left in partial:
+            left.unlink(missing_ok=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,128 @@
+"""Writes and reads Exodus II files through netCDF.
+
+Source: Schoof, Yarberry, EXODUS II: a finite element data model, SAND92-2137 (1995).
+"""
+import os
+
+import netCDF4
+import numpy
+
+from harmos.arrays import Array
+from harmos.exchange.elements import TYPES
+from harmos.exchange.findings import Findings, Refused
+from harmos.exchange.mesh import LONGEST_NAME, Block, Mesh, demand_sound, oriented
+
+NAME_LENGTH = LONGEST_NAME + 1
+"""Room for a name with its end."""
+
+
+def write_exodus(path: str | os.PathLike[str], mesh: Mesh, title: str = "") -> None:
+    """Writes a mesh in the format with 64-bit offsets."""
+    with netCDF4.Dataset(path, "w", format="NETCDF3_64BIT_OFFSET") as file:
+        file.setncatts({"api_version": numpy.float32(6.02), "version": numpy.float32(6.02),
+                        "floating_point_word_size": numpy.int32(8), "file_size": numpy.int32(1),
+                        "maximum_name_length": numpy.int32(LONGEST_NAME), "title": title[:80] or "Harmos"})
+        sizes = {"len_string": 33, "len_line": 81, "four": 4, "len_name": NAME_LENGTH, "num_dim": mesh.dimension,
+                 "num_nodes": len(mesh.nodes), "num_elem": int(mesh.first_elements()[-1]),
+                 "num_el_blk": len(mesh.blocks)}
+        for name, size in sizes.items():
+            file.createDimension(name, size)
+        file.createDimension("time_step", None)
+        file.createVariable("time_whole", "f8", ("time_step",))
+        for axis in "xyz"[:mesh.dimension]:
+            file.createVariable("coord" + axis, "f8", ("num_nodes",))[:] = mesh.nodes[:, "xyz".index(axis)]
+        _write_blocks(file, mesh)
+        _write_sets(file, "ss", "side", mesh.side_sets)
+        _write_sets(file, "ns", "node", mesh.node_sets)
+
+
+def _write_names(file: netCDF4.Dataset, variable: str, dimension: str, names: list[str]) -> None:
+    table = numpy.zeros((len(names), NAME_LENGTH), dtype="S1")
+    for row, name in zip(table, names):
+        letters = name.encode("ascii", "replace")[:LONGEST_NAME]
+        row[:len(letters)] = [letters[i:i + 1] for i in range(len(letters))]
+    file.createVariable(variable, "S1", (dimension, "len_name"))[:] = table
+
+
+def _write_ids(file: netCDF4.Dataset, prefix: str, dimension: str, count: int) -> None:
+    file.createVariable(prefix + "_status", "i4", (dimension,))[:] = numpy.ones(count)
+    ids = file.createVariable(prefix + "_prop1", "i4", (dimension,))
+    ids.setncattr("name", "ID")
+    ids[:] = numpy.arange(1, count + 1)
+
+
+def _write_blocks(file: netCDF4.Dataset, mesh: Mesh) -> None:
+    _write_ids(file, "eb", "num_el_blk", len(mesh.blocks))
+    _write_names(file, "eb_names", "num_el_blk", [block.name for block in mesh.blocks])
+    for number, block in enumerate(mesh.blocks, 1):
+        file.createDimension(f"num_el_in_blk{number}", len(block.connectivity))
+        file.createDimension(f"num_nod_per_el{number}", block.type.nodes)
+        variable = file.createVariable(f"connect{number}", "i4",
+                                       (f"num_el_in_blk{number}", f"num_nod_per_el{number}"))
+        variable.setncattr("elem_type", block.type.name)
+        variable[:] = block.connectivity + 1
+
+
+def _write_sets(file: netCDF4.Dataset, short: str, word: str, sets: dict[str, Array]) -> None:
+    if not sets:
+        return
+    dimension = f"num_{word}_sets"
+    file.createDimension(dimension, len(sets))
+    _write_ids(file, short, dimension, len(sets))
+    _write_names(file, short + "_names", dimension, list(sets))
+    for number, entries in enumerate(sets.values(), 1):
+        size = f"num_{'side_ss' if short == 'ss' else 'nod_ns'}{number}"
+        file.createDimension(size, max(1, len(entries)))
+        columns = [("elem_ss", entries[:, 0]), ("side_ss", entries[:, 1])] if short == "ss" else [("node_ns", entries)]
+        for name, column in columns:
+            file.createVariable(f"{name}{number}", "i4", (size,))[:] = column + 1
+
+
+def _read_names(file: netCDF4.Dataset, variable: str, count: int, unnamed: str) -> list[str]:
+    names = [f"{unnamed}{number}" for number in range(1, count + 1)]
+    if variable in file.variables:
+        table = file.variables[variable]
+        table.set_auto_mask(False)
+        for number, row in enumerate(table[:]):
+            name = b"".join(row.tolist()).split(b"\0")[0].decode("ascii", "replace").strip()
+            names[number] = name or names[number]
+    return names
+
+
+def _size(file: netCDF4.Dataset, dimension: str) -> int:
+    return len(file.dimensions[dimension]) if dimension in file.dimensions else 0
+
+
+def read_exodus(path: str, findings: Findings) -> Mesh:
+    """Reads the mesh of a file, for a starting scene; the program itself has a reader of its own.
+
+    Raises:
+        Refused: elements that Harmos has not.
+    """
+    with netCDF4.Dataset(path) as file:
+        file.set_auto_mask(False)
+        dimension = _size(file, "num_dim")
+        nodes = numpy.zeros((_size(file, "num_nodes"), 3))
+        for column, axis in enumerate("xyz"[:dimension]):
+            nodes[:, column] = file.variables["coord" + axis][:] if "coord" + axis in file.variables \
+                else file.variables["coord"][column]
+        blocks = []
+        for number, name in enumerate(_read_names(file, "eb_names", _size(file, "num_el_blk"), "block_"), 1):
+            connectivity = file.variables[f"connect{number}"]
+            family = connectivity.elem_type.upper().rstrip("0123456789")
+            kind = [each for each in TYPES.values()
+                    if each.nodes == connectivity.shape[1] and each.dimension == dimension
+                    and each.name.rstrip("0123456789").startswith(family[:3])]
+            if not kind:
+                raise Refused(f"{path}: block \"{name}\" has elements {connectivity.elem_type}, which Harmos has not.")
+            blocks.append(Block(name, kind[0], connectivity[:].astype(numpy.int64) - 1))
+        mesh = Mesh(dimension, nodes, blocks)
+        for number, name in enumerate(_read_names(file, "ss_names", _size(file, "num_side_sets"), "sideset_"), 1):
+            mesh.side_sets[name] = numpy.column_stack([file.variables[f"elem_ss{number}"][:],
+                                                       file.variables[f"side_ss{number}"][:]]).astype(numpy.int64) - 1
+        for number, name in enumerate(_read_names(file, "ns_names", _size(file, "num_node_sets"), "nodeset_"), 1):
+            mesh.node_sets[name] = file.variables[f"node_ns{number}"][:].astype(numpy.int64) - 1
+    demand_sound(path, mesh)
+    if oriented(mesh):
+        findings.found.append("elements that were numbered in the other sense have been turned")
+    return mesh

@@ -1,0 +1,222 @@
+"""A mesh with blocks, side sets and node sets, as Harmos reads it."""
+import dataclasses
+import re
+from collections.abc import Container
+
+import numpy
+
+from harmos.arrays import Array
+from harmos.exchange.elements import ElementType
+from harmos.exchange.findings import Refused
+
+FORBIDDEN = re.compile(r"[^A-Za-z0-9_.+-]+")
+"""What no name of a block or set may hold: overrides and files are addressed by them."""
+
+LONGEST_NAME = 80
+"""Letters of a name at most."""
+
+
+def clean_name(name: str) -> str:
+    """A name that may stand in a scene and in every format."""
+    cleaned = FORBIDDEN.sub("_", name.strip()).strip("_")
+    return cleaned[:LONGEST_NAME] or "unnamed"
+
+
+def unused_name(wanted: str, taken: Container[str]) -> str:
+    """The wanted name, made fit, with a number behind it if it is taken."""
+    name = clean_name(wanted)
+    number = 2
+    result = name
+    while result in taken:
+        result = f"{name}_{number}"
+        number += 1
+    return result
+
+
+@dataclasses.dataclass
+class Block:
+    """Elements of one type.
+
+    Attributes:
+        name: of the block.
+        type: of its elements.
+        connectivity: nodes, counted from 0, in the order of Exodus; a row per element.
+        part: that it belongs to; empty: one of its own name.
+    """
+    name: str
+    type: ElementType
+    connectivity: Array
+    part: str = ""
+
+
+@dataclasses.dataclass
+class Mesh:
+    """A mesh; elements are counted from 0 through all blocks.
+
+    Attributes:
+        dimension: 2 or 3.
+        nodes: coordinates, n x 3 [length]; z is 0 in the plane.
+        blocks: in the order of the file.
+        side_sets: by name, rows of element and side.
+        node_sets: by name, nodes.
+    """
+    dimension: int
+    nodes: Array
+    blocks: list[Block]
+    side_sets: dict[str, Array] = dataclasses.field(default_factory=dict)
+    node_sets: dict[str, Array] = dataclasses.field(default_factory=dict)
+
+    def first_elements(self) -> Array:
+        """Number of the first element of every block, and at the end the number of all."""
+        return numpy.cumsum([0] + [len(block.connectivity) for block in self.blocks])
+
+    def block_of(self, elements: Array) -> Array:
+        """Number of the block of each of the elements."""
+        return numpy.searchsorted(self.first_elements(), elements, side="right") - 1
+
+    def parts(self) -> dict[str, list[int]]:
+        """Numbers of the blocks of every part, by its name."""
+        result: dict[str, list[int]] = {}
+        for number, block in enumerate(self.blocks):
+            result.setdefault(block.part or block.name, []).append(number)
+        return result
+
+    def part_of_block(self) -> list[int]:
+        """Number of the part of every block."""
+        names = list(self.parts())
+        return [names.index(block.part or block.name) for block in self.blocks]
+
+    def text(self) -> str:
+        """Its sizes in words."""
+        return (f"{len(self.nodes)} nodes, {self.first_elements()[-1]} elements in {len(self.blocks)} blocks, "
+                f"{len(self.side_sets)} side sets, {len(self.node_sets)} node sets")
+
+
+@dataclasses.dataclass
+class Faces:
+    """Sides of elements.
+
+    Attributes:
+        corners: nodes at the corners, a row per face, -1 behind those of faces with fewer.
+        element: of each face.
+        side: of the element.
+    """
+    corners: Array
+    element: Array
+    side: Array
+
+    def key(self) -> Array:
+        """A row per face that is the same for faces with the same corners."""
+        return numpy.sort(self.corners, axis=1)
+
+    def chosen(self, which: Array) -> "Faces":
+        """Some of them, by number or mask."""
+        return Faces(self.corners[which], self.element[which], self.side[which])
+
+    def rows(self) -> Array:
+        """As a side set."""
+        return numpy.column_stack([self.element, self.side])
+
+
+def faces_of(mesh: Mesh) -> Faces:
+    """All sides of all elements."""
+    corners, element, side = [], [], []
+    first = mesh.first_elements()
+    width = 4 if mesh.dimension == 3 else 2
+    for start, block in zip(first, mesh.blocks):
+        for number, nodes in enumerate(block.type.sides):
+            rows = numpy.full((len(block.connectivity), width), -1, dtype=numpy.int64)
+            rows[:, :len(nodes)] = block.connectivity[:, nodes]
+            corners.append(rows)
+            element.append(numpy.arange(start, start + len(rows)))
+            side.append(numpy.full(len(rows), number))
+    return Faces(numpy.concatenate(corners), numpy.concatenate(element), numpy.concatenate(side))
+
+
+def codes(rows: Array, more: Array) -> tuple[Array, Array]:
+    """Numbers that tell rows of two tables apart: equal rows have equal numbers."""
+    both = numpy.concatenate([rows, more])
+    if not len(both):
+        return numpy.zeros(0, dtype=numpy.int64), numpy.zeros(0, dtype=numpy.int64)
+    number = numpy.unique(both, axis=0, return_inverse=True)[1].reshape(-1)
+    return number[:len(rows)], number[len(rows):]
+
+
+def outer_faces(mesh: Mesh) -> Faces:
+    """Faces that lie on the surface of a part."""
+    faces = faces_of(mesh)
+    parts = numpy.asarray(mesh.part_of_block())
+    keyed = numpy.column_stack([parts[mesh.block_of(faces.element)], faces.key()])
+    _, inverse, count = numpy.unique(keyed, axis=0, return_inverse=True, return_counts=True)
+    return faces.chosen(count[inverse.reshape(-1)] == 1)
+
+
+def oriented(mesh: Mesh) -> int:
+    """Turns elements that are numbered in the other sense; the number of those that were."""
+    turned = 0
+    for block in mesh.blocks:
+        inside_out = _sense(mesh, block) < 0
+        if inside_out.any():
+            block.connectivity[inside_out] = block.connectivity[inside_out][:, block.type.mirrored()]
+            turned += int(inside_out.sum())
+    return turned
+
+
+def _sense(mesh: Mesh, block: Block) -> Array:
+    """A number per element whose sign tells the sense in which its corners are numbered."""
+    corner = mesh.nodes[block.connectivity[:, :block.type.corners]]
+    if mesh.dimension == 2:
+        first, last = corner[:, 1] - corner[:, 0], corner[:, -1] - corner[:, 0]
+        result: Array = first[:, 0] * last[:, 1] - first[:, 1] * last[:, 0]
+        return result
+    centre = corner.mean(axis=1)
+    volume = numpy.zeros(len(corner))
+    for side in block.type.sides:
+        at = corner[:, side]
+        middle = at.mean(axis=1)
+        for i in range(len(side)):
+            one, other = at[:, i] - centre, at[:, (i + 1) % len(side)] - centre
+            volume += numpy.einsum("ij,ij->i", numpy.cross(one, other), middle - centre)
+    return volume
+
+
+def without_loose_nodes(mesh: Mesh) -> int:
+    """Removes nodes that no element has, from node sets as well; the number of those that were."""
+    used = numpy.zeros(len(mesh.nodes), dtype=bool)
+    for block in mesh.blocks:
+        used[block.connectivity] = True
+    if used.all():
+        return 0
+    number = numpy.cumsum(used) - 1
+    mesh.nodes = mesh.nodes[used]
+    for block in mesh.blocks:
+        block.connectivity = number[block.connectivity]
+    mesh.node_sets = {name: number[nodes[used[nodes]]] for name, nodes in mesh.node_sets.items()}
+    return int((~used).sum())
+
+
+def demand_sound(path: str, mesh: Mesh) -> None:
+    """Refuses numbers that refer to nothing, which damaged files have.
+
+    Raises:
+        Refused: some do.
+    """
+    if not numpy.isfinite(mesh.nodes).all():
+        number = int(numpy.flatnonzero(~numpy.isfinite(mesh.nodes).all(axis=1))[0])
+        raise Refused(f"{path}: node {number + 1} is at no finite coordinates; the file is damaged.")
+    for block in mesh.blocks:
+        rows = block.connectivity
+        if rows.size and (rows.min() < 0 or rows.max() >= len(mesh.nodes)):
+            raise Refused(f"{path}: block \"{block.name}\" refers to a node that is not there; the file is damaged.")
+        ordered = numpy.sort(rows, axis=1)
+        twice = numpy.flatnonzero((ordered[:, 1:] == ordered[:, :-1]).any(axis=1))
+        if len(twice):
+            raise Refused(f"{path}: {len(twice)} elements of block \"{block.name}\" have a node twice, the first of them "
+                          f"is its element {twice[0] + 1}.\n  Mesh the part anew; collapsed elements are not supported.")
+    count = mesh.first_elements()[-1]
+    for name, entries in mesh.side_sets.items():
+        if len(entries) and (entries.min() < 0 or entries[:, 0].max() >= count or entries[:, 1].max() >= 6):
+            raise Refused(f"{path}: side set \"{name}\" refers to an element that is not there; the file is damaged.")
+    for name, entries in mesh.node_sets.items():
+        if len(entries) and (entries.min() < 0 or entries.max() >= len(mesh.nodes)):
+            raise Refused(f"{path}: node set \"{name}\" refers to a node that is not there; the file is damaged.")

@@ -1,0 +1,192 @@
+"""A first scene for a mesh that comes without physics: parts, interfaces where they touch, boundaries by their names."""
+import re
+
+import numpy
+
+from harmos.arrays import Array
+from harmos.exchange.contact import Contact, contacts, face_measures
+from harmos.exchange.findings import Findings
+from harmos.exchange.mesh import Mesh, codes, faces_of, outer_faces, unused_name
+from harmos.exchange.scene import SceneList, number_text
+from harmos.exchange.units import UnitSystem
+
+HELD = re.compile(r"fix|held|hold|clamp|support|ground|encastre|wall|lager|einspann", re.IGNORECASE)
+"""Names of sets that are taken for supports."""
+
+MIRROR = re.compile(r"symm", re.IGNORECASE)
+"""Names of sets that are taken for planes of symmetry."""
+
+LOADED = re.compile(r"load|force|pull|push|traction|press|last|kraft", re.IGNORECASE)
+"""Names of sets that are taken for loaded surfaces."""
+
+ASK = "TO DECIDE: "
+"""Begins the comments on what the scene assumes."""
+
+
+def starting_scene(mesh: Mesh, mesh_file: str, title: str, units: UnitSystem, is_declared: bool,
+                   findings: Findings) -> SceneList:
+    """A scene that `harmos check` accepts; may add side sets to the mesh. `units` are those of the placeholders, which
+    the scene declares when they are known."""
+    scene = SceneList("Harmos").set("Title", title)
+    if is_declared:
+        scene.set("Units", units.name)
+    else:
+        findings.undecided.append(f"units: numbers are taken for {units.name}; the option units of the import names others")
+    scene.child("Values")
+    scene.child("Mesh").set("Type", "Exodus").set("File", mesh_file)
+    _add_material(scene, units, findings)
+    _add_parts(scene, mesh)
+    touched = _add_interfaces(scene, mesh, findings)
+    _add_boundaries(scene, mesh, touched, findings)
+    scene.child("Steps").child("load")
+    return scene
+
+
+def _add_material(scene: SceneList, units: UnitSystem, findings: Findings) -> None:
+    material = scene.child("Materials").comment(ASK + f"steel is assumed, in {units.name}.").child("steel")
+    material.set("Type", "Isotropic").set("Young's Modulus", 2.1e11 / units.stress).set("Poisson's Ratio", 0.3)
+    findings.undecided.append("material: all parts are steel until you say otherwise")
+
+
+def _add_parts(scene: SceneList, mesh: Mesh) -> None:
+    parts = scene.child("Parts")
+    for name, blocks in mesh.parts().items():
+        part = parts.child(name)
+        names = [mesh.blocks[block].name for block in blocks]
+        if names != [name]:
+            part.set("Blocks", names)
+        part.set("Material", "steel")
+
+
+def _add_interfaces(scene: SceneList, mesh: Mesh, findings: Findings) -> set[str]:
+    """The names of the parts that touch others."""
+    touched: set[str] = set()
+    interfaces = scene.child("Interfaces")
+    unit = "length" if mesh.dimension == 2 else "area"
+    for contact in contacts(mesh):
+        sides = _sides_of(mesh, contact)
+        name = unused_name(f"{contact.parts[0]}_to_{contact.parts[1]}", set(interfaces.names()))
+        size = " and ".join(dict.fromkeys(f"{area:.4g}" for area in contact.areas))
+        interfaces.comment(f"{contact.parts[0]} and {contact.parts[1]} touch: {unit} {size}.",
+                           ASK + "friction is assumed; Perfect joins them, remove the list where they do not meet.")
+        law = interfaces.child(name).set("Side 1", sides[0]).set("Side 2", sides[1]).child("Law")
+        law.set("Type", "Coulomb Friction").set("Friction Coefficient", "$friction")
+        findings.found.append(f"{contact.parts[0]} and {contact.parts[1]} touch, {unit} {size}: interface {name}")
+        touched.update(contact.parts)
+    if interfaces.names():
+        scene.child("Values").comment(ASK + "of all interfaces.").set("friction", 0.15)
+        findings.undecided.append("interfaces: friction 0.15 is assumed wherever parts touch")
+    return touched
+
+
+def _sides_of(mesh: Mesh, contact: Contact) -> list[str]:
+    """The side sets of a contact: those of the mesh that hold the same faces, otherwise new ones."""
+    names = []
+    for own, other, rows in zip(contact.parts, reversed(contact.parts), contact.rows):
+        wanted = set(map(tuple, rows.tolist()))
+        same = [name for name, given in mesh.side_sets.items()
+                if len(given) == len(rows) and set(map(tuple, given.tolist())) == wanted]
+        name = same[0] if same else unused_name(f"{own}_on_{other}", {**mesh.side_sets, **mesh.node_sets})
+        mesh.side_sets[name] = rows
+        names.append(name)
+    return names
+
+
+def _add_boundaries(scene: SceneList, mesh: Mesh, touched: set[str], findings: Findings) -> None:
+    boundaries, responses = scene.child("Boundaries"), scene.child("Responses")
+    joined = {str(item.value) for interface in scene.child("Interfaces").items if isinstance(interface, SceneList)
+              for item in interface.items if not isinstance(item, SceneList) and hasattr(item, "value")}
+    free = []
+    taken = set(scene.child("Interfaces").names())
+    surface = outer_faces(mesh).rows()
+    for kind, sets in (("Side Set", mesh.side_sets), ("Node Set", mesh.node_sets)):
+        for name in sets:
+            if name in joined:
+                continue
+            what = _words(mesh, kind, name)
+            if kind == "Side Set" and not _lies_on(surface, mesh.side_sets[name]):
+                free.append(what + ", inside of a part in places")
+                continue
+            boundary_name = unused_name(name, taken)
+            if MIRROR.search(name) and kind == "Side Set":
+                boundaries.comment(ASK + f"{what} is taken for a plane of symmetry.")
+                boundaries.child(boundary_name).set(kind, name).child("Law").set("Type", "Symmetry")
+            elif HELD.search(name):
+                boundaries.comment(ASK + f"{what} is taken for a support.")
+                law = boundaries.child(boundary_name).set(kind, name).child("Law").set("Type", "Prescribed Displacement")
+                for axis in "XYZ"[:mesh.dimension]:
+                    law.set(axis, 0.0)
+                _add_reactions(responses, boundary_name, mesh.dimension)
+            elif LOADED.search(name) and kind == "Side Set":
+                boundaries.comment(ASK + f"{what} is taken for a loaded surface; its tractions are 0.")
+                law = boundaries.child(boundary_name).set(kind, name).child("Law").set("Type", "Prescribed Traction")
+                for axis in "XYZ"[:mesh.dimension]:
+                    law.set(axis, 0.0)
+            else:
+                free.append(what)
+                continue
+            taken.add(boundary_name)
+            touched |= _parts_of(mesh, kind, name)
+            findings.found.append(f"boundary {boundary_name}, by the name of its set")
+    if free:
+        boundaries.comment("Sets that nothing refers to yet:", *free)
+    _add_surfaces(boundaries, mesh, touched, taken, findings)
+    findings.undecided.append("boundaries: what holds and what loads the assembly")
+
+
+def _lies_on(surface: Array, rows: Array) -> bool:
+    ours, theirs = codes(surface, rows)
+    return bool(numpy.isin(theirs, ours).all())
+
+
+def _add_reactions(responses: SceneList, boundary: str, dimension: int) -> None:
+    for axis in "xyz"[:dimension]:
+        direction = [float(axis == each) for each in "xyz"[:dimension]]
+        responses.child(f"reaction_{boundary}_{axis}").set("Type", "Interface Force").set("Interface", boundary).set(
+            "Direction", direction)
+
+
+def _add_surfaces(boundaries: SceneList, mesh: Mesh, touched: set[str], taken: set[str], findings: Findings) -> None:
+    """A load of nothing on parts that nothing touches, for a scene needs something on each."""
+    faces = outer_faces(mesh)
+    part = numpy.asarray(mesh.part_of_block())[mesh.block_of(faces.element)]
+    for number, name in enumerate(mesh.parts()):
+        if name in touched:
+            continue
+        side_set = unused_name(f"{name}_surface", {**mesh.side_sets, **mesh.node_sets})
+        mesh.side_sets[side_set] = faces.chosen(part == number).rows()
+        boundary = unused_name(side_set, taken)
+        taken.add(boundary)
+        boundaries.comment(ASK + f"nothing touches {name}; this load of 0 on its whole surface stands for what does.")
+        boundaries.child(boundary).set("Side Set", side_set).child("Law").set("Type", "Prescribed Traction")
+        findings.undecided.append(f"part {name}: no other part touches it and no set names its support")
+
+
+def _parts_of(mesh: Mesh, kind: str, name: str) -> set[str]:
+    names, of_block = list(mesh.parts()), mesh.part_of_block()
+    if kind == "Side Set":
+        return {names[of_block[block]] for block in mesh.block_of(mesh.side_sets[name][:, 0])}
+    return {names[of_block[number]] for number, block in enumerate(mesh.blocks)
+            if numpy.isin(block.connectivity, mesh.node_sets[name]).any()}
+
+
+def _words(mesh: Mesh, kind: str, name: str) -> str:
+    """A set with its size and place."""
+    if kind == "Node Set":
+        nodes = mesh.node_sets[name]
+        return f"{name}: {len(nodes)} nodes around ({_point(mesh.nodes[nodes].mean(axis=0), mesh.dimension)})"
+    rows = mesh.side_sets[name]
+    faces = faces_of(mesh)
+    ours, theirs = codes(faces.rows(), rows)
+    chosen = faces.chosen(numpy.isin(ours, theirs))
+    _, centre, normal, area = face_measures(mesh, chosen)
+    total = float(area.sum())
+    mean = (normal * area[:, None]).sum(axis=0) / max(total, 1e-300)
+    flat = f", normal ({_point(mean, mesh.dimension)})" if numpy.linalg.norm(mean) > 0.999 else ", not flat"
+    middle = (centre * area[:, None]).sum(axis=0) / max(total, 1e-300)
+    return (f"{name}: {len(rows)} faces, {'length' if mesh.dimension == 2 else 'area'} {total:.4g} around "
+            f"({_point(middle, mesh.dimension)}){flat}")
+
+
+def _point(at: Array, dimension: int) -> str:
+    return ", ".join(number_text(float(f"{each:.4g}") + 0.0) for each in at[:dimension])

@@ -1,0 +1,141 @@
+#!/usr/bin/python3
+"""Exodus -> .msh -> Exodus: blocks, side sets and node sets come back, for all elements and kinds of .msh; so do they
+through .vtu and .med, as far as these have sets. round_trips.py HARMOS WORK_DIR"""
+import contextlib
+import io
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+import meshio
+import numpy
+
+from boxes import PLANES, SOLIDS, boxes_mesh
+from gmsh_writer import write_gmsh
+from harmos.exchange.__main__ import main
+from harmos.exchange.elements import GMSH, MESHIO, permutation
+from harmos.exchange.exodus import read_exodus
+from harmos.exchange.findings import Findings
+from harmos.exchange.gmsh_mesh import session
+from harmos.exchange.mesh import Mesh
+
+harmos = sys.argv[1]
+work = pathlib.Path(sys.argv[2])
+
+
+def places(mesh: Mesh, nodes: numpy.ndarray) -> list[tuple[float, ...]]:
+    return [tuple(at) for at in numpy.round(mesh.nodes[nodes], 9).tolist()]
+
+
+def sides(mesh: Mesh, name: str) -> list[list[tuple[float, ...]]]:
+    first, rows = mesh.first_elements(), mesh.side_sets[name]
+    result = []
+    for (element, side), number in zip(rows, mesh.block_of(rows[:, 0])):
+        block = mesh.blocks[number]
+        result.append(places(mesh, block.connectivity[element - first[number], list(block.type.sides[side])]))
+    return sorted(sorted(each) for each in result)
+
+
+class RoundTrips(unittest.TestCase):
+    def setUp(self) -> None:
+        shutil.rmtree(work, ignore_errors=True)
+        work.mkdir(parents=True)
+
+    def demand_equal(self, given: Mesh, back: Mesh, sets: bool = True) -> None:
+        self.assertEqual(len(given.nodes), len(back.nodes))
+        self.assertEqual([block.name for block in given.blocks], [block.name for block in back.blocks])
+        for one, other in zip(given.blocks, back.blocks):
+            self.assertEqual(one.type.name, other.type.name)
+            self.assertEqual(sorted(map(tuple, (places(given, row) for row in one.connectivity))),
+                             sorted(map(tuple, (places(back, row) for row in other.connectivity))))
+        if not sets:
+            return
+        self.assertLessEqual(set(given.side_sets), set(back.side_sets))
+        for name in given.side_sets:
+            self.assertEqual(sides(given, name), sides(back, name), name)
+        self.assertEqual(set(given.node_sets), set(back.node_sets))
+        for name in given.node_sets:
+            self.assertEqual(sorted(places(given, given.node_sets[name])), sorted(places(back, back.node_sets[name])))
+
+    def imported(self, path: pathlib.Path) -> Mesh:
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.assertEqual(main(["import", "--output", str(work / "imported"), str(path)]), 0)
+        subprocess.run([harmos, "check", str(work / "imported" / f"{path.stem}.xml")], check=True,
+                       stdout=subprocess.DEVNULL)
+        return read_exodus(str(work / "imported" / f"{path.stem}.e"), Findings())
+
+    def test_gmsh(self) -> None:
+        kinds = [(2.2, False), (2.2, True), (4.1, False), (4.1, True)]
+        for number, element in enumerate(SOLIDS + PLANES):
+            mesh = boxes_mesh(harmos, work, element)
+            mesh.node_sets["line"] = mesh.node_sets.get("line", numpy.arange(3))
+            version, binary = kinds[number % 4] if element not in ("Hex20", "Wedge15") else kinds[3]
+            path = work / f"{element}.msh"
+            write_gmsh(path, mesh, version, binary)
+            with self.subTest(element, version=version, binary=binary):
+                self.demand_equal(mesh, self.imported(path))
+
+    def test_unv(self) -> None:
+        for element in ("Tet4", "Hex8", "Tet10"):
+            mesh = boxes_mesh(harmos, work, element)
+            write_gmsh(work / f"{element}.unv", mesh)
+            with self.subTest(element):
+                self.demand_equal(mesh, self.imported(work / f"{element}.unv"))
+
+    def test_mesh_file_takes_gmsh(self) -> None:
+        mesh = boxes_mesh(harmos, work, "Tet10")
+        write_gmsh(work / "direct.msh", mesh)
+        (work / "imported").mkdir()
+        scene = (work / "Tet10.xml").read_text()
+        begin, end = scene.index('<ParameterList name="Mesh">'), scene.index('<ParameterList name="Materials">')
+        (work / "direct.xml").write_text(f"""{scene[:begin]}<ParameterList name="Mesh">
+          <Parameter name="Type" type="string" value="Exodus"/>
+          <Parameter name="File" type="string" value="direct.msh"/></ParameterList>{scene[end:]}""")
+        subprocess.run([harmos, "mesh", str(work / "direct.xml"), "--output", str(work / "back.e"), "--quiet"],
+                       check=True)
+        self.demand_equal(mesh, read_exodus(str(work / "back.e"), Findings()))
+
+    def test_vtu(self) -> None:
+        of_name = {name: (kind, order) for kind, (name, order) in MESHIO.items()}
+        for element in ("Hex20", "Hex27", "Tet10", "Quad9"):
+            mesh = boxes_mesh(harmos, work, element)
+            cells, parts = [], []
+            for number, block in enumerate(mesh.blocks):
+                kind, order = of_name[block.type.name]
+                cells.append((kind, block.connectivity[:, numpy.argsort(permutation(block.type.name, order))]))
+                parts.append(numpy.full(len(block.connectivity), number))
+                block.name = f"part_{number}"
+            path = work / f"{element}.vtu"
+            meshio.write(path, meshio.Mesh(mesh.nodes, cells, cell_data={"part": parts}))
+            with self.subTest(element):
+                self.demand_equal(mesh, self.imported(path), sets=False)
+
+    def test_med(self) -> None:
+        mesh = boxes_mesh(harmos, work, "Hex8")
+        bottom = [row[:4] for row in mesh.blocks[0].connectivity.tolist() if mesh.nodes[row[0], 2] == 0.0]
+        cells = [("hexahedron", numpy.concatenate([block.connectivity for block in mesh.blocks])),
+                 ("quad", numpy.array(bottom))]
+        count = len(mesh.blocks[0].connectivity)
+        families = [numpy.array([-1] * count + [-2] * count), numpy.full(len(bottom), -3)]
+        source = meshio.Mesh(mesh.nodes, cells, cell_data={"cell_tags": families})
+        source.cell_tags = {-1: ["lower"], -2: ["upper"], -3: ["fixed"]}
+        meshio.write(work / "groups.med", source)
+        back = self.imported(work / "groups.med")
+        self.demand_equal(mesh, back, sets=False)
+        self.assertEqual(len(back.side_sets["fixed"]), len(bottom))
+
+    def test_orders_are_those_of_gmsh(self) -> None:
+        with session():
+            import gmsh
+            for kind, (name, order) in GMSH.items():
+                _, dimension, _, count, local, corners = gmsh.model.mesh.getElementProperties(kind)
+                at = numpy.reshape(local, (count, dimension))
+                self.assertEqual(len(order), count, name)
+                for place, spot in zip(at, order):
+                    numpy.testing.assert_allclose(place, at[sorted(spot)].mean(axis=0), atol=1e-12, err_msg=name)
+                self.assertEqual(sum(len(spot) == 1 for spot in order), corners)
+
+
+unittest.main(argv=[sys.argv[0]])
