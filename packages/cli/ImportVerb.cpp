@@ -11,7 +11,14 @@ namespace {
 const std::vector<CommandOption>& options() {
   static const std::vector<CommandOption> all = {
       {"--output", "DIR", "folder that gets the mesh and the scene"},
-      {"--units", "'LENGTH FORCE TIME'", "units of the file, such as 'mm N s', which the scene then declares"}};
+      {"--units", "'LENGTH FORCE TIME'", "units of the file, such as 'mm N s', which the scene then declares"},
+      {"--hold", "SET", "side set or node set that is held; may be repeated", true},
+      {"--load", "SET", "side set that gets a traction; may be repeated", true},
+      {"--perfect", "INTERFACE", "interface that joins perfectly; may be repeated", true},
+      {"--size", "SIZE", "of the elements of a drawing (default: a twentieth of its diagonal)"},
+      {"--part-size", "PART=SIZE", "of those of one part of a drawing; may be repeated", true},
+      {"--order", "1|2", "of the elements of a drawing (default: 1)"},
+      {"--conformal", "", "parts of a drawing that touch share nodes (default: meshed one by one)"}};
   return all;
 }
 
@@ -22,7 +29,8 @@ int import(const Arguments& arguments, const CommandEnvironment& environment) {
   if (!environment.isRoot()) return 0;
   std::vector<std::string> words = {"import"};
   for (const CommandOption& option : options()) {
-    if (arguments.has(option.name)) words.push_back(option.name + "=" + arguments.value(option.name, ""));
+    for (const std::string& value : arguments.values(option.name))
+      words.push_back(option.value.empty() ? option.name : option.name + "=" + value);
   }
   words.insert(words.end(), {"--", arguments.operands()[0]});
   return files::runPythonPackage(std::move(words), environment.interrupted, false).exitCode;
@@ -33,9 +41,10 @@ int import(const Arguments& arguments, const CommandEnvironment& environment) {
 Command importCommand() {
   return {"import",
           "FILE --output DIR",
-          "Make a mesh and a starting scene of a mesh of another program.",
+          "Make a mesh and a starting scene of a mesh, a deck or a drawing of another program.",
           options(),
-          {"harmos import bracket.msh --output bracket", "harmos import joint.med --output joint --units 'mm N s'"},
+          {"harmos import bracket.msh --output bracket", "harmos import joint.inp --output joint --units 'mm N s'",
+           "harmos import pump.step --output pump --size 4 --part-size bolt_1=2 --hold base_face_3"},
           import};
 }
 

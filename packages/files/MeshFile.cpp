@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 4> convertedEndings = {".msh", ".unv", ".med", ".vtu"};
+constexpr std::array<const char*, 5> convertedEndings = {".msh", ".inp", ".unv", ".med", ".vtu"};
 
 bool isConverted(const std::string& path) {
   std::string ending = fs::path(path).extension().string();

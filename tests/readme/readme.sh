@@ -1,26 +1,34 @@
 #!/usr/bin/env bash
-# Runs every command of the README except `test` itself, and the scene that it prints, with the built program.
-#   readme.sh SOURCE_DIRECTORY PROGRAM
+# Runs every command of a page except `test` itself, and the scene that it prints if there is one, with the built program.
+#   readme.sh SOURCE_DIRECTORY PROGRAM PAGE LEAST_COMMANDS
 set -euo pipefail
 source_dir=$1
 program=$2
+page=$source_dir/$3
+least=$4
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 ln -s "$source_dir/xml" xml
+ln -s "$source_dir/tests" tests
 
-blocks() { awk -v fence='```'"$1" '$0 == fence {inside = 1; next} /^```/ {inside = 0} inside' "$source_dir/README.md"; }
+blocks() { awk -v fence='```'"$1" '$0 == fence {inside = 1; next} /^```/ {inside = 0} inside' "$page"; }
 
 count=0
 while read -r line; do
-  [[ $line == "drivers/harmos test"* ]] && continue
-  [[ $line == "drivers/harmos "* ]] || { echo "not a command of Harmos: $line"; exit 1; }
+  case $line in
+    "drivers/harmos test"*) continue ;;
+    "drivers/harmos "*) command="\"$program\" ${line#drivers/harmos }" ;;
+    tests/*) command=$line ;;
+    *) echo "neither a command of Harmos nor a script of its tests: $line" && exit 1 ;;
+  esac
   echo "+ $line"
-  eval "\"$program\" ${line#drivers/harmos }" >output.txt 2>&1 || { cat output.txt; exit 1; }
+  eval "$command" >output.txt 2>&1 || { cat output.txt; exit 1; }
   count=$((count + 1))
-done < <(blocks bash)
-[ "$count" -ge 4 ] || { echo "only $count commands found"; exit 1; }
+done < <(blocks bash | sed -e ':join' -e '/\\$/{N;s/\\\n *//;bjoin}')
+[ "$count" -ge "$least" ] || { echo "only $count commands found"; exit 1; }
 
 blocks xml >scene.xml
+[ -s scene.xml ] || exit 0
 "$program" run scene.xml
 test -s results/scene.e

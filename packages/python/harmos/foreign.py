@@ -16,15 +16,16 @@ BYTES, BYTES_PER_BYTE = 1e9, 100.0
 """Memory that reading may take beyond what the process has, in the same way."""
 
 
-def read_foreign(path: str | os.PathLike[str], read: Callable[[], Content]) -> Content:
-    """What `read` returns, which must be fit for pickling; `path` is the file that it reads.
+def read_foreign(path: str | os.PathLike[str], read: Callable[[], Content], effort: float = 1.0) -> Content:
+    """What `read` returns, which must be fit for pickling; `path` is the file that it reads. `effort` multiplies the time
+    and memory that it may take.
 
     Raises:
         OSError: as `read` does.
         ValueError: `read` raises anything else or never ends, or the child dies.
     """
     size = os.stat(path).st_size
-    seconds, memory = SECONDS + int(SECONDS_PER_BYTE * size), int(BYTES + BYTES_PER_BYTE * size)
+    seconds, memory = int(effort * (SECONDS + SECONDS_PER_BYTE * size)), int(effort * (BYTES + BYTES_PER_BYTE * size))
     receiver, sender = os.pipe()
     child = os.fork()
     if child == 0:

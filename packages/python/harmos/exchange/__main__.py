@@ -1,6 +1,7 @@
 """Imports files of other programs; `harmos import` and the entry Mesh/File call it.
 
-python3 -m harmos.exchange import FILE --output DIR [--units "mm N s"]
+python3 -m harmos.exchange import FILE --output DIR [--units "mm N s"] [--hold SET] [--load SET] [--perfect INTERFACE]
+       [--size SIZE] [--order 2] [--part-size PART=SIZE] [--conformal]
 python3 -m harmos.exchange convert FILE MESH.e
 """
 import argparse
@@ -10,9 +11,10 @@ import sys
 
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Mesh, clean_name
-from harmos.exchange.reading import Missing, demand_importable, load, read_mesh
+from harmos.exchange.meshing import Meshing
+from harmos.exchange.reading import DECKS, DRAWINGS, Missing, ending, load, read_drawing, read_mesh
 from harmos.exchange.scene import Comment, SceneList
-from harmos.exchange.start import starting_scene
+from harmos.exchange.start import Choices, starting_scene
 from harmos.exchange.units import SYSTEMS
 
 
@@ -25,6 +27,13 @@ def main(words: "list[str] | None" = None) -> int:
     importing.add_argument("file")
     importing.add_argument("--output", required=True)
     importing.add_argument("--units", default="")
+    importing.add_argument("--size", type=float, default=0.0)
+    importing.add_argument("--order", type=int, choices=(1, 2), default=1)
+    importing.add_argument("--part-size", action="append", default=[])
+    importing.add_argument("--conformal", action="store_true")
+    importing.add_argument("--hold", action="append", default=[])
+    importing.add_argument("--load", action="append", default=[])
+    importing.add_argument("--perfect", action="append", default=[])
     converting = verbs.add_parser("convert")
     converting.add_argument("file")
     converting.add_argument("mesh")
@@ -46,7 +55,14 @@ def main(words: "list[str] | None" = None) -> int:
 def _convert(path: str, mesh_path: str) -> None:
     """The mesh alone, for the entry Mesh/File."""
     findings = Findings()
-    _write_mesh(mesh_path, read_mesh(path, findings))
+    if ending(path) in DECKS:
+        from harmos.exchange.deck.imported import import_deck
+        mesh = import_deck(path, "", "", findings).mesh
+    elif ending(path) in DRAWINGS:
+        raise Refused(f"{path}: a drawing is no mesh. Run \"harmos import {path} --output DIR\" and take the mesh it makes.")
+    else:
+        mesh = read_mesh(path, findings)
+    _write_mesh(mesh_path, mesh)
 
 
 def _write_mesh(path: str, mesh: Mesh) -> None:
@@ -63,19 +79,41 @@ def _import(arguments: argparse.Namespace) -> None:
     stem = clean_name(pathlib.Path(path).stem)
     folder = pathlib.Path(arguments.output)
     outputs = [folder / f"{stem}.e", folder / f"{stem}.xml"]
-    demand_importable(path)
+    suffix = ending(path)
     for output in outputs:
         if output.exists() and output.samefile(path):
             raise Refused(f"the result {output} would replace the input {path}. Name another folder by --output.")
-    mesh = read_mesh(path, findings)
-    findings.found.insert(0, mesh.text())
-    scene = starting_scene(mesh, f"{stem}.e", stem, units, bool(arguments.units), findings)
+    if suffix in DECKS:
+        from harmos.exchange.deck.imported import import_deck
+        deck = import_deck(path, f"{stem}.e", arguments.units, findings)
+        mesh, scene = deck.mesh, deck.scene
+    else:
+        mesh = read_drawing(path, _meshing(arguments), findings) if suffix in DRAWINGS else read_mesh(path, findings)
+        findings.found.insert(0, mesh.text())
+        choices = Choices(arguments.hold, arguments.load, arguments.perfect)
+        scene = starting_scene(mesh, f"{stem}.e", stem, units, bool(arguments.units), choices, findings)
     scene.items.insert(0, _heading(path, findings))
     folder.mkdir(parents=True, exist_ok=True)
     _write_both(outputs, mesh, scene)
     for line in findings.text():
         print(line)
     print(f"{outputs[1]}: the starting scene; \"harmos check {outputs[1]}\" says what it will take.", flush=True)
+
+
+def _meshing(arguments: argparse.Namespace) -> Meshing:
+    """How to mesh a drawing, as the words say."""
+    sizes = {}
+    for word in arguments.part_size:
+        name, _, size = word.rpartition("=")
+        try:
+            sizes[name] = float(size)
+        except ValueError:
+            sizes[name] = 0.0
+        if not name or not sizes[name] > 0.0:
+            raise Refused(f"--part-size \"{word}\": it takes PART=SIZE, a size above 0.")
+    if not arguments.size >= 0.0:
+        raise Refused(f"--size {arguments.size:g}: it must be above 0.")
+    return Meshing(arguments.size, arguments.order, sizes, arguments.conformal)
 
 
 def _heading(path: str, findings: Findings) -> Comment:

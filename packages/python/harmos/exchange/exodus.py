@@ -84,7 +84,7 @@ def _read_names(file: netCDF4.Dataset, variable: str, count: int, unnamed: str) 
         table = file.variables[variable]
         table.set_auto_mask(False)
         for number, row in enumerate(table[:]):
-            name = b"".join(row.tolist()).split(b"\0")[0].decode("ascii", "replace").strip()
+            name = row.tobytes().split(b"\0")[0].decode("ascii", "replace").strip()
             names[number] = name or names[number]
     return names
 

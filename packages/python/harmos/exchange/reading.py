@@ -1,9 +1,11 @@
 """Reads meshes of other programs by the ending of the file, in a child process where libraries crash on damaged ones."""
 import importlib
 import pathlib
+from collections.abc import Callable
 
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Mesh, demand_sound
+from harmos.exchange.meshing import Meshing
 from harmos.foreign import read_foreign
 
 READERS: dict[str, tuple[str, str, str]] = {
@@ -17,7 +19,16 @@ READERS: dict[str, tuple[str, str, str]] = {
 }
 """Module, function and package of Debian that read a format."""
 
-ENDINGS = sorted(READERS)
+DECKS = (".inp",)
+"""Endings of decks of Abaqus and CalculiX."""
+
+MESHING_EFFORT = 100.0
+"""Time and memory that meshing a drawing may take, over those of reading a file of its size."""
+
+DRAWINGS = (".step", ".stp", ".brep", ".brp")
+"""Endings of drawings."""
+
+ENDINGS = sorted([*READERS, *DECKS, *DRAWINGS])
 """All endings that can be imported."""
 
 
@@ -38,7 +49,7 @@ def load(module: str, package: str) -> object:
             from None
 
 
-def demand_importable(path: str) -> str:
+def ending(path: str) -> str:
     """The ending of a file that can be imported, in small letters.
 
     Raises:
@@ -62,17 +73,28 @@ def read_mesh(path: str, findings: Findings) -> Mesh:
         Refused: the file is damaged, or holds what Harmos has not.
         Missing: a package of Debian is not installed.
     """
-    module, function, package = READERS[demand_importable(path)]
-    reader = getattr(load(module, package), function)
-    child = Findings()
+    module, function, package = READERS[ending(path)]
+    reader: Callable[[str, Findings], Mesh] = getattr(load(module, package), function)
+    return _in_child(path, lambda told: reader(path, told), findings, 1.0)
+
+
+def read_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
+    """Meshes a drawing; raises as read_mesh() does."""
+    mesher: Callable[[str, Meshing, Findings], Mesh] = getattr(load("harmos.exchange.drawing", "python3-gmsh"),
+                                                               "mesh_drawing")
+    return _in_child(path, lambda told: mesher(path, meshing, told), findings, MESHING_EFFORT)
+
+
+def _in_child(path: str, make: Callable[[Findings], Mesh], findings: Findings, effort: float) -> Mesh:
+    told = Findings()
 
     def read() -> tuple[Mesh, Findings]:
-        mesh = reader(path, child)
+        mesh = make(told)
         demand_sound(path, mesh)
-        return mesh, child
+        return mesh, told
 
     try:
-        mesh, told = read_foreign(path, read)
+        mesh, said = read_foreign(path, read, effort)
     except Refused:
         raise
     except (OSError, ValueError) as error:
@@ -82,7 +104,7 @@ def read_mesh(path: str, findings: Findings) -> Mesh:
         for sets in (mesh.side_sets, mesh.node_sets):
             if name in sets and not len(sets[name]):
                 del sets[name]
-                told.found.append(f"set \"{name}\" is empty and has been left out")
-    findings.found += told.found
-    findings.left_out += told.left_out
+                said.found.append(f"set \"{name}\" is empty and has been left out")
+    findings.found += said.found
+    findings.left_out += said.left_out
     return mesh

@@ -1,11 +1,12 @@
 """A first scene for a mesh that comes without physics: parts, interfaces where they touch, boundaries by their names."""
+import dataclasses
 import re
 
 import numpy
 
 from harmos.arrays import Array
 from harmos.exchange.contact import Contact, contacts, face_measures
-from harmos.exchange.findings import Findings
+from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Mesh, codes, faces_of, outer_faces, unused_name
 from harmos.exchange.scene import SceneList, number_text
 from harmos.exchange.units import UnitSystem
@@ -23,7 +24,34 @@ ASK = "TO DECIDE: "
 """Begins the comments on what the scene assumes."""
 
 
-def starting_scene(mesh: Mesh, mesh_file: str, title: str, units: UnitSystem, is_declared: bool,
+@dataclasses.dataclass
+class Choices:
+    """What the person who imports has decided already.
+
+    Attributes:
+        held: names of sets that are held in all directions.
+        loaded: names of side sets that get a traction, 0 until a number stands there.
+        perfect: names of interfaces that are joined perfectly.
+    """
+    held: list[str] = dataclasses.field(default_factory=list)
+    loaded: list[str] = dataclasses.field(default_factory=list)
+    perfect: list[str] = dataclasses.field(default_factory=list)
+
+    def demand_known(self, path: str, mesh: Mesh, scene: SceneList) -> None:
+        """Refuses names that are not there.
+
+        Raises:
+            Refused: some are not.
+        """
+        known = [("--hold", self.held, [*mesh.side_sets, *mesh.node_sets]), ("--load", self.loaded, [*mesh.side_sets]),
+                 ("--perfect", self.perfect, scene.child("Interfaces").names())]
+        wrong = [f"{option} {name}: there are {', '.join(there) or 'none'}." for option, names, there in known
+                 for name in names if name not in there]
+        if wrong:
+            raise Refused(f"{path}: " + "\n  ".join(wrong))
+
+
+def starting_scene(mesh: Mesh, mesh_file: str, title: str, units: UnitSystem, is_declared: bool, choices: Choices,
                    findings: Findings) -> SceneList:
     """A scene that `harmos check` accepts; may add side sets to the mesh. `units` are those of the placeholders, which
     the scene declares when they are known."""
@@ -36,8 +64,9 @@ def starting_scene(mesh: Mesh, mesh_file: str, title: str, units: UnitSystem, is
     scene.child("Mesh").set("Type", "Exodus").set("File", mesh_file)
     _add_material(scene, units, findings)
     _add_parts(scene, mesh)
-    touched = _add_interfaces(scene, mesh, findings)
-    _add_boundaries(scene, mesh, touched, findings)
+    touched = _add_interfaces(scene, mesh, choices, findings)
+    choices.demand_known(title, mesh, scene)
+    _add_boundaries(scene, mesh, touched, choices, findings)
     scene.child("Steps").child("load")
     return scene
 
@@ -58,7 +87,7 @@ def _add_parts(scene: SceneList, mesh: Mesh) -> None:
         part.set("Material", "steel")
 
 
-def _add_interfaces(scene: SceneList, mesh: Mesh, findings: Findings) -> set[str]:
+def _add_interfaces(scene: SceneList, mesh: Mesh, choices: Choices, findings: Findings) -> set[str]:
     """The names of the parts that touch others."""
     touched: set[str] = set()
     interfaces = scene.child("Interfaces")
@@ -67,13 +96,18 @@ def _add_interfaces(scene: SceneList, mesh: Mesh, findings: Findings) -> set[str
         sides = _sides_of(mesh, contact)
         name = unused_name(f"{contact.parts[0]}_to_{contact.parts[1]}", set(interfaces.names()))
         size = " and ".join(dict.fromkeys(f"{area:.4g}" for area in contact.areas))
+        is_perfect = name in choices.perfect
         interfaces.comment(f"{contact.parts[0]} and {contact.parts[1]} touch: {unit} {size}.",
-                           ASK + "friction is assumed; Perfect joins them, remove the list where they do not meet.")
+                           *([] if is_perfect else [ASK + "friction is assumed; Perfect joins them, remove the list where "
+                                                    "they do not meet."]))
         law = interfaces.child(name).set("Side 1", sides[0]).set("Side 2", sides[1]).child("Law")
-        law.set("Type", "Coulomb Friction").set("Friction Coefficient", "$friction")
+        if is_perfect:
+            law.set("Type", "Perfect")
+        else:
+            law.set("Type", "Coulomb Friction").set("Friction Coefficient", "$friction")
         findings.found.append(f"{contact.parts[0]} and {contact.parts[1]} touch, {unit} {size}: interface {name}")
         touched.update(contact.parts)
-    if interfaces.names():
+    if set(interfaces.names()) - set(choices.perfect):
         scene.child("Values").comment(ASK + "of all interfaces.").set("friction", 0.15)
         findings.undecided.append("interfaces: friction 0.15 is assumed wherever parts touch")
     return touched
@@ -92,7 +126,7 @@ def _sides_of(mesh: Mesh, contact: Contact) -> list[str]:
     return names
 
 
-def _add_boundaries(scene: SceneList, mesh: Mesh, touched: set[str], findings: Findings) -> None:
+def _add_boundaries(scene: SceneList, mesh: Mesh, touched: set[str], choices: Choices, findings: Findings) -> None:
     boundaries, responses = scene.child("Boundaries"), scene.child("Responses")
     joined = {str(item.value) for interface in scene.child("Interfaces").items if isinstance(interface, SceneList)
               for item in interface.items if not isinstance(item, SceneList) and hasattr(item, "value")}
@@ -108,30 +142,35 @@ def _add_boundaries(scene: SceneList, mesh: Mesh, touched: set[str], findings: F
                 free.append(what + ", inside of a part in places")
                 continue
             boundary_name = unused_name(name, taken)
-            if MIRROR.search(name) and kind == "Side Set":
+            is_chosen = name in choices.held or name in choices.loaded
+            ask = "" if is_chosen else ASK
+            if MIRROR.search(name) and kind == "Side Set" and not is_chosen:
                 boundaries.comment(ASK + f"{what} is taken for a plane of symmetry.")
                 boundaries.child(boundary_name).set(kind, name).child("Law").set("Type", "Symmetry")
-            elif HELD.search(name):
-                boundaries.comment(ASK + f"{what} is taken for a support.")
+            elif name in choices.held or (HELD.search(name) and not is_chosen):
+                boundaries.comment(ask + f"{what} is {'held' if is_chosen else 'taken for a support'}.")
                 law = boundaries.child(boundary_name).set(kind, name).child("Law").set("Type", "Prescribed Displacement")
                 for axis in "XYZ"[:mesh.dimension]:
                     law.set(axis, 0.0)
                 _add_reactions(responses, boundary_name, mesh.dimension)
-            elif LOADED.search(name) and kind == "Side Set":
-                boundaries.comment(ASK + f"{what} is taken for a loaded surface; its tractions are 0.")
+            elif name in choices.loaded or (LOADED.search(name) and kind == "Side Set"):
+                boundaries.comment(ASK + f"{what} is {'loaded' if is_chosen else 'taken for a loaded surface'}; its "
+                                   "tractions are 0.")
                 law = boundaries.child(boundary_name).set(kind, name).child("Law").set("Type", "Prescribed Traction")
                 for axis in "XYZ"[:mesh.dimension]:
                     law.set(axis, 0.0)
+                _add_mean_displacements(responses, name, mesh.dimension)
             else:
                 free.append(what)
                 continue
             taken.add(boundary_name)
             touched |= _parts_of(mesh, kind, name)
-            findings.found.append(f"boundary {boundary_name}, by the name of its set")
+            findings.found.append(f"boundary {boundary_name}, {'as asked for' if is_chosen else 'by the name of its set'}")
     if free:
         boundaries.comment("Sets that nothing refers to yet:", *free)
     _add_surfaces(boundaries, mesh, touched, taken, findings)
-    findings.undecided.append("boundaries: what holds and what loads the assembly")
+    if not choices.held or not choices.loaded:
+        findings.undecided.append("boundaries: what holds and what loads the assembly")
 
 
 def _lies_on(surface: Array, rows: Array) -> bool:
@@ -143,6 +182,13 @@ def _add_reactions(responses: SceneList, boundary: str, dimension: int) -> None:
     for axis in "xyz"[:dimension]:
         direction = [float(axis == each) for each in "xyz"[:dimension]]
         responses.child(f"reaction_{boundary}_{axis}").set("Type", "Interface Force").set("Interface", boundary).set(
+            "Direction", direction)
+
+
+def _add_mean_displacements(responses: SceneList, side_set: str, dimension: int) -> None:
+    for axis in "xyz"[:dimension]:
+        direction = [float(axis == each) for each in "xyz"[:dimension]]
+        responses.child(f"u_{side_set}_{axis}").set("Type", "Mean Displacement").set("Side Set", side_set).set(
             "Direction", direction)
 
 

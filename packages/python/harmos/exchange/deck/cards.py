@@ -1,0 +1,157 @@
+"""Cards of a deck: keywords with parameters and the lines of data below them, includes followed."""
+import dataclasses
+import os
+import pathlib
+
+import numpy
+
+from harmos.arrays import Array
+from harmos.exchange.findings import Refused
+
+
+@dataclasses.dataclass
+class Card:
+    """A keyword with what stands below it.
+
+    Attributes:
+        keyword: in capitals, without asterisk and blanks.
+        parameters: values by name in capitals; those of switches are empty.
+        file: that it stands in.
+        line: of the keyword, counted from 1.
+        data: lines below it, without comments and empty ones.
+        first: lines of the data in the file, as many.
+    """
+    keyword: str
+    parameters: dict[str, str]
+    file: str
+    line: int
+    data: list[str]
+    first: list[int]
+
+    @property
+    def place(self) -> str:
+        """FILE:LINE of the keyword."""
+        return f"{self.file}:{self.line}"
+
+    def place_of(self, row: int) -> str:
+        """FILE:LINE of a line of data."""
+        return f"{self.file}:{self.first[row]}"
+
+    def get(self, name: str) -> str:
+        """The value of a parameter in capitals; empty when it is not given."""
+        return self.parameters.get(name, "").upper()
+
+    def rows(self) -> list[list[str]]:
+        """The words of each line of data."""
+        return [[word.strip() for word in line.split(",")] for line in self.data]
+
+    def number(self, word: str, row: int) -> float:
+        """A number of a line of data; an empty word is 0.
+
+        Raises:
+            Refused: it is no finite number.
+        """
+        try:
+            value = float(word.upper().replace("D", "E")) if word else 0.0
+        except ValueError:
+            value = float("nan")
+        if not numpy.isfinite(value):
+            raise Refused(f"{self.place_of(row)}: *{self.keyword}: \"{word}\" is no number.")
+        return value
+
+    def table(self, width: int, least: int = 1) -> Array:
+        """All numbers, a row per line, 0 where a line is short.
+
+        Raises:
+            Refused: a word is no number, or a line has fewer than `least`.
+        """
+        if self.data and all(line.count(",") == width - 1 for line in self.data):
+            flat = _numbers(",".join(self.data))
+            if flat is not None and len(flat) == width * len(self.data):
+                return flat.reshape(-1, width)
+        result = numpy.zeros((len(self.data), width))
+        for row, words in enumerate(self.rows()):
+            given = [word for word in words[:width]]
+            if len([word for word in given if word]) < least:
+                raise Refused(f"{self.place_of(row)}: *{self.keyword}: {least} numbers are wanted in this line.")
+            result[row, :len(given)] = [self.number(word, row) for word in given]
+        return result
+
+    def flat(self) -> Array:
+        """All numbers of all lines in a row, lines that end in a comma continued.
+
+        Raises:
+            Refused: a word is no number.
+        """
+        flat = _numbers(",".join(line.rstrip().rstrip(",") for line in self.data))
+        words = sum(line.rstrip().rstrip(",").count(",") + 1 for line in self.data)
+        if flat is not None and len(flat) == words:
+            return flat
+        return numpy.array([self.number(word, row) for row, given in enumerate(self.rows()) for word in given if word])
+
+
+def _numbers(text: str) -> "Array | None":
+    """The numbers between commas, or nothing when some are none: numpy reads a million in a second."""
+    try:
+        result = numpy.array(text.split(","), dtype=numpy.float64)
+    except ValueError:
+        return None
+    return result if numpy.isfinite(result).all() else None
+
+
+def read_cards(path: str) -> list[Card]:
+    """All cards of a deck and of the files that it includes.
+
+    Raises:
+        Refused: files are missing, or include themselves; data stand above the first keyword.
+    """
+    return _read(path, [], path)
+
+
+def _read(path: str, open_files: list[str], asked: str) -> list[Card]:
+    real = os.path.realpath(path)
+    if real in open_files:
+        raise Refused(f"{asked}: the file \"{path}\" includes itself, by way of "
+                      f"{' and '.join(pathlib.Path(each).name for each in open_files)}.")
+    try:
+        content = pathlib.Path(path).read_bytes()
+    except OSError as error:
+        raise Refused(f"{asked}: cannot read \"{path}\": {error.strerror}.") from None
+    if b"\0" in content[:100000]:
+        raise Refused(f"{path}: this is no deck: it holds bytes that are no text.")
+    lines = content.decode("latin-1").replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    starts = [number for number, line in enumerate(lines) if line[:1] == "*" and line[:2] != "**"]
+    for number, line in enumerate(lines[:starts[0]] if starts else lines):
+        if line.strip() and not line.startswith("**"):
+            raise Refused(f"{path}:{number + 1}: this stands above the first keyword; a deck begins with one, such as "
+                          "*HEADING or *NODE.")
+    if not starts:
+        raise Refused(f"{path}: this is no deck: no line begins with a keyword such as *NODE.")
+    cards: list[Card] = []
+    for start, end in zip(starts, [*starts[1:], len(lines)]):
+        heading, below = lines[start].rstrip(), start + 1
+        while heading.endswith(",") and below < end:
+            heading += lines[below].strip()
+            below += 1
+        card = _card(path, start + 1, heading, lines, below, end)
+        if card.keyword != "INCLUDE":
+            cards.append(card)
+            continue
+        name = card.parameters.get("INPUT", "").strip("\"'")
+        if not name:
+            raise Refused(f"{card.place}: *INCLUDE without INPUT=FILE.")
+        cards += _read(os.path.join(os.path.dirname(path), name), [*open_files, real], card.place)
+    return cards
+
+
+def _card(path: str, line: int, heading: str, lines: list[str], below: int, end: int) -> Card:
+    words = heading[1:].split(",")
+    parameters = {}
+    for word in words[1:]:
+        name, _, value = word.partition("=")
+        if name.strip():
+            parameters[name.replace(" ", "").upper()] = value.strip()
+    first = [number + 1 for number in range(below, end)
+             if lines[number][:2] != "**" and lines[number].strip()]
+    data = lines[below:end] if len(first) == end - below else [lines[number - 1] for number in first]
+    return Card("".join(words[0].split()).upper(), parameters, path, line, data, first)

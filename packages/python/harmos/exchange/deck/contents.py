@@ -1,0 +1,329 @@
+"""What a deck holds, names resolved: nodes, elements, sets, surfaces, physics, steps."""
+import dataclasses
+import math
+
+import numpy
+
+from harmos.arrays import Array
+from harmos.exchange.deck.cards import Card
+from harmos.exchange.findings import Findings, Refused
+
+INSTANCE_OFFSET = 100_000_000
+"""Between the numbers of nodes and elements of one instance and the next; those of the assembly come before."""
+
+
+@dataclasses.dataclass
+class ElementTable:
+    """Elements of a card.
+
+    Attributes:
+        kind: the type as the deck calls it.
+        ids: of the elements.
+        nodes: their ids, a row per element, in the order of the deck.
+        set: that the card names; may be empty.
+        card: it stands on.
+    """
+    kind: str
+    ids: Array
+    nodes: Array
+    set: str
+    card: Card
+
+
+@dataclasses.dataclass
+class Surface:
+    """A surface.
+
+    Attributes:
+        of_nodes: it is given by nodes, not by faces.
+        rows: element ids and labels of faces, or node ids and empty labels.
+        card: it stands on.
+    """
+    of_nodes: bool
+    rows: list[tuple[Array, str]]
+    card: Card
+
+
+@dataclasses.dataclass
+class Step:
+    """A step of the deck.
+
+    Attributes:
+        card: it stands on.
+        cards: in it.
+    """
+    card: Card
+    cards: list[Card] = dataclasses.field(default_factory=list)
+
+
+@dataclasses.dataclass
+class Scope:
+    """What names refer to: the deck, or an instance of a part in it.
+
+    Attributes:
+        prefix: of names of sets.
+        offset: of ids.
+    """
+    prefix: str = ""
+    offset: int = 0
+
+
+class Contents:
+    """A deck.
+
+    Attributes:
+        node_ids: of all nodes.
+        coordinates: of them.
+        elements: as they stand.
+        node_sets: ids by name in capitals.
+        element_sets: the same.
+        surfaces: by name.
+        model: cards of physics before the first step, in their order.
+        steps: in their order.
+    """
+
+    def __init__(self, cards: list[Card], findings: Findings) -> None:
+        """Reads the cards; what instances stand for is copied."""
+        self.node_ids: Array = numpy.zeros(0, dtype=numpy.int64)
+        self.coordinates: Array = numpy.zeros((0, 3))
+        self.elements: list[ElementTable] = []
+        self.node_sets: dict[str, list[Array]] = {}
+        self.element_sets: dict[str, list[Array]] = {}
+        self.surfaces: dict[str, Surface] = {}
+        self.model: list[Card] = []
+        self.steps: list[Step] = []
+        self._findings = findings
+        self._nodes: list[tuple[Array, Array]] = []
+        self._parts: dict[str, list[Card]] = {}
+        self._instances: dict[str, Scope] = {}
+        self._read(cards)
+        self._gather_nodes()
+
+    def _read(self, cards: list[Card]) -> None:
+        at = 0
+        scope = Scope()
+        while at < len(cards):
+            card = cards[at]
+            if card.keyword == "PART":
+                end = self._end(cards, at, "ENDPART")
+                self._parts[card.get("NAME")] = cards[at + 1:end]
+                at = end + 1
+                continue
+            if card.keyword == "INSTANCE":
+                end = self._end(cards, at, "ENDINSTANCE")
+                self._place(card, cards[at + 1:end])
+                at = end + 1
+                continue
+            if card.keyword == "STEP" and at == len(cards) - 1:
+                self._findings.leave_out(card.place, "*STEP", "the deck ends behind it: there is nothing in this step")
+                break
+            if card.keyword == "STEP":
+                end = self._end(cards, at, "ENDSTEP")
+                self.steps.append(Step(card, cards[at + 1:end]))
+                at = end + 1
+                continue
+            if card.keyword not in ("ASSEMBLY", "ENDASSEMBLY") and not self._take(card, scope):
+                self.model.append(card)
+            at += 1
+
+    @staticmethod
+    def _end(cards: list[Card], start: int, keyword: str) -> int:
+        for at in range(start + 1, len(cards)):
+            if cards[at].keyword == keyword:
+                return at
+        raise Refused(f"{cards[start].place}: *{cards[start].keyword} does not end: there is no *{keyword}. The deck is "
+                      "truncated.")
+
+    def _place(self, card: Card, own: list[Card]) -> None:
+        """Copies a part to where its instance is."""
+        part = self._parts.get(card.get("PART"))
+        if part is None:
+            raise Refused(f"{card.place}: *INSTANCE of the part \"{card.get('PART')}\", which is not above.")
+        name = card.get("NAME")
+        scope = Scope(f"{name}.", INSTANCE_OFFSET * (1 + len(self._instances)))
+        self._instances[name] = scope
+        before = len(self._nodes)
+        for each in [*part, *own]:
+            if not self._take(each, scope):
+                self.model.append(dataclasses.replace(each, parameters=_scoped(each, scope)))
+        move = card.table(7) if card.data else numpy.zeros((0, 7))
+        if len(move) > 2:
+            raise Refused(f"{card.place}: *INSTANCE takes a translation and a rotation, two lines.")
+        for number in range(before, len(self._nodes)):
+            ids, at = self._nodes[number]
+            if len(move) > 0:
+                at = at + move[0, :3]
+            if len(move) > 1:
+                at = _rotated(at, move[1, :3], move[1, 3:6], math.radians(float(move[1, 6])))
+            self._nodes[number] = ids, at
+
+    def _take(self, card: Card, scope: Scope) -> bool:
+        """Takes what is geometry; whether it was."""
+        if card.keyword == "NODE" and card.data:
+            table = card.table(4)
+            ids = table[:, 0].astype(numpy.int64) + scope.offset
+            at = table[:, 1:4]
+            if card.get("SYSTEM") == "C":
+                angle = numpy.radians(at[:, 1])
+                at = numpy.column_stack([at[:, 0] * numpy.cos(angle), at[:, 0] * numpy.sin(angle), at[:, 2]])
+            self._nodes.append((ids, at))
+            self._add(self.node_sets, card.get("NSET"), scope, ids)
+        elif card.keyword == "NODE":
+            pass
+        elif card.keyword == "ELEMENT":
+            self._take_elements(card, scope)
+        elif card.keyword in ("NSET", "ELSET"):
+            sets = self.node_sets if card.keyword == "NSET" else self.element_sets
+            name = card.get(card.keyword)
+            if not name:
+                raise Refused(f"{card.place}: *{card.keyword} without a name: {card.keyword}=NAME.")
+            inside = self._scope(card, scope)
+            for ids in self._listed(card, sets, inside):
+                self._add(sets, name, scope, ids)
+            sets.setdefault(scope.prefix + name, [])
+        elif card.keyword == "SURFACE":
+            self._take_surface(card, scope)
+        else:
+            return False
+        return True
+
+    def _scope(self, card: Card, scope: Scope) -> Scope:
+        name = card.get("INSTANCE")
+        if not name:
+            return scope
+        if name not in self._instances:
+            raise Refused(f"{card.place}: there is no instance \"{name}\" above.")
+        return self._instances[name]
+
+    @staticmethod
+    def _add(sets: dict[str, list[Array]], name: str, scope: Scope, ids: Array) -> None:
+        if name:
+            sets.setdefault(scope.prefix + name, []).append(ids)
+
+    def _take_elements(self, card: Card, scope: Scope) -> None:
+        kind = card.get("TYPE")
+        if not kind:
+            raise Refused(f"{card.place}: *ELEMENT without TYPE.")
+        flat = card.flat().astype(numpy.int64)
+        width = nodes_of_kind(kind)
+        if width == 0:
+            rows = card.rows()
+            ids = numpy.array([int(card.number(words[0], row)) for row, words in enumerate(rows)], dtype=numpy.int64)
+            nodes = numpy.zeros((len(ids), 0), dtype=numpy.int64)
+        else:
+            if len(flat) % (width + 1):
+                raise Refused(f"{card.place}: *ELEMENT of type {kind}: {len(flat)} numbers are no multiple of "
+                              f"{width + 1}, an element with its {width} nodes; the deck is truncated or damaged.")
+            rows_of = flat.reshape(-1, width + 1)
+            ids, nodes = rows_of[:, 0], rows_of[:, 1:]
+        ids, nodes = ids + scope.offset, nodes + scope.offset
+        name = card.get("ELSET")
+        self.elements.append(ElementTable(kind, ids, nodes, scope.prefix + card.parameters["ELSET"] if name else "", card))
+        self._add(self.element_sets, name, scope, ids)
+
+    def _listed(self, card: Card, sets: dict[str, list[Array]], scope: Scope) -> list[Array]:
+        """Ids that the data of a set name, by numbers, ranges and other sets."""
+        if "GENERATE" in card.parameters:
+            return [self._range(card, row, words) + scope.offset for row, words in enumerate(card.rows())]
+        flat = _numbers_or_none(card)
+        if flat is not None:
+            return [flat + scope.offset]
+        result: list[Array] = []
+        for row, words in enumerate(card.rows()):
+            for word in words:
+                if word:
+                    result.append(self.ids(word, sets, scope, card, row))
+        return result
+
+    @staticmethod
+    def _range(card: Card, row: int, words: list[str]) -> Array:
+        numbers = [int(card.number(word, row)) for word in words if word]
+        if len(numbers) not in (2, 3) or (len(numbers) == 3 and numbers[2] == 0):
+            raise Refused(f"{card.place_of(row)}: GENERATE takes first, last and increment.")
+        return numpy.arange(numbers[0], numbers[1] + 1, numbers[2] if len(numbers) == 3 else 1)
+
+    def ids(self, word: str, sets: dict[str, list[Array]], scope: Scope, card: Card, row: int) -> Array:
+        """What a word stands for: a number, a set, or one of an instance, INSTANCE.NAME.
+
+        Raises:
+            Refused: there is no such set.
+        """
+        name = word.strip().strip("\"").upper()
+        if name.lstrip("+").isdigit():
+            return numpy.array([int(name) + scope.offset])
+        for candidate in (scope.prefix + name, name):
+            if candidate in sets:
+                found = sets[candidate]
+                return numpy.concatenate(found) if found else numpy.zeros(0, dtype=numpy.int64)
+        instance, _, inside = name.partition(".")
+        if instance in self._instances and inside.isdigit():
+            return numpy.array([int(inside) + self._instances[instance].offset])
+        known = ", ".join(sorted(sets)[:12]) or "none"
+        raise Refused(f"{card.place_of(row)}: *{card.keyword}: there is no set \"{word}\" above this line; there are: {known}.")
+
+    def _take_surface(self, card: Card, scope: Scope) -> None:
+        name = scope.prefix + card.get("NAME")
+        kind = card.get("TYPE") or "ELEMENT"
+        if kind not in ("ELEMENT", "NODE"):
+            self._findings.leave_out(card.place, f"*SURFACE, TYPE={kind}", "what refers to this surface is left out")
+            return
+        if name in self.surfaces:
+            raise Refused(f"{card.place}: the surface \"{name}\" is also at {self.surfaces[name].card.place}; rename one.")
+        rows: list[tuple[Array, str]] = []
+        sets = self.node_sets if kind == "NODE" else self.element_sets
+        inside = self._scope(card, scope)
+        for row, words in enumerate(card.rows()):
+            label = words[1].upper() if kind == "ELEMENT" and len(words) > 1 else ""
+            rows.append((self.ids(words[0], sets, inside, card, row), label))
+        self.surfaces[name] = Surface(kind == "NODE", rows, card)
+
+    def _gather_nodes(self) -> None:
+        if not self._nodes:
+            return
+        ids = numpy.concatenate([ids for ids, _ in self._nodes])
+        at = numpy.concatenate([at for _, at in self._nodes])
+        # Of a node that is given twice, the last counts.
+        last = len(ids) - 1 - numpy.unique(ids[::-1], return_index=True)[1]
+        self.node_ids, self.coordinates = ids[last], at[last]
+
+
+_OTHER_KINDS = {"B31": 2, "B31R": 2, "B32": 3, "B32R": 3, "T2D2": 2, "T3D2": 2, "T3D3": 3, "SPRINGA": 2, "SPRING2": 2,
+                "SPRING1": 1, "DASHPOTA": 2, "GAPUNI": 2, "MASS": 1, "D": 3, "DCOUP3D": 1, "S3": 3, "S4": 4, "S4R": 4,
+                "S6": 6, "S8": 8, "S8R": 8, "M3D3": 3, "M3D4": 4, "M3D4R": 4, "M3D6": 6, "M3D8": 8, "M3D8R": 8}
+
+
+def nodes_of_kind(kind: str) -> int:
+    """How many nodes an element has by the number in its type; 0 when that is not known."""
+    if kind in _OTHER_KINDS:
+        return _OTHER_KINDS[kind]
+    for family in ("C3D", "DC3D", "F3D", "CPS", "CPE", "CAX", "CPEG", "SC"):
+        if kind.startswith(family):
+            digits = ""
+            for letter in kind[len(family):]:
+                if not letter.isdigit():
+                    break
+                digits += letter
+            return int(digits or 0)
+    return 0
+
+
+def _numbers_or_none(card: Card) -> "Array | None":
+    try:
+        return card.flat().astype(numpy.int64)
+    except Refused:
+        return None
+
+
+def _scoped(card: Card, scope: Scope) -> dict[str, str]:
+    """Parameters with names of sets as the deck knows them."""
+    return {name: scope.prefix + value if name in ("ELSET", "NSET", "SURFACE") and value else value
+            for name, value in card.parameters.items()}
+
+
+def _rotated(at: Array, one: Array, other: Array, angle: float) -> Array:
+    """Points turned about the line through two points (Rodrigues)."""
+    axis = (other - one) / max(float(numpy.linalg.norm(other - one)), 1e-300)
+    arm = at - one
+    result: Array = one + arm * math.cos(angle) + numpy.cross(axis, arm) * math.sin(angle) + numpy.outer(
+        arm @ axis, axis) * (1 - math.cos(angle))
+    return result

@@ -1,0 +1,86 @@
+"""Values over the time of all steps, and the histories that a scene follows for them."""
+import dataclasses
+
+from harmos.exchange.scene import SceneList
+
+Points = tuple[tuple[float, float], ...]
+"""Times and values, piecewise linear."""
+
+UNLOADED: Points = ((0.0, 0.0),)
+"""Before anything is said."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Span:
+    """The time of a step.
+
+    Attributes:
+        begin: of it [time].
+        end: of it.
+    """
+    begin: float
+    end: float
+
+
+def followed(points: Points, span: Span, value: float, amplitude: "Points | None", at_once: bool) -> Points:
+    """Goes on to a value over a step: linearly, by an amplitude that multiplies it, or at once."""
+    last = points[-1][1]
+    result = list(points)
+    if span.begin > result[-1][0]:
+        result.append((span.begin, last))
+    if amplitude is not None:
+        for time, factor in amplitude:
+            at = span.begin + time
+            if at <= result[-1][0]:
+                if time <= 0.0 and span.begin == 0.0:
+                    result[-1] = (0.0, value * factor)
+                continue
+            if at >= span.end:
+                before = result[-1]
+                share = (span.end - before[0]) / (at - before[0])
+                result.append((span.end, before[1] + share * (value * factor - before[1])))
+                break
+            result.append((at, value * factor))
+        if result[-1][0] < span.end:
+            result.append((span.end, result[-1][1]))
+    elif at_once:
+        step = 1e-6 * (span.end - span.begin)
+        result += [(span.begin + step, value), (span.end, value)]
+    else:
+        result.append((span.end, value))
+    return tuple(result)
+
+
+def peak(points: Points) -> float:
+    """The value that is largest in magnitude."""
+    return max((value for _, value in points), key=abs)
+
+
+def shape(points: Points) -> Points:
+    """With that value divided out."""
+    largest = peak(points)
+    return tuple((time, value / largest if largest else 0.0) for time, value in points)
+
+
+class Histories:
+    """The list Histories of a scene; equal shapes are written once."""
+
+    def __init__(self, scene: SceneList) -> None:
+        """Adds to this scene."""
+        self._scene = scene
+        self._names: dict[Points, str] = {}
+
+    def set(self, law: SceneList, entry: str, points: Points, factor: float = 1.0) -> None:
+        """Sets an entry with its history."""
+        value = peak(points) * factor
+        law.set(entry, value)
+        if value != 0.0:
+            law.set(f"{entry} History", self._name(shape(points)))
+
+    def _name(self, points: Points) -> str:
+        if points not in self._names:
+            name = f"history_{len(self._names) + 1}"
+            self._names[points] = name
+            history = self._scene.child("Histories").child(name).set("Type", "Table")
+            history.set("Times", [time for time, _ in points]).set("Values", [value for _, value in points])
+        return self._names[points]

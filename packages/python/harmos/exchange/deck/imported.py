@@ -1,0 +1,172 @@
+"""A deck of Abaqus or CalculiX as a mesh and a scene."""
+import dataclasses
+import pathlib
+
+import numpy
+
+from harmos.exchange.deck.cards import Card, read_cards
+from harmos.exchange.deck.contents import Contents
+from harmos.exchange.deck.curves import Histories
+from harmos.exchange.deck.joints import Joints
+from harmos.exchange.deck.loads import OUTPUT, LoadReader, LoadWriter
+from harmos.exchange.deck.materials import Material, read_materials, write_material
+from harmos.exchange.deck.solids import KINEMATICS, Solids
+from harmos.exchange.findings import Findings
+from harmos.exchange.mesh import Mesh, clean_name, oriented, outer_faces, unused_name, without_loose_nodes
+from harmos.exchange.scene import SceneList
+
+_KNOWN = {"HEADING", "NODE", "ELEMENT", "NSET", "ELSET", "SURFACE", "MATERIAL", "ELASTIC", "DENSITY", "SOLIDSECTION",
+          "ORIENTATION", "TIE", "CONTACTPAIR", "SURFACEINTERACTION", "FRICTION", "SURFACEBEHAVIOR", "PRE-TENSIONSECTION",
+          "BOUNDARY", "AMPLITUDE", "TRANSFORM", "PREPRINT", "PLASTIC", "CREEP", "EXPANSION", "CONDUCTIVITY",
+          "SPECIFICHEAT", "HYPERELASTIC", "HYPERFOAM", "DAMPING", "CONTACTDAMPING", "GAPCONDUCTANCE", *OUTPUT}
+
+_EFFECTS = {
+    "EQUATION": "nodes that it ties move as they like",
+    "MPC": "nodes that it ties move as they like", "RIGIDBODY": "the body is elastic",
+    "COUPLING": "its reference point and what is tied to it move as they like",
+    "DISTRIBUTINGCOUPLING": "the load of its reference point is left out",
+    "INITIALCONDITIONS": "initial temperatures, stresses or velocities are left out",
+    "BEAMSECTION": "beams are left out", "SHELLSECTION": "shells are left out", "SPRING": "springs are left out",
+    "DASHPOT": "dashpots are left out", "MASS": "masses are left out", "GAP": "gap elements are left out",
+    "MEMBRANESECTION": "membranes are left out", "BEAMGENERALSECTION": "beams are left out",
+}
+
+
+@dataclasses.dataclass
+class ImportedDeck:
+    """A deck.
+
+    Attributes:
+        mesh: of its solids.
+        scene: what it says about them; its mesh is in the file that was named.
+    """
+    mesh: Mesh
+    scene: SceneList
+
+
+def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> ImportedDeck:
+    """Reads a deck; what Harmos has not is listed in the findings.
+
+    Raises:
+        Refused: the deck is damaged, contradicts itself, or holds no solids.
+    """
+    contents = Contents(read_cards(path), findings)
+    for card in contents.model:
+        if card.keyword not in _KNOWN:
+            findings.leave_out(card.place, f"*{card.keyword}", _EFFECTS.get(card.keyword, "without effect on the scene"))
+    materials = read_materials(contents.model, findings)
+    solids = Solids(contents, findings, path)
+    scene = SceneList("Harmos").set("Title", _title(contents, path))
+    if units:
+        scene.set("Units", units)
+    thickness = _write_model(scene, solids, findings)
+    scene.child("Mesh").set("Type", "Exodus").set("File", mesh_file)
+    _write_parts(scene, contents, solids, materials, findings)
+    loads = LoadReader(contents, solids, materials, findings).read()
+    histories = Histories(scene)
+    joints = Joints(contents, solids, scene, findings)
+    joints.write(histories, loads.preloads)
+    writer = LoadWriter(solids, scene, histories, thickness, findings)
+    writer.write(loads)
+    _write_steps(scene, loads.steps, joints.has_contact or bool(scene.child("Histories").items), findings)
+    _hold_what_nothing_touches(scene, solids, writer.touched | {part for pair in joints.joined for part in pair}, findings)
+    mesh = solids.mesh
+    for sets in (mesh.side_sets, mesh.node_sets):
+        for name in [name for name, entries in sets.items() if not len(entries)]:
+            del sets[name]
+    turned, loose = oriented(mesh), without_loose_nodes(mesh)
+    findings.found.insert(0, mesh.text())
+    if turned:
+        findings.found.append(f"{turned} elements were numbered in the other sense and have been turned")
+    if loose:
+        findings.found.append(f"{loose} nodes belong to no solid and have been left out")
+    asked = [card.place for card in [*contents.model, *(card for step in contents.steps for card in step.cards)]
+             if card.keyword in OUTPUT]
+    if asked:
+        findings.found.append(f"{len(asked)} requests of output or control, the first at {asked[0]}: results hold all fields")
+    return ImportedDeck(mesh, scene)
+
+
+def _title(contents: Contents, path: str) -> str:
+    for card in contents.model:
+        if card.keyword == "HEADING" and card.data:
+            return card.data[0].strip()[:79]
+    return pathlib.Path(path).stem
+
+
+def _write_model(scene: SceneList, solids: Solids, findings: Findings) -> float:
+    """The thickness of plane elements."""
+    if solids.family == "C3D":
+        return 1.0
+    model = scene.child("Model").set("Kinematics", KINEMATICS[solids.family])
+    if solids.family == "CAX":
+        return 1.0
+    given = sorted({section.thickness for section in solids.sections} - {0.0})
+    if len(given) > 1:
+        findings.leave_out(solids.sections[-1].card.place, "*SOLID SECTION, thickness",
+                           f"a scene has one thickness, here {given[0]:g} of {', '.join(f'{each:g}' for each in given)}")
+    thickness = given[0] if given else 1.0
+    model.set("Thickness", thickness)
+    return thickness
+
+
+def _write_parts(scene: SceneList, contents: Contents, solids: Solids, materials: dict[str, Material],
+                 findings: Findings) -> None:
+    orientations = {card.get("NAME"): card for card in contents.model if card.keyword == "ORIENTATION"}
+    names: dict[tuple[str, str], str] = {}
+    for part, blocks in solids.mesh.parts().items():
+        section = solids.sections[solids.section_of_part[part]]
+        key = section.material, section.orientation
+        if key not in names:
+            material = materials.get(section.material) or Material(section.card, section.material or "material", {})
+            names[key] = unused_name(material.name, set(names.values()))
+            axes = _axes(orientations.get(section.orientation), section.orientation, material, findings)
+            write_material(material, names[key], axes, scene, findings)
+        entry = scene.child("Parts").child(part)
+        own = [solids.mesh.blocks[block].name for block in blocks]
+        if own != [part]:
+            entry.set("Blocks", own)
+        entry.set("Material", names[key])
+        if solids.modes_of_part[part]:
+            entry.set("Formulation", "Incompatible Modes")
+
+
+def _axes(card: "Card | None", name: str, material: Material,
+          findings: Findings) -> "tuple[list[float], list[float]] | None":
+    if card is None or not name or "Young's Modulus" in material.entries:
+        return None
+    if card.get("SYSTEM") in ("C", "CYLINDRICAL", "S", "Z RECTANGULAR"):
+        findings.leave_out(card.place, f"*ORIENTATION, SYSTEM={card.get('SYSTEM')}",
+                           "axes that turn from point to point: the global ones are taken")
+        return None
+    numbers = card.table(6, 6)[0]
+    return [float(x) for x in numbers[:3]], [float(x) for x in numbers[3:6]]
+
+
+def _write_steps(scene: SceneList, steps: list[tuple[str, float, int]], is_followed: bool, findings: Findings) -> None:
+    if not steps:
+        findings.undecided.append("loads: the deck has no static step")
+        scene.child("Steps").child("load")
+    for name, duration, increments in steps:
+        step = scene.child("Steps").child(name)
+        if duration != 1.0:
+            step.set("Duration", duration)
+        if increments > 1 and is_followed:
+            step.set("Increments", increments)
+
+
+def _hold_what_nothing_touches(scene: SceneList, solids: Solids, touched: set[str], findings: Findings) -> None:
+    """A load of nothing on parts that nothing touches, for a scene needs something on each."""
+    mesh = solids.mesh
+    faces = outer_faces(mesh)
+    part = numpy.asarray(mesh.part_of_block())[mesh.block_of(faces.element)]
+    for number, name in enumerate(mesh.parts()):
+        if name in touched:
+            continue
+        side_set = unused_name(f"{clean_name(name)}_surface", {**mesh.side_sets, **mesh.node_sets})
+        mesh.side_sets[side_set] = faces.chosen(part == number).rows()
+        boundaries = scene.child("Boundaries").comment(
+            f"TO DECIDE: nothing holds {name}; this load of 0 on its whole surface stands for what does.")
+        boundary = boundaries.child(unused_name(side_set, set(boundaries.names())))
+        boundary.set("Side Set", side_set).child("Law").set("Type", "Prescribed Traction")
+        findings.undecided.append(f"part {name}: nothing holds or loads it")

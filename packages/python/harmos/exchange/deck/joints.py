@@ -1,0 +1,218 @@
+"""Interfaces of a deck: ties, contact pairs, pretension sections, and parts that share nodes."""
+import itertools
+
+import numpy
+
+from harmos.arrays import Array
+from harmos.exchange.deck.cards import Card
+from harmos.exchange.deck.contents import Contents
+from harmos.exchange.deck.curves import Histories, Points, peak
+from harmos.exchange.deck.solids import Solids
+from harmos.exchange.findings import Findings, Refused
+from harmos.exchange.contact import face_measures
+from harmos.exchange.mesh import FORBIDDEN, clean_name, codes, outer_faces, unused_name
+from harmos.exchange.scene import SceneList
+from harmos.exchange.sides import split_by_part
+
+
+class Joints:
+    """Writes the interfaces of a scene.
+
+    Attributes:
+        joined: pairs of parts between which there is one.
+        has_contact: one of them may open.
+    """
+
+    def __init__(self, contents: Contents, solids: Solids, scene: SceneList, findings: Findings) -> None:
+        """Adds to this scene and to the sets of the mesh of the solids."""
+        self._contents, self._solids, self._scene, self._findings = contents, solids, scene, findings
+        self.joined: set[frozenset[str]] = set()
+        self.has_contact = False
+        self._interactions = self._read_interactions()
+
+    def _read_interactions(self) -> dict[str, list[Card]]:
+        result: dict[str, list[Card]] = {}
+        current = ""
+        for card in self._contents.model:
+            if card.keyword in ("SURFACEINTERACTION",):
+                current = card.get("NAME")
+                result[current] = [card]
+            elif card.keyword in ("FRICTION", "SURFACEBEHAVIOR", "CONTACTDAMPING", "GAPCONDUCTANCE") and current:
+                result[current].append(card)
+            elif card.keyword not in ("FRICTION", "SURFACEBEHAVIOR"):
+                current = ""
+        return result
+
+    def write(self, histories: Histories, preloads: dict[int, tuple[Points, str]]) -> None:
+        """All of them; `preloads`: by reference node the curve of its first component, and whether it is a
+        "displacement" or a "force"."""
+        for card in self._contents.model:
+            if card.keyword == "TIE":
+                self._pairs(card, "tie", lambda law: law.set("Type", "Perfect"))
+            elif card.keyword == "CONTACTPAIR":
+                self._contact(card)
+            elif card.keyword == "PRE-TENSIONSECTION":
+                self._pretension(card, histories, preloads)
+        self._shared_nodes()
+
+    def _contact(self, card: Card) -> None:
+        name = card.get("INTERACTION")
+        if name not in self._interactions:
+            raise Refused(f"{card.place}: there is no *SURFACE INTERACTION \"{name}\"; there are: "
+                          f"{', '.join(self._interactions) or 'none'}.")
+        friction = 0.0
+        for other in self._interactions[name][1:]:
+            if other.keyword == "FRICTION" and other.data:
+                words = other.rows()[0]
+                friction = other.number(words[0], 0)
+                if len(words) > 1 and words[1]:
+                    self._findings.leave_out(other.place, "*FRICTION, stick slope",
+                                             "sticking is without slip; the deck lets surfaces slide by traction / slope")
+            elif other.keyword == "SURFACEBEHAVIOR":
+                kind = other.get("PRESSURE-OVERCLOSURE") or "HARD"
+                if kind != "HARD":
+                    self._findings.leave_out(other.place, f"*SURFACE BEHAVIOR, {kind}",
+                                             "contact is hard; the deck lets surfaces overlap by pressure / slope")
+            else:
+                self._findings.leave_out(other.place, f"*{other.keyword}", "this property of the contact")
+        if not self._pairs(card, "contact", lambda law: self._contact_law(law, friction)):
+            return
+        self.has_contact = True
+
+    @staticmethod
+    def _contact_law(law: SceneList, friction: float) -> None:
+        if friction > 0.0:
+            law.set("Type", "Coulomb Friction").set("Friction Coefficient", friction)
+        else:
+            law.set("Type", "Unilateral Contact")
+
+    def _pairs(self, card: Card, word: str, write_law: "object") -> int:
+        """An interface for each line with two surfaces and each pair of parts on them; how many."""
+        assert callable(write_law)
+        count = 0
+        for row, words in enumerate(card.rows()):
+            if len(words) < 2 or not words[1]:
+                self._findings.leave_out(card.place_of(row), f"*{card.keyword}", "contact of a surface with itself")
+                continue
+            slave, master = (self._surface(each, card, row) for each in words[:2])
+            pieces = list(itertools.product(split_by_part(self._solids.mesh, slave).items(),
+                                            split_by_part(self._solids.mesh, master).items()))
+            near = [(one, other) for one, other in pieces if one[0] != other[0]
+                    and (len(pieces) == 1 or self._is_near(one[1], other[1]))]
+            if not near:
+                self._findings.leave_out(card.place_of(row), f"*{card.keyword}", "contact of a part with itself, or of "
+                                         "surfaces that no solid has")
+            for (part, rows), (other_part, other_rows) in near:
+                base = clean_name(f"{words[0]}_{words[1]}".lower()) if len(near) == 1 else f"{part}_{other_part}"
+                name = unused_name(base, set(self._scene.child("Interfaces").names()))
+                interface = self._scene.child("Interfaces").child(name)
+                for side, (given, faces) in enumerate(((words[0], rows), (words[1], other_rows)), 1):
+                    interface.set(f"Side {side}", self.add_side_set(given, faces))
+                write_law(interface.child("Law"))
+                self.joined.add(frozenset([part, other_part]))
+                self._findings.found.append(f"{card.place_of(row)}: {word} of {words[0]} and {words[1]}: interface {name}")
+                count += 1
+        return count
+
+    def add_side_set(self, name: str, rows: Array) -> str:
+        """The name of the side set with these faces, which is made unless there is one."""
+        for known, given in self._solids.mesh.side_sets.items():
+            if len(given) == len(rows) and numpy.array_equal(given, rows):
+                return known
+        result = unused_name(FORBIDDEN.sub("_", name), {**self._solids.mesh.side_sets, **self._solids.mesh.node_sets})
+        self._solids.mesh.side_sets[result] = rows
+        return result
+
+    def _surface(self, name: str, card: Card, row: int) -> Array:
+        surface = self._contents.surfaces.get(name.upper())
+        if surface is None:
+            raise Refused(f"{card.place_of(row)}: *{card.keyword}: there is no surface \"{name}\"; there are: "
+                          f"{', '.join(list(self._contents.surfaces)[:12]) or 'none'}.")
+        rows = self._solids.surface(surface)
+        if not len(rows):
+            self._findings.leave_out(surface.card.place, f"*SURFACE {name}", "no solid has a face on it")
+        return rows
+
+    def _is_near(self, rows: Array, other: Array) -> bool:
+        """Whether the boxes of both meet, with half of their size around."""
+        boxes = []
+        for each in (rows, other):
+            mesh = self._solids.mesh
+            first, blocks = mesh.first_elements(), mesh.block_of(each[:, 0])
+            nodes = numpy.concatenate([mesh.blocks[b].connectivity[e - first[b], list(mesh.blocks[b].type.sides[s])]
+                                       for (e, s), b in zip(each, blocks)])
+            at = mesh.nodes[nodes]
+            boxes.append((at.min(axis=0), at.max(axis=0)))
+        margin = 0.25 * max(float(numpy.max(high - low)) for low, high in boxes)
+        return bool((boxes[0][0] <= boxes[1][1] + margin).all() and (boxes[1][0] <= boxes[0][1] + margin).all())
+
+    def _pretension(self, card: Card, histories: Histories, preloads: dict[int, tuple[Points, str]]) -> None:
+        surface = self._contents.surfaces.get(card.get("SURFACE"))
+        node = int(card.number(card.get("NODE") or "0", 0)) if card.get("NODE").isdigit() else 0
+        if surface is None or not node:
+            self._findings.leave_out(card.place, "*PRE-TENSION SECTION", "preload of beams, or without a surface and a node")
+            return
+        rows = self._solids.surface(surface)
+        names = list(self._solids.mesh.parts())
+        owners = {names[self._solids.mesh.part_of_block()[block]]
+                  for block in self._solids.mesh.block_of(rows[:, 0])} if len(rows) else set()
+        twins = self._twins(rows)
+        others = {names[self._solids.mesh.part_of_block()[block]]
+                  for block in self._solids.mesh.block_of(twins[:, 0])} if len(twins) else set()
+        if len(owners) != 1 or len(others) != 1 or owners == others:
+            self._findings.leave_out(card.place, "*PRE-TENSION SECTION", "its surface does not cut a body in two; give the "
+                                     "preload by the law Preload Jump between two parts")
+            return
+        own, other = owners.pop(), others.pop()
+        name = unused_name(f"preload_{clean_name(card.parameters['SURFACE'])}".lower(),
+                           set(self._scene.child("Interfaces").names()))
+        points, kind = preloads.get(node, (((0.0, 0.0),), "displacement"))
+        if kind == "force":
+            self._findings.leave_out(card.place, "*PRE-TENSION SECTION by force",
+                                     f"{peak(points):g}; the jump of the interface {name} is 0, raise it until the "
+                                     "response of that name has this force")
+            self._scene.child("Interfaces").comment(f"TO DECIDE: the jump that gives the bolt force {peak(points):g}.")
+            points = ((0.0, 0.0),)
+        if self._points_inwards(card, rows):
+            points = tuple((time, -value) for time, value in points)
+        interface = self._scene.child("Interfaces").child(name)
+        interface.set("Side 1", self.add_side_set(card.parameters["SURFACE"], rows))
+        interface.set("Side 2", self.add_side_set(f"{card.parameters['SURFACE']}_other", twins))
+        histories.set(interface.child("Law").set("Type", "Preload Jump"), "Jump", points)
+        self._scene.child("Responses").child(f"bolt_force_{name}").set("Type", "Bolt Force").set("Interface", name)
+        self.joined.add(frozenset([own, other]))
+        self._findings.found.append(f"{card.place}: pretension section: interface {name} between {own} and {other}")
+
+    def _points_inwards(self, card: Card, rows: Array) -> bool:
+        """Whether the vector of a pretension section, along which displacements count, points into its elements."""
+        if not card.data:
+            return False
+        vector = card.table(3)[0]
+        outer = outer_faces(self._solids.mesh)
+        chosen = outer.chosen(numpy.isin(codes(outer.rows(), rows)[0], codes(outer.rows(), rows)[1]))
+        _, _, normal, area = face_measures(self._solids.mesh, chosen)
+        return bool((normal * area[:, None]).sum(axis=0) @ vector < 0.0)
+
+    def _twins(self, rows: Array) -> Array:
+        """The sides on the other parts that have the same corners."""
+        outer = outer_faces(self._solids.mesh)
+        key = outer.key()
+        of = {tuple(each) for each in rows.tolist()}
+        mine = numpy.array([pair in of for pair in map(tuple, outer.rows().tolist())], dtype=bool)
+        wanted = {tuple(each) for each in key[mine].tolist()}
+        theirs = numpy.array([tuple(each) in wanted for each in key.tolist()], dtype=bool) & ~mine
+        return outer.chosen(theirs).rows()
+
+    def _shared_nodes(self) -> None:
+        """Parts that share nodes are one body in the deck."""
+        mesh = self._solids.mesh
+        used = {name: numpy.unique(numpy.concatenate([mesh.blocks[block].connectivity.reshape(-1) for block in blocks]))
+                for name, blocks in mesh.parts().items()}
+        for (one, nodes), (other, theirs) in itertools.combinations(used.items(), 2):
+            if frozenset([one, other]) in self.joined or not len(numpy.intersect1d(nodes, theirs)):
+                continue
+            name = unused_name(f"{one}_{other}", set(self._scene.child("Interfaces").names()))
+            interface = self._scene.child("Interfaces").child(name).set("Part 1", one).set("Part 2", other)
+            interface.child("Law").set("Type", "Perfect")
+            self.joined.add(frozenset([one, other]))
+            self._findings.found.append(f"{one} and {other} share nodes: interface {name}")

@@ -1,0 +1,447 @@
+"""Boundaries and loads of a deck over its steps, as boundaries of a scene."""
+import collections
+import dataclasses
+
+import numpy
+
+from harmos.arrays import Array
+from harmos.exchange.deck.areas import nodal_areas
+from harmos.exchange.deck.cards import Card
+from harmos.exchange.deck.contents import Contents, Scope, Step
+from harmos.exchange.deck.curves import UNLOADED, Histories, Points, Span, followed, peak, shape
+from harmos.exchange.deck.materials import Material
+from harmos.exchange.deck.solids import Solids
+from harmos.exchange.findings import Findings, Refused
+from harmos.exchange.mesh import outer_faces, unused_name
+from harmos.exchange.scene import SceneList
+
+STATIC = ("STATIC",)
+"""Procedures that Harmos has."""
+
+SAME = 1e-3
+"""Difference of nodal forces from those of a constant traction, over the largest of them, that counts as none."""
+
+OUTPUT = ("NODEPRINT", "ELPRINT", "NODEFILE", "ELFILE", "CONTACTPRINT", "CONTACTFILE", "SECTIONPRINT", "FACEPRINT",
+          "OUTPUT", "NODEOUTPUT", "ELEMENTOUTPUT", "CONTACTOUTPUT", "ELEMENTFILE", "ELEMENTPRINT", "PREPRINT", "RESTART",
+          "MONITOR", "ENERGYPRINT", "CONTROLS", "FILEFORMAT")
+"""What asks for output or steers iterations."""
+
+_TYPES = {"ENCASTRE": [1, 2, 3], "PINNED": [1, 2, 3], "XSYMM": [1], "YSYMM": [2], "ZSYMM": [3],
+          "XASYMM": [2, 3], "YASYMM": [1, 3], "ZASYMM": [1, 2]}
+
+
+@dataclasses.dataclass
+class Loads:
+    """What acts, over time.
+
+    Attributes:
+        held: curve of a displacement, by node (index in the mesh) and component from 0.
+        forces: curve of a force, by the same.
+        pressures: curve of a pressure, by element and side.
+        body_forces: curves of the acceleration times density [force/volume], by part and component.
+        preloads: curve and kind, by the id of the reference node.
+        steps: name, duration and increments.
+    """
+    held: dict[tuple[int, int], Points] = dataclasses.field(default_factory=dict)
+    forces: dict[tuple[int, int], Points] = dataclasses.field(default_factory=dict)
+    pressures: dict[tuple[int, int], Points] = dataclasses.field(default_factory=dict)
+    body_forces: dict[tuple[str, int], Points] = dataclasses.field(default_factory=dict)
+    preloads: dict[int, tuple[Points, str]] = dataclasses.field(default_factory=dict)
+    steps: list[tuple[str, float, int]] = dataclasses.field(default_factory=list)
+
+
+class LoadReader:
+    """Follows the steps of a deck."""
+
+    def __init__(self, contents: Contents, solids: Solids, materials: dict[str, Material], findings: Findings) -> None:
+        """Keeps all of them."""
+        self._contents, self._solids, self._materials, self._findings = contents, solids, materials, findings
+        self._scope = Scope()
+        self._loads = Loads()
+        self._preload_nodes = {int(card.get("NODE")) for card in contents.model
+                               if card.keyword == "PRE-TENSIONSECTION" and card.get("NODE").isdigit()}
+        self._transformed = self._read_transforms()
+        self._amplitudes = {card.get("NAME"): card for card in contents.model if card.keyword == "AMPLITUDE"}
+        self._first: dict[tuple[int, int], tuple[str, float]] = {}
+
+    def _read_transforms(self) -> set[int]:
+        nodes: set[int] = set()
+        for card in self._contents.model:
+            if card.keyword == "TRANSFORM":
+                name = card.get("NSET")
+                for ids in self._contents.node_sets.get(name, []):
+                    nodes.update(self._solids.nodes(ids).tolist())
+                self._findings.leave_out(card.place, "*TRANSFORM", f"boundaries and forces in the axes of the node set {name}")
+        return nodes
+
+    def read(self) -> Loads:
+        """All of it.
+
+        Raises:
+            Refused: loads on sets that are not there, boundaries that contradict each other.
+        """
+        for card in self._contents.model:
+            if card.keyword == "BOUNDARY":
+                self._boundary(card, Span(-1.0, 0.0), True)
+        for key, points in self._loads.held.items():
+            self._loads.held[key] = ((0.0, points[-1][1]),)
+        time = 0.0
+        for number, step in enumerate(self._contents.steps, 1):
+            procedure = [card for card in step.cards if card.keyword in STATIC]
+            if not procedure:
+                named = [card for card in step.cards if card.keyword not in OUTPUT]
+                self._findings.leave_out(step.card.place, "*STEP", f"the step *{named[0].keyword if named else 'STEP'}: "
+                                         "Harmos has static steps")
+                continue
+            time = self._step(step, procedure[0], number, time)
+        return self._loads
+
+    def _step(self, step: Step, static: Card, number: int, begin: float) -> float:
+        """The end of the step."""
+        words = static.rows()[0] if static.data else []
+        increment = static.number(words[0], 0) if words else 0.0
+        duration = static.number(words[1], 0) if len(words) > 1 else 0.0
+        duration = duration or 1.0
+        increments = round(duration / increment) if increment > 0.0 else 1
+        self._loads.steps.append((f"step_{number}", duration, max(1, min(20, increments))))
+        span = Span(begin, begin + duration)
+        if "NLGEOM" in step.card.parameters and step.card.get("NLGEOM") != "NO":
+            self._findings.leave_out(step.card.place, "*STEP, NLGEOM", "large rotations and strains: all is linear in geometry")
+        if "PERTURBATION" in step.card.parameters:
+            self._findings.leave_out(step.card.place, "*STEP, PERTURBATION", "the step goes on from the one before")
+        at_once = step.card.get("AMPLITUDE") == "STEP"
+        self._free(step, span)
+        for card in step.cards:
+            if card.keyword == "BOUNDARY":
+                self._boundary(card, span, at_once)
+            elif card.keyword == "CLOAD":
+                self._force(card, span, at_once)
+            elif card.keyword in ("DLOAD", "DSLOAD"):
+                self._distributed(card, span, at_once)
+            elif card.keyword not in OUTPUT and card is not static:
+                self._findings.leave_out(card.place, f"*{card.keyword}", "without effect on the scene")
+        return span.end
+
+    def _free(self, step: Step, span: Span) -> None:
+        """What OP=NEW takes away."""
+        kinds: dict[str, list[dict[tuple[int, int], Points]]] = {
+            "CLOAD": [self._loads.forces], "DLOAD": [self._loads.pressures], "DSLOAD": [self._loads.pressures],
+            "BOUNDARY": [self._loads.held]}
+        for keyword, tables in kinds.items():
+            new = [card for card in step.cards if card.keyword == keyword and card.get("OP") == "NEW"]
+            if not new or not any(tables):
+                continue
+            if keyword == "BOUNDARY":
+                self._findings.leave_out(new[0].place, "*BOUNDARY, OP=NEW", "what was held stays held")
+                continue
+            for table in tables:
+                for key, points in table.items():
+                    table[key] = followed(points, span, 0.0, None, False)
+
+    def _amplitude(self, card: Card, span: Span) -> "Points | None":
+        name = card.get("AMPLITUDE")
+        if not name:
+            return None
+        definition = self._amplitudes.get(name)
+        if definition is None:
+            raise Refused(f"{card.place}: there is no *AMPLITUDE \"{name}\"; there are: "
+                          f"{', '.join(self._amplitudes) or 'none'}.")
+        numbers = definition.flat()
+        if len(numbers) % 2:
+            raise Refused(f"{definition.place}: *AMPLITUDE takes pairs of time and value.")
+        shift = span.begin if definition.get("TIME").startswith("TOTAL") else 0.0
+        return tuple((float(time) - shift, float(value)) for time, value in numbers.reshape(-1, 2))
+
+    def _nodes(self, word: str, card: Card, row: int) -> Array:
+        return self._contents.ids(word, self._contents.node_sets, self._scope, card, row)
+
+    def _boundary(self, card: Card, span: Span, at_once: bool) -> None:
+        for switch in ("SUBMODEL", "USER", "TYPE"):
+            if switch in card.parameters and card.get(switch) != "DISPLACEMENT":
+                self._findings.leave_out(card.place, f"*BOUNDARY, {switch}", "these boundaries are left out")
+                return
+        amplitude = self._amplitude(card, span)
+        for row, words in enumerate(card.rows()):
+            ids = self._nodes(words[0], card, row)
+            named = words[1].upper() if len(words) > 1 else ""
+            if named in _TYPES:
+                components, value = _TYPES[named], 0.0
+            else:
+                first = int(card.number(named, row))
+                last = int(card.number(words[2], row)) if len(words) > 2 and words[2] else first
+                components = list(range(first, last + 1))
+                value = card.number(words[3], row) if len(words) > 3 else 0.0
+            preload = self._preload_nodes & set(ids.tolist())
+            for node in preload:
+                if 1 in components:
+                    points = self._loads.preloads.get(node, (UNLOADED, ""))[0]
+                    self._loads.preloads[node] = followed(points, span, value, amplitude, at_once), "displacement"
+            if any(component > 3 for component in components):
+                others = [component for component in components if component > 3]
+                if not set(others) <= {4, 5, 6} or value != 0.0:
+                    self._findings.leave_out(card.place_of(row), f"*BOUNDARY of component {others[0]}",
+                                             "solids have displacements 1 to 3 only")
+            self._hold(card, row, ids, [c for c in components if 1 <= c <= self._solids.mesh.dimension], span, value,
+                       amplitude, at_once)
+
+    def _hold(self, card: Card, row: int, ids: Array, components: list[int], span: Span, value: float,
+              amplitude: "Points | None", at_once: bool) -> None:
+        nodes = self._solids.nodes(ids)
+        left = len(ids) - len(nodes) - len(self._preload_nodes & set(ids.tolist()))
+        if left:
+            self._findings.leave_out(card.place_of(row), "*BOUNDARY", f"{left} of its nodes belong to no solid")
+        for node in nodes.tolist():
+            if node in self._transformed:
+                continue
+            for component in components:
+                key = node, component - 1
+                said = self._first.get(key)
+                if span.end <= 0.0 and said is not None and said[1] != value:
+                    raise Refused(f"{card.place_of(row)}: *BOUNDARY holds component {component} of a node at {value:g}, "
+                                  f"{said[0]} at {said[1]:g}; remove one of them.")
+                if span.end <= 0.0:
+                    self._first[key] = card.place_of(row), value
+                    self._loads.held[key] = ((0.0, value),)
+                    continue
+                points = self._loads.held.get(key, UNLOADED)
+                if points[-1][0] >= span.end:
+                    points = tuple(point for point in points if point[0] <= span.begin) or UNLOADED
+                self._loads.held[key] = followed(points, span, value, amplitude, at_once)
+
+    def _force(self, card: Card, span: Span, at_once: bool) -> None:
+        amplitude = self._amplitude(card, span)
+        for row, words in enumerate(card.rows()):
+            if len(words) < 3:
+                raise Refused(f"{card.place_of(row)}: *CLOAD takes a node or set, a component and a force.")
+            ids, component = self._nodes(words[0], card, row), int(card.number(words[1], row))
+            value = card.number(words[2], row)
+            for node in self._preload_nodes & set(ids.tolist()):
+                points = self._loads.preloads.get(node, (UNLOADED, ""))[0]
+                self._loads.preloads[node] = followed(points, span, value, amplitude, at_once), "force"
+            if not 1 <= component <= self._solids.mesh.dimension:
+                self._findings.leave_out(card.place_of(row), f"*CLOAD of component {component}", f"{value:g}, on "
+                                         "rotations or temperatures, which solids have not")
+                continue
+            nodes = self._solids.nodes(ids)
+            left = len(ids) - len(nodes) - len(self._preload_nodes & set(ids.tolist()))
+            if left:
+                self._findings.leave_out(card.place_of(row), "*CLOAD", f"{value:g} on {left} nodes that belong to no solid")
+            for node in nodes.tolist():
+                if node not in self._transformed:
+                    self._add(self._loads.forces, (node, component - 1), span, value, amplitude, at_once)
+
+    @staticmethod
+    def _add(table: dict[tuple[int, int], Points], key: tuple[int, int], span: Span, value: float,
+             amplitude: "Points | None", at_once: bool) -> None:
+        """Goes on to a value; what the step has said before is added to."""
+        points = table.get(key, UNLOADED)
+        if points[-1][0] >= span.end and points[-1][1] != 0.0:
+            before = tuple(point for point in points if point[0] <= span.begin) or UNLOADED
+            table[key] = followed(before, span, points[-1][1] + value, amplitude, at_once)
+        else:
+            before = tuple(point for point in points if point[0] <= span.begin) or UNLOADED
+            table[key] = followed(before, span, value, amplitude, at_once)
+
+    def _distributed(self, card: Card, span: Span, at_once: bool) -> None:
+        amplitude = self._amplitude(card, span)
+        for row, words in enumerate(card.rows()):
+            label = words[1].upper() if len(words) > 1 else ""
+            if card.keyword == "DSLOAD" and label == "P":
+                surface = self._contents.surfaces.get(words[0].upper())
+                if surface is None:
+                    raise Refused(f"{card.place_of(row)}: *DSLOAD: there is no surface \"{words[0]}\"; there are: "
+                                  f"{', '.join(list(self._contents.surfaces)[:12]) or 'none'}.")
+                sides = self._solids.surface(surface)
+            elif card.keyword == "DLOAD" and label == "GRAV":
+                self._gravity(card, row, words, span, amplitude, at_once)
+                continue
+            elif card.keyword == "DLOAD" and label[:1] == "P" and label[1:].isdigit():
+                ids = self._contents.ids(words[0], self._contents.element_sets, self._scope, card, row)
+                sides = self._solids.sides(ids, label, card.place_of(row))
+                if len(sides) < len(ids):
+                    self._findings.leave_out(card.place_of(row), f"*DLOAD {label}",
+                                             f"on {len(ids) - len(sides)} elements that are no solids")
+            else:
+                self._findings.leave_out(card.place_of(row), f"*{card.keyword} {label}", "this load is left out")
+                continue
+            value = card.number(words[2], row) if len(words) > 2 else 0.0
+            for element, side in sides.tolist():
+                self._add(self._loads.pressures, (element, side), span, value, amplitude, at_once)
+
+    def _gravity(self, card: Card, row: int, words: list[str], span: Span, amplitude: "Points | None",
+                 at_once: bool) -> None:
+        numbers = [card.number(word, row) for word in words[2:6]]
+        if len(numbers) < 4:
+            raise Refused(f"{card.place_of(row)}: GRAV takes an acceleration and a direction.")
+        mesh = self._solids.mesh
+        loaded = self._solids.elements(self._contents.ids(words[0], self._contents.element_sets, self._scope, card, row))
+        count = numpy.bincount(mesh.block_of(loaded), minlength=len(mesh.blocks)) if len(loaded) else numpy.zeros(
+            len(mesh.blocks), dtype=int)
+        direction = numpy.array(numbers[1:]) / max(float(numpy.linalg.norm(numbers[1:])), 1e-300)
+        for part, blocks in mesh.parts().items():
+            held = sum(int(count[block]) for block in blocks)
+            if not held:
+                continue
+            if held < sum(len(mesh.blocks[block].connectivity) for block in blocks):
+                self._findings.leave_out(card.place_of(row), "*DLOAD GRAV", f"acts on a piece of part {part}: it is left "
+                                         "out there; make that piece a section of its own")
+                continue
+            section = self._solids.sections[self._solids.section_of_part[part]]
+            material = self._materials.get(section.material)
+            density = material.density if material else 0.0
+            if density == 0.0:
+                self._findings.leave_out(card.place_of(row), "*DLOAD GRAV", f"the material of part {part} has no density")
+            for component in range(mesh.dimension):
+                value = density * numbers[0] * float(direction[component])
+                if value != 0.0:
+                    key = part, component
+                    points = self._loads.body_forces.get(key, UNLOADED)
+                    before = tuple(point for point in points if point[0] <= span.begin) or UNLOADED
+                    self._loads.body_forces[key] = followed(before, span, value, amplitude, at_once)
+
+
+class LoadWriter:
+    """Writes the boundaries of a scene.
+
+    Attributes:
+        touched: names of the parts that have one.
+    """
+
+    def __init__(self, solids: Solids, scene: SceneList, histories: Histories, thickness: float,
+                 findings: Findings) -> None:
+        """Adds to this scene and to the sets of the mesh."""
+        self._solids, self._scene, self._histories = solids, scene, histories
+        self._thickness, self._findings = thickness, findings
+        mesh = solids.mesh
+        self._outer = outer_faces(mesh)
+        self._part_of_face = numpy.asarray(mesh.part_of_block())[mesh.block_of(self._outer.element)]
+        self._part_of_node = numpy.full(len(mesh.nodes), -1)
+        for number in range(len(mesh.blocks) - 1, -1, -1):
+            self._part_of_node[mesh.blocks[number].connectivity] = mesh.part_of_block()[number]
+        self.touched: set[str] = set()
+
+    def write(self, loads: Loads) -> None:
+        """All of them."""
+        for (part, component), points in loads.body_forces.items():
+            force = self._scene.child("Parts").child(part).child("Body Force")
+            self._histories.set(force, "XYZ"[component], points)
+        self._write_held(loads.held)
+        self._write_pressures(loads.pressures)
+        self._write_forces(loads.forces)
+
+    def _boundary(self, name: str) -> "tuple[str, SceneList]":
+        boundaries = self._scene.child("Boundaries")
+        taken = {*boundaries.names(), *self._scene.child("Interfaces").names()}
+        free = unused_name(name, taken)
+        return free, boundaries.child(free)
+
+    def _set_name(self, wanted: str) -> str:
+        mesh = self._solids.mesh
+        return unused_name(wanted, {**mesh.side_sets, **mesh.node_sets})
+
+    def _write_held(self, held: dict[tuple[int, int], Points]) -> None:
+        by_node: dict[int, dict[int, Points]] = collections.defaultdict(dict)
+        for (node, component), points in held.items():
+            by_node[node][component] = points
+        groups: dict[tuple[int, tuple[tuple[int, Points], ...]], list[int]] = collections.defaultdict(list)
+        for node, curves in by_node.items():
+            groups[int(self._part_of_node[node]), tuple(sorted(curves.items()))].append(node)
+        names = list(self._solids.mesh.parts())
+        for (part, components), nodes in groups.items():
+            letters = "".join("xyz"[component] for component, _ in components)
+            moved = any(peak(points) for _, points in components)
+            name = self._set_name(f"{'moved' if moved else 'held'}_{letters}")
+            self._solids.mesh.node_sets[name] = numpy.array(sorted(nodes))
+            boundary_name, boundary = self._boundary(name)
+            boundary.set("Node Set", name).set("Part", names[part])
+            law = boundary.child("Law").set("Type", "Prescribed Displacement")
+            for component, points in components:
+                self._histories.set(law, "XYZ"[component], points)
+            self.touched.add(names[part])
+            for component, _ in components:
+                axis = [float(component == each) for each in range(self._solids.mesh.dimension)]
+                response = self._scene.child("Responses").child(f"reaction_{boundary_name}_{'xyz'[component]}")
+                response.set("Type", "Interface Force").set("Interface", boundary_name).set("Direction", axis)
+
+    def _write_pressures(self, pressures: dict[tuple[int, int], Points]) -> None:
+        groups = collections.defaultdict(list)
+        for face, points in pressures.items():
+            groups[points].append(face)
+        for points, faces in groups.items():
+            name = self._set_name("pressed")
+            rows = numpy.array(sorted(faces))
+            outer = {tuple(row) for row in self._outer.rows().tolist()}
+            inside = [tuple(row) not in outer for row in rows.tolist()]
+            if any(inside):
+                self._findings.leave_out("DLOAD", "pressure", f"{sum(inside)} of its faces lie inside of a part")
+                rows = rows[~numpy.array(inside)]
+            if not len(rows):
+                continue
+            self._solids.mesh.side_sets[name] = rows
+            _, boundary = self._boundary(name)
+            law = boundary.set("Side Set", name).child("Law").set("Type", "Pressure")
+            self._histories.set(law, "Pressure", points)
+            names = list(self._solids.mesh.parts())
+            self.touched |= {names[self._solids.mesh.part_of_block()[block]]
+                             for block in self._solids.mesh.block_of(rows[:, 0])}
+
+    def _write_forces(self, forces: dict[tuple[int, int], Points]) -> None:
+        groups: dict[tuple[int, int, Points], dict[int, float]] = collections.defaultdict(dict)
+        for (node, component), points in forces.items():
+            if peak(points) != 0.0:
+                groups[int(self._part_of_node[node]), component, shape(points)][node] = peak(points)
+        names = list(self._solids.mesh.parts())
+        nodal: dict[tuple[int, int], list[tuple[int, float, Points]]] = collections.defaultdict(list)
+        for (part, component, form), values in groups.items():
+            self.touched.add(names[part])
+            if not self._as_traction(part, component, form, values):
+                for node, value in values.items():
+                    nodal[part, node].append((component, value, form))
+        faces = self._outer
+        areas: dict[int, Array] = {}
+        for (part, node), entries in nodal.items():
+            if part not in areas:
+                areas[part] = self._areas(self._part_of_face == part)
+            area = float(areas[part][node])
+            if abs(area) < 1e-9 * float(numpy.abs(areas[part]).max()):
+                listed = ", ".join(f"{value:g} along {'xyz'[component]}" for component, value, _ in entries)
+                self._findings.leave_out("CLOAD", f"force at ({', '.join(f'{x:g}' for x in self._solids.mesh.nodes[node])})",
+                                         f"{listed}: the node has no share of the surface; load the faces around it")
+                continue
+            name = self._set_name("force")
+            self._solids.mesh.node_sets[name] = numpy.array([node])
+            _, boundary = self._boundary(name)
+            law = boundary.set("Node Set", name).set("Part", names[part]).child("Law").set("Type", "Prescribed Traction")
+            for component, value, form in entries:
+                self._histories.set(law, "XYZ"[component], form, value / area)
+        assert faces is self._outer
+
+    def _areas(self, which: Array) -> Array:
+        return nodal_areas(self._solids.mesh, self._outer.chosen(which), self._thickness, self._solids.family == "CAX")
+
+    def _as_traction(self, part: int, component: int, form: Points, values: dict[int, float]) -> bool:
+        """Whether the forces are those of a constant traction on the faces between the nodes, which is then written."""
+        mesh = self._solids.mesh
+        nodes = numpy.array(sorted(values))
+        inside = (numpy.isin(self._outer.corners, nodes) | (self._outer.corners < 0)).all(axis=1)
+        which = inside & (self._part_of_face == part)
+        if not which.any():
+            return False
+        areas = self._areas(which)
+        loaded = numpy.flatnonzero(areas)
+        given = numpy.zeros(len(mesh.nodes))
+        given[nodes] = [values[int(node)] for node in nodes]
+        traction = given.sum() / areas.sum()
+        if numpy.abs(given - traction * areas).max() > SAME * numpy.abs(given).max() or not len(loaded):
+            return False
+        rows = self._outer.chosen(which).rows()
+        same = [known for known, of in mesh.side_sets.items() if len(of) == len(rows) and numpy.array_equal(of, rows)]
+        name = same[0] if same else self._set_name("loaded")
+        mesh.side_sets[name] = rows
+        _, boundary = self._boundary(name)
+        law = boundary.set("Side Set", name).child("Law").set("Type", "Prescribed Traction")
+        self._histories.set(law, "XYZ"[component], form, traction)
+        response = self._scene.child("Responses").child(unused_name(f"u_{name}_{'xyz'[component]}", set()))
+        response.set("Type", "Mean Displacement").set("Side Set", name).set(
+            "Direction", [float(component == each) for each in range(mesh.dimension)])
+        return True

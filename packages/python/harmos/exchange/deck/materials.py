@@ -1,0 +1,96 @@
+"""Materials of a deck."""
+import dataclasses
+
+import numpy
+
+from harmos.exchange.deck.cards import Card
+from harmos.exchange.findings import Findings, Refused
+from harmos.exchange.scene import SceneList
+
+_EFFECTS = {
+    "PLASTIC": "plastic flow: parts stay elastic, stresses above the yield stress are too high",
+    "HYPERELASTIC": "rubber elasticity", "HYPERFOAM": "foam elasticity",
+    "CREEP": "creep: nothing flows with time", "EXPANSION": "thermal strain: temperatures change nothing",
+    "DAMPING": "damping, without effect in statics", "CONDUCTIVITY": "heat conduction, without effect in statics",
+    "SPECIFICHEAT": "heat capacity, without effect in statics",
+}
+
+
+@dataclasses.dataclass
+class Material:
+    """A material.
+
+    Attributes:
+        card: it stands on.
+        name: in the scene.
+        entries: of the scene; empty: it is not linear elastic.
+        density: mass per volume; 0: not given.
+    """
+    card: Card
+    name: str
+    entries: dict[str, float]
+    density: float = 0.0
+
+
+def read_materials(cards: list[Card], findings: Findings) -> dict[str, Material]:
+    """All materials by their name in capitals; cards that belong to them follow them."""
+    result: dict[str, Material] = {}
+    current: Material | None = None
+    for card in cards:
+        if card.keyword == "MATERIAL":
+            name = card.get("NAME")
+            if name in result:
+                raise Refused(f"{card.place}: the material \"{name}\" is also at {result[name].card.place}; rename one.")
+            current = result[name] = Material(card, card.parameters.get("NAME", "material"), {})
+        elif current is None:
+            continue
+        elif card.keyword == "ELASTIC":
+            current.entries = _elastic(card, findings)
+        elif card.keyword == "DENSITY" and card.data:
+            current.density = card.number(card.rows()[0][0], 0)
+        elif card.keyword in _EFFECTS:
+            findings.leave_out(card.place, f"*{card.keyword}", _EFFECTS[card.keyword])
+    return result
+
+
+def _elastic(card: Card, findings: Findings) -> dict[str, float]:
+    kind = card.get("TYPE") or "ISO"
+    numbers = card.flat()
+    if kind in ("ISO", "ISOTROPIC"):
+        if len(numbers) < 2:
+            raise Refused(f"{card.place}: *ELASTIC takes Young's modulus and Poisson's ratio.")
+        if len(card.data) > 1:
+            findings.leave_out(card.place, "*ELASTIC", "moduli that depend on temperature: the first line is taken")
+        return {"Young's Modulus": float(numbers[0]), "Poisson's Ratio": float(numbers[1])}
+    if kind in ("ENGINEERINGCONSTANTS", "ENGINEERING CONSTANTS") and len(numbers) >= 9:
+        names = ["Young's Modulus 1", "Young's Modulus 2", "Young's Modulus 3", "Poisson's Ratio 12",
+                 "Poisson's Ratio 13", "Poisson's Ratio 23", "Shear Modulus 12", "Shear Modulus 13", "Shear Modulus 23"]
+        return dict(zip(names, (float(number) for number in numbers)))
+    if kind in ("ORTHO", "ORTHOTROPIC") and len(numbers) >= 9:
+        a, b, c, d, e, f = (float(number) for number in numbers[:6])
+        compliance = numpy.linalg.inv(numpy.array([[a, b, d], [b, c, e], [d, e, f]]))
+        young = 1.0 / numpy.diag(compliance)
+        return {"Young's Modulus 1": float(young[0]), "Young's Modulus 2": float(young[1]),
+                "Young's Modulus 3": float(young[2]), "Poisson's Ratio 12": float(-compliance[1, 0] * young[0]),
+                "Poisson's Ratio 23": float(-compliance[2, 1] * young[1]),
+                "Poisson's Ratio 13": float(-compliance[2, 0] * young[0]), "Shear Modulus 12": float(numbers[6]),
+                "Shear Modulus 13": float(numbers[7]), "Shear Modulus 23": float(numbers[8])}
+    findings.leave_out(card.place, f"*ELASTIC, TYPE={kind}", "this elasticity; the material has to be given anew")
+    return {}
+
+
+def write_material(material: Material, name: str, axes: "tuple[list[float], list[float]] | None", scene: SceneList,
+                   findings: Findings) -> None:
+    """Adds a material to the scene; steel in mm and N where the deck has no elasticity that Harmos has."""
+    materials = scene.child("Materials")
+    entries = material.entries
+    if not entries:
+        materials.comment(f"TO DECIDE: {material.card.place} has no linear elasticity; steel in mm and N stands here.")
+        findings.undecided.append(f"material {name}: the deck has no linear elasticity for it, steel in mm and N is assumed")
+        entries = {"Young's Modulus": 210000.0, "Poisson's Ratio": 0.3}
+    kind = "Isotropic" if "Young's Modulus" in entries else "Orthotropic"
+    target = materials.child(name).set("Type", kind)
+    for entry, value in entries.items():
+        target.set(entry, value)
+    if kind == "Orthotropic" and axes is not None:
+        target.set("Axis 1", axes[0]).set("Axis 2", axes[1])

@@ -1,0 +1,247 @@
+#!/usr/bin/python3
+"""Decks of Abaqus and CalculiX: what they mean, by closed forms; what is left out is listed; wrong ones are refused.
+
+decks.py HARMOS WORK_DIR; HARMOS_FUZZ_SEED goes before seed 1, HARMOS_FUZZ_CASES before 60 cases.
+"""
+import contextlib
+import csv
+import io
+import os
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import unittest
+
+from harmos.exchange.__main__ import main
+
+harmos = sys.argv[1]
+work = pathlib.Path(sys.argv[2])
+chance = random.Random(int(os.environ.get("HARMOS_FUZZ_SEED") or 1))
+cases = int(os.environ.get("HARMOS_FUZZ_CASES") or 60)
+blocks = (pathlib.Path(__file__).parent / "pressed_blocks.inp").read_text()
+
+CUBE = """*NODE,NSET=ALL
+1, 0, 0, 0
+2, 1, 0, 0
+3, 1, 1, 0
+4, 0, 1, 0
+5, 0, 0, 1
+6, 1, 0, 1
+7, 1, 1, 1
+8, 0, 1, 1
+*ELEMENT,TYPE=C3D8,ELSET=CUBE
+1, 1,2,3,4,5,6,7,8
+"""
+STEEL = """*MATERIAL,NAME=STEEL
+*ELASTIC
+1000., 0.
+*DENSITY
+2.
+*SOLID SECTION,ELSET=CUBE,MATERIAL=STEEL
+"""
+HELD = "*BOUNDARY\n1,1,3\n2,1,3\n3,1,3\n4,1,3\n"
+STEP = "*STEP\n*STATIC\n{}*END STEP\n"
+PLAIN = CUBE + STEEL + HELD + STEP.format("*DLOAD\nCUBE, P2, 10.\n")
+
+
+class Decks(unittest.TestCase):
+    def setUp(self) -> None:
+        shutil.rmtree(work, ignore_errors=True)
+        work.mkdir(parents=True)
+
+    def imported(self, text: str, name: str = "deck") -> tuple[int, str]:
+        """Exit code and what is printed."""
+        (work / f"{name}.inp").write_text(text)
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+            code = main(["import", "--output", str(work / "out"), str(work / f"{name}.inp")])
+        return code, said.getvalue()
+
+    def solved(self, text: str, *words: str) -> list[dict[str, float]]:
+        """The history of all responses."""
+        code, said = self.imported(text)
+        self.assertEqual(code, 0, said)
+        result = subprocess.run([harmos, "run", str(work / "out" / "deck.xml"), "--output", str(work / "run"), "--set",
+                                 "Solver/Accuracy=1e-6", *words], capture_output=True, text=True)
+        self.assertEqual(result.returncode, 0, result.stderr + result.stdout)
+        with open(work / "run" / "deck_history.csv", encoding="utf-8") as file:
+            return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+
+    def demand_refused(self, text: str, *words: str) -> None:
+        code, said = self.imported(text)
+        self.assertEqual(code, 2, said)
+        for word in words:
+            self.assertIn(word, said)
+        self.assertFalse((work / "out").exists())
+
+    def test_pressure_gravity_and_force(self) -> None:
+        self.assertAlmostEqual(self.solved(PLAIN)[-1]["reaction_held_xyz_z"], 10.0, 4)
+        gravity = CUBE + STEEL + HELD + STEP.format("*DLOAD\nCUBE, GRAV, 9.81, 0., 0., -2.\n")
+        self.assertAlmostEqual(self.solved(gravity)[-1]["reaction_held_xyz_z"], 2.0 * 9.81, 4)
+        even = CUBE + STEEL + HELD + STEP.format("*CLOAD\n5,3,-2.5\n6,3,-2.5\n7,3,-2.5\n8,3,-2.5\n")
+        row = self.solved(even)[-1]
+        self.assertAlmostEqual(row["u_loaded_z"], -10.0 / 1000.0, 6)
+        single = CUBE + STEEL + HELD + STEP.format("*CLOAD\n5,1,-2.5\n7,2,4.\n")
+        row = self.solved(single)[-1]
+        self.assertAlmostEqual(row["reaction_held_xyz_x"], 2.5, 4)
+        self.assertAlmostEqual(row["reaction_held_xyz_y"], -4.0, 4)
+
+    def test_steps_and_amplitudes(self) -> None:
+        amplitude = "*AMPLITUDE,NAME=SAW\n0., 0., 0.5, 1., 1., 0.\n"
+        steps = (STEP.format("0.25, 1.\n*DLOAD,AMPLITUDE=SAW\nCUBE, P2, 8.\n")
+                 + STEP.format("0.5, 2.\n*DLOAD,OP=NEW\nCUBE, P2, 6.\n"))
+        history = self.solved(CUBE + STEEL + HELD + amplitude + steps)
+        self.assertEqual([row["time"] for row in history], [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0])
+        for row, force in zip(history, (0.0, 4.0, 8.0, 4.0, 0.0, 1.5, 3.0, 4.5, 6.0)):
+            self.assertAlmostEqual(row["reaction_held_xyz_z"], force, 3)
+
+    def test_instances_and_ties(self) -> None:
+        part = f"*PART,NAME=BRICK\n{CUBE}*SOLID SECTION,ELSET=CUBE,MATERIAL=STEEL\n*END PART\n"
+        turned = "*INSTANCE,NAME=B,PART=BRICK\n0., 0., 3.\n0., 0., 3., 1., 0., 3., -90.\n*END INSTANCE\n"
+        assembly = (f"*ASSEMBLY,NAME=ALL\n*INSTANCE,NAME=A,PART=BRICK\n*END INSTANCE\n{turned}"
+                    "*SURFACE,NAME=TOP_A\nA.CUBE, S2\n*SURFACE,NAME=END_B\nB.CUBE, S3\n"
+                    "*NSET,NSET=BOTTOM,INSTANCE=A,GENERATE\n1, 4\n*END ASSEMBLY\n*TIE,NAME=GLUE\nEND_B, TOP_A\n")
+        material = STEEL[:STEEL.index("*SOLID")]
+        # B is turned about the x axis at z = 3 by -90 degrees: y goes to -z, z to y.
+        move = "*BOUNDARY\nBOTTOM,1,3\n"
+        text = part + assembly.replace("0., 0., 3.\n0., 0., 3.", "0., 0., 2.\n0., 0., 2.") + material + move
+        code, said = self.imported(text + STEP.format(""))
+        self.assertEqual(code, 0, said)
+        mesh = subprocess.run(["ncdump", "-v", "coordz", str(work / "out" / "deck.e")], capture_output=True, text=True)
+        self.assertIn("interface end_b_top_a", said)
+        self.assertIn("coordz = 0, 0, 0, 0, 1, 1, 1, 1", mesh.stdout)
+
+    def test_stacked_instances_carry_a_pressure(self) -> None:
+        part = f"*PART,NAME=BRICK\n{CUBE}*SOLID SECTION,ELSET=CUBE,MATERIAL=STEEL\n*END PART\n"
+        assembly = ("*ASSEMBLY,NAME=ALL\n*INSTANCE,NAME=A,PART=BRICK\n*END INSTANCE\n*INSTANCE,NAME=B,PART=BRICK\n"
+                    "0., 0., 1.\n*END INSTANCE\n*SURFACE,NAME=TOP_A\nA.CUBE, S2\n*SURFACE,NAME=BOTTOM_B\nB.CUBE, S1\n"
+                    "*SURFACE,NAME=TOP_B\nB.CUBE, S2\n*NSET,NSET=BOTTOM,INSTANCE=A,GENERATE\n1, 4\n*END ASSEMBLY\n"
+                    "*TIE,NAME=GLUE\nBOTTOM_B, TOP_A\n")
+        material = STEEL[:STEEL.index("*SOLID")]
+        text = part + assembly + material + "*BOUNDARY\nBOTTOM, ENCASTRE\n" + STEP.format("*DSLOAD\nTOP_B, P, -20.\n")
+        self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_z"], -20.0, 4)
+
+    def test_contact(self) -> None:
+        history = self.solved(blocks)
+        self.assertAlmostEqual(history[-1]["reaction_held_xyz_z"], 20000.0, 2)
+        self.assertAlmostEqual(history[-1]["reaction_held_xyz_x"], -2000.0, 2)
+        self.assertEqual([row["time"] for row in history], [0.0, 1.0, 1.5, 2.0])
+
+    def bar(self, vector: str, load: str) -> str:
+        """Ten cubes in a row, held at both ends, with a pretension section in the middle."""
+        nodes = "".join(f"{4 * k + n}, {x}, {y}, {k}\n" for k in range(11)
+                        for n, (x, y) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1)), 1))
+        rows = "".join(f"{k + 1}, " + ", ".join(str(4 * k + n) for n in range(1, 9)) + "\n" for k in range(10))
+        return (f"*NODE\n{nodes}999,0,0,0\n*ELEMENT,TYPE=C3D8,ELSET=CUBE\n{rows}{STEEL}*SURFACE,NAME=CUT\n5, S2\n"
+                f"*PRE-TENSION SECTION,SURFACE=CUT,NODE=999\n{vector}"
+                "*NSET,NSET=ENDS\n1,2,3,4,41,42,43,44\n*BOUNDARY\nENDS,1,3\n" + STEP.format(load))
+
+    def test_pretension(self) -> None:
+        for vector, value in (("", 0.01), ("0,0,1\n", 0.01), ("0,0,-1\n", -0.01)):
+            with self.subTest(vector):
+                row = self.solved(self.bar(vector, f"*BOUNDARY\n999,1,1,{value}\n"))[-1]
+                self.assertAlmostEqual(row["bolt_force_preload_cut"], 1000.0 * 0.01 / 10.0, 5)
+
+    def test_orthotropic_in_turned_axes(self) -> None:
+        text = PLAIN.replace("*ELASTIC\n1000., 0.\n", "*ELASTIC,TYPE=ENGINEERING CONSTANTS\n"
+                             "1000., 2000., 4000., 0., 0., 0., 500., 500.,\n500.\n")
+        text = text.replace("MATERIAL=STEEL\n*B", "MATERIAL=STEEL,ORIENTATION=OR\n*ORIENTATION,NAME=OR\n"
+                            "0., 0., 1., 0., 1., 0.\n*B").replace("*DLOAD\nCUBE, P2, 10.\n", "*BOUNDARY\n5,3,3,0.01\n"
+                            "6,3,3,0.01\n7,3,3,0.01\n8,3,3,0.01\n")
+        self.assertAlmostEqual(self.solved(text)[-1]["reaction_moved_z_z"], 10.0, 4)
+
+    def test_plane_with_thickness(self) -> None:
+        text = ("*NODE\n1,0,0\n2,2,0\n3,2,1\n4,0,1\n*ELEMENT,TYPE=CPS4,ELSET=CUBE\n1, 1,2,3,4\n" + STEEL + "0.5\n"
+                "*BOUNDARY\n1,1,2\n4,1,1\n" + STEP.format("*DLOAD\n1, P2, -30.\n"))
+        row = self.solved(text)[-1]
+        self.assertAlmostEqual(row["reaction_held_xy_x"] + row["reaction_held_x_x"], -30.0 * 0.5, 4)
+
+    def test_includes(self) -> None:
+        (work / "part.inc").write_text(CUBE)
+        self.assertEqual(self.imported("*INCLUDE,INPUT=part.inc\n" + PLAIN[len(CUBE):])[0], 0)
+        shutil.rmtree(work / "out")
+        (work / "one.inc").write_text("*HEADING\n*INCLUDE,INPUT=two.inc\n")
+        (work / "two.inc").write_text("*NSET,NSET=A\n1\n*INCLUDE,INPUT=one.inc\n")
+        self.demand_refused("*INCLUDE,INPUT=one.inc\n" + PLAIN, "two.inc:3", "includes itself", "one.inc")
+        self.demand_refused("*INCLUDE,INPUT=none.inc\n" + PLAIN, "deck.inp:1", "none.inc")
+
+    def test_nothing_is_dropped_in_silence(self) -> None:
+        text = PLAIN.replace("*STEP", "*EQUATION\n2\n1,1,1.,2,1,-1.\n*ELEMENT,TYPE=B31\n9,1,2\n*STEP,NLGEOM").replace(
+            "*DENSITY", "*PLASTIC\n1., 0.\n*DENSITY").replace("*END STEP", "*TEMPERATURE\nALL, 20.\n*END STEP")
+        code, said = self.imported(text)
+        self.assertEqual(code, 0)
+        lines = text.splitlines()
+        for keyword in ("*EQUATION", "*ELEMENT,TYPE=B31", "*STEP,NLGEOM", "*PLASTIC", "*TEMPERATURE"):
+            line = lines.index(keyword) + 1
+            self.assertRegex(said, rf"left out: \S*deck\.inp:{line}: \{keyword.split(',')[0]}")
+        scene = (work / "out" / "deck.xml").read_text()
+        self.assertIn("left out:", scene)
+
+    def test_wrong_decks(self) -> None:
+        element = "1, 1,2,3,4,5,6,7,8\n"
+        for old, new, words in (
+                (element, "1, 1,2,3,4,5,6,7\n", ("deck.inp:10", "no multiple of 9")),
+                (element, "1, 1,2,3,4,5,6,7,99\n", ("deck.inp:10", "element 1", "node 99")),
+                ("1000., 0.", "1000., none", ("deck.inp:14", "\"none\" is no number")),
+                ("ELSET=CUBE,MATERIAL", "ELSET=CUBES,MATERIAL", ("deck.inp:17", "CUBES")),
+                ("CUBE, P2, 10.", "CUBE, P7, 10.", ("deck.inp:26", "P7", "S1 to S6")),
+                ("CUBE, P2, 10.", "TUBE, P2, 10.", ("deck.inp:26", "\"TUBE\"", "there are: CUBE")),
+                ("*END STEP", "", ("deck.inp:23", "truncated")),
+                ("1,1,3\n", "NONE,1,3\n", ("deck.inp:19", "\"NONE\"", "there are: ALL")),
+                ("4,1,3\n", "4,1,3\n1,1,1,5.\n", ("deck.inp:23", "component 1", "deck.inp:19")),
+                ("*MATERIAL,NAME=STEEL", "*MATERIAL,NAME=STEEL\n*MATERIAL,NAME=STEEL", ("deck.inp:13", "deck.inp:12")),
+                ("*STEP", "*SURFACE,NAME=S\nCUBE,S1\n*SURFACE,NAME=S\nCUBE,S2\n*STEP", ("\"S\" is also at",)),
+                ("*STEP", "*SURFACE,NAME=S\n77,S1\n*SURFACE,NAME=T\nCUBE,S2\n*TIE,NAME=G\nS,T\n*STEP",
+                 ("deck.inp:23", "element 77 is nowhere")),
+                ("*STEP", "*CONTACT PAIR,INTERACTION=NO\nA,B\n*STEP", ("deck.inp:23", "SURFACE INTERACTION \"NO\"")),
+                ("2, 1, 0, 0\n", "2, 1, inf, 0\n", ("deck.inp:3", "\"inf\" is no number")),
+                ("*NODE,NSET", "1, 2, 3\n*NODE,NSET", ("deck.inp:1", "above the first keyword"))):
+            with self.subTest(new):
+                self.assertIn(old, PLAIN)
+                self.demand_refused(PLAIN.replace(old, new, 1), *words)
+        self.demand_refused("no deck at all", "deck.inp:1", "a deck begins with one")
+        self.demand_refused("** a comment\n", "this is no deck")
+        self.demand_refused("*HEADING\n\0\1\2", "no text")
+
+    def test_mesh_file_takes_decks(self) -> None:
+        self.assertEqual(self.imported(blocks)[0], 0)
+        scene = work / "out" / "deck.xml"
+        scene.write_text(scene.read_text().replace("deck.e", "../deck.inp"))
+        result = subprocess.run([harmos, "check", str(scene)], capture_output=True, text=True)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        (work / "deck.inp").write_text(PLAIN.replace("8, 0, 1, 1\n", ""))
+        result = subprocess.run([harmos, "check", str(scene)], capture_output=True, text=True)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"deck\.inp:9: element 1 of this card refers to node 8")
+
+    def test_mutations_never_crash(self) -> None:
+        for number in range(cases):
+            text = bytearray(blocks.encode())
+            for _ in range(chance.randint(1, 3)):
+                at = chance.randrange(len(text))
+                if chance.random() < 0.5:
+                    text[at] = chance.choice(b",*=0123456789.\nabcSP -")
+                else:
+                    del text[at:at + chance.randint(1, 60)]
+            with self.subTest(number=number):
+                shutil.rmtree(work / "out", ignore_errors=True)
+                code, said = self.imported(text.decode())
+                self.assertIn(code, (0, 2), said)
+                self.assertEqual((work / "out").exists(), code == 0)
+
+    def test_large_decks_take_linear_time(self) -> None:
+        seconds = []
+        for count in (10_000, 40_000):
+            nodes = "".join(f"{n + 1}, {n % 4 // 2 ^ n % 2}, {n % 4 // 2}, {n // 4}\n" for n in range(count))
+            rows = "".join(f"{k + 1}, " + ", ".join(str(4 * k + n) for n in range(1, 9)) + "\n"
+                           for k in range(count // 4 - 1))
+            text = f"*NODE\n{nodes}*ELEMENT,TYPE=C3D8,ELSET=CUBE\n{rows}{STEEL}{HELD}" + STEP.format("")
+            begin = os.times().user
+            self.assertEqual(self.imported(text)[0], 0)
+            seconds.append(os.times().user - begin)
+        self.assertLess(seconds[1], 12.0 * max(seconds[0], 0.05))
+
+
+unittest.main(argv=[sys.argv[0]])

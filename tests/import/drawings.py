@@ -1,0 +1,77 @@
+#!/usr/bin/python3
+"""Drawings: from a STEP file to a certified result, and what is refused. drawings.py HARMOS WORK_DIR"""
+import json
+import math
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+harmos = sys.argv[1]
+work = pathlib.Path(sys.argv[2])
+
+
+def run(*words: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([harmos, *map(str, words)], capture_output=True, text=True)
+
+
+class Drawings(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls) -> None:
+        shutil.rmtree(work, ignore_errors=True)
+        work.mkdir(parents=True)
+        subprocess.run([pathlib.Path(__file__).parent / "bolted_bracket.py", work / "joint.step"], check=True,
+                       stdout=subprocess.DEVNULL)
+
+    def test_contacts_and_certificate(self) -> None:
+        end = run("import", work / "joint.step", "--output", work / "a", "--units", "mm N s", "--size", 8, "--hold",
+                  "plate_face_5", "--load", "bracket_face_5", "--perfect", "plate_to_bolt_1", "--perfect",
+                  "plate_to_bolt_2")
+        self.assertEqual(end.returncode, 0, end.stderr)
+        self.assertIn("4 solids: plate, bracket, bolt_1, bolt_2", end.stdout)
+        exact = {"plate_to_bracket": 60 * 40 - 2 * math.pi * 4.5**2, "plate_to_bolt_1": math.pi * (8 * 12 + 16),
+                 "bracket_to_bolt_2": math.pi * (7**2 - 4.5**2)}
+        for name, area in exact.items():
+            found = re.search(rf"touch, area ([\d.]+)(?: and ([\d.]+))?: interface {name}$", end.stdout, re.MULTILINE)
+            assert found is not None, (name, end.stdout)
+            for given in filter(None, found.groups()):
+                self.assertLess(abs(float(given) / area - 1), 0.3, name)
+        scene = work / "a" / "joint.xml"
+        end = run("run", scene, "--output", work / "a" / "run", "--set", "Boundaries/bracket_face_5/Law/X=1", "--set",
+                  "Interfaces/bracket_to_bolt_1/Law/Gap=-0.01", "--set", "Interfaces/bracket_to_bolt_2/Law/Gap=-0.01",
+                  "--set", "Solver/Mesh Error=false")
+        self.assertEqual(end.returncode, 0, end.stderr)
+        record = json.loads((work / "a" / "run" / "joint_result.json").read_text())
+        self.assertEqual((record["status"], record["units"]), ("certified", "mm N s"))
+        reaction = float((work / "a" / "run" / "joint_history.csv").read_text().splitlines()[-1].split(",")[2])
+        self.assertAlmostEqual(reaction, -320.0, 4)
+
+    def test_conformal_and_quadratic(self) -> None:
+        end = run("import", work / "joint.step", "--output", work / "b", "--size", 15, "--part-size", "bolt_1=8", "--conformal")
+        self.assertEqual(end.returncode, 0, end.stderr)
+        end = run("check", work / "b" / "joint.xml")
+        self.assertEqual(end.returncode, 0, end.stderr)
+        self.assertNotIn("do not match", end.stdout)
+        end = run("import", work / "joint.step", "--output", work / "b", "--size", 40, "--order", 2)
+        self.assertEqual(end.returncode, 0, end.stderr)
+        self.assertEqual(run("check", work / "b" / "joint.xml").returncode, 0)
+
+    def test_refused(self) -> None:
+        content = (work / "joint.step").read_bytes()
+        (work / "cut.step").write_bytes(content[:len(content) // 2])
+        (work / "garbage.brep").write_bytes(bytes(range(256)) * 20)
+        for words, said in (((work / "cut.step",), "cut.step"), ((work / "garbage.brep",), "garbage.brep"),
+                            ((work / "joint.step", "--part-size", "nut=3"), "there is no part \"nut\"; there are: plate"),
+                            ((work / "joint.step", "--part-size", "bolt_1"), "takes PART=SIZE"),
+                            ((work / "joint.step", "--size", "15", "--hold", "none"), "--hold none: there are plate_face_1"),
+                            ((work / "joint.step", "--units", "mm"), "--units \"mm\": there are mm N s")):
+            with self.subTest(said):
+                end = run("import", *words, "--output", work / "c")
+                self.assertEqual(end.returncode, 2, end.stdout + end.stderr)
+                self.assertIn(said, end.stderr)
+                self.assertFalse((work / "c").exists())
+
+
+unittest.main(argv=[sys.argv[0]])
