@@ -158,6 +158,16 @@ class Decks(unittest.TestCase):
         row = self.solved(text)[-1]
         self.assertAlmostEqual(row["reaction_held_xy_x"] + row["reaction_held_x_x"], -30.0 * 0.5, 4)
 
+    def test_force_inside_of_a_part(self) -> None:
+        nodes = "".join(f"{1 + i + 3 * j + 9 * k}, {i}, {j}, {k}\n" for k in range(3) for j in range(3) for i in range(3))
+        rows = "".join(f"{1 + i + 2 * j + 4 * k}, " + ", ".join(
+            str(1 + i + x + 3 * (j + y) + 9 * (k + z)) for x, y, z in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1),
+                                                                    (1, 0, 1), (1, 1, 1), (0, 1, 1))) + "\n"
+            for k in range(2) for j in range(2) for i in range(2))
+        text = (f"*NODE\n{nodes}*ELEMENT,TYPE=C3D8,ELSET=CUBE\n{rows}{STEEL}*NSET,NSET=BOTTOM,GENERATE\n1,9\n*BOUNDARY\n"
+                "BOTTOM,1,3\n" + STEP.format("*CLOAD\n14,1,7.\n"))
+        self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_x"], -7.0, 4)
+
     def test_includes(self) -> None:
         (work / "part.inc").write_text(CUBE)
         self.assertEqual(self.imported("*INCLUDE,INPUT=part.inc\n" + PLAIN[len(CUBE):])[0], 0)
@@ -187,9 +197,9 @@ class Decks(unittest.TestCase):
                 ("1000., 0.", "1000., none", ("deck.inp:14", "\"none\" is no number")),
                 ("ELSET=CUBE,MATERIAL", "ELSET=CUBES,MATERIAL", ("deck.inp:17", "CUBES")),
                 ("CUBE, P2, 10.", "CUBE, P7, 10.", ("deck.inp:26", "P7", "S1 to S6")),
-                ("CUBE, P2, 10.", "TUBE, P2, 10.", ("deck.inp:26", "\"TUBE\"", "there are: CUBE")),
+                ("CUBE, P2, 10.", "TUBE, P2, 10.", ("deck.inp:26", "\"TUBE\"", "Did you mean \"CUBE\"? There are: CUBE.")),
                 ("*END STEP", "", ("deck.inp:23", "truncated")),
-                ("1,1,3\n", "NONE,1,3\n", ("deck.inp:19", "\"NONE\"", "there are: ALL")),
+                ("1,1,3\n", "NONE,1,3\n", ("deck.inp:19", "\"NONE\"", "There are: ALL.")),
                 ("4,1,3\n", "4,1,3\n1,1,1,5.\n", ("deck.inp:23", "component 1", "deck.inp:19")),
                 ("*MATERIAL,NAME=STEEL", "*MATERIAL,NAME=STEEL\n*MATERIAL,NAME=STEEL", ("deck.inp:13", "deck.inp:12")),
                 ("*STEP", "*SURFACE,NAME=S\nCUBE,S1\n*SURFACE,NAME=S\nCUBE,S2\n*STEP", ("\"S\" is also at",)),
@@ -201,6 +211,8 @@ class Decks(unittest.TestCase):
             with self.subTest(new):
                 self.assertIn(old, PLAIN)
                 self.demand_refused(PLAIN.replace(old, new, 1), *words)
+        self.demand_refused(PLAIN.replace("1,1,3\n", "NONE,1,3\n").replace("CUBE, P2", "CUBE, P9").replace("2,1,3\n", "SOME,1,3\n"),
+                            "deck.inp:19", "\"NONE\"", "deck.inp:26", "P9")
         self.demand_refused("no deck at all", "deck.inp:1", "a deck begins with one")
         self.demand_refused("** a comment\n", "this is no deck")
         self.demand_refused("*HEADING\n\0\1\2", "no text")

@@ -1,9 +1,47 @@
 """What an import tells: what it found, what a person has to decide, what it left out; and how it refuses."""
+import contextlib
 import dataclasses
+import difflib
+from collections.abc import Iterable, Iterator
 
 
 class Refused(ValueError):
     """The file cannot be imported; the text says where, why, and what to do."""
+
+
+class Refusals:
+    """Collects what is wrong, so that all of it is told at once."""
+
+    def __init__(self) -> None:
+        """None yet."""
+        self._texts: list[str] = []
+
+    @contextlib.contextmanager
+    def collect(self) -> Iterator[None]:
+        """Takes note of a refusal inside of it, and goes on behind."""
+        try:
+            yield
+        except Refused as error:
+            if str(error) not in self._texts:
+                self._texts.append(str(error))
+
+    def raise_if_any(self) -> None:
+        """Refuses with all of them.
+
+        Raises:
+            Refused: there are some.
+        """
+        if self._texts:
+            raise Refused("\n".join(self._texts))
+
+
+def names_there(wanted: str, known: Iterable[str]) -> str:
+    """What to tell about a name that is not there: the nearest one, and which there are."""
+    there = sorted(known)
+    near = difflib.get_close_matches(wanted.upper(), [name.upper() for name in there], 1, 0.7)
+    nearest = next((name for name in there if near and name.upper() == near[0]), "")
+    listed = ", ".join(there[:12]) + (f" and {len(there) - 12} more" if len(there) > 12 else "")
+    return (f"Did you mean \"{nearest}\"? " if nearest else "") + f"There are: {listed or 'none'}."
 
 
 @dataclasses.dataclass(frozen=True)

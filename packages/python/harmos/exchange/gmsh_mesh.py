@@ -96,13 +96,16 @@ def mesh_of_model(path: str, findings: Findings) -> Mesh:
     return mesh
 
 
-def _groups(dimension: int) -> dict[str, list[int]]:
-    """Entities of every physical group of a dimension, by its name."""
+def _groups(dimension: int, findings: Findings) -> dict[str, list[int]]:
+    """Entities of every physical group of a dimension, by its name; a name that is there twice gets a number."""
     result: dict[str, list[int]] = {}
     for _, tag in gmsh.model.getPhysicalGroups(dimension):
         word = {0: "point", 1: "curve", 2: "surface", 3: "volume"}[dimension]
         name = gmsh.model.getPhysicalName(dimension, tag) or f"{word}_{tag}"
-        result[unused_name(name, result)] = [int(each) for each in gmsh.model.getEntitiesForPhysicalGroup(dimension, tag)]
+        own = unused_name(name, result)
+        if own != name:
+            findings.found.append(f"physical group \"{name}\" (number {tag}) is called {own} here")
+        result[own] = [int(each) for each in gmsh.model.getEntitiesForPhysicalGroup(dimension, tag)]
     return result
 
 
@@ -121,7 +124,7 @@ def _elements(path: str, dimension: int, entities: list[int], number: Array) -> 
 
 def _read_blocks(path: str, mesh: Mesh, number: Array, findings: Findings) -> None:
     taken: set[int] = set()
-    groups = _groups(mesh.dimension)
+    groups = _groups(mesh.dimension, findings)
     for name, entities in groups.items():
         again = sorted(taken & set(entities))
         if again:
@@ -154,7 +157,7 @@ def _read_blocks(path: str, mesh: Mesh, number: Array, findings: Findings) -> No
 
 def _read_sets(path: str, mesh: Mesh, number: Array, findings: Findings) -> None:
     finder = SideFinder(mesh)
-    for name, entities in _groups(mesh.dimension - 1).items():
+    for name, entities in _groups(mesh.dimension - 1, findings).items():
         rows = []
         for kind, nodes in _elements(path, mesh.dimension - 1, entities, number).items():
             corners = gmsh.model.mesh.getElementProperties(kind)[5]
@@ -171,7 +174,7 @@ def _read_sets(path: str, mesh: Mesh, number: Array, findings: Findings) -> None
             if len(made) > 1:
                 findings.found.append(f"\"{name}\" lies between parts: side sets {', '.join(made)}")
     for dimension in range(mesh.dimension - 1):
-        for name, entities in _groups(dimension).items():
+        for name, entities in _groups(dimension, findings).items():
             held = [table.reshape(-1) for table in _elements(path, dimension, entities, number).values()]
             if held:
                 taken = {**mesh.side_sets, **mesh.node_sets}

@@ -47,6 +47,8 @@ class Choices:
                  ("--perfect", self.perfect, scene.child("Interfaces").names())]
         wrong = [f"{option} {name}: there are {', '.join(there) or 'none'}." for option, names, there in known
                  for name in names if name not in there]
+        wrong += [f"--load {name}: it is held as well; remove one of the options." for name in self.loaded
+                  if name in self.held]
         if wrong:
             raise Refused(f"{path}: " + "\n  ".join(wrong))
 

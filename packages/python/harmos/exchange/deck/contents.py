@@ -6,7 +6,7 @@ import numpy
 
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.findings import Findings, Refused
+from harmos.exchange.findings import Findings, Refusals, Refused, names_there
 
 INSTANCE_OFFSET = 100_000_000
 """Between the numbers of nodes and elements of one instance and the next; those of the assembly come before."""
@@ -96,7 +96,9 @@ class Contents:
         self._nodes: list[tuple[Array, Array]] = []
         self._parts: dict[str, list[Card]] = {}
         self._instances: dict[str, Scope] = {}
+        self._refusals = Refusals()
         self._read(cards)
+        self._refusals.raise_if_any()
         self._gather_nodes()
 
     def _read(self, cards: list[Card]) -> None:
@@ -111,7 +113,8 @@ class Contents:
                 continue
             if card.keyword == "INSTANCE":
                 end = self._end(cards, at, "ENDINSTANCE")
-                self._place(card, cards[at + 1:end])
+                with self._refusals.collect():
+                    self._place(card, cards[at + 1:end])
                 at = end + 1
                 continue
             if card.keyword == "STEP" and at == len(cards) - 1:
@@ -122,8 +125,9 @@ class Contents:
                 self.steps.append(Step(card, cards[at + 1:end]))
                 at = end + 1
                 continue
-            if card.keyword not in ("ASSEMBLY", "ENDASSEMBLY") and not self._take(card, scope):
-                self.model.append(card)
+            with self._refusals.collect():
+                if card.keyword not in ("ASSEMBLY", "ENDASSEMBLY") and not self._take(card, scope):
+                    self.model.append(card)
             at += 1
 
     @staticmethod
@@ -138,7 +142,8 @@ class Contents:
         """Copies a part to where its instance is."""
         part = self._parts.get(card.get("PART"))
         if part is None:
-            raise Refused(f"{card.place}: *INSTANCE of the part \"{card.get('PART')}\", which is not above.")
+            raise Refused(f"{card.place}: *INSTANCE of the part \"{card.get('PART')}\", which is not above. "
+                          f"{names_there(card.get('PART'), self._parts)}")
         name = card.get("NAME")
         scope = Scope(f"{name}.", INSTANCE_OFFSET * (1 + len(self._instances)))
         self._instances[name] = scope
@@ -192,7 +197,7 @@ class Contents:
         if not name:
             return scope
         if name not in self._instances:
-            raise Refused(f"{card.place}: there is no instance \"{name}\" above.")
+            raise Refused(f"{card.place}: there is no instance \"{name}\" above. {names_there(name, self._instances)}")
         return self._instances[name]
 
     @staticmethod
@@ -258,8 +263,8 @@ class Contents:
         instance, _, inside = name.partition(".")
         if instance in self._instances and inside.isdigit():
             return numpy.array([int(inside) + self._instances[instance].offset])
-        known = ", ".join(sorted(sets)[:12]) or "none"
-        raise Refused(f"{card.place_of(row)}: *{card.keyword}: there is no set \"{word}\" above this line; there are: {known}.")
+        raise Refused(f"{card.place_of(row)}: *{card.keyword}: there is no set \"{word}\" above this line. "
+                      f"{names_there(word, sets)}")
 
     def _take_surface(self, card: Card, scope: Scope) -> None:
         name = scope.prefix + card.get("NAME")

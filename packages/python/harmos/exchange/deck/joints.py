@@ -8,7 +8,7 @@ from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents
 from harmos.exchange.deck.curves import Histories, Points, peak
 from harmos.exchange.deck.solids import Solids
-from harmos.exchange.findings import Findings, Refused
+from harmos.exchange.findings import Findings, Refusals, Refused, names_there
 from harmos.exchange.contact import face_measures
 from harmos.exchange.mesh import FORBIDDEN, clean_name, codes, outer_faces, unused_name
 from harmos.exchange.scene import SceneList
@@ -46,20 +46,22 @@ class Joints:
     def write(self, histories: Histories, preloads: dict[int, tuple[Points, str]]) -> None:
         """All of them; `preloads`: by reference node the curve of its first component, and whether it is a
         "displacement" or a "force"."""
+        refusals = Refusals()
         for card in self._contents.model:
-            if card.keyword == "TIE":
-                self._pairs(card, "tie", lambda law: law.set("Type", "Perfect"))
-            elif card.keyword == "CONTACTPAIR":
-                self._contact(card)
-            elif card.keyword == "PRE-TENSIONSECTION":
-                self._pretension(card, histories, preloads)
+            with refusals.collect():
+                if card.keyword == "TIE":
+                    self._pairs(card, "tie", lambda law: law.set("Type", "Perfect"))
+                elif card.keyword == "CONTACTPAIR":
+                    self._contact(card)
+                elif card.keyword == "PRE-TENSIONSECTION":
+                    self._pretension(card, histories, preloads)
+        refusals.raise_if_any()
         self._shared_nodes()
 
     def _contact(self, card: Card) -> None:
         name = card.get("INTERACTION")
         if name not in self._interactions:
-            raise Refused(f"{card.place}: there is no *SURFACE INTERACTION \"{name}\"; there are: "
-                          f"{', '.join(self._interactions) or 'none'}.")
+            raise Refused(f"{card.place}: there is no *SURFACE INTERACTION \"{name}\". {names_there(name, self._interactions)}")
         friction = 0.0
         for other in self._interactions[name][1:]:
             if other.keyword == "FRICTION" and other.data:
@@ -126,8 +128,8 @@ class Joints:
     def _surface(self, name: str, card: Card, row: int) -> Array:
         surface = self._contents.surfaces.get(name.upper())
         if surface is None:
-            raise Refused(f"{card.place_of(row)}: *{card.keyword}: there is no surface \"{name}\"; there are: "
-                          f"{', '.join(list(self._contents.surfaces)[:12]) or 'none'}.")
+            raise Refused(f"{card.place_of(row)}: *{card.keyword}: there is no surface \"{name}\". "
+                          f"{names_there(name, self._contents.surfaces)}")
         rows = self._solids.surface(surface)
         if not len(rows):
             self._findings.leave_out(surface.card.place, f"*SURFACE {name}", "no solid has a face on it")

@@ -5,13 +5,13 @@ import dataclasses
 import numpy
 
 from harmos.arrays import Array
-from harmos.exchange.deck.areas import nodal_areas
+from harmos.exchange.deck.areas import inner_areas, nodal_areas
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents, Scope, Step
 from harmos.exchange.deck.curves import UNLOADED, Histories, Points, Span, followed, peak, shape
 from harmos.exchange.deck.materials import Material
 from harmos.exchange.deck.solids import Solids
-from harmos.exchange.findings import Findings, Refused
+from harmos.exchange.findings import Findings, Refusals, Refused, names_there
 from harmos.exchange.mesh import outer_faces, unused_name
 from harmos.exchange.scene import SceneList
 
@@ -58,6 +58,7 @@ class LoadReader:
         self._contents, self._solids, self._materials, self._findings = contents, solids, materials, findings
         self._scope = Scope()
         self._loads = Loads()
+        self._refusals = Refusals()
         self._preload_nodes = {int(card.get("NODE")) for card in contents.model
                                if card.keyword == "PRE-TENSIONSECTION" and card.get("NODE").isdigit()}
         self._transformed = self._read_transforms()
@@ -82,7 +83,8 @@ class LoadReader:
         """
         for card in self._contents.model:
             if card.keyword == "BOUNDARY":
-                self._boundary(card, Span(-1.0, 0.0), True)
+                with self._refusals.collect():
+                    self._boundary(card, Span(-1.0, 0.0), True)
         for key, points in self._loads.held.items():
             self._loads.held[key] = ((0.0, points[-1][1]),)
         time = 0.0
@@ -94,6 +96,7 @@ class LoadReader:
                                          "Harmos has static steps")
                 continue
             time = self._step(step, procedure[0], number, time)
+        self._refusals.raise_if_any()
         return self._loads
 
     def _step(self, step: Step, static: Card, number: int, begin: float) -> float:
@@ -112,14 +115,15 @@ class LoadReader:
         at_once = step.card.get("AMPLITUDE") == "STEP"
         self._free(step, span)
         for card in step.cards:
-            if card.keyword == "BOUNDARY":
-                self._boundary(card, span, at_once)
-            elif card.keyword == "CLOAD":
-                self._force(card, span, at_once)
-            elif card.keyword in ("DLOAD", "DSLOAD"):
-                self._distributed(card, span, at_once)
-            elif card.keyword not in OUTPUT and card is not static:
-                self._findings.leave_out(card.place, f"*{card.keyword}", "without effect on the scene")
+            with self._refusals.collect():
+                if card.keyword == "BOUNDARY":
+                    self._boundary(card, span, at_once)
+                elif card.keyword == "CLOAD":
+                    self._force(card, span, at_once)
+                elif card.keyword in ("DLOAD", "DSLOAD"):
+                    self._distributed(card, span, at_once)
+                elif card.keyword not in OUTPUT and card is not static:
+                    self._findings.leave_out(card.place, f"*{card.keyword}", "without effect on the scene")
         return span.end
 
     def _free(self, step: Step, span: Span) -> None:
@@ -144,8 +148,7 @@ class LoadReader:
             return None
         definition = self._amplitudes.get(name)
         if definition is None:
-            raise Refused(f"{card.place}: there is no *AMPLITUDE \"{name}\"; there are: "
-                          f"{', '.join(self._amplitudes) or 'none'}.")
+            raise Refused(f"{card.place}: there is no *AMPLITUDE \"{name}\". {names_there(name, self._amplitudes)}")
         numbers = definition.flat()
         if len(numbers) % 2:
             raise Refused(f"{definition.place}: *AMPLITUDE takes pairs of time and value.")
@@ -249,8 +252,8 @@ class LoadReader:
             if card.keyword == "DSLOAD" and label == "P":
                 surface = self._contents.surfaces.get(words[0].upper())
                 if surface is None:
-                    raise Refused(f"{card.place_of(row)}: *DSLOAD: there is no surface \"{words[0]}\"; there are: "
-                                  f"{', '.join(list(self._contents.surfaces)[:12]) or 'none'}.")
+                    raise Refused(f"{card.place_of(row)}: *DSLOAD: there is no surface \"{words[0]}\". "
+                                  f"{names_there(words[0], self._contents.surfaces)}")
                 sides = self._solids.surface(surface)
             elif card.keyword == "DLOAD" and label == "GRAV":
                 self._gravity(card, row, words, span, amplitude, at_once)
@@ -397,11 +400,10 @@ class LoadWriter:
             if not self._as_traction(part, component, form, values):
                 for node, value in values.items():
                     nodal[part, node].append((component, value, form))
-        faces = self._outer
         areas: dict[int, Array] = {}
         for (part, node), entries in nodal.items():
             if part not in areas:
-                areas[part] = self._areas(self._part_of_face == part)
+                areas[part] = self._nodal_areas(part)
             area = float(areas[part][node])
             if abs(area) < 1e-9 * float(numpy.abs(areas[part]).max()):
                 listed = ", ".join(f"{value:g} along {'xyz'[component]}" for component, value, _ in entries)
@@ -414,7 +416,31 @@ class LoadWriter:
             law = boundary.set("Node Set", name).set("Part", names[part]).child("Law").set("Type", "Prescribed Traction")
             for component, value, form in entries:
                 self._histories.set(law, "XYZ"[component], form, value / area)
-        assert faces is self._outer
+
+    def _nodal_areas(self, part: int) -> Array:
+        """Those by which the program divides forces on single nodes of a part."""
+        mesh = self._solids.mesh
+        chosen = self._part_of_face == part
+        areas = self._areas(chosen)
+        faces = self._outer.chosen(chosen)
+        blocks = list(mesh.parts().values())[part]
+        on_surface = numpy.isin(numpy.arange(len(mesh.nodes)), self._nodes_of(faces.element, faces.side))
+        inner = inner_areas(mesh, blocks, self._thickness, self._solids.family == "CAX")
+        result: Array = numpy.where(on_surface, areas, inner)
+        return result
+
+    def _nodes_of(self, element: Array, side: Array) -> Array:
+        """All nodes on sides, those amid corners as well."""
+        mesh = self._solids.mesh
+        first, blocks = mesh.first_elements(), mesh.block_of(element)
+        found = [numpy.zeros(0, dtype=numpy.int64)]
+        for number, block in enumerate(mesh.blocks):
+            for label, corners in enumerate(block.type.sides):
+                of = element[(blocks == number) & (side == label)] - first[number]
+                columns = [at for at, spot in enumerate(block.type.order) if spot <= frozenset(corners)]
+                found.append(block.connectivity[of][:, columns].reshape(-1))
+        result: Array = numpy.unique(numpy.concatenate(found))
+        return result
 
     def _areas(self, which: Array) -> Array:
         return nodal_areas(self._solids.mesh, self._outer.chosen(which), self._thickness, self._solids.family == "CAX")

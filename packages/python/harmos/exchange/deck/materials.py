@@ -4,7 +4,7 @@ import dataclasses
 import numpy
 
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.findings import Findings, Refused
+from harmos.exchange.findings import Findings, Refusals, Refused
 from harmos.exchange.scene import SceneList
 
 _EFFECTS = {
@@ -35,22 +35,28 @@ class Material:
 def read_materials(cards: list[Card], findings: Findings) -> dict[str, Material]:
     """All materials by their name in capitals; cards that belong to them follow them."""
     result: dict[str, Material] = {}
-    current: Material | None = None
+    refusals = Refusals()
     for card in cards:
-        if card.keyword == "MATERIAL":
-            name = card.get("NAME")
-            if name in result:
-                raise Refused(f"{card.place}: the material \"{name}\" is also at {result[name].card.place}; rename one.")
-            current = result[name] = Material(card, card.parameters.get("NAME", "material"), {})
-        elif current is None:
-            continue
-        elif card.keyword == "ELASTIC":
+        with refusals.collect():
+            _take(card, result, findings)
+    refusals.raise_if_any()
+    return result
+
+
+def _take(card: Card, result: dict[str, Material], findings: Findings) -> None:
+    if card.keyword == "MATERIAL":
+        name = card.get("NAME")
+        if name in result:
+            raise Refused(f"{card.place}: the material \"{name}\" is also at {result[name].card.place}; rename one.")
+        result[name] = Material(card, card.parameters.get("NAME", "material"), {})
+    elif result:
+        current = list(result.values())[-1]
+        if card.keyword == "ELASTIC":
             current.entries = _elastic(card, findings)
         elif card.keyword == "DENSITY" and card.data:
             current.density = card.number(card.rows()[0][0], 0)
         elif card.keyword in _EFFECTS:
             findings.leave_out(card.place, f"*{card.keyword}", _EFFECTS[card.keyword])
-    return result
 
 
 def _elastic(card: Card, findings: Findings) -> dict[str, float]:
