@@ -8,6 +8,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/mesh/FaceMatching.hpp>
 #include <harmos/mesh/InterfaceFrame.hpp>
+#include <harmos/mortar/detail/DoublyHeld.hpp>
 #include <harmos/mortar/detail/FacingCells.hpp>
 #include <harmos/mortar/detail/MortarSide.hpp>
 #include <harmos/mortar/detail/PointBuilder.hpp>
@@ -53,18 +54,24 @@ double uncoveredShare(const SideCells& other, const std::set<int>& faces, double
   return whole > 0.0 ? std::max(0.0, 1.0 - covered / whole) : 0.0;
 }
 
-/// Frames, places and gaps of the points, and what is reported of them.
+/// Turns the normals out of side 1 and makes frames of them.
+void addFrames(int dimension, int mortar, JoinedSurface& surface) {
+  surface.frame.clear();
+  for (base::Vector3& normal : surface.normal) {
+    if (mortar == 1) normal = -1.0 * normal;
+    surface.frame.push_back(mesh::frameFromNormal(normal, dimension));
+  }
+}
+
+/// Places and gaps of the points, and what is reported of them.
 void place(const mesh::Mesh& mesh, JoinedSurface& surface) {
-  const double outwards = surface.pointsOn == 0 ? 1.0 : -1.0;
   base::Vector3 lower{}, upper{};
   double farthest = 0.0, area = 0.0;
   for (std::size_t p = 0; p < surface.node.size(); ++p) {
-    surface.normal[p] = outwards * surface.normal[p];
-    surface.frame.push_back(mesh::frameFromNormal(surface.normal[p], mesh.dimension));
     const std::array<base::Vector3, 2> places = {surface.trace[0].at(static_cast<int>(p), mesh.nodes),
                                                  surface.trace[1].at(static_cast<int>(p), mesh.nodes)};
     surface.place.push_back(places[surface.pointsOn]);
-    surface.gap.push_back(dot(places[1] - places[0], surface.frame.back()[0]));
+    surface.gap.push_back(dot(places[1] - places[0], surface.frame[p][0]));
     farthest = std::max(farthest, distance(places[0], places[1]));
     area += surface.area[p];
     for (int d = 0; d < 3; ++d) {
@@ -113,8 +120,15 @@ JoinedSurface joinSurfaces(const std::string& where, const mesh::Mesh& mesh, con
                                      facing.pairs, options.reach);
   if (couplings.empty()) refuseDistantSides(where, mesh, sides, facing, options.reach);
 
-  JoinedSurface surface = PointBuilder(sides[mortar]->faces, couplings, options.creaseAngle).build();
+  PointBuilder builder(sides[mortar]->faces, couplings, options.creaseAngle);
+  JoinedSurface surface = builder.build();
   if (surface.node.empty()) refuseDistantSides(where, mesh, sides, facing, options.reach);
+  addFrames(mesh.dimension, mortar, surface);
+  if (const int held = builder.leaveOut(findDoublyHeld(surface, options.held)); held > 0) {
+    surface = builder.build();
+    surface.report.held = held;
+    addFrames(mesh.dimension, mortar, surface);
+  }
   surface.pointsOn = mortar;
   std::set<int> opposite;
   double covered = 0.0;

@@ -7,6 +7,7 @@
 #include <harmos/mesh/Depth.hpp>
 #include <harmos/mesh/Mesh.hpp>
 #include <harmos/mesh/Skin.hpp>
+#include <harmos/mortar/HeldDirections.hpp>
 #include <harmos/mortar/JoinedSurface.hpp>
 #include <harmos/mortar/Reach.hpp>
 
@@ -34,6 +35,8 @@ struct JoinOptions {
   Reach reach;                 // how far apart faces may lie along their normals
   double creaseAngle = 180.0;  // [degrees], as for mesh::smoothPatches()
   mesh::Depth depth;           // in 2-D
+  /// Where the points carry tractions along the surface: what holds the nodes of both parts besides the interface.
+  HeldDirections held;
 };
 
 /// Joins two sides of an interface whose nodes need not coincide, in the plane or in space, of any linear and quadratic
@@ -44,7 +47,9 @@ struct JoinOptions {
 /// over the common refinement of both surfaces. psi_p is the dual basis of the corners of the mortar side, N_j are the
 /// shape functions of side s. So a constant traction and a linear displacement are transmitted exactly where the faces
 /// lie on each other; equal meshes are joined node by node, and rigid motions of both do no work. Corners of which less
-/// than a twentieth of the area around them is covered are left out.
+/// than a twentieth of the area around them is covered are left out, and those at which both sides are held along the
+/// surface unless B selects held nodes alone; their psi goes to the corners beside them, so that constant tractions are
+/// still transmitted exactly.
 ///
 /// Throws base::Error(input), starting with `where`, if a side has no faces, or if no two faces of the sides face each
 /// other within reach, with counts and distances. O(n log n) for n faces of similar size. Not collective.

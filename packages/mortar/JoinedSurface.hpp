@@ -14,6 +14,7 @@ struct JoinReport {
   std::array<int, 2> given{};         // of both sides, as they were given
   std::array<double, 2> uncovered{};  // share of the area of the former that the other side does not cover [-]
   int leftOut = 0;              // corners of covered faces that are no points, since hardly anything of them is covered
+  int held = 0;                 // points that were left out because both sides are held there along the surface
   double largestGap = 0.0;      // of a point, before gaps were closed [length], >= 0
   double largestOverlap = 0.0;  // likewise, of points that overlap [length], >= 0
   int closed = 0;               // points whose gap or overlap was closed

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include <harmos/mesh/SmoothPatches.hpp>
 
@@ -94,6 +95,28 @@ PointBuilder::PointBuilder(const std::vector<mesh::Face>& faces, const std::vect
 
 PointBuilder::Key PointBuilder::keyOf(std::size_t coupling, int corner) const {
   return {faces_[couplings_[coupling].face].nodes[corner], patch_[coupling][corner]};
+}
+
+int PointBuilder::leaveOut(const std::vector<bool>& unwanted) {
+  std::set<Key> stay;
+  for (const auto& [key, number] : number_) {
+    if (!unwanted[number]) stay.insert(key);
+  }
+  for (std::size_t c = 0; c < couplings_.size(); ++c) {
+    int largest = -1;
+    bool isEmpty = true;
+    for (int p = 0; p < couplings_[c].corners; ++p) {
+      const Key key = keyOf(c, p);
+      if (number_.count(key) == 0) continue;
+      isEmpty = isEmpty && stay.count(key) == 0;
+      if (largest < 0 || coveredShare(couplings_[c], p) > coveredShare(couplings_[c], largest)) largest = p;
+    }
+    if (isEmpty && largest >= 0) stay.insert(keyOf(c, largest));
+  }
+  const int before = static_cast<int>(number_.size());
+  number_.clear();
+  for (const Key& key : stay) number_.emplace(key, static_cast<int>(number_.size()));
+  return before - static_cast<int>(number_.size());
 }
 
 JoinedSurface PointBuilder::build() const {

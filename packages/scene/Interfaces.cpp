@@ -11,6 +11,7 @@
 #include <harmos/laws/AffineComponent.hpp>
 #include <harmos/mesh/InterfaceFrame.hpp>
 #include <harmos/mesh/Skin.hpp>
+#include <harmos/scene/detail/HeldByBoundaries.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
 #include <harmos/scene/detail/MeshJoiner.hpp>
 
@@ -193,6 +194,7 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
   const auto append = [&](std::vector<mesh::InterfaceSurface> found) {
     std::move(found.begin(), found.end(), std::back_inserter(surfaces.all));
   };
+  std::optional<mortar::HeldDirections> held;  // once it is asked for
   const int before = errors.count();
   for (const char* kind : {"Interfaces", "Boundaries"}) {
     for (const Parameters& list : scene.input.lists(kind)) {
@@ -202,7 +204,8 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
         const double creaseAngle = isSplit ? list.number("Crease Angle") : mesh::InterfaceFinder::oneNormal;
         const auto join = [&](const std::string& name1, const std::vector<mesh::Face>& side1, const std::string& name2,
                               const std::vector<mesh::Face>& side2) {
-          const MeshJoiner joiner(list, law, creaseAngle, depthOf(model), mesh, bodies, finder);
+          if (!held) held = heldByBoundaries(scene, mesh.dimension, pieces, finder);
+          const MeshJoiner joiner(list, law, creaseAngle, depthOf(model), *held, mesh, bodies, finder);
           return joiner.join(name1, side1, name2, side2, surfaces.joined);
         };
         auto found = surfacesOf(list, creaseAngle, mesh, pieces, finder, join);

@@ -27,6 +27,10 @@ std::string JoinedMeshes::text() const {
     out << "    left out " << report.leftOut << (report.leftOut == 1 ? " corner" : " corners")
         << " of which hardly anything is covered\n";
   }
+  if (report.held > 0) {
+    out << "    left out " << report.held << (report.held == 1 ? " corner" : " corners")
+        << " at which both sides are held along the interface\n";
+  }
   if (report.closed > 0) {
     out << "    closed at " << report.closed << (report.closed == 1 ? " point" : " points") << ", by up to "
         << report.largestClosed << "\n";

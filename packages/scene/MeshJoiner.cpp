@@ -10,15 +10,26 @@
 #include <harmos/scene/detail/JoinInput.hpp>
 
 namespace harmos::scene {
+namespace {
+
+/// Whether a law may give tractions along the surface; also when it does not say so.
+bool carriesShear(const laws::InterfaceLaw& law) {
+  const auto admissible = law.admissibleTractions(0);
+  return !admissible || admissible->friction > 0.0 || admissible->upper[1] > 0.0 || admissible->upper[2] > 0.0;
+}
+
+}  // namespace
 
 MeshJoiner::MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle,
-                       const mesh::Depth& depth, const mesh::Mesh& mesh, const Bodies& bodies,
-                       const mesh::InterfaceFinder& finder)
+                       const mesh::Depth& depth, const mortar::HeldDirections& held, const mesh::Mesh& mesh,
+                       const Bodies& bodies, const mesh::InterfaceFinder& finder)
     : name_(list.name()),
       options_(joinOptions(list, law, creaseAngle, depth)),
       mesh_(mesh),
       bodies_(bodies),
-      finder_(finder) {}
+      finder_(finder) {
+  if (carriesShear(law)) options_.held = held;
+}
 
 std::string MeshJoiner::partOf(const mesh::Face& face) const {
   return finder_.pieces().part(finder_.pieces().of(face.element));
@@ -60,14 +71,20 @@ std::vector<mesh::InterfaceSurface> MeshJoiner::join(const std::string& name1, c
     options.pointsOn = 1 - joined.pointsOn;
   }
   const int side = divided.crossed[0] > 0 ? 0 : 1;
+  const bool isWithPoints = options.pointsOn == side;
   const base::Vector3& place = divided.firstCrossed;
   std::ostringstream message;
   message << "Interface \"" << name_ << "\": its meshes do not match, and cuts of " << (side == 0 ? name1 : name2)
           << " into pieces cross what " << divided.crossed[side] << (divided.crossed[side] == 1 ? " point" : " points")
-          << " of the other side see of it, the first at (" << place[0] << ", " << place[1] << ", " << place[2]
-          << "). Cut only one of both parts and give Points On = "
-          << "Side " << side + 1 << ", or use Pieces = 1 for part \"" << partOf((side == 0 ? side1 : side2)[0])
-          << "\".";
+          << (isWithPoints ? " of it see" : " of the other side see of it") << ", the first at (" << place[0] << ", "
+          << place[1] << ", " << place[2] << "). ";
+  if (isWithPoints) {
+    message << "Points see several nodes of their own side where its faces are quadratic or covered in part, or held "
+               "beside them. Use ";
+  } else {
+    message << "Cut only one of both parts and give Points On = Side " << side + 1 << ", or use ";
+  }
+  message << "Pieces = 1 for part \"" << partOf((side == 0 ? side1 : side2)[0]) << "\".";
   throw base::Error(message.str(), base::ExitCode::input);
 }
 

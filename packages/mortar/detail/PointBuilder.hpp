@@ -21,6 +21,10 @@ class PointBuilder {
   /// other), and how many points were left out and which share of the mortar side's covered faces is not covered.
   JoinedSurface build() const;
 
+  /// Leaves out points, in the order of build(), and gives their tractions to the other corners of their faces; where
+  /// nothing of a face would be left, the corner with the largest share stays. Returns how many it left out.
+  int leaveOut(const std::vector<bool>& unwanted);
+
  private:
   using Key = std::pair<int, int>;  // node, patch
   struct Rows;

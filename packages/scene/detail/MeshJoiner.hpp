@@ -17,9 +17,11 @@ namespace harmos::scene {
 class MeshJoiner {
  public:
   /// `list`: of the interface, whose law `law` is; `creaseAngle` [degrees] and `depth` as for
-  /// mesh::InterfaceFinder.
+  /// mesh::InterfaceFinder; `held`: by boundaries of the scene, which counts where the law carries tractions along the
+  /// surface.
   MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle, const mesh::Depth& depth,
-             const mesh::Mesh& mesh, const Bodies& bodies, const mesh::InterfaceFinder& finder);
+             const mortar::HeldDirections& held, const mesh::Mesh& mesh, const Bodies& bodies,
+             const mesh::InterfaceFinder& finder);
 
   /// The surfaces between all pieces, and a line of `reports`. Throws base::Error(input) if the sides share a part,
   /// cannot be joined, or if cuts of METIS cross the side without points.

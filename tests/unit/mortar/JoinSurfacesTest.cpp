@@ -247,6 +247,44 @@ TEST(JoinSurfaces, LeavesOutPointsOfWhichHardlyAnythingIsCovered) {
   }
 }
 
+/// Next to a plane of symmetry y = 0: tractions along y would do next to nothing there.
+TEST(JoinSurfaces, LeavesOutPointsAtWhichBothSidesAreHeldAlongTheSurface) {
+  for (const int kind : {3, 4, 6, 8, 9}) {
+    mesh::Mesh mesh;
+    const Side side1 = meshGrid(mesh, "one", {kind, 2, 2, plane()});
+    const std::size_t ofSide1 = mesh.nodes.size();
+    const Side side2 = meshGrid(mesh, "two", {kind, 3, 3, plane(), true});
+    SCOPED_TRACE(kind);
+    const auto joined = [&](const base::Vector3& direction, bool isSecondHeld) {
+      JoinOptions options;
+      options.pointsOn = 0;
+      for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+        const bool isThere = mesh.nodes[node][1] == 0.0 && (node < ofSide1 || isSecondHeld);
+        if (isThere) options.held[static_cast<int>(node)] = {direction};
+      }
+      return joinSurfaces("test", mesh, side1, side2, options);
+    };
+    const JoinedSurface surface = joined({0.0, 1.0, 0.0}, true);
+    EXPECT_EQ(surface.node.size(), 6u);
+    EXPECT_EQ(surface.report.held, 3);
+    expectSound(surface);
+    expectLinearReproduction(surface, mesh, 1e-12);
+    EXPECT_NEAR(total(surface.area), 1.0, 1e-12);
+    EXPECT_NEAR(total(unitForces(surface, 0, mesh)), 1.0, 1e-12);
+    EXPECT_NEAR(total(unitForces(surface, 1, mesh)), 1.0, 1e-12);
+    EXPECT_EQ(joined({0.0, 1.0, 0.0}, false).report.held, 0);  // the other side can move
+    EXPECT_EQ(joined({0.0, 0.0, 1.0}, true).report.held, 0);   // held across the surface
+  }
+  mesh::Mesh mesh;
+  const Side side1 = meshGrid(mesh, "one", {4, 2, 2, plane()});
+  const Side side2 = meshGrid(mesh, "two", {4, 2, 2, plane(), true});
+  JoinOptions options;
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+    if (mesh.nodes[node][1] == 0.0) options.held[static_cast<int>(node)] = {{0.0, 1.0, 0.0}};
+  }
+  EXPECT_EQ(joinSurfaces("test", mesh, side1, side2, options).report.held, 0);  // of equal meshes held nodes meet
+}
+
 TEST(JoinSurfaces, LetsNothingOfASliverGrow) {
   for (const double width : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
     mesh::Mesh mesh;

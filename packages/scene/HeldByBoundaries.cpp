@@ -1,0 +1,55 @@
+#include <harmos/scene/detail/HeldByBoundaries.hpp>
+
+#include <array>
+#include <cmath>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/laws/AffineComponent.hpp>
+
+namespace harmos::scene {
+namespace {
+
+/// The components of an affine law that are rigid at all load steps.
+std::array<bool, 3> rigidComponents(const laws::InterfaceLaw& law, int dimension, int steps) {
+  std::array<bool, 3> rigid = {true, true, dimension == 3};
+  for (int t = 0; t < steps; ++t) {
+    const auto components = laws::affineComponents(law, t, 1.0);
+    for (std::size_t c = 0; c < 3; ++c) rigid[c] = rigid[c] && std::isinf(components[c].stiffness);
+  }
+  return rigid;
+}
+
+std::vector<mesh::InterfaceSurface> surfacesOf(const input::Parameters& list, const mesh::InterfaceFinder& finder) {
+  try {
+    if (list.has("Side Set")) return finder.onSideSet(list.name(), list.text("Side Set"));
+    return finder.onNodeSet(list.name(), list.text("Node Set"), list.has("Part") ? list.text("Part") : "");
+  } catch (const base::Error&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+mortar::HeldDirections heldByBoundaries(const Scene& scene, int dimension, const std::vector<mesh::Piece>& pieces,
+                                        const mesh::InterfaceFinder& finder) {
+  mortar::HeldDirections held;
+  for (const input::Parameters& list : scene.input.lists("Boundaries")) {
+    const laws::InterfaceLaw& law = *scene.laws.at(list.name());
+    if (!law.isAffine() || law.prescribesTraction()) continue;
+    const auto rigid = rigidComponents(law, dimension, static_cast<int>(scene.times.size()));
+    for (const mesh::InterfaceSurface& surface : surfacesOf(list, finder)) {
+      for (int p = 0; p < surface.pairs(); ++p) {
+        auto& directions = held[pieces[surface.piece1].nodes[surface.trace1.node(p)]];
+        for (std::size_t c = 0; c < 3; ++c) {
+          if (!rigid[c]) continue;
+          base::Vector3 axis{};
+          axis[c] = 1.0;
+          directions.push_back(law.frame() == laws::Frame::interface ? surface.frame[p][c] : axis);
+        }
+      }
+    }
+  }
+  return held;
+}
+
+}  // namespace harmos::scene
