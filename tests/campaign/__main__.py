@@ -1,7 +1,8 @@
 """Random scenes against an independent reference.
 
     cd tests
-    python3 -m campaign run --harmos ../build/drivers/harmos --scenes 330       the campaign, 30 scenes of each class
+    python3 -m campaign run --harmos ../build/drivers/harmos --classes matching --scenes 330    30 scenes of each class
+    python3 -m campaign run --harmos ../build/drivers/harmos --classes apart --scenes 150       meshes that do not match
     python3 -m campaign run --harmos ../build/drivers/harmos --only rings --first 100 --scenes 20
     python3 -m campaign show rings 3 --output DIR                               writes the scene and prints the answer
     python3 -m campaign try rings 3 --harmos ../build/drivers/harmos            one scene, with all responses
@@ -14,15 +15,17 @@ import argparse
 import pathlib
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from .reference.solver import Answer, solve
-from .scenes.classes import CLASSES, make_scene
+from .scenes.classes import APART, CLASSES, MATCHING, make_scene
 from .scenes.scene import Scene
 from .scenes.scene_file import write_scene
 from .trial.campaign import Trial, report, try_scene
 from .trial.program import run_harmos
 from .trial.verdict import judge, true_errors
+
+GROUPS: dict[str, Iterable[str]] = {"all": CLASSES, "matching": MATCHING, "apart": APART}
 
 
 def _print_answer(scene: Scene, answer: Answer) -> None:
@@ -57,7 +60,7 @@ def _try(options: argparse.Namespace) -> bool:
 
 
 def _trials(options: argparse.Namespace) -> Iterator[Trial]:
-    names = options.only or list(CLASSES)
+    names = options.only or list(GROUPS[options.classes])
     for index in range(options.scenes):
         name, seed = names[index % len(names)], options.first + index // len(names)
         trial = try_scene(name, seed, options.harmos, options.output, options.limit)
@@ -95,6 +98,8 @@ def _options() -> argparse.Namespace:
         if verb == "run":
             command.add_argument("--scenes", type=int, default=330)
             command.add_argument("--first", type=int, default=0, help="seed to begin with")
+            command.add_argument("--classes", choices=list(GROUPS), default="all",
+                                 help="matching: parts on one grid; apart: parts meshed one by one, all elements")
             command.add_argument("--only", action="append", choices=list(CLASSES), help="a class; may be repeated")
         else:
             command.add_argument("name", choices=list(CLASSES))

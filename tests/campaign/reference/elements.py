@@ -1,15 +1,10 @@
-"""Stiffness and body forces of linear elements for isotropic elasticity, by textbook formulas."""
+"""Stiffness and body forces of elements for isotropic elasticity, by textbook formulas."""
 from __future__ import annotations
-
-import itertools
 
 import numpy as np
 
 from ..scenes.mesh import Floats
-
-_QUAD = ((-1, -1), (1, -1), (1, 1), (-1, 1))
-_HEX = ((-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1), (-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1))
-
+from .shapes import rule_of, shape_of
 
 def elasticity(young: float, poisson: float, kinematics: str) -> Floats:
     """Stress from strain [stress], with shear angles: (xx, yy, xy), in space (xx, yy, zz, xy, yz, zx)."""
@@ -23,32 +18,6 @@ def elasticity(young: float, poisson: float, kinematics: str) -> Floats:
     matrix = np.diag([2 * shear] * 3 + [shear] * 3)
     matrix[:3, :3] += lame
     return matrix
-
-
-def _product_rule(corners: tuple[tuple[int, ...], ...]) -> list[tuple[Floats, Floats, float]]:
-    """Shape functions, their derivatives [corner, axis], and the weight at two Gauss points per axis."""
-    signs = np.array(corners, dtype=float)
-    dimension = signs.shape[1]
-    rule = []
-    for point in itertools.product((-1 / np.sqrt(3), 1 / np.sqrt(3)), repeat=dimension):
-        factors = (1 + signs * np.array(point)) / 2
-        slopes = np.empty_like(signs)
-        for axis in range(dimension):
-            others = np.delete(factors, axis, axis=1)
-            slopes[:, axis] = signs[:, axis] / 2 * others.prod(axis=1)
-        rule.append((factors.prod(axis=1), slopes, 1.0))
-    return rule
-
-
-def _simplex_rule(dimension: int) -> list[tuple[Floats, Floats, float]]:
-    """One point is exact: the gradients are constant, and the shape functions linear."""
-    slopes = np.vstack([-np.ones(dimension), np.eye(dimension)])
-    volume = 0.5 if dimension == 2 else 1 / 6
-    return [(np.full(dimension + 1, 1 / (dimension + 1)), slopes, volume)]
-
-
-_RULES = {"TRI3": _simplex_rule(2), "QUAD4": _product_rule(_QUAD),
-          "TET4": _simplex_rule(3), "HEX8": _product_rule(_HEX)}
 
 
 def _strain(gradient: Floats) -> Floats:
@@ -68,11 +37,12 @@ def _strain(gradient: Floats) -> Floats:
     return matrix
 
 
-def stiffness(kind: str, corners: Floats, material: Floats, thickness: float) -> Floats:
-    """int B^t C B dV [force/length] of an element; corners: node x axis. Raises when it is turned inside out."""
-    matrix = np.zeros((corners.size, corners.size))
-    for _, slopes, weight in _RULES[kind]:
-        jacobian = corners.T @ slopes
+def stiffness(kind: str, nodes: Floats, material: Floats, thickness: float) -> Floats:
+    """int B^t C B dV [force/length] of an element; nodes: node x axis. Raises when it is turned inside out."""
+    matrix = np.zeros((nodes.size, nodes.size))
+    places, weights = rule_of(kind)
+    for slopes, weight in zip(shape_of(kind).slopes(places), weights):
+        jacobian = nodes.T @ slopes
         determinant = float(np.linalg.det(jacobian))
         if determinant <= 0:
             raise ValueError("an element is turned inside out")
@@ -81,9 +51,11 @@ def stiffness(kind: str, corners: Floats, material: Floats, thickness: float) ->
     return matrix
 
 
-def nodal_volumes(kind: str, corners: Floats, thickness: float) -> Floats:
+def nodal_volumes(kind: str, nodes: Floats, thickness: float) -> Floats:
     """int N_a dV [volume] per node: a body force times this is the nodal force."""
-    volumes = np.zeros(len(corners))
-    for shape, slopes, weight in _RULES[kind]:
-        volumes += weight * thickness * float(np.linalg.det(corners.T @ slopes)) * shape
+    places, weights = rule_of(kind)
+    shape = shape_of(kind)
+    volumes = np.zeros(len(nodes))
+    for values, slopes, weight in zip(shape.values(places), shape.slopes(places), weights):
+        volumes += weight * thickness * float(np.linalg.det(nodes.T @ slopes)) * values
     return volumes

@@ -9,13 +9,18 @@ from __future__ import annotations
 import dataclasses
 
 import numpy as np
+import numpy.typing as npt
 from scipy import sparse
 
-from ..scenes.mesh import Floats, Integers
-from ..scenes.scene import Scene, at_step
+from ..scenes.mesh import Floats, Integers, Mesh
+from ..scenes.scene import Joint, Scene, at_step
 from .elements import elasticity, nodal_volumes, stiffness
-from .laws import GLOBAL, Kind, conditions
-from .surfaces import surface_of
+from .laws import GLOBAL, Condition, Kind, conditions
+from .mortar import Held
+from .surfaces import frame_of, nodal_areas, surface_of
+
+# Parts of a cell's edge that are not cut any more, in the plane, where few are cut, and in space.
+FINEST = 64
 
 
 @dataclasses.dataclass
@@ -24,8 +29,9 @@ class Problem:
 
     stiffness: K [dof, dof]. loads: F [step, dof]. jump: W [row, dof], rows point by point, dimension rows each. area:
     per row. kind: of Kind, per row. value: the number of each condition [step, row]. frame: [point, component, axis].
-    node1, node2: per point, node2 is -1 on a boundary. points: of each joint without loads, by name. spring: of
-    each row, the stiffness of the nodes it joins [force/length]. normal: outward on side 1 [point, axis].
+    place: [point, axis]. two_sided: per point, not so on a boundary. points: of each joint without loads, by name.
+    spring: of each row, the stiffness of the nodes it joins [force/length]. normal: outward on side 1 [point, axis].
+    uncertain: largest share of a join's area that its quadrature does not resolve.
     """
     dimension: int
     steps: int
@@ -38,11 +44,12 @@ class Problem:
     kind: Integers
     value: Floats
     frame: Floats
-    node1: Integers
-    node2: Integers
+    place: Floats
+    two_sided: npt.NDArray[np.bool_]
     points: dict[str, slice]
     spring: Floats
     normal: Floats
+    uncertain: float
 
     @property
     def contact_points(self) -> Integers:
@@ -78,56 +85,76 @@ def _assemble(scene: Scene) -> tuple[sparse.csr_matrix, Floats]:
     return matrix.tocsr(), loads.reshape(scene.steps, size)
 
 
-def _jump(node1: Integers, node2: Integers, frame: Floats, size: int) -> sparse.csr_matrix:
+def _jump(trace1: sparse.csr_matrix, trace2: sparse.csr_matrix, frame: Floats) -> sparse.csr_matrix:
     """w2 - w1 in the frame of every point."""
     count, d, _ = frame.shape
-    row = np.arange(count * d).reshape(count, d, 1) + np.zeros((1, 1, d), dtype=np.int64)
-    matrix = sparse.csr_matrix((count * d, size))
-    for nodes, sign in ((node1, -1.0), (node2, 1.0)):
-        held = nodes >= 0
-        column = d * nodes[:, None, None] + np.arange(d) + np.zeros((1, d, 1), dtype=np.int64)
-        matrix = matrix + sparse.csr_matrix((sign * frame[held].ravel(), (row[held].ravel(), column[held].ravel())),
-                                            (count * d, size))
-    return matrix.tocsr()
+    turn = sparse.bsr_matrix((frame, np.arange(count), np.arange(count + 1)), (count * d, count * d))
+    return (turn @ sparse.kron(trace2 - trace1, sparse.identity(d))).tocsr()
 
 
-def _node_springs(matrix: sparse.csr_matrix, d: int, node1: Integers, node2: Integers) -> Floats:
-    """Two nodes in series, by the mean diagonal of each, per row."""
-    diagonal = matrix.diagonal().reshape(-1, d).mean(axis=1)
-    softness = 1 / diagonal[node1] + np.where(node2 >= 0, 1 / diagonal[node2], 0.0)
-    return np.repeat(1 / softness, d)
+def _springs(matrix: sparse.csr_matrix, d: int, *traces: sparse.csr_matrix) -> Floats:
+    """The nodes of every point in series, by the mean diagonal of each, per row."""
+    soft = 1 / matrix.diagonal().reshape(-1, d).mean(axis=1)
+    return np.repeat(1 / sum(trace.power(2) @ soft for trace in traces), d)
 
 
-def assemble(scene: Scene) -> Problem:
-    """The discrete problem of a scene."""
+def assemble(scene: Scene, finest: int = FINEST) -> Problem:
+    """The discrete problem of a scene; finest: of the quadrature of joins, see join()."""
     mesh, d = scene.mesh, scene.mesh.dimension
     thickness = scene.thickness if d == 2 else 1.0
     matrix, loads = _assemble(scene)
     points: dict[str, slice] = {}
-    node1, node2, area, frame, normal, kind, value = [], [], [], [], [], [], []
-    begin = 0
+    trace1, trace2, area, frame, normal, place, two_sided, kind, value = [], [], [], [], [], [], [], [], []
+    begin, uncertain = 0, 0.0
+    held = _held(scene, thickness)
     for joint in scene.joints:
-        surface = surface_of(joint, mesh, thickness)
-        count = len(surface.node1)
         of_law = conditions(joint.law, d, scene.steps)
-        axes = np.tile(np.eye(d), (count, 1, 1)) if joint.law.type in GLOBAL else surface.frame
         if all(condition.kind == Kind.LOAD for condition in of_law):
-            for step in range(scene.steps):
-                traction = np.array([condition.values[step] for condition in of_law])
-                force = np.einsum("pci,c->pi", axes, traction) * surface.area[:, None]
-                np.add.at(loads[step].reshape(-1, d), surface.node1, force)
+            _load(joint, of_law, mesh, thickness, loads)
             continue
+        carries_shear = of_law[1].kind in (Kind.TIED, Kind.SPRING, Kind.FRICTION)
+        surface = surface_of(joint, mesh, thickness, finest, held if carries_shear else {})
+        count = len(surface.area)
         points[joint.name] = slice(begin, begin + count)
         begin += count
-        node1.append(surface.node1)
-        node2.append(surface.node2)
+        uncertain = max(uncertain, surface.uncertain)
+        trace1.append(surface.trace1)
+        trace2.append(sparse.csr_matrix(surface.trace1.shape) if surface.trace2 is None else surface.trace2)
         area.append(np.repeat(surface.area, d))
-        frame.append(axes)
+        frame.append(np.tile(np.eye(d), (count, 1, 1)) if joint.law.type in GLOBAL else surface.frame)
         normal.append(surface.frame[:, 0])
+        place.append(surface.place)
+        two_sided.append(np.full(count, surface.trace2 is not None))
         kind.append(np.tile([int(condition.kind) for condition in of_law], count))
-        value.append(np.tile(np.array([condition.values for condition in of_law]).T, (1, count)))
-    first, second, axes = np.concatenate(node1), np.concatenate(node2), np.concatenate(frame)
+        of_step = np.tile(np.array([condition.values for condition in of_law]).T, (1, count))
+        of_step[:, ::d] += np.where(kind[-1][::d] == Kind.CONTACT, surface.gap, 0.0)
+        value.append(of_step)
+    first, second, axes = sparse.vstack(trace1), sparse.vstack(trace2), np.concatenate(frame)
     return Problem(d, scene.steps, mesh.nodes, [np.unique(block.nodes) for block in mesh.blocks], matrix, loads,
-                   _jump(first, second, axes, matrix.shape[0]), np.concatenate(area), np.concatenate(kind),
-                   np.concatenate(value, axis=1), axes, first, second, points, _node_springs(matrix, d, first, second),
-                   np.concatenate(normal))
+                   _jump(first, second, axes), np.concatenate(area), np.concatenate(kind),
+                   np.concatenate(value, axis=1), axes, np.concatenate(place), np.concatenate(two_sided), points,
+                   _springs(matrix, d, first, second), np.concatenate(normal), uncertain)
+
+
+def _held(scene: Scene, thickness: float) -> Held:
+    """What boundaries hold, by node of the mesh."""
+    held: Held = {}
+    for joint in scene.joints:
+        of_law = conditions(joint.law, scene.mesh.dimension, scene.steps)
+        if joint.side2 is not None or all(condition.kind != Kind.TIED for condition in of_law):
+            continue
+        areas = nodal_areas(scene.mesh, joint.side1, thickness)
+        for node, normal in zip(areas.nodes, areas.normal):
+            frame = np.eye(len(normal)) if joint.law.type in GLOBAL else frame_of(normal)
+            directions = [axis for axis, condition in zip(frame, of_law) if condition.kind == Kind.TIED]
+            held.setdefault(int(node), []).extend(directions)
+    return held
+
+
+def _load(joint: Joint, of_law: list[Condition], mesh: Mesh, thickness: float, loads: Floats) -> None:
+    """Adds the nodal forces of a boundary with a given traction to loads [step, dof]."""
+    areas = nodal_areas(mesh, joint.side1, thickness)
+    for step, load in enumerate(loads):
+        traction = np.array([condition.values[step] for condition in of_law])
+        force = np.outer(areas.share, traction) if joint.law.type in GLOBAL else areas.flux * traction[0]
+        np.add.at(load.reshape(-1, mesh.dimension), areas.nodes, force)

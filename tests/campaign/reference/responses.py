@@ -41,10 +41,10 @@ class History:
         return np.asarray(self._EVALUATE[response.type](self, response), dtype=float)
 
     def _mean_displacement(self, response: Response) -> Floats:
-        nodes, area, _ = nodal_areas(self.scene.mesh, response.target, self.scene.thickness)
+        areas = nodal_areas(self.scene.mesh, response.target, self.scene.thickness)
         direction = _unit(response.vectors["Direction"])
-        moved = self.displacement.reshape(self.problem.steps, -1, self.problem.dimension)[:, nodes] @ direction
-        return np.asarray(moved @ (area / area.sum()))
+        moved = self.displacement.reshape(self.problem.steps, -1, self.problem.dimension)[:, areas.nodes]
+        return np.asarray(moved @ direction @ (areas.share / areas.share.sum()))
 
     def _interface_force(self, response: Response) -> Floats:
         return np.asarray(self._global_force(response.target).sum(axis=1) @ _unit(response.vectors["Direction"]))
@@ -54,8 +54,7 @@ class History:
         return np.asarray(np.einsum("spi,pi->s", self._global_force(response.target), normal))
 
     def _interface_moment(self, response: Response) -> Floats:
-        places = self.problem.nodes[self.problem.node1[self.problem.points[response.target]]]
-        arm = places - np.array(response.vectors["Centre"])
+        arm = self.problem.place[self.problem.points[response.target]] - np.array(response.vectors["Centre"])
         force = self._global_force(response.target)
         if self.problem.dimension == 2:
             return np.asarray(force[:, :, 1] @ arm[:, 0] - force[:, :, 0] @ arm[:, 1])
@@ -86,7 +85,7 @@ class History:
         p = self.problem
         # Twice, for Harmos counts how far loads would move bodies that nothing but the search direction holds, too.
         node = 2 * np.linalg.norm(self.displacement.reshape(p.steps, -1, p.dimension), axis=2).max(initial=0.0)
-        sides = np.where(np.repeat(p.node2, p.dimension) >= 0, 2, 1)
+        sides = np.where(np.repeat(p.two_sided, p.dimension), 2, 1)
         forces = (sides * abs(self.force)).sum(axis=1).max(initial=0.0)
         springs = (sides * SEARCH_DIRECTION * p.spring * abs(self.jump)).sum(axis=1).max(initial=0.0)
         stress = (abs(self.force) / p.area).max(initial=0.0)

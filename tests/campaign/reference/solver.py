@@ -9,7 +9,7 @@ import numpy as np
 from ..scenes.mesh import Floats
 from ..scenes.scene import Scene
 from .newton import SHIFT, Choice, State, forces_for, solve_step
-from .problem import Problem, assemble
+from .problem import FINEST, Problem, assemble
 from .responses import History
 from .statics import Balance, statics
 
@@ -17,6 +17,8 @@ from .statics import Balance, statics
 SAME = 1e-6
 # Slip and openings below this share of the largest jump are none.
 AT_REST = 1e-9
+# Of the area of a join: what quadrature does not resolve is round-off.
+RESOLVED = 1e-7
 # Tried when one of the ways fails.
 MORE_WAYS = 2
 
@@ -34,8 +36,9 @@ class Answer:
     """What the reference says of a scene.
 
     histories: the fields by several ways, of which the first one counts. values: per response [step]. sizes: by which
-    errors are measured. spread: largest relative difference between the ways, per response. failed_step: the first
-    without solution. balances: statics per load step.
+    errors are measured. spread: largest relative difference between the ways, per response. quadrature: change of a
+    response, over its size, when joins are integrated half as finely. failed_step: the first without solution.
+    balances: statics per load step.
     """
     outcome: Outcome
     histories: list[History]
@@ -44,6 +47,7 @@ class Answer:
     spread: dict[str, float]
     failed_step: int | None
     balances: list[Balance]
+    quadrature: dict[str, float] = dataclasses.field(default_factory=dict)
 
     @property
     def determined(self) -> list[str]:
@@ -69,7 +73,8 @@ def follow(answer: Answer, displacement: Floats) -> Answer:
         forces.append(state.force)
         old = problem.jump @ state.displacement
     found = History(scene, problem, np.array(displacements), np.array(forces))
-    return _compare(scene, [found, *answer.histories], answer.balances)
+    return dataclasses.replace(_compare(scene, [found, *answer.histories], answer.balances),
+                               quadrature=answer.quadrature)
 
 
 class _March:
@@ -153,6 +158,16 @@ def _compare(scene: Scene, histories: list[History], balances: list[Balance]) ->
     return Answer(Outcome.SOLVED, histories, values, sizes, spread, None, balances)
 
 
+def _quadrature(scene: Scene, problem: Problem, answer: Answer) -> dict[str, float]:
+    if problem.uncertain < RESOLVED:
+        return dict.fromkeys(answer.values, 0.0)
+    coarser = _March(scene, assemble(scene, FINEST // 2), 0).run()
+    if coarser is None:
+        return dict.fromkeys(answer.values, float("inf"))
+    return {response.name: float(abs(coarser.response(response) - answer.values[response.name]).max())
+            / answer.sizes[response.name] for response in scene.responses}
+
+
 def solve(scene: Scene, ways: int = 3) -> Answer:
     """Solves a scene by several ways; where none succeeds, statics says whether one could."""
     problem = assemble(scene)
@@ -174,5 +189,7 @@ def solve(scene: Scene, ways: int = 3) -> Answer:
         if seed > 0 and not histories:
             break
         if len(histories) == ways:
-            return _compare(scene, histories, balances)
+            answer = _compare(scene, histories, balances)
+            answer.quadrature = _quadrature(scene, problem, answer)
+            return answer
     return Answer(Outcome.UNKNOWN, histories, {}, {}, {}, failed, balances)

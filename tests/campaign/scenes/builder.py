@@ -9,6 +9,7 @@ from .draw import Draw
 from .lattice import Contact, Lattice, Map
 from .mesh import Floats
 from .scene import Joint, Law, Part, Response, Scene, Varying, vector
+from .separate import Separate
 
 MOST_RESPONSES = 9
 
@@ -25,7 +26,7 @@ def rotation(draw: Draw, dimension: int) -> Floats:
 class Builder:
     """Collects what belongs to a scene; directions are those of the lattice, the scene may be turned as a whole."""
 
-    def __init__(self, draw: Draw, lattice: Lattice, carry: Map = lambda x: x) -> None:
+    def __init__(self, draw: Draw, lattice: Lattice | Separate, carry: Map = lambda x: x) -> None:
         self.draw = draw
         self.lattice = lattice
         self.dimension = lattice.dimension

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from .mesh import SIDES, Block, Floats, Mesh, Side
+from .mesh import LINEAR, SIDES, Block, Floats, Mesh, Side, middles
 
 Map = Callable[[Floats], Floats]
 Cell = tuple[int, ...]
@@ -43,6 +43,21 @@ def _simplices(dimension: int) -> list[tuple[tuple[int, ...], ...]]:
             corners[-1], corners[-2] = corners[-2], corners[-1]
         result.append(tuple(corners))
     return result
+
+
+# Of two wedges that fill a cell, upright along axis 1.
+_WEDGES = (((0, 0, 0), (0, 0, 1), (1, 0, 0), (0, 1, 0), (0, 1, 1), (1, 1, 0)),
+           ((1, 0, 1), (1, 0, 0), (0, 0, 1), (1, 1, 1), (1, 1, 0), (0, 1, 1)))
+
+
+def _pattern(kind: str, dimension: int) -> Sequence[tuple[tuple[int, ...], ...]]:
+    """Corners of the elements of a type that fill a cell."""
+    match LINEAR[kind]:
+        case "TRI3" | "TET4":
+            return _simplices(dimension)
+        case "WEDGE6":
+            return _WEDGES
+    return [_CORNERS[dimension]]
 
 
 class Lattice:
@@ -82,28 +97,32 @@ class Lattice:
             self._owner.pop(cell, None)
 
     def build(self, types: dict[str, str], carry: Map) -> Mesh:
-        """Makes the mesh; types: element type per part; carry: from the coordinates of the grid into place."""
+        """Makes the mesh; types: element type per part; carry: from the coordinates of the grid into place, also of
+        the nodes between corners."""
         nodes: list[Floats] = []
         blocks: list[Block] = []
         elements = 0
         for part in self.parts:
-            number: dict[Cell, int] = {}
+            number: dict[Cell, int] = {}  # by twice the place in the grid
             rows: list[list[int]] = []
-            simplicial = types[part] in ("TRI3", "TET4")
-            pattern = _simplices(self.dimension) if simplicial else [_CORNERS[self.dimension]]
             for cell in sorted(c for c, owner in self._owner.items() if owner == part):
-                for corners in pattern:
+                for corners in _pattern(types[part], self.dimension):
+                    offsets = [tuple(2 * o for o in corner) for corner in corners]
+                    for of in middles(types[part]):
+                        sums = np.sum([offsets[i] for i in of], axis=0)
+                        offsets.append(tuple(int(s) // len(of) for s in sums))
                     row = []
-                    for corner in corners:
-                        point = tuple(c + o for c, o in zip(cell, corner))
-                        if self.periodic and point[0] == self.shape[0]:
+                    for offset in offsets:
+                        point = tuple(2 * c + o for c, o in zip(cell, offset))
+                        if self.periodic and point[0] == 2 * self.shape[0]:
                             point = (0,) + point[1:]
                         row.append(number.setdefault(point, len(nodes) + len(number)))
-                    for side, local in enumerate(SIDES[types[part]]):
+                    for side, local in enumerate(SIDES[LINEAR[types[part]]]):
                         self._note(cell, [corners[i] for i in local], Side(elements + len(rows), side))
                     rows.append(row)
             for point in number:
-                nodes.append(np.array([line[i] for line, i in zip(self.lines, point)]))
+                places = [0.5 * (line[i // 2] + line[(i + 1) // 2]) for line, i in zip(self.lines, point)]
+                nodes.append(np.array(places))
             blocks.append(Block(part, types[part], np.array(rows, dtype=np.int64)))
             elements += len(rows)
         self.mesh = Mesh(carry(np.array(nodes)), blocks)
@@ -164,5 +183,3 @@ def cells(lengths: Sequence[float], counts: Sequence[int]) -> list[float]:
     for length, count in zip(lengths, counts):
         lines += [lines[-1] + length * (i + 1) / count for i in range(count)]
     return lines
-
-

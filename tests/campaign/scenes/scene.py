@@ -31,11 +31,17 @@ class Law:
 
 @dataclasses.dataclass(frozen=True)
 class Joint:
-    """An interface between two side sets; a boundary when there is no second one."""
+    """An interface between two side sets; a boundary when there is no second one.
+
+    points_on: the side (1 or 2) whose corners are the points of a join of meshes that do not match, or are not to be
+    taken so; none: the sides match, node by node. reach: its search distance [length].
+    """
     name: str
     side1: str
     side2: str | None
     law: Law
+    points_on: int | None = None
+    reach: float | None = None
 
 
 @dataclasses.dataclass(frozen=True)

@@ -61,6 +61,10 @@ def _joint(parent: xml.Element, joint: Joint, histories: _Histories) -> None:
     else:
         _entry(element, "Side 1", joint.side1)
         _entry(element, "Side 2", joint.side2)
+    if joint.points_on is not None:
+        _entry(element, "Points On", f"Side {joint.points_on}")
+    if joint.reach is not None:
+        _entry(element, "Search Distance", joint.reach)
     _law(element, joint.law, histories)
 
 

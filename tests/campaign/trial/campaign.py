@@ -9,10 +9,10 @@ import time
 from collections.abc import Iterable
 
 from ..reference.solver import follow, solve
-from ..scenes.classes import make_scene
+from ..scenes.classes import make_scene, make_twin
 from ..scenes.scene_file import write_scene
 from .fields import read_displacements
-from .program import run_harmos
+from .program import Ending, run_harmos
 from .verdict import FORBIDDEN, MOST_MISSED, Judgement, Verdict, judge, judge_again
 
 # Below, a true error is round-off and its ratio to the estimate says nothing.
@@ -23,7 +23,8 @@ EXPECTED = (Verdict.RIGHT, Verdict.EQUILIBRIUM_RIGHT, Verdict.NOT_DETERMINED_SAI
 
 @dataclasses.dataclass(frozen=True)
 class Trial:
-    """One scene: class and seed make it anew."""
+    """One scene: class and seed make it anew. matching: linear stages of the same scene with meshes that match, if both
+    were certified."""
     name: str
     seed: int
     nodes: int
@@ -31,6 +32,7 @@ class Trial:
     harmos_seconds: float
     reference_seconds: float
     judgement: Judgement
+    matching: int | None = None
 
 
 def try_scene(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path, limit: float) -> Trial:
@@ -44,9 +46,19 @@ def try_scene(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path,
     if judgement.verdict is Verdict.WRONG and answer.histories:
         near = follow(answer, read_displacements(place / "results" / "scene.e", scene.mesh))
         judgement = judge_again(scene, run, near, judgement)
+    seconds = time.monotonic() - start
+    matching = _matching_stages(name, seed, program, place / "matching", limit) if run.ending is Ending.CERTIFIED else None
     if judgement.verdict in EXPECTED:
         shutil.rmtree(place)
-    return Trial(name, seed, len(scene.mesh.nodes), run.stages, run.seconds, time.monotonic() - start, judgement)
+    return Trial(name, seed, len(scene.mesh.nodes), run.stages, run.seconds, seconds, judgement, matching)
+
+
+def _matching_stages(name: str, seed: int, program: pathlib.Path, place: pathlib.Path, limit: float) -> int | None:
+    twin = make_twin(name, seed)
+    if twin is None:
+        return None
+    run = run_harmos(program, write_scene(twin, place), limit)
+    return run.stages if run.ending is Ending.CERTIFIED else None
 
 
 def _counts(trials: list[Trial]) -> list[int]:
@@ -74,6 +86,12 @@ def _figures(trials: list[Trial]) -> Iterable[str]:
     if stages:
         yield (f"linear stages, certified and right: sum {sum(stages)}, median {statistics.median(stages):g}, "
                f"most {max(stages)}")
+    pairs = [(trial.stages, trial.matching) for trial in trials if trial.matching]
+    if pairs:
+        own, matching = (sum(column) for column in zip(*pairs))
+        single = [one / other for one, other in pairs]
+        yield (f"linear stages over those of the same scene with matching meshes: sum {own} / {matching} = "
+               f"{own / matching:.2f}, median {statistics.median(single):.2f}, most {max(single):.2f} of {len(pairs)}")
     yield (f"time: Harmos {sum(trial.harmos_seconds for trial in trials):.0f} s, "
            f"reference {sum(trial.reference_seconds for trial in trials):.0f} s")
 

@@ -64,6 +64,9 @@ def _of_certified(scene: Scene, run: Run, answer: Answer) -> Judgement:
     error = errors.get(worst, 0.0)
     estimate = max((run.estimates.get(name, 0.0) for name in errors), default=0.0)
     detail = f"{worst}: {error:.1e} for {scene.accuracy:g}, estimate {run.estimates.get(worst, 0.0):.1e}"
+    beyond = max((errors[name] - answer.quadrature.get(name, 0.0) for name in errors), default=0.0)
+    if beyond <= scene.accuracy < error:
+        return Judgement(Verdict.UNKNOWN, error, estimate, detail + ", reference too coarse")
     if error > scene.accuracy:
         return Judgement(Verdict.WRONG, error, estimate, detail)
     if len(errors) == len(answer.values):
