@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <ostream>
 #include <set>
 
@@ -15,8 +17,38 @@ namespace {
 
 using input::Parameters;
 
-// Faces 1..6 of CalculiX's C3D8 by side 0..5 of Exodus' hex8; the nodes have the same order.
-constexpr std::array<int, 6> calculixFace{3, 4, 5, 6, 1, 2};
+/// How CalculiX calls an element: its type, the node of Exodus in each place, its face 1, 2, ... by side of Exodus.
+struct Element {
+  const char* name;
+  std::vector<int> node;
+  std::vector<int> face;
+};
+
+std::vector<int> inOrder(int count) {
+  std::vector<int> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+/// Reduced integration of hexahedra of second degree, as CalculiX' manual advises; nothing for other elements.
+std::optional<Element> calculixElement(mesh::ElementType type) {
+  switch (type) {
+    case mesh::ElementType::hex8:
+      return Element{"C3D8", inOrder(8), {3, 4, 5, 6, 1, 2}};
+    case mesh::ElementType::hex20: {
+      std::vector<int> node = inOrder(20);
+      std::rotate(node.begin() + 12, node.begin() + 16, node.end());  // the edges above come before the upright ones
+      return Element{"C3D20R", node, {3, 4, 5, 6, 1, 2}};
+    }
+    case mesh::ElementType::tet4:
+      return Element{"C3D4", inOrder(4), {2, 3, 4, 1}};
+    case mesh::ElementType::tet10:
+      return Element{"C3D10", inOrder(10), {2, 3, 4, 1}};
+    default:
+      return std::nullopt;
+  }
+}
+
 constexpr std::array<const char*, 3> axes{"X", "Y", "Z"};
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
@@ -64,12 +96,16 @@ class Writer {
     }
     int element = 0;
     for (const mesh::ElementBlock& block : problem_.mesh.blocks) {
-      if (block.type != mesh::ElementType::hex8) refuse("block " + block.name, mesh::exodusName(block.type));
-      out_ << "*ELEMENT, TYPE=C3D8, ELSET=" << block.name << "\n";
+      const auto type = calculixElement(block.type);
+      if (!type) refuse("block " + block.name, mesh::exodusName(block.type));
+      out_ << "*ELEMENT, TYPE=" << type->name << ", ELSET=" << block.name << "\n";
       for (int e = 0; e < block.elements(); ++e) {
         out_ << ++element;
-        for (int n = 0; n < 8; ++n)
-          out_ << ", " << block.connectivity[8 * static_cast<std::size_t>(e) + static_cast<std::size_t>(n)] + 1;
+        for (std::size_t n = 0; n < type->node.size(); ++n) {
+          // At most 16 entries fit on a line.
+          out_ << (n == 15 ? ",\n" : ", ")
+               << block.connectivity[type->node.size() * static_cast<std::size_t>(e) + type->node[n]] + 1;
+        }
         out_ << "\n";
       }
     }
@@ -94,11 +130,15 @@ class Writer {
     return *std::find_if(sets.begin(), sets.end(), [&](const mesh::SideSet& set) { return set.name == name; });
   }
 
+  int faceOf(const mesh::SideSet& set, std::size_t i) const {
+    return calculixElement(elements_.type(set.element[i]))->face[set.side[i]];
+  }
+
   void surface(const std::string& name) {
+    if (!written_.insert(name).second) return;
     const mesh::SideSet& set = sideSet(name);
     out_ << "*SURFACE, NAME=" << name << ", TYPE=ELEMENT\n";
-    for (std::size_t i = 0; i < set.element.size(); ++i)
-      out_ << set.element[i] + 1 << ", S" << calculixFace[set.side[i]] << "\n";
+    for (std::size_t i = 0; i < set.element.size(); ++i) out_ << set.element[i] + 1 << ", S" << faceOf(set, i) << "\n";
   }
 
   void contactPair(const Parameters& interface, const Parameters& law, const ContactPenalty& contact) {
@@ -213,7 +253,7 @@ class Writer {
         if (std::abs(traction[c] - pull * normal[c] / length) > 1e-9 * std::abs(pull))
           refuse(boundary.where(), "a traction that is not normal to its faces");
       }
-      out_ << set.element[i] + 1 << ", P" << calculixFace[set.side[i]] << ", " << -pull << "\n";
+      out_ << set.element[i] + 1 << ", P" << faceOf(set, i) << ", " << -pull << "\n";
     }
   }
 
@@ -223,6 +263,7 @@ class Writer {
   mesh::Elements elements_;
   std::vector<Reference> references_;  // of the preloads
   std::vector<std::string> printed_;   // node sets
+  std::set<std::string> written_;      // surfaces
 };
 
 }  // namespace
