@@ -114,7 +114,7 @@ bool CalibratedSchedule::march(const Indicators& target, bool isToBeKept, result
   indicators_ = solver_.iteration().march(target);
   if (solver_.mustStop()) return false;
   ++result.iterations;
-  if (isToBeKept) {
+  if (isToBeKept && !solver_.iteration().isLost()) {
     way_.push_back(indicators_);
     snapshots_.push_back(std::make_unique<latin::Snapshot>(solver_.iteration().state(), solver_.responses()));
   }
@@ -200,6 +200,7 @@ bool CalibratedSchedule::iterate(const design::Configuration& configuration, Pur
   Indicators target = calibration_.target();
   while (!isAccepted && iteration.stages() < limit) {
     if (!march(target, purpose != Purpose::result, result)) return false;
+    if (iteration.isLost()) break;
     isAccepted = purpose == Purpose::calibration || calibration_.accepts(indicators_);
     target = {further * target.force, further * target.response};
   }
@@ -240,7 +241,9 @@ bool CalibratedSchedule::attempt(const design::Configuration& configuration, Pur
                                  results::ConfigurationResult& result) {
   try {
     if (!iterate(configuration, purpose, solver_.states(), result)) return false;
-    if (result.status == results::Status::notConverged && !result.starts.empty() && !isContradicted_) {
+    // Where a load step came to no end, the march of a certificate knows better ways.
+    const bool mayHaveBeenTheStart = !result.starts.empty() && !solver_.iteration().isLost();
+    if (result.status == results::Status::notConverged && mayHaveBeenTheStart && !isContradicted_) {
       if (!iterate(configuration, purpose, SolvedStates(1), result)) return false;
     }
   } catch (const base::Error& error) {

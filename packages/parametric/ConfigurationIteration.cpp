@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -73,6 +74,7 @@ void ConfigurationIteration::prepare() {
   stagesBefore_ = fixedPoint_.linearStage().stages();
   starts_.clear();
   isFirstMarch_ = true;
+  isLost_ = false;
   traction_ = force_ = 0.0;
   for (auto& acceleration : accelerations_) acceleration.restart();
   updateOffset();
@@ -165,14 +167,15 @@ void ConfigurationIteration::extrapolate(int step) {
   applyLaws();
 }
 
-void ConfigurationIteration::iterate(int step, const Indicators& target) {
+bool ConfigurationIteration::iterate(int step, const Indicators& target) {
   latin::AndersonAcceleration& acceleration = accelerations_[step];
   const int rows = column_.numRows();
   base::Matrix change(rows, 1), unused(rows, 1);
   std::vector<double> residuals;  // since the last restart of the acceleration
   std::size_t back = iterationsToFall;
   int iterations = 0;
-  for (; !meets(step, target) && iterations < latin::March::maximumIterations; ++iterations) {
+  bool isThere = meets(step, target);
+  for (; !isThere && iterations < latin::March::maximumIterations; ++iterations) {
     residuals.push_back(residual_);
     if (residuals.size() > back && residual_ > slow * residuals[residuals.size() - 1 - back]) {
       acceleration.restart();
@@ -185,6 +188,7 @@ void ConfigurationIteration::iterate(int step, const Indicators& target) {
     const latin::Iterate& iterate = fixedPoint_.apply(change, unused);
     for (int row = 0; row < rows; ++row) columnBeta_[0][row] += iterate.beta()[0][row] - offset_[step][row];
     applyLaws();
+    isThere = meets(step, target);
   }
   std::copy_n(column_[0], rows, alpha_[step]);
   std::copy_n(columnBeta_[0], rows, beta_[step]);
@@ -192,9 +196,10 @@ void ConfigurationIteration::iterate(int step, const Indicators& target) {
   // The stage of all load steps is one more iteration, where it is known how.
   if (iterations > 0) acceleration.advance(column_, columnImage_);
   std::copy_n(column_[0], rows, next_[step]);
+  return isThere;
 }
 
-void ConfigurationIteration::settle(int step, const Indicators& target) {
+bool ConfigurationIteration::settle(int step, const Indicators& target) {
   const auto running = timers_.start("acceleration");
   if (!isFirstMarch_) {
     std::copy_n(alpha_[step], column_.numRows(), column_[0]);
@@ -206,11 +211,12 @@ void ConfigurationIteration::settle(int step, const Indicators& target) {
   } else {
     findStart(step, target);
   }
-  iterate(step, target);
+  const bool isThere = iterate(step, target);
   if (isFirstMarch_ && starts_.empty()) {
     const double here = fixedPoint_.metric().norm(columnTraction_);
     traction_ = std::sqrt((traction_ * traction_ * step + here * here) / (step + 1.0));
   }
+  return isThere;
 }
 
 Indicators ConfigurationIteration::march(const Indicators& target) {
@@ -221,7 +227,12 @@ Indicators ConfigurationIteration::march(const Indicators& target) {
     for (int t = 0; t < alpha_.numCols(); ++t) {
       if (mustStop_ && mustStop_()) break;
       fixedPoint_.select({t});
-      settle(t, target);
+      const bool isThere = settle(t, target);
+      if (!isThere && isFirstMarch_) {
+        isLost_ = true;
+        const double unknown = std::numeric_limits<double>::infinity();
+        return {unknown, unknown};
+      }
       fixedPoint_.pointwiseStage().accept();
       fixedPoint_.startFromHere();
     }

@@ -35,8 +35,12 @@ class ConfigurationIteration {
   /// Collective. Goes on from a state found elsewhere, with a stage of all load steps.
   Indicators beginAt(const base::Matrix& alpha);
   /// Collective. Iterates every load step until its share of the indicators is at most `target`, or a limit of
-  /// iterations is reached, and then all of them once; the fields are those of state().
+  /// iterations is reached, and then all of them once; the fields are those of state(). The first march since begin()
+  /// ends at a load step that comes to that limit: the iteration isLost(), and has no state.
   Indicators march(const Indicators& target);
+  /// Whether begin() must be called before anything else is asked: there may be no equilibrium, or no way to it from
+  /// this start.
+  bool isLost() const { return isLost_; }
 
   /// Linear stages since begin(), that for the loads included: solves of single load steps add up.
   int stages() const;
@@ -60,11 +64,11 @@ class ConfigurationIteration {
   void prepare();
   void updateOffset();
   Indicators applyAll();
-  /// Iterates the load step that is selected, from its start.
-  void settle(int step, const Indicators& target);
+  /// Iterates the load step that is selected, from its start; false where it does not meet the target.
+  bool settle(int step, const Indicators& target);
   void findStart(int step, const Indicators& target);
   void extrapolate(int step);
-  void iterate(int step, const Indicators& target);
+  bool iterate(int step, const Indicators& target);
   /// The image of column_ once beta_ is known.
   void applyLaws();
   bool meets(int step, const Indicators& target);
@@ -85,6 +89,7 @@ class ConfigurationIteration {
   const latin::Iterate* state_ = nullptr;     // of all load steps
   std::vector<base::Matrix> loads_, held_;    // of the bodies, for which the offset was computed
   bool isFirstMarch_ = true;
+  bool isLost_ = false;
   double traction_ = 0.0;  // root mean square over the load steps of |f^|; when cold, over those so far
   double force_ = 0.0;     // what imbalances are measured by [force]; 0 before it is known
   double residual_ = 0.0;  // |T(alpha) - alpha| of the present load step
