@@ -3,17 +3,21 @@
 #include <string>
 #include <vector>
 
+#include <harmos/results/MeshErrorRecord.hpp>
+
 namespace harmos::files {
 
 /// The responses over the time steps.
 struct History {
-  std::vector<std::string> responses;       // names
-  std::vector<double> times;                // one per row [time]; row 0 is the unloaded start
-  std::vector<std::vector<double>> values;  // [row][response], each in its unit
+  std::vector<std::string> responses;                     // names
+  std::vector<double> times;                              // one per row [time]; row 0 is the unloaded start
+  std::vector<std::vector<double>> values;                // [row][response], each in its unit
+  std::vector<results::MeshErrorRecord> meshErrors = {};  // of some responses, in the last row
 };
 
-/// Writes a CSV file "step,time,<response>,..." with one row per time step, counted from 0; numbers read back exactly.
-/// Replaces an older file in one step; throws base::Error when it cannot.
+/// Writes a CSV file "step,time,<response>,...,<response>_mesh_error,..." with one row per time step, counted from 0;
+/// numbers read back exactly. Errors of the mesh are relative [-], and nan in all rows but the last. Replaces an older
+/// file in one step; throws base::Error when it cannot.
 void writeHistory(const std::string& path, const History& history);
 
 }  // namespace harmos::files

@@ -36,7 +36,7 @@ std::string toJson(const RunRecord& record) {
   for (const RecordedRange& range : record.responseRanges)
     ranges[range.response] = {{"lower", range.lower}, {"upper", range.upper}};
   Json meshErrors = Json::object(), energyShares = Json::object();
-  for (const MeshErrorRecord& error : record.meshErrors) {
+  for (const results::MeshErrorRecord& error : record.meshErrors) {
     meshErrors[error.response] = {
         {"change", error.change}, {"relative", error.relative}, {"word", error.word}, {"parts", error.parts}};
   }

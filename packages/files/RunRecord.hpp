@@ -8,6 +8,7 @@
 
 #include <harmos/base/Timers.hpp>
 #include <harmos/files/ResultFiles.hpp>
+#include <harmos/results/MeshErrorRecord.hpp>
 
 namespace harmos::files {
 
@@ -15,15 +16,6 @@ namespace harmos::files {
 struct RecordedRange {
   std::string response;              // its name
   std::vector<double> lower, upper;  // per load step
-};
-
-/// What the mesh is estimated to do to a response, at the last load step.
-struct MeshErrorRecord {
-  std::string response;            // name
-  double change = 0.0;             // converged value less that on this mesh, in the unit of the response
-  double relative = 0.0;           // |change| over the converged value
-  std::string word;                // estimated, uncertain, too coarse, locks
-  std::vector<std::string> parts;  // whose elements bring most of it
 };
 
 /// How a run went; what SCENE_result.json says.
@@ -41,7 +33,7 @@ struct RunRecord {
   std::vector<std::pair<std::string, double>> responseErrors;       // relative estimate per response and field
   std::vector<std::pair<std::string, double>> responseSizes;        // what these are relative to, in their units
   std::vector<RecordedRange> responseRanges;                        // of those that the problem does not determine
-  std::vector<MeshErrorRecord> meshErrors;                          // of responses that have one
+  std::vector<results::MeshErrorRecord> meshErrors;                 // of responses that have one
   std::vector<std::pair<std::string, double>> meshEnergyShares;     // per part: energy that its mesh does not show
   int steps = 0, solvedSteps = 0;                                   // load steps, and how many of them are written
   int iterations = 0;                                               // of LATIN

@@ -27,6 +27,7 @@ class Writer {
     writeConfigurations();
     writeResponses();
     writeCurves();
+    writeMeshErrors();
     const Hdf5Group input = group_.group("input");
     input.attribute("study", description_.studyInput);
     input.attribute("scene", description_.sceneInput);
@@ -152,6 +153,22 @@ class Writer {
     }
     curves.attribute("order", description_.curves);
     group_.array("times", description_.times);
+  }
+
+  void writeMeshErrors() const {
+    const Hdf5Group errors = group_.group("mesh_errors"), changes = group_.group("mesh_changes"),
+                    words = group_.group("mesh_words");
+    for (const std::string& curve : description_.curves) {
+      const auto of = [&curve](const Result& result) {
+        const auto& all = result.meshErrors;
+        const auto isMeant = [&curve](const results::MeshErrorRecord& each) { return each.response == curve; };
+        const auto found = std::find_if(all.begin(), all.end(), isMeant);
+        return found == all.end() ? nullptr : &*found;
+      };
+      errors.array(curve, collect<double>([&](const Result& r) { return of(r) ? of(r)->relative : none; }, none));
+      changes.array(curve, collect<double>([&](const Result& r) { return of(r) ? of(r)->change : none; }, none));
+      words.array(curve, collect<std::string>([&](const Result& r) { return of(r) ? of(r)->word : ""; }, ""));
+    }
   }
 
   const Hdf5Group& group_;

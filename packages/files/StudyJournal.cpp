@@ -139,6 +139,14 @@ std::vector<double> numbers(const Json& json, const char* key) {
 Json toJson(const results::ConfigurationResult& result) {
   Json curves = Json::array();
   for (const auto& curve : result.curves) curves.push_back(numbers(curve));
+  Json meshErrors = Json::array();
+  for (const results::MeshErrorRecord& error : result.meshErrors) {
+    meshErrors.push_back({{"response", error.response},
+                          {"change", error.change},
+                          {"relative", error.relative},
+                          {"word", error.word},
+                          {"parts", error.parts}});
+  }
   return {{"id", result.id},
           {"status", results::statusName(result.status)},
           {"reason", result.reason},
@@ -148,6 +156,7 @@ Json toJson(const results::ConfigurationResult& result) {
           {"starts", result.starts},
           {"cpu_seconds", result.cpuSeconds},
           {"curve_errors", numbers(result.curveErrors)},
+          {"mesh_errors", meshErrors},
           {"curves", curves}};
 }
 
@@ -168,6 +177,11 @@ results::ConfigurationResult fromJson(const Json& json) {
     for (const Json& curve : json.at("curves")) {
       result.curves.emplace_back();
       for (const Json& value : curve) result.curves.back().push_back(number(value));
+    }
+    for (const Json& error : json.value("mesh_errors", Json::array())) {  // files of before have none
+      result.meshErrors.push_back({error.at("response").get<std::string>(), number(error.at("change")),
+                                   number(error.at("relative")), error.at("word").get<std::string>(),
+                                   error.at("parts").get<std::vector<std::string>>()});
     }
   } catch (const Json::exception& error) {
     throw base::Error(std::string("This is no result of a configuration: ") + error.what());

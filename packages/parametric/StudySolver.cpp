@@ -119,7 +119,7 @@ bool StudySolver::certifyAnew(const design::Configuration& configuration, result
 }
 
 void StudySolver::observe(const design::Configuration& configuration, const latin::Iterate& state) {
-  if (observer_) observer_(configuration, state);
+  if (observer_) observer_(configuration, fixedPoint_, state);
 }
 
 void StudySolver::remember(const design::Configuration& configuration) {

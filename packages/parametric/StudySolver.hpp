@@ -24,8 +24,9 @@ class StudySolver {
  public:
   /// Puts the laws for these parameter values into the assembly; throws base::Error when they are inadmissible.
   using Install = std::function<void(const std::vector<double>& values)>;
-  /// Told the fields of every solution, also of one that replaces an earlier one.
-  using Observer = std::function<void(const design::Configuration&, const latin::Iterate&)>;
+  /// Told the fields of every solution, also of one that replaces an earlier one. Nobody needs them afterwards: it may
+  /// go on with the FixedPoint that they are of, whose laws are the configuration's.
+  using Observer = std::function<void(const design::Configuration&, latin::FixedPoint&, const latin::Iterate&)>;
 
   /// Factors all operators. `assembly` and `timers` must outlive this object. Throws base::Error as
   /// latin::LatinSolver.

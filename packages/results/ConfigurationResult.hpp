@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <harmos/results/MeshErrorRecord.hpp>
+
 namespace harmos::results {
 
 /// How the solution of one configuration ended.
@@ -32,6 +34,7 @@ struct ConfigurationResult {
   int linearStages = 0;     // whatever for
   std::vector<int> starts;  // ids of the configurations whose solutions it started from; empty: cold
   double cpuSeconds = 0.0;  // of one process of its team [s]
+  std::vector<MeshErrorRecord> meshErrors = {};  // at a few configurations; empty: not estimated
 };
 
 }  // namespace harmos::results

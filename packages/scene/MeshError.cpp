@@ -9,6 +9,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/latin/AdjointProblem.hpp>
+#include <harmos/latin/Snapshot.hpp>
 #include <harmos/recovery/DualWeightedResidual.hpp>
 #include <harmos/scene/detail/PartFields.hpp>
 
@@ -28,8 +29,7 @@ constexpr double coarse = 0.5;
 // Of the sum of |dJ_E|: a part that brings more is named.
 constexpr double named = 0.2;
 constexpr std::size_t namesAtMost = 3;
-// Not told from nothing.
-constexpr double negligible = 0.005;
+using results::negligibleMeshError;
 
 using Fields = std::vector<std::vector<double>>;  // per body
 
@@ -69,7 +69,8 @@ ResponseMeshError judge(const std::string& response, double value, double size, 
     error.word = MeshErrorWord::locks;
   } else if (error.relative > coarse) {
     error.word = MeshErrorWord::tooCoarse;
-  } else if ((cancels || ratio < leastRatio || ratio > largestRatio || isHidden) && error.relative >= negligible) {
+  } else if ((cancels || ratio < leastRatio || ratio > largestRatio || isHidden) &&
+             error.relative >= negligibleMeshError) {
     error.word = MeshErrorWord::uncertain;
   }
   std::vector<std::size_t> order(parts.size());
@@ -80,13 +81,6 @@ ResponseMeshError judge(const std::string& response, double value, double size, 
     error.parts.push_back(parts[p].name);
   }
   return error;
-}
-
-/// 0.0873 -> 0.09.
-double oneDigit(double x) {
-  if (x == 0.0) return 0.0;
-  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(x))));
-  return std::round(x / unit) * unit;
 }
 
 }  // namespace
@@ -105,21 +99,23 @@ const char* textOf(MeshErrorWord word) {
   return "";
 }
 
-MeshErrors estimateMeshErrors(const Problem& problem, latin::LatinSolver& solver, const latin::LatinResult& solution,
+MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPoint, const latin::Iterate& state,
+                              const std::vector<std::shared_ptr<const latin::Response>>& responses,
                               const Teuchos::Comm<int>& comm) {
-  const int step = solution.solvedSteps - 1;
-  std::vector<Fields> fields{displacementsOf(solver.state(), step)};
+  const int step = problem.assembly.steps() - 1;
+  const latin::Snapshot values(state, responses);
+  std::vector<Fields> fields{displacementsOf(state, step)};
   std::vector<latin::ResponseGradient> gradients;
-  std::vector<std::size_t> responses;
-  for (std::size_t i = 0; i < problem.responses.size(); ++i) {
-    auto gradient = problem.responses[i]->gradient(problem.assembly);
+  std::vector<std::size_t> linear;
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    auto gradient = responses[i]->gradient(problem.assembly);
     if (!gradient) continue;
     gradients.push_back(std::move(*gradient));
-    responses.push_back(i);
+    linear.push_back(i);
   }
-  std::vector<bool> isHidden(responses.size(), false);
+  std::vector<bool> isHidden(linear.size(), false);
   if (!gradients.empty()) {
-    latin::AdjointProblem adjoint(solver.fixedPoint(), solver.state(), step);
+    latin::AdjointProblem adjoint(fixedPoint, state, step);
     auto adjoints = adjoint.solve(gradients, hiddenInAdjoint, largestNumberOfDirections);
     for (std::size_t j = 0; j < adjoints.size(); ++j) {
       isHidden[j] = adjoints[j].hidden > hiddenInAdjoint;
@@ -128,7 +124,7 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::LatinSolver& solver
   }
 
   const std::vector<WholePart> parts = wholeParts(problem, fields, gradients, step, comm);
-  const std::size_t count = responses.size(), width = 3 * count + 2;
+  const std::size_t count = linear.size(), width = 3 * count + 2;
   std::vector<double> mine(width * parts.size(), 0.0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (static_cast<int>(p) % comm.getSize() != comm.getRank()) continue;
@@ -163,10 +159,10 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::LatinSolver& solver
       absolute.push_back(of[count + j]);
       uncorrected.push_back(of[2 * count + j]);
     }
-    const latin::ResponseResult& response = solution.responses[responses[j]];
-    if (response.isSmall) continue;
-    result.responses.push_back(
-        judge(response.name, response.values[step], response.size, isHidden[j], parts, change, absolute, uncorrected));
+    const std::size_t i = linear[j];
+    if (values.isSmall(i)) continue;
+    result.responses.push_back(judge(responses[i]->name(), values.responses()[i][step], values.size(i), isHidden[j],
+                                     parts, change, absolute, uncorrected));
   }
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const double* energies = all.data() + width * p + 3 * count;
@@ -175,15 +171,19 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::LatinSolver& solver
   return result;
 }
 
+results::MeshErrorRecord recordOf(const ResponseMeshError& error) {
+  return {error.response, error.change, error.relative, textOf(error.word), error.parts};
+}
+
 std::string describe(const ResponseMeshError& error, double value) {
   std::ostringstream text;
-  if (error.relative < negligible) return "mesh below 0.5 %";
+  if (error.relative < negligibleMeshError) return "mesh " + results::meshErrorInWords(error.relative);
   if (error.word == MeshErrorWord::locks) {
     text << "the mesh locks";
   } else if (error.word == MeshErrorWord::tooCoarse) {
     text << "the mesh is too coarse (more than " << 100.0 * coarse << " %)";
   } else {
-    text << "mesh about " << oneDigit(100.0 * error.relative) << " %";
+    text << "mesh " << results::meshErrorInWords(error.relative);
     if (error.word == MeshErrorWord::uncertain) text << ", uncertain";
     text << " (towards " << std::setprecision(2) << value + error.change << ")";
   }

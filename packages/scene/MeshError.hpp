@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <Teuchos_Comm.hpp>
 
-#include <harmos/latin/LatinSolver.hpp>
+#include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/Response.hpp>
+#include <harmos/results/MeshErrorRecord.hpp>
 #include <harmos/scene/Problem.hpp>
 
 namespace harmos::scene {
@@ -50,10 +53,15 @@ struct MeshErrors {
 /// size, J = J_h + dJ. It sees the mesh as the geometry: facets of curved faces are not in it, nor are the size of the
 /// load steps and the law. No bound: 5 to 15 of 100 estimates lie outside of what the words say.
 ///
-/// `solution`: certified, in the displacement form. Collective; ends the validity of the solver's state. Throws as
+/// `state`: the fields of a solution of `problem`, laws included, of all load steps and in the displacement form;
+/// `responses`: of it, which to look at. Collective; ends the validity of the state. Throws as
 /// recovery::dualWeightedResidual().
-MeshErrors estimateMeshErrors(const Problem& problem, latin::LatinSolver& solver, const latin::LatinResult& solution,
+MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPoint, const latin::Iterate& state,
+                              const std::vector<std::shared_ptr<const latin::Response>>& responses,
                               const Teuchos::Comm<int>& comm);
+
+/// As files hold it.
+results::MeshErrorRecord recordOf(const ResponseMeshError& error);
 
 /// One estimate for the user: mesh about 9 % (towards 1500); refine bolt_1, head_1.
 std::string describe(const ResponseMeshError& error, double value);

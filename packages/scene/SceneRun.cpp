@@ -117,9 +117,7 @@ void describe(const latin::LatinResult& solution, const std::vector<double>& tim
 }
 
 void describe(const MeshErrors& errors, files::RunRecord& record) {
-  for (const ResponseMeshError& error : errors.responses) {
-    record.meshErrors.push_back({error.response, error.change, error.relative, textOf(error.word), error.parts});
-  }
+  for (const ResponseMeshError& error : errors.responses) record.meshErrors.push_back(recordOf(error));
   for (const PartMeshError& error : errors.parts) record.meshEnergyShares.emplace_back(error.part, error.energyShare);
 }
 
@@ -215,7 +213,12 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
                              solver.fixedPoint().formulation() == latin::Formulation::displacement;
     if (scene.wantsMeshErrors && canEstimate) {
       const auto estimating = timers.start("mesh error");
-      result.meshErrors = estimateMeshErrors(problem, solver, result.solution, *comm);
+      result.meshErrors = estimateMeshErrors(problem, solver.fixedPoint(), solver.state(), problem.responses, *comm);
+      if (comm->getRank() == 0) {
+        files::History history = historyOf(result.solution, scene.times);
+        for (const auto& error : result.meshErrors.responses) history.meshErrors.push_back(recordOf(error));
+        files::writeHistory(result.files.history, history);
+      }
     }
   } catch (const std::exception& error) {
     recorder.writeFailure(error);

@@ -6,6 +6,8 @@
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/results/StatusName.hpp>
+#include <harmos/scene/MeshError.hpp>
 
 namespace harmos::study {
 
@@ -21,6 +23,22 @@ class OnlyOne : public results::ResultSink {
 
  private:
   int id_;
+  results::ResultSink& sink_;
+};
+
+/// Adds to results what is known of the error of the mesh.
+class WithMeshErrors : public results::ResultSink {
+ public:
+  WithMeshErrors(const MeshErrorSample* sample, results::ResultSink& sink) : sample_(sample), sink_(sink) {}
+  void record(const results::ConfigurationResult& result) override {
+    results::ConfigurationResult whole = result;
+    if (sample_ && results::isSolved(result.status)) whole.meshErrors = sample_->errorsOf(result.id);
+    sink_.record(whole);
+  }
+  void note(const std::string& name, const results::Note& note) override { sink_.note(name, note); }
+
+ private:
+  const MeshErrorSample* sample_;
   results::ResultSink& sink_;
 };
 
@@ -83,12 +101,15 @@ StudyGroup::StudyGroup(const Study& study, const std::vector<design::Configurati
 void StudyGroup::solve(const std::vector<design::Configuration>& configurations, results::ResultSink& sink) {
   if (configurations.empty()) return;
   if (!engine_) engine_ = makeEngine(configurations.size());
-  engine_->run(configurations, sink);
+  WithMeshErrors whole(sample_, sink);
+  engine_->run(configurations, whole);
   noteTrust(engine_->summary(), sink);
+  if (sample_) sample_->report(sink);
 }
 
 void StudyGroup::solveAlone(const design::Configuration& configuration, results::ResultSink& sink) {
-  makeEngine(1)->run({configuration}, sink);
+  WithMeshErrors whole(sample_, sink);
+  makeEngine(1)->run({configuration}, whole);
 }
 
 void StudyGroup::walk(const design::Configuration& from, const design::Configuration& to, int steps,
@@ -103,7 +124,8 @@ void StudyGroup::walk(const design::Configuration& from, const design::Configura
     path.push_back(std::move(between));
   }
   path.push_back(to);
-  OnlyOne last(to.id, sink);
+  WithMeshErrors whole(sample_, sink);
+  OnlyOne last(to.id, whole);
   makeEngine(path.size())->run(path, last);
 }
 
@@ -112,7 +134,24 @@ std::unique_ptr<parametric::ParametricStudy> StudyGroup::makeEngine(std::size_t 
       problem_.assembly, [this](const std::vector<double>& values) { install(values); }, problem_.responses,
       parametric::optionsForStudy(scene_.solver, configurations), comm_, timers_);
   if (interrupted_) engine->setInterrupt(interrupted_);
+  if (sample_ && scene_.wantsMeshErrors && scene_.solver.stages.formulation == latin::Formulation::displacement) {
+    engine->setObserver([this](const design::Configuration& configuration, latin::FixedPoint& fixedPoint,
+                               const latin::Iterate& state) { estimateMeshErrors(configuration, fixedPoint, state); });
+  }
   return engine;
+}
+
+void StudyGroup::estimateMeshErrors(const design::Configuration& configuration, latin::FixedPoint& fixedPoint,
+                                    const latin::Iterate& state) {
+  if (!sample_->wants(configuration)) return;
+  const auto estimating = timers_.start("mesh error");
+  std::vector<std::shared_ptr<const latin::Response>> responses;
+  for (const std::size_t curve : sample_->curves()) responses.push_back(problem_.responses[curve]);
+  std::vector<results::MeshErrorRecord> errors;
+  for (const auto& error : scene::estimateMeshErrors(problem_, fixedPoint, state, responses, *comm_).responses) {
+    errors.push_back(scene::recordOf(error));
+  }
+  sample_->add(configuration, std::move(errors));
 }
 
 void StudyGroup::install(const std::vector<double>& values) {

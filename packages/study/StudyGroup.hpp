@@ -13,6 +13,7 @@
 #include <harmos/parametric/ParametricStudy.hpp>
 #include <harmos/scene/Problem.hpp>
 #include <harmos/study/FailurePolicy.hpp>
+#include <harmos/study/MeshErrorSample.hpp>
 #include <harmos/study/Study.hpp>
 
 namespace harmos::study {
@@ -38,6 +39,9 @@ class StudyGroup {
   /// Asked on every rank between iterations; true on any rank ends the call. To be set before the first solve(), which
   /// keeps it.
   void setInterrupt(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
+  /// Asked whether the error of the mesh is to be estimated at a solution, and told what came of it, which the results
+  /// hold as well; must outlive the group. To be set before the first solve(); without it nothing is estimated.
+  void setMeshErrorSample(MeshErrorSample& sample) { sample_ = &sample; }
   /// Solves configurations that share the operators; there may be none. What is solved serves later calls. Throws
   /// base::Error when an operator cannot be factored; what fails in one configuration is its result.
   void solve(const std::vector<design::Configuration>& configurations, results::ResultSink& sink);
@@ -49,6 +53,8 @@ class StudyGroup {
  private:
   std::unique_ptr<parametric::ParametricStudy> makeEngine(std::size_t configurations);
   void install(const std::vector<double>& values);
+  void estimateMeshErrors(const design::Configuration& configuration, latin::FixedPoint& fixedPoint,
+                          const latin::Iterate& state);
   void useLawsOf(const scene::Scene& scene);
 
   const Study& study_;
@@ -56,6 +62,7 @@ class StudyGroup {
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
   base::Timers& timers_;
   std::function<bool()> interrupted_;
+  MeshErrorSample* sample_ = nullptr;
   scene::Scene scene_;
   scene::Problem problem_;
   std::unique_ptr<parametric::ParametricStudy> engine_;  // keeps factors and solutions between calls of solve()

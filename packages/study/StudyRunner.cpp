@@ -61,7 +61,8 @@ StudyRunner::StudyRunner(const Study& study, const laws::LawRegistry& laws, Stud
       recorder_(recorder),
       interrupted_(std::move(interrupted)),
       timers_(timers),
-      policy_(study.policy) {
+      policy_(study.policy),
+      meshErrors_(recorder.results()) {
   for (const auto& alike : groupByOperators(study.parameters, recorder.results().configurations())) {
     open_.emplace_back();
     for (const Configuration& configuration : alike) {
@@ -132,6 +133,7 @@ void StudyRunner::solveRange(const WorkRange& range) {
 
 void StudyRunner::solve(const std::vector<Configuration>& configurations) {
   group_->setInterrupt([this] { return mustStopHere(); });
+  group_->setMeshErrorSample(meshErrors_);
   std::vector<Configuration> open;
   for (const Configuration& configuration : configurations) {
     const ConfigurationResult* result = recorder_.results().find(configuration.id);

@@ -168,7 +168,7 @@ int measure(std::vector<std::string> arguments) {
   parametric::ParametricStudy engine(
       joint.problem.assembly, [&](const auto& values) { joint.install(values); }, joint.problem.responses,
       parametric::optionsForStudy(joint.options, open.size()), comm, timers);
-  engine.setObserver([&](const design::Configuration& configuration, const latin::Iterate& state) {
+  engine.setObserver([&](const design::Configuration& configuration, latin::FixedPoint&, const latin::Iterate& state) {
     const auto found = checked.find(configuration.id);
     if (found != checked.end()) found->second = state.hattedTraction();
   });

@@ -78,6 +78,10 @@ class Study:
         responses: values by name, in the order of the input, [c]; NaN: no solution.
         curves: histories by name, [c, s]; NaN: no solution.
         curve_errors: estimated relative error of every curve, by its name, [c].
+        mesh_errors: estimated relative error that the mesh makes in a curve at its last load step, by its name, [c];
+            NaN: not estimated. Empty in files of before.
+        mesh_changes: the same as converged value less that on this mesh, in the unit of the curve.
+        mesh_words: what such an estimate is worth, by name of the curve: estimated, uncertain, too coarse, locks, [c].
         times: ends of the load steps, [s].
         id: of the configurations, [c].
         status: of the configurations in words, [c].
@@ -120,6 +124,10 @@ class Study:
             self.responses = _arrays(group["responses"])
             self.curves = _arrays(group["curves"])
             self.curve_errors: dict[str, Floats] = {name: group["curve_errors"][name][()] for name in self.curves}
+            self.mesh_errors: dict[str, Floats] = {n: a[()] for n, a in group.get("mesh_errors", {}).items()}
+            self.mesh_changes: dict[str, Floats] = {n: a[()] for n, a in group.get("mesh_changes", {}).items()}
+            self.mesh_words: dict[str, Texts] = {n: a.asstr()[()].astype(str)
+                                                 for n, a in group.get("mesh_words", {}).items()}
             self.times: Floats = group["times"][()]
             rows = group["configurations"]
             self.id: Integers = rows["id"][()]

@@ -66,6 +66,7 @@ class StudyRunner {
   const FailurePolicy& policy_;
   std::vector<std::vector<design::Configuration>> open_;  // by operators; the same on every rank
   std::vector<design::Configuration> alike_;              // all that share the present operators
+  MeshErrorSample meshErrors_;
   std::unique_ptr<StudyGroup> group_;
   std::size_t groupNumber_ = 0;
   std::size_t nextOperators_ = 0, nextConfiguration_ = 0;  // rank 0 of all: what is handed out next

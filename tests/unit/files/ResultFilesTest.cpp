@@ -145,6 +145,13 @@ TEST(ResultFiles, HistoryHasOneRowPerStep) {
   EXPECT_EQ(contentOf(path), "step,time,u_load,\"force, total\"\n0,0,0,0\n1,1,0.1,-3\n");
 }
 
+TEST(ResultFiles, HistoryHasErrorsOfTheMeshInItsLastRow) {
+  const auto path = temporaryFile("history.csv");
+  const std::vector<harmos::results::MeshErrorRecord> errors{{"a, b", -0.2, 0.125, "uncertain", {}}};
+  writeHistory(path, {{"u", "a, b"}, {0.0, 1.0}, {{0.0, 0.0}, {0.1, -3.0}}, errors});
+  EXPECT_EQ(contentOf(path), "step,time,u,\"a, b\",\"a, b_mesh_error\"\n0,0,0,0,nan\n1,1,0.1,-3,0.125\n");
+}
+
 TEST(ResultFiles, RecordIsJsonAlsoWithoutNumbers) {
   const auto path = temporaryFile("result.json");
   RunRecord record;

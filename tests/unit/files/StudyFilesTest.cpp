@@ -52,6 +52,7 @@ class StudyFilesTest : public ::testing::Test {
     result.linearStages = 4;
     result.starts = {1, 7};
     result.cpuSeconds = 0.25;
+    result.meshErrors = {{"bolt", -0.5, 0.2, "uncertain", {"head", "shank"}}};
     return result;
   }
 
@@ -87,6 +88,9 @@ TEST_F(StudyFilesTest, JournalKeepsResultsExactly) {
   EXPECT_EQ(result.reason, solved(2).reason);
   EXPECT_TRUE(std::isnan(result.curveErrors[1]));
   EXPECT_EQ(result.starts, solved(2).starts);
+  ASSERT_EQ(result.meshErrors.size(), 1u);
+  EXPECT_EQ(result.meshErrors[0].change, -0.5);
+  EXPECT_EQ(result.meshErrors[0].parts, (std::vector<std::string>{"head", "shank"}));
   EXPECT_EQ(again.damaged(), 0);
 }
 
@@ -219,6 +223,16 @@ TEST_F(StudyFilesTest, Hdf5HoldsEverything) {
   EXPECT_TRUE(std::isnan(curve[0][0]));
   EXPECT_EQ(curve[1][1], 7.25);
   H5Dclose(array);
+  for (const auto& [name, expected] :
+       {std::pair{"/joint/mesh_errors/bolt", 0.2}, std::pair{"/joint/mesh_changes/bolt", -0.5}}) {
+    double errors[3];
+    const hid_t ofMesh = H5Dopen2(file, name, H5P_DEFAULT);
+    ASSERT_GE(ofMesh, 0);
+    ASSERT_GE(H5Dread(ofMesh, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, errors), 0);
+    EXPECT_TRUE(std::isnan(errors[0]));
+    EXPECT_EQ(errors[1], expected);
+    H5Dclose(ofMesh);
+  }
   H5Fclose(file);
   // Equal results give equal files.
   const std::string before = contentOf(files.file);
