@@ -37,8 +37,11 @@ std::string toJson(const RunRecord& record) {
     ranges[range.response] = {{"lower", range.lower}, {"upper", range.upper}};
   Json meshErrors = Json::object(), energyShares = Json::object();
   for (const results::MeshErrorRecord& error : record.meshErrors) {
-    meshErrors[error.response] = {
-        {"change", error.change}, {"relative", error.relative}, {"word", error.word}, {"parts", error.parts}};
+    meshErrors[error.response] = {{"change", error.change},
+                                  {"relative", error.relative},
+                                  {"word", error.word},
+                                  {"parts", error.parts},
+                                  {"reason", error.reason}};
   }
   for (const auto& [part, share] : record.meshEnergyShares) energyShares[part] = share;
   Json phases = Json::object();

@@ -145,7 +145,8 @@ Json toJson(const results::ConfigurationResult& result) {
                           {"change", error.change},
                           {"relative", error.relative},
                           {"word", error.word},
-                          {"parts", error.parts}});
+                          {"parts", error.parts},
+                          {"reason", error.reason}});
   }
   return {{"id", result.id},
           {"status", results::statusName(result.status)},
@@ -181,7 +182,8 @@ results::ConfigurationResult fromJson(const Json& json) {
     for (const Json& error : json.value("mesh_errors", Json::array())) {  // files of before have none
       result.meshErrors.push_back({error.at("response").get<std::string>(), number(error.at("change")),
                                    number(error.at("relative")), error.at("word").get<std::string>(),
-                                   error.at("parts").get<std::vector<std::string>>()});
+                                   error.at("parts").get<std::vector<std::string>>(),
+                                   error.at("reason").get<std::string>()});
     }
   } catch (const Json::exception& error) {
     throw base::Error(std::string("This is no result of a configuration: ") + error.what());

@@ -15,6 +15,12 @@ double percentOfOneDigit(double share) {
 
 }  // namespace
 
+std::string percentage(double share) {
+  std::ostringstream text;
+  text << percentOfOneDigit(share) << " %";
+  return text.str();
+}
+
 std::string meshErrorInWords(double relative) {
   return meshErrorInWords(relative, relative);
 }

@@ -11,6 +11,7 @@
 #include <harmos/latin/AdjointProblem.hpp>
 #include <harmos/latin/Snapshot.hpp>
 #include <harmos/recovery/DualWeightedResidual.hpp>
+#include <harmos/scene/detail/NearSliding.hpp>
 #include <harmos/scene/detail/PartFields.hpp>
 
 namespace harmos::scene {
@@ -91,6 +92,8 @@ const char* textOf(MeshErrorWord word) {
       return "estimated";
     case MeshErrorWord::uncertain:
       return "uncertain";
+    case MeshErrorWord::nearSliding:
+      return "near sliding";
     case MeshErrorWord::tooCoarse:
       return "too coarse";
     case MeshErrorWord::locks:
@@ -113,7 +116,11 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
     gradients.push_back(std::move(*gradient));
     linear.push_back(i);
   }
-  std::vector<bool> isHidden(linear.size(), false);
+  const std::size_t asked = linear.size();
+  const std::vector<NearSliding> sliding =
+      asked > 0 ? findNearSliding(state, step) : std::vector<NearSliding>();  // they serve displacements only
+  for (const NearSliding& interface : sliding) gradients.push_back(interface.gradient);
+  std::vector<bool> isHidden(gradients.size(), false);
   if (!gradients.empty()) {
     latin::AdjointProblem adjoint(fixedPoint, state, step);
     auto adjoints = adjoint.solve(gradients, hiddenInAdjoint, largestNumberOfDirections);
@@ -124,7 +131,7 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
   }
 
   const std::vector<WholePart> parts = wholeParts(problem, fields, gradients, step, comm);
-  const std::size_t count = linear.size(), width = 3 * count + 2;
+  const std::size_t count = gradients.size(), width = 3 * count + 2;
   std::vector<double> mine(width * parts.size(), 0.0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (static_cast<int>(p) % comm.getSize() != comm.getRank()) continue;
@@ -150,8 +157,7 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
     Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
   }
 
-  MeshErrors result;
-  for (std::size_t j = 0; j < count; ++j) {
+  const auto judged = [&](std::size_t j, const std::string& name, double value, double size) {
     std::vector<double> change, absolute, uncorrected;
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const double* of = all.data() + width * p;
@@ -159,10 +165,22 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
       absolute.push_back(of[count + j]);
       uncorrected.push_back(of[2 * count + j]);
     }
+    return judge(name, value, size, isHidden[j], parts, change, absolute, uncorrected);
+  };
+  MeshErrors result;
+  for (std::size_t j = 0; j < asked; ++j) {
     const std::size_t i = linear[j];
     if (values.isSmall(i)) continue;
-    result.responses.push_back(judge(responses[i]->name(), values.responses()[i][step], values.size(i), isHidden[j],
-                                     parts, change, absolute, uncorrected));
+    result.responses.push_back(judged(j, responses[i]->name(), values.responses()[i][step], values.size(i)));
+    ResponseMeshError& error = result.responses.back();
+    if (responses[i]->quantity() != latin::Quantity::displacement || error.relative < negligibleMeshError) continue;
+    for (std::size_t k = 0; k < sliding.size() && error.reason.empty(); ++k) {
+      const NearSliding& interface = sliding[k];
+      const double uncertainty = judged(asked + k, interface.name, interface.clamping, interface.clamping).relative;
+      if (interface.reserve >= uncertainty) continue;
+      error.word = MeshErrorWord::nearSliding;
+      error.reason = describe(interface, uncertainty);
+    }
   }
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const double* energies = all.data() + width * p + 3 * count;
@@ -172,7 +190,7 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
 }
 
 results::MeshErrorRecord recordOf(const ResponseMeshError& error) {
-  return {error.response, error.change, error.relative, textOf(error.word), error.parts};
+  return {error.response, error.change, error.relative, textOf(error.word), error.parts, error.reason};
 }
 
 std::string describe(const ResponseMeshError& error, double value) {
@@ -180,6 +198,10 @@ std::string describe(const ResponseMeshError& error, double value) {
   if (error.relative < negligibleMeshError) return "mesh " + results::meshErrorInWords(error.relative);
   if (error.word == MeshErrorWord::locks) {
     text << "the mesh locks";
+  } else if (error.word == MeshErrorWord::nearSliding) {
+    text << "mesh";
+    if (error.relative <= coarse) text << " at least " << results::percentage(error.relative);
+    text << ": " << error.reason;
   } else if (error.word == MeshErrorWord::tooCoarse) {
     text << "the mesh is too coarse (more than " << 100.0 * coarse << " %)";
   } else {

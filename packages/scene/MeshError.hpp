@@ -15,13 +15,14 @@ namespace harmos::scene {
 
 /// How far an estimate of the error of the mesh can be trusted, from best to worst.
 enum class MeshErrorWord {
-  estimated,  ///< 86 to 96 of 100 such estimates lie within 0.5 and 3 times the truth
-  uncertain,  ///< the shares of the elements cancel, or known tractions change it much
-  tooCoarse,  ///< more than half of the response: only its order says something
-  locks       ///< the converged value is out of sight
+  estimated,    ///< 86 to 96 of 100 such estimates lie within 0.5 and 3 times the truth
+  uncertain,    ///< the shares of the elements cancel, or known tractions change it much
+  nearSliding,  ///< an interface has less left to sliding than its pressures are uncertain: nothing linear follows
+  tooCoarse,    ///< more than half of the response: only its order says something
+  locks         ///< the converged value is out of sight
 };
 
-/// As it is written: estimated, uncertain, too coarse, locks.
+/// As it is written: estimated, uncertain, near sliding, too coarse, locks.
 const char* textOf(MeshErrorWord word);
 
 /// The error that the mesh makes in a response at the last load step, over and above the error estimate of the solver.
@@ -31,6 +32,7 @@ struct ResponseMeshError {
   double relative = 0.0;  ///< |change| over the converged value, or over its size if that is larger
   MeshErrorWord word = MeshErrorWord::estimated;  ///< what it is worth
   std::vector<std::string> parts = {};            ///< whose elements bring most of it, the worst first
+  std::string reason = {};                        ///< of the word nearSliding, for the user
 };
 
 /// What the stress of a part that its mesh does not show.
@@ -50,8 +52,10 @@ struct MeshErrors {
 ///
 /// With dJ the sum over all parts and J_h the value on this mesh, theta = dJ / J_h is the error over the converged
 /// value J = J_h / (1 - theta), which is exact where one stiff mode rules; where J_h is small beside the response's
-/// size, J = J_h + dJ. It sees the mesh as the geometry: facets of curved faces are not in it, nor are the size of the
-/// load steps and the law. No bound: 5 to 15 of 100 estimates lie outside of what the words say.
+/// size, J = J_h + dJ. Where the reserve of friction of an interface against sliding (findNearSliding()) is less than
+/// what the mesh does to its clamping force, displacements are no more than marked: they grow without bound. It sees
+/// the mesh as the geometry: facets of curved faces are not in it, nor are the size of the load steps and the law. No
+/// bound: 5 to 15 of 100 estimates lie outside of what the words say.
 ///
 /// `state`: the fields of a solution of `problem`, laws included, of all load steps and in the displacement form;
 /// `responses`: of it, which to look at. Collective; ends the validity of the state. Throws as
