@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -113,7 +115,7 @@ class Surface {
     for (std::size_t i = 0; i < problem.assembly.interfaces.size(); ++i) {
       const assembly::Interface& interface = problem.assembly.interfaces[i];
       if (interface.law->prescribesTraction()) {
-        prescribed_[static_cast<int>(i)] = latin::prescribedTractions(interface, step);
+        prescribed_[interface.name][static_cast<int>(i)] = latin::prescribedTractions(interface, step);
       }
     }
     part.boundary.assign(part.piece.nodes.size(), false);
@@ -158,9 +160,10 @@ class Surface {
     known.normal = (1.0 / size) * vector;
     std::vector<base::Vector3> traction(known.node.size(), base::Vector3{});
     bool isLoaded = false;
-    for (const int interface : interfacesOf(known.node)) {
-      if (prescribed_.count(interface) == 0) return;  // held, or in contact
-      isLoaded = addTractions(interface, known, traction) || isLoaded;
+    for (const std::string& interface : interfacesOf(known.node)) {
+      const auto tractions = prescribed_.find(interface);
+      if (tractions == prescribed_.end()) return;  // held, or in contact
+      isLoaded = addTractions(tractions->second, known, traction) || isLoaded;
     }
     if (isLoaded) {
       known.traction.resize(known.node.size() * columns_, base::Vector3{});
@@ -170,30 +173,34 @@ class Surface {
     areas_.push_back(size);
   }
 
-  /// The interfaces that feel all nodes of a face.
-  std::vector<int> interfacesOf(const std::vector<int>& nodes) const {
-    std::map<int, std::size_t> counts;
+  /// Tractions of the points of an interface: of each of its pieces, by position in the assembly.
+  using Tractions = std::map<int, std::vector<base::Vector3>>;
+
+  /// Names of the interfaces that feel all nodes of a face: where parts are cut, the pieces of one may share them.
+  std::vector<std::string> interfacesOf(const std::vector<int>& nodes) const {
+    std::map<std::string, std::size_t> counts;
     for (const int node : nodes) {
-      std::vector<int> here;
-      for (const Touch& touch : touches_[node]) here.push_back(touch.interface);
-      std::sort(here.begin(), here.end());
-      here.erase(std::unique(here.begin(), here.end()), here.end());
-      for (const int interface : here) ++counts[interface];
+      std::set<std::string> here;
+      for (const Touch& touch : touches_[node]) here.insert(problem_.assembly.interfaces[touch.interface].name);
+      for (const std::string& interface : here) ++counts[interface];
     }
-    std::vector<int> result;
+    std::vector<std::string> result;
     for (const auto& [interface, count] : counts) {
       if (count == nodes.size()) result.push_back(interface);
     }
     return result;
   }
 
-  bool addTractions(int interface, const recovery::KnownFace& face, std::vector<base::Vector3>& traction) const {
-    const std::vector<base::Frame>& frames = problem_.assembly.interfaces[interface].frame;
+  bool addTractions(const Tractions& tractions, const recovery::KnownFace& face,
+                    std::vector<base::Vector3>& traction) const {
     bool isFound = false;
     for (std::size_t a = 0; a < face.node.size(); ++a) {
       for (const Touch& touch : touches_[face.node[a]]) {
-        if (touch.interface != interface || base::dot(frames[touch.point][0], face.normal) < sameNormal) continue;
-        traction[a] = traction[a] + prescribed_.at(interface)[touch.point];
+        const auto found = tractions.find(touch.interface);
+        if (found == tractions.end()) continue;
+        const base::Frame& frame = problem_.assembly.interfaces[touch.interface].frame[touch.point];
+        if (base::dot(frame[0], face.normal) < sameNormal) continue;
+        traction[a] = traction[a] + found->second[touch.point];
         isFound = true;
         break;
       }
@@ -205,8 +212,8 @@ class Surface {
   std::size_t columns_;
   WholePart& part_;
   std::vector<std::vector<Touch>> touches_;
-  std::map<int, std::vector<base::Vector3>> prescribed_;  // tractions of points
-  std::vector<double> areas_;                             // of the known faces
+  std::map<std::string, Tractions> prescribed_;  // by name of the interface
+  std::vector<double> areas_;                    // of the known faces
 };
 
 }  // namespace
