@@ -87,12 +87,15 @@ class InterfaceFinder {
   std::vector<InterfaceSurface> onNodeSet(const std::string& name, const std::string& nodeSet,
                                           const std::string& part = "", double creaseAngle = oneNormal) const;
 
+  /// The faces of a side set, each once, normals out of their parts. Throws base::Error(input) as the other functions
+  /// do; the message starts with `where`.
+  std::vector<Face> facesOf(const std::string& where, const std::string& sideSet) const;
+
   /// Throws base::Error(input) that counts the faces of a side set that lie inside of a part: no law can act there.
   /// The message starts with `where`.
   void demandSurface(const std::string& where, const std::string& sideSet) const;
 
  private:
-  std::vector<Face> facesOf(const std::string& interface, const std::string& sideSet) const;
   FaceIntegrals integrate(const Face& face, const std::optional<base::Vector3>& projection = std::nullopt) const;
   std::vector<InterfaceSurface> joinPairs(const std::string& name, const std::vector<Face>& side1,
                                           const std::vector<Face>& side2, const std::vector<FacePair>& pairs,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -11,6 +12,7 @@
 #include <harmos/laws/AffineComponent.hpp>
 #include <harmos/mesh/InterfaceFrame.hpp>
 #include <harmos/mesh/Skin.hpp>
+#include <harmos/mortar/GroundSurfaces.hpp>
 #include <harmos/scene/detail/HeldByBoundaries.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
 #include <harmos/scene/detail/MeshJoiner.hpp>
@@ -120,21 +122,29 @@ std::vector<mesh::InterfaceSurface> joinedSurfacesOf(const Parameters& list, con
   return finder.joinedSideSets(list.name(), list.text("Side 1"), list.text("Side 2"), join);
 }
 
-/// The same where the law needs it on quadratic faces; boundaries have no other side that they could be joined to.
+/// Makes surfaces of the faces of a boundary by mortar integrals.
+using Grounding = std::function<std::vector<mesh::InterfaceSurface>(const std::vector<mesh::Face>&)>;
+
+/// Gives a law that needs it points between which tractions are linear, where it acts on quadratic faces.
 void suitQuadraticFaces(const Parameters& list, const laws::InterfaceLaw& law, const mesh::Mesh& mesh, int steps,
                         const mesh::InterfaceFinder& finder, const mesh::InterfaceFinder::Joiner& join,
-                        std::vector<mesh::InterfaceSurface>& surfaces) {
+                        const Grounding& ground, std::vector<mesh::InterfaceSurface>& surfaces) {
   const std::size_t count = countUnsuitedFaces(law, mesh, steps, surfaces);
   if (count == 0) return;
   if (list.has("Part 1") || (list.has("Side 1") && !list.has("Projection Direction"))) {
     surfaces = joinedSurfacesOf(list, finder, join);
     return;
   }
-  throw base::Error("\"" + std::string(law.name()) +
-                        "\" cannot act on faces of quadratic elements here, of which there are " +
-                        std::to_string(count) +
-                        ".\n  Mesh the part with linear elements, or choose a law that holds or loads the faces.",
-                    base::ExitCode::input);
+  if (list.has("Side Set")) {
+    surfaces = ground(finder.facesOf("\"" + list.name() + "\"", list.text("Side Set")));
+    return;
+  }
+  throw base::Error(
+      "\"" + std::string(law.name()) + "\" cannot act on faces of quadratic elements here, of which there are " +
+          std::to_string(count) +
+          ".\n  Name the faces by a side set and leave out Projection Direction, mesh the part with linear "
+          "elements, or choose a law that holds or loads the faces.",
+      base::ExitCode::input);
 }
 
 std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, double creaseAngle, const mesh::Mesh& mesh,
@@ -208,8 +218,11 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
           const MeshJoiner joiner(list, law, creaseAngle, depthOf(model), *held, mesh, bodies, finder);
           return joiner.join(name1, side1, name2, side2, surfaces.joined);
         };
+        const auto ground = [&](const std::vector<mesh::Face>& faces) {
+          return mortar::groundSurfaces(list.name(), mesh, faces, creaseAngle, depthOf(model), pieces, finder.pieces());
+        };
         auto found = surfacesOf(list, creaseAngle, mesh, pieces, finder, join);
-        suitQuadraticFaces(list, law, mesh, static_cast<int>(scene.times.size()), finder, join, found);
+        suitQuadraticFaces(list, law, mesh, static_cast<int>(scene.times.size()), finder, join, ground, found);
         for (const char* entry : {"Side Set", "Side 1", "Side 2"}) {
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }

@@ -92,5 +92,41 @@ INSTANTIATE_TEST_SUITE_P(Cases, ContactPatchSpace,
                                            Case{"QuadraticWedges", "Unilateral Contact", "Wedge15"}),
                          [](const auto& test) { return test.param.name; });
 
+/// The lower block on the ground, on which laws act that need tractions between nodes. With two pieces, it is glued to
+/// the upper one.
+void expectPatchOnGround(const char* file, const char* element, const char* law, int pieces) {
+  constexpr double stiffness = 1e7;
+  SceneInput scene = SceneInput::fromFile(file);
+  chooseCase(scene, {"", pieces > 1 ? "Perfect" : "Unilateral Contact", element});
+  scene.set("Boundaries/bottom/Law/Type=" + std::string(law));
+  const bool hasSprings = std::string(law) == "Elastic Foundation";
+  if (hasSprings) scene.set("Boundaries/bottom/Law/Normal Stiffness=" + std::to_string(stiffness));
+  scene.set("Parts/lower/Pieces=" + std::to_string(pieces));
+  const SolvedScene run(scene);
+  const std::string what = std::string(element) + ", " + law + ", " + std::to_string(pieces);
+  ASSERT_TRUE(run.isCertified()) << what << ": " << run.result.reason;
+  const bool isPlane = std::string(file).find("plane") != std::string::npos;
+  const double high = (isPlane ? 1.0 - nu * nu : 1.0) * pressure / modulus + (hasSprings ? pressure / stiffness : 0.0);
+  EXPECT_NEAR(run.value("top"), -high, tolerance * high) << what;
+  double area = 0.0;
+  for (const PairValue& pair : run.pairs("bottom")) {
+    EXPECT_NEAR(pair.traction[0], -pressure, tolerance * pressure) << what;
+    area += pair.area;
+  }
+  EXPECT_NEAR(area, 1.0, tolerance) << what;
+}
+
+TEST(ContactPatch, IsExactOnTheGroundWithQuadraticElements) {
+  for (const char* law : {"Unilateral Contact", "Elastic Foundation"}) {
+    for (const char* element : {"Quad8", "Tri6"}) {
+      for (const int pieces : {1, 2}) expectPatchOnGround("contact_patch/plane.xml", element, law, pieces);
+    }
+  }
+  for (const char* element : {"Hex20", "Hex27", "Tet10", "Wedge15"}) {
+    expectPatchOnGround("contact_patch/space.xml", element, "Unilateral Contact", 1);
+  }
+  expectPatchOnGround("contact_patch/space.xml", "Tet10", "Elastic Foundation", 2);
+}
+
 }  // namespace
 }  // namespace harmos::verification
