@@ -56,9 +56,9 @@ void printProblem(std::ostream& out, const scene::Problem& problem) {
       largest = std::max(largest, gap);
     }
     out << "  " << std::left << std::setw(34) << interface.name << std::right << std::setw(10) << interface.pairs()
-        << (interface.sides() == 1 ? " nodes, "
-            : isOnNodes(interface) ? " node pairs, "
-                                   : " points, ")
+        << (!isOnNodes(interface)    ? " points, "
+            : interface.sides() == 1 ? " nodes, "
+                                     : " node pairs, ")
         << interface.law->name();
     if (interface.sides() == 2 && (least != 0.0 || largest != 0.0))
       out << ", initial opening " << std::defaultfloat << std::setprecision(3) << least << " to " << largest;
@@ -100,7 +100,7 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
   if (isShown) {
     printProblem(environment.out, problem);
     printCost(environment.out, cost);
-    printWarnings(environment.out, scene.warnings);
+    printWarnings(environment.out, problem.warnings);
   }
   if (study && study->isChaos()) {
     const study::ChaosChoice choice = study::chooseLocalStage(*study, problem, *environment.communicator);

@@ -8,6 +8,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/mesh/FaceMatching.hpp>
 #include <harmos/mesh/InterfaceFrame.hpp>
+#include <harmos/mortar/detail/BeyondReach.hpp>
 #include <harmos/mortar/detail/DoublyHeld.hpp>
 #include <harmos/mortar/detail/FacingCells.hpp>
 #include <harmos/mortar/detail/MortarSide.hpp>
@@ -80,6 +81,8 @@ void place(const mesh::Mesh& mesh, JoinedSurface& surface) {
     }
   }
   const double diameter = distance(lower, upper);
+  const double count = static_cast<double>(surface.node.size());
+  surface.report.spacing = mesh.dimension == 3 ? std::sqrt(area / count) : diameter / count;
   surface.report.rigidMotion = farthest / (diameter > 0.0 ? diameter : std::sqrt(area));
   for (double& gap : surface.gap) {
     if (std::abs(gap) <= roundOff * (norm(lower) + norm(upper))) gap = 0.0;
@@ -137,6 +140,13 @@ JoinedSurface joinSurfaces(const std::string& where, const mesh::Mesh& mesh, con
     covered += coupling.area;
   }
   JoinReport& report = surface.report;
+  std::set<int> own;
+  for (const FaceCoupling& coupling : couplings) own.insert(coupling.face);
+  const std::array<std::set<int>, 2> joined =
+      mortar == 0 ? std::array<std::set<int>, 2>{own, opposite} : std::array<std::set<int>, 2>{opposite, own};
+  const BeyondReach beyond = findBeyondReach(mesh.dimension, {&cells[0].cells, &cells[1].cells}, joined, options.reach);
+  report.beyondReach = beyond.faces;
+  report.nearestBeyond = beyond.nearest;
   report.uncovered[1] = uncoveredShare(cells[1 - mortar], opposite, covered, mesh.dimension, options.depth);
   report.faces = {static_cast<int>(couplings.size()), static_cast<int>(opposite.size())};
   if (mortar == 1) {

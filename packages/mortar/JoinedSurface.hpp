@@ -13,12 +13,15 @@ struct JoinReport {
   std::array<int, 2> faces{};         // of both sides that have a part in common with the other
   std::array<int, 2> given{};         // of both sides, as they were given
   std::array<double, 2> uncovered{};  // share of the area of the former that the other side does not cover [-]
-  int leftOut = 0;              // corners of covered faces that are no points, since hardly anything of them is covered
-  int held = 0;                 // points that were left out because both sides are held there along the surface
-  double largestGap = 0.0;      // of a point, before gaps were closed [length], >= 0
-  double largestOverlap = 0.0;  // likewise, of points that overlap [length], >= 0
-  int closed = 0;               // points whose gap or overlap was closed
-  double largestClosed = 0.0;   // of these [length]
+  int leftOut = 0;  // corners of covered faces that are no points, since hardly anything of them is covered
+  int held = 0;     // points that were left out because both sides are held there along the surface
+  std::array<int, 2> beyondReach{};  // faces of both sides that lie opposite each other, but too far apart
+  double nearestBeyond = 0.0;        // least distance of these [length]
+  double spacing = 0.0;              // of the points, in the mean [length]
+  double largestGap = 0.0;           // of a point, before gaps were closed [length], >= 0
+  double largestOverlap = 0.0;       // likewise, of points that overlap [length], >= 0
+  int closed = 0;                    // points whose gap or overlap was closed
+  double largestClosed = 0.0;        // of these [length]
   /// Largest distance of the two places of a point over the diameter of all points [-]: the work that is done when both
   /// sides turn together, per angle, traction, area and diameter.
   double rigidMotion = 0.0;

@@ -10,6 +10,8 @@ namespace {
 constexpr double unfelt = 1e-6;
 // Share of the area that is covered but for round-off.
 constexpr double roundOff = 1e-9;
+// Overlap over the spacing of the points: facets of curved faces overlap by less.
+constexpr double muchOverlap = 0.1;
 
 }  // namespace
 
@@ -40,6 +42,26 @@ std::string JoinedMeshes::text() const {
         << " of the interface's size apart\n";
   }
   return out.str();
+}
+
+std::vector<std::string> JoinedMeshes::warnings() const {
+  std::vector<std::string> all;
+  std::ostringstream out;
+  out << std::setprecision(3);
+  if (isOfSideSets && report.beyondReach[0] > 0) {
+    out << "interface \"" << interface << "\": " << report.beyondReach[0] << " of " << report.given[0]
+        << " faces of side 1 and " << report.beyondReach[1] << " of " << report.given[1]
+        << " of side 2 lie opposite each other too far apart, from a distance of " << report.nearestBeyond
+        << " on, and are left out. Raise Search Distance to join them, or take them out of the side sets.";
+    all.push_back(out.str());
+    out.str("");
+  }
+  if (hasGaps && report.closed == 0 && report.largestOverlap > muchOverlap * report.spacing) {
+    out << "interface \"" << interface << "\": the parts overlap by up to " << report.largestOverlap
+        << ", which presses them apart as an interference does. With Gap = Closed it does not count.";
+    all.push_back(out.str());
+  }
+  return all;
 }
 
 }  // namespace harmos::scene

@@ -24,6 +24,8 @@ MeshJoiner::MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& 
                        const mesh::Depth& depth, const mortar::HeldDirections& held, const mesh::Mesh& mesh,
                        const Bodies& bodies, const mesh::InterfaceFinder& finder)
     : name_(list.name()),
+      isOfSideSets_(list.has("Side 1")),
+      hasGaps_(!law.bonds() && !law.isAffine()),
       options_(joinOptions(list, law, creaseAngle, depth)),
       mesh_(mesh),
       bodies_(bodies),
@@ -64,7 +66,8 @@ std::vector<mesh::InterfaceSurface> MeshJoiner::join(const std::string& name1, c
     const auto joined = mortar::joinSurfaces("Interface \"" + name_ + "\"", mesh_, one, two, options);
     divided = mortar::divideByPieces(name_, joined, one, two, bodies_.pieces, finder_.pieces());
     if (divided.crossed[0] + divided.crossed[1] == 0) {
-      reports.push_back({name_, joined.pointsOn, static_cast<int>(joined.area.size()), joined.report});
+      reports.push_back(
+          {name_, joined.pointsOn, static_cast<int>(joined.area.size()), joined.report, isOfSideSets_, hasGaps_});
       return divided.surfaces;
     }
     if (options.pointsOn) break;

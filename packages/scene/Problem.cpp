@@ -73,6 +73,10 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   assembly.bodies =
       assemble(scene, problem.mesh, problem.model, problem.bodies, assembly.owner, comm.getRank(), errors);
   throwTogether(errors, comm);
+  problem.warnings = scene.warnings;
+  for (const JoinedMeshes& joined : problem.joined) {
+    for (std::string& warning : joined.warnings()) problem.warnings.push_back(std::move(warning));
+  }
   return problem;
 }
 

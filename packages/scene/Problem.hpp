@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <Teuchos_Comm.hpp>
@@ -25,6 +26,7 @@ struct Problem {
   std::vector<std::vector<PairPlace>> places;                     // per surface and pair: where its unknowns are
   assembly::Assembly assembly;                                    // what LATIN solves
   std::vector<std::shared_ptr<const latin::Response>> responses;  // in the order of the list Responses
+  std::vector<std::string> warnings;                              // those of the scene, and what its mesh adds
 };
 
 /// Reads the mesh and builds everything. Collective over comm, which is not kept; throws on all ranks or on none.

@@ -176,7 +176,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
 
   result.record.scene = request.scene;
   if (scene.input.has("Units")) result.record.units = scene.input.text("Units");
-  result.record.warnings = scene.warnings;
+  result.record.warnings = problem.warnings;
   result.record.accuracy = options.accuracy;
   result.record.status = "running";
   result.record.reason = "The run has not ended, or was killed.";

@@ -35,6 +35,7 @@ class MeshJoiner {
   void demandTwoParts(const std::vector<mesh::Face>& side1, const std::vector<mesh::Face>& side2) const;
 
   const std::string& name_;
+  bool isOfSideSets_, hasGaps_;
   mortar::JoinOptions options_;
   const mesh::Mesh& mesh_;
   const Bodies& bodies_;

@@ -423,6 +423,24 @@ std::string messageOf(const mesh::Mesh& mesh, const Side& side1, const Side& sid
   return "";
 }
 
+TEST(JoinSurfaces, CountsFacesThatLieTooFarApart) {
+  mesh::Mesh mesh;
+  const Side flat = meshGrid(mesh, "flat", {4, 4, 4, plane()});
+  // A step: the last column of faces is 2 higher than the first two, what is between faces nothing.
+  const auto step = [](double x, double y) { return base::Vector3{x, y, x > 0.6 ? 2.0 : 0.0}; };
+  const Side stepped = meshGrid(mesh, "stepped", {4, 4, 4, step, true});
+  const JoinReport report = joinSurfaces("Interface", mesh, flat, stepped).report;
+  EXPECT_EQ(report.faces, (std::array<int, 2>{8, 8}));
+  EXPECT_EQ(report.beyondReach, (std::array<int, 2>{4, 4}));
+  EXPECT_NEAR(report.nearestBeyond, 2.0, 1e-12);
+  EXPECT_NEAR(report.spacing, std::sqrt(0.5 / 15.0), 1e-12);
+  JoinOptions all;
+  all.reach.distance = 2.5;
+  EXPECT_EQ(joinSurfaces("Interface", mesh, flat, stepped, all).report.beyondReach, (std::array<int, 2>{0, 0}));
+  const Side part = meshGrid(mesh, "part", {4, 2, 2, rectangle(0.0, 0.0, 0.5, 0.5), true});
+  EXPECT_EQ(joinSurfaces("Interface", mesh, flat, part).report.beyondReach, (std::array<int, 2>{0, 0}));
+}
+
 TEST(JoinSurfaces, RefusesSidesThatCannotBeJoined) {
   mesh::Mesh mesh;
   const Side side1 = meshGrid(mesh, "side set \"a\"", {4, 4, 4, plane()});
