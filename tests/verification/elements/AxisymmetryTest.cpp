@@ -103,5 +103,59 @@ TEST(Axisymmetry, RefusesNegativeRadii) {
   }
 }
 
+struct Rings {
+  const char* element;
+  const char* outerCells;
+  double tolerance;
+};
+
+// Those of the inner one are 8 x 4.
+const std::vector<Rings> rings = {
+    {"Quad4", "{8, 4}", 5e-3}, {"Quad4", "{7, 5}", 5e-3}, {"Quad8", "{8, 4}", 2e-5}, {"Quad8", "{7, 5}", 2e-5}};
+
+SceneInput pressedRing(const Rings& of) {
+  SceneInput scene = SceneInput::fromFile("elements/pressed_ring.xml");
+  scene.set("Mesh/Boxes/outer/Cells=" + std::string(of.outerCells));
+  for (const char* box : {"inner", "outer"}) {
+    scene.set("Mesh/Boxes/" + std::string(box) + "/Element=" + of.element);
+  }
+  return scene;
+}
+
+constexpr double bore = 1.0, seat = 2.0, rim = 3.0, ringModulus = 1e6, interference = 0.002;
+
+// Lame: p = E d (b^2 - a^2)(c^2 - b^2) / (2 b^3 (c^2 - a^2)), and no stress along the axis, along which both are free.
+const double ringPressure = ringModulus * interference * (seat * seat - bore * bore) * (rim * rim - seat * seat) /
+                            (2.0 * seat * seat * seat * (rim * rim - bore * bore));
+
+TEST(Axisymmetry, RingPressedOntoAnotherIsInClosedForm) {
+  for (const Rings& of : rings) {
+    const SolvedScene run(pressedRing(of));
+    const std::string what = std::string(of.element) + of.outerCells;
+    ASSERT_TRUE(run.isCertified()) << what << ": " << run.result.reason;
+    const double u = 2.0 * ringPressure * seat * seat * rim / (ringModulus * (rim * rim - seat * seat));
+    EXPECT_NEAR(run.value("u"), u, of.tolerance * u) << what;
+    const double force = 2.0 * pi * seat * ringPressure;
+    EXPECT_NEAR(run.value("press"), -force, of.tolerance * force) << what;
+  }
+}
+
+// Pulled along the axis by a displacement until it slides as a whole.
+TEST(Axisymmetry, RingSlidesAtTheFrictionOfItsSeat) {
+  constexpr double mu = 0.15;
+  for (const Rings& of : rings) {
+    SceneInput scene = pressedRing(of);
+    scene.set(assignment("Interfaces/contact/Law/Friction Coefficient", mu));
+    scene.set(assignment("Boundaries/outer_below/Law/Y", -0.01));
+    const SolvedScene run(scene);
+    const std::string what = std::string(of.element) + of.outerCells;
+    ASSERT_TRUE(run.isCertified()) << what << ": " << run.result.reason;
+    EXPECT_NEAR(run.value("pull"), -mu * std::abs(run.value("press")), 1e-5 * mu * std::abs(run.value("press")))
+        << what;
+    EXPECT_NEAR(run.value("press"), -2.0 * pi * seat * ringPressure, 0.1 * 2.0 * pi * seat * ringPressure) << what;
+    for (const PairValue& pair : run.pairs("contact")) EXPECT_EQ(pair.status, laws::Status::slip) << what;
+  }
+}
+
 }  // namespace
 }  // namespace harmos::verification
