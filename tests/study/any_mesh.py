@@ -3,7 +3,7 @@
 
 A block is pressed on another one by a displacement and pulled along it, with friction between: a study over both
 friction and pressing costs no more linear stages than its configurations one by one, also where some slide away, gives
-the same responses, and says what its mesh is worth. Two bars that random glue joins have the end displacement
+the same responses, and says what its mesh is worth; where it is about to slide, it says that instead. Two bars that random glue joins have the end displacement
 F (l1 + l2) / E + F / k, of which mean and deviation are known for a lognormal k.
 """
 import csv
@@ -123,6 +123,42 @@ def study_of_friction(name, element):
     print(f"{name}: {per_configuration[1]} linear stages a configuration, {total / count:.1f} one by one, {slid} slide")
 
 
+def near_sliding():
+    """A displacement has a number for its mesh far from sliding, and next to it a warning instead; a force has both times."""
+    path = WORK / "pressed.xml"
+
+    def errors(mu):
+        code, text, folder = harmos("run", path, "--set", f"Values/mu={mu}")
+        check(code == 0, f"mu = {mu} ends with {code}\n{text}")
+        return json.loads((folder / "pressed_result.json").read_text())["mesh_error_estimates"]
+
+    far, near = errors(1.0), errors(0.206)  # it slides away from 0.204 on
+    check(far["u"]["word"] in ("estimated", "uncertain"), f"far from sliding: {far}")
+    check(near["u"]["word"] == "near sliding", f"next to sliding: {near}")
+    check(near["force"]["word"] in ("estimated", "uncertain"), f"next to sliding: {near}")
+    reason = near["u"].get("reason", "")
+    check(re.fullmatch('interface "seat" has [0-9.]+ % left to sliding, its clamping is [0-9.]+ % uncertain', reason),
+          f"next to sliding: {near}")
+    print("next to sliding:", reason)
+
+
+def uniform_pressure(pieces):
+    """Two glued blocks under pressure, one of them cut: the mesh makes no error, wherever the cut meets glue and load."""
+    path = WORK / f"patch_{pieces}.xml"
+    glue = entries("glue", entry("Side 1", "lower_ymax"), entry("Side 2", "upper_ymin"), law("Perfect"))
+    held = [entries(name, entry("Side Set", name), law("Symmetry"))
+            for name in ("lower_ymin", "lower_xmin", "upper_xmin")]
+    load = entries("load", entry("Side Set", "upper_ymax"), law("Pressure", entry("Pressure", 10.0)))
+    boxes = [box("lower", (0, 0), (4, 1), (8, 2), "Quad8"), box("upper", (0, 1), (4, 2), (8, 2), "Quad8")]
+    path.write_text(scene(boxes, glue, [*held, load], entries("Steps", entries("only")), [mean("u", "upper_xmax")], {},
+                          0.3))
+    code, text, folder = harmos("run", path, "--set", f"Parts/lower/Pieces={pieces}", "--set",
+                                f"Parts/upper/Pieces={pieces}")
+    check(code == 0, f"{pieces} pieces: {code}\n{text}")
+    errors = json.loads((folder / f"{path.stem}_result.json").read_text())["mesh_error_estimates"]
+    check(errors["u"]["relative"] < 1e-6, f"{pieces} pieces: {errors}")
+
+
 def random_glue(name, cells, element):
     """Two bars, guided between the planes y = 0 and 1 by their Poisson's ratio of 0."""
     path = WORK / f"{name}.xml"
@@ -156,6 +192,9 @@ def random_glue(name, cells, element):
 shutil.rmtree(WORK, ignore_errors=True)
 WORK.mkdir(parents=True)
 study_of_friction("pressed", "Quad4")
+near_sliding()
+for pieces in 1, 3:
+    uniform_pressure(pieces)
 study_of_friction("pressed_quadratic", "Quad8")
 random_glue("glued", ((5, 2), (3, 3)), "Quad4")
 random_glue("glued_quadratic", ((3, 2), (3, 3)), "Quad8")
