@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <optional>
-#include <set>
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
@@ -16,6 +15,7 @@
 #include <harmos/scene/detail/HeldByBoundaries.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
 #include <harmos/scene/detail/MeshJoiner.hpp>
+#include <harmos/scene/detail/PartPairs.hpp>
 
 namespace harmos::scene {
 
@@ -25,21 +25,6 @@ using input::Parameters;
 
 // Length of a sum of normals over the sum of their areas that is nothing but round-off.
 constexpr double cancelled = 1e-9;
-
-/// Names of the parts on which a side set lies; none if there is no such set.
-std::set<std::string> partsOf(const std::string& sideSet, const mesh::Mesh& mesh,
-                              const std::vector<mesh::Piece>& pieces) {
-  std::set<std::string> names;
-  for (const mesh::SideSet& set : mesh.sideSets) {
-    if (set.name != sideSet) continue;
-    for (const int element : set.element) {
-      for (const mesh::Piece& piece : pieces) {
-        if (std::binary_search(piece.elements.begin(), piece.elements.end(), element)) names.insert(piece.part);
-      }
-    }
-  }
-  return names;
-}
 
 /// Counts places that a law cannot be given to, and keeps the first of them.
 struct Misfits {
@@ -116,9 +101,10 @@ std::size_t countUnsuitedFaces(const laws::InterfaceLaw& law, const mesh::Mesh& 
 }
 
 /// The surfaces of an interface whose sides are joined by mortar integrals, matching or not.
-std::vector<mesh::InterfaceSurface> joinedSurfacesOf(const Parameters& list, const mesh::InterfaceFinder& finder,
+std::vector<mesh::InterfaceSurface> joinedSurfacesOf(const Parameters& list, const mesh::PartPair& parts,
+                                                     const mesh::InterfaceFinder& finder,
                                                      const mesh::InterfaceFinder::Joiner& join) {
-  if (list.has("Part 1")) return finder.joinedParts(list.name(), list.text("Part 1"), list.text("Part 2"), join);
+  if (list.has("Part 1")) return finder.joinedParts(list.name(), parts.first, parts.second, join);
   return finder.joinedSideSets(list.name(), list.text("Side 1"), list.text("Side 2"), join);
 }
 
@@ -126,13 +112,14 @@ std::vector<mesh::InterfaceSurface> joinedSurfacesOf(const Parameters& list, con
 using Grounding = std::function<std::vector<mesh::InterfaceSurface>(const std::vector<mesh::Face>&)>;
 
 /// Gives a law that needs it points between which tractions are linear, where it acts on quadratic faces.
-void suitQuadraticFaces(const Parameters& list, const laws::InterfaceLaw& law, const mesh::Mesh& mesh, int steps,
-                        const mesh::InterfaceFinder& finder, const mesh::InterfaceFinder::Joiner& join,
-                        const Grounding& ground, std::vector<mesh::InterfaceSurface>& surfaces) {
+void suitQuadraticFaces(const Parameters& list, const mesh::PartPair& parts, const laws::InterfaceLaw& law,
+                        const mesh::Mesh& mesh, int steps, const mesh::InterfaceFinder& finder,
+                        const mesh::InterfaceFinder::Joiner& join, const Grounding& ground,
+                        std::vector<mesh::InterfaceSurface>& surfaces) {
   const std::size_t count = countUnsuitedFaces(law, mesh, steps, surfaces);
   if (count == 0) return;
   if (list.has("Part 1") || (list.has("Side 1") && !list.has("Projection Direction"))) {
-    surfaces = joinedSurfacesOf(list, finder, join);
+    surfaces = joinedSurfacesOf(list, parts, finder, join);
     return;
   }
   if (list.has("Side Set")) {
@@ -147,8 +134,9 @@ void suitQuadraticFaces(const Parameters& list, const laws::InterfaceLaw& law, c
       base::ExitCode::input);
 }
 
-std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, double creaseAngle, const mesh::Mesh& mesh,
-                                               const std::vector<mesh::Piece>& pieces,
+/// `parts`: of an interface that is given by parts, else nothing.
+std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mesh::PartPair& parts, double creaseAngle,
+                                               const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
                                                const mesh::InterfaceFinder& finder,
                                                const mesh::InterfaceFinder::Joiner& join) {
   const std::string& name = list.name();
@@ -158,8 +146,8 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, double cr
   }
   const bool isJoined = isJoiningAskedFor(list);
   if (list.has("Part 1")) {
-    const std::string &part1 = list.text("Part 1"), &part2 = list.text("Part 2");
-    return isJoined ? joinedSurfacesOf(list, finder, join) : finder.betweenParts(name, part1, part2, creaseAngle, join);
+    return isJoined ? joinedSurfacesOf(list, parts, finder, join)
+                    : finder.betweenParts(name, parts.first, parts.second, creaseAngle, join);
   }
   const auto parts1 = partsOf(list.text("Side 1"), mesh, pieces);
   if (parts1.size() == 1 && parts1 == partsOf(list.text("Side 2"), mesh, pieces)) {
@@ -171,7 +159,7 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, double cr
     const auto& given = list.numbers("Projection Direction");
     std::copy(given.begin(), given.end(), projection.emplace(base::Vector3{}).begin());
   }
-  if (isJoined) return joinedSurfacesOf(list, finder, join);
+  if (isJoined) return joinedSurfacesOf(list, parts, finder, join);
   return finder.betweenSideSets(name, list.text("Side 1"), list.text("Side 2"), projection, creaseAngle, join);
 }
 
@@ -206,6 +194,7 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
   };
   std::optional<mortar::HeldDirections> held;  // once it is asked for
   const int before = errors.count();
+  PartPairs partPairs(scene.input, mesh, pieces);
   for (const char* kind : {"Interfaces", "Boundaries"}) {
     for (const Parameters& list : scene.input.lists(kind)) {
       errors.collect(list.where(), [&] {
@@ -221,8 +210,13 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
         const auto ground = [&](const std::vector<mesh::Face>& faces) {
           return mortar::groundSurfaces(list.name(), mesh, faces, creaseAngle, depthOf(model), pieces, finder.pieces());
         };
-        auto found = surfacesOf(list, creaseAngle, mesh, pieces, finder, join);
-        suitQuadraticFaces(list, law, mesh, static_cast<int>(scene.times.size()), finder, join, ground, found);
+        const auto pairs = list.has("Part 1") ? partPairs.of(list) : std::vector<mesh::PartPair>(1);
+        std::vector<mesh::InterfaceSurface> found;
+        for (const mesh::PartPair& pair : pairs) {
+          auto more = surfacesOf(list, pair, creaseAngle, mesh, pieces, finder, join);
+          suitQuadraticFaces(list, pair, law, mesh, static_cast<int>(scene.times.size()), finder, join, ground, more);
+          std::move(more.begin(), more.end(), std::back_inserter(found));
+        }
         for (const char* entry : {"Side Set", "Side 1", "Side 2"}) {
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }

@@ -16,6 +16,7 @@
 #include <harmos/scene/detail/Dimensions.hpp>
 #include <harmos/scene/detail/History.hpp>
 #include <harmos/scene/detail/Names.hpp>
+#include <harmos/scene/detail/PartPairs.hpp>
 #include <harmos/scene/detail/Place.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
 #include <harmos/scene/detail/Units.hpp>
@@ -123,10 +124,15 @@ class SceneChecker {
       errors_.add(interface.where(), "it is not clear what is joined.",
                   "Give either \"Side 1\" and \"Side 2\" (names of side sets), or \"Part 1\" and \"Part 2\".");
     }
-    for (const char* entry : {"Part 1", "Part 2"}) knownName(interface, entry, namesOf(input_.lists("Parts")), "Parts");
+    const Names parts = namesOf(input_.lists("Parts"));
+    for (const char* entry : {"Part 1", "Part 2"}) {
+      const bool isFitting = interface.has(entry) && !fittingNames(interface.text(entry), parts).empty();
+      if (!isFitting) knownName(interface, entry, parts, "Parts");
+    }
     for (const std::string kind : {"Side", "Part"}) {
       const std::string first = kind + " 1", second = kind + " 2";
-      if (interface.has(first) && interface.has(second) && interface.text(first) == interface.text(second)) {
+      if (interface.has(first) && interface.has(second) && interface.text(first) == interface.text(second) &&
+          !(kind == "Part" && isPattern(interface.text(first)))) {
         errors_.add(interface.where(second), "both sides are \"" + interface.text(second) + "\".",
                     "An interface joins two different parts; a condition on one part belongs in Boundaries.");
       }

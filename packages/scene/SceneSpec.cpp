@@ -69,7 +69,10 @@ void describeInterface(input::ParameterSpec& spec, const laws::LawRegistry& laws
   spec.summary("Interfaces join two parts, by two side sets or found between two parts. Side 1 carries the normal.");
   spec.text("Side 1").optional().doc("Side set on the first part.");
   spec.text("Side 2").optional().doc("Side set on the second part. Nodes need not coincide.");
-  spec.text("Part 1").optional().doc("Instead of side sets: the faces (or nodes) where two parts touch.");
+  spec.text("Part 1").optional().doc(
+      "Instead of side sets: the faces (or nodes) where two parts touch. With * for any characters or ? for one it "
+      "stands for all parts that it fits: every two of them with faces on each other are joined that no other "
+      "interface names.");
   spec.text("Part 2").optional().doc("See Part 1.");
   spec.numbers("Projection Direction")
       .optional()

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
 
@@ -25,6 +27,31 @@ TEST(Problem, HoldsBodiesAndInterfacesOfTheScene) {
   for (int dof = 2; dof < loads.numRows(); dof += 3) force += loads(dof, 2);
   Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM, force, Teuchos::outArg(sum));
   EXPECT_NEAR(sum, -12.0, 1e-12);
+}
+
+TEST(Problem, PatternsJoinThePartsThatTouchAndThatNoOtherInterfaceNames) {
+  const auto comm = Tpetra::getDefaultComm();
+  const auto pairsOf = [&](const std::vector<std::string>& overrides, const std::string& more) {
+    std::string text = sampleScene();
+    text.insert(text.find("<ParameterList name=\"seal\">"), more);
+    const Scene scene =
+        makeScene(input::InputTree::fromText(text, "sample.xml"), "sample.xml", overrides, laws::builtInLaws());
+    base::Timers timers;
+    const Problem problem = makeProblem(scene, *comm, timers);
+    std::map<std::string, std::size_t> pairs;
+    for (const assembly::Interface& interface : problem.assembly.interfaces) {
+      pairs[interface.name] += interface.pairs();
+    }
+    return pairs;
+  };
+  const std::vector<std::string> all{"Interfaces/seal/Part 1=*", "Interfaces/seal/Part 2=?????",
+                                     "Parts/upper/Pieces=2"};
+  EXPECT_EQ(pairsOf(all, ""), pairsOf({"Parts/upper/Pieces=2"}, ""));
+  const std::string bond = R"(<ParameterList name="bond">
+      <Parameter name="Side 1" type="string" value="lower_zmax"/>
+      <Parameter name="Side 2" type="string" value="upper_zmin"/>
+      <ParameterList name="Law"><Parameter name="Type" type="string" value="Perfect"/></ParameterList></ParameterList>)";
+  EXPECT_THROW(pairsOf(all, bond), base::Error);
 }
 
 TEST(Problem, ConsistentMassOnRequest) {
