@@ -388,4 +388,10 @@ double BodyOperators::largestDisplacement(double share) const {
   return largest;
 }
 
+double BodyOperators::entries() const {
+  double sum = 0.0;
+  for (const auto& group : groups_) sum += static_cast<double>(group->entries());
+  return sum;
+}
+
 }  // namespace harmos::latin

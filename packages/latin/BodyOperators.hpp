@@ -83,6 +83,8 @@ class BodyOperators {
 
   /// Factored operators on this rank: congruent bodies count once.
   int operators() const { return static_cast<int>(groups_.size()); }
+  /// Entries of the factors of this rank, each of which a column reads; those of solvers that do not say are left out.
+  double entries() const;
 
  private:
   struct Place {

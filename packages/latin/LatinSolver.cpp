@@ -31,6 +31,11 @@ constexpr int longestWait = 15;
 constexpr double settledGap = 0.02;
 // Of the accuracy asked for: the residual that the first march goes to. A correction then gains about a factor of ten.
 constexpr double marchShare = 1.0;
+// The same where factors have so many entries that caches do not hold them: the march reads them once for every load
+// step, a correction once for all, which are so many at least.
+constexpr double shareOfLargeFactors = 5.0;
+constexpr double largeFactors = 1e7;
+constexpr int leastStepsOfBlock = 4;
 // Of the linear stages of a run: a first try whose restarts have led to no certificate is given up for one with fewer
 // restarts, and so is that.
 constexpr double shareOfFirstTry = 0.5;
@@ -200,6 +205,14 @@ void LatinSolver::recentre() {
   certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
 }
 
+double LatinSolver::firstTolerance() const {
+  const double here = fixedPoint_.linearStage().operators().entries();
+  double everywhere = 0.0;
+  Teuchos::reduceAll(fixedPoint_.layout().comm(), Teuchos::REDUCE_SUM, here, Teuchos::outArg(everywhere));
+  const bool isEarly = everywhere >= largeFactors && assembly_.steps() >= leastStepsOfBlock;
+  return (isEarly ? shareOfLargeFactors : marchShare) * options_.accuracy;
+}
+
 void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restarts) {
   March march(fixedPoint_, options_.memory, options_.accuracy, restarts);
   march.setNewton(*newton_);
@@ -210,7 +223,7 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
     result.iterations += iterations;
     for (const auto& observer : observers_) observer({result.iterations, stages(), 0.0, 0.0, step});
   });
-  double tolerance = marchShare * options_.accuracy;
+  double tolerance = firstTolerance();
   March::End end = March::End::reached;
   bool isOver = false;
   int recentrings = options_.recentres && fixedPoint_.canRecentre() ? maximumRecentrings : 0;

@@ -69,6 +69,8 @@ class LatinSolver {
   void addIndeterminacy(LatinResult& result);
   /// Load step after load step; where restarts of the march lead nowhere, from the beginning with fewer of them.
   void march(LatinResult& result, March::Guess guess);
+  /// Collective. The residual that the first march goes to, over the size of the forces.
+  double firstTolerance() const;
   /// Once, to ever smaller residuals, until the certificate claims.
   void tryToMarch(LatinResult& result, March::Guess guess, int restarts);
   /// Whether a restart has made the search direction softer than the options want it.

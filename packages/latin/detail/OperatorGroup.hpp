@@ -34,6 +34,8 @@ class OperatorGroup {
   int rows() const { return isTrace() ? static_cast<int>(trace_.size()) : dofs(); }
   /// All rows of the operator.
   int dofs() const { return solver_.dofs(); }
+  /// Entries of the factors that a column reads; 0 when the solver does not say.
+  std::size_t entries() const { return isTrace() ? trace_.size() * trace_.size() : solver_.factorNonzeros(); }
   /// Where the first component of a node stands in forces() and solution().
   int rowOf(int dof) const;
   /// f [force], to be filled for the columns that are solved next.
