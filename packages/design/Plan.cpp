@@ -32,10 +32,12 @@ Plan::Plan(std::vector<PlannedParameter> parameters, const std::vector<Condition
   std::vector<Derived> waiting;
   for (std::size_t p = 0; p < parameters_.size(); ++p) {
     if (isKnown[p]) continue;
-    placing(parameters_[p].where, [&] { waiting.push_back({p, Formula(parameters_[p].formula, names)}); });
+    placing(parameters_[p].where, [&] { waiting.push_back({p, input::Formula(parameters_[p].formula, names)}); });
   }
   for (const Condition& condition : conditions) {
-    placing(condition.where, [&] { conditions_.push_back({condition.where, Formula(condition.formula, names)}); });
+    placing(condition.where, [&] {
+      conditions_.push_back({condition.where, input::Formula(condition.formula, names)});
+    });
     leftOut_.emplace_back(condition.name, 0);
   }
   while (!waiting.empty()) {

@@ -7,7 +7,7 @@
 
 #include <harmos/design/Configuration.hpp>
 #include <harmos/design/Design.hpp>
-#include <harmos/design/Formula.hpp>
+#include <harmos/input/Formula.hpp>
 
 namespace harmos::design {
 
@@ -21,7 +21,7 @@ struct PlannedParameter {
 /// A demand on the parameters: configurations where the formula is 0 (false) are left out.
 struct Condition {
   std::string name;     // as in leftOut() and messages
-  std::string formula;  // over all parameters, see Formula
+  std::string formula;  // over all parameters, see input::Formula
   std::string where;    // its place in the input
 };
 
@@ -49,11 +49,11 @@ class Plan {
  private:
   struct Derived {
     std::size_t parameter;
-    Formula formula;
+    input::Formula formula;
   };
   struct Sieve {
     std::string where;
-    Formula formula;
+    input::Formula formula;
   };
   std::string whyNoneIsLeft(std::size_t points) const;
 

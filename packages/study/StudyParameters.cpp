@@ -16,7 +16,7 @@ void checkStudyName(const Parameters& list, input::ErrorList& errors) {
   const Names taken = {"id", "status", "iterations", "error_estimate", "start"};
   if (std::find(taken.begin(), taken.end(), list.name()) != taken.end()) {
     errors.add(list.where(), "this name heads another column of the results.", "Take another one.");
-  } else if (!design::isFormulaName(list.name())) {
+  } else if (!input::isFormulaName(list.name())) {
     errors.add(list.where(), "this name can stand neither in formulas nor in tables.",
                "Take letters, digits and underscores, no digit first, and no name of a function.");
   }

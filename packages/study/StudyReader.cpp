@@ -180,13 +180,13 @@ class StudyReader {
   Names readFormulas() {
     Names names, used;
     for (const design::PlannedParameter& parameter : planned_) {
-      if (design::isFormulaName(parameter.axis.name)) names.push_back(parameter.axis.name);
+      if (input::isFormulaName(parameter.axis.name)) names.push_back(parameter.axis.name);
     }
     for (const char* kind : {"Parameters", "Conditions"}) {
       for (const Parameters& list : input_.lists(kind)) {
         if (!list.has("Formula")) continue;
         errors_.collect(list.where("Formula"), [&] {
-          const auto variables = design::Formula(list.text("Formula"), names).variables();
+          const auto variables = input::Formula(list.text("Formula"), names).variables();
           used.insert(used.end(), variables.begin(), variables.end());
         });
         if (std::string(kind) == "Conditions") {

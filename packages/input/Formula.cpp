@@ -1,4 +1,4 @@
-#include <harmos/design/Formula.hpp>
+#include <harmos/input/Formula.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -12,7 +12,7 @@
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
 
-namespace harmos::design {
+namespace harmos::input {
 
 struct Formula::Parser {
   mu::Parser engine;
@@ -41,7 +41,9 @@ bool assigns(const std::string& text) {
 
 }  // namespace
 
-Formula::Formula(const std::string& text, const std::vector<std::string>& names)
+Formula::Formula(const std::string& text, const std::vector<std::string>& names) : Formula(text, names, Words()) {}
+
+Formula::Formula(const std::string& text, const std::vector<std::string>& names, const Words& words)
     : text_(text), parser_(std::make_unique<Parser>()) {
   parser_->names = names;
   parser_->values.resize(names.size());
@@ -51,17 +53,17 @@ Formula::Formula(const std::string& text, const std::vector<std::string>& names)
     parser_->engine.SetExpr(text);
     for (const auto& used : parser_->engine.GetUsedVar()) {
       if (std::find(names.begin(), names.end(), used.first) != names.end()) continue;
-      refuse(text, "uses " + base::quoted(used.first) + ", which is no parameter.",
-             base::suggestName(used.first, names, "Parameters"));
+      refuse(text, "uses " + base::quoted(used.first) + ", which is no " + words.one + ".",
+             base::suggestName(used.first, names, words.many));
     }
     parser_->engine.Eval();
     if (parser_->engine.GetNumResults() > 1) {
       refuse(text, "has a comma outside of a function, which makes a list.", "Write a decimal point, such as 0.5.");
     }
   } catch (const mu::Parser::exception_type& error) {
-    throw base::Error(base::quoted(text) + " is not a formula: " + error.GetMsg() +
-                          "\n  Write for example \"2 * mu\" or \"preload_1 >= preload_2\".",
-                      base::ExitCode::input);
+    throw base::Error(
+        base::quoted(text) + " is not a formula: " + error.GetMsg() + "\n  Write for example " + words.example + ".",
+        base::ExitCode::input);
   }
 }
 
@@ -113,4 +115,4 @@ bool isFormulaName(const std::string& name) {
   return parser.GetFunDef().count(name) == 0 && parser.GetConst().count(name) == 0;
 }
 
-}  // namespace harmos::design
+}  // namespace harmos::input

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/design/Formula.hpp>
+#include <harmos/input/Formula.hpp>
 
-namespace harmos::design {
+namespace harmos::input {
 namespace {
 
 std::string messageOf(const std::string& text) {
@@ -61,4 +61,4 @@ TEST(Formula, NamesAreIdentifiers) {
 }
 
 }  // namespace
-}  // namespace harmos::design
+}  // namespace harmos::input

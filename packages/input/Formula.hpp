@@ -4,14 +4,23 @@
 #include <string>
 #include <vector>
 
-namespace harmos::design {
+namespace harmos::input {
 
-/// A formula over the parameters of a study, in the syntax of muParser: + - * / ^, comparisons, &&, ||, ?:, sqrt, min
+/// A formula over named variables, in the syntax of muParser: + - * / ^, comparisons, &&, ||, ?:, sqrt, min
 /// and the like.
 class Formula {
  public:
+  /// What messages say of its variables.
+  struct Words {
+    std::string one = "parameter";                                     ///< what a variable is
+    std::string many = "Parameters";                                   ///< what a list of them is
+    std::string example = "\"2 * mu\" or \"preload_1 >= preload_2\"";  ///< formulas
+  };
+
   /// `names` are the variables that it may use. Throws base::Error (input) when the text is no formula, uses others or
   /// assigns a value.
+  Formula(const std::string& text, const std::vector<std::string>& names, const Words& words);
+  /// The same over the parameters of a study.
   Formula(const std::string& text, const std::vector<std::string>& names);
   ~Formula();
   /// The other one can only be destroyed or assigned to afterwards.
@@ -37,4 +46,4 @@ class Formula {
 /// constant of muParser.
 bool isFormulaName(const std::string& name);
 
-}  // namespace harmos::design
+}  // namespace harmos::input
