@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -14,12 +15,19 @@ namespace harmos::input {
 /// Resolves history names: the multiplier of a named history at every load step.
 class Histories {
  public:
+  /// Without histories and times.
+  Histories() = default;
+  /// `times`: end of each load step [time].
+  explicit Histories(std::vector<double> times) : times_(std::move(times)) {}
+  /// End of each load step [time]; empty: not known.
+  const std::vector<double>& times() const { return times_; }
   /// Adds a history, or replaces the one of this name. `perStep`: one multiplier [-] per load step.
   void add(const std::string& name, std::vector<double> perStep) { perStep_[name] = std::move(perStep); }
   /// The multipliers [-], one per load step, owned by this object; null when there is no such history.
   const std::vector<double>* find(const std::string& name) const;
 
  private:
+  std::vector<double> times_;
   std::map<std::string, std::vector<double>> perStep_;
 };
 
@@ -75,6 +83,8 @@ class Parameters {
   /// A varying() number times its history, if one is named, at every load step. Throws base::Error (input) when that
   /// leaves the declared range, or when no history of this name was attached.
   Schedule schedule(const std::string& name) const;
+  /// End of each load step [time]; empty when no histories with times were attached.
+  std::vector<double> times() const { return histories_ ? histories_->times() : std::vector<double>(); }
 
   /// The sublist of this fixed name. Throws base::Error when it is absent, or holds lists named by the user.
   const Parameters& list(const std::string& name) const;

@@ -9,7 +9,8 @@ namespace harmos::latin {
 std::vector<laws::LocalState> prescribedStates(const assembly::Interface& interface, int step) {
   const std::vector<laws::LocalLine> lines(interface.pairs());
   std::vector<laws::LocalState> states(interface.pairs());
-  interface.law->solve(step, {interface.pairs(), lines.data(), interface.gap.data(), nullptr, nullptr, states.data()});
+  interface.law->solve(step, {interface.pairs(), lines.data(), interface.gap.data(), nullptr, nullptr, states.data(),
+                              interface.position.data()});
   return states;
 }
 

@@ -28,12 +28,13 @@ enum class Creases {
 ///
 /// The arrays belong to the caller and are valid during the call only; the written ones overlap no other.
 struct NodeArrays {
-  int count = 0;                       ///< pairs, on a boundary nodes
-  const LocalLine* line = nullptr;     ///< what the jump and the traction of each pair must lie on
-  const double* gap = nullptr;         ///< geometric opening [length], positive when open
-  const double* oldHistory = nullptr;  ///< count x historySize(), state at the end of the previous load step
-  double* newHistory = nullptr;        ///< count x historySize(), all of it written
-  LocalState* state = nullptr;         ///< written
+  int count = 0;                            ///< pairs, on a boundary nodes
+  const LocalLine* line = nullptr;          ///< what the jump and the traction of each pair must lie on
+  const double* gap = nullptr;              ///< geometric opening [length], positive when open
+  const double* oldHistory = nullptr;       ///< count x historySize(), state at the end of the previous load step
+  double* newHistory = nullptr;             ///< count x historySize(), all of it written
+  LocalState* state = nullptr;              ///< written
+  const base::Vector3* position = nullptr;  ///< undeformed places [length]
 };
 
 /// Behaviour of an interface: intersects its graph t = R(delta, history) with the line of every node.

@@ -23,8 +23,9 @@ struct LocalLine {
 
 /// Where and when a law is asked: one pair at one load step.
 struct NodeContext {
-  int step = 0;      ///< load step, counted from 0
-  double gap = 0.0;  ///< geometric opening of the undeformed surfaces at the pair [length], (x2 - x1).n
+  int step = 0;              ///< load step, counted from 0
+  double gap = 0.0;          ///< geometric opening of the undeformed surfaces at the pair [length], (x2 - x1).n
+  base::Vector3 position{};  ///< undeformed place [length]
 };
 
 /// A load step of a pair: how it was at its beginning and at its end, in the law's frame.

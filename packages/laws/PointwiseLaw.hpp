@@ -63,7 +63,7 @@ class PointwiseLaw final : public InterfaceLaw {
   /// Calls L::solve() for one pair after the other.
   void solve(int step, const NodeArrays& nodes) const override {
     for (int i = 0; i < nodes.count; ++i) {
-      const NodeContext at{step, nodes.gap[i]};
+      const NodeContext at{step, nodes.gap[i], nodes.position == nullptr ? base::Vector3{} : nodes.position[i]};
       nodes.state[i] =
           law_.solve(nodes.line[i], at, nodes.oldHistory + i * L::historySize, nodes.newHistory + i * L::historySize);
     }

@@ -1,5 +1,6 @@
 #include <array>
 
+#include <harmos/input/Field.hpp>
 #include <harmos/laws/detail/BuiltIn.hpp>
 
 namespace harmos::laws {
@@ -18,16 +19,19 @@ struct PrescribedTraction {
     p.summary("Prescribed traction (force per area) in global components.");
     for (const char* component : {"X", "Y", "Z"}) {
       p.number(component).unit("stress").defaultValue(0.0).varying().doc("Traction along this axis.");
+      input::Field::describe(p, component);
     }
   }
 
-  explicit PrescribedTraction(const input::Parameters& p) : value{p.schedule("X"), p.schedule("Y"), p.schedule("Z")} {}
+  explicit PrescribedTraction(const input::Parameters& p) : value{{{p, "X"}, {p, "Y"}, {p, "Z"}}} {}
 
   LocalState solve(const LocalLine&, const NodeContext& at, const double*, double*) const {
-    return {{value[0][at.step], value[1][at.step], value[2][at.step]}, Status::bonded};
+    LocalState state;
+    for (std::size_t i = 0; i < 3; ++i) state.traction[i] = value[i](at.step, at.position);
+    return state;
   }
 
-  std::array<input::Schedule, 3> value;
+  std::array<input::Field, 3> value;
 };
 
 }  // namespace

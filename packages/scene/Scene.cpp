@@ -95,7 +95,7 @@ class SceneChecker {
   }
 
   void attachHistories() {
-    auto histories = std::make_shared<input::Histories>();
+    auto histories = std::make_shared<input::Histories>(scene_.times);
     for (const Parameters& history : input_.lists("Histories")) {
       histories->add(history.name(), historyFactors(history, scene_.times, errors_));
     }

@@ -51,7 +51,8 @@ input::Parameters randomParameters(const input::ParameterSpec& spec, Random& ran
         parameters.set(entry->name, std::uniform_int_distribution<int>(0, 1)(random) == 0);
         break;
       case input::ParameterType::text:
-        parameters.set(entry->name, entry->choices.at(random() % entry->choices.size()));
+        if (entry->choices.empty()) break;
+        parameters.set(entry->name, entry->choices[random() % entry->choices.size()]);
         break;
       case input::ParameterType::numbers:
         parameters.set(entry->name, std::vector<double>{draw(*entry, random)});

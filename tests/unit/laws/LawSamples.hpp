@@ -22,7 +22,7 @@ base::Vector3 randomVector(Random& random);
 LocalLine randomLine(Random& random);
 
 /// What a law declares, as parameters for it: random within the declared ranges, of the order of one. Parameters that
-/// need not be given are given.
+/// need not be given are given, but for texts of any kind.
 input::Parameters randomParameters(const input::ParameterSpec& spec, Random& random);
 /// The same values with every number multiplied by factor(its declaration).
 input::Parameters scaled(const input::ParameterSpec& spec, const input::Parameters& parameters,
