@@ -9,6 +9,7 @@
 #include <harmos/elasticity/detail/ElementFault.hpp>
 #include <harmos/elasticity/detail/ElementStrain.hpp>
 #include <harmos/elasticity/detail/PartElements.hpp>
+#include <harmos/elasticity/detail/ThermalStress.hpp>
 #include <harmos/mesh/Depth.hpp>
 
 namespace harmos::elasticity {
@@ -39,6 +40,20 @@ mesh::ElementType sampled(mesh::ElementType type) {
   return isBrick ? linear : type;
 }
 
+mesh::ElementType ruleOf(PointSet points, mesh::ElementType type) {
+  if (points == PointSet::stiffness) return type;
+  return points == PointSet::sampling ? sampled(type) : raised(type);
+}
+
+/// Temperatures at a point, of every column.
+void temperaturesAt(const base::Matrix& temperature, const ElementPoint& point, const double* weights,
+                    std::vector<double>& result) {
+  for (int j = 0; j < temperature.numCols(); ++j) {
+    result[j] = 0.0;
+    for (int a = 0; a < point.nodes; ++a) result[j] += weights[a] * temperature(point.node[a], j);
+  }
+}
+
 }  // namespace
 
 void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& displacements,
@@ -53,11 +68,14 @@ void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& 
   const ElasticityMatrix c = reduced(part.material.elasticity(), part.kinematics);
   const mesh::Depth depth = isAxisymmetric(part.kinematics) ? mesh::Depth::revolved() : mesh::Depth(part.thickness);
   std::vector<double> stress(6 * static_cast<std::size_t>(columns));
+  const Strain hot = thermalStress(part.material, part.kinematics);
+  const int temperatures = part.temperature ? part.temperature->numCols() : 0;
+  std::vector<double> temperature(temperatures);
   ElementFaults faults(part.mesh, part.piece);
   for (const ElementGroup& group : groupsOf(part.mesh, part.piece, part.kinematics)) {
     const mesh::ElementType type = group.block->type;
-    const mesh::ReferenceElement rule =
-        mesh::referenceElement(points == PointSet::sampling ? sampled(type) : raised(type));
+    const mesh::ReferenceElement rule = mesh::referenceElement(ruleOf(points, type));
+    const bool isLinear = mesh::linearType(type) == type;
     ElementStrain strain(type, part.formulation, part.kinematics, c, rule.place);
     const int nodes = group.nodesPerElement();
     std::vector<base::Vector3> places(nodes);
@@ -67,6 +85,8 @@ void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& 
       point.element = group.firstElement + number;
       point.nodes = nodes;
       point.node = group.nodesOf(number);
+      point.strain = &strain;
+      point.temperature = temperature.data();
       point.stress = stress.data();
       for (int a = 0; a < nodes; ++a) {
         places[a] = part.mesh.nodes[part.piece.nodes[point.node[a]]];
@@ -78,16 +98,23 @@ void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& 
         faults.add(group, number);
         continue;
       }
+      const std::vector<double> mean = strain.meanValues();
       for (int p = 0; p < rule.points; ++p) {
+        point.number = p;
         point.value = strain.values(p);
         point.position = {};
         for (int a = 0; a < nodes; ++a) point.position = point.position + point.value[a] * places[a];
         const double across = dimension == 2 ? depth.at(point.position) : 1.0;
         point.volume = across * rule.weight[p] * strain.determinant(p);
+        if (temperatures > 0) {
+          temperaturesAt(*part.temperature, point, isLinear ? mean.data() : point.value, temperature);
+        }
         for (int j = 0; j < columns; ++j) {
+          const double degrees = j < temperatures ? temperature[j] : 0.0;
           const std::array<double, 6> eps = strain.strain(p, j);
           for (std::size_t m = 0; m < 6; ++m) {
-            stress[6 * static_cast<std::size_t>(j) + m] = std::inner_product(eps.begin(), eps.end(), c[m].begin(), 0.0);
+            stress[6 * static_cast<std::size_t>(j) + m] =
+                std::inner_product(eps.begin(), eps.end(), c[m].begin(), 0.0) - degrees * hot[m];
           }
         }
         visit(point);

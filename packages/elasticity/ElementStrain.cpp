@@ -128,6 +128,20 @@ void ElementStrain::findModes() {
   for (int j = 0; j < values_.numCols(); ++j) std::copy_n(right[j], size, values_[j] + first);
 }
 
+void ElementStrain::addForces(int point, const Strain& stress, double volume, double* forces) const {
+  const int gradients = operators_.gradients;
+  const double* gradient = gradient_.data() + static_cast<std::ptrdiff_t>(point) * basis_.functions() * gradients;
+  for (int i = 0; i < dimension_; ++i) {
+    for (int k = 0; k < gradients; ++k) {
+      double traction = 0.0;
+      for (std::size_t m = 0; m < 6; ++m) traction += operators_.coefficient[k][m][i] * stress[m];
+      for (int a = 0; a < shape_.nodes; ++a) {
+        forces[dimension_ * a + i] += volume * traction * gradient[gradients * a + k];
+      }
+    }
+  }
+}
+
 std::array<double, 6> ElementStrain::strain(int point, int column) const {
   const int functions = basis_.functions(), gradients = operators_.gradients;
   const double* gradient = gradient_.data() + static_cast<std::ptrdiff_t>(point) * functions * gradients;

@@ -5,6 +5,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>
+#include <harmos/elasticity/detail/MaterialEntries.hpp>
 
 namespace harmos::elasticity {
 namespace {
@@ -28,6 +29,8 @@ void Isotropic::describe(input::ParameterSpec& spec) {
       .atLeast(smallestRatio)
       .atMost(largestRatio)
       .doc("nu, contraction over extension in uniaxial tension. Above about 0.45 use the part's formulation B-Bar.");
+  describeDensity(spec);
+  describeExpansion(spec, "Thermal Expansion", "alpha, strain per change of temperature, for Temperatures.");
 }
 
 Isotropic::Isotropic(double youngsModulus, double poissonsRatio)
@@ -42,7 +45,15 @@ Isotropic::Isotropic(double youngsModulus, double poissonsRatio)
 }
 
 Isotropic::Isotropic(const input::Parameters& parameters)
-    : Isotropic(parameters.number("Young's Modulus"), parameters.number("Poisson's Ratio")) {}
+    : Isotropic(parameters.number("Young's Modulus"), parameters.number("Poisson's Ratio")) {
+  density_ = optionalNumber(parameters, "Density");
+  expansion_ = optionalNumber(parameters, "Thermal Expansion");
+}
+
+std::optional<Strain> Isotropic::thermalExpansion() const {
+  if (!expansion_) return std::nullopt;
+  return Strain{*expansion_, *expansion_, *expansion_, 0.0, 0.0, 0.0};
+}
 
 ElasticityMatrix Isotropic::elasticity() const {
   const double mu = youngsModulus_ / (2.0 * (1.0 + poissonsRatio_));

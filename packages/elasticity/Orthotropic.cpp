@@ -5,6 +5,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>
+#include <harmos/elasticity/detail/MaterialEntries.hpp>
 
 namespace harmos::elasticity {
 namespace {
@@ -124,6 +125,24 @@ Orthotropic::Constants constantsOf(const input::Parameters& parameters) {
   return c;
 }
 
+/// Three strains along the material axes, in the global ones.
+std::optional<Strain> expansionOf(const input::Parameters& parameters, const Orthotropic::Constants& constants) {
+  const base::Frame axes = frameOf(constants.axis1, constants.axis2);
+  constexpr std::size_t row[6] = {0, 1, 2, 0, 1, 2};
+  constexpr std::size_t column[6] = {0, 1, 2, 1, 2, 0};
+  std::optional<Strain> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto alpha = optionalNumber(parameters, "Thermal Expansion " + std::to_string(i + 1));
+    if (!alpha) continue;
+    if (!result) result = Strain{};
+    for (std::size_t m = 0; m < 6; ++m) {
+      // Shear strains are doubled.
+      (*result)[m] += (m < 3 ? 1.0 : 2.0) * *alpha * axes[i][row[m]] * axes[i][column[m]];
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 void Orthotropic::describe(input::ParameterSpec& spec) {
@@ -153,6 +172,13 @@ void Orthotropic::describe(input::ParameterSpec& spec) {
   spec.numbers("Axis 1").unit("-").optional().doc("Direction of material axis 1, any length; default (1, 0, 0).");
   spec.numbers("Axis 2").unit("-").optional().doc(
       "Direction of material axis 2, any length, made orthogonal to axis 1; default (0, 1, 0).");
+  describeDensity(spec);
+  for (const std::string axis : {"1", "2", "3"}) {
+    describeExpansion(spec, "Thermal Expansion " + axis,
+                      "alpha_" + axis + ", strain along axis " + axis +
+                          " per change of temperature, for Temperatures; " +
+                          "where one is given, those that are not are 0.");
+  }
 }
 
 Orthotropic::Orthotropic(const Constants& constants) : elasticity_{} {
@@ -171,6 +197,8 @@ Orthotropic::Orthotropic(const Constants& constants) : elasticity_{} {
 }
 
 Orthotropic::Orthotropic(const input::Parameters& parameters) try : Orthotropic(constantsOf(parameters)) {
+  density_ = optionalNumber(parameters, "Density");
+  expansion_ = expansionOf(parameters, constantsOf(parameters));
 } catch (const base::Error& error) {
   const std::string message = error.what();
   throw base::Error(

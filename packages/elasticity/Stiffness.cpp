@@ -6,6 +6,7 @@
 #include <string>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/elasticity/detail/Axis.hpp>
 #include <harmos/elasticity/detail/ElementLoop.hpp>
 #include <harmos/elasticity/detail/StrainOperator.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
@@ -212,33 +213,6 @@ void checkFormulation(const mesh::Mesh& mesh, const mesh::Piece& piece, const st
   }
 }
 
-// Of the largest radius of a part: coordinates that are 0 but for rounding.
-constexpr double onAxis = 1e-9;
-
-/// Per node of the part, whether it lies on the axis of axisymmetry, where nothing moves along the radius. Throws
-/// base::Error (input) that counts the nodes of negative radius.
-std::vector<bool> findAxis(const mesh::Mesh& mesh, const mesh::Piece& piece, Kinematics kinematics) {
-  std::vector<bool> isOnAxis(piece.nodes.size(), false);
-  if (!isAxisymmetric(kinematics)) return isOnAxis;
-  double largest = 0.0;
-  for (const int node : piece.nodes) largest = std::max(largest, std::abs(mesh.nodes[node][0]));
-  int count = 0, worst = -1;
-  for (std::size_t local = 0; local < piece.nodes.size(); ++local) {
-    const int node = piece.nodes[local];
-    const double radius = mesh.nodes[node][0];
-    isOnAxis[local] = std::abs(radius) <= onAxis * largest;
-    if (isOnAxis[local] || radius > 0.0) continue;
-    ++count;
-    if (worst < 0 || radius < mesh.nodes[worst][0]) worst = node;
-  }
-  if (count == 0) return isOnAxis;
-  std::ostringstream text;
-  text << "Part \"" << piece.name << "\" has " << count << (count == 1 ? " node" : " nodes")
-       << " with a negative radius x, the farthest node " << worst + 1 << " of the mesh at (" << mesh.nodes[worst][0]
-       << ", " << mesh.nodes[worst][1] << "). In axisymmetry the axis is x = 0 and parts lie at x >= 0: move the mesh.";
-  throw base::Error(text.str(), base::ExitCode::input);
-}
-
 template <int D, int G>
 Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece& piece,
                                        const std::vector<ElementGroup>& groups, Formulation formulation,
@@ -258,7 +232,7 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece
     }
   }
   std::vector<double> values(columns.size(), 0.0);
-  const std::vector<bool> isFixed = findAxis(mesh, piece, kinematics);
+  const std::vector<bool> isFixed = nodesOnAxis(mesh, piece, kinematics);
   double stiffness[ElementIntegrals::maximumDofs * ElementIntegrals::maximumDofs];
   forEachElement(
       mesh, piece, groups, formulation, kinematics, true,
@@ -301,35 +275,6 @@ Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const me
   if (kinematics == Kinematics::threeDimensional) return assembled(ElementStiffness<3, 3>(c, formulation, strain, 1.0));
   if (isAxisymmetric(kinematics)) return assembled(ElementStiffness<2, 3>(c, formulation, strain, 1.0));
   return assembled(ElementStiffness<2, 2>(c, formulation, strain, thickness));
-}
-
-std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Piece& piece, const base::Vector3& force,
-                              Kinematics kinematics, double thickness) {
-  const auto dimension = static_cast<std::size_t>(dimensionOf(kinematics));
-  if (dimension == 2 && force[2] != 0.0) {
-    throw base::Error("The body force of part \"" + piece.name + "\" has a z component of " + std::to_string(force[2]) +
-                          "; in 2-D it must be 0.",
-                      base::ExitCode::input);
-  }
-  const double depth = dimension == 2 && !isAxisymmetric(kinematics) ? thickness : 1.0;
-  std::vector<double> forces(dimension * piece.nodes.size(), 0.0);
-  const std::vector<ElementGroup> groups = groupsOf(mesh, piece, kinematics);
-  forEachElement(mesh, piece, groups, Formulation::fullIntegration, kinematics, false,
-                 [&](const ElementGroup& group, int number, const ElementBasis&, const ElementIntegrals& integrals) {
-                   const auto perElement = static_cast<std::size_t>(group.nodesPerElement());
-                   const int* local = group.nodesOf(number);
-                   for (std::size_t a = 0; a < perElement; ++a) {
-                     for (std::size_t i = 0; i < dimension; ++i) {
-                       forces[dimension * static_cast<std::size_t>(local[a]) + i] +=
-                           depth * force[i] * integrals.value[a];
-                     }
-                   }
-                 });
-  const std::vector<bool> isFixed = findAxis(mesh, piece, kinematics);
-  for (std::size_t node = 0; node < isFixed.size(); ++node) {
-    if (isFixed[node]) forces[dimension * node] = 0.0;
-  }
-  return forces;
 }
 
 }  // namespace harmos::elasticity

@@ -26,12 +26,4 @@ Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const me
                                                 const Material& material, Formulation formulation,
                                                 Kinematics kinematics, double thickness = 1.0);
 
-/// Nodal forces of a uniform body force, f_a = force int N_a dV [force], one entry per dof of the part, N_a the shape
-/// function of node a.
-///
-/// force [force/length^3] in the global axes; its third component must be 0 in 2-D, where `thickness` [length] counts.
-/// Throws base::Error when it is not, and as assembleStiffness does, but for the formulation.
-std::vector<double> bodyForce(const mesh::Mesh& mesh, const mesh::Piece& piece, const base::Vector3& force,
-                              Kinematics kinematics, double thickness = 1.0);
-
 }  // namespace harmos::elasticity

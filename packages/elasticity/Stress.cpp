@@ -4,11 +4,12 @@
 
 #include <harmos/elasticity/detail/ElementLoop.hpp>
 #include <harmos/elasticity/detail/StrainOperator.hpp>
+#include <harmos/elasticity/detail/ThermalStress.hpp>
 
 namespace harmos::elasticity {
 
 base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, const Material& material,
-                           Kinematics kinematics, const base::Matrix& displacements) {
+                           Kinematics kinematics, const base::Matrix& displacements, const base::Matrix* temperature) {
   const int dimension = dimensionOf(kinematics), dofs = dimension * static_cast<int>(piece.nodes.size());
   if (displacements.numRows() != dofs) {
     throw base::Error("Part \"" + piece.name + "\" has " + std::to_string(dofs) +
@@ -16,6 +17,7 @@ base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, con
                       " were given.");
   }
   const ElasticityMatrix c = reduced(material.elasticity(), kinematics);
+  const Strain hot = thermalStress(material, kinematics);
   const StrainOperator operators(kinematics);
   base::Matrix stress(6 * static_cast<int>(piece.elements.size()), displacements.numCols());
   forEachElement(mesh, piece, groupsOf(mesh, piece, kinematics), Formulation::fullIntegration, kinematics, false,
@@ -38,9 +40,15 @@ base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, con
                            strain[m] += operators.coefficient[k][m][i] * h[i][k];
                        }
                      }
+                     double degrees = 0.0;
+                     if (temperature != nullptr && column < temperature->numCols()) {
+                       for (int a = 0; a < perElement; ++a) {
+                         degrees += integrals.value[a] / integrals.volume * (*temperature)(local[a], column);
+                       }
+                     }
                      double* result = stress[column] + 6 * (group.firstElement + number);
                      for (std::size_t m = 0; m < 6; ++m) {
-                       result[m] = 0.0;
+                       result[m] = -degrees * hot[m];
                        for (std::size_t n = 0; n < 6; ++n) result[m] += c[m][n] * strain[n];
                      }
                    }

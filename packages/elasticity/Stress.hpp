@@ -15,8 +15,11 @@ namespace harmos::elasticity {
 /// the displacements. The mean is that of the stress of all formulations. In plane strain zz is the stress that keeps
 /// eps_zz = 0, in plane stress zz, yz and zx are 0. Throws base::Error as assembleStiffness does, but for the
 /// formulation, and when the displacements have other rows than the part has dofs. Not collective.
+///
+/// `temperature`: as ElasticPart::temperature, null: none.
 base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, const Material& material,
-                           Kinematics kinematics, const base::Matrix& displacements);
+                           Kinematics kinematics, const base::Matrix& displacements,
+                           const base::Matrix* temperature = nullptr);
 
 /// von Mises stress sqrt(3/2 s:s) [stress], s the deviator, of six components [stress] in the order of elementStress().
 double vonMises(const double* stress);

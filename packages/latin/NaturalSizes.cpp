@@ -17,6 +17,22 @@ constexpr double nothing = 1e-10;
 constexpr double nothingFromReference = 1e-12;
 // Of k w: what forces are measured by where there are none.
 constexpr double cancellation = 1e-7;
+// Of the loads on the volume of bodies, which balance each other where temperatures expand a body freely.
+constexpr double cancellationOfLoads = 1e-7;
+
+/// Sums of |nodal forces| on the bodies of this rank, per load step.
+std::vector<double> volumeLoads(const Iterate& state) {
+  const assembly::Assembly& assembly = state.assembly();
+  std::vector<double> sums(assembly.steps(), 0.0);
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+    const base::Matrix& loads = assembly.bodies[b].loads;
+    if (!state.layout().owns(static_cast<int>(b))) continue;
+    for (int t = 0; t < loads.numCols(); ++t) {
+      for (int dof = 0; dof < loads.numRows(); ++dof) sums[t] += std::abs(loads(dof, t));
+    }
+  }
+  return sums;
+}
 
 }  // namespace
 
@@ -50,7 +66,8 @@ NaturalSizes::NaturalSizes(const Iterate& state) {
   if (!boundaries.interfaces.empty()) {
     add(boundaries.traction, boundaries.trace, boundaries.area, boundaries.stiffness);
   }
-  for (auto* sums : {&forces, &springs, &squaredSprings, &total}) state.metric().sum(*sums);
+  std::vector<double> loads = volumeLoads(state);
+  for (auto* sums : {&forces, &springs, &squaredSprings, &total, &loads}) state.metric().sum(*sums);
 
   base::Vector3 lower, upper;
   lower.fill(std::numeric_limits<double>::infinity());
@@ -77,6 +94,12 @@ NaturalSizes::NaturalSizes(const Iterate& state) {
   force_ = areNothing ? cancellation * largest(springs) : smallShare * largest(forces);
   stress_ = areNothing ? cancellation * all[2] : smallShare * all[1];
   squaredForce_ = areNothing ? cancellation * cancellation * largest(squaredSprings) : 0.0;
+  const double balanced = cancellationOfLoads * largest(loads);
+  if (balanced > 0.0 && total[0] > 0.0) {
+    force_ = std::max(force_, balanced);
+    stress_ = std::max(stress_, balanced / total[0]);
+    squaredForce_ = std::max(squaredForce_, balanced * balanced / total[0]);
+  }
   squaredDisplacement_ = smallShare * smallShare * displacement_ * displacement_ * total[0];
 }
 

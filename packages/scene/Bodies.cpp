@@ -10,6 +10,7 @@
 #include <harmos/elasticity/Stiffness.hpp>
 #include <harmos/mesh/Congruence.hpp>
 #include <harmos/mesh/Partition.hpp>
+#include <harmos/scene/detail/BodyLoads.hpp>
 
 namespace harmos::scene {
 
@@ -82,22 +83,6 @@ bool haveEqualRadii(const mesh::Mesh& mesh, const mesh::Piece& first, const mesh
     difference = std::max(difference, std::abs(radius - mesh.nodes[second.nodes[image[node]]][0]));
   }
   return difference <= equalRadii * largest;
-}
-
-base::Matrix bodyForces(const std::array<input::Schedule, 3>& force, const mesh::Mesh& mesh, const mesh::Piece& piece,
-                        const Model& model, int steps) {
-  base::Matrix loads;
-  for (int c = 0; c < mesh.dimension; ++c) {
-    base::Vector3 unit{};
-    unit[c] = 1.0;
-    const std::vector<double> forces = elasticity::bodyForce(mesh, piece, unit, model.kinematics, model.thickness);
-    const input::Schedule& value = force[static_cast<std::size_t>(c)];
-    if (loads.numRows() == 0) loads.shape(static_cast<int>(forces.size()), steps);
-    for (int t = 0; t < steps; ++t) {
-      for (int dof = 0; dof < loads.numRows(); ++dof) loads(dof, t) += value[t] * forces[dof];
-    }
-  }
-  return loads;
 }
 
 PartOptions optionsOf(const Parameters& part) {
@@ -188,8 +173,9 @@ std::vector<int> distribute(const Bodies& bodies, int ranks) {
 }
 
 std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh::Mesh& mesh, const Model& model,
-                                                 const Bodies& bodies, const std::vector<int>& owner, int rank,
-                                                 input::ErrorList& errors) {
+                                                 const Bodies& bodies, const Temperatures& temperatures,
+                                                 const std::vector<int>& owner, int rank, input::ErrorList& errors) {
+  const BodyLoads loads(scene, model.kinematics, temperatures, errors);
   std::vector<substructure::Substructure> assembled(bodies.pieces.size());
   const auto congruences = findCongruences(bodies, mesh, model.kinematics);
   std::vector<bool> needsStiffness(assembled.size(), false);
@@ -209,8 +195,9 @@ std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh:
         assembled[b].stiffness = elasticity::assembleStiffness(mesh, piece, *bodies.materials[b], part.formulation,
                                                                model.kinematics, model.thickness);
       }
-      if (owner[b] == rank && part.bodyForce) {
-        assembled[b].loads = bodyForces(*part.bodyForce, mesh, piece, model, static_cast<int>(scene.times.size()));
+      if (owner[b] == rank) {
+        assembled[b].loads = loads.of(
+            {mesh, piece, *bodies.materials[b], part.formulation, model.kinematics, model.thickness}, part.bodyForce);
       }
     });
   }

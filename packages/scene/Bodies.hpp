@@ -17,6 +17,7 @@
 #include <harmos/mesh/Mesh.hpp>
 #include <harmos/mesh/Piece.hpp>
 #include <harmos/scene/Scene.hpp>
+#include <harmos/scene/Temperatures.hpp>
 #include <harmos/substructure/Substructure.hpp>
 
 namespace harmos::scene {
@@ -66,12 +67,12 @@ std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(con
 std::vector<int> distribute(const Bodies& bodies, int ranks);
 
 /// Stiffness and loads of the bodies that this rank owns; of congruent bodies the stiffness of what they equal. Reports
-/// elements that cannot be used to `errors`, on the ranks that own them.
+/// elements that cannot be used to `errors`, on the ranks that own them, and loads that have no meaning on all.
 ///
 /// Every rank gets all bodies, in their order, with names and nodes; the rest is empty where it has no use. Stiffness
 /// is in [force/length], loads are nodal forces [force], degrees of freedom x load steps. Not collective.
 std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh::Mesh& mesh, const Model& model,
-                                                 const Bodies& bodies, const std::vector<int>& owner, int rank,
-                                                 input::ErrorList& errors);
+                                                 const Bodies& bodies, const Temperatures& temperatures,
+                                                 const std::vector<int>& owner, int rank, input::ErrorList& errors);
 
 }  // namespace harmos::scene

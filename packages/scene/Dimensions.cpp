@@ -54,6 +54,15 @@ class VectorChecker {
     }
   }
 
+  void axisOfRotation(const Parameters& parameters) const {
+    if (dimension_ != 2) {
+      direction(parameters, "Axis");
+    } else if (parameters.has("Axis")) {
+      errors_.add(parameters.where("Axis"), "in the plane parts turn about z, in axisymmetry about y.",
+                  "Remove \"Axis\".");
+    }
+  }
+
  private:
   std::optional<int> dimension_;
   input::ErrorList& errors_;
@@ -66,6 +75,10 @@ void checkDimensions(const Parameters& scene, std::optional<int> dimension, inpu
   if (dimension && !fitsKinematics(scene.list("Model"), *dimension, errors)) return;
   const VectorChecker vectors(dimension, errors);
   for (const Parameters& interface : scene.lists("Interfaces")) vectors.direction(interface, "Projection Direction");
+  for (const Parameters& load : scene.lists("Loads")) {
+    vectors.point(load, "Point");
+    vectors.axisOfRotation(load);
+  }
   for (const Parameters& response : scene.lists("Responses")) {
     vectors.direction(response, "Direction");
     vectors.axis(response);

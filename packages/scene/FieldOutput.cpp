@@ -47,8 +47,9 @@ void writeParts(const Problem& problem, const latin::Iterate& state, const std::
         const auto u = state.relativeDisplacement(static_cast<int>(body), node, t);
         for (int c = 0; c < dimension; ++c) displacement(node * dimension + c, t) = u[at(c)];
       }
+    const base::Matrix temperature = problem.temperatures->of(part);
     stress[body] = elasticity::elementStress(problem.mesh, part, *problem.bodies.materials[body],
-                                             problem.model.kinematics, displacement);
+                                             problem.model.kinematics, displacement, &temperature);
   }
 
   const auto writer = file.open(path, layout.mesh, variables);

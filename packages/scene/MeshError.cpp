@@ -47,6 +47,12 @@ Fields displacementsOf(const latin::Iterate& state, int step) {
   return result;
 }
 
+base::Matrix columnOf(const base::Matrix& all, int column) {
+  base::Matrix result(all.numRows(), all.numRows() > 0 ? 1 : 0);
+  if (all.numRows() > 0) std::copy_n(all[column], all.numRows(), result[0]);
+  return result;
+}
+
 /// What one number per part says of a response.
 ResponseMeshError judge(const std::string& response, double value, double size, bool isHidden,
                         const std::vector<WholePart>& parts, const std::vector<double>& change,
@@ -137,12 +143,14 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
     if (static_cast<int>(p) % comm.getSize() != comm.getRank()) continue;
     const WholePart& part = parts[p];
     const auto body = static_cast<std::size_t>(part.bodies.front());
+    const base::Matrix temperature = columnOf(problem.temperatures->of(part.piece), step);
     const elasticity::ElasticPart elastic{problem.mesh,
                                           part.piece,
                                           *problem.bodies.materials[body],
                                           problem.bodies.parts[body].formulation,
                                           problem.model.kinematics,
-                                          problem.model.thickness};
+                                          problem.model.thickness,
+                                          temperature.numRows() > 0 ? &temperature : nullptr};
     const recovery::PartResidual residual =
         recovery::dualWeightedResidual(elastic, part.displacements, part.boundary, part.faces, part.skipped);
     double* to = mine.data() + width * p;

@@ -70,8 +70,9 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
     });
   }
   assembly.owner = distribute(problem.bodies, comm.getSize());
-  assembly.bodies =
-      assemble(scene, problem.mesh, problem.model, problem.bodies, assembly.owner, comm.getRank(), errors);
+  problem.temperatures = std::make_shared<Temperatures>(scene, problem.mesh, errors);
+  assembly.bodies = assemble(scene, problem.mesh, problem.model, problem.bodies, *problem.temperatures, assembly.owner,
+                             comm.getRank(), errors);
   throwTogether(errors, comm);
   problem.warnings = scene.warnings;
   for (const JoinedMeshes& joined : problem.joined) {

@@ -24,6 +24,7 @@ struct Problem {
   std::vector<mesh::InterfaceSurface> surfaces;                   // of interfaces, boundaries and cuts
   std::vector<JoinedMeshes> joined;                               // interfaces whose meshes do not match
   std::vector<std::vector<PairPlace>> places;                     // per surface and pair: where its unknowns are
+  std::shared_ptr<const Temperatures> temperatures;               // of the parts
   assembly::Assembly assembly;                                    // what LATIN solves
   std::vector<std::shared_ptr<const latin::Response>> responses;  // in the order of the list Responses
   std::vector<std::string> warnings;                              // those of the scene, and what its mesh adds

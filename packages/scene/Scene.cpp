@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include <harmos/base/Error.hpp>
@@ -21,6 +22,7 @@
 #include <harmos/scene/detail/ResponseRegistry.hpp>
 #include <harmos/scene/detail/Units.hpp>
 #include <harmos/scene/detail/UnusedEntries.hpp>
+#include <harmos/scene/detail/VolumeLoad.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
 
 namespace harmos::scene {
@@ -77,6 +79,10 @@ class SceneChecker {
         scene_.cutLaw = laws_.create(Parameters("cut").set("Type", std::string("Perfect")));
       }
     }
+    checkPartsOf("Loads", "Density", [](const elasticity::Material& m) { return m.density().has_value(); });
+    checkPartsOf("Temperatures", "Thermal Expansion",
+                 [](const elasticity::Material& m) { return m.thermalExpansion().has_value(); });
+    checkOneTemperature();
     for (const Parameters& interface : input_.lists("Interfaces")) checkInterface(interface);
     for (const Parameters& boundary : input_.lists("Boundaries")) checkBoundary(boundary);
     for (const Parameters& response : input_.lists("Responses")) checkResponse(response);
@@ -113,6 +119,45 @@ class SceneChecker {
     errors_.add(where, "\"" + name + "\" is not in the list " + list + ".",
                 base::suggestName(name, known, list + " has"));
     return false;
+  }
+
+  /// The parts that lists of this kind name are there, and their materials have the constant that they need.
+  void checkPartsOf(const std::string& kind, const std::string& constant,
+                    const std::function<bool(const elasticity::Material&)>& has) {
+    const Names parts = namesOf(input_.lists("Parts"));
+    for (const Parameters& list : input_.lists(kind)) {
+      if (list.has("Parts")) {
+        for (const std::string& name : list.texts("Parts")) knownName(list.where("Parts"), name, parts, "Parts");
+      }
+      Names lacking;
+      for (const Parameters& part : input_.lists("Parts")) {
+        const auto material = scene_.materials.find(part.text("Material"));
+        if (!concerns(list, part.name()) || material == scene_.materials.end() || has(*material->second)) continue;
+        if (std::find(lacking.begin(), lacking.end(), material->first) == lacking.end()) {
+          lacking.push_back(material->first);
+        }
+      }
+      if (lacking.empty()) continue;
+      errors_.add(list.where(),
+                  "the materials of its parts have no " + constant + ": " + base::joinNames(lacking) + ".",
+                  "Add \"" + constant + "\" to them, or name the parts that have it in \"Parts\".");
+    }
+  }
+
+  void checkOneTemperature() {
+    for (const Parameters& part : input_.lists("Parts")) {
+      const Parameters* first = nullptr;
+      for (const Parameters& list : input_.lists("Temperatures")) {
+        if (!concerns(list, part.name())) continue;
+        if (first == nullptr) {
+          first = &list;
+        } else {
+          errors_.add(list.where(),
+                      "the part \"" + part.name() + "\" has a temperature already, at " + first->location() + ".",
+                      "Name the parts of each in \"Parts\".");
+        }
+      }
+    }
   }
 
   void checkInterface(const Parameters& interface) {

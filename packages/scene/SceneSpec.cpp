@@ -7,7 +7,9 @@
 #include <harmos/scene/detail/History.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
+#include <harmos/scene/detail/TemperatureField.hpp>
 #include <harmos/scene/detail/Units.hpp>
+#include <harmos/scene/detail/VolumeLoad.hpp>
 
 namespace harmos::scene {
 
@@ -117,6 +119,17 @@ input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
   describePart(spec.namedLists("Parts", true));
   describeInterface(spec.namedLists("Interfaces"), laws);
   describeBoundary(spec.namedLists("Boundaries"), laws);
+  input::ParameterSpec& loads = spec.namedLists("Loads");
+  loads.summary("Loads on the mass of parts: weight, and inertia of supports that move.")
+      .choose(builtInVolumeLoads().forms());
+  describeParts(loads);
+  input::ParameterSpec& temperatures = spec.namedLists("Temperatures");
+  temperatures
+      .summary(
+          "Temperatures of parts, which strain them by alpha (T - T_ref): Thermal Expansion of the material times the "
+          "difference to the reference.")
+      .choose(builtInTemperatures().forms());
+  describeTemperature(temperatures);
   describeStep(spec.namedLists("Steps", true));
   spec.namedLists("Histories")
       .summary("Factors over time that loads and law parameters follow.")

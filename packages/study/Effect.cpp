@@ -40,7 +40,9 @@ void collect(const input::InputNode& list, const std::string& path, const std::s
   }
 }
 
-bool anyPartHasBodyForce(const scene::Scene& scene) {
+/// Body forces, loads on masses, temperatures.
+bool anyPartHasLoads(const scene::Scene& scene) {
+  if (!scene.input.lists("Loads").empty() || !scene.input.lists("Temperatures").empty()) return true;
   const auto& parts = scene.input.lists("Parts");
   return std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.hasList("Body Force"); });
 }
@@ -73,9 +75,9 @@ Effect effectOf(const std::string& entry, const scene::Scene& scene) {
     const bool isLoad = law != scene.laws.end() && law->second->prescribesTraction();
     return {isLoad ? Kind::loads : Kind::localStage, Target::law, name, entry};
   }
-  // A history may belong to laws, to tractions and to body forces; the last are part of the bodies.
+  // A history may belong to laws, to tractions and to loads on volumes; the last are part of the bodies.
   if (list == "Histories") {
-    return {anyPartHasBodyForce(scene) ? Kind::operators : Kind::loads, Target::history, name, entry};
+    return {anyPartHasLoads(scene) ? Kind::operators : Kind::loads, Target::history, name, entry};
   }
   if (list == "Parts") return {Kind::operators, Target::part, name, entry};
   if (list == "Materials") return {Kind::operators, Target::material, name, entry};

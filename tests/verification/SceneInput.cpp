@@ -86,14 +86,28 @@ SceneInput& SceneInput::remove(const std::string& path) {
 }
 
 SceneInput& SceneInput::changeMesh(const std::function<void(mesh::Mesh&)>& change) {
-  static MeshFiles files;
-  const auto comm = Tpetra::getDefaultComm();
   mesh::Mesh mesh = this->mesh();
   change(mesh);
+  return write(mesh, {}, {});
+}
+
+SceneInput& SceneInput::addNodalVariable(const std::string& name,
+                                         const std::function<double(const base::Vector3&)>& value) {
+  const mesh::Mesh mesh = this->mesh();
+  std::vector<double> values;
+  for (const base::Vector3& x : mesh.nodes) values.push_back(value(x));
+  return write(mesh, {name}, {values});
+}
+
+SceneInput& SceneInput::write(const mesh::Mesh& mesh, const std::vector<std::string>& names,
+                              const std::vector<std::vector<double>>& values) {
+  static MeshFiles files;
+  const auto comm = Tpetra::getDefaultComm();
   const std::string file = newMeshFile(*comm);
   if (comm->getRank() == 0) {
     files.paths.push_back(file);
-    files::ExodusWriter writer(file, "Verification", files::resultMesh(mesh), {});
+    files::ExodusWriter writer(file, "Verification", files::resultMesh(mesh), {names, {}, {}});
+    if (!names.empty()) writer.write({1.0, values, {}, {}});
     writer.commit();
   }
   comm->barrier();

@@ -27,11 +27,16 @@ class SceneInput {
   /// Replaces the mesh by what `change` makes of it, through an Exodus file. Collective over all processes.
   SceneInput& changeMesh(const std::function<void(mesh::Mesh&)>& change);
 
+  /// Replaces the mesh by the same one in an Exodus file that has a nodal variable at one time. Collective likewise.
+  SceneInput& addNodalVariable(const std::string& name, const std::function<double(const base::Vector3&)>& value);
+
   scene::Scene scene() const;
   /// The mesh of the scene as it is now.
   mesh::Mesh mesh() const;
 
  private:
+  SceneInput& write(const mesh::Mesh& mesh, const std::vector<std::string>& names,
+                    const std::vector<std::vector<double>>& values);
   input::InputNode& list(const std::string& path);
 
   std::string path_;

@@ -31,6 +31,15 @@ class ElementStrain {
   }
   /// Determinant of the Jacobian at a point [length^dimension].
   double determinant(int point) const { return determinant_[point]; }
+  /// Means of the N_a over the element, weighted by volume.
+  std::vector<double> meanValues() const {
+    std::vector<double> mean(shape_.nodes);
+    for (int a = 0; a < shape_.nodes; ++a) mean[a] = integrals_.value[a] / integrals_.volume;
+    return mean;
+  }
+  /// Adds volume B^t stress [force] to the forces of the nodes, dimension x nodes: what a stress at a point asks of
+  /// them, B as in full integration.
+  void addForces(int point, const Strain& stress, double volume, double* forces) const;
   /// Strain at a point, components xx, yy, zz, xy, yz, zx, shear doubled.
   std::array<double, 6> strain(int point, int column) const;
 

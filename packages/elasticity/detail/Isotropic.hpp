@@ -17,9 +17,12 @@ class Isotropic : public Material {
   Isotropic(double youngsModulus, double poissonsRatio);
   explicit Isotropic(const input::Parameters& parameters);
   ElasticityMatrix elasticity() const override;
+  std::optional<double> density() const override { return density_; }
+  std::optional<Strain> thermalExpansion() const override;
 
  private:
   double youngsModulus_, poissonsRatio_;
+  std::optional<double> density_, expansion_;
 };
 
 }  // namespace harmos::elasticity

@@ -30,9 +30,13 @@ class Orthotropic : public Material {
   explicit Orthotropic(const Constants& constants);
   explicit Orthotropic(const input::Parameters& parameters);
   ElasticityMatrix elasticity() const override { return elasticity_; }
+  std::optional<double> density() const override { return density_; }
+  std::optional<Strain> thermalExpansion() const override { return expansion_; }
 
  private:
   ElasticityMatrix elasticity_;
+  std::optional<double> density_;
+  std::optional<Strain> expansion_;
 };
 
 }  // namespace harmos::elasticity

@@ -1,3 +1,4 @@
+#include <harmos/elasticity/BodyForce.hpp>
 #include <harmos/elasticity/Stiffness.hpp>
 
 #include <gtest/gtest.h>
@@ -191,7 +192,10 @@ TEST(Stiffness, refusesKinematicsOfOtherDimension) {
 
 TEST(BodyForce, hasNoThirdComponentInThePlane) {
   const Patch patch(quadrilaterals, 1);
-  EXPECT_THROW(bodyForce(patch.mesh, patch.piece, {0.0, 0.0, 1.0}, Kinematics::planeStrain), base::Error);
+  const Isotropic material(1.0, 0.0);
+  std::vector<double> forces(2 * patch.piece.nodes.size());
+  const BodyForce body({patch.mesh, patch.piece, material, Formulation::fullIntegration, Kinematics::planeStrain});
+  EXPECT_THROW(body.addTo(forces.data(), {{0.0, 0.0, 1.0}, {}}), base::Error);
 }
 
 }  // namespace

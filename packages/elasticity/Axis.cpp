@@ -1,0 +1,39 @@
+#include <harmos/elasticity/detail/Axis.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <harmos/base/Error.hpp>
+
+namespace harmos::elasticity {
+namespace {
+
+// Of the largest radius of a part: coordinates that are 0 but for rounding.
+constexpr double onAxis = 1e-9;
+
+}  // namespace
+
+std::vector<bool> nodesOnAxis(const mesh::Mesh& mesh, const mesh::Piece& piece, Kinematics kinematics) {
+  std::vector<bool> isOnAxis(piece.nodes.size(), false);
+  if (!isAxisymmetric(kinematics)) return isOnAxis;
+  double largest = 0.0;
+  for (const int node : piece.nodes) largest = std::max(largest, std::abs(mesh.nodes[node][0]));
+  int count = 0, worst = -1;
+  for (std::size_t local = 0; local < piece.nodes.size(); ++local) {
+    const int node = piece.nodes[local];
+    const double radius = mesh.nodes[node][0];
+    isOnAxis[local] = std::abs(radius) <= onAxis * largest;
+    if (isOnAxis[local] || radius > 0.0) continue;
+    ++count;
+    if (worst < 0 || radius < mesh.nodes[worst][0]) worst = node;
+  }
+  if (count == 0) return isOnAxis;
+  std::ostringstream text;
+  text << "Part \"" << piece.name << "\" has " << count << (count == 1 ? " node" : " nodes")
+       << " with a negative radius x, the farthest node " << worst + 1 << " of the mesh at (" << mesh.nodes[worst][0]
+       << ", " << mesh.nodes[worst][1] << "). In axisymmetry the axis is x = 0 and parts lie at x >= 0: move the mesh.";
+  throw base::Error(text.str(), base::ExitCode::input);
+}
+
+}  // namespace harmos::elasticity
