@@ -54,6 +54,17 @@ class VectorChecker {
     }
   }
 
+  /// Of a law that acts in a point.
+  void remotePoint(const Parameters& law) const {
+    if (law.type() != "Remote Force") return;
+    point(law, "Point");
+    if (dimension_ != 2) return;
+    for (const char* entry : {"Z", "Moment X", "Moment Y"}) {
+      if (law.number(entry) == 0.0) continue;
+      errors_.add(law.where(entry), "it leaves the plane.", std::string("Remove \"") + entry + "\".");
+    }
+  }
+
   void axisOfRotation(const Parameters& parameters) const {
     if (dimension_ != 2) {
       direction(parameters, "Axis");
@@ -75,6 +86,7 @@ void checkDimensions(const Parameters& scene, std::optional<int> dimension, inpu
   if (dimension && !fitsKinematics(scene.list("Model"), *dimension, errors)) return;
   const VectorChecker vectors(dimension, errors);
   for (const Parameters& interface : scene.lists("Interfaces")) vectors.direction(interface, "Projection Direction");
+  for (const Parameters& boundary : scene.lists("Boundaries")) vectors.remotePoint(boundary.list("Law"));
   for (const Parameters& load : scene.lists("Loads")) {
     vectors.point(load, "Point");
     vectors.axisOfRotation(load);

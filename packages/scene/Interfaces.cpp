@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
 #include <harmos/base/Vector3.hpp>
 #include <harmos/laws/AffineComponent.hpp>
+#include <harmos/laws/FaceLaw.hpp>
 #include <harmos/mesh/InterfaceFrame.hpp>
 #include <harmos/mesh/Skin.hpp>
 #include <harmos/mortar/GroundSurfaces.hpp>
@@ -71,6 +74,45 @@ void checkNormals(const laws::InterfaceLaw& law, const std::vector<mesh::Interfa
                           "\" has no meaning at a crease, where the normal is not unique: " + several.text() +
                           ".\n  Divide the faces there into several sets, or raise Crease Angle.",
                       base::ExitCode::input);
+  }
+}
+
+using FacePoints = std::vector<std::pair<base::Vector3, double>>;
+
+/// A law that acts on the mean motion of a face needs one that can be turned about every axis.
+void checkFace(const laws::InterfaceLaw& law, const Model& model, int dimension,
+               const std::vector<mesh::InterfaceSurface>& surfaces) {
+  if (dynamic_cast<const laws::FaceLaw*>(&law) == nullptr) return;
+  const std::string name = base::quoted(law.name());
+  const auto refuse = [](const std::string& text) { throw base::Error(text, base::ExitCode::input); };
+  if (elasticity::isAxisymmetric(model.kinematics)) {
+    refuse(name + " has no meaning in axisymmetry.\n  Model the part in space, or load it by tractions.");
+  }
+  FacePoints points;
+  for (const mesh::InterfaceSurface& surface : surfaces) {
+    for (int p = 0; p < surface.pairs(); ++p) points.emplace_back(surface.position[p], surface.share[p]);
+  }
+  if (laws::FaceMotions::of(points, dimension)) return;
+  refuse(name + " turns its face, but all nodes here lie on one line or in one point.\n  Choose a larger face.");
+}
+
+/// Binds laws of whole faces to those that all interfaces of their name make together.
+void bindToFaces(int dimension, std::vector<assembly::Interface>& interfaces) {
+  std::map<std::string, FacePoints> points;
+  for (const assembly::Interface& interface : interfaces) {
+    if (dynamic_cast<const laws::FaceLaw*>(interface.law.get()) == nullptr) continue;
+    for (int p = 0; p < interface.pairs(); ++p) {
+      points[interface.name].emplace_back(interface.position[p], interface.area[p]);
+    }
+  }
+  std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> bound;
+  for (assembly::Interface& interface : interfaces) {
+    const auto* law = dynamic_cast<const laws::FaceLaw*>(interface.law.get());
+    if (law == nullptr) continue;
+    auto& ofName = bound[interface.name];
+    const auto face = ofName ? std::nullopt : laws::FaceMotions::of(points[interface.name], dimension);
+    if (face) ofName = law->on(std::make_shared<const laws::FaceMotions>(*face));
+    if (ofName) interface.law = ofName;
   }
 }
 
@@ -221,6 +263,7 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }
         checkNormals(law, found);
+        checkFace(law, model, mesh.dimension, found);
         append(std::move(found));
       });
     }
@@ -268,13 +311,16 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
       interface.gap.push_back(surface.gap[p]);
     }
     if (interface.pairs() == 0) continue;
-    if (isConsistent && !isAlongNormals) {
+    // What is linear over the face keeps its moments with lumped areas.
+    const bool isOfFace = dynamic_cast<const laws::FaceLaw*>(interface.law.get()) != nullptr;
+    if (isConsistent && !isAlongNormals && !isOfFace) {
       for (const mesh::MassEntry& entry : surface.mass) {
         interface.mass.push_back({entry.row, entry.column, entry.value});
       }
     }
     made.interfaces.push_back(std::move(interface));
   }
+  bindToFaces(dimension, made.interfaces);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     for (std::size_t p = 0; p < carriers[s].size(); ++p) {
       const mesh::PairCarrier& carrier = carriers[s][p];

@@ -7,6 +7,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/LatinOptions.hpp>
+#include <harmos/laws/FaceLaw.hpp>
 #include <harmos/study/StochasticTails.hpp>
 
 namespace harmos::study {
@@ -92,7 +93,7 @@ stochastic::Realisations ChaosStudy::realise(const probability::RandomVector& va
     auto& row = laws.emplace_back();
     for (std::size_t i = 0; i < isRandom_.size(); ++i) {
       const assembly::Interface& interface = problem_.assembly.interfaces[i];
-      row.push_back(isRandom_[i] ? scene.laws.at(interface.name) : interface.law);
+      row.push_back(isRandom_[i] ? laws::inPlaceOf(*interface.law, scene.laws.at(interface.name)) : interface.law);
     }
   }
   return laws;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/laws/FaceLaw.hpp>
 #include <harmos/results/StatusName.hpp>
 #include <harmos/scene/MeshError.hpp>
 
@@ -162,7 +163,8 @@ void StudyGroup::install(const std::vector<double>& values) {
 void StudyGroup::useLawsOf(const scene::Scene& scene) {
   for (assembly::Interface& interface : problem_.assembly.interfaces) {
     const auto law = scene.laws.find(interface.name);
-    if (law != scene.laws.end()) interface.law = law->second;  // else a cut through a part, which no parameter changes
+    if (law == scene.laws.end()) continue;  // a cut through a part, which no parameter changes
+    interface.law = laws::inPlaceOf(*interface.law, law->second);
   }
 }
 

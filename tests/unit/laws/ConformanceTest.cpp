@@ -499,7 +499,10 @@ TEST_P(Conformance, PassesOnWhatIsNotANumber) {
 std::vector<std::string> names() {
   std::vector<std::string> result;
   const LawRegistry laws = builtInLaws();
-  for (const auto& form : laws.forms()) result.push_back(form.name());
+  for (const auto& form : laws.forms()) {
+    // Of whole faces, not of pairs: FaceLawTest.
+    if (form.name() != "Remote Force") result.push_back(form.name());
+  }
   return result;
 }
 
