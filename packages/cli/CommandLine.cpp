@@ -92,8 +92,8 @@ void demandPrinted(std::ostream& out) {
 }  // namespace
 
 std::vector<Command> commands() {
-  return {runCommand(),   checkCommand(),  docCommand(),     meshCommand(),  compareCommand(),
-          studyCommand(), reportCommand(), predictCommand(), importCommand()};
+  return {runCommand(),    checkCommand(),   docCommand(),    meshCommand(),    compareCommand(), studyCommand(),
+          reportCommand(), predictCommand(), importCommand(), pictureCommand(), showCommand()};
 }
 
 int runCommandLine(const std::vector<std::string>& words, const CommandEnvironment& environment) {

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <iomanip>
 #include <ostream>
+#include <sstream>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/cli/detail/Progress.hpp>
@@ -19,6 +20,36 @@ void printEstimate(std::ostream& out, double estimate) {
   } else {
     out << "error not estimated";
   }
+}
+
+std::string placeOf(const files::WorstPoint& point) {
+  // What is 0 but for the round-off of a mesh generator.
+  const double nothing = 1e-12 * base::norm(point.position);
+  std::ostringstream text;
+  text << std::setprecision(4);
+  const char* before = "(";
+  for (const double x : point.position) {
+    text << before << (std::abs(x) <= nothing ? 0.0 : x);
+    before = ", ";
+  }
+  return text.str() + ")";
+}
+
+void printSafety(std::ostream& out, const char* against, const std::optional<files::SafetyRecord>& safety) {
+  if (!safety) return;
+  out << "least safety against " << against << "  " << safety->whole << " of " << safety->worst.of << ", "
+      << safety->worst.value << " at " << placeOf(safety->worst) << "\n";
+}
+
+/// The three numbers that decide.
+void printDecision(std::ostream& out, const files::SolutionRecord& solution) {
+  out << std::setprecision(4);
+  if (const auto& peak = solution.largestVonMises) {
+    out << "largest von Mises stress (" << peak->at << ")  " << peak->point.value << " in " << peak->point.of << " at "
+        << placeOf(peak->point) << "\n";
+  }
+  printSafety(out, "slip", solution.slip);
+  printSafety(out, "gaping", solution.gaping);
 }
 
 void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
@@ -47,6 +78,7 @@ void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
     }
     out << "\n";
   }
+  printDecision(out, record.solution);
   out << result.files.parts << "\n" << result.files.interfaces << "\n" << result.files.history << "\n";
 }
 

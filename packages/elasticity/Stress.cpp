@@ -1,5 +1,6 @@
 #include <harmos/elasticity/Stress.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <harmos/elasticity/detail/ElementLoop.hpp>
@@ -59,6 +60,19 @@ base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, con
 double vonMises(const double* s) {
   const double xy = s[0] - s[1], yz = s[1] - s[2], zx = s[2] - s[0];
   return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+std::array<double, 3> principalStresses(const double* s) {
+  // Of the deviator: lambda = 2 sqrt(J2/3) cos(angle), cos(3 angle) = (3 sqrt(3) / 2) J3 / J2^(3/2).
+  const double mean = (s[0] + s[1] + s[2]) / 3.0;
+  const double x = s[0] - mean, y = s[1] - mean, z = s[2] - mean, xy = s[3], yz = s[4], zx = s[5];
+  const double radius = vonMises(s) / 1.5;  // 2 sqrt(J2/3)
+  if (radius == 0.0) return {mean, mean, mean};
+  const double j3 = x * (y * z - yz * yz) - xy * (xy * z - yz * zx) + zx * (xy * yz - y * zx);
+  const double angle = std::acos(std::clamp(4.0 * j3 / (radius * radius * radius), -1.0, 1.0)) / 3.0;
+  const double third = 2.0943951023931953;  // of a turn, 2 pi / 3
+  return {mean + radius * std::cos(angle), mean + radius * std::cos(angle - third),
+          mean + radius * std::cos(angle + third)};
 }
 
 }  // namespace harmos::elasticity

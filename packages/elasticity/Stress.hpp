@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <harmos/base/Matrix.hpp>
 #include <harmos/elasticity/Kinematics.hpp>
 #include <harmos/elasticity/Material.hpp>
@@ -23,5 +25,8 @@ base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, con
 
 /// von Mises stress sqrt(3/2 s:s) [stress], s the deviator, of six components [stress] in the order of elementStress().
 double vonMises(const double* stress);
+
+/// Principal stresses [stress] of the same six components, the largest first.
+std::array<double, 3> principalStresses(const double* stress);
 
 }  // namespace harmos::elasticity

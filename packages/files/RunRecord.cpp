@@ -7,6 +7,7 @@
 
 #include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/Version.hpp>
+#include <harmos/files/detail/SolutionJson.hpp>
 
 namespace harmos::files {
 
@@ -63,6 +64,7 @@ std::string toJson(const RunRecord& record) {
                {"response_ranges", ranges},
                {"mesh_error_estimates", meshErrors},
                {"mesh_energy_shares", energyShares},
+               {"last_step", toJson(record.solution)},
                {"steps", record.steps},
                {"solved_steps", record.solvedSteps},
                {"iterations", record.iterations},

@@ -8,6 +8,7 @@
 
 #include <harmos/base/Timers.hpp>
 #include <harmos/files/ResultFiles.hpp>
+#include <harmos/files/SolutionRecord.hpp>
 #include <harmos/results/MeshErrorRecord.hpp>
 
 namespace harmos::files {
@@ -35,6 +36,7 @@ struct RunRecord {
   std::vector<RecordedRange> responseRanges;                        // of those that the problem does not determine
   std::vector<results::MeshErrorRecord> meshErrors;                 // of responses that have one
   std::vector<std::pair<std::string, double>> meshEnergyShares;     // per part: energy that its mesh does not show
+  SolutionRecord solution;                                          // forces, energies, stress and safeties in the end
   int steps = 0, solvedSteps = 0;                                   // load steps, and how many of them are written
   int iterations = 0;                                               // of LATIN
   int linearStages = 0;                                             // whatever for

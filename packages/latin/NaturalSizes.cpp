@@ -115,6 +115,8 @@ double NaturalSizes::floor(Quantity quantity) const {
       return stress_;
     case Quantity::energy:
       return smallShare * force_ * displacement_;
+    case Quantity::ratio:
+      return smallShare;
   }
   return 0.0;
 }

@@ -62,11 +62,15 @@ std::optional<ResponseGradient> ResultantResponse::gradient(const assembly::Asse
 }
 
 std::vector<double> PairResponse::evaluate(const Iterate& state) const {
-  std::vector<double> values(state.assembly().steps(), 0.0);
+  std::vector<double> values = begin(state.assembly().steps());
   for (int i : interfaces_) {
     include(state.assembly().interfaces[i], pairFields(state, i), values);
   }
-  return values;
+  return finish(std::move(values));
+}
+
+std::vector<double> PairResponse::begin(int steps) const {
+  return std::vector<double>(static_cast<std::size_t>(steps) * static_cast<std::size_t>(width()), start());
 }
 
 bool PairResponse::reads(int interface) const {

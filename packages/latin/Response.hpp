@@ -9,7 +9,7 @@
 namespace harmos::latin {
 
 /// What a response is measured in; decides below which size its relative error stops to matter.
-enum class Quantity { displacement, force, moment, stress, energy };
+enum class Quantity { displacement, force, moment, stress, energy, ratio };
 
 /// Derivative of a response at one load step: dJ = sum of weight.du over nodes + sum of h weight.df1 over pairs.
 ///
@@ -35,7 +35,7 @@ struct ResponseGradient {
 /// A number per load step that the user asks for, read from the fields of an iteration. Its error is estimated and
 /// certified by name.
 ///
-/// It is linear in the fields of the linear stage and in the prescribed tractions, or else a PairResponse.
+/// It is linear, or a PairResponse; others cannot be random.
 class Response {
  public:
   /// `name`: for results and messages.
@@ -51,6 +51,8 @@ class Response {
   void setScale(double scale) { scale_ = scale; }
   /// One value per load step. Collective: the same values on every rank. All load steps must be selected.
   virtual std::vector<double> evaluate(const Iterate& state) const = 0;
+  /// Whether it is linear in the fields of the linear stage and in the prescribed tractions.
+  virtual bool isLinear() const { return true; }
   /// Its derivative, the same at all load steps; nothing where it is not linear in displacements and tractions.
   virtual std::optional<ResponseGradient> gradient(const assembly::Assembly& /*assembly*/) const {
     return std::nullopt;
@@ -130,13 +132,24 @@ class PairResponse : public Response {
   PairResponse(std::string name, Quantity quantity, std::vector<int> interfaces)
       : Response(std::move(name), quantity), interfaces_(std::move(interfaces)) {}
   std::vector<double> evaluate(const Iterate& state) const final;
+  bool isLinear() const final { return false; }
   /// On which the number depends.
   const std::vector<int>& interfaces() const { return interfaces_; }
-  /// Includes the share of one interface in `values`, one per load step and 0 before the first interface.
+  /// What is gathered from the interfaces: `width()` numbers per load step, step by step, before the first one.
+  std::vector<double> begin(int steps) const;
+  /// Includes the share of one interface in `values`.
   virtual void include(const assembly::Interface& interface, const PairFields& fields,
                        std::vector<double>& values) const = 0;
+  /// The value at each load step, of all that was included.
+  virtual std::vector<double> finish(std::vector<double> values) const { return values; }
   /// Whether the number depends on an interface.
   bool reads(int interface) const;
+
+ protected:
+  /// Numbers per load step that include() needs.
+  virtual int width() const { return 1; }
+  /// What they are before the first interface.
+  virtual double start() const { return 0.0; }
 
  private:
   std::vector<int> interfaces_;

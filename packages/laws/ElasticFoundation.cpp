@@ -34,6 +34,10 @@ struct ElasticFoundation {
     return springTraction(line, normal[at.step], tangential[at.step]);
   }
 
+  double storedEnergy(const base::Vector3& jump, const base::Vector3& traction) const {
+    return springEnergy(jump, traction);
+  }
+
   input::Schedule normal;
   input::Schedule tangential;
 };

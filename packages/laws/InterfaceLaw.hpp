@@ -66,6 +66,8 @@ class InterfaceLaw {
   /// So of a spring and a slider in series what is lost is the force of the slider times its slip, and nothing while it
   /// sticks. Contact keeps the work of its pressure, which is one of closing a gap. Asked only where dissipates().
   virtual double keptWork(const PairStep& /*step*/) const { return 0.0; }
+  /// Energy of the springs of the law at a pair [stress length]: of t = k delta it is t.delta / 2; 0: it has none.
+  virtual double storedEnergy(const base::Vector3& /*jump*/, const base::Vector3& /*traction*/) const { return 0.0; }
   /// The jump is 0 whatever the traction: the sides move as one.
   virtual bool bonds() const { return false; }
   /// Without memory, and every component by itself affine: at each load step t_i = k_i delta_i + c_i with 0 <= k_i <=

@@ -41,6 +41,10 @@ struct LinearElastic {
     return springTraction(line, normal[at.step], tangential[at.step]);
   }
 
+  double storedEnergy(const base::Vector3& jump, const base::Vector3& traction) const {
+    return springEnergy(jump, traction);
+  }
+
   input::Schedule normal;
   input::Schedule tangential;
 };

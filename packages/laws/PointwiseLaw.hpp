@@ -24,6 +24,7 @@ namespace harmos::laws {
 ///   static constexpr bool isAffine = true;                default false
 ///   static constexpr Creases creases = Creases::refuse;   default as InterfaceLaw::creases()
 ///   double keptWork(const PairStep&) const;               default 0
+///   double storedEnergy(const base::Vector3& jump, const base::Vector3& traction) const;  default 0
 ///   AdmissibleTractions admissibleTractions(int step) const;  default: not known
 /// What they mean is said at the functions of InterfaceLaw of these names. `old` and `now` are the pair's numbers at
 /// the end of the previous load step and of this one; solve() writes all of `now`.
@@ -48,6 +49,10 @@ class PointwiseLaw final : public InterfaceLaw {
   bool dissipates() const override { return dissipatesOf<L>(0); }
   /// L::keptWork(), or 0.
   double keptWork(const PairStep& step) const override { return keptWorkOf(law_, step, 0); }
+  /// L::storedEnergy(), or 0.
+  double storedEnergy(const base::Vector3& jump, const base::Vector3& traction) const override {
+    return storedEnergyOf(law_, jump, traction, 0);
+  }
   /// L::bonds, or false.
   bool bonds() const override { return bondsOf<L>(0); }
   /// L::isAffine, or false.
@@ -101,6 +106,15 @@ class PointwiseLaw final : public InterfaceLaw {
   }
   template <class T>
   static double keptWorkOf(const T&, const PairStep&, long) {
+    return 0.0;
+  }
+  template <class T>
+  static auto storedEnergyOf(const T& law, const base::Vector3& jump, const base::Vector3& traction, int)
+      -> decltype(law.storedEnergy(jump, traction)) {
+    return law.storedEnergy(jump, traction);
+  }
+  template <class T>
+  static double storedEnergyOf(const T&, const base::Vector3&, const base::Vector3&, long) {
     return 0.0;
   }
   template <class T>

@@ -3,8 +3,9 @@ import importlib
 import sys
 
 MODULES = {"report": "harmos.report.__main__", "import": "harmos.exchange.__main__",
-           "convert": "harmos.exchange.__main__"}
+           "convert": "harmos.exchange.__main__", "picture": "harmos.render", "show": "harmos.show"}
 """Where the function main() of each verb is; it takes the words that it is given."""
 
 verb = sys.argv[1]
-sys.exit(importlib.import_module(MODULES[verb]).main(sys.argv[2:] if verb == "report" else sys.argv[1:]))
+is_exchange = MODULES[verb].startswith("harmos.exchange")  # its verbs are one program
+sys.exit(importlib.import_module(MODULES[verb]).main(sys.argv[1:] if is_exchange else sys.argv[2:]))

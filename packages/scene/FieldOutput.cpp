@@ -1,12 +1,14 @@
 #include <harmos/scene/detail/FieldOutput.hpp>
 
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include <harmos/elasticity/Stress.hpp>
 #include <harmos/files/ResultLayout.hpp>
 #include <harmos/input/EffectiveInput.hpp>
-#include <harmos/latin/Dissipation.hpp>
 #include <harmos/scene/FieldFile.hpp>
+#include <harmos/scene/detail/PartStress.hpp>
 
 namespace harmos::scene {
 
@@ -16,6 +18,9 @@ using files::ResultStep;
 using files::ResultVariables;
 
 constexpr std::size_t stressComponents = 6;
+// Of two stresses that count as the same one when the largest is looked for: the place does not depend on round-off.
+constexpr double sameValue = 1e-6;
+constexpr const char* statusLegend = "contact_status: 0 open, 1 stick, 2 slip, 3 bonded, 4 broken";
 const char* const stressNames[] = {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_zx"};
 
 std::size_t at(int i) {
@@ -27,16 +32,10 @@ std::vector<std::size_t> stressesOf(int dimension) {
   return dimension == 2 ? std::vector<std::size_t>{0, 1, 2, 3} : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
 }
 
-void writeParts(const Problem& problem, const latin::Iterate& state, const std::string& path, const FieldFile& file) {
-  const auto layout = files::layOutParts(problem.mesh, problem.bodies.pieces, problem.surfaces);
+/// Means over the elements of all steps at once: the integrals over an element are formed only once. Empty: of bodies
+/// of other ranks.
+std::vector<base::Matrix> elementStresses(const Problem& problem, const latin::Iterate& state) {
   const int dimension = problem.mesh.dimension, steps = problem.assembly.steps();
-  const auto components = stressesOf(dimension);
-  ResultVariables variables;
-  addVector(variables.nodal, "disp", dimension);
-  for (std::size_t c : components) variables.element.push_back(stressNames[c]);
-  variables.element.push_back("von_mises");
-
-  // Stresses of all steps at once: the integrals over an element are formed only once.
   std::vector<base::Matrix> stress(problem.bodies.pieces.size());
   for (std::size_t body = 0; body < stress.size(); ++body) {
     if (!state.layout().owns(static_cast<int>(body))) continue;
@@ -51,7 +50,113 @@ void writeParts(const Problem& problem, const latin::Iterate& state, const std::
     stress[body] = elasticity::elementStress(problem.mesh, part, *problem.bodies.materials[body],
                                              problem.model.kinematics, displacement, &temperature);
   }
+  return stress;
+}
 
+/// Recovered stress of the parts as nodal variables.
+class NodalStress {
+ public:
+  /// Collective. Of the first `steps` load steps.
+  NodalStress(const Problem& problem, const latin::Iterate& state, int steps)
+      : parts_(PartStress::ofAll(problem.mesh, problem.bodies, problem.model)),
+        components_(stressesOf(problem.mesh.dimension)) {
+    for (const PartStress& part : parts_) stress_.push_back(part.recover(state, 0, steps));
+  }
+
+  static void addNames(int dimension, std::vector<std::string>& names) {
+    for (const std::size_t c : stressesOf(dimension)) names.push_back(std::string("nodal_") + stressNames[c]);
+    for (const char* name : {"nodal_von_mises", "principal_1", "principal_2", "principal_3"}) names.emplace_back(name);
+  }
+
+  /// Fills the nodal variables from number `first` on, of the parts that this rank has.
+  void fill(const files::PartsLayout& layout, int t, std::size_t first, ResultStep& step) const {
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (stress_[i].numRows() == 0) continue;
+      const std::vector<int>& bodies = parts_[i].bodies();
+      for (std::size_t b = 0; b < bodies.size(); ++b) {
+        for (int node = 0; node < parts_[i].nodes(b); ++node) {
+          const double* stress = stress_[i][t] + stressComponents * at(parts_[i].node(b, node));
+          const std::size_t to = at(layout.firstNode[at(bodies[b])] + node);
+          std::size_t variable = first;
+          for (const std::size_t c : components_) step.nodal[variable++][to] = stress[c];
+          step.nodal[variable++][to] = elasticity::vonMises(stress);
+          for (const double principal : elasticity::principalStresses(stress)) step.nodal[variable++][to] = principal;
+        }
+      }
+    }
+  }
+
+ private:
+  std::vector<PartStress> parts_;
+  std::vector<std::size_t> components_;
+  std::vector<base::Matrix> stress_;  // per part; no rows: another rank has it
+};
+
+/// The largest of some values that belong to the pieces in their order, on the rank that has all.
+files::WorstPoint largestOf(const std::vector<double>& values, const Problem& problem,
+                            const std::vector<std::vector<int>>& ofPieces,
+                            const std::function<base::Vector3(int)>& place) {
+  files::WorstPoint worst;
+  for (std::size_t piece = 0; piece < ofPieces.size(); ++piece) {
+    for (const int i : ofPieces[piece]) {
+      if (worst.of.empty() || values[at(i)] > worst.value * (1.0 + sameValue)) {
+        worst = {problem.bodies.pieces[piece].part, values[at(i)], place(i)};
+      }
+    }
+  }
+  return worst;
+}
+
+base::Vector3 centreOf(const files::ResultMesh& mesh, int element) {
+  for (const files::ResultMesh::Block& block : mesh.blocks) {
+    if (element >= block.elements()) {
+      element -= block.elements();
+      continue;
+    }
+    base::Vector3 sum{};
+    for (int a = 0; a < block.nodesPerElement; ++a) {
+      sum = sum + mesh.nodes[at(block.connectivity[at(element * block.nodesPerElement + a)])];
+    }
+    return (1.0 / block.nodesPerElement) * sum;
+  }
+  return {};
+}
+
+/// The largest von Mises stress of a step that rank 0 has gathered.
+files::StressPeak peakOf(const Problem& problem, const files::PartsLayout& layout, const ResultStep& step,
+                         std::optional<std::size_t> nodalVonMises) {
+  const auto placeOfNode = [&](int node) { return layout.mesh.nodes[at(node)]; };
+  const auto placeOfElement = [&](int element) { return centreOf(layout.mesh, element); };
+  if (!nodalVonMises) return {largestOf(step.element.back(), problem, layout.element, placeOfElement), "elements"};
+  std::vector<std::vector<int>> nodes;
+  for (std::size_t piece = 0; piece < problem.bodies.pieces.size(); ++piece) {
+    nodes.emplace_back(problem.bodies.pieces[piece].nodes.size());
+    std::iota(nodes.back().begin(), nodes.back().end(), layout.firstNode[piece]);
+  }
+  return {largestOf(step.nodal[*nodalVonMises], problem, nodes, placeOfNode), "nodes"};
+}
+
+std::optional<files::StressPeak> writeParts(const Problem& problem, const latin::Iterate& state,
+                                            const OutputChoice& choice, const std::string& path,
+                                            const FieldFile& file) {
+  const auto layout = files::layOutParts(problem.mesh, problem.bodies.pieces, problem.surfaces);
+  const int dimension = problem.mesh.dimension;
+  const auto components = stressesOf(dimension);
+  ResultVariables variables;
+  addVector(variables.nodal, "disp", dimension);
+  const std::size_t firstNodalStress = variables.nodal.size();
+  std::optional<NodalStress> nodal;
+  std::optional<std::size_t> nodalVonMises;
+  if (choice.nodalStress) {
+    nodal.emplace(problem, state, file.steps());
+    NodalStress::addNames(dimension, variables.nodal);
+    nodalVonMises = firstNodalStress + components.size();
+  }
+  for (std::size_t c : components) variables.element.push_back(stressNames[c]);
+  variables.element.push_back("von_mises");
+  const std::vector<base::Matrix> stress = elementStresses(problem, state);
+
+  std::optional<files::StressPeak> peak;
   const auto writer = file.open(path, layout.mesh, variables);
   for (int t = 0; t < file.steps(); ++t) {
     ResultStep step = files::zeroStep(layout.mesh, variables, file.time(t));
@@ -69,12 +174,15 @@ void writeParts(const Problem& problem, const latin::Iterate& state, const std::
         step.element.back()[element] = elasticity::vonMises(values);
       }
     }
+    if (nodal) nodal->fill(layout, t, firstNodalStress, step);
     for (auto& values : step.nodal) file.gather(values);
     for (auto& values : step.element) file.gather(values);
     file.fillGlobals(step, t);
+    if (writer && t + 1 == file.steps()) peak = peakOf(problem, layout, step, nodalVonMises);
     if (writer) writer->write(step);
   }
   if (writer) writer->commit();
+  return peak;
 }
 
 /// Fields of one pair of an interface at one load step, ready for the file.
@@ -89,12 +197,15 @@ class InterfaceStep {
     addVector(result.nodal, "traction", dimension);
     for (const char* name : {"contact_status", "opening"}) result.nodal.push_back(name);
     addVector(result.nodal, "slip", dimension);
-    for (const char* name : {"slip_magnitude", "dissipation"}) result.nodal.push_back(name);
+    for (const char* name : {"slip_magnitude", "dissipation", "safety_slip", "safety_gaping"}) {
+      result.nodal.emplace_back(name);
+    }
     return result;
   }
 
-  void fill(const assembly::Interface& interface, const latin::PairFields& fields, int t, int p, int node,
-            double dissipation) {
+  /// Of pair `p` of interface `i`.
+  void fill(const assembly::Interface& interface, const InterfaceFields& all, std::size_t i, int t, int p, int node) {
+    const latin::PairFields& fields = all.fields[i];
     const auto& frame = interface.frame[at(p)];
     const auto& traction = fields.traction[fields.at(t, p)];
     const auto& jump = fields.jump[fields.at(t, p)];
@@ -111,7 +222,9 @@ class InterfaceStep {
     put(hasJump ? jump[0] + interface.gap[at(p)] : 0.0);
     for (std::size_t d = 0; d < dimension_; ++d) put(hasJump ? frame[1][d] * jump[1] + frame[2][d] * jump[2] : 0.0);
     put(hasJump ? std::hypot(jump[1], jump[2]) : 0.0);
-    put(dissipation);
+    put(all.dissipation[i][fields.at(t, p)]);
+    put(all.safety[i].slip[fields.at(t, p)]);
+    put(all.safety[i].gaping[fields.at(t, p)]);
   }
 
  private:
@@ -122,17 +235,11 @@ class InterfaceStep {
   std::size_t variable_ = 0, node_ = 0;
 };
 
-void writeInterfaces(const Problem& problem, const latin::Iterate& state, const std::string& path,
-                     const FieldFile& file) {
+void writeInterfaces(const Problem& problem, const latin::Iterate& state, const InterfaceFields& fields,
+                     const std::string& path, const FieldFile& file) {
   const auto layout = files::layOutInterfaces(problem.mesh.dimension, problem.surfaces);
   const int dimension = problem.mesh.dimension;
   const auto& interfaces = problem.assembly.interfaces;
-  std::vector<latin::PairFields> fields;
-  std::vector<std::vector<double>> dissipation;
-  for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    fields.push_back(latin::pairFields(state, static_cast<int>(i)));
-    dissipation.push_back(latin::lostWork(interfaces[i], fields.back()));
-  }
   const auto variables = InterfaceStep::variables(dimension);
   const auto writer = file.open(path, layout.mesh, variables);
   for (int t = 0; t < file.steps(); ++t) {
@@ -143,8 +250,7 @@ void writeInterfaces(const Problem& problem, const latin::Iterate& state, const 
         const PairPlace& place = problem.places[s][p];
         if (place.interface < 0) continue;
         const auto i = at(place.interface);
-        filler.fill(interfaces[i], fields[i], t, place.pair, layout.firstPair[s] + static_cast<int>(p),
-                    dissipation[i][fields[i].at(t, place.pair)]);
+        filler.fill(interfaces[i], fields, i, t, place.pair, layout.firstPair[s] + static_cast<int>(p));
       }
     }
     for (int c = 0; c < dimension; ++c) {
@@ -173,15 +279,18 @@ void writeInterfaces(const Problem& problem, const latin::Iterate& state, const 
 
 }  // namespace
 
-void writeFields(const Scene& scene, const Problem& problem, const latin::Iterate& state,
-                 const std::vector<GlobalVariable>& globals, int solvedSteps, const files::ResultFiles& files,
-                 const Teuchos::Comm<int>& comm) {
+std::optional<files::StressPeak> writeFields(const Scene& scene, const Problem& problem, const latin::Iterate& state,
+                                             const InterfaceFields& fields, const std::vector<GlobalVariable>& globals,
+                                             int solvedSteps, const files::ResultFiles& files,
+                                             const Teuchos::Comm<int>& comm) {
   std::string title = scene.input.text("Title");
   if (title.empty()) title = scene.path;
   const std::vector<double> times(scene.times.begin(), scene.times.begin() + solvedSteps);
-  const FieldFile file(title, input::effectiveInput(scene.input), times, globals, comm);
-  writeParts(problem, state, files.parts, file);
-  writeInterfaces(problem, state, files.interfaces, file);
+  const std::string information = std::string(statusLegend) + "\n" + input::effectiveInput(scene.input);
+  const FieldFile file(title, information, times, globals, comm);
+  auto peak = writeParts(problem, state, scene.output, files.parts, file);
+  writeInterfaces(problem, state, fields, files.interfaces, file);
+  return peak;
 }
 
 }  // namespace harmos::scene

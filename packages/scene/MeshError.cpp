@@ -34,14 +34,16 @@ using results::negligibleMeshError;
 
 using Fields = std::vector<std::vector<double>>;  // per body
 
-Fields displacementsOf(const latin::Iterate& state, int step) {
+Fields displacementsOf(const Problem& problem, const latin::Iterate& state, int step) {
   const assembly::Assembly& assembly = state.assembly();
   Fields result(assembly.bodies.size());
-  for (std::size_t b = 0; b < result.size(); ++b) {
-    if (!state.layout().owns(static_cast<int>(b))) continue;
-    for (std::size_t node = 0; node < assembly.bodies[b].nodes.size(); ++node) {
-      const base::Vector3 u = state.relativeDisplacement(static_cast<int>(b), static_cast<int>(node), step);
-      result[b].insert(result[b].end(), u.begin(), u.begin() + assembly.dimension);
+  for (const PartPieces& part : partPieces(problem.mesh, problem.bodies.pieces)) {
+    for (const int b : part.bodies) {
+      if (!state.layout().owns(b)) continue;
+      for (std::size_t node = 0; node < assembly.bodies[b].nodes.size(); ++node) {
+        const base::Vector3 u = strainingDisplacement(state, part, b, static_cast<int>(node), step);
+        result[b].insert(result[b].end(), u.begin(), u.begin() + assembly.dimension);
+      }
     }
   }
   return result;
@@ -113,7 +115,7 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
                               const Teuchos::Comm<int>& comm) {
   const int step = problem.assembly.steps() - 1;
   const latin::Snapshot values(state, responses);
-  std::vector<Fields> fields{displacementsOf(state, step)};
+  std::vector<Fields> fields{displacementsOf(problem, state, step)};
   std::vector<latin::ResponseGradient> gradients;
   std::vector<std::size_t> linear;
   for (std::size_t i = 0; i < responses.size(); ++i) {

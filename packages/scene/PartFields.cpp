@@ -16,24 +16,6 @@ namespace {
 // Cosine of the angle between the normals of a face and of a point of it: 37 degrees.
 constexpr double sameNormal = 0.8;
 
-std::vector<WholePart> partsOf(const Problem& problem) {
-  std::vector<WholePart> parts;
-  for (std::size_t b = 0; b < problem.bodies.pieces.size(); ++b) {
-    const mesh::Piece& piece = problem.bodies.pieces[b];
-    const auto found =
-        std::find_if(parts.begin(), parts.end(), [&](const WholePart& part) { return part.name == piece.part; });
-    WholePart& part = found != parts.end() ? *found : parts.emplace_back();
-    part.name = piece.part;
-    part.bodies.push_back(static_cast<int>(b));
-    part.piece.elements.insert(part.piece.elements.end(), piece.elements.begin(), piece.elements.end());
-  }
-  for (WholePart& part : parts) {
-    std::sort(part.piece.elements.begin(), part.piece.elements.end());
-    part.piece = mesh::makePiece(problem.mesh, part.name, part.name, std::move(part.piece.elements));
-  }
-  return parts;
-}
-
 void fillDisplacements(const Problem& problem, const std::vector<std::vector<std::vector<double>>>& fields,
                        const Teuchos::Comm<int>& comm, WholePart& part) {
   const int dimension = problem.mesh.dimension, columns = static_cast<int>(fields.size());
@@ -221,8 +203,10 @@ class Surface {
 std::vector<WholePart> wholeParts(const Problem& problem, const std::vector<std::vector<std::vector<double>>>& fields,
                                   const std::vector<latin::ResponseGradient>& loads, int step,
                                   const Teuchos::Comm<int>& comm) {
-  std::vector<WholePart> parts = partsOf(problem);
-  for (WholePart& part : parts) {
+  std::vector<WholePart> parts;
+  for (PartPieces& each : partPieces(problem.mesh, problem.bodies.pieces)) {
+    WholePart& part = parts.emplace_back();
+    static_cast<PartPieces&>(part) = std::move(each);
     fillDisplacements(problem, fields, comm, part);
     Surface surface(problem, step, fields.size(), part);
     for (std::size_t j = 0; j < loads.size(); ++j) {

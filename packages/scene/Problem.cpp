@@ -61,7 +61,7 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   if (errors.count() == 0) {
     checkContradictions(scene, {problem.mesh, problem.bodies.pieces, problem.surfaces, assembly.interfaces}, errors);
   }
-  const ResponseContext context{problem.mesh, problem.bodies.pieces, finder, assembly};
+  const ResponseContext context{problem.mesh, problem.bodies.pieces, finder, assembly, problem.bodies, problem.model};
   for (const input::Parameters& response : scene.input.lists("Responses")) {
     errors.collect(response.where(), [&] {
       auto created = builtInResponses().create(response, context);

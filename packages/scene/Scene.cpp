@@ -271,6 +271,7 @@ Scene makeScene(const input::InputTree& input, const std::string& path, const st
   const Parameters& solver = scene.input.list("Solver");
   scene.solver = latin::LatinOptions(solver);
   scene.wantsMeshErrors = solver.flag("Mesh Error");
+  scene.output.nodalStress = scene.input.list("Output").flag("Nodal Stress");
   scene.hasConsistentMass = solver.text("Interface Mass") == "Consistent";
   return scene;
 }

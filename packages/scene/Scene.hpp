@@ -14,6 +14,11 @@
 /// Scenes: from XML to an assembly and its responses, and from the solution to files.
 namespace harmos::scene {
 
+/// Which fields are computed for the result files besides those that always are.
+struct OutputChoice {
+  bool nodalStress = false;  // recovered at the nodes, with von Mises and principal stresses
+};
+
 /// A checked scene: all that can be known before a mesh is read.
 struct Scene {
   std::string path;         // of the scene's file
@@ -21,7 +26,8 @@ struct Scene {
   latin::LatinOptions solver;
   bool hasConsistentMass = false;  // of interfaces, where they have faces
   bool wantsMeshErrors = true;     // of every response, beside the error of the solver
-  std::vector<double> times;       // end of each load step [time], ascending from above 0
+  OutputChoice output;
+  std::vector<double> times;  // end of each load step [time], ascending from above 0
   std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;  // by name in the list Materials
   std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;         // by name of interface or boundary
   std::vector<std::string>

@@ -18,6 +18,7 @@
 #include <harmos/input/EffectiveInput.hpp>
 #include <harmos/scene/Problem.hpp>
 #include <harmos/scene/detail/FieldOutput.hpp>
+#include <harmos/scene/detail/SolutionSummary.hpp>
 
 namespace harmos::scene {
 
@@ -200,8 +201,11 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
     result.solution = solver.solve();
     const auto writing = timers.start("write");
     const files::ResultFiles& files = pending ? pending->files() : result.files;
-    writeFields(scene, problem, solver.state(), globalsOf(result.solution, scene.times.size()),
-                result.solution.solvedSteps, files, *comm);
+    const int steps = result.solution.solvedSteps;
+    const InterfaceFields fields(solver.state());
+    if (steps > 0) result.record.solution = summarise(problem, solver.state(), fields, steps - 1);
+    result.record.solution.largestVonMises = writeFields(
+        scene, problem, solver.state(), fields, globalsOf(result.solution, scene.times.size()), steps, files, *comm);
     if (pending) {
       files::replaceFile(files.effectiveInput, input::effectiveInput(scene.input));
       files::writeHistory(files.history, historyOf(result.solution, scene.times));

@@ -99,6 +99,15 @@ void describeStep(input::ParameterSpec& spec) {
   spec.integer("Increments").defaultValue(1).atLeast(1).atMost(1000000).doc("Number of equal time steps in it.");
 }
 
+void describeOutput(input::ParameterSpec& spec) {
+  spec.summary("What the result files hold besides displacements, element stresses and the fields of interfaces.");
+  spec.flag("Nodal Stress")
+      .defaultValue(false)
+      .doc(
+          "Stresses at the nodes, recovered in every part by itself, with von Mises and principal stresses; the "
+          "largest von Mises stress of the summary is then that of the nodes, not of element means.");
+}
+
 }  // namespace
 
 input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
@@ -145,6 +154,7 @@ input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
       .doc(
           "Estimate the error that the mesh makes in every response, at the last load step; costs a few linear stages. "
           "Not with the velocity form.");
+  describeOutput(spec.list("Output"));
   spec.namedLists("Responses").summary("Numbers to report at every time step.").choose(builtInResponses().forms());
   return spec;
 }

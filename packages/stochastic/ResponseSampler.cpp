@@ -78,7 +78,7 @@ base::Matrix ResponseSampler::evaluate(int response, const base::Matrix& polynom
   const auto& onPairs = static_cast<const latin::PairResponse&>(*responses_[response]);
   for (int first = 0; first < points; first += chunk) {
     const int count = std::min(chunk, points - first);
-    std::vector<std::vector<double>> values(count, std::vector<double>(steps, 0.0));
+    std::vector<std::vector<double>> values(count, onPairs.begin(steps));
     for (const int i : onPairs.interfaces()) {
       const assembly::Interface& interface = assembly_.interfaces[i];
       const PairExpansion& expansion = expansionOf(i);
@@ -96,7 +96,7 @@ base::Matrix ResponseSampler::evaluate(int response, const base::Matrix& polynom
       }
     }
     for (int s = 0; s < count; ++s) {
-      std::copy_n(values[s].begin(), steps, result[first + s]);
+      std::copy_n(onPairs.finish(std::move(values[s])).begin(), steps, result[first + s]);
     }
   }
   return result;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/laws/FaceLaw.hpp>
 #include <harmos/study/StochasticTails.hpp>
@@ -36,6 +37,17 @@ std::vector<bool> randomInterfaces(const Study& study, const scene::Scene& scene
   return isRandom;
 }
 
+/// Only what is linear, or read from fields of interfaces, has an expansion.
+void demandExpansions(const scene::Problem& problem) {
+  for (const auto& response : problem.responses) {
+    if (response->isLinear() || dynamic_cast<const latin::PairResponse*>(response.get())) continue;
+    throw base::Error("The response " + base::quoted(response->name()) +
+                          " is neither linear nor one of interfaces: it has no expansion.\n"
+                          "  Remove it from the scene, or choose the design Collocation.",
+                      base::ExitCode::input);
+  }
+}
+
 }  // namespace
 
 ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
@@ -50,6 +62,7 @@ ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teucho
       isRandom_(randomInterfaces(study, scene_, problem_.assembly)),
       choice_(chooseLocalStage(study, problem_, *comm_)),
       isGalerkin_(choice_.cost.isGalerkin) {
+  demandExpansions(problem_);
   demandMemory(study, choice_, *comm_);
 }
 

@@ -14,5 +14,7 @@ Command studyCommand();
 Command reportCommand();
 Command importCommand();
 Command predictCommand();
+Command pictureCommand();
+Command showCommand();
 
 }  // namespace harmos::cli

@@ -13,4 +13,9 @@ inline LocalState springTraction(const LocalLine& line, double normalStiffness, 
   return {{n * line.freeJump[0], t * line.freeJump[1], t * line.freeJump[2]}, Status::bonded};
 }
 
+/// Energy of such springs, t.delta / 2 [stress length].
+inline double springEnergy(const base::Vector3& jump, const base::Vector3& traction) {
+  return 0.5 * base::dot(traction, jump);
+}
+
 }  // namespace harmos::laws

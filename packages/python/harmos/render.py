@@ -1,49 +1,77 @@
-"""Draws the deformed parts, transparent, with the contact pressure on their interfaces to a PNG file.
+"""Draws a result to a PNG file: the deformed parts, coloured by a field; `harmos picture` calls it.
 
-python3 -m harmos.render RESULT.e PICTURE.png [--scale 100] [--step -1] [--width 1600] [--interfaces a,b]
+python3 -m harmos.render RESULT.e PICTURE.png [--field von_mises] [--step N] [--scale S] [--width 1600]
+                         [--interfaces a,b]
 
-RESULT_interfaces.e is looked for beside RESULT.e. Without a display, run it under xvfb-run -a.
+Fields of interfaces are drawn on the contacts, with the parts transparent around them. RESULT_interfaces.e is looked for
+beside RESULT.e. Needs no display: an X server without a screen is started for the time of drawing.
 """
 import argparse
-from collections.abc import Collection
+import contextlib
+import ctypes
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
 
 import numpy
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
+from harmos import fields
+from harmos.outputs import demand_distinct, replace_file
+
 PALETTE = [(0.62, 0.68, 0.75), (0.75, 0.69, 0.60), (0.62, 0.72, 0.62), (0.74, 0.62, 0.62), (0.66, 0.62, 0.74)]
 """Colours of the parts, in turn."""
 
 
-def read(path: str, step: int) -> dict[str, vtk.vtkUnstructuredGrid]:
-    """The element blocks of an Exodus file by name, at a time step from 0; negative ones count from the last."""
-    reader = vtk.vtkExodusIIReader()
-    reader.SetFileName(path)
-    reader.UpdateInformation()
-    reader.SetAllArrayStatus(reader.NODAL, 1)
-    for i in range(reader.GetNumberOfElementBlockArrays()):
-        reader.SetElementBlockArrayStatus(reader.GetElementBlockArrayName(i), 1)
-    reader.SetApplyDisplacements(0)
-    reader.SetTimeStep(step % reader.GetNumberOfTimeSteps())
-    reader.Update()
-    blocks = reader.GetOutput().GetBlock(0)
-    result = {}
-    for i in range(blocks.GetNumberOfBlocks()):
-        if blocks.GetBlock(i):
-            result[blocks.GetMetaData(i).Get(vtk.vtkCompositeDataSet.NAME())] = blocks.GetBlock(i)
-    return result
+def end_with_parent() -> None:
+    """Lets the kernel end this process when its parent ends, however that happens (Linux)."""
+    signal.pthread_sigmask(signal.SIG_SETMASK, [])  # the program that starts the verb blocks signals, and they inherit it
+    option_death_signal = 1  # PR_SET_PDEATHSIG
+    ctypes.CDLL(None).prctl(option_death_signal, signal.SIGTERM)
+
+
+@contextlib.contextmanager
+def display() -> Iterator[None]:
+    """An X server without a screen, for VTK of Debian draws with no other.
+
+    Raises:
+        OSError: there is neither Xvfb nor a display.
+    """
+    server = shutil.which("Xvfb")
+    if server is None:
+        if "DISPLAY" not in os.environ:
+            raise OSError("there is no display, and no Xvfb: install the package xvfb")
+        yield
+        return
+    receiver, sender = os.pipe()
+    process = subprocess.Popen([server, "-displayfd", str(sender), "-screen", "0", "640x480x24", "-nolisten", "tcp"],
+                               pass_fds=[sender], stderr=subprocess.DEVNULL, preexec_fn=end_with_parent)
+    os.close(sender)
+    try:
+        with os.fdopen(receiver) as pipe:
+            number = pipe.readline().strip()
+        if not number:
+            raise OSError("Xvfb does not start")
+        os.environ["DISPLAY"] = f":{number}"
+        yield
+    finally:
+        process.terminate()
+        process.wait()
 
 
 def deformed(grid: vtk.vtkUnstructuredGrid, scale: float) -> vtk.vtkPolyData:
     """The surface of a block, with its displacements times `scale`."""
-    grid.GetPointData().SetActiveVectors("disp_")
+    surface = fields.surface_of(grid)
+    surface.GetPointData().SetActiveVectors("disp_")
     warp = vtk.vtkWarpVector()
-    warp.SetInputData(grid)
+    warp.SetInputData(surface)
     warp.SetScaleFactor(scale)
-    surface = vtk.vtkGeometryFilter()
-    surface.SetInputConnection(warp.GetOutputPort())
-    surface.Update()
-    return surface.GetOutput()
+    warp.Update()
+    return warp.GetOutput()
 
 
 def actor(mapper: vtk.vtkMapper) -> vtk.vtkActor:
@@ -54,7 +82,7 @@ def actor(mapper: vtk.vtkMapper) -> vtk.vtkActor:
 
 
 def add_part(renderer: vtk.vtkRenderer, surface: vtk.vtkPolyData, colour: tuple[float, float, float]) -> None:
-    """Shows the surface of a part, transparent, with its edges."""
+    """Shows the surface of a part, transparent."""
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputData(surface)
     mapper.ScalarVisibilityOff()
@@ -62,6 +90,10 @@ def add_part(renderer: vtk.vtkRenderer, surface: vtk.vtkPolyData, colour: tuple[
     body.GetProperty().SetColor(colour)
     body.GetProperty().SetOpacity(0.10)
     renderer.AddActor(body)
+
+
+def add_edges(renderer: vtk.vtkRenderer, surface: vtk.vtkPolyData) -> None:
+    """Shows the edges of a part."""
     edges = vtk.vtkFeatureEdges()
     edges.SetInputData(surface)
     edges.ManifoldEdgesOff()
@@ -77,56 +109,57 @@ def add_part(renderer: vtk.vtkRenderer, surface: vtk.vtkPolyData, colour: tuple[
     renderer.AddActor(outline)
 
 
-def colours(largest: float) -> vtk.vtkColorTransferFunction:
-    """Colours of pressures from 0 to the largest."""
+def table_of(field: fields.Field, limits: tuple[float, float]) -> vtk.vtkColorTransferFunction:
+    """Colours of the values of a field between its limits."""
     table = vtk.vtkColorTransferFunction()
-    for fraction, rgb in ((0, (0.93, 0.95, 0.97)), (0.15, (0.99, 0.87, 0.55)), (0.45, (0.96, 0.52, 0.24)),
-                          (0.75, (0.80, 0.16, 0.22)), (1, (0.35, 0.02, 0.20))):
-        table.AddRGBPoint(fraction * largest, *rgb)
+    for fraction, rgb in field.colours():
+        table.AddRGBPoint(limits[0] + fraction * (limits[1] - limits[0]), *rgb)
     return table
 
 
-def contacts(surfaces: dict[str, vtk.vtkUnstructuredGrid],
-             names: Collection[str]) -> dict[str, vtk.vtkUnstructuredGrid]:
-    """The interfaces of these names; without names, all that are contacts."""
-    if names:
-        return {name: surfaces[name] for name in names}
-    # 0 open, 1 stick, 2 slip: a contact.
-    return {name: grid for name, grid in surfaces.items()
-            if grid.GetPointData().GetArray("contact_status").GetRange()[1] <= 2}
-
-
-def add_contact(renderer: vtk.vtkRenderer, surface: vtk.vtkPolyData, table: vtk.vtkColorTransferFunction,
-                largest: float) -> None:
-    """Shows the pressure on the surface of an interface, coloured from 0 to the largest."""
-    surface.GetPointData().SetActiveScalars("contact_pressure")
+def add_field(renderer: vtk.vtkRenderer, surface: vtk.vtkPolyData, field: fields.Field,
+              table: vtk.vtkColorTransferFunction) -> None:
+    """Shows a field on a surface."""
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputData(surface)
     mapper.SetLookupTable(table)
-    mapper.SetScalarRange(0, largest)
-    mapper.SetInterpolateScalarsBeforeMapping(1)
-    # Faces of two parts lie in the same place: the pressure wins.
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(-4, -4)
+    mapper.UseLookupTableScalarRangeOn()
+    if field.where == "elements":
+        mapper.SetScalarModeToUseCellFieldData()
+    else:
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SetInterpolateScalarsBeforeMapping(field.name != "contact_status")
+    mapper.SelectColorArray(field.name)
+    if field.name.endswith("_"):
+        table.SetVectorModeToMagnitude()
+    if field.where == "interfaces":
+        # Faces of two parts lie in the same place: the field wins.
+        mapper.SetResolveCoincidentTopologyToPolygonOffset()
+        mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(-4, -4)
     shown = actor(mapper)
-    shown.GetProperty().SetAmbient(0.8)
-    shown.GetProperty().SetDiffuse(0.2)
+    shown.GetProperty().SetAmbient(0.8 if field.where == "interfaces" else 0.35)
+    shown.GetProperty().SetDiffuse(0.2 if field.where == "interfaces" else 0.65)
     renderer.AddActor(shown)
 
 
-def add_bar(renderer: vtk.vtkRenderer, table: vtk.vtkColorTransferFunction, width: int) -> None:
+def text_style(text: vtk.vtkTextProperty, size: int) -> None:
+    """Dark and plain."""
+    text.SetColor(0.1, 0.1, 0.1)
+    text.SetFontSize(size)
+    text.SetItalic(False)
+    text.SetShadow(False)
+    text.SetBold(False)
+
+
+def add_bar(renderer: vtk.vtkRenderer, table: vtk.vtkColorTransferFunction, title: str, width: int) -> None:
     """Shows what the colours mean; `width` is that of the picture in pixels."""
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(table)
-    bar.SetTitle("contact\npressure")
+    bar.SetTitle(title)
     bar.SetNumberOfLabels(5)
     bar.SetUnconstrainedFontSize(True)
-    for text, size in ((bar.GetTitleTextProperty(), 26), (bar.GetLabelTextProperty(), 22)):
-        text.SetColor(0.1, 0.1, 0.1)
-        text.SetFontSize(size * width // 1600)
-        text.SetItalic(False)
-        text.SetShadow(False)
-        text.SetBold(False)
+    text_style(bar.GetTitleTextProperty(), 26 * width // 1600)
+    text_style(bar.GetLabelTextProperty(), 22 * width // 1600)
     bar.SetLabelFormat("%.3g")
     bar.SetPosition(0.87, 0.15)
     bar.SetWidth(0.06)
@@ -134,12 +167,21 @@ def add_bar(renderer: vtk.vtkRenderer, table: vtk.vtkColorTransferFunction, widt
     renderer.AddActor(bar)
 
 
-def write(renderer: vtk.vtkRenderer, path: str, width: int) -> None:
-    """Looks at what the renderer has from the front, left and above, and writes a PNG file `width` pixels wide."""
+def add_note(renderer: vtk.vtkRenderer, note: str, width: int) -> None:
+    """Writes a line into the lower left corner."""
+    text = vtk.vtkTextActor()
+    text.SetInput(note)
+    text_style(text.GetTextProperty(), 22 * width // 1600)
+    text.SetPosition(width // 80, width // 100)
+    renderer.AddActor(text)
+
+
+def image_of(renderer: vtk.vtkRenderer, width: int, is_plane: bool) -> bytes:
+    """A PNG file `width` pixels wide: what the renderer has, from the front, left and above, a plane from before it."""
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition(-0.55, -1, 0.85)
-    camera.SetViewUp(0, 0, 1)
+    camera.SetPosition(*((0, 0, 1) if is_plane else (-0.55, -1, 0.85)))
+    camera.SetViewUp(*((0, 1, 0) if is_plane else (0, 0, 1)))
     camera.ParallelProjectionOn()
     renderer.SetUseDepthPeeling(1)
     renderer.SetMaximumNumberOfPeels(30)
@@ -151,45 +193,96 @@ def write(renderer: vtk.vtkRenderer, path: str, width: int) -> None:
     window.SetSize(width, width * 9 // 16)
     window.AddRenderer(renderer)
     renderer.ResetCamera()
-    camera.Zoom(1.4)
+    camera.Zoom(1.2 if is_plane else 1.4)
     camera.SetWindowCenter(0.10, 0.0)
     window.Render()
     image = vtk.vtkWindowToImageFilter()
     image.SetInput(window)
     image.ReadFrontBufferOff()
     writer = vtk.vtkPNGWriter()
-    writer.SetFileName(path)
+    writer.WriteToMemoryOn()
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
+    png = vtk_to_numpy(writer.GetResult()).tobytes()
+    window.Finalize()
+    return bytes(png)
 
 
-def main() -> None:
-    """Does what the command line says."""
-    parser = argparse.ArgumentParser(prog="python3 -m harmos.render", description=__doc__,
+def picture(path: str, of: fields.Contents, field: fields.Field, step: int, scale: float | None, width: int,
+            names: list[str]) -> bytes:
+    """A PNG file of a result; `scale`: of displacements, None: a visible one; `names`: of interfaces, none: contacts.
+
+    Raises:
+        OSError, ValueError: it cannot be drawn.
+    """
+    parts, interfaces = fields.read(path, step), fields.read(fields.interfaces_of(path), step)
+    coloured = fields.contacts(interfaces, names) if field.where == "interfaces" or names else parts
+    if field.where != "interfaces":
+        coloured = parts
+    largest = max(fields.values_of(grid, fields.Field("disp_", "nodes")).max() for grid in parts.values())
+    factor = fields.visible_scale(fields.size_of(parts), largest) if scale is None else scale
+    values = numpy.concatenate([fields.values_of(grid, field) for grid in coloured.values()] or [numpy.zeros(1)])
+    # Peaks at the edges of a contact would leave one colour for all the rest.
+    top = numpy.percentile(values, 90) if field.name == "contact_pressure" else values.max()
+    table = table_of(field, field.limits(float(values.min()), float(top)))
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for i, grid in enumerate(parts.values()):
+        surface = deformed(grid, factor)
+        add_edges(renderer, surface)
+        if field.where == "interfaces":
+            add_part(renderer, surface, PALETTE[i % len(PALETTE)])
+        else:
+            add_field(renderer, surface, field, table)
+    if field.where == "interfaces":
+        for grid in coloured.values():
+            add_field(renderer, deformed(grid, factor), field, table)
+    bounds = [grid.GetBounds() for grid in parts.values()]
+    is_plane = all(bound[4] == bound[5] for bound in bounds)
+    add_bar(renderer, table, field.name.removesuffix("_").replace("_", "\n"), width)
+    legend = f", {fields.STATUS}" if field.name == "contact_status" else f", largest {values.max():.4g}"
+    if field.name.startswith("safety_"):
+        legend = f", least {values.min():.4g}"
+    add_note(renderer, f"step {step} of {len(of.times) - 1}, time {of.times[step]:.4g}{legend}, "
+             f"displacements x {factor:g}", width)
+    return image_of(renderer, width, is_plane)
+
+
+def main(words: list[str] | None = None) -> int:
+    """Does what the command line says; returns the exit code, 2 when the input is wrong."""
+    parser = argparse.ArgumentParser(prog="harmos picture", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("result")
     parser.add_argument("picture")
-    parser.add_argument("--scale", type=float, default=100.0)
-    parser.add_argument("--step", type=int, default=-1)
+    parser.add_argument("--field", default="von_mises")
+    parser.add_argument("--scale", type=float)
+    parser.add_argument("--step", type=int)
     parser.add_argument("--width", type=int, default=1600)
     parser.add_argument("--interfaces", default="")
-    arguments = parser.parse_args()
-
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    for i, grid in enumerate(read(arguments.result, arguments.step).values()):
-        add_part(renderer, deformed(grid, arguments.scale), PALETTE[i % len(PALETTE)])
-    interfaces = read(arguments.result.removesuffix(".e") + "_interfaces.e", arguments.step)
-    shown = contacts(interfaces, arguments.interfaces.split(",") if arguments.interfaces else ()).values()
-    pressures = [vtk_to_numpy(grid.GetPointData().GetArray("contact_pressure")) for grid in shown]
-    # Peaks at the edges of a contact would leave one colour for all the rest.
-    largest = (numpy.percentile(numpy.concatenate(pressures), 90) if pressures else 0.0) or 1.0
-    table = colours(largest)
-    for grid in shown:
-        add_contact(renderer, deformed(grid, arguments.scale), table, largest)
-    add_bar(renderer, table, arguments.width)
-    write(renderer, arguments.picture, arguments.width)
+    arguments = parser.parse_args(words)
+    try:
+        if not 100 <= arguments.width <= 10000:
+            raise ValueError(f"--width {arguments.width}: give 100 to 10000 pixels")
+        for read in (arguments.result, fields.interfaces_of(arguments.result)):
+            demand_distinct(read, arguments.picture)
+        of = fields.contents(arguments.result)
+        field = fields.field(arguments.field, of)
+        step = fields.step(arguments.step, of)
+        names = arguments.interfaces.split(",") if arguments.interfaces else []
+        fields.contacts(fields.read(fields.interfaces_of(arguments.result), step), names)
+    except (OSError, ValueError) as error:
+        print(f"harmos picture: {error}\nNothing was written.", file=sys.stderr)
+        return 2
+    try:
+        with display():
+            png = picture(arguments.result, of, field, step, arguments.scale, arguments.width, names)
+        replace_file(arguments.picture, png)
+        print(arguments.picture, flush=True)
+    except (OSError, ValueError) as error:
+        print(f"harmos picture: {error}", file=sys.stderr)
+        return 1
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

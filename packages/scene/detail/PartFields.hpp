@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include <Teuchos_Comm.hpp>
@@ -8,14 +7,12 @@
 #include <harmos/base/Matrix.hpp>
 #include <harmos/recovery/TractionCorrection.hpp>
 #include <harmos/scene/Problem.hpp>
+#include <harmos/scene/detail/PartPieces.hpp>
 
 namespace harmos::scene {
 
-/// A part of the scene as one, whatever it was cut into, with fields on its nodes.
-struct WholePart {
-  std::string name;                        ///< in the list Parts
-  mesh::Piece piece;                       ///< all its elements
-  std::vector<int> bodies;                 ///< that it was cut into
+/// A part of the scene as one, with fields on its nodes.
+struct WholePart : PartPieces {
   base::Matrix displacements;              ///< dofs x columns; of nodes of several bodies the mean
   std::vector<bool> boundary;              ///< per node: it lies on the surface of the part
   std::vector<bool> skipped;               ///< per node: a concentrated force acts there

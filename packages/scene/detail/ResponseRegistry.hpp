@@ -15,12 +15,17 @@
 
 namespace harmos::scene {
 
+struct Bodies;
+struct Model;
+
 /// What responses are made of, besides their entries.
 struct ResponseContext {
   const mesh::Mesh& mesh;
   const std::vector<mesh::Piece>& pieces;
   const mesh::InterfaceFinder& finder;
   const assembly::Assembly& assembly;  // its interfaces carry the names of the scene
+  const Bodies& bodies;                // of the same pieces
+  const Model& model;
 
   /// Positions of the interfaces of these names, an interface between pieces having several; without names, of all.
   std::vector<int> interfacesNamed(const std::vector<std::string>& names) const;

@@ -1,5 +1,6 @@
 #include <harmos/elasticity/Stress.hpp>
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -50,6 +51,28 @@ TEST(VonMises, isTheTensionThatYieldsAlike) {
   EXPECT_DOUBLE_EQ(vonMises(pressure), 0.0);
   const double shear[6] = {0.0, 0.0, 0.0, 1.0, 2.0, -2.0};
   EXPECT_DOUBLE_EQ(vonMises(shear), std::sqrt(27.0));
+}
+
+TEST(PrincipalStresses, AreTheEigenvaluesInTheirOrder) {
+  const auto expectNear = [](const double* stress, const std::array<double, 3>& expected) {
+    const std::array<double, 3> principal = principalStresses(stress);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(principal[i], expected[i], 1e-7) << i;
+  };
+  const double diagonal[6] = {-5.0, 2.0, 1.0, 0.0, 0.0, 0.0};
+  expectNear(diagonal, {2.0, 1.0, -5.0});
+  const double pressure[6] = {-3.0, -3.0, -3.0, 0.0, 0.0, 0.0};
+  expectNear(pressure, {-3.0, -3.0, -3.0});
+  const double shear[6] = {0.0, 0.0, 0.0, 0.0, 4.0, 0.0};
+  expectNear(shear, {4.0, 0.0, -4.0});
+  // Two equal ones, turned: 1 + 3 v v^t with v = (2, 1, 2) / 3.
+  const double turned[6] = {1.0 + 4.0 / 3.0, 1.0 + 1.0 / 3.0, 1.0 + 4.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 4.0 / 3.0};
+  expectNear(turned, {4.0, 1.0, 1.0});
+  // All different: invariants instead of values.
+  const double any[6] = {3.0, -1.0, 2.0, 0.5, -2.0, 1.5};
+  const auto p = principalStresses(any);
+  EXPECT_NEAR(p[0] + p[1] + p[2], 4.0, 1e-12);
+  EXPECT_NEAR(p[0] * p[1] * p[2], -6.0 + 2.0 * 0.5 * -2.0 * 1.5 - 3.0 * 4.0 + 1.0 * 2.25 - 2.0 * 0.25, 1e-12);
+  EXPECT_TRUE(p[0] >= p[1] && p[1] >= p[2]);
 }
 
 }  // namespace

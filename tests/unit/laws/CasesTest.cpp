@@ -248,6 +248,12 @@ TEST(PointwiseLaw, HandsEachNodeWhatBelongsToIt) {
   EXPECT_EQ(now, (std::vector<double>{4.0, 5.0}));
 }
 
+TEST(StoredEnergy, IsThatOfSprings) {
+  const auto glue = makeLaw("Linear Elastic", {{"Normal Stiffness", 10.0}, {"Tangential Stiffness", 4.0}});
+  EXPECT_DOUBLE_EQ(glue->storedEnergy({0.5, 1.0, 0.0}, {5.0, 4.0, 0.0}), 0.5 * (10.0 * 0.25 + 4.0));
+  EXPECT_EQ(makeLaw("Unilateral Contact")->storedEnergy({0.5, 0.0, 0.0}, {-1.0, 0.0, 0.0}), 0.0);
+}
+
 TEST(LawRegistry, RefusesANameTwice) {
   LawRegistry laws = builtInLaws();
   EXPECT_THROW(laws.add(input::ParameterSpec("Perfect"), nullptr), base::Error);

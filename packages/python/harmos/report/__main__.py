@@ -8,8 +8,9 @@ import sys
 
 import numpy
 
+from harmos.outputs import demand_distinct, replace_file
 from harmos.report.page import page
-from harmos.report.writing import Pictures, demand_distinct, replace_file
+from harmos.report.writing import Pictures
 from harmos.results import read_study
 
 

@@ -14,6 +14,7 @@ import numpy
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from harmos.outputs import demand_distinct, replace_file
 from harmos.results import Study
 
 STYLE = """
@@ -26,29 +27,6 @@ img { max-width: 100%; } pre { background: #f6f6f6; padding: 1em; overflow: auto
 .warning { background: #fff3cd; border-left: 4px solid #d39e00; padding: .5em 1em; }
 """
 """The style sheet of the page."""
-
-
-def demand_distinct(read: str | os.PathLike[str], written: str | os.PathLike[str]) -> None:
-    """Refuses to write a file that is read, by whatever name or link.
-
-    Raises:
-        ValueError: they are one file.
-    """
-    if os.path.exists(read) and os.path.exists(written) and os.path.samefile(read, written):
-        raise ValueError(f"the result {written} would replace the input {read}.\n"
-                         "  Write under another name. Nothing was written.")
-
-
-def replace_file(path: str | os.PathLike[str], content: bytes) -> None:
-    """Writes a file in one step: until it is complete, an older one stays."""
-    partial = f"{os.fspath(path)}.partial.{os.getpid()}"
-    try:
-        with open(partial, "wb") as file:
-            file.write(content)
-        os.replace(partial, path)
-    finally:
-        if os.path.exists(partial):
-            os.remove(partial)
 
 
 class Pictures:
