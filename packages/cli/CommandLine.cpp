@@ -93,7 +93,7 @@ void demandPrinted(std::ostream& out) {
 
 std::vector<Command> commands() {
   return {runCommand(),    checkCommand(),   docCommand(),    meshCommand(),    compareCommand(), studyCommand(),
-          reportCommand(), predictCommand(), importCommand(), pictureCommand(), showCommand()};
+          reportCommand(), predictCommand(), importCommand(), pictureCommand(), showCommand(),    exportCommand()};
 }
 
 int runCommandLine(const std::vector<std::string>& words, const CommandEnvironment& environment) {

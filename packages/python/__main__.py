@@ -3,7 +3,7 @@ import importlib
 import sys
 
 MODULES = {"report": "harmos.report.__main__", "import": "harmos.exchange.__main__",
-           "convert": "harmos.exchange.__main__", "picture": "harmos.render", "show": "harmos.show"}
+           "convert": "harmos.exchange.__main__", "picture": "harmos.render", "show": "harmos.show", "export": "harmos.vtu"}
 """Where the function main() of each verb is; it takes the words that it is given."""
 
 verb = sys.argv[1]

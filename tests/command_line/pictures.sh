@@ -37,12 +37,20 @@ refused() {
   fi
 }
 
-for verb in picture show; do
+expect 0 "${name}_interfaces.pvd" "$harmos" export "$name.e" --output vtu
+expect 0 "$name.pvd" "$harmos" export "$name.e" --output one --step -1
+[ "$(find one -type f | wc -l)" -eq 4 ] || { echo "FAILED: more than one step is exported"; failures=$((failures + 1)); }
+"$here/exported.py" "$name.e" vtu || failures=$((failures + 1))
+
+for verb in picture show export; do
   refused 'there is no such file' "$harmos" "$verb" missing.e
   refused 'is not an Exodus file' "$harmos" "$verb" "$scene" --output new
+  [ "$verb" = export ] && continue
   refused 'would replace the input' "$harmos" "$verb" "$name.e" --output "$name.e"
   refused 'would replace the input' "$harmos" "$verb" "$name.e" --output "${name}_interfaces.e"
 done
+refused 'is not a folder' "$harmos" export "$name.e" --output "$name.e"
+refused 'there is no step 9' "$harmos" export "$name.e" --step 9 --output new
 refused 'Did you mean "von_mises"' "$harmos" picture "$name.e" --field von_misses --output new
 refused 'there is no step 9' "$harmos" picture "$name.e" --step 9 --output new
 refused 'there is no step -9' "$harmos" picture "$name.e" --step -9 --output new

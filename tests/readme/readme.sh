@@ -14,8 +14,11 @@ ln -s "$source_dir/tests" tests
 
 blocks() { awk -v fence='```'"$1" '$0 == fence {inside = 1; next} /^```/ {inside = 0} inside' "$page"; }
 
+# A page of harmos show needs vtk.js, which a build without a connection does not have.
+has_vtk_js=$([ -f "$(dirname "$program")/../share/harmos/vtk.js" ] && echo yes || echo no)
 count=0
 while read -r line; do
+  [[ $line == "drivers/harmos show "* && $has_vtk_js == no ]] && continue
   case $line in
     "drivers/harmos test"*) continue ;;
     "drivers/harmos "*) command="\"$program\" ${line#drivers/harmos }" ;;

@@ -16,5 +16,6 @@ Command importCommand();
 Command predictCommand();
 Command pictureCommand();
 Command showCommand();
+Command exportCommand();
 
 }  // namespace harmos::cli

@@ -201,7 +201,7 @@ def values_of(data: vtk.vtkDataSet, field: Field) -> Floats:
 
 
 def contacts(surfaces: Grids, names: Collection[str] = ()) -> Grids:
-    """The interfaces of these names; without names, all that are contacts.
+    """The interfaces of these names; without names, all that are contacts, or all where none is.
 
     Raises:
         ValueError: there is no interface of one of the names.
@@ -212,7 +212,7 @@ def contacts(surfaces: Grids, names: Collection[str] = ()) -> Grids:
     if names:
         return {name: surfaces[name] for name in names}
     return {name: grid for name, grid in surfaces.items()
-            if grid.GetPointData().GetArray("contact_status").GetRange()[1] <= 2}
+            if grid.GetPointData().GetArray("contact_status").GetRange()[1] <= 2} or surfaces
 
 
 def size_of(grids: Grids) -> float:

@@ -137,6 +137,7 @@ def add_field(renderer: vtk.vtkRenderer, surface: vtk.vtkPolyData, field: fields
         mapper.SetResolveCoincidentTopologyToPolygonOffset()
         mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(-4, -4)
     shown = actor(mapper)
+    shown.GetProperty().SetLineWidth(6)  # of interfaces in the plane
     shown.GetProperty().SetAmbient(0.8 if field.where == "interfaces" else 0.35)
     shown.GetProperty().SetDiffuse(0.2 if field.where == "interfaces" else 0.65)
     renderer.AddActor(shown)
@@ -176,6 +177,14 @@ def add_note(renderer: vtk.vtkRenderer, note: str, width: int) -> None:
     renderer.AddActor(text)
 
 
+def fit(camera: vtk.vtkCamera, bounds: tuple[float, ...], aspect: float) -> None:
+    """Lets a parallel camera see all of a box, with a margin and room for the bar."""
+    frame = camera.GetViewTransformMatrix()
+    corners = [frame.MultiplyPoint((x, y, z, 1.0)) for x in bounds[:2] for y in bounds[2:4] for z in bounds[4:]]
+    width, height = (max(c[i] for c in corners) - min(c[i] for c in corners) for i in (0, 1))
+    camera.SetParallelScale(0.5 * max(height / 0.82, width / aspect / 0.76))
+
+
 def image_of(renderer: vtk.vtkRenderer, width: int, is_plane: bool) -> bytes:
     """A PNG file `width` pixels wide: what the renderer has, from the front, left and above, a plane from before it."""
     camera = renderer.GetActiveCamera()
@@ -193,7 +202,7 @@ def image_of(renderer: vtk.vtkRenderer, width: int, is_plane: bool) -> bytes:
     window.SetSize(width, width * 9 // 16)
     window.AddRenderer(renderer)
     renderer.ResetCamera()
-    camera.Zoom(1.2 if is_plane else 1.4)
+    fit(camera, renderer.ComputeVisiblePropBounds(), 16 / 9)
     camera.SetWindowCenter(0.10, 0.0)
     window.Render()
     image = vtk.vtkWindowToImageFilter()
