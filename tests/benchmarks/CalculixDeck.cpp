@@ -59,7 +59,7 @@ class Writer {
  public:
   Writer(std::ostream& out, const scene::Scene& scene, const scene::Problem& problem)
       : out_(out), scene_(scene), problem_(problem), elements_(problem.mesh) {
-    out_.precision(16);
+    out_.precision(13);  // CalculiX reads 20 characters of a number
   }
 
   void write(const ContactPenalty& contact) {
