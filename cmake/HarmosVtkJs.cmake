@@ -1,6 +1,6 @@
 # Puts vtk.js, which the pages of `harmos show` contain, and its licence (BSD-3-Clause) into share/harmos of the build tree.
 #
-# It comes from the registry of npm, once per build tree, or from the archive that HARMOS_VTK_JS names. Without a
+# It comes from the registry of npm, once per build tree, or from the archive that HARMOS_VTK_JS names. Without npm or a
 # connection everything else is built, and `harmos show` says what is missing; configuring again tries again.
 set(HARMOS_VTK_JS "" CACHE FILEPATH "Archive of vtk.js, to build without a connection; empty: from the registry of npm")
 set(vtk_js_version 37.3.1)
@@ -20,8 +20,6 @@ function(harmos_fetch_vtk_js archive)
   if(HARMOS_NPM)
     execute_process(COMMAND ${HARMOS_NPM} pack --silent --fetch-retries=0 --fetch-timeout=20000 vtk.js@${vtk_js_version}
                     WORKING_DIRECTORY ${folder} TIMEOUT 60 OUTPUT_QUIET ERROR_QUIET)
-  else()
-    file(DOWNLOAD https://registry.npmjs.org/vtk.js/-/${vtk_js_archive} ${archive} TIMEOUT 60 INACTIVITY_TIMEOUT 20)
   endif()
 endfunction()
 
@@ -39,8 +37,8 @@ if(NOT EXISTS ${vtk_js_folder}/vtk.js)
     file(RENAME ${work}/package/LICENSE ${vtk_js_folder}/vtk.js.LICENSE)
     file(RENAME ${work}/package/vtk.js ${vtk_js_folder}/vtk.js)
   else()
-    message(STATUS "vtk.js ${vtk_js_version} cannot be had: harmos show will not work. Configure again with a connection "
-                   "to registry.npmjs.org, or with -DHARMOS_VTK_JS=${vtk_js_archive}")
+    message(STATUS "vtk.js ${vtk_js_version} cannot be had: harmos show will not work. Configure again with npm and a "
+                   "connection, or with -DHARMOS_VTK_JS=${vtk_js_archive}, the archive that \"npm pack\" makes")
   endif()
   file(REMOVE_RECURSE ${work})
 endif()

@@ -135,6 +135,22 @@ $Elements\n2\n1 4 2 1 1 1 2 3 4\n2 19 2 1 1 {" ".join(map(str, range(1, 14)))}\n
         self.assertIn("would replace the input", result.stderr)
         self.assertEqual(path.read_bytes(), (work / "exodus.e").read_bytes())
 
+    def test_a_scene_that_was_changed_is_kept(self) -> None:
+        words = [harmos, "import", str(work / "text4.msh"), "--output", str(work / "again")]
+        scene = work / "again" / "text4.xml"
+        for _ in range(2):
+            result = subprocess.run(words, capture_output=True, text=True)
+            self.assertEqual(result.returncode, 0, result.stderr)
+        edited = scene.read_text().replace("0.3", "0.25")
+        self.assertNotEqual(edited, scene.read_text())
+        scene.write_text(edited)
+        mesh = (work / "again" / "text4.e").read_bytes()
+        result = subprocess.run(words, capture_output=True, text=True)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("text4.xml is not as it was imported, and its changes would be lost", result.stderr)
+        self.assertEqual(scene.read_text(), edited)
+        self.assertEqual((work / "again" / "text4.e").read_bytes(), mesh)
+
     def test_through_a_scene(self) -> None:
         scene = (work / "Tet4.xml").read_text()
         begin, end = scene.index('<ParameterList name="Mesh">'), scene.index('<ParameterList name="Materials">')

@@ -7,7 +7,9 @@ python3 -m harmos.exchange convert FILE MESH.e
 import argparse
 import os
 import pathlib
+import re
 import sys
+import zlib
 
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Mesh, clean_name
@@ -16,6 +18,10 @@ from harmos.exchange.reading import DECKS, DRAWINGS, Missing, ending, load, read
 from harmos.exchange.scene import Comment, SceneList
 from harmos.exchange.start import Choices, starting_scene
 from harmos.exchange.units import SYSTEMS
+
+
+UNCHANGED = "<!-- as imported: {:08x} -->\n"
+"""The last line of a scene: the checksum of all before it, by which a scene that was changed since is known."""
 
 
 def main(words: "list[str] | None" = None) -> int:
@@ -83,6 +89,9 @@ def _import(arguments: argparse.Namespace) -> None:
     for output in outputs:
         if output.exists() and output.samefile(path):
             raise Refused(f"the result {output} would replace the input {path}. Name another folder by --output.")
+    if outputs[1].exists() and _was_changed(outputs[1]):
+        raise Refused(f"{outputs[1]} is not as it was imported, and its changes would be lost. Rename it, or name another "
+                      "folder by --output.")
     if suffix in DECKS:
         from harmos.exchange.deck.imported import import_deck
         deck = import_deck(path, f"{stem}.e", arguments.units, findings)
@@ -120,12 +129,20 @@ def _heading(path: str, findings: Findings) -> Comment:
     return Comment([f"Imported from {pathlib.Path(path).name}.", *findings.text()])
 
 
+def _was_changed(scene: pathlib.Path) -> bool:
+    """Whether somebody has worked on a scene since it was imported, or it was not imported at all."""
+    content = scene.read_bytes()
+    last = re.search(rb"[^\n]*\n\Z", content)
+    return last is None or last.group().decode("utf-8", "replace") != UNCHANGED.format(zlib.crc32(content[:last.start()]))
+
+
 def _write_both(outputs: list[pathlib.Path], mesh: Mesh, scene: SceneList) -> None:
     """Replaces both files when both are complete."""
     partial = [output.with_name(f"{output.name}.partial.{os.getpid()}") for output in outputs]
     try:
         _write_mesh(str(partial[0]), mesh)
-        partial[1].write_text(scene.text() + "\n", encoding="utf-8")
+        content = (scene.text() + "\n").encode()
+        partial[1].write_bytes(content + UNCHANGED.format(zlib.crc32(content)).encode())
         for complete, output in zip(partial, outputs):
             os.replace(complete, output)
     finally:
