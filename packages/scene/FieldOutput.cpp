@@ -58,7 +58,7 @@ class NodalStress {
  public:
   /// Collective. Of the first `steps` load steps.
   NodalStress(const Problem& problem, const latin::Iterate& state, int steps)
-      : parts_(PartStress::ofAll(problem.mesh, problem.bodies, problem.model)),
+      : parts_(PartStress::ofAll(problem.mesh, problem.bodies, problem.model, *problem.temperatures)),
         components_(stressesOf(problem.mesh.dimension)) {
     for (const PartStress& part : parts_) stress_.push_back(part.recover(state, 0, steps));
   }

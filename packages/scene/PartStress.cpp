@@ -32,16 +32,21 @@ mesh::Mesh meshOf(const mesh::Mesh& mesh, const mesh::Piece& piece) {
 
 }  // namespace
 
-std::vector<PartStress> PartStress::ofAll(const mesh::Mesh& mesh, const Bodies& bodies, const Model& model) {
+std::vector<PartStress> PartStress::ofAll(const mesh::Mesh& mesh, const Bodies& bodies, const Model& model,
+                                          const Temperatures& temperatures) {
   std::vector<PartStress> result;
   for (PartPieces& part : partPieces(mesh, bodies.pieces)) {
-    result.push_back(PartStress(mesh, bodies, model, std::move(part)));
+    result.push_back(PartStress(mesh, bodies, model, temperatures, std::move(part)));
   }
   return result;
 }
 
-PartStress::PartStress(const mesh::Mesh& mesh, const Bodies& bodies, const Model& model, PartPieces part)
-    : mesh_(meshOf(mesh, part.piece)), part_(std::move(part)), model_(model) {
+PartStress::PartStress(const mesh::Mesh& mesh, const Bodies& bodies, const Model& model,
+                       const Temperatures& temperatures, PartPieces part)
+    : mesh_(meshOf(mesh, part.piece)),
+      part_(std::move(part)),
+      model_(model),
+      temperature_(temperatures.of(part_.piece)) {
   for (const int body : part_.bodies) {
     std::vector<int>& nodes = nodeOfPart_.emplace_back();
     for (const int node : bodies.pieces[body].nodes) nodes.push_back(mesh::localNode(part_.piece, node));
@@ -82,8 +87,17 @@ base::Matrix PartStress::recover(const latin::Iterate& state, int first, int cou
     displacements = base::Matrix(Teuchos::Copy, values.data(), dofs, dofs, count);
   }
   if (!state.layout().owns(part_.bodies.front())) return {};
-  const elasticity::ElasticPart elastic{mesh_,        part_.piece,       *material_,
-                                        formulation_, model_.kinematics, model_.thickness};
+  base::Matrix temperature;
+  if (temperature_.numRows() > 0) {
+    temperature = base::Matrix(Teuchos::Copy, temperature_, temperature_.numRows(), count, 0, first);
+  }
+  const elasticity::ElasticPart elastic{mesh_,
+                                        part_.piece,
+                                        *material_,
+                                        formulation_,
+                                        model_.kinematics,
+                                        model_.thickness,
+                                        temperature.numRows() > 0 ? &temperature : nullptr};
   return recovery::StressRecovery(elastic, boundary_, displacements).stress();
 }
 

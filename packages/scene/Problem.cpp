@@ -61,7 +61,9 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   if (errors.count() == 0) {
     checkContradictions(scene, {problem.mesh, problem.bodies.pieces, problem.surfaces, assembly.interfaces}, errors);
   }
-  const ResponseContext context{problem.mesh, problem.bodies.pieces, finder, assembly, problem.bodies, problem.model};
+  problem.temperatures = std::make_shared<Temperatures>(scene, problem.mesh, errors);
+  const ResponseContext context{problem.mesh,  problem.bodies.pieces, finder, assembly, problem.bodies,
+                                problem.model, *problem.temperatures};
   for (const input::Parameters& response : scene.input.lists("Responses")) {
     errors.collect(response.where(), [&] {
       auto created = builtInResponses().create(response, context);
@@ -70,7 +72,6 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
     });
   }
   assembly.owner = distribute(problem.bodies, comm.getSize());
-  problem.temperatures = std::make_shared<Temperatures>(scene, problem.mesh, errors);
   assembly.bodies = assemble(scene, problem.mesh, problem.model, problem.bodies, *problem.temperatures, assembly.owner,
                              comm.getRank(), errors);
   throwTogether(errors, comm);

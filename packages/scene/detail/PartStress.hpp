@@ -6,6 +6,7 @@
 
 #include <harmos/base/Matrix.hpp>
 #include <harmos/scene/Bodies.hpp>
+#include <harmos/scene/Temperatures.hpp>
 #include <harmos/scene/detail/PartPieces.hpp>
 
 namespace harmos::scene {
@@ -16,7 +17,8 @@ class PartStress {
  public:
   /// Of all parts, in the order of the list Parts. Nothing of the arguments is kept but the materials, which are
   /// shared.
-  static std::vector<PartStress> ofAll(const mesh::Mesh& mesh, const Bodies& bodies, const Model& model);
+  static std::vector<PartStress> ofAll(const mesh::Mesh& mesh, const Bodies& bodies, const Model& model,
+                                       const Temperatures& temperatures);
 
   /// Name of the part.
   const std::string& name() const { return part_.name; }
@@ -32,7 +34,8 @@ class PartStress {
   base::Matrix recover(const latin::Iterate& state, int first, int count) const;
 
  private:
-  PartStress(const mesh::Mesh& mesh, const Bodies& bodies, const Model& model, PartPieces part);
+  PartStress(const mesh::Mesh& mesh, const Bodies& bodies, const Model& model, const Temperatures& temperatures,
+             PartPieces part);
 
   mesh::Mesh mesh_;  // of the part alone: its nodes are those of the piece
   PartPieces part_;
@@ -40,6 +43,7 @@ class PartStress {
   std::shared_ptr<const elasticity::Material> material_;
   elasticity::Formulation formulation_;
   Model model_;
+  base::Matrix temperature_;  // Temperatures::of() the part
   std::vector<bool> boundary_;
 };
 

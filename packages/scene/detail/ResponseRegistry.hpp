@@ -17,6 +17,7 @@ namespace harmos::scene {
 
 struct Bodies;
 struct Model;
+class Temperatures;
 
 /// What responses are made of, besides their entries.
 struct ResponseContext {
@@ -26,6 +27,7 @@ struct ResponseContext {
   const assembly::Assembly& assembly;  // its interfaces carry the names of the scene
   const Bodies& bodies;                // of the same pieces
   const Model& model;
+  const Temperatures& temperatures;
 
   /// Positions of the interfaces of these names, an interface between pieces having several; without names, of all.
   std::vector<int> interfacesNamed(const std::vector<std::string>& names) const;

@@ -49,7 +49,8 @@ struct VonMisesStress {
   }
 
   static std::unique_ptr<latin::Response> make(const input::Parameters& p, const ResponseContext& context) {
-    std::vector<PartStress> parts = PartStress::ofAll(context.mesh, context.bodies, context.model);
+    std::vector<PartStress> parts =
+        PartStress::ofAll(context.mesh, context.bodies, context.model, context.temperatures);
     const auto isOther = [&](const PartStress& part) { return p.has("Part") && part.name() != p.text("Part"); };
     parts.erase(std::remove_if(parts.begin(), parts.end(), isOther), parts.end());
     return std::make_unique<LargestVonMises>(p.name(), std::move(parts));
