@@ -20,13 +20,14 @@ std::string temperature(double value, const std::string& more = "") {
   return xmlList("heat", xmlText("Type", "Prescribed") + xmlNumber("Temperature", value) + more);
 }
 
-// N = -E alpha (T - T_ref) A.
+// N = -E alpha (T - T_ref) A, and no other stress.
 TEST(Temperatures, RestrainedBarsPush) {
   SceneInput scene = warmBody({"Hex8", "Incompatible Modes", 3}, {3, 1, 1}, {3.0, 0.5, 0.5});
   scene.add("Boundaries", boundary("left", "body_xmin", "Symmetry") + boundary("right", "body_xmax", "Symmetry") +
                               boundary("front", "body_ymin", "Symmetry") + boundary("below", "body_zmin", "Symmetry"));
   scene.add("Temperatures", temperature(50.0, xmlNumber("Reference", 20.0)));
-  scene.add("Responses", forceResponse("push", "right", {1, 0, 0}) + meanDisplacement("grows", "body_ymax", {0, 1, 0}));
+  scene.add("Responses", forceResponse("push", "right", {1, 0, 0}) + meanDisplacement("grows", "body_ymax", {0, 1, 0}) +
+                             xmlList("stress", xmlText("Type", "Von Mises Stress") + xmlText("Part", "body")));
   const SolvedScene run(scene);
   ASSERT_TRUE(run.isCertified()) << run.result.reason;
   const auto material = scene.scene().input.lists("Materials")[0];
@@ -34,6 +35,7 @@ TEST(Temperatures, RestrainedBarsPush) {
   const double grows = (1.0 + material.number("Poisson's Ratio")) * alpha * 30.0 * 0.5;
   EXPECT_NEAR(run.value("push"), push, tolerance * std::abs(push));
   EXPECT_NEAR(run.value("grows"), grows, tolerance * grows);
+  EXPECT_NEAR(run.value("stress"), std::abs(push) / 0.25, tolerance * std::abs(push) / 0.25);
 }
 
 // A linear temperature bends a free plate without stress: u_x = alpha G x y, u_y = alpha G (y^2 - x^2) / 2.
