@@ -16,10 +16,10 @@ from boxes import PLANES, SOLIDS, boxes_mesh
 from gmsh_writer import write_gmsh
 from harmos.exchange.__main__ import main
 from harmos.exchange.elements import GMSH, MESHIO, permutation
-from harmos.exchange.exodus import read_exodus
+from harmos.exchange.exodus import read_exodus, write_exodus
 from harmos.exchange.findings import Findings
 from harmos.exchange.gmsh_mesh import session
-from harmos.exchange.mesh import Mesh
+from harmos.exchange.mesh import LONGEST_NAME, Mesh
 
 harmos = sys.argv[1]
 work = pathlib.Path(sys.argv[2])
@@ -125,6 +125,14 @@ class RoundTrips(unittest.TestCase):
         back = self.imported(work / "groups.med")
         self.demand_equal(mesh, back, sets=False)
         self.assertEqual(len(back.side_sets["fixed"]), len(bottom))
+
+    def test_long_names_stay_different(self) -> None:
+        mesh = boxes_mesh(harmos, work, "Hex8")
+        for number, block in enumerate(mesh.blocks):
+            block.name = f"{'long_' * 12}{number}"
+        write_exodus(str(work / "long.e"), mesh)
+        back = self.imported(work / "long.e")
+        self.assertTrue(all(len(name) <= LONGEST_NAME for name in back.side_sets))
 
     def test_orders_are_those_of_gmsh(self) -> None:
         with session():

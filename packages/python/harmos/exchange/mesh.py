@@ -23,12 +23,13 @@ def clean_name(name: str) -> str:
 
 
 def unused_name(wanted: str, taken: Container[str]) -> str:
-    """The wanted name, made fit, with a number behind it if it is taken."""
+    """The wanted name, made fit, with a number at its end if it is taken."""
     name = clean_name(wanted)
     number = 2
     result = name
     while result in taken:
-        result = f"{name}_{number}"
+        end = f"_{number}"
+        result = name[:LONGEST_NAME - len(end)] + end
         number += 1
     return result
 
