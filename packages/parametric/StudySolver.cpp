@@ -56,12 +56,12 @@ latin::LatinOptions forReplacedLaws(latin::LatinOptions options) {
 
 StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
                          std::vector<std::shared_ptr<const latin::Response>> responses,
-                         const latin::LatinOptions& options, Teuchos::RCP<const Teuchos::Comm<int>> comm,
+                         const latin::LatinOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                          base::Timers& timers)
     : install_(std::move(install)),
       responses_(std::move(responses)),
       options_(forReplacedLaws(options)),
-      solver_(assembly, options_, std::move(comm), timers),
+      solver_(assembly, options_, comm, timers),
       fixedPoint_(solver_.fixedPoint()),
       iteration_(fixedPoint_, responses_, options.accuracy < demanding ? neighboursWhenDemanding : neighbours,
                  options.memory, options.accuracy, timers),

@@ -32,7 +32,7 @@ class StudySolver {
   /// latin::LatinSolver.
   StudySolver(assembly::Assembly& assembly, Install install,
               std::vector<std::shared_ptr<const latin::Response>> responses, const latin::LatinOptions& options,
-              Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+              const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
 
   /// Asked on every rank between iterations; true on any rank makes mustStop().
   void setInterrupt(std::function<bool()> interrupted) { solver_.setInterrupt(std::move(interrupted)); }
