@@ -17,7 +17,10 @@ class MeshErrorSampleTest : public ::testing::Test {
  protected:
   MeshErrorSampleTest() {
     description.parameters = {{"mu", "", "", {}, ""}, {"preload", "", "", {}, ""}};
-    for (int i = 0; i < 25; ++i) description.configurations.push_back({i + 1, {0.1 * (i / 5), 100.0 * (i % 5)}});
+    for (int i = 0; i < 25; ++i) {
+      const int row = i / 5, column = i % 5;
+      description.configurations.push_back({i + 1, {0.1 * row, 100.0 * column}});
+    }
     description.curves = {"u", "force"};
     results::ScalarResponse force;
     force.curve = 1;
