@@ -31,7 +31,7 @@ class Problem:
     per row. kind: of Kind, per row. value: the number of each condition [step, row]. frame: [point, component, axis].
     place: [point, axis]. two_sided: per point, not so on a boundary. points: of each joint without loads, by name.
     spring: of each row, the stiffness of the nodes it joins [force/length]. normal: outward on side 1 [point, axis].
-    uncertain: largest share of a join's area that its quadrature does not resolve.
+    uncertain: largest share of a join's area that its quadrature does not resolve. gap: of the geometry, per point.
     """
     dimension: int
     steps: int
@@ -50,6 +50,7 @@ class Problem:
     spring: Floats
     normal: Floats
     uncertain: float
+    gap: Floats
 
     @property
     def contact_points(self) -> Integers:
@@ -105,6 +106,7 @@ def assemble(scene: Scene, finest: int = FINEST) -> Problem:
     matrix, loads = _assemble(scene)
     points: dict[str, slice] = {}
     trace1, trace2, area, frame, normal, place, two_sided, kind, value = [], [], [], [], [], [], [], [], []
+    gap: list[Floats] = []
     begin, uncertain = 0, 0.0
     held = _held(scene, thickness)
     for joint in scene.joints:
@@ -124,6 +126,7 @@ def assemble(scene: Scene, finest: int = FINEST) -> Problem:
         frame.append(np.tile(np.eye(d), (count, 1, 1)) if joint.law.type in GLOBAL else surface.frame)
         normal.append(surface.frame[:, 0])
         place.append(surface.place)
+        gap.append(surface.gap)
         two_sided.append(np.full(count, surface.trace2 is not None))
         kind.append(np.tile([int(condition.kind) for condition in of_law], count))
         of_step = np.tile(np.array([condition.values for condition in of_law]).T, (1, count))
@@ -133,7 +136,7 @@ def assemble(scene: Scene, finest: int = FINEST) -> Problem:
     return Problem(d, scene.steps, mesh.nodes, [np.unique(block.nodes) for block in mesh.blocks], matrix, loads,
                    _jump(first, second, axes), np.concatenate(area), np.concatenate(kind),
                    np.concatenate(value, axis=1), axes, np.concatenate(place), np.concatenate(two_sided), points,
-                   _springs(matrix, d, first, second), np.concatenate(normal), uncertain)
+                   _springs(matrix, d, first, second), np.concatenate(normal), uncertain, np.concatenate(gap))
 
 
 def _held(scene: Scene, thickness: float) -> Held:

@@ -64,8 +64,9 @@ class History:
         rows = self._rows(response.target)
         stress = (self.force / self.problem.area)[:, rows].reshape(self.problem.steps, -1, self.problem.dimension)
         jump = self._local(self.jump, response.target)
+        opening = jump[:, :, 0] + self.problem.gap[self.problem.points[response.target]]
         field = {"Contact Pressure": -stress[:, :, 0], "Normal Traction": abs(stress[:, :, 0]),
-                 "Tangential Traction": np.linalg.norm(stress[:, :, 1:], axis=2), "Opening": jump[:, :, 0],
+                 "Tangential Traction": np.linalg.norm(stress[:, :, 1:], axis=2), "Opening": opening,
                  "Slip": np.linalg.norm(jump[:, :, 1:], axis=2)}[response.field]
         return np.asarray(np.maximum(0.0, field.max(axis=1)))
 
