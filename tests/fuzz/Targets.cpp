@@ -175,7 +175,7 @@ Target studyTarget(const std::string& folder) {
   }
   target.seeds.push_back(journal(log));
   target.read = [path, log](const std::string& content) {
-    if (content.compare(1, 3, "HDF") != 0) {
+    if (content.size() < 4 || content.compare(1, 3, "HDF") != 0) {
       write(log, content);
       files::StudyJournal(log, identity, false);
       return;
