@@ -177,7 +177,7 @@ Target studyTarget(const std::string& folder) {
   target.read = [path, log](const std::string& content) {
     if (content.size() < 4 || content.compare(1, 3, "HDF") != 0) {
       write(log, content);
-      files::StudyJournal(log, identity, false);
+      const files::StudyJournal opened(log, identity, false);
       return;
     }
     write(path, content + files::studySeal(content));
