@@ -42,6 +42,10 @@ struct Interface {
   int body(int side) const { return side == 0 ? body1 : body2; }
   /// B of a side, owned by the interface.
   const mesh::TraceOperator& trace(int side) const { return side == 0 ? trace1 : trace2; }
+  /// What the law is told of all pairs at a load step, counted from 0 in `times`, the ends of the load steps in
+  /// ascending order, of which several may be the same; the arrays are the interface's own. Lines, histories and states
+  /// are left to the caller.
+  laws::NodeArrays nodes(const std::vector<double>& times, int step) const;
 };
 
 }  // namespace harmos::assembly

@@ -35,14 +35,19 @@ std::vector<base::Vector3> rigidAxes(const assembly::Interface& interface, int p
   return axes;
 }
 
-AdmittedTractions::AdmittedTractions(const assembly::Interface& interface, int dimension, std::vector<int> pairs,
+AdmittedTractions::AdmittedTractions(const assembly::Assembly& assembly, int interfaceIndex, std::vector<int> pairs,
                                      std::vector<double> compliances)
-    : interface_(interface),
-      dimension_(dimension),
+    : assembly_(assembly),
+      interface_(assembly.interfaces[interfaceIndex]),
       pairs_(std::move(pairs)),
       compliances_(std::move(compliances)),
-      history_(pairs_.size() * static_cast<std::size_t>(interface.law->historySize()), 0.0) {
-  for (const int p : pairs_) gaps_.push_back(interface.gap[p]);
+      history_(pairs_.size() * static_cast<std::size_t>(interface_.law->historySize()), 0.0) {
+  for (const int p : pairs_) {
+    gaps_.push_back(interface_.gap[p]);
+    areas_.push_back(interface_.area[p]);
+    positions_.push_back(interface_.position[p]);
+    frames_.push_back(interface_.frame[p]);
+  }
 }
 
 base::Vector3 AdmittedTractions::toLaw(std::size_t i, const base::Vector3& v) const {
@@ -53,8 +58,18 @@ std::vector<laws::LocalState> AdmittedTractions::ask(int step, const std::vector
                                                      std::vector<double>& history) {
   std::vector<laws::LocalState> states(lines.size());
   history.resize(history_.size());
-  interface_.law->solve(step, {static_cast<int>(lines.size()), lines.data(), gaps_.data(), history_.data(),
-                               history.data(), states.data()});
+  laws::NodeArrays nodes = interface_.nodes(assembly_.times, step);
+  nodes.count = static_cast<int>(lines.size());
+  nodes.line = lines.data();
+  nodes.gap = gaps_.data();
+  nodes.oldHistory = history_.data();
+  nodes.newHistory = history.data();
+  nodes.state = states.data();
+  nodes.position = positions_.data();
+  nodes.frame = frames_.data();
+  nodes.area = areas_.data();
+  nodes.number = pairs_.data();
+  interface_.law->solve(step, nodes);
   return states;
 }
 
@@ -63,8 +78,8 @@ std::vector<TractionSet> AdmittedTractions::next(int step, const std::vector<At>
   std::vector<TractionSet> sets;
   if (law.isAffine()) {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      sets.push_back(
-          TractionSet::span(states[i].traction, rigidAxes(interface_, pairs_[i], dimension_, step, compliances_[0])));
+      sets.push_back(TractionSet::span(states[i].traction,
+                                       rigidAxes(interface_, pairs_[i], assembly_.dimension, step, compliances_[0])));
     }
     return sets;
   }
@@ -95,7 +110,7 @@ std::vector<TractionSet> AdmittedTractions::next(int step, const std::vector<At>
       const double scale = admissible->friction / shear;
       sets.push_back(TractionSet::ray(base::toGlobal(frame, {-1.0, scale * answer[1], scale * answer[2]})));
     } else {
-      sets.push_back(TractionSet::cone(frame, admissible->friction, dimension_));
+      sets.push_back(TractionSet::cone(frame, admissible->friction, assembly_.dimension));
     }
   }
   if (!history_.empty()) {

@@ -212,7 +212,8 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
     if (!interface.law->prescribesTraction() || places_[interface.body1].group < 0) continue;
     base::Matrix& sums = loads[interface.body1];
     for (int t = 0; t < steps; ++t) {
-      interface.trace1.addTransposed(dimension_, prescribedForces(interface, dimension_, t).data(), sums[t]);
+      interface.trace1.addTransposed(dimension_, prescribedForces(interface, assembly.times, dimension_, t).data(),
+                                     sums[t]);
     }
   }
   cases_ = steps;

@@ -58,7 +58,7 @@ std::vector<base::Vector3> Iterate::tractions(int interfaceIndex, int column) co
   const Fields& fields = valid();
   const assembly::Interface& interface = fields.assembly.interfaces[interfaceIndex];
   const int step = fields.steps[column];
-  if (interface.law->prescribesTraction()) return prescribedTractions(interface, step);
+  if (interface.law->prescribesTraction()) return prescribedTractions(interface, fields.assembly.times, step);
   std::vector<base::Vector3> tractions(interface.pairs());
   if (fields.eliminated.contains(interfaceIndex)) {
     for (int p = 0; p < interface.pairs(); ++p) {

@@ -140,7 +140,7 @@ LoadBalance::LoadBalance(const assembly::Assembly& assembly, const Teuchos::Comm
     if (!interface.law->prescribesTraction() || assembly.ownerOf(interface.body1) != comm.getRank()) continue;
     const auto& nodes = assembly.bodies[interface.body1].nodes;
     for (std::size_t t = 0; t < steps; ++t) {
-      const std::vector<double> forces = prescribedForces(interface, dimension, static_cast<int>(t));
+      const std::vector<double> forces = prescribedForces(interface, assembly.times, dimension, static_cast<int>(t));
       for (int p = 0; p < interface.pairs(); ++p) {
         add(static_cast<std::size_t>(interface.body1), t, interface.trace1.at(p, nodes), forces.data() + p * dimension);
       }

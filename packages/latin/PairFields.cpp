@@ -65,6 +65,7 @@ PairFields pairFields(const Iterate& state, int interfaceIndex) {
   PairFields fields;
   fields.pairs = interface.pairs();
   fields.steps = state.assembly().steps();
+  fields.times = state.assembly().times;
   const std::size_t count = static_cast<std::size_t>(fields.pairs) * static_cast<std::size_t>(fields.steps);
   std::vector<double> values(count * width, 0.0);
   if (interface.law->prescribesTraction() || state.eliminated().contains(interfaceIndex)) {

@@ -10,6 +10,7 @@ namespace harmos::latin {
 struct PairFields {
   int pairs = 0;                        ///< of the interface
   int steps = 0;                        ///< of the assembly
+  std::vector<double> times;            ///< end of each load step [time]
   std::vector<base::Vector3> traction;  ///< t = f1^ [stress], steps x pairs
   std::vector<base::Vector3> jump;      ///< delta = w2 - w1 [length], steps x pairs; ground: -w1
   std::vector<laws::Status> status;     ///< steps x pairs

@@ -40,10 +40,14 @@ void PairTangents::differentiate(int interfaceIndex, int step, const std::vector
   std::vector<laws::LocalLine> shifted(lines);
   std::vector<laws::LocalState> moved(pairs);
   std::vector<double> newHistory(oldHistory.size());
+  laws::NodeArrays nodes = interface.nodes(assembly_.times, step);
+  nodes.line = shifted.data();
+  nodes.oldHistory = oldHistory.data();
+  nodes.newHistory = newHistory.data();
+  nodes.state = moved.data();
   for (std::size_t c = 0; c < static_cast<std::size_t>(assembly_.dimension); ++c) {
     for (std::size_t p = 0; p < pairs; ++p) shifted[p].freeJump[c] = lines[p].freeJump[c] + difference;
-    interface.law->solve(step, {interface.pairs(), shifted.data(), interface.gap.data(), oldHistory.data(),
-                                newHistory.data(), moved.data()});
+    interface.law->solve(step, nodes);
     for (std::size_t p = 0; p < pairs; ++p) {
       const double exact = shifted[p].freeJump[c] - lines[p].freeJump[c];
       for (std::size_t i = 0; i < 3; ++i) {

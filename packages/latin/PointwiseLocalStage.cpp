@@ -108,8 +108,12 @@ void PointwiseLocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, co
   laws::LocalState* state = joint.state.data() + static_cast<std::size_t>(t) * joint.line.size();
   const int step = steps_[t];
   addReference(interface, joint, step);
-  interface.law->solve(step, {interface.pairs(), joint.line.data(), interface.gap.data(), joint.history[0].data(),
-                              joint.history[1].data(), state});
+  laws::NodeArrays nodes = interface.nodes(assembly_.times, step);
+  nodes.line = joint.line.data();
+  nodes.oldHistory = joint.history[0].data();
+  nodes.newHistory = joint.history[1].data();
+  nodes.state = state;
+  interface.law->solve(step, nodes);
   const double check = lines_.write(interfaceIndex, t, state, traction);
   if (formulation_ == Formulation::velocity) keepJump(joint, state);
   if (!std::isfinite(check)) {

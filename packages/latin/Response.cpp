@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <harmos/latin/Dissipation.hpp>
+#include <harmos/latin/LawFields.hpp>
 
 namespace harmos::latin {
 std::vector<double> DisplacementResponse::evaluate(const Iterate& state) const {
@@ -87,7 +87,7 @@ base::Vector3 DissipationResponse::slope(const assembly::Assembly& assembly, con
 void DissipationResponse::include(const assembly::Interface& interface, const PairFields& fields,
                                   std::vector<double>& values) const {
   if (!interface.law->dissipates()) return;
-  const std::vector<double> lost = lostWork(interface, fields);
+  const std::vector<double> lost = lawFields(interface, fields).lost;
   for (int t = 0; t < fields.steps; ++t) {
     for (int p = 0; p < fields.pairs; ++p) values[t] += interface.area[p] * lost[fields.at(t, p)];
   }

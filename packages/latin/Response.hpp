@@ -155,8 +155,8 @@ class PairResponse : public Response {
   std::vector<int> interfaces_;
 };
 
-/// Energy [force length] lost in interfaces up to each load step: sum over steps and pairs of h times lostWork(), the
-/// work on the interface less what the law keeps.
+/// Energy [force length] lost in interfaces up to each load step: sum over steps and pairs of h times LawFields::lost,
+/// the work on the interface less what the law keeps.
 class DissipationResponse : public PairResponse {
  public:
   /// `interfaces`: positions in the assembly; those whose laws do not dissipate add nothing.

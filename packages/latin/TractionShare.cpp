@@ -107,7 +107,7 @@ std::vector<TractionShare::Finding> TractionShare::find(const Iterate& iterate, 
     std::vector<double> compliances;
     const double scale = iterate.searchDirectionScale() * assembly_.interfaces[i].sides();
     for (const int p : pairs_[i]) compliances.push_back(scale / k[p]);
-    laws.emplace_back(assembly_.interfaces[i], assembly_.dimension, pairs_[i], std::move(compliances));
+    laws.emplace_back(assembly_, static_cast<int>(i), pairs_[i], std::move(compliances));
   }
   std::vector<double> size(count_);  // of the tractions of the group of a pair
   std::vector<TractionSet> sets(count_, TractionSet::point({}));

@@ -34,9 +34,7 @@ struct ElasticFoundation {
     return springTraction(line, normal[at.step], tangential[at.step]);
   }
 
-  double storedEnergy(const base::Vector3& jump, const base::Vector3& traction) const {
-    return springEnergy(jump, traction);
-  }
+  double storedEnergy(const PairStep& step) const { return springEnergy(step.jump, step.traction); }
 
   input::Schedule normal;
   input::Schedule tangential;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <harmos/laws/AdmissibleTractions.hpp>
-#include <harmos/laws/LocalLine.hpp>
+#include <harmos/laws/NodeArrays.hpp>
+#include <harmos/laws/OutputField.hpp>
 
 /// What happens where two bodies meet: laws of interfaces, asked pair by pair.
 namespace harmos::laws {
@@ -22,19 +24,6 @@ enum class Creases {
   ignore,  ///< it does not look at the normal: the node is one pair, and may have no normal at all
   split,   ///< it holds on every smooth patch of the surface by itself: the node is a pair of each
   refuse   ///< it has no meaning there
-};
-
-/// The pairs of one interface at one load step, as contiguous arrays of length `count`, in the order of the interface.
-///
-/// The arrays belong to the caller and are valid during the call only; the written ones overlap no other.
-struct NodeArrays {
-  int count = 0;                            ///< pairs, on a boundary nodes
-  const LocalLine* line = nullptr;          ///< what the jump and the traction of each pair must lie on
-  const double* gap = nullptr;              ///< geometric opening [length], positive when open
-  const double* oldHistory = nullptr;       ///< count x historySize(), state at the end of the previous load step
-  double* newHistory = nullptr;             ///< count x historySize(), all of it written
-  LocalState* state = nullptr;              ///< written
-  const base::Vector3* position = nullptr;  ///< undeformed places [length]
 };
 
 /// Behaviour of an interface: intersects its graph t = R(delta, history) with the line of every node.
@@ -66,13 +55,27 @@ class InterfaceLaw {
   /// So of a spring and a slider in series what is lost is the force of the slider times its slip, and nothing while it
   /// sticks. Contact keeps the work of its pressure, which is one of closing a gap. Asked only where dissipates().
   virtual double keptWork(const PairStep& /*step*/) const { return 0.0; }
-  /// Energy of the springs of the law at a pair [stress length]: of t = k delta it is t.delta / 2; 0: it has none.
-  virtual double storedEnergy(const base::Vector3& /*jump*/, const base::Vector3& /*traction*/) const { return 0.0; }
+  /// Free energy of the springs of the law at the end of a load step [stress length]: of t = k delta it is t.delta / 2;
+  /// 0: it has none.
+  virtual double storedEnergy(const PairStep& /*step*/) const { return 0.0; }
+  /// What the law adds to the results, beside the fields that all have; their number and order do not change.
+  virtual std::vector<OutputField> outputs() const { return {}; }
+  /// Writes the numbers of outputs() at the end of a load step, found in the jump, the traction and the history.
+  virtual void output(const PairStep& /*step*/, double* /*values*/) const {}
   /// The jump is 0 whatever the traction: the sides move as one.
   virtual bool bonds() const { return false; }
   /// Without memory, and every component by itself affine: at each load step t_i = k_i delta_i + c_i with 0 <= k_i <=
-  /// infinity, in the law's frame; k_i and c_i are the same at all nodes, whatever their gap.
+  /// infinity, in the law's frame; k_i and c_i are the same at all nodes, whatever their gap, place and time: they
+  /// follow from the number of the load step.
   virtual bool isAffine() const { return false; }
+  /// The least slope of the graph [stress/length]: (t_a - t_b).(delta_a - delta_b) >= lowestSlope() |delta_a -
+  /// delta_b|^2 for any two of its points with one history, the cone of friction left aside. 0: the law is monotone,
+  /// and meets every line once. Below 0 it softens, by so much at the steepest: it meets every line with H < -1 /
+  /// lowestSlope() once. Minus infinity: it falls at a jump.
+  virtual double lowestSlope() const { return 0.0; }
+  /// With one history the traction is a continuously differentiable function of the free jump of a line: no kinks, as
+  /// where a gap closes or a slider lets go.
+  virtual bool isSmooth() const { return isAffine(); }
   /// What it makes of creases: ignores them where it looks at global components, or bonds the sides whatever the
   /// normal.
   virtual Creases creases() const { return frame() == Frame::global || bonds() ? Creases::ignore : Creases::split; }

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include <harmos/input/ErrorList.hpp>
 #include <harmos/input/ParameterSpec.hpp>
 #include <harmos/input/Parameters.hpp>
 #include <harmos/input/Registry.hpp>
@@ -12,14 +13,25 @@ namespace harmos::laws {
 /// The laws that a scene may name; an object, so that a host can add its own.
 using LawRegistry = input::Registry<InterfaceLaw>;
 
+/// L::check(), or none.
+template <class L>
+auto checkOf(int) -> decltype(LawRegistry::Check(&L::check)) {
+  return &L::check;
+}
+template <class L>
+LawRegistry::Check checkOf(long) {
+  return {};
+}
+
 /// Adds the law written as struct L (see PointwiseLaw) under L::name. Throws base::Error when the name is taken.
 template <class L>
 void addLaw(LawRegistry& laws) {
   input::ParameterSpec spec(L::name);
   L::describe(spec);
-  laws.add(std::move(spec), [](const input::Parameters& p) -> std::unique_ptr<InterfaceLaw> {
+  const auto make = [](const input::Parameters& p) -> std::unique_ptr<InterfaceLaw> {
     return std::make_unique<PointwiseLaw<L>>(p);
-  });
+  };
+  laws.add(std::move(spec), make, checkOf<L>(0));
 }
 
 /// A new registry of all laws that come with Harmos: the list in packages/laws/CMakeLists.txt.

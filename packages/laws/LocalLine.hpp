@@ -21,30 +21,10 @@ struct LocalLine {
   }
 };
 
-/// Where and when a law is asked: one pair at one load step.
-struct NodeContext {
-  int step = 0;              ///< load step, counted from 0
-  double gap = 0.0;          ///< geometric opening of the undeformed surfaces at the pair [length], (x2 - x1).n
-  base::Vector3 position{};  ///< undeformed place [length]
-};
-
-/// A load step of a pair: how it was at its beginning and at its end, in the law's frame.
-struct PairStep {
-  base::Vector3 oldJump{};             ///< delta at the end of the previous load step [length]; 0 at the unloaded start
-  base::Vector3 jump{};                ///< delta at the end of this one [length]
-  base::Vector3 traction{};            ///< t at the end of this one [stress]
-  const double* oldHistory = nullptr;  ///< the pair's numbers of historySize() at the end of the previous load step
-  const double* history = nullptr;     ///< at the end of this one
-
-  /// t.(delta - delta_old), the work of the load step with the traction at its end [stress length].
-  double work() const { return base::dot(traction, jump - oldJump); }
-};
-
 /// What a pair does; written to Exodus as the variable `contact_status`.
 ///
 /// open: the sides are apart. stick: in contact, without sliding over the load step. slip: in contact, sliding or free
-/// to slide. bonded: joined, by springs too; also all of a law that knows no states. broken: was bonded; of the laws
-/// that come with Harmos none says so.
+/// to slide. bonded: joined, by springs too; also all of a law that knows no states. broken: was bonded.
 enum class Status { open = 0, stick = 1, slip = 2, bonded = 3, broken = 4 };
 
 /// A point of the law's graph: the traction, and the status that goes with it.

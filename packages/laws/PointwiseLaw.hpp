@@ -2,6 +2,7 @@
 
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <harmos/laws/InterfaceLaw.hpp>
 
@@ -11,12 +12,14 @@ namespace harmos::laws {
 ///
 /// The struct L gives
 ///   static constexpr const char* name;                    as written in XML
-///   static constexpr int historySize;                     numbers kept per node between load steps
+///   static constexpr int historySize;                     numbers kept per node between load steps; or, where they
+///   int historySize() const;                              depend on the parameters, a function
 ///   static constexpr Sides sides;                         two bodies, one body and the ground, or any
 ///   static void describe(input::ParameterSpec&);           its parameters (only for laws built from XML)
 ///   explicit L(const input::Parameters&);                  copies constants (only for laws built from XML)
 ///   LocalState solve(const LocalLine&, const NodeContext&, const double* old, double* now) const;
 /// and may give
+///   static void check(const input::Parameters&, input::ErrorList&);  what parameters must be beside each other
 ///   static constexpr Frame frame = Frame::global;         default Frame::interface
 ///   static constexpr bool prescribesTraction = true;      default false
 ///   static constexpr bool dissipates = true;              default false
@@ -24,7 +27,11 @@ namespace harmos::laws {
 ///   static constexpr bool isAffine = true;                default false
 ///   static constexpr Creases creases = Creases::refuse;   default as InterfaceLaw::creases()
 ///   double keptWork(const PairStep&) const;               default 0
-///   double storedEnergy(const base::Vector3& jump, const base::Vector3& traction) const;  default 0
+///   double storedEnergy(const PairStep&) const;           default 0
+///   static std::vector<OutputField> outputs();            default none; may be a member that is const
+///   void output(const PairStep&, double* values) const;   to be given with outputs()
+///   double lowestSlope() const;                           default 0: monotone
+///   static constexpr bool isSmooth = true;                default isAffine
 ///   AdmissibleTractions admissibleTractions(int step) const;  default: not known
 /// What they mean is said at the functions of InterfaceLaw of these names. `old` and `now` are the pair's numbers at
 /// the end of the previous load step and of this one; solve() writes all of `now`.
@@ -37,8 +44,8 @@ class PointwiseLaw final : public InterfaceLaw {
 
   /// L::name.
   const char* name() const override { return L::name; }
-  /// L::historySize.
-  int historySize() const override { return L::historySize; }
+  /// L::historySize, or what it returns.
+  int historySize() const override { return historySizeOf(law_, 0); }
   /// L::sides.
   Sides sides() const override { return L::sides; }
   /// L::frame, or the frame of the interface.
@@ -50,9 +57,15 @@ class PointwiseLaw final : public InterfaceLaw {
   /// L::keptWork(), or 0.
   double keptWork(const PairStep& step) const override { return keptWorkOf(law_, step, 0); }
   /// L::storedEnergy(), or 0.
-  double storedEnergy(const base::Vector3& jump, const base::Vector3& traction) const override {
-    return storedEnergyOf(law_, jump, traction, 0);
-  }
+  double storedEnergy(const PairStep& step) const override { return storedEnergyOf(law_, step, 0); }
+  /// L::outputs(), or none.
+  std::vector<OutputField> outputs() const override { return outputsOf(law_, 0); }
+  /// L::output(), if there is one.
+  void output(const PairStep& step, double* values) const override { outputOf(law_, step, values, 0); }
+  /// L::lowestSlope(), or 0.
+  double lowestSlope() const override { return lowestSlopeOf(law_, 0); }
+  /// L::isSmooth, or isAffine().
+  bool isSmooth() const override { return isSmoothOf<L>(0); }
   /// L::bonds, or false.
   bool bonds() const override { return bondsOf<L>(0); }
   /// L::isAffine, or false.
@@ -67,15 +80,23 @@ class PointwiseLaw final : public InterfaceLaw {
 
   /// Calls L::solve() for one pair after the other.
   void solve(int step, const NodeArrays& nodes) const override {
+    const int size = historySizeOf(law_, 0);
     for (int i = 0; i < nodes.count; ++i) {
-      const NodeContext at{step, nodes.gap[i], nodes.position == nullptr ? base::Vector3{} : nodes.position[i]};
-      nodes.state[i] =
-          law_.solve(nodes.line[i], at, nodes.oldHistory + i * L::historySize, nodes.newHistory + i * L::historySize);
+      nodes.state[i] = law_.solve(nodes.line[i], NodeContext(step, nodes, i), nodes.oldHistory + i * size,
+                                  nodes.newHistory + i * size);
     }
   }
 
  private:
   // An absent trait falls to the overload that takes long.
+  template <class T>
+  static auto historySizeOf(const T& law, int) -> decltype(law.historySize()) {
+    return law.historySize();
+  }
+  template <class T>
+  static constexpr int historySizeOf(const T&, long) {
+    return T::historySize;
+  }
   template <class T>
   static constexpr auto frameOf(int) -> decltype(T::frame) {
     return T::frame;
@@ -109,13 +130,42 @@ class PointwiseLaw final : public InterfaceLaw {
     return 0.0;
   }
   template <class T>
-  static auto storedEnergyOf(const T& law, const base::Vector3& jump, const base::Vector3& traction, int)
-      -> decltype(law.storedEnergy(jump, traction)) {
-    return law.storedEnergy(jump, traction);
+  static auto storedEnergyOf(const T& law, const PairStep& step, int) -> decltype(law.storedEnergy(step)) {
+    return law.storedEnergy(step);
   }
   template <class T>
-  static double storedEnergyOf(const T&, const base::Vector3&, const base::Vector3&, long) {
+  static double storedEnergyOf(const T&, const PairStep&, long) {
     return 0.0;
+  }
+  template <class T>
+  static auto outputsOf(const T& law, int) -> decltype(law.outputs()) {
+    return law.outputs();
+  }
+  template <class T>
+  static std::vector<OutputField> outputsOf(const T&, long) {
+    return {};
+  }
+  template <class T>
+  static auto outputOf(const T& law, const PairStep& step, double* values, int) -> decltype(law.output(step, values)) {
+    law.output(step, values);
+  }
+  template <class T>
+  static void outputOf(const T&, const PairStep&, double*, long) {}
+  template <class T>
+  static auto lowestSlopeOf(const T& law, int) -> decltype(law.lowestSlope()) {
+    return law.lowestSlope();
+  }
+  template <class T>
+  static double lowestSlopeOf(const T&, long) {
+    return 0.0;
+  }
+  template <class T>
+  static constexpr auto isSmoothOf(int) -> decltype(T::isSmooth) {
+    return T::isSmooth;
+  }
+  template <class T>
+  static constexpr bool isSmoothOf(long) {
+    return isAffineOf<T>(0);
   }
   template <class T>
   static constexpr auto bondsOf(int) -> decltype(T::bonds) {

@@ -27,7 +27,7 @@ struct PrescribedTraction {
 
   LocalState solve(const LocalLine&, const NodeContext& at, const double*, double*) const {
     LocalState state;
-    for (std::size_t i = 0; i < 3; ++i) state.traction[i] = value[i](at.step, at.position);
+    for (std::size_t i = 0; i < 3; ++i) state.traction[i] = value[i](at.step, at.position());
     return state;
   }
 

@@ -21,7 +21,7 @@ struct Pressure {
   explicit Pressure(const input::Parameters& p) : value(p, "Pressure") {}
 
   LocalState solve(const LocalLine&, const NodeContext& at, const double*, double*) const {
-    return {{-value(at.step, at.position), 0.0, 0.0}, Status::bonded};
+    return {{-value(at.step, at.position()), 0.0, 0.0}, Status::bonded};
   }
 
   input::Field value;

@@ -185,7 +185,7 @@ class Checker {
   bool isWasted(const assembly::Interface& interface, const std::string& holder, const Part& part) const {
     std::vector<bool> acts(static_cast<std::size_t>(interface.pairs()), false);
     for (std::size_t t = 0; t < scene_.times.size(); ++t) {
-      const auto tractions = latin::prescribedTractions(interface, static_cast<int>(t));
+      const auto tractions = latin::prescribedTractions(interface, scene_.times, static_cast<int>(t));
       for (std::size_t p = 0; p < tractions.size(); ++p) {
         const base::Vector3 acting = part(tractions[p]);
         if (norm(acting) == 0.0) continue;

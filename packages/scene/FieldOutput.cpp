@@ -8,6 +8,7 @@
 #include <harmos/files/ResultLayout.hpp>
 #include <harmos/input/EffectiveInput.hpp>
 #include <harmos/scene/FieldFile.hpp>
+#include <harmos/scene/detail/LawOutputs.hpp>
 #include <harmos/scene/detail/PartStress.hpp>
 
 namespace harmos::scene {
@@ -190,19 +191,6 @@ class InterfaceStep {
  public:
   InterfaceStep(int dimension, ResultStep& step) : dimension_(at(dimension)), step_(step) {}
 
-  static ResultVariables variables(int dimension) {
-    ResultVariables result;
-    addVector(result.nodal, "disp", dimension);
-    result.nodal.push_back("contact_pressure");
-    addVector(result.nodal, "traction", dimension);
-    for (const char* name : {"contact_status", "opening"}) result.nodal.push_back(name);
-    addVector(result.nodal, "slip", dimension);
-    for (const char* name : {"slip_magnitude", "dissipation", "safety_slip", "safety_gaping"}) {
-      result.nodal.emplace_back(name);
-    }
-    return result;
-  }
-
   /// Of pair `p` of interface `i`.
   void fill(const assembly::Interface& interface, const InterfaceFields& all, std::size_t i, int t, int p, int node) {
     const latin::PairFields& fields = all.fields[i];
@@ -222,9 +210,16 @@ class InterfaceStep {
     put(hasJump ? jump[0] + interface.gap[at(p)] : 0.0);
     for (std::size_t d = 0; d < dimension_; ++d) put(hasJump ? frame[1][d] * jump[1] + frame[2][d] * jump[2] : 0.0);
     put(hasJump ? std::hypot(jump[1], jump[2]) : 0.0);
-    put(all.dissipation[i][fields.at(t, p)]);
+    put(all.law[i].lost[fields.at(t, p)]);
     put(all.safety[i].slip[fields.at(t, p)]);
     put(all.safety[i].gaping[fields.at(t, p)]);
+  }
+
+  /// What the law of interface `i` adds, right after fill(): `variables` are those of its outputs.
+  void fillOutputs(const InterfaceFields& all, std::size_t i, int t, int p, const std::vector<std::size_t>& variables) {
+    for (std::size_t k = 0; k < variables.size(); ++k) {
+      step_.nodal[variable_ + variables[k]][node_] = all.law[i].outputs[k][all.fields[i].at(t, p)];
+    }
   }
 
  private:
@@ -236,11 +231,14 @@ class InterfaceStep {
 };
 
 void writeInterfaces(const Problem& problem, const latin::Iterate& state, const InterfaceFields& fields,
+                     const LawOutputs& outputs, const std::vector<std::vector<std::size_t>>& ofLaws,
                      const std::string& path, const FieldFile& file) {
   const auto layout = files::layOutInterfaces(problem.mesh.dimension, problem.surfaces);
   const int dimension = problem.mesh.dimension;
   const auto& interfaces = problem.assembly.interfaces;
-  const auto variables = InterfaceStep::variables(dimension);
+  ResultVariables variables;
+  variables.nodal = interfaceVariables(dimension);
+  for (const laws::OutputField& field : outputs.fields()) variables.nodal.push_back(field.name);
   const auto writer = file.open(path, layout.mesh, variables);
   for (int t = 0; t < file.steps(); ++t) {
     ResultStep step = files::zeroStep(layout.mesh, variables, file.time(t));
@@ -251,6 +249,7 @@ void writeInterfaces(const Problem& problem, const latin::Iterate& state, const 
         if (place.interface < 0) continue;
         const auto i = at(place.interface);
         filler.fill(interfaces[i], fields, i, t, place.pair, layout.firstPair[s] + static_cast<int>(p));
+        filler.fillOutputs(fields, i, t, place.pair, ofLaws[i]);
       }
     }
     for (int c = 0; c < dimension; ++c) {
@@ -286,10 +285,15 @@ std::optional<files::StressPeak> writeFields(const Scene& scene, const Problem& 
   std::string title = scene.input.text("Title");
   if (title.empty()) title = scene.path;
   const std::vector<double> times(scene.times.begin(), scene.times.begin() + solvedSteps);
-  const std::string information = std::string(statusLegend) + "\n" + input::effectiveInput(scene.input);
+  LawOutputs outputs;
+  std::vector<std::vector<std::size_t>> ofLaws;
+  for (const assembly::Interface& interface : problem.assembly.interfaces)
+    ofLaws.push_back(outputs.add(*interface.law));
+  const std::string information =
+      std::string(statusLegend) + "\n" + outputs.legend() + input::effectiveInput(scene.input);
   const FieldFile file(title, information, times, globals, comm);
   auto peak = writeParts(problem, state, scene.output, files.parts, file);
-  writeInterfaces(problem, state, fields, files.interfaces, file);
+  writeInterfaces(problem, state, fields, outputs, ofLaws, files.interfaces, file);
   return peak;
 }
 

@@ -97,7 +97,8 @@ class Surface {
     for (std::size_t i = 0; i < problem.assembly.interfaces.size(); ++i) {
       const assembly::Interface& interface = problem.assembly.interfaces[i];
       if (interface.law->prescribesTraction()) {
-        prescribed_[interface.name][static_cast<int>(i)] = latin::prescribedTractions(interface, step);
+        prescribed_[interface.name][static_cast<int>(i)] =
+            latin::prescribedTractions(interface, problem.assembly.times, step);
       }
     }
     part.boundary.assign(part.piece.nodes.size(), false);

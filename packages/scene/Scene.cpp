@@ -16,6 +16,7 @@
 #include <harmos/scene/SceneSpec.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
 #include <harmos/scene/detail/History.hpp>
+#include <harmos/scene/detail/LawOutputs.hpp>
 #include <harmos/scene/detail/Names.hpp>
 #include <harmos/scene/detail/PartPairs.hpp>
 #include <harmos/scene/detail/Place.hpp>
@@ -221,8 +222,12 @@ class SceneChecker {
   void makeLaw(const Parameters& interface, int sides) {
     const Parameters& parameters = interface.list("Law");
     std::shared_ptr<const laws::InterfaceLaw> law;
+    const int before = errors_.count();
+    laws_.check(parameters, errors_);
+    if (errors_.count() > before) return;
     errors_.collect(parameters.where(), [&] { law = laws_.create(parameters); });
     if (!law) return;
+    errors_.collect(parameters.where("Type"), [&] { outputs_.add(*law); });
     if (sides == 1 && law->sides() == laws::Sides::two) {
       errors_.add(parameters.where("Type"), "\"" + parameters.type() + "\" joins two parts, but a boundary has one.",
                   "Choose another law, or describe an interface in the list Interfaces.");
@@ -253,6 +258,7 @@ class SceneChecker {
   Scene& scene_;
   const Parameters& input_;
   input::ErrorList& errors_;
+  LawOutputs outputs_;
 };
 
 }  // namespace

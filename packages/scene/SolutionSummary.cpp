@@ -32,17 +32,6 @@ std::vector<Named> interfacesByName(const Problem& problem) {
   return result;
 }
 
-double storedEnergy(const assembly::Interface& interface, const latin::PairFields& fields, int step) {
-  const bool isGlobal = interface.law->frame() == laws::Frame::global;
-  double energy = 0.0;
-  for (int p = 0; p < fields.pairs; ++p) {
-    const auto toLaw = [&](const base::Vector3& v) { return isGlobal ? base::toGlobal(interface.frame[p], v) : v; };
-    const std::size_t at = fields.at(step, p);
-    energy += interface.area[p] * interface.law->storedEnergy(toLaw(fields.jump[at]), toLaw(fields.traction[at]));
-  }
-  return energy;
-}
-
 /// Looks for the least safety; of points that have it the one under the largest pressure.
 class Search {
  public:
@@ -99,9 +88,9 @@ files::InterfaceRecord describe(const Problem& problem, const InterfaceFields& a
     forces.force = forces.force + mine.force;
     forces.moment = forces.moment + mine.moment;
     for (int p = 0; p < fields.pairs; ++p) {
-      record.dissipated += interface.area[p] * all.dissipation[i][fields.at(step, p)];
+      record.dissipated += interface.area[p] * all.law[i].lost[fields.at(step, p)];
+      record.stored += interface.area[p] * all.law[i].stored[fields.at(step, p)];
     }
-    record.stored += storedEnergy(interface, fields, step);
   }
   record.name = named.first;
   record.centre = section.centre;

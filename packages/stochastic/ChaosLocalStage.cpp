@@ -75,6 +75,9 @@ void ChaosLocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
 }
 
 void ChaosLocalStage::solvePoints(const assembly::Interface& interface, Joint& joint, int step) {
+  laws::NodeArrays nodes = interface.nodes(modal_.times, step * projection_->terms());
+  nodes.line = line_.data();
+  nodes.state = state_.data();
   for (int q = 0; q < projection_->points(); ++q) {
     Histories& history = joint.histories[q];
     const double* free = freeJumpsAtPoints_[q];
@@ -82,8 +85,9 @@ void ChaosLocalStage::solvePoints(const assembly::Interface& interface, Joint& j
       std::copy_n(free, 3, line.freeJump.begin());
       free += 3;
     }
-    joint.laws[q]->solve(step, {interface.pairs(), line_.data(), interface.gap.data(), history.now.data(),
-                                history.next.data(), state_.data()});
+    nodes.oldHistory = history.now.data();
+    nodes.newHistory = history.next.data();
+    joint.laws[q]->solve(step, nodes);
     history.now.swap(history.next);
     double* traction = tractionsAtPoints_[q];
     for (const laws::LocalState& state : state_) traction = std::copy_n(state.traction.begin(), 3, traction);

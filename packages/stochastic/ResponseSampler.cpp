@@ -87,6 +87,7 @@ base::Matrix ResponseSampler::evaluate(int response, const base::Matrix& polynom
       latin::PairFields fields;
       fields.pairs = interface.pairs();
       fields.steps = steps;
+      fields.times = assembly_.times;
       fields.traction.resize(static_cast<std::size_t>(steps) * static_cast<std::size_t>(interface.pairs()));
       fields.jump.resize(fields.traction.size());
       for (int s = 0; s < count; ++s) {

@@ -59,7 +59,7 @@ SpectralSystem::SpectralSystem(const assembly::Assembly& assembly, const std::sh
     if (interface.law->prescribesTraction()) {
       assembly::Interface boundary = interface;
       boundary.law = std::make_shared<ProjectedLaw>(std::move(realisations), projection);
-      addLoads(boundary);
+      addLoads(boundary, assembly.times);
     } else {
       addInterface(interface, realisations, *projection, entries);
     }
@@ -129,14 +129,15 @@ void SpectralSystem::addBodies(const assembly::Assembly& assembly, std::vector<E
   }
 }
 
-void SpectralSystem::addLoads(const assembly::Interface& boundary) {
+void SpectralSystem::addLoads(const assembly::Interface& boundary, const std::vector<double>& times) {
+  std::vector<double> modal;
+  for (const double time : times) modal.insert(modal.end(), terms_, time);
   for (int column = 0; column < steps_ * terms_; ++column) {
-    const std::vector<double> force = latin::prescribedForces(boundary, dimension_, column);
+    const std::vector<double> force = latin::prescribedForces(boundary, modal, dimension_, column);
     for (int p = 0; p < boundary.pairs(); ++p) {
       for (const auto& [node, weight] : boundary.trace1.row(p)) {
         for (int c = 0; c < dimension_; ++c) {
-          at(right_, dofOf(boundary.body1, node) + c, column) +=
-              weight * force[static_cast<std::size_t>(p * dimension_ + c)];
+          at(right_, dofOf(boundary.body1, node) + c, column) += weight * force[p * dimension_ + c];
         }
       }
     }

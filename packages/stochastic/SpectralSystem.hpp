@@ -62,7 +62,7 @@ class SpectralSystem {
   static Rows compressed(std::vector<Entry> entries);
   static Teuchos::RCP<base::CrsMatrix> crsMatrix(std::vector<Entry> entries);
   void addBodies(const assembly::Assembly& assembly, std::vector<Entry>& entries);
-  void addLoads(const assembly::Interface& boundary);
+  void addLoads(const assembly::Interface& boundary, const std::vector<double>& times);
   void addInterface(const assembly::Interface& interface,
                     const std::vector<std::shared_ptr<const laws::InterfaceLaw>>& laws, const Projection& projection,
                     std::vector<Entry>& entries);

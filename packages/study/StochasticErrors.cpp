@@ -43,7 +43,7 @@ double smallSampleFactor(int holdOuts) {
 
 bool mayHaveKinks(const Study& study) {
   return std::any_of(study.scene.laws.begin(), study.scene.laws.end(),
-                     [](const auto& named) { return !named.second->isAffine(); });
+                     [](const auto& named) { return !named.second->isSmooth(); });
 }
 
 void addSolverErrors(const Study& study, const results::StudyResults& results, StochasticSummary& summary) {

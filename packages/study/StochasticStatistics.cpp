@@ -58,7 +58,7 @@ class Summariser {
     useExpansions();
     fill(chaos.sample(sampleGerms()));
     judge(chaos.sample(heldOutGerms()));
-    addTruncation(study_, !chaos.problem().assembly.isAffine(), *summary_);
+    addTruncation(study_, mayHaveKinks(study_), *summary_);
     return summary_;
   }
 

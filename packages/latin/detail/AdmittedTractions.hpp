@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <harmos/assembly/Interface.hpp>
+#include <harmos/assembly/Assembly.hpp>
 #include <harmos/latin/detail/TractionSet.hpp>
 
 namespace harmos::latin {
@@ -26,9 +26,9 @@ class AdmittedTractions {
     double uncertainty = 0.0;  ///< of the jump [length]
   };
 
-  /// `pairs` of the interface, which must outlive it; `compliances` [length/stress] of their nodes, the size of jumps
-  /// that a traction makes there.
-  AdmittedTractions(const assembly::Interface& interface, int dimension, std::vector<int> pairs,
+  /// `pairs` of an interface of the assembly, which must outlive it; `compliances` [length/stress] of their nodes, the
+  /// size of jumps that a traction makes there.
+  AdmittedTractions(const assembly::Assembly& assembly, int interfaceIndex, std::vector<int> pairs,
                     std::vector<double> compliances);
 
   /// At the next load step, counted from 0, whose states are given pair by pair: the sets, which hold the tractions.
@@ -39,11 +39,13 @@ class AdmittedTractions {
   std::vector<laws::LocalState> ask(int step, const std::vector<laws::LocalLine>& lines, std::vector<double>& history);
   base::Vector3 toLaw(std::size_t i, const base::Vector3& v) const;
 
+  const assembly::Assembly& assembly_;
   const assembly::Interface& interface_;
-  int dimension_;
   std::vector<int> pairs_;
   std::vector<double> compliances_;
-  std::vector<double> gaps_;
+  std::vector<double> gaps_, areas_;
+  std::vector<base::Vector3> positions_;
+  std::vector<base::Frame> frames_;
   std::vector<double> history_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <harmos/latin/LawFields.hpp>
 #include <harmos/latin/PairFields.hpp>
 #include <harmos/latin/Safety.hpp>
 
@@ -12,9 +13,9 @@ struct InterfaceFields {
   /// Collective. All load steps must be selected.
   explicit InterfaceFields(const latin::Iterate& state);
 
-  std::vector<latin::PairFields> fields;         ///< tractions, jumps, status
-  std::vector<std::vector<double>> dissipation;  ///< latin::lostWork()
-  std::vector<latin::Safety> safety;             ///< latin::safety()
+  std::vector<latin::PairFields> fields;  ///< tractions, jumps, status
+  std::vector<latin::LawFields> law;      ///< latin::lawFields()
+  std::vector<latin::Safety> safety;      ///< latin::safety()
 };
 
 }  // namespace harmos::scene

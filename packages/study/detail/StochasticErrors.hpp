@@ -7,7 +7,7 @@
 
 namespace harmos::study {
 
-/// Whether responses may have kinks over the random parameters, because a law is not affine: contact and friction.
+/// Whether responses may have kinks over the random parameters, because a law is not smooth: contact and friction.
 bool mayHaveKinks(const Study& study);
 
 /// Sets the errors of the moments to what the solutions of the configurations are off: a third of the root mean square

@@ -248,10 +248,71 @@ TEST(PointwiseLaw, HandsEachNodeWhatBelongsToIt) {
   EXPECT_EQ(now, (std::vector<double>{4.0, 5.0}));
 }
 
+/// A host's law that looks at all that there is, with a memory that its constructor chooses.
+struct Curious {
+  static constexpr const char* name = "Curious";
+  static constexpr Sides sides = Sides::any;
+  explicit Curious(int n) : numbers(n) {}
+  int historySize() const { return numbers; }
+  LocalState solve(const LocalLine&, const NodeContext& at, const double* old, double* now) const {
+    for (int i = 0; i < numbers; ++i) now[i] = old[i] + at.number();
+    return {{at.time() + at.area(), at.duration() + at.position()[2], at.frame()[0][1]}, Status::stick};
+  }
+  double lowestSlope() const { return -3.0; }
+  static std::vector<OutputField> outputs() { return {{"sum", "length", "of its memory"}}; }
+  void output(const PairStep& step, double* values) const {
+    values[0] = step.at.time();
+    for (int i = 0; i < numbers; ++i) values[0] += step.history[i];
+  }
+  int numbers;
+};
+
+TEST(PointwiseLaw, TellsWhereAndWhen) {
+  const PointwiseLaw<Curious> law(2);
+  EXPECT_EQ(law.historySize(), 2);
+  EXPECT_EQ(law.lowestSlope(), -3.0);
+  EXPECT_FALSE(law.isSmooth());
+  ASSERT_EQ(law.outputs().size(), 1U);
+  EXPECT_EQ(law.outputs()[0].unit, "length");
+  const std::vector<LocalLine> lines(2);
+  const std::vector<double> gaps(2, 0.0), old{1.0, 2.0, 3.0, 4.0}, areas{0.5, 0.25};
+  const std::vector<base::Vector3> places{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
+  const base::Vector3 x{1.0, 0.0, 0.0}, y{0.0, 1.0, 0.0}, z{0.0, 0.0, 1.0};
+  const std::vector<base::Frame> frames{{x, y, z}, {y, z, x}};
+  const std::vector<int> numbers{7, 9};
+  std::vector<double> now(4);
+  std::vector<LocalState> states(2);
+  const NodeArrays nodes{2,
+                         lines.data(),
+                         gaps.data(),
+                         old.data(),
+                         now.data(),
+                         states.data(),
+                         places.data(),
+                         frames.data(),
+                         areas.data(),
+                         numbers.data(),
+                         10.0,
+                         2.0};
+  law.solve(0, nodes);
+  EXPECT_EQ(states[0].traction, (base::Vector3{10.5, 5.0, 0.0}));
+  EXPECT_EQ(states[1].traction, (base::Vector3{10.25, 8.0, 1.0}));
+  EXPECT_EQ(now, (std::vector<double>{8.0, 9.0, 12.0, 13.0}));
+  PairStep step;
+  step.history = now.data() + 2;
+  step.at = NodeContext(0, nodes, 1);
+  double value = 0.0;
+  law.output(step, &value);
+  EXPECT_EQ(value, 10.0 + 25.0);
+}
+
 TEST(StoredEnergy, IsThatOfSprings) {
   const auto glue = makeLaw("Linear Elastic", {{"Normal Stiffness", 10.0}, {"Tangential Stiffness", 4.0}});
-  EXPECT_DOUBLE_EQ(glue->storedEnergy({0.5, 1.0, 0.0}, {5.0, 4.0, 0.0}), 0.5 * (10.0 * 0.25 + 4.0));
-  EXPECT_EQ(makeLaw("Unilateral Contact")->storedEnergy({0.5, 0.0, 0.0}, {-1.0, 0.0, 0.0}), 0.0);
+  PairStep step;
+  step.jump = {0.5, 1.0, 0.0};
+  step.traction = {5.0, 4.0, 0.0};
+  EXPECT_DOUBLE_EQ(glue->storedEnergy(step), 0.5 * (10.0 * 0.25 + 4.0));
+  EXPECT_EQ(makeLaw("Unilateral Contact")->storedEnergy(step), 0.0);
 }
 
 TEST(LawRegistry, RefusesANameTwice) {

@@ -1,8 +1,10 @@
 // What every interface law must do, whatever it describes. A law that is added to the list of built-ins is tested here
 // without an edit: its parameters come from its own declaration.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -73,12 +75,12 @@ TEST_P(Conformance, FindsPointsOfOneGraph) {
     const double gap = uniform(random_, -1.0, 1.0);
     Node node(*law, gap);
     for (int step = 0; step < 6; ++step) {
-      const LocalLine line = randomLine(random_);
+      const LocalLine line = randomLine(random_, *law);
       const LocalState state = node.solve(line);
       const base::Vector3 jump = line.jump(state.traction);
       for (double ratio : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
         LocalLine other;
-        other.compliance = ratio * line.compliance;
+        other.compliance = std::min(ratio * line.compliance, 0.95 * complianceLimit(*law));
         other.freeJump = jump + other.compliance * state.traction;
         const LocalState again = node.solve(other);
         // The jump carries the round-off of the first line.
@@ -105,7 +107,7 @@ TEST_P(Conformance, StaysWithinWhatItAdmits) {
     const double gap = uniform(random_, -1.0, 1.0);
     Node node(*law, gap);
     for (int step = 0; step < 6; ++step) {
-      const LocalLine line = randomLine(random_);
+      const LocalLine line = randomLine(random_, *law);
       const LocalState state = node.solve(line);
       const double error = tolerance(line, state, gap);
       base::Vector3 beyond{};
@@ -138,22 +140,31 @@ TEST_P(Conformance, ReachesWhatItAdmits) {
   }
 }
 
-// The graph of a law without memory is monotone, so that its resolvent is firmly non-expansive: LATIN converges.
-TEST_P(Conformance, IsMonotoneWithoutMemory) {
+// With its history given, the graph of a law falls nowhere more than it says; where it does not, it is monotone, so
+// that its resolvent is firmly non-expansive: LATIN converges. A cone of friction is looked at under one pressure.
+TEST_P(Conformance, FallsNoMoreThanItSays) {
   for (double exponent : {-12.0, -6.0, 0.0, 6.0, 12.0}) {
     for (int i = 0; i < samples; ++i) {
       const auto law = draw();
-      if (law->historySize() > 0) return;
+      const double slope = law->lowestSlope();
+      EXPECT_LE(slope, 0.0);
+      const auto admissible = law->admissibleTractions(0);
       Node node(*law);
-      LocalLine a = randomLine(random_);
-      a.compliance *= std::pow(10.0, exponent);
+      for (int step = 0; step < i % 4; ++step) {
+        node.solve(randomLine(random_, *law));
+        node.accept();
+      }
+      LocalLine a = randomLine(random_, *law);
+      if (slope == 0.0) a.compliance *= std::pow(10.0, exponent);
       LocalLine b = randomLine(random_);
       b.compliance = a.compliance;
+      if (admissible && admissible->friction > 0.0) b.freeJump[0] = a.freeJump[0];
       const LocalState atA = node.solve(a), atB = node.solve(b);
       const base::Vector3 difference = atA.traction - atB.traction;
       const base::Vector3 distance = a.freeJump - b.freeJump;
+      const base::Vector3 jump = a.jump(atA.traction) - b.jump(atB.traction);
       EXPECT_LE(a.compliance * dot(difference, difference),
-                dot(difference, distance) +
+                dot(difference, distance) - slope * dot(jump, jump) +
                     roundOff * a.compliance * (dot(atA.traction, atA.traction) + dot(atB.traction, atB.traction)) +
                     roundOff * norm(distance) * (norm(atA.traction) + norm(atB.traction)));
     }
@@ -185,15 +196,41 @@ TEST_P(Conformance, IsAffineWhereItSaysSo) {
   }
 }
 
+// A kink makes the second difference fall as slowly as the step; a smooth function has one that falls faster.
+TEST_P(Conformance, IsSmoothWhereItSaysSo) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    if (!law->isSmooth()) return;
+    Node node(*law);
+    node.solve(randomLine(random_, *law));
+    node.accept();
+    const LocalLine from = randomLine(random_, *law);
+    const base::Vector3 way = randomVector(random_) - from.freeJump;
+    const auto sharpest = [&](int moves) {
+      double largest = 0.0;
+      std::array<base::Vector3, 3> last{};
+      for (int m = 0; m < moves; ++m) {
+        LocalLine line = from;
+        line.freeJump = line.freeJump + (static_cast<double>(m) / moves) * way;
+        last = {last[1], last[2], node.solve(line).traction};
+        if (m > 1) largest = std::max(largest, moves * norm(last[2] - 2.0 * last[1] + last[0]));
+      }
+      return largest;
+    };
+    const double error = tolerance(from, node.solve(from));
+    EXPECT_LE(sharpest(4000), 0.5 * sharpest(400) + 4e4 * error);
+  }
+}
+
 // Through opening, closing, sticking, sliding: many small moves make small changes only.
 TEST_P(Conformance, IsContinuous) {
   constexpr int moves = 500;
   for (int i = 0; i < samples; ++i) {
     const auto law = draw();
     Node node(*law);
-    node.solve(randomLine(random_));
+    node.solve(randomLine(random_, *law));
     node.accept();
-    const LocalLine from = randomLine(random_);
+    const LocalLine from = randomLine(random_, *law);
     const base::Vector3 move = (1.0 / moves) * (randomVector(random_) - from.freeJump);
     const double slope = 4.0 * largestParameter() / from.compliance;
     LocalLine line = from;
@@ -220,7 +257,7 @@ TEST_P(Conformance, TurnsWithTheTangents) {
     Node node(*law), other(*law);
     double error = 0.0;
     for (int step = 0; step < 6; ++step) {
-      const LocalLine line = randomLine(random_);
+      const LocalLine line = randomLine(random_, *law);
       const LocalState state = node.solve(line);
       const LocalState found = other.solve({turned(line.freeJump), line.compliance});
       // Histories carry the round-off of all steps so far.
@@ -275,16 +312,16 @@ TEST_P(Conformance, Dissipates) {
   }
 }
 
-// Without rate effects a load step in which nothing happens changes nothing.
+// A load step without duration in which nothing happens changes nothing.
 TEST_P(Conformance, StaysWhenTheLoadStays) {
   for (int i = 0; i < samples; ++i) {
     const auto law = draw();
     Node node(*law);
     for (int step = 0; step < 4; ++step) {
-      const LocalLine line = randomLine(random_);
+      const LocalLine line = randomLine(random_, *law);
       const LocalState state = node.solve(line);
       node.accept();
-      const LocalState again = node.solve(line);
+      const LocalState again = node.solve(line, 0, 0.0);
       node.accept();
       EXPECT_LE(norm(again.traction - state.traction), tolerance(line, state));
     }
@@ -296,14 +333,14 @@ TEST_P(Conformance, WritesItsHistoryAndReadsTheOldOne) {
     const auto law = draw();
     Node node(*law);
     for (int step = 0; step < 6; ++step) {
-      const LocalLine line = randomLine(random_);
+      const LocalLine line = randomLine(random_, *law);
       const std::vector<double> before = node.oldHistory();
       const LocalState state = node.solve(line);
       const std::vector<double> history = node.newHistory();
       for (double value : history) EXPECT_TRUE(std::isfinite(value));
       EXPECT_EQ(node.oldHistory(), before);
       // An iteration that met another line in between leaves no trace.
-      node.solve(randomLine(random_));
+      node.solve(randomLine(random_, *law));
       EXPECT_EQ(node.solve(line).traction, state.traction);
       EXPECT_EQ(node.newHistory(), history);
       node.accept();
@@ -322,10 +359,10 @@ TEST_P(Conformance, SolvesManyNodesAsOne) {
   for (std::size_t n = 0; n < count; ++n) {
     gaps.push_back(uniform(random_, -0.1, 0.1));
     Node node(*law, gaps.back());
-    node.solve(randomLine(random_));
+    node.solve(randomLine(random_, *law));
     node.accept();
     oldHistory.insert(oldHistory.end(), node.oldHistory().begin(), node.oldHistory().end());
-    lines.push_back(randomLine(random_));
+    lines.push_back(randomLine(random_, *law));
     single.push_back(node.solve(lines.back()));
     singleHistory.insert(singleHistory.end(), node.newHistory().begin(), node.newHistory().end());
   }
@@ -344,7 +381,7 @@ TEST_P(Conformance, OpenCarriesNothing) {
     const auto law = draw();
     Node node(*law, uniform(random_, -1.0, 1.0));
     for (int step = 0; step < 6; ++step) {
-      const LocalState state = node.solve(randomLine(random_));
+      const LocalState state = node.solve(randomLine(random_, *law));
       if (state.status == Status::open) {
         EXPECT_EQ(state.traction, base::Vector3{});
       }
@@ -372,7 +409,7 @@ TEST_P(Conformance, FollowsSchedules) {
         input::Parameters constant = parameters_;
         constant.set(entry->name, multipliers[step] * value);
         const auto expected = registry_.create(constant);
-        const LocalLine line = randomLine(random_);
+        const LocalLine line = randomLine(random_, *law);
         EXPECT_EQ(Node(*law).solve(line, static_cast<int>(step)).traction, Node(*expected).solve(line).traction)
             << entry->name << " at step " << step;
       }
@@ -380,9 +417,9 @@ TEST_P(Conformance, FollowsSchedules) {
   }
 }
 
-/// Factor of a unit such as "stress/length" or "energy/length^2" when lengths are multiplied by 2^l and stresses by
-/// 2^s; powers of two change no digit.
-double unitFactor(const std::string& unit, int l, int s) {
+/// Factor of a unit such as "stress/length" or "energy/length^2" when lengths are multiplied by 2^l, stresses by 2^s
+/// and times by 2^t; powers of two change no digit.
+double unitFactor(const std::string& unit, int l, int s, int t) {
   int exponent = 0, sign = 1;
   for (std::size_t begin = 0; begin < unit.size();) {
     const std::size_t end = std::min(unit.find_first_of("*/ ", begin), unit.size());
@@ -400,8 +437,10 @@ double unitFactor(const std::string& unit, int l, int s) {
       exponent += sign * power * (s + 2 * l);
     } else if (base == "energy") {
       exponent += sign * power * (s + 3 * l);
+    } else if (base == "time") {
+      exponent += sign * power * t;
     } else if (base != "-" && base != "1") {
-      ADD_FAILURE() << "unit \"" << unit << "\": \"" << base << "\" is none of length, stress, force, energy, -";
+      ADD_FAILURE() << "unit \"" << unit << "\": \"" << base << "\" is none of length, stress, force, energy, time, -";
     }
     if (end < unit.size()) sign = unit[end] == '/' ? -1 : 1;
     begin = end + 1;
@@ -412,20 +451,22 @@ double unitFactor(const std::string& unit, int l, int s) {
 // Millimetres or metres, the digits are the same: no law hides a tolerance with a unit. The scales make H, stiffnesses
 // and lengths differ by up to 1e-12 .. 1e12.
 TEST_P(Conformance, KnowsNoUnits) {
-  for (const auto& [l, s] : {std::pair{10, 20}, std::pair{-10, -20}, std::pair{40, 0}, std::pair{0, -40}}) {
+  for (const auto& [l, s, t] :
+       {std::tuple{10, 20, 3}, std::tuple{-10, -20, -3}, std::tuple{40, 0, 30}, std::tuple{0, -40, 0}}) {
     for (int i = 0; i < samples; ++i) {
       const auto law = draw();
-      const auto scale = [l = l, s = s](const input::ParameterEntry& entry) {
-        return unitFactor(entry.unitName, l, s);
+      const auto scale = [l = l, s = s, t = t](const input::ParameterEntry& entry) {
+        return unitFactor(entry.unitName, l, s, t);
       };
       const auto other = registry_.create(scaled(*spec_, parameters_, scale));
       const double length = std::ldexp(1.0, l), stress = std::ldexp(1.0, s);
       const double gap = uniform(random_, -1.0, 1.0);
       Node node(*law, gap), otherNode(*other, length * gap);
       for (int step = 0; step < 6; ++step) {
-        const LocalLine line = randomLine(random_);
+        const LocalLine line = randomLine(random_, *law);
         const LocalState state = node.solve(line);
-        const LocalState found = otherNode.solve({length * line.freeJump, line.compliance * length / stress});
+        const LocalState found =
+            otherNode.solve({length * line.freeJump, line.compliance * length / stress}, 0, std::ldexp(1.0, t));
         EXPECT_LE(norm((1.0 / stress) * found.traction - state.traction), roundOff * norm(state.traction));
         EXPECT_EQ(found.status, state.status);
         node.accept();
@@ -479,6 +520,57 @@ TEST_P(Conformance, SurvivesZeros) {
         for (double value : node.newHistory()) EXPECT_TRUE(std::isfinite(value));
         node.accept();
       }
+    }
+  }
+}
+
+// What it adds to the results has names and units, and numbers along every path.
+TEST_P(Conformance, WritesWhatItAdds) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    const std::vector<OutputField> outputs = law->outputs();
+    for (const OutputField& field : outputs) {
+      EXPECT_EQ(field.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"), std::string::npos) << field.name;
+      EXPECT_TRUE(!field.name.empty() && field.name.size() <= 32 && !field.unit.empty() && !field.doc.empty());
+      EXPECT_EQ(std::count_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.name == field.name; }), 1);
+    }
+    Node node(*law);
+    PairStep at;
+    for (int step = 0; step < 6; ++step) {
+      const LocalLine line = randomLine(random_, *law);
+      at.traction = node.solve(line).traction;
+      at.jump = line.jump(at.traction);
+      at.oldHistory = node.oldHistory().data();
+      at.history = node.newHistory().data();
+      std::vector<double> values(outputs.size(), std::numeric_limits<double>::quiet_NaN());
+      law->output(at, values.data());
+      for (const double value : values) EXPECT_TRUE(std::isfinite(value));
+      EXPECT_GE(law->storedEnergy(at), 0.0);
+      EXPECT_TRUE(std::isfinite(law->keptWork(at)));
+      at.oldJump = at.jump;
+      node.accept();
+    }
+  }
+}
+
+// What is lost is never won back: not in a load step, whatever its way, and kept work is what the energy rises by, but
+// for what a load step takes that is solved at its end.
+TEST_P(Conformance, LosesInEveryStep) {
+  for (int i = 0; i < samples; ++i) {
+    const auto law = draw();
+    if (!law->dissipates()) return;
+    Node node(*law);
+    PairStep at;
+    for (int step = 0; step < 8; ++step) {
+      const LocalLine line = randomLine(random_, *law);
+      at.traction = node.solve(line).traction;
+      at.jump = line.jump(at.traction);
+      at.oldHistory = node.oldHistory().data();
+      at.history = node.newHistory().data();
+      const double scale = norm(at.traction) * (norm(at.jump) + norm(at.oldJump)) + std::abs(law->keptWork(at));
+      EXPECT_GE(at.work() - law->keptWork(at), -1e3 * roundOff * scale);
+      at.oldJump = at.jump;
+      node.accept();
     }
   }
 }

@@ -36,6 +36,18 @@ LocalLine randomLine(Random& random) {
   return {randomVector(random), magnitude(random)};
 }
 
+LocalLine randomLine(Random& random, const InterfaceLaw& law) {
+  LocalLine line = randomLine(random);
+  const double limit = complianceLimit(law);
+  if (std::isfinite(limit)) line.compliance = uniform(random, 0.01, 0.9) * limit;
+  return line;
+}
+
+double complianceLimit(const InterfaceLaw& law) {
+  const double slope = law.lowestSlope();
+  return slope < 0.0 ? -1.0 / slope : std::numeric_limits<double>::infinity();
+}
+
 input::Parameters randomParameters(const input::ParameterSpec& spec, Random& random) {
   input::Parameters parameters("law");
   parameters.set("Type", spec.name());
@@ -81,11 +93,17 @@ Node::Node(const InterfaceLaw& law, double gap)
       old_(static_cast<std::size_t>(law.historySize()), 0.0),
       new_(static_cast<std::size_t>(law.historySize()), std::numeric_limits<double>::quiet_NaN()) {}
 
-LocalState Node::solve(const LocalLine& line, int step) {
+LocalState Node::solve(const LocalLine& line, int step, double duration) {
   // What the law does not write would be left from the step before last.
   std::fill(new_.begin(), new_.end(), std::numeric_limits<double>::quiet_NaN());
   LocalState state;
-  law_.solve(step, {1, &line, &gap_, old_.data(), new_.data(), &state});
+  const base::Vector3 place{1.0, 2.0, 3.0};
+  const base::Frame frame{{{{{1.0, 0.0, 0.0}}}, {{{0.0, 1.0, 0.0}}}, {{{0.0, 0.0, 1.0}}}}};
+  const double area = 1.0;
+  NodeArrays nodes{1, &line, &gap_, old_.data(), new_.data(), &state, &place, &frame, &area};
+  nodes.duration = duration;
+  nodes.time = (step + 1) * duration;
+  law_.solve(step, nodes);
   return state;
 }
 

@@ -20,6 +20,10 @@ double uniform(Random& random, double lower, double upper);
 double magnitude(Random& random);
 base::Vector3 randomVector(Random& random);
 LocalLine randomLine(Random& random);
+/// One that the law meets once: where it softens, of a compliance below the limit.
+LocalLine randomLine(Random& random, const InterfaceLaw& law);
+/// The compliance below which a law meets every line once; infinite where it is monotone.
+double complianceLimit(const InterfaceLaw& law);
 
 /// What a law declares, as parameters for it: random within the declared ranges, of the order of one. Parameters that
 /// need not be given are given, but for texts of any kind.
@@ -32,8 +36,8 @@ input::Parameters scaled(const input::ParameterSpec& spec, const input::Paramete
 class Node {
  public:
   explicit Node(const InterfaceLaw& law, double gap = 0.0);
-  /// Meets a line; the load step goes on, so that other lines may follow.
-  LocalState solve(const LocalLine& line, int step = 0);
+  /// Meets a line; the load step goes on, so that other lines may follow. `duration` of the load step.
+  LocalState solve(const LocalLine& line, int step = 0, double duration = 1.0);
   /// Ends the load step at the line that was met last.
   void accept() { old_ = new_; }
   const std::vector<double>& oldHistory() const { return old_; }

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <harmos/latin/Dissipation.hpp>
 #include <harmos/latin/LatinSolver.hpp>
+#include <harmos/latin/LawFields.hpp>
 #include <harmos/latin/Response.hpp>
 #include <harmos/laws/PointwiseLaw.hpp>
 
@@ -96,6 +96,7 @@ PairFields along(const assembly::Interface& interface, const std::vector<base::V
   PairFields fields;
   fields.pairs = 1;
   fields.steps = static_cast<int>(path.size());
+  for (int t = 0; t < fields.steps; ++t) fields.times.push_back(t + 1.0);
   for (int t = 0; t < fields.steps; ++t) {
     const laws::LocalLine line{path[t], 1e-9};
     laws::LocalState state;
@@ -111,7 +112,8 @@ PairFields along(const assembly::Interface& interface, const std::vector<base::V
 TEST(LostWork, OfSpringsWithSlidersThatStickIsNothing) {
   const assembly::Interface interface = onePair(std::make_shared<laws::PointwiseLaw<Iwan>>());
   const double most = slider[0] / spring;  // where the first one slides
-  const auto lost = lostWork(interface, along(interface, {{0.1, 0.9 * most, 0}, {0.3, -0.4 * most, 0}, {-0.2, 0, 0}}));
+  const auto lost =
+      lawFields(interface, along(interface, {{0.1, 0.9 * most, 0}, {0.3, -0.4 * most, 0}, {-0.2, 0, 0}})).lost;
   for (const double each : lost) EXPECT_NEAR(each, 0.0, 1e-6 * slider[0] * most);
 }
 
@@ -130,7 +132,7 @@ TEST(LostWork, OfSpringsWithSlidersIsForceTimesSlip) {
       expected[0] += force * there;
       expected[1] += force * (there + left);
     }
-    const auto lost = lostWork(interface, along(interface, path));
+    const auto lost = lawFields(interface, along(interface, path)).lost;
     EXPECT_NEAR(lost[static_cast<std::size_t>(divisions) - 1], expected[0], 1e-6 * expected[0]);
     EXPECT_NEAR(lost.back(), expected[1], 1e-6 * expected[1]);
   }
@@ -138,7 +140,7 @@ TEST(LostWork, OfSpringsWithSlidersIsForceTimesSlip) {
 
 TEST(LostWork, IsAlsoThatAlongTheNormal) {
   const assembly::Interface interface = onePair(std::make_shared<laws::PointwiseLaw<Tearing>>());
-  const auto lost = lostWork(interface, along(interface, {{0.5, 0, 0}, {0.75, 0, 0}}));
+  const auto lost = lawFields(interface, along(interface, {{0.5, 0, 0}, {0.75, 0, 0}})).lost;
   EXPECT_NEAR(lost[0], 1.0, 1e-6);
   EXPECT_NEAR(lost[1], 1.5, 1e-6);
 }
@@ -149,15 +151,16 @@ TEST(LostWork, OfAGapThatClosesIsNothing) {
   PairFields fields;
   fields.pairs = 1;
   fields.steps = 2;
+  fields.times = {1.0, 2.0};
   fields.traction = {{-5.0, 0.0, 0.0}, {-5.0, 1.5, 0.0}};
   fields.jump = {{-0.1, 0.0, 0.0}, {-0.1, 0.2, 0.0}};
   fields.status = {laws::Status::stick, laws::Status::slip};
-  const auto lost = lostWork(interface, fields);
+  const auto lost = lawFields(interface, fields).lost;
   EXPECT_DOUBLE_EQ(lost[0], 0.0);
   EXPECT_NEAR(lost[1], 0.3, 1e-15);  // friction does what it did
   for (const char* law : {"Linear Elastic", "Elastic Foundation"}) {
     interface.law = laws::makeLaw(law, {{"Normal Stiffness", 3.0}, {"Tangential Stiffness", 2.0}});
-    for (const double each : lostWork(interface, fields)) EXPECT_EQ(each, 0.0);
+    for (const double each : lawFields(interface, fields).lost) EXPECT_EQ(each, 0.0);
   }
 }
 

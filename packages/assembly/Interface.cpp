@@ -1,0 +1,19 @@
+#include <harmos/assembly/Interface.hpp>
+
+namespace harmos::assembly {
+
+laws::NodeArrays Interface::nodes(const std::vector<double>& times, int step) const {
+  laws::NodeArrays nodes;
+  nodes.count = pairs();
+  nodes.gap = gap.data();
+  nodes.position = position.data();
+  nodes.frame = frame.data();
+  nodes.area = area.data();
+  nodes.time = times[step];
+  int before = step - 1;
+  while (before >= 0 && times[before] == nodes.time) --before;
+  nodes.duration = before < 0 ? nodes.time : nodes.time - times[before];
+  return nodes;
+}
+
+}  // namespace harmos::assembly
