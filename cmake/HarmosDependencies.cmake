@@ -37,7 +37,9 @@ harmos_dependency(expat INCLUDE ${EXPAT_INCLUDE} LIBRARIES ${EXPAT_LIBRARY})
 
 find_path(EXODUS_INCLUDE exodusII.h REQUIRED)
 find_library(EXODUS_LIBRARY exoIIv2c REQUIRED)
-harmos_dependency(exodus INCLUDE ${EXODUS_INCLUDE} LIBRARIES ${EXODUS_LIBRARY})
+find_path(NETCDF_INCLUDE netcdf.h REQUIRED)
+find_library(NETCDF_LIBRARY netcdf REQUIRED)
+harmos_dependency(exodus INCLUDE ${EXODUS_INCLUDE} ${NETCDF_INCLUDE} LIBRARIES ${EXODUS_LIBRARY} ${NETCDF_LIBRARY})
 
 # The variant that Exodus uses: two copies of HDF5 in one process would be one too many.
 find_path(HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/openmpi REQUIRED)

@@ -14,6 +14,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/files/detail/CompleteSize.hpp>
+#include <harmos/files/detail/ExodusCoordinates.hpp>
 #include <harmos/files/detail/ForeignReading.hpp>
 #include <harmos/mesh/Elements.hpp>
 
@@ -136,11 +137,10 @@ class Reader {
     demandRoom(sizes.num_nodes, "nodes");
     demandRoom(sizes.num_elem, "elements");
     mesh_.dimension = static_cast<int>(sizes.num_dim);
-    std::array<std::vector<double>, 3> coordinates;
-    for (auto& axis : coordinates) axis.assign(sizes.num_nodes, 0.0);
-    check(ex_get_coord(id_, coordinates[0].data(), coordinates[1].data(), coordinates[2].data()), "its coordinates");
-    for (std::size_t i = 0; i < coordinates[0].size(); ++i) {
-      mesh_.nodes.push_back({coordinates[0][i], coordinates[1][i], coordinates[2][i]});
+    const auto [status, axis] = readCoordinates(id_, sizes.num_nodes);
+    check(status, "its coordinates");
+    for (std::size_t i = 0; i < axis[0].size(); ++i) {
+      mesh_.nodes.push_back({axis[0][i], axis[1][i], axis[2][i]});
       for (const double x : mesh_.nodes.back()) {
         if (!std::isfinite(x)) refuse("node " + std::to_string(i + 1) + " has a coordinate that is not a number.");
       }

@@ -1,7 +1,6 @@
 #include <harmos/files/detail/ExodusResults.hpp>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -9,6 +8,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/files/detail/CompleteSize.hpp>
+#include <harmos/files/detail/ExodusCoordinates.hpp>
 
 namespace harmos::files {
 
@@ -51,13 +51,9 @@ ExodusResults::ExodusResults(const std::string& path) : path_(path), file_(Exodu
   file_.check(ex_get_init_ext(file_.id(), &sizes), "read the sizes");
   mesh_.dimension = static_cast<int>(sizes.num_dim);
   const auto nodes = static_cast<std::size_t>(sizes.num_nodes);
-  std::array<std::vector<double>, 3> coordinates;
-  for (auto& axis : coordinates) axis.assign(nodes, 0.0);
-  if (nodes > 0)
-    file_.check(ex_get_coord(file_.id(), coordinates[0].data(), coordinates[1].data(), coordinates[2].data()),
-                "read the coordinates");
-  for (std::size_t i = 0; i < nodes; ++i)
-    mesh_.nodes.push_back({coordinates[0][i], coordinates[1][i], coordinates[2][i]});
+  const auto [status, axis] = readCoordinates(file_.id(), nodes);
+  file_.check(status, "read the coordinates");
+  for (std::size_t i = 0; i < nodes; ++i) mesh_.nodes.push_back({axis[0][i], axis[1][i], axis[2][i]});
   readBlocks();
   readSets();
 

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <exodusII.h>
+#include <netcdf.h>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Vector3.hpp>
@@ -129,6 +130,49 @@ TEST_F(ExodusMesh, ReadsEveryFormatAndElement) {
       EXPECT_EQ(read.nodeSets.at(0).id, 7);
     }
   }
+}
+
+/// A square, as programs write it that use netCDF alone.
+std::string writeSquareByNetcdf(const std::string& path) {
+  int file = -1, nodes = -1, elements = -1, corners = -1, unused = -1;
+  EXPECT_EQ(nc_create(path.c_str(), NC_CLOBBER | NC_64BIT_OFFSET, &file), NC_NOERR);
+  nc_def_dim(file, "num_nodes", 4, &nodes);
+  nc_def_dim(file, "num_el_in_blk1", 1, &elements);
+  nc_def_dim(file, "num_nod_per_el1", 4, &corners);
+  int count = -1, blocks = -1, x = -1, y = -1, connectivity = -1, ids = -1;
+  nc_def_dim(file, "num_dim", 2, &unused);
+  nc_def_dim(file, "num_elem", 1, &count);
+  nc_def_dim(file, "num_el_blk", 1, &blocks);
+  nc_def_var(file, "coordx", NC_DOUBLE, 1, &nodes, &x);
+  nc_def_var(file, "coordy", NC_DOUBLE, 1, &nodes, &y);
+  nc_def_var(file, "eb_prop1", NC_INT, 1, &blocks, &ids);
+  nc_put_att_text(file, ids, "name", 2, "ID");
+  const int shape[] = {elements, corners};
+  nc_def_var(file, "connect1", NC_INT, 2, shape, &connectivity);
+  nc_put_att_text(file, connectivity, "elem_type", 5, "QUAD4");
+  const float version = 5.1F;
+  const int wordSize = 8, isLarge = 1;
+  nc_put_att_float(file, NC_GLOBAL, "api_version", NC_FLOAT, 1, &version);
+  nc_put_att_float(file, NC_GLOBAL, "version", NC_FLOAT, 1, &version);
+  nc_put_att_int(file, NC_GLOBAL, "floating_point_word_size", NC_INT, 1, &wordSize);
+  nc_put_att_int(file, NC_GLOBAL, "file_size", NC_INT, 1, &isLarge);
+  nc_put_att_text(file, NC_GLOBAL, "title", 6, "square");
+  nc_enddef(file);
+  const double places[] = {0.0, 2.0, 2.0, 0.0, 0.0, 0.0, 3.0, 3.0};
+  const int numbers[] = {1, 2, 3, 4}, id = 1;
+  nc_put_var_double(file, x, places);
+  nc_put_var_double(file, y, places + 4);
+  nc_put_var_int(file, ids, &id);
+  nc_put_var_int(file, connectivity, numbers);
+  EXPECT_EQ(nc_close(file), NC_NOERR);
+  return path;
+}
+
+TEST_F(ExodusMesh, ReadsCoordinatesThatAreTheFirstVariable) {
+  const mesh::Mesh mesh = readExodus(writeSquareByNetcdf((folder_ / "square.e").string()));
+  ASSERT_EQ(mesh.nodes.size(), 4u);
+  EXPECT_EQ(mesh.nodes[2], (base::Vector3{2.0, 3.0, 0.0}));
+  EXPECT_EQ(mesh.nodes[1], (base::Vector3{2.0, 0.0, 0.0}));
 }
 
 TEST_F(ExodusMesh, NamesTheUnnamedAndKeepsLongNames) {
