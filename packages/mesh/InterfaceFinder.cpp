@@ -66,7 +66,12 @@ InterfaceFinder::InterfaceFinder(const Mesh& mesh, const std::vector<Piece>& pie
 
 std::vector<Face> InterfaceFinder::facesOf(const std::string& where, const std::string& sideSet) const {
   const SideSet& set = findSet(where, mesh_.sideSets, sideSet, "side set");
-  if (set.element.empty()) refuse(where, "side set \"" + sideSet + "\" is empty.");
+  if (set.element.empty()) {
+    std::string unread;
+    for (const std::string& block : mesh_.unreadBlocks) unread += (unread.empty() ? "\"" : ", \"") + block + "\"";
+    refuse(where, "side set \"" + sideSet + "\" is empty" +
+                      (unread.empty() ? "." : "; faces of the unused blocks " + unread + " are left out."));
+  }
   std::set<std::pair<int, int>> sides;  // a file may list a face twice
   for (std::size_t i = 0; i < set.element.size(); ++i) sides.emplace(set.element[i], set.side[i]);
   std::vector<Face> faces;
