@@ -42,7 +42,9 @@ mesh::ElementType sampled(mesh::ElementType type) {
 
 mesh::ElementType ruleOf(PointSet points, mesh::ElementType type) {
   if (points == PointSet::stiffness) return type;
-  return points == PointSet::sampling ? sampled(type) : raised(type);
+  if (points == PointSet::sampling) return sampled(type);
+  const bool isBrick = type == mesh::ElementType::quad4 || type == mesh::ElementType::hex8;
+  return points == PointSet::squares && isBrick ? type : raised(type);
 }
 
 /// Temperatures at a point, of every column.

@@ -31,7 +31,9 @@ enum class PointSet {
   stiffness,   ///< those of full integration
   sampling,    ///< where the stress of the finite elements is at its best: centres of tri3 and tet4, 2 Gauss points per
                ///< direction in quadrilaterals and hexahedra, the points of full integration elsewhere
-  integration  ///< exact for squares of differences between that stress and one that varies as displacements do
+  squares,     ///< the fewest that integrate squares of stresses which vary as displacements do, where elements are
+               ///< not distorted
+  integration  ///< the same in distorted elements too
 };
 
 /// A point of an element of a part; the arrays belong to the caller of the visitor, during the call only.

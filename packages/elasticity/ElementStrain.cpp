@@ -42,12 +42,17 @@ ElementStrain::ElementStrain(mesh::ElementType type, Formulation formulation, Ki
     : basis_(type, formulation, kinematics),
       operators_(kinematics),
       formulation_(formulation),
-      c_(c),
       dimension_(mesh::dimensionOf(type)),
       shape_(mesh::shapeFunctions(type, places)),
       places_(places),
       determinant_(places.size()),
-      gradient_(places.size() * static_cast<std::size_t>(basis_.functions() * operators_.gradients)) {}
+      gradient_(places.size() * static_cast<std::size_t>(basis_.functions() * operators_.gradients)) {
+  for (const StrainOperator::Term& first : operators_.terms) {
+    for (const StrainOperator::Term& second : operators_.terms) {
+      c_[first.component][second.component][first.gradient][second.gradient] += c[first.strain][second.strain];
+    }
+  }
+}
 
 bool ElementStrain::set(const std::vector<base::Vector3>& nodes, const base::Matrix& displacements) {
   const base::Vector3* corners[ElementIntegrals::maximumFunctions];
@@ -89,26 +94,12 @@ bool ElementStrain::set(const std::vector<base::Vector3>& nodes, const base::Mat
 void ElementStrain::findModes() {
   const int gradients = operators_.gradients, entries = gradients * basis_.functions();
   const int size = dimension_ * basis_.modes, first = dimension_ * shape_.nodes;
-  double c[3][3][3][3] = {};  // components i, j and gradients k, l
-  for (int i = 0; i < dimension_; ++i) {
-    for (int j = 0; j < dimension_; ++j) {
-      for (int k = 0; k < gradients; ++k) {
-        for (int l = 0; l < gradients; ++l) {
-          for (std::size_t m = 0; m < 6; ++m) {
-            for (std::size_t n = 0; n < 6; ++n) {
-              c[i][j][k][l] += operators_.coefficient[k][m][i] * c_[m][n] * operators_.coefficient[l][n][j];
-            }
-          }
-        }
-      }
-    }
-  }
   const auto stiffness = [&](int row, int column) {  // of functions a <= b
     const int a = row / dimension_, i = row % dimension_, b = column / dimension_, j = column % dimension_;
     double sum = 0.0;
     for (int k = 0; k < gradients; ++k) {
       for (int l = 0; l < gradients; ++l) {
-        sum += c[i][j][k][l] * integrals_.product[(gradients * a + k) * entries + gradients * b + l];
+        sum += c_[i][j][k][l] * integrals_.product[(gradients * a + k) * entries + gradients * b + l];
       }
     }
     return sum;
@@ -131,13 +122,10 @@ void ElementStrain::findModes() {
 void ElementStrain::addForces(int point, const Strain& stress, double volume, double* forces) const {
   const int gradients = operators_.gradients;
   const double* gradient = gradient_.data() + static_cast<std::ptrdiff_t>(point) * basis_.functions() * gradients;
-  for (int i = 0; i < dimension_; ++i) {
-    for (int k = 0; k < gradients; ++k) {
-      double traction = 0.0;
-      for (std::size_t m = 0; m < 6; ++m) traction += operators_.coefficient[k][m][i] * stress[m];
-      for (int a = 0; a < shape_.nodes; ++a) {
-        forces[dimension_ * a + i] += volume * traction * gradient[gradients * a + k];
-      }
+  for (const StrainOperator::Term& term : operators_.terms) {
+    const double traction = volume * stress[term.strain];
+    for (int a = 0; a < shape_.nodes; ++a) {
+      forces[dimension_ * a + term.component] += traction * gradient[gradients * a + term.gradient];
     }
   }
 }
@@ -156,17 +144,13 @@ std::array<double, 6> ElementStrain::strain(int point, int column) const {
       }
     }
   }
-  std::array<double, 6> strain{};
-  double change = 0.0;
-  for (std::size_t m = 0; m < 6; ++m) {
-    for (int i = 0; i < dimension_; ++i) {
-      for (int k = 0; k < gradients; ++k) {
-        strain[m] += operators_.coefficient[k][m][i] * h[i][k];
-        if (m < 3) change += operators_.coefficient[k][m][i] * (mean[i][k] - h[i][k]) / 3.0;
-      }
-    }
+  std::array<double, 6> strain = operators_.strain(h);
+  if (isMean) {
+    const std::array<double, 6> meanStrain = operators_.strain(mean);
+    double change = 0.0;
+    for (std::size_t m = 0; m < 3; ++m) change += (meanStrain[m] - strain[m]) / 3.0;
+    for (std::size_t m = 0; m < 3; ++m) strain[m] += change;
   }
-  for (std::size_t m = 0; m < 3 && isMean; ++m) strain[m] += change;
   return strain;
 }
 

@@ -75,20 +75,14 @@ class ElementStiffness {
  public:
   ElementStiffness(const ElasticityMatrix& c, Formulation formulation, const StrainOperator& strain, double thickness)
       : bBar_(formulation == Formulation::bBar) {
-    for (int k = 0; k < G; ++k) {
-      for (int i = 0; i < D; ++i) {
-        for (int m = 0; m < 6; ++m) {
-          const double first = strain.coefficient[k][m][i];
-          if (first == 0.0) continue;
-          for (int l = 0; l < G; ++l) {
-            for (int j = 0; j < D; ++j) {
-              for (int n = 0; n < 6; ++n) c_[i][j][k][l] += thickness * first * c[m][n] * strain.coefficient[l][n][j];
-            }
-          }
-          pressure_[i][k] += thickness * first * (c[m][0] + c[m][1] + c[m][2]);
-          if (m < 3) volume_[i][k] += first;
-        }
+    for (const StrainOperator::Term& first : strain.terms) {
+      const int i = first.component, k = first.gradient;
+      const std::size_t m = first.strain;
+      for (const StrainOperator::Term& second : strain.terms) {
+        c_[i][second.component][k][second.gradient] += thickness * c[m][second.strain];
       }
+      pressure_[i][k] += thickness * (c[m][0] + c[m][1] + c[m][2]);
+      if (m < 3) volume_[i][k] += 1.0;
     }
     for (std::size_t m = 0; m < 3; ++m) bulk_ += thickness * (c[m][0] + c[m][1] + c[m][2]);
   }

@@ -6,9 +6,9 @@ StrainOperator::StrainOperator(Kinematics kinematics)
     : gradients(isAxisymmetric(kinematics) ? 3 : dimensionOf(kinematics)), components(dimensionOf(kinematics)) {
   constexpr std::size_t voigt[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
   for (int k = 0; k < dimensionOf(kinematics); ++k) {
-    for (int i = 0; i < components; ++i) coefficient[k][voigt[i][k]][i] = 1.0;
+    for (int i = 0; i < components; ++i) terms.push_back({voigt[i][k], k, i});
   }
-  if (isAxisymmetric(kinematics)) coefficient[2][2][0] = 1.0;
+  if (isAxisymmetric(kinematics)) terms.push_back({2, 2, 0});
 }
 
 }  // namespace harmos::elasticity

@@ -1,6 +1,7 @@
 #include <harmos/elasticity/Stress.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <harmos/elasticity/detail/ElementLoop.hpp>
@@ -34,13 +35,7 @@ base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, con
                            h[i][k] += u * integrals.gradient.data()[operators.gradients * a + k];
                        }
                      }
-                     double strain[6] = {};
-                     for (int m = 0; m < 6; ++m) {
-                       for (int i = 0; i < dimension; ++i) {
-                         for (int k = 0; k < operators.gradients; ++k)
-                           strain[m] += operators.coefficient[k][m][i] * h[i][k];
-                       }
-                     }
+                     const std::array<double, 6> strain = operators.strain(h);
                      double degrees = 0.0;
                      if (temperature != nullptr && column < temperature->numCols()) {
                        for (int a = 0; a < perElement; ++a) {

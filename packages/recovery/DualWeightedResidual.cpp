@@ -82,7 +82,7 @@ PartResidual dualWeightedResidual(const elasticity::ElasticPart& part, const bas
       ofElement[j] = 0.0;
     }
   };
-  elasticity::forEachPoint(part, elasticity::PointSet::integration, displacements,
+  elasticity::forEachPoint(part, elasticity::PointSet::squares, displacements,
                            [&](const elasticity::ElementPoint& point) {
                              if (point.element != element) close();
                              element = point.element;

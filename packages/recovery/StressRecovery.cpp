@@ -97,14 +97,13 @@ std::vector<int> patchOf(const Neighbourhood& neighbourhood, int node, bool isOn
   return isTooSmall ? neighbourhood.widened(own) : own;
 }
 
-/// Monomials of x up to the given order, 1 first.
-std::vector<double> monomials(const base::Vector3& x, int dimension, bool isQuadratic) {
-  std::vector<double> result{1.0};
-  for (int i = 0; i < dimension; ++i) result.push_back(x[i]);
+/// Appends the monomials of x up to the given order, 1 first.
+void appendMonomials(const base::Vector3& x, int dimension, bool isQuadratic, std::vector<double>& to) {
+  to.push_back(1.0);
+  for (int i = 0; i < dimension; ++i) to.push_back(x[i]);
   for (int i = 0; i < dimension && isQuadratic; ++i) {
-    for (int j = i; j < dimension; ++j) result.push_back(x[i] * x[j]);
+    for (int j = i; j < dimension; ++j) to.push_back(x[i] * x[j]);
   }
-  return result;
 }
 
 /// What each sample counts in the value at the node of the polynomial fitted to the samples of these elements.
@@ -123,16 +122,17 @@ Fit fit(const Samples& samples, const std::vector<int>& patch, const base::Vecto
       size = std::max(size, base::distance(samples.position[p], node));
     }
   }
-  std::vector<std::vector<double>> rows;
+  std::vector<double> rows;  // monomials of each point, one point after the other
   for (const std::size_t p : result.point) {
-    rows.push_back(monomials((1.0 / size) * (samples.position[p] - node), dimension, isQuadratic));
+    appendMonomials((1.0 / size) * (samples.position[p] - node), dimension, isQuadratic, rows);
   }
-  const int unknowns = static_cast<int>(rows.front().size());
+  const int unknowns = static_cast<int>(rows.size() / result.point.size());
   base::Matrix gram(unknowns, unknowns);
-  for (std::size_t s = 0; s < rows.size(); ++s) {
+  for (std::size_t s = 0; s < result.point.size(); ++s) {
     const double volume = samples.volume[result.point[s]];
+    const double* row = rows.data() + s * unknowns;
     for (int i = 0; i < unknowns; ++i) {
-      for (int j = 0; j <= i; ++j) gram(j, i) += volume * rows[s][i] * rows[s][j];
+      for (int j = 0; j <= i; ++j) gram[i][j] += volume * row[i] * row[j];
     }
   }
   std::vector<double> values(unknowns), work(64 * static_cast<std::size_t>(unknowns));
@@ -145,9 +145,9 @@ Fit fit(const Samples& samples, const std::vector<int>& patch, const base::Vecto
     if (values[k] < undetermined * undetermined * values.back()) continue;
     for (int i = 0; i < unknowns; ++i) first[i] += gram(i, k) * gram(0, k) / values[k];
   }
-  for (std::size_t s = 0; s < rows.size(); ++s) {
+  for (std::size_t s = 0; s < result.point.size(); ++s) {
     result.weight.push_back(samples.volume[result.point[s]] *
-                            std::inner_product(first.begin(), first.end(), rows[s].begin(), 0.0));
+                            std::inner_product(first.begin(), first.end(), rows.begin() + s * unknowns, 0.0));
   }
   return result;
 }
@@ -161,17 +161,18 @@ StressRecovery::StressRecovery(const elasticity::ElasticPart& part, const std::v
   const Samples samples = sample(part, displacements);
   const Neighbourhood neighbourhood(part);
   stress_.shape(6 * nodes, columns);
+  std::vector<double> sum(6 * static_cast<std::size_t>(columns));
   for (int node = 0; node < nodes; ++node) {
     const std::vector<int> patch = patchOf(neighbourhood, node, boundary[node]);
     if (patch.empty()) continue;
     const bool isQuadratic = mesh::isQuadratic(neighbourhood.type(patch.front()));
     const Fit weights = fit(samples, patch, part.mesh.nodes[part.piece.nodes[node]], part.mesh.dimension, isQuadratic);
+    std::fill(sum.begin(), sum.end(), 0.0);
     for (std::size_t s = 0; s < weights.point.size(); ++s) {
-      const double* stress = samples.stress.data() + weights.point[s] * 6 * static_cast<std::size_t>(columns);
-      for (int column = 0; column < columns; ++column) {
-        for (int m = 0; m < 6; ++m) stress_[column][6 * node + m] += weights.weight[s] * stress[6 * column + m];
-      }
+      const double* stress = samples.stress.data() + weights.point[s] * sum.size();
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weights.weight[s] * stress[i];
     }
+    for (int column = 0; column < columns; ++column) std::copy_n(&sum[6 * column], 6, stress_[column] + 6 * node);
   }
 }
 

@@ -49,7 +49,7 @@ class ElementStrain {
   ElementBasis basis_;
   StrainOperator operators_;
   Formulation formulation_;
-  ElasticityMatrix c_;
+  double c_[3][3][3][3] = {};  // of components i, j and gradients k, l
   int dimension_;
   mesh::ShapeFunctions shape_;
   std::vector<base::Vector3> places_;
