@@ -53,7 +53,7 @@ class ExodusMesh : public ::testing::Test {
     }
     ex_put_coord(id, x[0].data(), x[1].data(), x[2].data());
     for (const mesh::ElementBlock& block : mesh.blocks) {
-      const bool isOther = !type.empty() && (isTypeOfAll || &block == &mesh.blocks[0]);
+      const bool isOther = !type.empty() && (isTypeOfAll || &block == mesh.blocks.data());
       ex_put_block(id, EX_ELEM_BLOCK, block.id, isOther ? type.c_str() : mesh::exodusName(block.type), block.elements(),
                    mesh::nodesPerElement(block.type), 0, 0, 0);
       ex_put_conn(id, EX_ELEM_BLOCK, block.id, fromOne(block.connectivity).data(), nullptr, nullptr);
