@@ -92,8 +92,9 @@ void demandPrinted(std::ostream& out) {
 }  // namespace
 
 std::vector<Command> commands() {
-  return {runCommand(),    checkCommand(),   docCommand(),    meshCommand(),    compareCommand(), studyCommand(),
-          reportCommand(), predictCommand(), importCommand(), pictureCommand(), showCommand(),    exportCommand()};
+  return {runCommand(),   checkCommand(),  docCommand(),     meshCommand(),   compareCommand(),
+          studyCommand(), reportCommand(), predictCommand(), importCommand(), pictureCommand(),
+          showCommand(),  exportCommand(), tradeCommand()};
 }
 
 int runCommandLine(const std::vector<std::string>& words, const CommandEnvironment& environment) {

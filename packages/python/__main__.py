@@ -3,7 +3,8 @@ import importlib
 import sys
 
 MODULES = {"report": "harmos.report.__main__", "import": "harmos.exchange.__main__",
-           "convert": "harmos.exchange.__main__", "picture": "harmos.render", "show": "harmos.show", "export": "harmos.vtu"}
+           "convert": "harmos.exchange.__main__", "picture": "harmos.render", "show": "harmos.show", "export": "harmos.vtu",
+           "trade": "harmos.trade.__main__"}
 """Where the function main() of each verb is; it takes the words that it is given."""
 
 verb = sys.argv[1]

@@ -15,7 +15,7 @@ mkdir -p "$work"
 expect 0 '^harmos [0-9]*\.[0-9]*\.[0-9]*$' "$harmos" --version
 expect 0 'Exit codes' "$harmos" --help
 expect 2 'Usage' "$harmos"
-for verb in run check doc mesh compare study report predict import picture show export; do
+for verb in run check doc mesh compare study report predict import picture show export trade; do
   expect 0 "harmos $verb" "$harmos" $verb --help
 done
 expect 2 'unknown command "rum". Did you mean "run"' "$harmos" rum

@@ -17,5 +17,6 @@ Command predictCommand();
 Command pictureCommand();
 Command showCommand();
 Command exportCommand();
+Command tradeCommand();
 
 }  // namespace harmos::cli

@@ -84,8 +84,8 @@ def number(value: float, otherwise: str = "") -> str:
 
 
 def percent(value: float) -> str:
-    """A share in percent with two digits, "n/a" for NaN."""
-    return "n/a" if numpy.isnan(value) else f"{100 * value:.2g} %"
+    """A share in percent with two digits, "n/a" for what is not finite."""
+    return "n/a" if not numpy.isfinite(value) else f"{100 * value:.2g} %"
 
 
 def label(study: Study, name: str) -> str:

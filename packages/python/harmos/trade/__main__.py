@@ -1,0 +1,133 @@
+"""Measures what accuracy costs for a scene or a study; `harmos trade` calls it.
+
+python3 -m harmos.trade INPUT.xml --program HARMOS [--output DIR] [--budget 10min] [--memory 8GB] [--targets 1%,0.1%]
+"""
+import argparse
+import os
+import pathlib
+import re
+import sys
+import tempfile
+
+from harmos.outputs import replace_file
+from harmos.report.writing import Pictures, percent
+from harmos.trade.document import Document
+from harmos.trade.judging import Judge
+from harmos.trade.knobs import dimension_of, knobs_of
+from harmos.trade.ladder import Budget, Ladder, Rung
+from harmos.trade.page import MEGABYTE, page
+from harmos.trade.promises import Promise, keep
+from harmos.trade.running import Runner
+from harmos.trade.tables import all_rungs, pareto, write_csv, write_hdf5
+
+ENOUGH = 1 / 3
+"""Uncertainty of the reference, over the least target, at which no finer mesh is needed."""
+TIMES = {"s": 1.0, "min": 60.0, "h": 3600.0}
+"""Units of a budget of time in seconds."""
+SIZES = {"MB": 1e6, "GB": 1e9}
+"""Units of a budget of memory in bytes."""
+
+
+def main(words: list[str] | None = None) -> int:
+    """Does what the words say, those of the command line if there are none; returns the exit code: 2 for bad words or an input that Harmos refuses, 3 when a target is not kept."""
+    parser = argparse.ArgumentParser(prog="harmos trade", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("input")
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--output", default="results")
+    parser.add_argument("--budget", default="10min")
+    parser.add_argument("--memory", default="")
+    parser.add_argument("--targets", default="1%,0.1%,0.01%")
+    parser.add_argument("--quiet", action="store_true")
+    arguments = parser.parse_args(words)
+    try:
+        seconds = _measured(arguments.budget, TIMES, "--budget", "10min")
+        memory = _measured(arguments.memory, SIZES, "--memory", "8GB") if arguments.memory else _free_memory()
+        targets = sorted((_target(word) for word in arguments.targets.split(",")), reverse=True)
+        document = Document(arguments.input)
+        folder = pathlib.Path(arguments.output)
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix=".trade_", dir=folder) as work:
+            return _trade(document, arguments.program, folder, pathlib.Path(work).resolve(), Budget(seconds, memory),
+                          targets, arguments.quiet)
+    except (OSError, ValueError) as error:
+        print(f"harmos trade: {error}", file=sys.stderr)
+        return 2
+
+
+def _trade(document: Document, program: str, folder: pathlib.Path, work: pathlib.Path, budget: Budget,
+           targets: list[float], is_quiet: bool) -> int:
+    runner = Runner(program, document, work)
+    is_valid, words = runner.check([])
+    if not is_valid:
+        print(words, end="", file=sys.stderr)
+        return 2
+    elements = {name: int(count) for name, count in re.findall(r"^  (\S+)\s+\d+ nodes\s+(\d+) elements", words, re.M)}
+    knobs = knobs_of(document, lambda entries: runner.check(entries)[0], elements)
+    base = folder / f"{document.path.stem}_trade"
+
+    def report(rung: Rung) -> None:
+        if not is_quiet:
+            predicted = f", expected {rung.predicted:.2f}" if rung.predicted == rung.predicted else ""
+            print(f"[{budget.spent():.0f} of {budget.seconds:.0f} s] {ladder.words(rung.settings)}: {rung.outcome.status}, "
+                  f"{rung.outcome.cpu:.2f} CPU s{predicted}, {rung.outcome.memory / MEGABYTE:.0f} MB", file=sys.stderr,
+                  flush=True)
+        write_csv(f"{base}.csv", ladder, Judge(ladder), all_rungs(ladder, []))
+
+    ladder = Ladder(knobs, dimension_of(document), runner, budget, report)
+    ladder.explore(targets[-1], lambda: Judge(ladder).doubt() <= ENOUGH * targets[-1],
+                   lambda family: Judge(ladder).is_beaten(family))
+    judge = Judge(ladder)
+    promises = [keep(target, ladder, judge, runner, document, folder) for target in targets]
+    rungs = all_rungs(ladder, promises)
+    write_csv(f"{base}.csv", ladder, judge, rungs)
+    write_hdf5(f"{base}.h5", ladder, judge, rungs)
+    text = page(f"What accuracy costs: {document.path.stem}", ladder, judge, rungs, promises, Pictures())
+    replace_file(f"{base}.html", text.encode())
+    _print(ladder, judge, rungs, promises)
+    print(f"{base}.html\n{base}.csv\n{base}.h5", flush=True)
+    return 0 if all(promise.rung is not None for promise in promises) else 3
+
+
+def _print(ladder: Ladder, judge: Judge, rungs: list[Rung], promises: list[Promise]) -> None:
+    print(f"{'response':28s} {'goes to':>14s} {'known to':>10s}  limit of the meshes")
+    for name, one in judge.references.items():
+        print(f"{name:28s} {one.values[-1]:14.7g} {percent(one.doubt()):>10s}  {one.space.word}")
+    if not judge.references:
+        print("Nothing is certified: there is no reference.")
+    print(f"{'error':>9s} {'CPU s':>9s} {'MB':>7s}  settings that none beats in error and CPU time")
+    for rung in pareto(rungs, judge, "cpu"):
+        print(f"{100 * judge.worst(rung):8.2g}% {rung.outcome.cpu:9.2f} {rung.outcome.memory / MEGABYTE:7.0f}  "
+              f"{ladder.words(rung.settings)}")
+    for promise in promises:
+        target = f"within {100 * promise.target:g} %"
+        if promise.rung is None:
+            print(f"{target}: no settings; {promise.reason}")
+        else:
+            cost = promise.rung.outcome
+            print(f"{target}: {cost.cpu:.2f} CPU s, {cost.memory / MEGABYTE:.0f} MB, run afresh at most "
+                  f"{100 * promise.error:.2g} % off; {promise.file}")
+
+
+def _measured(text: str, units: dict[str, float], option: str, example: str) -> float:
+    found = re.fullmatch(r"\s*([0-9.]+(?:e[0-9]+)?)\s*([A-Za-z]+)\s*", text)
+    if not found or found.group(2) not in units or float(found.group(1)) <= 0:
+        raise ValueError(f"{option} is a number above 0 with one of the units {', '.join(units)}, such as {example}; "
+                         f"it is \"{text}\".")
+    return float(found.group(1)) * units[found.group(2)]
+
+
+def _target(text: str) -> float:
+    found = re.fullmatch(r"\s*([0-9.]+(?:e-?[0-9]+)?)\s*%\s*", text)
+    if not found or not 1e-6 <= float(found.group(1)) <= 100:
+        raise ValueError(f"--targets are errors from 0.000001 % to 100 % with commas between, such as 1%,0.1%; one is "
+                         f"\"{text}\".")
+    return float(found.group(1)) / 100
+
+
+def _free_memory() -> float:
+    return 0.8 * os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

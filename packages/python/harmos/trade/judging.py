@@ -1,0 +1,180 @@
+"""How far every rung is off: the limit of all ladders, and the errors of mesh, time, expansion and iteration."""
+import math
+from dataclasses import dataclass
+
+import numpy
+
+from harmos.arrays import Floats
+from harmos.trade.knobs import Role
+from harmos.trade.ladder import Ladder, Rung, Settings
+from harmos.trade.limits import Limit, limit_of
+
+LEVELS = 2
+"""Meshes of a family from which on it may be left for a better one."""
+CLEARLY = 2.0
+"""How many times smaller an error must be to count as clearly smaller."""
+
+
+@dataclass
+class Reference:
+    """What a response goes to.
+
+    Attributes:
+        values: on the finest of all levels, [value].
+        uncertainty: how far off they may be; inf: unknown, [value].
+        size: what errors are relative to.
+        space: the limit of the meshes alone.
+        family: settings whose meshes have told it.
+        sides: limits of the side knobs by their indices.
+    """
+
+    values: Floats
+    uncertainty: Floats
+    size: float
+    space: Limit
+    family: Settings
+    sides: dict[int, Limit]
+
+    def doubt(self) -> float:
+        """The largest uncertainty, relative."""
+        return float(self.uncertainty.max()) / self.size if self.size > 0 else 0.0
+
+
+class Judge:
+    """Errors of rungs and of settings that have not been run, all relative; of what a ladder has measured so far.
+
+    Attributes:
+        references: by the names of the responses.
+    """
+
+    def __init__(self, ladder: Ladder) -> None:
+        """Finds the references; there are none while nothing is certified."""
+        self._ladder = ladder
+        self.references: dict[str, Reference] = {}
+        base = ladder.rungs.get(ladder.base())
+        if base is None or not base.outcome.certified:
+            return
+        for name in base.outcome.values:
+            reference = self._reference(name)
+            if reference is not None:
+                self.references[name] = reference
+
+    def doubt(self) -> float:
+        """The largest uncertainty of all references, relative; inf: there is none."""
+        return max((reference.doubt() for reference in self.references.values()), default=math.inf)
+
+    def total(self, rung: Rung) -> dict[str, float]:
+        """Measured distances of the responses from their references; NaN: no answer."""
+        result = {}
+        for name, reference in self.references.items():
+            values = rung.outcome.values.get(name)
+            result[name] = math.nan if values is None or values.shape != reference.values.shape else _relative(
+                abs(values - reference.values), reference)
+        return result
+
+    def promised(self, rung: Rung) -> float:
+        """The largest error of all responses with the uncertainty of its reference on top; inf: not certified."""
+        if not rung.outcome.certified or not self.references:
+            return math.inf
+        largest = 0.0
+        for name, reference in self.references.items():
+            values = rung.outcome.values.get(name)
+            if values is None or values.shape != reference.values.shape:
+                return math.inf
+            largest = max(largest, _relative(abs(values - reference.values) + reference.uncertainty, reference))
+        return largest
+
+    def worst(self, rung: Rung) -> float:
+        """The largest measured error of all responses, without the uncertainty of the references; inf: no answer."""
+        errors = list(self.total(rung).values())
+        return max(errors) if errors and not any(map(math.isnan, errors)) else math.inf
+
+    def is_beaten(self, family: Settings) -> bool:
+        """Whether another family has come clearly nearer to the reference at less cost than the finest mesh of this one."""
+        own = self._ladder.meshes(family)
+        if len(own) < LEVELS:
+            return False
+        others = [rung for other in self._ladder.families() if other != family for rung in self._ladder.meshes(other)]
+        return any(rung.outcome.cpu < own[-1].outcome.cpu and CLEARLY * self.worst(rung) < self.worst(own[-1])
+                   for rung in others)
+
+    def parts(self, settings: Settings, name: str) -> dict[str, float]:
+        """What mesh, each side knob and choices do to a response, by the names of the knobs; NaN: not measured."""
+        ladder, reference = self._ladder, self.references[name]
+        base = ladder.base()
+        parts = {}
+        family = list(settings)
+        for knob in ladder.indices(Role.SIDE, Role.CHOICE):
+            family[knob] = base[knob]
+            if ladder.knobs[knob].role is Role.SIDE:
+                one = ladder.rungs.get(ladder.turned(base, knob, settings[knob]))
+                limit = reference.sides[knob].values
+            else:
+                pair = ladder.choice(knob, settings[knob])
+                one = pair[0] if pair else None
+                limit = pair[1].outcome.values[name] if pair else reference.values
+                if settings[knob] == ladder.knobs[knob].given:
+                    continue
+            is_known = one is not None and one.outcome.certified
+            parts[ladder.knobs[knob].name] = (_relative(abs(one.outcome.values[name] - limit), reference)
+                                              if one is not None and is_known else math.nan)
+        mesh = ladder.rungs.get(tuple(family))
+        parts["mesh"] = (_relative(abs(mesh.outcome.values[name] - reference.space.values), reference)
+                         if mesh is not None and mesh.outcome.certified else math.nan)
+        return parts
+
+    def expected(self, settings: Settings) -> float:
+        """The largest error that is expected of settings, uncertainties included; inf: not known."""
+        largest = 0.0
+        for name, reference in self.references.items():
+            total = sum(self.parts(settings, name).values()) + reference.doubt()
+            largest = max(largest, math.inf if math.isnan(total) else total)
+        return largest if self.references else math.inf
+
+    def _noise(self, rung: Rung, name: str) -> Floats:
+        knob = self._ladder.index("accuracy")
+        estimate = rung.outcome.estimates.get(name, math.nan)
+        if math.isnan(estimate):
+            estimate = self._ladder.knobs[knob].levels[rung.settings[knob]].size * rung.outcome.sizes[name]
+        return numpy.full(rung.outcome.values[name].shape, estimate)
+
+    def _reference(self, name: str) -> Reference | None:
+        ladder = self._ladder
+        mesh = ladder.knobs[ladder.index("mesh")]
+        candidates: list[tuple[float, Limit, Settings, Rung]] = []
+        for family in ladder.families():
+            rungs = [rung for rung in ladder.meshes(family) if name in rung.outcome.values]
+            if rungs:
+                limit = limit_of([mesh.levels[rung.settings[ladder.index("mesh")]].size for rung in rungs],
+                                 [rung.outcome.values[name] for rung in rungs], self._noise(rungs[-1], name))
+                candidates.append((float(limit.uncertainty.max()), limit, family, rungs[-1]))
+        if not candidates:
+            return None
+        candidates.sort(key=lambda candidate: candidate[0])
+        _, space, family, finest = candidates[0]
+        uncertainty = space.uncertainty + self._noise(finest, name)
+        for doubt, other, _, _ in candidates[1:]:
+            if doubt < 3 * candidates[0][0]:  # two that are known as well, and do not agree: one of them is wrong
+                uncertainty = numpy.maximum(uncertainty, abs(other.values - space.values) - other.uncertainty)
+        sides, shift = {}, numpy.zeros(space.values.shape)
+        base = ladder.rungs[ladder.base()]
+        for knob in ladder.indices(Role.SIDE):
+            rungs = [rung for rung in ladder.side(knob) if name in rung.outcome.values]
+            sizes = [ladder.knobs[knob].levels[rung.settings[knob]].size for rung in rungs]
+            if ladder.knobs[knob].name == "accuracy":  # what an iteration leaves does not shrink like a power
+                tight = rungs[-1]
+                sides[knob] = Limit(tight.outcome.values[name], self._noise(tight, name),
+                                    numpy.full(space.values.shape, math.nan), "the tightest")
+            else:
+                sides[knob] = limit_of(sizes, [rung.outcome.values[name] for rung in rungs], self._noise(rungs[-1], name))
+            shift = shift + sides[knob].values - base.outcome.values[name]
+            uncertainty = uncertainty + sides[knob].uncertainty
+        size = max(float(abs(space.values).max()), finest.outcome.sizes.get(name, 0.0))
+        return Reference(space.values + shift, uncertainty, size, space, family, sides)
+
+
+def _relative(distance: Floats, reference: Reference) -> float:
+    largest = float(distance.max())
+    if largest == 0.0:
+        return 0.0
+    return largest / reference.size if reference.size > 0 else math.inf

@@ -1,0 +1,297 @@
+"""Measures a scene on one rung after the other, the cheapest first, until the budget is spent."""
+import itertools
+import math
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from harmos.trade.knobs import Knob, Role
+from harmos.trade.running import Outcome, Runner
+
+RESERVE = 0.3
+"""Share of the budget that is kept for running the settings that are recommended."""
+GROWTH = 1.3
+"""What a rung may cost over its prediction while it is still expected to fit."""
+CHEAP = 0.02
+"""Share of the budget up to which the second mesh, not the first, is the one that side knobs are measured on."""
+NOTHING = 1e-2
+"""Share of the least target that two answers may differ by and count as the same."""
+CHOICES = 0.15
+"""Share of the time left that measuring one choice may take."""
+
+Settings = tuple[int, ...]
+"""A level of every knob, in the order of the knobs."""
+
+
+@dataclass
+class Rung:
+    """One run.
+
+    Attributes:
+        settings: of it.
+        outcome: what came of it.
+        predicted: CPU time that was expected [s]; NaN: nothing was.
+        purpose: why it was run, in a word.
+    """
+
+    settings: Settings
+    outcome: Outcome
+    predicted: float
+    purpose: str
+
+
+@dataclass
+class Budget:
+    """What measuring may use.
+
+    Attributes:
+        seconds: of wall time, from now on.
+        memory: resident, of one run [byte].
+    """
+
+    seconds: float
+    memory: float
+
+    def __post_init__(self) -> None:
+        """Starts the clock."""
+        self._begin = time.monotonic()
+
+    def left(self) -> float:
+        """Seconds that are left."""
+        return self.seconds - self.spent()
+
+    def spent(self) -> float:
+        """Seconds that are gone."""
+        return time.monotonic() - self._begin
+
+
+class Ladder:
+    """Rungs measured so far, and those that come next.
+
+    Attributes:
+        knobs: what can be turned.
+        rungs: by their settings, in the order of their runs.
+        budget: what may be used.
+        accuracy: level of that knob at which meshes are compared.
+        cheap: level of the mesh that side knobs are measured on.
+        dimension: of the scene, 2 or 3.
+    """
+
+    def __init__(self, knobs: list[Knob], dimension: int, runner: Runner, budget: Budget,
+                 report: Callable[[Rung], None]) -> None:
+        """Runs nothing; `report` is called after every rung."""
+        self.knobs, self.dimension, self.budget = knobs, dimension, budget
+        self._least_target = 0.0
+        self.rungs: dict[Settings, Rung] = {}
+        self._runner, self._report = runner, report
+        self._mesh = self.index("mesh")
+        self.accuracy, self.cheap = knobs[self.index("accuracy")].given, 0
+
+    def index(self, name: str) -> int:
+        """Of a knob."""
+        return next(i for i, knob in enumerate(self.knobs) if knob.name == name)
+
+    def indices(self, *roles: Role) -> list[int]:
+        """Of the knobs with these roles."""
+        return [i for i, knob in enumerate(self.knobs) if knob.role in roles]
+
+    def base(self, **levels: int) -> Settings:
+        """The settings as given, at the accuracy at which meshes are compared and on the cheap mesh, but for `levels`."""
+        settings = [knob.given for knob in self.knobs]
+        settings[self._mesh], settings[self.index("accuracy")] = self.cheap, self.accuracy
+        for name, level in levels.items():
+            settings[self.index(name.replace("_", " "))] = level
+        return tuple(settings)
+
+    def turned(self, settings: Settings, knob: int, level: int) -> Settings:
+        """The settings with one knob at another level."""
+        return settings[:knob] + (level,) + settings[knob + 1:]
+
+    def words(self, settings: Settings) -> str:
+        """The settings for people."""
+        return "; ".join(f"{knob.name} {knob.levels[i].name}" for knob, i in zip(self.knobs, settings)
+                         if len(knob.levels) > 1)
+
+    def explore(self, least_target: float, is_enough: Callable[[], bool],
+                is_beaten: Callable[[Settings], bool]) -> None:
+        """Measures until the budget is spent but for its reserve, or it is enough.
+
+        Args:
+            least_target: the smallest error that settings are wanted for.
+            is_enough: asked before every rung.
+            is_beaten: whether a family of meshes is not worth going on with.
+        """
+        self._choose_accuracy(least_target)
+        self._least_target = least_target
+        while not is_enough() or any(self._next_sides()):
+            allowed = self.budget.left() - RESERVE * self.budget.seconds
+            candidates = sorted((self.predicted(settings, "wall") or 0.0, settings) for settings in self._next(is_beaten))
+            if not candidates or GROWTH * candidates[0][0] > allowed:
+                break
+            if self._memory_of(candidates[0][1]) > self.budget.memory:
+                self.rungs[candidates[0][1]] = Rung(candidates[0][1], Outcome("left out: needs too much memory"),
+                                                    math.nan, "mesh")
+                continue
+            self.measure(candidates[0][1], "ladder")
+        self._measure_choices()
+
+    def measure(self, settings: Settings, purpose: str) -> Rung:
+        """Runs these settings, unless they have been run."""
+        if settings in self.rungs:
+            return self.rungs[settings]
+        predicted = self.predicted(settings, "cpu")
+        entries = [entry for knob, i in zip(self.knobs, settings) for entry in knob.levels[i].entries]
+        outcome = self._runner.run(entries, max(self.budget.left(), 1.0), self.budget.memory)
+        rung = Rung(settings, outcome, math.nan if predicted is None else predicted, purpose)
+        self.rungs[settings] = rung
+        self._report(rung)
+        return rung
+
+    def families(self) -> list[Settings]:
+        """Settings on the cheap mesh of all families that are compared: as given, and one knob turned."""
+        result = [self.base()]
+        for knob in self.indices(Role.FAMILY):
+            result += [self.turned(result[0], knob, level) for level in range(len(self.knobs[knob].levels))
+                       if level != result[0][knob]]
+        return result
+
+    def meshes(self, family: Settings, certified: bool = True) -> list[Rung]:
+        """The rungs of a family, coarse ones first."""
+        rungs = [self.rungs.get(self.turned(family, self._mesh, level))
+                 for level in range(len(self.knobs[self._mesh].levels))]
+        return [rung for rung in rungs if rung is not None and (rung.outcome.certified or not certified)]
+
+    def side(self, knob: int) -> list[Rung]:
+        """The certified rungs of a side knob on the cheap mesh, coarse ones first."""
+        rungs = [self.rungs.get(self.turned(self.base(), knob, level)) for level in range(len(self.knobs[knob].levels))]
+        return [rung for rung in rungs if rung is not None and rung.outcome.certified]
+
+    def choice(self, knob: int, level: int) -> tuple[Rung, Rung] | None:
+        """A choice and the same settings as given, where both are certified."""
+        for settings, rung in self.rungs.items():
+            given = self.rungs.get(self.turned(settings, knob, self.knobs[knob].given))
+            if settings[knob] == level and rung.purpose == "choice" and given and (
+                    rung.outcome.certified and given.outcome.certified):
+                return rung, given
+        return None
+
+    def predicted(self, settings: Settings, what: str) -> float | None:
+        """CPU or wall time of settings [s], from what has been measured; None: nothing to go by."""
+        family = list(settings)
+        factor = 1.0
+        for knob in self.indices(Role.SIDE, Role.CHOICE):
+            family[knob] = self.base()[knob]
+            factor *= self._factor(knob, settings[knob], what)
+        mesh = self._mesh_cost(tuple(family), what)
+        return None if mesh is None else factor * mesh
+
+    def _choose_accuracy(self, least_target: float) -> None:
+        """The loosest accuracy that is as tight as the least target and certified; then the cheap mesh."""
+        knob = self.index("accuracy")
+        levels = self.knobs[knob].levels
+        self.accuracy = next((i for i, level in enumerate(levels) if level.size <= 1.001 * least_target), len(levels) - 1)
+        for mesh in range(len(self.knobs[self._mesh].levels)):
+            self.cheap = mesh
+            while not self.measure(self.base(), "ladder").outcome.certified and self.accuracy > 0 and (
+                    self.rungs[self.base()].outcome.values):
+                self.accuracy -= 1
+            if self.rungs[self.base()].outcome.certified or self.budget.left() <= 0:
+                break
+        following = self.base(mesh=self.cheap + 1) if self.cheap + 1 < len(self.knobs[self._mesh].levels) else None
+        cost = self.predicted(following, "wall") if following else None
+        if following and cost is not None and cost < CHEAP * self.budget.seconds and (
+                self.measure(following, "ladder").outcome.certified):
+            self.cheap += 1
+
+    def _next(self, is_beaten: Callable[[Settings], bool]) -> Iterator[Settings]:
+        for family in self.families():
+            measured = self.meshes(family, certified=False)
+            failed = [not rung.outcome.certified for rung in measured[-2:]]
+            if (failed and failed[-1] and not measured[-1].outcome.status.startswith("no")) or failed == [True, True]:
+                continue
+            if is_beaten(family):
+                continue
+            top = max((rung.settings[self._mesh] for rung in measured), default=-1)
+            if top + 1 < len(self.knobs[self._mesh].levels):
+                yield self.turned(family, self._mesh, top + 1)
+        yield from self._next_sides()
+
+    def _next_sides(self) -> Iterator[Settings]:
+        """Of each side knob the next level: up to the first finer one that changes nothing, then coarser ones."""
+        for knob in self.indices(Role.SIDE):
+            start = self.base()[knob]
+            levels = []
+            for level in range(start + 1, len(self.knobs[knob].levels)):
+                levels.append(level)
+                rung = self.rungs.get(self.turned(self.base(), knob, level))
+                before = self.rungs.get(self.turned(self.base(), knob, level - 1))
+                if rung is not None and (before is None or not self._differ(before, rung)):
+                    break
+            levels += range(start - 1, -1, -1)
+            yield from itertools.islice((settings for settings in (
+                self.turned(self.base(), knob, level) for level in levels) if settings not in self.rungs), 1)
+
+    def _differ(self, one: Rung, other: Rung) -> bool:
+        """Whether two certified rungs differ by more than a small share of the least target."""
+        if not (one.outcome.certified and other.outcome.certified):
+            return False
+        return any(float(abs(one.outcome.values[name] - other.outcome.values[name]).max()) >
+                   NOTHING * self._least_target * one.outcome.sizes[name] for name in one.outcome.values)
+
+    def _measure_choices(self) -> None:
+        """Each choice on the finest mesh that leaves time for it."""
+        for knob in self.indices(Role.CHOICE):
+            for level in range(len(self.knobs[knob].levels)):
+                if level == self.knobs[knob].given:
+                    continue
+                for rung in reversed(self.meshes(self.base())):
+                    if GROWTH * rung.outcome.wall <= CHOICES * self.budget.left():
+                        self.measure(self.turned(rung.settings, knob, level), "choice")
+                        break
+
+    def _cost(self, rung: Rung, what: str) -> float:
+        return max(rung.outcome.cpu if what == "cpu" else rung.outcome.wall, 1e-3)
+
+    def _factor(self, knob: int, level: int, what: str) -> float:
+        base = self.base()
+        if level == base[knob]:
+            return 1.0
+        if self.knobs[knob].role is Role.CHOICE:
+            pair = self.choice(knob, level)
+            return self._cost(pair[0], what) / self._cost(pair[1], what) if pair else 1.0
+        one, reference = self.rungs.get(self.turned(base, knob, level)), self.rungs.get(base)
+        if one is not None and reference is not None and one.outcome.certified:
+            return self._cost(one, what) / self._cost(reference, what)
+        levels = self.knobs[knob].levels
+        return 1.5 if self.knobs[knob].name == "accuracy" else max(1.0, levels[base[knob]].size / levels[level].size)
+
+    def _mesh_cost(self, family: Settings, what: str) -> float | None:
+        if family in self.rungs and self.rungs[family].outcome.certified:
+            return self._cost(self.rungs[family], what)
+        sizes = [level.size for level in self.knobs[self._mesh].levels]
+        wanted = sizes[family[self._mesh]]
+        measured = [rung for rung in self.meshes(family) if sizes[rung.settings[self._mesh]] > wanted]
+        if measured:
+            last = measured[-1]
+            power = max((self._power(meshes, what) for meshes in (measured, self.meshes(self.base())) if len(meshes) > 1),
+                        default=float(self.dimension))
+            if len(measured) < 3:  # what does not grow with the mesh still hides what does
+                power = max(power, float(self.dimension))
+            return self._cost(last, what) * math.exp(power * math.log(sizes[last.settings[self._mesh]] / wanted))
+        given = self.rungs.get(self.turned(self.base(), self._mesh, family[self._mesh]))
+        return 4.0 * self._cost(given, what) if given and given.outcome.certified else None
+
+    def _power(self, measured: list[Rung], what: str) -> float:
+        """With which power of the number of elements along an edge the cost has grown last."""
+        coarse, fine = measured[-2:]
+        levels = self.knobs[self._mesh].levels
+        return math.log(self._cost(fine, what) / self._cost(coarse, what)) / math.log(
+            levels[coarse.settings[self._mesh]].size / levels[fine.settings[self._mesh]].size)
+
+    def _memory_of(self, settings: Settings) -> float:
+        """Largest resident set that settings on the next mesh may need [byte]."""
+        measured = self.meshes(settings)
+        if len(measured) < 2:
+            return 0.0
+        growth = measured[-1].outcome.memory / measured[-2].outcome.memory
+        return growth * measured[-1].outcome.memory

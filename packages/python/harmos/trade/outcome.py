@@ -1,0 +1,74 @@
+"""Reads what a run or a study has left: the numbers that are traded for."""
+import json
+import math
+import pathlib
+
+import numpy
+
+from harmos.arrays import Floats
+from harmos.results import read_history, read_study
+from harmos.trade.document import Document
+
+Answer = tuple[str, bool, dict[str, Floats], dict[str, float], dict[str, float]]
+"""Status, whether it is certified, values, estimates of the iteration's error and sizes of the responses."""
+
+
+def read_outcome(document: Document, base: pathlib.Path) -> Answer:
+    """The answer in the files that begin with `base`.
+
+    Raises:
+        OSError: they are not there.
+        ValueError: they hold something else.
+    """
+    return _run(document, base) if document.study is None else _study(base)
+
+
+def step_ends(document: Document) -> list[float]:
+    """The times at which the load steps of a scene end."""
+    durations = [float(document.value(f"Steps/{name}/Duration", "1")) for name in document.names("Steps")]
+    return list(numpy.cumsum(durations))
+
+
+def _run(document: Document, base: pathlib.Path) -> Answer:
+    record = json.loads(base.with_name(base.name + "_result.json").read_text())
+    history = read_history(base.with_name(base.name + "_history.csv"))
+    is_certified = record["exit_code"] == 0
+    times = numpy.asarray(history["time"], float)
+    ends = step_ends(document)
+    sizes = {name: float(size) for name, size in record["response_sizes"].items()}
+    values = {}
+    for name in sizes:
+        curve = numpy.asarray(history[name], float)
+        if times[-1] > ends[-1] - 1e-9 * ends[-1]:  # otherwise it has not come to the end
+            values[name] = numpy.array([curve[numpy.argmin(abs(times - end))] for end in ends])
+    estimates = {name: sizes[name] * _number(record["response_error_estimates"].get(name)) for name in values}
+    return record["status"], is_certified and bool(values), values, estimates, sizes
+
+
+def _study(base: pathlib.Path) -> Answer:
+    study = read_study(base.with_name(base.name + ".h5"))
+    values: dict[str, Floats] = {}
+    estimates: dict[str, float] = {}
+    statistics = study.statistics
+    if statistics is not None and not statistics.is_sample:
+        for name, each in statistics.responses.items():
+            values[f"{name}, mean"] = numpy.array([each.mean])
+            values[f"{name}, standard deviation"] = numpy.array([each.standard_deviation])
+            for key in ("mean", "standard deviation"):
+                estimates[f"{name}, {key}"] = each.iteration_error
+        is_certified = study.state == "complete"
+        status = study.state
+    else:
+        is_certified = study.state == "complete" and bool(study.solved.all())
+        status = f"{study.state}, {int(study.solved.sum())} of {len(study.id)} solved"
+        names = list(study.responses) or list(study.curves)
+        for name in names:
+            values[name] = study.responses[name] if name in study.responses else study.curves[name][:, -1]
+            estimates[name] = math.nan
+    values = {name: array for name, array in values.items() if numpy.isfinite(array).all()}
+    sizes = {name: float(abs(array).max()) for name, array in values.items()}
+    return status, is_certified and bool(values), values, estimates, sizes
+
+
+def _number(value: float | None) -> float:
+    return math.nan if value is None else float(value)

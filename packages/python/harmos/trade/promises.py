@@ -1,0 +1,87 @@
+"""Finds the cheapest settings that keep a promise, runs them afresh, and writes those that have kept it as XML."""
+import itertools
+import math
+import pathlib
+from dataclasses import dataclass
+
+from harmos.trade.document import Document
+from harmos.trade.judging import Judge
+from harmos.trade.knobs import Role
+from harmos.trade.ladder import GROWTH, Ladder, Rung, Settings
+from harmos.trade.running import Runner
+
+TRIALS = 4
+"""Settings that are tried for one promise, at most."""
+SAFETY = 0.9
+"""Share of a target that the expected error of settings may reach."""
+ALIKE = 1.15
+"""Costs within this factor count as equal: of such settings those win that turn fewer knobs."""
+
+
+@dataclass
+class Promise:
+    """Settings for a target.
+
+    Attributes:
+        target: largest relative error of any response.
+        rung: the fresh run; None: none that was affordable keeps it.
+        error: largest error of that run, the uncertainty of the reference included.
+        file: its XML; None: none was written.
+        reason: why there is none.
+    """
+
+    target: float
+    rung: Rung | None = None
+    error: float = math.inf
+    file: pathlib.Path | None = None
+    reason: str = ""
+
+
+def expected_costs(ladder: Ladder, judge: Judge) -> list[tuple[float, float, Settings]]:
+    """Expected CPU time [s] and error of all settings that measured levels can be joined to, cheap and plain ones first."""
+    bases = [rung.settings for family in ladder.families() for rung in ladder.meshes(family)]
+    sides = ladder.indices(Role.SIDE)
+    levels = [[rung.settings[knob] for rung in ladder.side(knob)] for knob in sides]
+    choices = ladder.indices(Role.CHOICE)
+    options = [[level for level in range(len(ladder.knobs[knob].levels))
+                if level == ladder.knobs[knob].given or ladder.choice(knob, level)] for knob in choices]
+    result = []
+    for base in bases:
+        for chosen in itertools.product(*levels, *options):
+            settings = base
+            for knob, level in zip((*sides, *choices), chosen):
+                settings = ladder.turned(settings, knob, level)
+            result.append((ladder.predicted(settings, "cpu") or math.inf, judge.expected(settings), settings))
+    given = ladder.base()
+    return sorted(result, key=lambda one: (round(math.log(max(one[0], 1e-6)) / math.log(ALIKE)),
+                                           sum(i != j for i, j in zip(one[2], given)), one[0]))
+
+
+def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: Document,
+         folder: pathlib.Path) -> Promise:
+    """The cheapest settings whose fresh run keeps the target; their XML is written into `folder`."""
+    promise = Promise(target)
+    if judge.doubt() > target:
+        promise.reason = (f"the reference itself is known to {100 * judge.doubt():.2g} % only"
+                          if judge.doubt() < math.inf else "the budget leaves a reference unknown")
+        return promise
+    candidates = [one for one in expected_costs(ladder, judge) if one[1] <= SAFETY * target]
+    if not candidates:
+        promise.reason = "no settings that were measured come so near"
+    for _, _, settings in candidates[:TRIALS]:
+        if GROWTH * (ladder.predicted(settings, "wall") or 0.0) > ladder.budget.left():
+            promise.reason = "the budget does not allow the run that would show it"
+            continue
+        entries = [entry for knob, i in zip(ladder.knobs, settings) for entry in knob.levels[i].entries]
+        file = folder / f"{document.path.stem}_within_{100 * target:g}_percent.xml"
+        written = document.write(entries, file, f"settings of harmos trade for errors below {100 * target:g} % in every "
+                                 f"response: {ladder.words(settings)}")
+        outcome = runner.run_file(file, max(ladder.budget.left(), 1.0), ladder.budget.memory)
+        rung = Rung(settings, outcome, ladder.predicted(settings, "cpu") or math.nan, f"within {100 * target:g} %")
+        error = judge.promised(rung)
+        if error <= target:
+            return Promise(target, rung, error, file)
+        for each in written:
+            each.unlink()
+        promise.reason = f"settings that were expected to keep it came to {100 * error:.2g} %"
+    return promise

@@ -1,0 +1,128 @@
+"""Runs Harmos on an input with changes, in a process of its own whose CPU time and memory are measured."""
+import ctypes
+import os
+import pathlib
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import time
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+
+from harmos.arrays import Floats
+from harmos.trade.document import Document, Entry
+from harmos.trade.outcome import read_outcome
+
+POLL = 0.02
+"""Seconds between looks at a running process."""
+PDEATHSIG = 1
+"""Of prctl(): the signal that a process gets when its parent dies."""
+
+
+@dataclass
+class Outcome:
+    """What a run has come to.
+
+    Attributes:
+        status: as Harmos says it, or why there is none.
+        certified: whether the answer is as accurate as was asked for.
+        values: of every response, [value]: at the ends of the load steps, or of the configurations; empty: no answer.
+        estimates: what the certificate states of the iteration's error, in the unit of the response; NaN: nothing.
+        sizes: what errors of a response are relative to.
+        cpu: of the whole process [s].
+        wall: from its start to its end [s].
+        memory: its largest resident set [byte].
+    """
+
+    status: str
+    certified: bool = False
+    values: dict[str, Floats] = field(default_factory=dict)
+    estimates: dict[str, float] = field(default_factory=dict)
+    sizes: dict[str, float] = field(default_factory=dict)
+    cpu: float = 0.0
+    wall: float = 0.0
+    memory: int = 0
+
+
+class Runner:
+    """Runs one input with changes, each time in a folder of its own that is removed afterwards."""
+
+    def __init__(self, program: str, document: Document, folder: pathlib.Path) -> None:
+        """Works in `folder`, which it makes."""
+        self._program, self._document, self._folder = program, document, folder
+        folder.mkdir(parents=True, exist_ok=True)
+        # An MPI that has started this process must not be taken for that of its children.
+        self._environment = {name: value for name, value in os.environ.items()
+                             if not re.match(r"(OMPI|PMIX|ORTE|OPAL)_(?!MCA_(btl|pml|plm)|ALLOW)", name)}
+
+    def check(self, entries: Iterable[Entry]) -> tuple[bool, str]:
+        """Whether Harmos takes the input with these changes, and what it says of it."""
+        path = self._folder / f"{self._document.path.stem}.xml"
+        self._document.write(entries, path, "a trial of harmos trade")
+        end = subprocess.run([self._program, "check", str(path)], env=self._environment, capture_output=True, text=True,
+                             check=False)
+        return end.returncode == 0, end.stdout if end.returncode == 0 else end.stderr
+
+    def run(self, entries: Iterable[Entry], seconds: float, memory: float) -> Outcome:
+        """Solves the input with these changes, ends it after so many seconds or with so many bytes."""
+        path = self._folder / f"{self._document.path.stem}.xml"
+        self._document.write(entries, path, "a trial of harmos trade")
+        return self.run_file(path, seconds, memory)
+
+    def run_file(self, path: pathlib.Path, seconds: float, memory: float) -> Outcome:
+        """Solves the input in a file; see run()."""
+        results = self._folder / "results"
+        shutil.rmtree(results, ignore_errors=True)
+        verb = "run" if self._document.study is None else "study"
+        begin = time.monotonic()
+        code, stopped, usage = _watched([self._program, verb, str(path), "--quiet", "--output", str(results)],
+                                        self._environment, self._folder / "messages", seconds, memory)
+        wall = time.monotonic() - begin
+        outcome = Outcome(stopped) if stopped else self._read(results / path.stem, code)
+        shutil.rmtree(results, ignore_errors=True)
+        return replace(outcome, cpu=usage.ru_utime + usage.ru_stime, wall=wall, memory=usage.ru_maxrss * 1024)
+
+    def _read(self, base: pathlib.Path, exit_code: int) -> Outcome:
+        if exit_code not in (0, 3, 4):
+            words = (self._folder / "messages").read_text(errors="replace").strip().splitlines()
+            return Outcome("refused: " + words[0] if words and exit_code == 2 else f"failed, exit code {exit_code}")
+        try:
+            return Outcome(*read_outcome(self._document, base))
+        except (OSError, ValueError, KeyError) as error:
+            return Outcome(f"no answer: {error}")
+
+
+def _watched(command: list[str], environment: dict[str, str], messages: pathlib.Path, seconds: float,
+             memory: float) -> tuple[int, str, resource.struct_rusage]:
+    """Exit code, why it was stopped (empty: it was not) and what a command has used that may take so much."""
+    begin = time.monotonic()
+    with open(messages, "wb") as file:
+        process = subprocess.Popen(command, env=environment, stdout=file, stderr=file, preexec_fn=_die_with_parent)
+    stopped = ""
+    while True:
+        pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+        if pid:
+            process.returncode = os.waitstatus_to_exitcode(status)  # so that Popen waits for it no more
+            return process.returncode, stopped, usage
+        if not stopped and time.monotonic() - begin > seconds:
+            stopped = "stopped: out of time"
+        elif not stopped and _peak(process.pid) > memory:
+            stopped = "stopped: out of memory"
+        if stopped:
+            os.kill(process.pid, signal.SIGKILL)
+        time.sleep(POLL)
+
+
+def _die_with_parent() -> None:
+    ctypes.CDLL(None).prctl(PDEATHSIG, signal.SIGTERM)
+
+
+def _peak(process: int) -> float:
+    try:
+        with open(f"/proc/{process}/status") as file:
+            words = re.search(r"VmHWM:\s*(\d+) kB", file.read())
+    except OSError:
+        return 0.0
+    return 1024.0 * float(words.group(1)) if words else 0.0

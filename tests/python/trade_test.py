@@ -1,0 +1,122 @@
+"""Limits of ladders, and inputs that settings are changed in."""
+import pathlib
+import tempfile
+import unittest
+
+import numpy
+
+from harmos.trade.document import Document, Entry, value_of
+from harmos.trade.knobs import Role, knobs_of
+from harmos.trade.limits import limit_of
+
+SCENE = """<ParameterList name="Harmos">
+  <!-- kept -->
+  <ParameterList name="Mesh"><Parameter name="Type" type="string" value="{type}"/>
+    <Parameter name="File" type="string" value="meshes/a.e"/></ParameterList>
+  <ParameterList name="Parts"><ParameterList name="a"/><ParameterList name="b"/></ParameterList>
+  <ParameterList name="Steps"><ParameterList name="s"><Parameter name="Increments" type="int" value="3"/></ParameterList>
+  </ParameterList>
+</ParameterList>"""
+STUDY = """<ParameterList name="Harmos Study"><Parameter name="Scene" type="string" value="scene.xml"/>
+  <Parameter name="Scene Overrides" type="Array(string)" value="{Mesh/Refinement=0.5, Steps/s/Increments=4}"/>
+</ParameterList>"""
+
+
+class LimitTest(unittest.TestCase):
+    """Sequences whose limits are known."""
+
+    def limit(self, values: list[float], noise: float = 0.0, ratio: float = 2.0) -> tuple[float, float, float]:
+        """Limit, uncertainty and order of values on levels with one ratio of sizes."""
+        sizes = [ratio ** -i for i in range(len(values))]
+        found = limit_of(sizes, [numpy.array([value]) for value in values], numpy.array([noise]))
+        return float(found.values[0]), float(found.uncertainty[0]), float(found.orders[0])
+
+    def test_a_power_is_extrapolated_whatever_its_order_and_ratio(self) -> None:
+        """3 + 2 h^p."""
+        for order in (0.5, 1.0, 1.6, 2.0, 4.0):
+            for ratio in (1.5, 2.0):
+                limit, doubt, found = self.limit([3 + 2 * ratio ** (-order * i) for i in range(3)], ratio=ratio)
+                self.assertAlmostEqual(limit, 3.0, places=12)
+                self.assertAlmostEqual(found, order, places=9)
+                self.assertAlmostEqual(doubt, 2 * ratio ** (-2 * order), places=12)
+
+    def test_the_limit_lies_within_its_uncertainty_when_two_powers_mix(self) -> None:
+        """3 + h + 4 h^2, not yet in the range where one power rules."""
+        for levels in (3, 4, 5, 6):
+            limit, doubt, _ = self.limit([3 + 2.0 ** -i + 4 * 4.0 ** -i for i in range(levels)])
+            self.assertLessEqual(abs(limit - 3), doubt)
+
+    def test_no_limit_is_claimed_where_levels_do_not_converge_monotonically(self) -> None:
+        """Differences that change their sign, grow, or shrink too slowly."""
+        for values in ([1.0, 2.0, 1.5], [1.0, 1.1, 1.3], [1.0, 2.0, 2.99]):
+            limit, doubt, order = self.limit(values)
+            self.assertEqual(limit, values[-1])
+            self.assertTrue(numpy.isnan(order))
+            self.assertGreaterEqual(doubt, max(abs(values[1] - values[0]), abs(values[2] - values[1])))
+
+    def test_one_level_tells_nothing_and_two_their_difference(self) -> None:
+        """What has not been refined is not known."""
+        self.assertEqual(self.limit([1.0])[1], numpy.inf)
+        self.assertEqual(self.limit([1.0, 1.25])[:2], (1.25, 0.25))
+
+    def test_what_does_not_change_is_known_to_its_noise(self) -> None:
+        """As forces that balance loads."""
+        self.assertEqual(self.limit([5.0, 5.0, 5.0], noise=1e-3)[:2], (5.0, 1e-3))
+
+
+class DocumentTest(unittest.TestCase):
+    """Inputs that are changed and written elsewhere."""
+
+    def setUp(self) -> None:
+        """A scene and a study of it."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "scene.xml").write_text(SCENE.format(type="Bolted Joint"))
+        (self.folder / "study.xml").write_text(STUDY)
+        (self.folder / "deep" / "out").mkdir(parents=True)
+
+    def test_a_scene_keeps_what_does_not_change(self) -> None:
+        """Comments, entries, and where its mesh lies."""
+        target = self.folder / "deep" / "out" / "new.xml"
+        changes = [Entry("Mesh/Refinement", "double", "2.0"), Entry("Steps/s/Increments", "int", None)]
+        self.assertEqual(Document(self.folder / "scene.xml").write(changes, target, "a -- b"), [target])
+        written = Document(target)
+        self.assertEqual(written.value("Mesh/Refinement", ""), "2.0")
+        self.assertEqual(written.value("Steps/s/Increments", "none"), "none")
+        self.assertEqual((target.parent / written.value("Mesh/File", "")).resolve(),
+                         (self.folder / "meshes" / "a.e").resolve())
+        self.assertIn("<!-- kept -->", target.read_text())
+
+    def test_changes_of_a_study_win_over_its_overrides(self) -> None:
+        """They are made in the scene, which is written beside."""
+        target = self.folder / "deep" / "out" / "new.xml"
+        study = Document(self.folder / "study.xml")
+        self.assertEqual(study.value("Mesh/Refinement", ""), "0.5")
+        files = study.write([Entry("Mesh/Refinement", "double", "2.0"), Entry("Study/Accuracy", "double", "1e-4")], target, "")
+        written = Document(target)
+        self.assertEqual(files, [target, written.scene_path])
+        self.assertEqual(written.value("Mesh/Refinement", ""), "2.0")
+        self.assertEqual(written.value("Steps/s/Increments", ""), "4")
+        assert written.study is not None
+        self.assertEqual(value_of(written.study, "Accuracy"), "1e-4")
+
+    def test_levels_of_knobs_are_of_the_input(self) -> None:
+        """Meshes around the given one, steps in whole increments, pieces by elements; refused elements are left out."""
+        def accepts(entries: tuple[Entry, ...]) -> bool:
+            return not any(entry.value == "Incompatible Modes" and "Parts/b" in entry.path for entry in entries)
+
+        knobs = {knob.name: knob for knob in knobs_of(Document(self.folder / "scene.xml"), accepts, {"a": 400, "b": 90})}
+        self.assertEqual([level.name for level in knobs["mesh"].levels][:3],
+                         ["refinement 0.25", "refinement 0.5", "refinement 1"])
+        self.assertEqual(knobs["mesh"].levels[knobs["mesh"].given].name, "refinement 1")
+        self.assertEqual([level.name for level in knobs["time steps"].levels],
+                         ["1 steps", "2 steps", "3 steps", "6 steps", "12 steps", "24 steps"])
+        self.assertEqual(knobs["elements"].levels[-1].entries,
+                         (Entry("Parts/a/Formulation", "string", "Incompatible Modes"),))
+        self.assertEqual([entry.value for entry in knobs["pieces per part"].levels[-1].entries], ["4", "1"])
+        self.assertIs(knobs["interface mass"].role, Role.FAMILY)
+
+
+if __name__ == "__main__":
+    unittest.main()
