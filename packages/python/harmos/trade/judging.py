@@ -1,6 +1,6 @@
 """How far every rung is off: the limit of all ladders, and the errors of mesh, time, expansion and iteration."""
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy
 
@@ -8,9 +8,12 @@ from harmos.arrays import Floats
 from harmos.trade.knobs import Role
 from harmos.trade.ladder import Ladder, Rung, Settings
 from harmos.trade.limits import Limit, limit_of
+from harmos.trade.running import Outcome
 
 LEVELS = 2
 """Meshes of a family from which on it may be left for a better one."""
+TRUSTED = 1 / 3
+"""Share of an estimate of the mesh's error that is believed at least, see docs/method/mesh-error.md."""
 CLEARLY = 2.0
 """How many times smaller an error must be to count as clearly smaller."""
 
@@ -147,6 +150,7 @@ class Judge:
             if rungs:
                 limit = limit_of([mesh.levels[rung.settings[ladder.index("mesh")]].size for rung in rungs],
                                  [rung.outcome.values[name] for rung in rungs], self._noise(rungs[-1], name))
+                limit = replace(limit, uncertainty=numpy.maximum(limit.uncertainty, _doubted(limit, rungs[-1].outcome, name)))
                 candidates.append((float(limit.uncertainty.max()), limit, family, rungs[-1]))
         if not candidates:
             return None
@@ -154,7 +158,7 @@ class Judge:
         _, space, family, finest = candidates[0]
         uncertainty = space.uncertainty + self._noise(finest, name)
         for doubt, other, _, _ in candidates[1:]:
-            if doubt < 3 * candidates[0][0]:  # two that are known as well, and do not agree: one of them is wrong
+            if doubt < math.inf:  # where two do not agree, one of them is wrong
                 uncertainty = numpy.maximum(uncertainty, abs(other.values - space.values) - other.uncertainty)
         sides, shift = {}, numpy.zeros(space.values.shape)
         base = ladder.rungs[ladder.base()]
@@ -171,6 +175,18 @@ class Judge:
             uncertainty = uncertainty + sides[knob].uncertainty
         size = max(float(abs(space.values).max()), finest.outcome.sizes.get(name, 0.0))
         return Reference(space.values + shift, uncertainty, size, space, family, sides)
+
+
+def _doubted(limit: Limit, finest: Outcome, name: str) -> Floats:
+    """What the estimate of the mesh's error in the finest run adds to the doubt of a limit, [value].
+
+    Where no limit is claimed the finest mesh is off by the estimate. An extrapolation has to have gone at least a share
+    of the way that is estimated.
+    """
+    estimate = finest.mesh.get(name, 0.0)
+    carried = abs(limit.values - finest.values[name])
+    missing: Floats = numpy.where(numpy.isnan(limit.orders), estimate, numpy.maximum(TRUSTED * estimate - carried, 0.0))
+    return missing
 
 
 def _relative(distance: Floats, reference: Reference) -> float:

@@ -37,8 +37,9 @@ def limit_of(sizes: Sequence[float], values: Sequence[Floats], noise: Floats) ->
 
     With three levels whose sizes have one ratio, and whose differences shrink without changing sign at a credible
     order, it is that of Richardson. Its uncertainty is the distance to the finest level, or, with a fourth level, what
-    the last level has changed in it, at least LEAST_DOUBT of that distance. Otherwise it is the finest level and the
-    uncertainty the largest of the last two differences, or the last one where they shrink.
+    the last level has changed in it, at least LEAST_DOUBT of that distance. Otherwise it is the finest level. Its
+    uncertainty is what the least credible order leaves of the last difference where there are two levels only, or the
+    differences grow; the last difference where they shrink faster than at the largest; else the largest of the last two.
 
     Args:
         sizes: decreasing.
@@ -64,10 +65,14 @@ def _scalar(sizes: Sequence[float], values: Sequence[float], noise: float) -> tu
         return last, floor, math.nan, "does not change"
     limit, order = _richardson(sizes[-3:], values[-3:])
     if math.isnan(order):
+        slowest = 1 / ((sizes[-2] / sizes[-1]) ** ORDERS[0] - 1)
         if len(values) == 2:
-            return last, abs(steps[-1]) + noise, math.nan, "two levels, difference of them"
-        if steps[0] * steps[1] > 0 and abs(steps[1]) < abs(steps[0]) / 2:
-            return last, abs(steps[1]) + noise, math.nan, "the finest, no limit claimed"
+            return last, slowest * abs(steps[-1]) + noise, math.nan, "two levels"
+        if steps[0] * steps[1] > 0 and abs(steps[1]) >= abs(steps[0]):
+            return last, slowest * abs(steps[1]) + noise, math.nan, "does not converge yet"
+        if steps[0] * steps[1] > 0:
+            fast = abs(steps[1]) < abs(steps[0]) / 2
+            return last, (1 if fast else slowest) * abs(steps[1]) + noise, math.nan, "the finest, no limit claimed"
         return last, largest + noise, math.nan, "not monotone, difference to the finest"
     carried = abs(limit - last)
     doubt = carried

@@ -9,8 +9,8 @@ from harmos.arrays import Floats
 from harmos.results import read_history, read_study
 from harmos.trade.document import Document
 
-Answer = tuple[str, bool, dict[str, Floats], dict[str, float], dict[str, float]]
-"""Status, whether it is certified, values, estimates of the iteration's error and sizes of the responses."""
+Answer = tuple[str, bool, dict[str, Floats], dict[str, float], dict[str, float], dict[str, float]]
+"""Status, whether it is certified; of the responses values, estimates of the iteration's error, sizes, and estimates of the mesh's error."""
 
 
 def read_outcome(document: Document, base: pathlib.Path) -> Answer:
@@ -42,7 +42,9 @@ def _run(document: Document, base: pathlib.Path) -> Answer:
         if times[-1] > ends[-1] - 1e-9 * ends[-1]:  # otherwise it has not come to the end
             values[name] = numpy.array([curve[numpy.argmin(abs(times - end))] for end in ends])
     estimates = {name: sizes[name] * _number(record["response_error_estimates"].get(name)) for name in values}
-    return record["status"], is_certified and bool(values), values, estimates, sizes
+    mesh = {name: abs(_number(estimate["change"]))
+            for name, estimate in record["mesh_error_estimates"].items() if name in values}
+    return record["status"], is_certified and bool(values), values, estimates, sizes, _finite(mesh)
 
 
 def _study(base: pathlib.Path) -> Answer:
@@ -67,7 +69,13 @@ def _study(base: pathlib.Path) -> Answer:
             estimates[name] = math.nan
     values = {name: array for name, array in values.items() if numpy.isfinite(array).all()}
     sizes = {name: float(abs(array).max()) for name, array in values.items()}
-    return status, is_certified and bool(values), values, estimates, sizes
+    mesh = {name: float(numpy.nanmax(abs(changes))) for name, changes in study.mesh_changes.items()
+            if name in values and numpy.isfinite(changes).any()}
+    return status, is_certified and bool(values), values, estimates, sizes, mesh
+
+
+def _finite(numbers: dict[str, float]) -> dict[str, float]:
+    return {name: number for name, number in numbers.items() if math.isfinite(number)}
 
 
 def _number(value: float | None) -> float:

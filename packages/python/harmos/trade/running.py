@@ -31,6 +31,7 @@ class Outcome:
         values: of every response, [value]: at the ends of the load steps, or of the configurations; empty: no answer.
         estimates: what the certificate states of the iteration's error, in the unit of the response; NaN: nothing.
         sizes: what errors of a response are relative to.
+        mesh: what Harmos itself estimates that the mesh does to a response, in its unit; those that have an estimate.
         cpu: of the whole process [s].
         wall: from its start to its end [s].
         memory: its largest resident set [byte].
@@ -41,6 +42,7 @@ class Outcome:
     values: dict[str, Floats] = field(default_factory=dict)
     estimates: dict[str, float] = field(default_factory=dict)
     sizes: dict[str, float] = field(default_factory=dict)
+    mesh: dict[str, float] = field(default_factory=dict)
     cpu: float = 0.0
     wall: float = 0.0
     memory: int = 0
