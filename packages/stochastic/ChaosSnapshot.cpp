@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include <harmos/latin/NodalForces.hpp>
+#include <harmos/stochastic/StochasticResult.hpp>
 
 namespace harmos::stochastic {
 namespace {
-
-constexpr double smallestSpread = 1e-3;
 
 /// The modal columns of each load step below each other.
 base::Matrix stacked(const base::Matrix& columns, int terms) {

@@ -9,6 +9,9 @@
 
 namespace harmos::stochastic {
 
+/// A standard deviation below this share of the mean counts as that share where errors are relative to it.
+inline constexpr double smallestSpread = 1e-3;
+
 /// One response at every load step as an expansion, with the estimate of its relative error.
 struct ResponseExpansion {
   std::string name;                                 ///< of the response

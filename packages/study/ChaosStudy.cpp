@@ -235,7 +235,8 @@ void ChaosStudy::summarise(results::StochasticSummary& summary) const {
     response.expansion = std::make_shared<probability::Expansion>(expansions_[r]);
     const double error = result_.responses[study_.responses[r].curve].errorEstimate;
     response.meanError = error * std::abs(expansions_[r].mean());
-    response.deviationError = error * expansions_[r].standardDeviation();
+    response.deviationError = error * std::max(expansions_[r].standardDeviation(),
+                                               stochastic::smallestSpread * std::abs(expansions_[r].mean()));
     response.iterationError = std::max(response.meanError, response.deviationError);
   }
 }

@@ -230,6 +230,7 @@ class Summariser {
   /// Shares of no variance are undefined.
   static void setConstant(ResponseStatistics& response) {
     response.standardDeviation = 0.0;
+    response.deviationError = std::fmax(response.deviationError, leastSpread * std::abs(response.mean));
     response.sobol = probability::sobolIndices(*response.expansion);
     for (probability::SobolIndex& index : response.sobol) index.main = index.total = ResponseStatistics::unknown;
   }
