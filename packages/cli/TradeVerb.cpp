@@ -17,7 +17,7 @@ int trade(const Arguments& arguments, const CommandEnvironment& environment) {
   if (!fs::exists(input)) throw base::Error("Cannot read " + input + ": there is no such file.", base::ExitCode::input);
   // Every run is one of this very program, in a process of its own.
   std::vector<std::string> words = {"trade", input, "--program=" + fs::read_symlink("/proc/self/exe").string()};
-  for (const std::string option : {"--output", "--budget", "--memory", "--targets"}) {
+  for (const std::string option : {"--output", "--budget", "--memory", "--targets", "--responses"}) {
     if (arguments.has(option)) words.push_back(option + "=" + arguments.value(option, ""));
   }
   if (arguments.has("--quiet")) words.emplace_back("--quiet");
@@ -34,6 +34,7 @@ Command tradeCommand() {
            {"--budget", "TIME", "wall time that measuring may take, such as 90s, 10min or 2h (default: 10min)"},
            {"--memory", "SIZE", "that one run may take, such as 8GB (default: 80 % of what is free)"},
            {"--targets", "ERRORS", "that settings are wanted for (default: 1%,0.1%,0.01%)"},
+           {"--responses", "NAMES", "that errors are counted of, with commas between (default: all)"},
            {"--quiet", "", "no line per run"}},
           {"harmos trade xml/bolted_joint.xml --budget 5min",
            "harmos trade xml/glued_assembly_chaos.xml --targets 5%,1% --output trade"},

@@ -65,7 +65,8 @@ with h5py.File(f"{base}.h5") as file:
 demand("<img" in pathlib.Path(f"{base}.html").read_text(), "the page has no picture")
 demand(not [path for path in folder.iterdir() if path.name.startswith(".trade")], "runs were left behind")
 
-for words, message in ((("--budget", "5"), "--budget"), (("--targets", "1"), "--targets"), (("--memory", "8"), "--memory")):
+for words, message in ((("--budget", "5"), "--budget"), (("--targets", "1"), "--targets"), (("--memory", "8"), "--memory"),
+                       (("--responses", "w"), "there are u, v")):
     end = run("trade", scene, "--output", folder / "refused", *words)
     demand(end.returncode == 2 and message in end.stderr and not os.path.exists(folder / "refused"), f"{words}: {end.stderr}")
 wrong = folder / "wrong.xml"

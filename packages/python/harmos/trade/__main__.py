@@ -1,6 +1,6 @@
 """Measures what accuracy costs for a scene or a study; `harmos trade` calls it.
 
-python3 -m harmos.trade INPUT.xml --program HARMOS [--output DIR] [--budget 10min] [--memory 8GB] [--targets 1%,0.1%]
+python3 -m harmos.trade INPUT.xml --program HARMOS [--output DIR] [--budget 10min] [--memory 8GB] [--targets 1%,0.1%] [--responses A,B]
 """
 import argparse
 import os
@@ -11,7 +11,7 @@ import tempfile
 
 from harmos.outputs import replace_file
 from harmos.report.writing import Pictures, percent
-from harmos.trade.document import Document
+from harmos.trade.document import Document, find
 from harmos.trade.judging import Judge
 from harmos.trade.knobs import dimension_of, knobs_of
 from harmos.trade.ladder import Budget, Ladder, Rung
@@ -38,6 +38,7 @@ def main(words: list[str] | None = None) -> int:
     parser.add_argument("--budget", default="10min")
     parser.add_argument("--memory", default="")
     parser.add_argument("--targets", default="1%,0.1%,0.01%")
+    parser.add_argument("--responses", default="")
     parser.add_argument("--quiet", action="store_true")
     arguments = parser.parse_args(words)
     try:
@@ -45,18 +46,19 @@ def main(words: list[str] | None = None) -> int:
         memory = _measured(arguments.memory, SIZES, "--memory", "8GB") if arguments.memory else _free_memory()
         targets = sorted((_target(word) for word in arguments.targets.split(",")), reverse=True)
         document = Document(arguments.input)
+        responses = _responses(arguments.responses, document)
         folder = pathlib.Path(arguments.output)
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=".trade_", dir=folder) as work:
             return _trade(document, arguments.program, folder, pathlib.Path(work).resolve(), Budget(seconds, memory),
-                          targets, arguments.quiet)
+                          targets, responses, arguments.quiet)
     except (OSError, ValueError) as error:
         print(f"harmos trade: {error}", file=sys.stderr)
         return 2
 
 
 def _trade(document: Document, program: str, folder: pathlib.Path, work: pathlib.Path, budget: Budget,
-           targets: list[float], is_quiet: bool) -> int:
+           targets: list[float], responses: list[str], is_quiet: bool) -> int:
     runner = Runner(program, document, work)
     is_valid, words = runner.check([])
     if not is_valid:
@@ -72,12 +74,12 @@ def _trade(document: Document, program: str, folder: pathlib.Path, work: pathlib
             print(f"[{budget.spent():.0f} of {budget.seconds:.0f} s] {ladder.words(rung.settings)}: {rung.outcome.status}, "
                   f"{rung.outcome.cpu:.2f} CPU s{predicted}, {rung.outcome.memory / MEGABYTE:.0f} MB", file=sys.stderr,
                   flush=True)
-        write_csv(f"{base}.csv", ladder, Judge(ladder), all_rungs(ladder, []))
+        write_csv(f"{base}.csv", ladder, Judge(ladder, responses), all_rungs(ladder, []))
 
     ladder = Ladder(knobs, dimension_of(document), runner, budget, report)
-    ladder.explore(targets[-1], lambda: Judge(ladder).doubt() <= ENOUGH * targets[-1],
-                   lambda family: Judge(ladder).is_beaten(family))
-    judge = Judge(ladder)
+    ladder.explore(targets[-1], lambda: Judge(ladder, responses).doubt() <= ENOUGH * targets[-1],
+                   lambda family: Judge(ladder, responses).is_beaten(family))
+    judge = Judge(ladder, responses)
     promises = [keep(target, ladder, judge, runner, document, folder) for target in targets]
     rungs = all_rungs(ladder, promises)
     write_csv(f"{base}.csv", ladder, judge, rungs)
@@ -123,6 +125,17 @@ def _target(text: str) -> float:
         raise ValueError(f"--targets are errors from 0.000001 % to 100 % with commas between, such as 1%,0.1%; one is "
                          f"\"{text}\".")
     return float(found.group(1)) / 100
+
+
+def _responses(text: str, document: Document) -> list[str]:
+    chosen = [word.strip() for word in text.split(",") if word.strip()]
+    own = find(document.study, "Responses") if document.study is not None else None
+    known = [one.get("name", "") for one in own if one.tag == "ParameterList"] if own is not None else (
+        document.names("Responses"))
+    for name in chosen:
+        if name not in known:
+            raise ValueError(f"--responses: there is no response \"{name}\"; there are {', '.join(known)}.")
+    return chosen
 
 
 def _free_memory() -> float:

@@ -1,5 +1,6 @@
 """How far every rung is off: the limit of all ladders, and the errors of mesh, time, expansion and iteration."""
 import math
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 
 import numpy
@@ -50,14 +51,16 @@ class Judge:
         references: by the names of the responses.
     """
 
-    def __init__(self, ladder: Ladder) -> None:
-        """Finds the references; there are none while nothing is certified."""
+    def __init__(self, ladder: Ladder, responses: Collection[str] = ()) -> None:
+        """Finds the references of some responses, all if none is named; there are none while nothing is certified."""
         self._ladder = ladder
         self.references: dict[str, Reference] = {}
         base = ladder.rungs.get(ladder.base())
         if base is None or not base.outcome.certified:
             return
         for name in base.outcome.values:
+            if responses and name.partition(", ")[0] not in responses:
+                continue
             reference = self._reference(name)
             if reference is not None:
                 self.references[name] = reference

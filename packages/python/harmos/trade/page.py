@@ -58,6 +58,7 @@ def error_pictures(ladder: Ladder, judge: Judge, rungs: list[Rung], picture: Pic
         for name, axis in zip(names, axes):
             draw_errors(axis, ladder, judge, rungs, name, cost, unit)
             axis.set_xlabel(label)
+            axis.set_ylabel("relative error")
         axes[0].legend(fontsize=7)
         parts.append(picture(figure, f"error_{cost}"))
     return "".join(parts) + ('<p class="note">Lines: meshes of one family, at one accuracy and the load steps as given. '

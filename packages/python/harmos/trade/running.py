@@ -55,9 +55,10 @@ class Runner:
         """Works in `folder`, which it makes."""
         self._program, self._document, self._folder = program, document, folder
         folder.mkdir(parents=True, exist_ok=True)
-        # An MPI that has started this process must not be taken for that of its children.
+        # mpirun marks its processes in their environment; a run that found the marks would take itself for one of them.
+        is_launched = "OMPI_COMM_WORLD_SIZE" in os.environ
         self._environment = {name: value for name, value in os.environ.items()
-                             if not re.match(r"(OMPI|PMIX|ORTE|OPAL)_(?!MCA_(btl|pml|plm)|ALLOW)", name)}
+                             if not (is_launched and re.match("(OMPI|PMIX|ORTE|OPAL)_(?!ALLOW)", name))}
 
     def check(self, entries: Iterable[Entry]) -> tuple[bool, str]:
         """Whether Harmos takes the input with these changes, and what it says of it."""
