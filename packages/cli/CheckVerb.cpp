@@ -76,6 +76,7 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost) {
   printBytes(out, "stiffness matrices", cost.matrixBytes);
   printBytes(out, "factors", cost.factorBytes);
   printBytes(out, "fields of the iteration", cost.fieldBytes);
+  printBytes(out, "whole process at its peak", cost.processBytes);
   out << "CPU time, roughly:\n"
       << std::fixed << std::setprecision(2) << "  " << std::left << std::setw(34) << "factorisation" << std::right
       << std::setw(10) << cost.factorSeconds << " s\n"

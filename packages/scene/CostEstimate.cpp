@@ -21,6 +21,10 @@ CostEstimate estimateCost(const Problem& problem, const Teuchos::Comm<int>& comm
   constexpr int differences = 15, directions = 12, fields = 20;
   constexpr int storedStates = latin::AndersonAcceleration::statesPerDifference * differences +
                                latin::CorrectionSpace::statesPerDirection * directions + fields;
+  // Of a process: the program with its libraries; how much of matrices and factors is there more than once while they
+  // are made; displacement fields of all load steps, and what mesh, output and estimates keep for a node.
+  constexpr double programBytes = 58e6, matrixCopies = 3.5, factorCopies = 1.3, displacementFields = 8.0,
+                   bytesPerNode = 500.0;
   constexpr double secondsPerEntryAndColumn = 2.4e-10;  // forward and backward substitution of several columns
   CostEstimate cost;
   const assembly::Assembly& assembly = problem.assembly;
@@ -42,6 +46,11 @@ CostEstimate estimateCost(const Problem& problem, const Teuchos::Comm<int>& comm
   cost.factorBytes = entryBytes * sum[1];
   cost.factorSeconds = sum[2];
   cost.fieldBytes = entryBytes * storedStates * static_cast<double>(cost.interfaceUnknowns) * assembly.steps();
+  const double unknowns = static_cast<double>(cost.unknowns);
+  cost.processBytes = programBytes * comm.getSize() + matrixCopies * cost.matrixBytes +
+                      factorCopies * cost.factorBytes + cost.fieldBytes +
+                      entryBytes * displacementFields * unknowns * assembly.steps() +
+                      bytesPerNode * unknowns / assembly.dimension;
   cost.stageSeconds = secondsPerEntryAndColumn * sum[1] * assembly.steps();
   return cost;
 }
