@@ -69,6 +69,10 @@ for words, message in ((("--budget", "5"), "--budget"), (("--targets", "1"), "--
                        (("--responses", "w"), "there are u, v")):
     end = run("trade", scene, "--output", folder / "refused", *words)
     demand(end.returncode == 2 and message in end.stderr and not os.path.exists(folder / "refused"), f"{words}: {end.stderr}")
+mute = folder / "mute.xml"
+mute.write_text(scene.read_text().split('  <ParameterList name="Responses">')[0] + "</ParameterList>")
+end = run("trade", mute, "--output", folder / "mute")
+demand(end.returncode == 2 and "no Responses" in end.stderr and not os.path.exists(folder / "mute"), end.stderr)
 wrong = folder / "wrong.xml"
 wrong.write_text(scene.read_text().replace("Friction Coefficient", "Friction Coeficient"))
 end = run("trade", wrong, "--output", folder / "wrong")

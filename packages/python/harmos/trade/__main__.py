@@ -130,8 +130,11 @@ def _target(text: str) -> float:
 def _responses(text: str, document: Document) -> list[str]:
     chosen = [word.strip() for word in text.split(",") if word.strip()]
     own = find(document.study, "Responses") if document.study is not None else None
-    known = [one.get("name", "") for one in own if one.tag == "ParameterList"] if own is not None else (
-        document.names("Responses"))
+    known = [one.get("name", "") for one in own if one.tag == "ParameterList"] if own is not None else []
+    known = known or document.names("Responses")
+    if not known:
+        raise ValueError(f"{document.path} has no Responses, of which errors are counted.\n"
+                         "  Add those that matter, such as a Mean Displacement or an Interface Force.")
     for name in chosen:
         if name not in known:
             raise ValueError(f"--responses: there is no response \"{name}\"; there are {', '.join(known)}.")
