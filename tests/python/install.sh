@@ -14,6 +14,6 @@ cd "$work_dir"
 test -f site/harmos/py.typed
 found=$(PYTHONPATH=$work_dir/site /usr/bin/python3 -c '
 import importlib.metadata
-import harmos.report.page
+import harmos.program, harmos.report.page
 print(importlib.metadata.version("harmos"), harmos.__file__)')
 [ "$found" = "$version $work_dir/site/harmos/__init__.py" ] || { echo "found $found, not version $version"; exit 1; }

@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 from harmos.arrays import Floats, Integers, Mask, Records, Texts
 from harmos.foreign import read_foreign
 from harmos.stochastic import Statistics
+from harmos.tables import frame_of
 
 SCHEMA, SCHEMA_VERSION = "harmos-study", 1
 """What a study file says it is, and the newest version of it that is understood here."""
@@ -179,6 +180,27 @@ class Study:
         for name, array in columns.items():
             result[name] = array
         return result
+
+    def frame(self) -> Any:
+        """The same as a DataFrame of pandas, with the ids as index.
+
+        Raises:
+            ImportError: pandas is not installed.
+        """
+        return frame_of(self.table(), "id")
+
+    def dataset(self) -> Any:
+        """Parameters, responses and curves as a Dataset of xarray, with the dimensions id and time.
+
+        Raises:
+            ImportError: xarray is not installed.
+        """
+        import xarray
+        rows: dict[str, NDArray[Any]] = {**self.parameters, **self.responses, "status": self.status}
+        tables = {f"{name}_curve" if name in rows else name: values for name, values in self.curves.items()}
+        return xarray.Dataset({**{name: ("id", values) for name, values in rows.items()},
+                               **{name: (("id", "time"), values) for name, values in tables.items()}},
+                              coords={"id": self.id, "time": self.times})
 
     def surrogate(self, response: str) -> "Surrogate":
         """The response surface of a study that has ended.
