@@ -8,6 +8,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/assembly/AssemblyCheck.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Vector3.hpp>
@@ -73,7 +74,7 @@ double customaryIndicator(const Iterate& state) {
 
 LatinSolver::LatinSolver(const assembly::Assembly& assembly, const LatinOptions& options,
                          const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers)
-    : assembly_(assembly),
+    : assembly_(assembly::demandValid(assembly, *comm)),
       options_(options),
       timers_(timers),
       fixedPoint_(assembly, options.stages, comm, timers),

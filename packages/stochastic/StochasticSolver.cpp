@@ -6,6 +6,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/assembly/AssemblyCheck.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/stochastic/detail/ModalAssembly.hpp>
 
@@ -26,7 +27,7 @@ latin::StageOptions withoutElimination(latin::StageOptions options) {
 StochasticSolver::StochasticSolver(const assembly::Assembly& assembly, std::shared_ptr<const Projection> projection,
                                    const StochasticOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                                    base::Timers& timers)
-    : assembly_(assembly),
+    : assembly_(assembly::demandValid(assembly, *comm)),
       projection_(std::move(projection)),
       options_(options),
       modal_(modalAssembly(assembly, projection_)),
