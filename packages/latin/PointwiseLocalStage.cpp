@@ -71,12 +71,18 @@ void PointwiseLocalStage::accept() {
   for (Joint& joint : joints_) joint.history[0].swap(joint.history[1]);
 }
 
+PointwiseLocalStage::Met PointwiseLocalStage::met(int interfaceIndex, int column) const {
+  const Joint& joint = joints_[interfaceIndex];
+  return {steps_[column], joint.line, joint.state.data() + static_cast<std::size_t>(column) * joint.line.size(),
+          joint.history[0]};
+}
+
 void PointwiseLocalStage::differentiateColumn(int column, PairTangents& tangents) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    if (!lines_.isActive(static_cast<int>(i))) continue;
-    const Joint& joint = joints_[i];
-    const laws::LocalState* states = joint.state.data() + static_cast<std::size_t>(column) * joint.line.size();
-    tangents.differentiate(static_cast<int>(i), steps_[column], joint.line, states, joint.history[0]);
+    const int index = static_cast<int>(i);
+    if (!lines_.isActive(index)) continue;
+    const Met here = met(index, column);
+    tangents.differentiate(index, here.step, here.lines, here.states, here.oldHistory);
   }
 }
 

@@ -42,6 +42,15 @@ class PointwiseLocalStage final : public LocalStage {
   void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction);
   /// See begin().
   void accept();
+  /// What the law of an interface has met at a column.
+  struct Met {
+    int step;                                   ///< load step, counted from 0
+    const std::vector<laws::LocalLine>& lines;  ///< of all pairs
+    const laws::LocalState* states;             ///< of all pairs
+    const std::vector<double>& oldHistory;      ///< of the end of the load step before
+  };
+  /// Of an interface with a side on this rank, right after solveColumn(); valid until the next call.
+  Met met(int interfaceIndex, int column) const;
   /// The tangents of this stage at a column, right after it was solved with solveColumn(); changes nothing else.
   void differentiateColumn(int column, PairTangents& tangents);
 

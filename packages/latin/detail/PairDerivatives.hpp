@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+#include <harmos/latin/InterfaceLines.hpp>
+#include <harmos/latin/PointwiseLocalStage.hpp>
+
+namespace harmos::latin {
+
+/// What the local stage makes of a small change of a parameter, load step after load step: df^ of the change of its
+/// law, of the dbeta that comes with it, and of the history that the load steps before have left.
+///
+/// All three are one central difference of the laws along the direction, so that any law will do. Displacement form.
+class PairDerivatives {
+ public:
+  /// The laws of all interfaces on both sides of the value of a parameter.
+  struct Laws {
+    double step = 0.0;                                              ///< distance to the value
+    std::vector<std::shared_ptr<const laws::InterfaceLaw>> more{};  ///< at the value + step
+    std::vector<std::shared_ptr<const laws::InterfaceLaw>> less{};  ///< at the value - step
+  };
+
+  /// `assembly` and `lines`, whose buffers it uses, must outlive it. Begins before the first load step.
+  PairDerivatives(const assembly::Assembly& assembly, InterfaceLines& lines, std::vector<Laws> parameters);
+
+  /// Takes the lines and histories of a column that `local` has just met with solveColumn(). Not collective. Throws
+  /// base::Error where a law has answered otherwise than to the pairs of an interface by themselves.
+  void meet(int column, const PointwiseLocalStage& local);
+  /// Collective. traction = df^ [stress per unit of the parameter] of dbeta, one column for each parameter.
+  void apply(const base::Matrix& dbeta, base::Matrix& traction);
+  /// The histories of the last apply() are those that the next load step begins with. Not collective.
+  void accept();
+
+ private:
+  struct Joint {
+    int step = 0;
+    std::vector<laws::LocalLine> lines;
+    std::vector<double> history;
+    std::vector<std::vector<double>> before, after;  // dhistory of every parameter
+  };
+
+  void demandSame(int interfaceIndex, const PointwiseLocalStage::Met& met);
+  void differentiate(int interfaceIndex, int parameter, const std::vector<laws::LocalLine>& change);
+  void solve(int interfaceIndex, int parameter, double sign, const std::vector<laws::LocalLine>& change);
+
+  const assembly::Assembly& assembly_;
+  InterfaceLines& lines_;
+  std::vector<Laws> parameters_;
+  std::vector<Joint> joints_;
+  // Of one interface and parameter.
+  std::vector<laws::LocalLine> shifted_;
+  std::vector<double> oldHistory_, newHistory_;
+  std::vector<laws::LocalState> moved_, states_;
+};
+
+}  // namespace harmos::latin

@@ -1,0 +1,252 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include <Tpetra_Core.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/latin/Derivatives.hpp>
+#include <harmos/latin/LatinSolver.hpp>
+#include <harmos/laws/PointwiseLaw.hpp>
+
+#include "BoxAssembly.hpp"
+#include "Chains.hpp"
+
+namespace harmos::latin {
+namespace {
+
+using Values = std::map<std::string, double>;
+
+/// Two cubes on one another, pressed together and sheared to and fro: nodes stick, slip, and stick again, so that later
+/// load steps depend on what earlier ones have left.
+class Rubbing {
+ public:
+  explicit Rubbing(Values values, bool isConsistent = false)
+      : values_(std::move(values)), cubes_(twoCubes(joint(), top(), steps, isConsistent)) {
+    if (Tpetra::getDefaultComm()->getSize() > 1) cubes_.assembly().owner = {0, 1};
+    for (std::size_t i = 0; i < assembly().interfaces.size(); ++i) {
+      const assembly::Interface& interface = assembly().interfaces[i];
+      (interface.sides() == 2 ? joint_ : interface.law->prescribesTraction() ? top_ : clamp_) = static_cast<int>(i);
+    }
+    install();
+  }
+
+  assembly::Assembly& assembly() { return cubes_.assembly(); }
+
+  ModelParameter parameter(const std::string& name) {
+    return {name, values_.at(name), 1e-6 * sizeOf(name), [this, name](double value) {
+              values_[name] = value;
+              install();
+            }};
+  }
+
+  /// Of a parameter: its value, or that of the cubes where it is 0.
+  double sizeOf(const std::string& name) const { return values_.at(name) == 0.0 ? 1.0 : values_.at(name); }
+
+  std::vector<std::shared_ptr<const Response>> responses() const {
+    const base::Vector3 x{1, 0.2, -0.5}, y{0, 1, 0};
+    return {std::make_shared<DisplacementResponse>(
+                "u", std::vector<DisplacementResponse::Node>{{1, 3, 0.5}, {1, 20, 0.5}}, x),
+            std::make_shared<ResultantResponse>("moment", std::vector<int>{joint_}, std::vector<base::Vector3>{y},
+                                                std::vector<base::Vector3>{{0.1, 0.2, 0.3}}),
+            std::make_shared<ResultantResponse>("reaction", std::vector<int>{clamp_}, std::vector<base::Vector3>{x}),
+            std::make_shared<DissipationResponse>("lost", std::vector<int>{joint_}),
+            std::make_shared<MaximumResponse>("slip", std::vector<int>{joint_}, MaximumResponse::Field::slip)};
+  }
+
+  static constexpr int steps = 5;
+
+ private:
+  std::shared_ptr<const laws::InterfaceLaw> joint() const {
+    return laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", values_.at("mu")}});
+  }
+  std::shared_ptr<const laws::InterfaceLaw> top() const {
+    return laws::makeLaw("Prescribed Traction", {{"X", values_.at("shear")}, {"Z", -values_.at("pressure")}},
+                         {{"X", {0.3, 1.0, 0.2, -0.8, 0.4}}});
+  }
+  void install() {
+    assembly().interfaces[joint_].law = joint();
+    assembly().interfaces[top_].law = top();
+    assembly().interfaces[clamp_].law =
+        laws::makeLaw("Prescribed Displacement", {{"X", values_.at("ground")}, {"Y", 0.0}, {"Z", 0.0}});
+  }
+
+  Values values_;
+  BoxAssembly cubes_;
+  int joint_ = 0, top_ = 0, clamp_ = 0;
+};
+
+const Values usual{{"mu", 0.3}, {"shear", 0.9}, {"pressure", 4.0}, {"ground", 0.0}};
+
+LatinOptions precise() {
+  LatinOptions options;
+  options.accuracy = 1e-11;
+  return options;
+}
+
+/// All responses at all load steps.
+std::vector<std::vector<double>> solve(const Values& values, bool isConsistent) {
+  Rubbing model(values, isConsistent);
+  base::Timers timers;
+  LatinSolver solver(model.assembly(), precise(), Tpetra::getDefaultComm(), timers);
+  for (const auto& response : model.responses()) solver.addResponse(response);
+  const LatinResult result = solver.solve();
+  EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
+  std::vector<std::vector<double>> all;
+  for (const ResponseResult& response : result.responses) all.push_back(response.values);
+  return all;
+}
+
+void compareWithDifferences(bool isConsistent) {
+  Rubbing model(usual, isConsistent);
+  base::Timers timers;
+  LatinSolver solver(model.assembly(), precise(), Tpetra::getDefaultComm(), timers);
+  solver.solve();
+  const auto responses = model.responses();
+  const std::vector<std::string> names{"mu", "shear", "pressure", "ground"};
+  std::vector<ModelParameter> parameters;
+  for (const std::string& name : names) parameters.push_back(model.parameter(name));
+  Derivatives derivatives(solver.fixedPoint(), responses);
+  const auto found = derivatives.compute(solver.state(), parameters);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_LE(found[i].residual, 1e-7) << names[i];
+    Values more = usual, less = usual;
+    const double h = 1e-4 * model.sizeOf(names[i]);
+    more[names[i]] += h;
+    less[names[i]] -= h;
+    const auto above = solve(more, isConsistent), below = solve(less, isConsistent);
+    for (std::size_t j = 0; j < responses.size(); ++j) {
+      double largest = 0.0, size = 0.0;
+      std::vector<double> difference;
+      for (int t = 0; t < Rubbing::steps; ++t) {
+        difference.push_back((above[j][t] - below[j][t]) / (2.0 * h));
+        largest = std::max(largest, std::abs(difference.back()));
+        size = std::max(size, std::abs(above[j][t]));
+      }
+      for (int t = 0; t < Rubbing::steps; ++t) {
+        // What equilibrium alone determines has the derivative 0, but for round-off.
+        EXPECT_NEAR(found[i].responses[j][t], difference[t], 1e-5 * largest + 1e-7 * size / model.sizeOf(names[i]))
+            << responses[j]->name() << " by " << names[i] << " at load step " << t;
+      }
+    }
+  }
+}
+
+// Loads that go to and fro: without the history of earlier load steps the later ones would be wrong.
+TEST(Derivatives, AreThoseOfDifferencesOfSolutions) {
+  compareWithDifferences(false);
+}
+
+TEST(Derivatives, AreThoseOfDifferencesWithAConsistentMass) {
+  compareWithDifferences(true);
+}
+
+// The history matters here: the derivative at the end by the load of the second step alone is not zero.
+TEST(Derivatives, RememberEarlierLoadSteps) {
+  Rubbing model(usual);
+  base::Timers timers;
+  LatinSolver solver(model.assembly(), precise(), Tpetra::getDefaultComm(), timers);
+  solver.solve();
+  const auto responses = model.responses();
+  const int top = 2;
+  ASSERT_TRUE(model.assembly().interfaces[top].law->prescribesTraction());
+  const ModelParameter early{"early", 1.0, 1e-6, [&](double factor) {
+                               model.assembly().interfaces[top].law =
+                                   laws::makeLaw("Prescribed Traction", {{"X", 0.9}, {"Z", -4.0}},
+                                                 {{"X", {0.3, factor, 0.2, -0.8, 0.4}}});
+                             }};
+  const auto found = Derivatives(solver.fixedPoint(), responses).compute(solver.state(), {early});
+  EXPECT_EQ(found[0].responses[0][0], 0.0);
+  const double largest = std::abs(found[0].responses[0][1]);
+  EXPECT_GT(std::abs(found[0].responses[0][2]), 1e-3 * largest);
+}
+
+// The solver is as it was: another run gives the same numbers.
+TEST(Derivatives, LeaveTheSolverAsItWas) {
+  Rubbing model(usual);
+  base::Timers timers;
+  LatinSolver solver(model.assembly(), {}, Tpetra::getDefaultComm(), timers);
+  const auto responses = model.responses();
+  for (const auto& response : responses) solver.addResponse(response);
+  const LatinResult before = solver.solve();
+  Derivatives(solver.fixedPoint(), responses).compute(solver.state(), {model.parameter("mu")});
+  const LatinResult after = solver.solve();
+  for (std::size_t j = 0; j < before.responses.size(); ++j) {
+    EXPECT_EQ(before.responses[j].values, after.responses[j].values);
+  }
+}
+
+/// Answers each time otherwise, as a law that knows more than the pairs that it is asked for.
+struct Moody {
+  static constexpr const char* name = "Moody";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::two;
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext&, const double*, double*) const {
+    const double stiffness = 10.0 + 0.1 * calls;
+    laws::LocalState state;
+    for (std::size_t c = 0; c < 3; ++c) {
+      state.traction[c] = stiffness * line.freeJump[c] / (1.0 + stiffness * line.compliance);
+    }
+    if (changes) ++calls;
+    return state;
+  }
+  static inline bool changes = false;
+  static inline int calls = 0;
+};
+
+TEST(Derivatives, RefuseLawsThatKnowMoreThanTheirPairs) {
+  assembly::Assembly assembly =
+      twoChains(std::make_shared<laws::PointwiseLaw<Moody>>(), laws::makeLaw("Prescribed Traction", {{"X", 1.0}}));
+  base::Timers timers;
+  LatinSolver solver(assembly, precise(), self(), timers);
+  ASSERT_EQ(solver.solve().outcome, Outcome::certified);
+  const base::Matrix state = Derivatives::stateOf(solver.state());
+  const std::vector<std::shared_ptr<const Response>> none;
+  const ModelParameter load{"load", 1.0, 1e-6, [&](double value) {
+                              assembly.interfaces[2].law = laws::makeLaw("Prescribed Traction", {{"X", value}});
+                            }};
+  EXPECT_NO_THROW(Derivatives(solver.fixedPoint(), none).compute(state, {load}));
+  Moody::changes = true;
+  EXPECT_THROW(Derivatives(solver.fixedPoint(), none).compute(state, {load}), base::Error);
+  Moody::changes = false;
+}
+
+// A spring of the ground that stands in the operator cannot change; where it does not, it has a derivative.
+TEST(Derivatives, RefuseWhatStandsInOperators) {
+  const auto spring = [](double k) {
+    return laws::makeLaw("Elastic Foundation", {{"Normal Stiffness", k}, {"Tangential Stiffness", 2.0}});
+  };
+  BoxAssembly cube({{"cube", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}}});
+  cube.hold("ground", "cube_zmin", spring(5.0));
+  cube.hold("end", "cube_zmax", laws::makeLaw("Prescribed Traction", {{"Z", 1.0}}));
+  assembly::Assembly& assembly = cube.assembly();
+  const std::vector<std::shared_ptr<const Response>> responses{std::make_shared<DisplacementResponse>(
+      "u", std::vector<DisplacementResponse::Node>{{0, 0, 1.0}}, base::Vector3{0, 0, 1})};
+  ASSERT_EQ(assembly.interfaces[0].name, "ground");
+  const ModelParameter k{"k", 5.0, 5e-6, [&](double value) { assembly.interfaces[0].law = spring(value); }};
+  for (const auto elimination : {Elimination::affine, Elimination::rigid}) {
+    base::Timers timers;
+    LatinOptions options = precise();
+    options.stages.elimination = elimination;
+    LatinSolver solver(assembly, options, self(), timers);
+    solver.solve();
+    Derivatives derivatives(solver.fixedPoint(), responses);
+    if (elimination == Elimination::affine) {
+      EXPECT_THROW(derivatives.compute(solver.state(), {k}), base::Error);
+    } else {
+      const double u = responses[0]->evaluate(solver.state())[0];
+      const double found = derivatives.compute(solver.state(), {k})[0].responses[0][0];
+      EXPECT_LT(found, -0.03);  // -1/k^2, but for the bottom that bends
+      assembly.interfaces[0].law = spring(5.001);
+      LatinSolver softer(assembly, options, self(), timers);
+      softer.solve();
+      EXPECT_NEAR(found, (responses[0]->evaluate(softer.state())[0] - u) / 0.001, 1e-3 * std::abs(found));
+      assembly.interfaces[0].law = spring(5.0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace harmos::latin
