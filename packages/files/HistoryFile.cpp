@@ -2,20 +2,9 @@
 
 #include <harmos/base/Numerals.hpp>
 #include <harmos/files/AtomicFile.hpp>
+#include <harmos/files/detail/CsvText.hpp>
 
 namespace harmos::files {
-
-namespace {
-
-// As RFC 4180 wants it.
-std::string quoted(const std::string& name) {
-  if (name.find_first_of(",\"\n") == std::string::npos) return name;
-  std::string result = "\"";
-  for (char c : name) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
-}  // namespace
 
 void writeHistory(const std::string& path, const History& history) {
   std::string text = "step,time";

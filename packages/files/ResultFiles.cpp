@@ -13,6 +13,7 @@ ResultFiles::ResultFiles(const std::string& directory, const std::string& scene)
   history = base + "_history.csv";
   effectiveInput = base + "_effective.xml";
   record = base + "_result.json";
+  derivatives = base + "_derivatives.csv";
 }
 
 }  // namespace harmos::files

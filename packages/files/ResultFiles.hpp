@@ -15,9 +15,10 @@ struct ResultFiles {
   std::string history;         // SCENE_history.csv
   std::string effectiveInput;  // SCENE_effective.xml
   std::string record;          // SCENE_result.json
+  std::string derivatives;     // SCENE_derivatives.csv, where they are asked for
 
-  /// These five paths, whether there are such files or not.
-  std::vector<std::string> all() const { return {parts, interfaces, history, effectiveInput, record}; }
+  /// These six paths, whether there are such files or not.
+  std::vector<std::string> all() const { return {parts, interfaces, history, effectiveInput, record, derivatives}; }
 };
 
 }  // namespace harmos::files

@@ -16,6 +16,7 @@
 #include <harmos/scene/SceneSpec.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
 #include <harmos/scene/detail/History.hpp>
+#include <harmos/scene/detail/LawEntry.hpp>
 #include <harmos/scene/detail/LawOutputs.hpp>
 #include <harmos/scene/detail/Names.hpp>
 #include <harmos/scene/detail/PartPairs.hpp>
@@ -261,6 +262,19 @@ class SceneChecker {
   LawOutputs outputs_;
 };
 
+void readDerivatives(const input::InputTree& input, Scene& scene, input::ErrorList& errors) {
+  const Parameters& output = scene.input.list("Output");
+  if (!output.has("Derivatives")) return;
+  const std::string where = output.where("Derivatives");
+  scene.output.derivatives = output.texts("Derivatives");
+  for (const std::string& entry : scene.output.derivatives) {
+    errors.collect(where, [&] { lawEntry(input, scene.input, entry); });
+  }
+  if (latin::LatinOptions(scene.input.list("Solver")).stages.formulation == latin::Formulation::velocity) {
+    errors.add(where, "there are none with the velocity form.", "Take Formulation = Displacement in the list Solver.");
+  }
+}
+
 }  // namespace
 
 Scene makeScene(const input::InputTree& input, const std::string& path, const std::vector<std::string>& overrides,
@@ -271,6 +285,7 @@ Scene makeScene(const input::InputTree& input, const std::string& path, const st
   input::ErrorList errors;
   scene.times = stepTimes(scene.input.lists("Steps"), errors);
   SceneChecker(laws, scene, errors).check();
+  readDerivatives(input, scene, errors);
   errors.throwIfAny();
   scene.warnings = unusedEntries(input, overrides, scene.input, scene.times);
   for (std::string& sentence : implausibleNumbers(scene.input)) scene.warnings.push_back(std::move(sentence));
@@ -278,6 +293,9 @@ Scene makeScene(const input::InputTree& input, const std::string& path, const st
   scene.solver = latin::LatinOptions(solver);
   scene.wantsMeshErrors = solver.flag("Mesh Error");
   scene.output.nodalStress = scene.input.list("Output").flag("Nodal Stress");
+  if (!scene.output.derivatives.empty() && scene.solver.stages.elimination == latin::Elimination::affine) {
+    scene.solver.stages.elimination = latin::Elimination::rigid;  // springs of the ground may be parameters
+  }
   scene.hasConsistentMass = solver.text("Interface Mass") == "Consistent";
   return scene;
 }

@@ -16,7 +16,8 @@ namespace harmos::scene {
 
 /// Which fields are computed for the result files besides those that always are.
 struct OutputChoice {
-  bool nodalStress = false;  // recovered at the nodes, with von Mises and principal stresses
+  bool nodalStress = false;              // recovered at the nodes, with von Mises and principal stresses
+  std::vector<std::string> derivatives;  // entries of laws, with respect to which responses are differentiated
 };
 
 /// A checked scene: all that can be known before a mesh is read.

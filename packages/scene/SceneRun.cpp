@@ -16,6 +16,8 @@
 #include <harmos/files/OutputGuard.hpp>
 #include <harmos/files/PendingResults.hpp>
 #include <harmos/input/EffectiveInput.hpp>
+#include <harmos/latin/Derivatives.hpp>
+#include <harmos/scene/LawParameters.hpp>
 #include <harmos/scene/Problem.hpp>
 #include <harmos/scene/detail/FieldOutput.hpp>
 #include <harmos/scene/detail/SolutionSummary.hpp>
@@ -148,6 +150,21 @@ std::vector<GlobalVariable> globalsOf(const latin::LatinResult& solution, std::s
   return globals;
 }
 
+std::vector<files::ResponseDerivative> differentiate(
+    const std::vector<std::string>& entries, LawParameters& parameters, const base::Matrix& state,
+    latin::FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const latin::Response>>& responses) {
+  std::vector<latin::ModelParameter> all;
+  for (const std::string& entry : entries) all.push_back(parameters.parameter(entry));
+  const auto found = latin::Derivatives(fixedPoint, responses).compute(state, all);
+  std::vector<files::ResponseDerivative> derivatives;
+  for (std::size_t j = 0; j < responses.size(); ++j) {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      derivatives.push_back({responses[j]->name(), entries[i], found[i].responses[j], found[i].residual});
+    }
+  }
+  return derivatives;
+}
+
 }  // namespace
 
 int exitCodeOf(latin::Outcome outcome) {
@@ -168,12 +185,13 @@ int exitCodeOf(latin::Outcome outcome) {
 SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry& laws,
                         const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   base::Timers timers;
-  const Scene scene = readScene(request.scene, request.overrides, laws);
-  SceneRunResult result{{}, {}, {}, files::ResultFiles(request.directory, request.scene)};
+  const input::InputTree tree = request.input ? *request.input : input::InputTree::fromFile(request.scene);
+  const Scene scene = makeScene(tree, request.scene, request.overrides, laws);
+  SceneRunResult result{{}, {}, {}, {}, files::ResultFiles(request.directory, request.scene)};
   Recorder recorder(result.record, result.files.record, timers, *comm);
   const latin::LatinOptions& options = scene.solver;
   files::demandDistinct(inputFiles(scene), result.files.all());
-  const Problem problem = makeProblem(scene, *comm, timers);
+  Problem problem = makeProblem(scene, *comm, timers);
 
   result.record.scene = request.scene;
   if (scene.input.has("Units")) result.record.units = scene.input.text("Units");
@@ -215,6 +233,9 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
     }
     const bool canEstimate = result.solution.outcome == latin::Outcome::certified &&
                              solver.fixedPoint().formulation() == latin::Formulation::displacement;
+    const bool canDifferentiate = canEstimate && !scene.output.derivatives.empty();
+    base::Matrix state;  // estimates end the fields
+    if (canDifferentiate) state = latin::Derivatives::stateOf(solver.state());
     if (scene.wantsMeshErrors && canEstimate) {
       const auto estimating = timers.start("mesh error");
       result.meshErrors = estimateMeshErrors(problem, solver.fixedPoint(), solver.state(), problem.responses, *comm);
@@ -224,6 +245,13 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
         files::writeHistory(result.files.history, history);
       }
     }
+    if (canDifferentiate) {
+      const auto differentiating = timers.start("derivatives");
+      LawParameters parameters(tree, request.scene, request.overrides, laws, problem.assembly);
+      result.derivatives =
+          differentiate(scene.output.derivatives, parameters, state, solver.fixedPoint(), problem.responses);
+    }
+    if (comm->getRank() == 0) files::writeDerivatives(result.files.derivatives, scene.times, result.derivatives);
   } catch (const std::exception& error) {
     recorder.writeFailure(error);
     throw;

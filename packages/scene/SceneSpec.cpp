@@ -106,6 +106,11 @@ void describeOutput(input::ParameterSpec& spec) {
       .doc(
           "Stresses at the nodes, recovered in every part by itself, with von Mises and principal stresses; the "
           "largest von Mises stress of the summary is then that of the nodes, not of element means.");
+  spec.texts("Derivatives")
+      .optional()
+      .doc(
+          "Numbers of laws, as Interfaces/NAME/Law/ENTRY, Boundaries/NAME/Law/ENTRY or Values/NAME: the derivatives of "
+          "all responses with respect to them are written to SCENE_derivatives.csv. Not with the velocity form.");
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <harmos/base/Numerals.hpp>
+#include <harmos/input/References.hpp>
 
 namespace harmos::study {
 
@@ -18,26 +18,6 @@ std::vector<std::string> split(const std::string& path) {
     }
   }
   return names;
-}
-
-bool refersTo(const input::InputNode& node, const std::string& reference) {
-  const std::string* value = node.attribute("value");
-  if (!value) return false;
-  if (*value == reference) return true;
-  const auto items = base::parseItems(*value);
-  return items && std::find(items->begin(), items->end(), reference) != items->end();
-}
-
-void collect(const input::InputNode& list, const std::string& path, const std::string& reference,
-             std::vector<std::string>& found) {
-  for (const input::InputNode& child : list.children) {
-    const std::string below = path.empty() ? child.name() : path + "/" + child.name();
-    if (child.isList()) {
-      collect(child, below, reference, found);
-    } else if (refersTo(child, reference)) {
-      found.push_back(below);
-    }
-  }
 }
 
 /// Body forces, loads on masses, temperatures.
@@ -89,8 +69,7 @@ std::vector<Effect> effectsOf(const std::string& entry, const input::InputTree& 
   const std::vector<std::string> names = split(entry);
   std::vector<std::string> entries = {entry};
   if (names.size() == 2 && names[0] == "Values") {
-    entries.clear();
-    collect(tree.root, "", "$" + names[1], entries);
+    entries = input::entriesThatName(tree, "$" + names[1]);
   }
   std::vector<Effect> effects;
   for (const std::string& each : entries) effects.push_back(effectOf(each, scene));

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/laws/FaceLaw.hpp>
 #include <harmos/results/StatusName.hpp>
+#include <harmos/scene/LawParameters.hpp>
 #include <harmos/scene/MeshError.hpp>
 
 namespace harmos::study {
@@ -96,7 +96,7 @@ StudyGroup::StudyGroup(const Study& study, const std::vector<design::Configurati
       timers_(timers),
       scene_(firstAdmissible(study, configurations, laws)),
       problem_(made) {
-  useLawsOf(scene_);
+  scene::useLaws(scene_, problem_.assembly);
 }
 
 void StudyGroup::solve(const std::vector<design::Configuration>& configurations, results::ResultSink& sink) {
@@ -157,15 +157,7 @@ void StudyGroup::estimateMeshErrors(const design::Configuration& configuration, 
 
 void StudyGroup::install(const std::vector<double>& values) {
   const auto installing = timers_.start("laws");
-  useLawsOf(study_.sceneFor(values, laws_));
-}
-
-void StudyGroup::useLawsOf(const scene::Scene& scene) {
-  for (assembly::Interface& interface : problem_.assembly.interfaces) {
-    const auto law = scene.laws.find(interface.name);
-    if (law == scene.laws.end()) continue;  // a cut through a part, which no parameter changes
-    interface.law = laws::inPlaceOf(*interface.law, law->second);
-  }
+  scene::useLaws(study_.sceneFor(values, laws_), problem_.assembly);
 }
 
 std::vector<std::vector<design::Configuration>> groupByOperators(

@@ -55,7 +55,6 @@ class StudyGroup {
   void install(const std::vector<double>& values);
   void estimateMeshErrors(const design::Configuration& configuration, latin::FixedPoint& fixedPoint,
                           const latin::Iterate& state);
-  void useLawsOf(const scene::Scene& scene);
 
   const Study& study_;
   const laws::LawRegistry& laws_;

@@ -79,10 +79,10 @@ class StudyReader {
                          statistics.integer("Samples"), statistics.integer("Seed")};
   }
 
-  void read(const Names& sceneChanges) {
+  void read(const Names& sceneChanges, const input::InputTree* sceneInput) {
     const std::string path = besides(study_.path, input_.text("Scene"));
     const bool isRead = errors_.collect(input_.where("Scene"), [&] {
-      study_.sceneTree = input::InputTree::fromFile(path);
+      study_.sceneTree = sceneInput != nullptr ? *sceneInput : input::InputTree::fromFile(path);
       if (study_.sceneTree.root.name() == studySpec().name()) {
         throw base::Error(path + " is a study itself, but a scene is wanted.", base::ExitCode::input);
       }
@@ -345,6 +345,12 @@ bool isStudyFile(const std::string& path) {
 
 Study readStudy(const std::string& path, const std::vector<std::string>& overrides, const std::string& pointsFile,
                 const laws::LawRegistry& laws) {
+  return makeStudy(input::InputTree::fromFile(path), nullptr, path, overrides, pointsFile, laws);
+}
+
+Study makeStudy(input::InputTree input, const input::InputTree* scene, const std::string& path,
+                const std::vector<std::string>& overrides, const std::string& pointsFile,
+                const laws::LawRegistry& laws) {
   Names ofStudy, ofScene;
   for (const std::string& change : overrides) {
     const std::string prefix = scenePrefix;
@@ -357,12 +363,11 @@ Study readStudy(const std::string& path, const std::vector<std::string>& overrid
   demandPrefix(ofStudy, laws);
   Study study;
   study.path = path;
-  input::InputTree tree = input::InputTree::fromFile(path);
-  if (tree.root.name() == scene::sceneSpec(laws).name()) {
+  if (input.root.name() == scene::sceneSpec(laws).name()) {
     throw base::Error(path + " is a scene.\n  Write: harmos run " + path, base::ExitCode::input);
   }
-  study.input = input::check(std::move(tree), studySpec(), ofStudy);
-  StudyReader(study, pointsFile, laws).read(ofScene);
+  study.input = input::check(std::move(input), studySpec(), ofStudy);
+  StudyReader(study, pointsFile, laws).read(ofScene, scene);
   return study;
 }
 

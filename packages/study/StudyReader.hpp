@@ -17,4 +17,10 @@ bool isStudyFile(const std::string& path);
 Study readStudy(const std::string& path, const std::vector<std::string>& overrides, const std::string& pointsFile,
                 const laws::LawRegistry& laws);
 
+/// readStudy() of an input in memory; `path` is where it comes from: relative names of files start at its folder.
+/// `scene`, if not null, is its scene, which the entry Scene only names. Throws as readStudy().
+Study makeStudy(input::InputTree input, const input::InputTree* scene, const std::string& path,
+                const std::vector<std::string>& overrides, const std::string& pointsFile,
+                const laws::LawRegistry& laws);
+
 }  // namespace harmos::study

@@ -31,13 +31,14 @@ int exitCodeOf(const results::StudyResults& results) {
 StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry& laws,
                         const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   base::Timers timers;
-  StudyRunResult run{
-      std::make_unique<const Study>(readStudy(request.study, request.overrides, request.pointsFile, laws)),
-      {},
-      {},
-      files::StudyFiles(request.directory, request.study),
-      "",
-      0};
+  StudyRunResult run{std::make_unique<const Study>(
+                         makeStudy(request.input ? *request.input : input::InputTree::fromFile(request.study),
+                                   request.scene.get(), request.study, request.overrides, request.pointsFile, laws)),
+                     {},
+                     {},
+                     files::StudyFiles(request.directory, request.study),
+                     "",
+                     0};
   const Study& study = *run.study;
   files::demandDistinct(inputFiles(study), run.files.all());
   run.description = std::make_unique<const results::StudyDescription>(describe(study));

@@ -17,7 +17,9 @@ namespace harmos::study {
 
 /// What to study and whom to tell.
 struct StudyRunRequest {
-  std::string study;                   // path of the XML file
+  std::string study;  // path of the XML file
+  /// Of a study in memory, which `study` only names, and of its scene, which may be null as well: then it is a file.
+  std::shared_ptr<const input::InputTree> input, scene;
   std::vector<std::string> overrides;  // as for readStudy()
   std::string pointsFile;              // as for readStudy()
   std::string directory = "results";   // of the result files

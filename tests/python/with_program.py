@@ -46,6 +46,24 @@ assert refused(KeyError, lambda: fields.at_nodes("dips_x"))
 assert refused(IndexError, lambda: fields.at_nodes("disp_x", 99))
 assert refused(KeyError, lambda: fields.at_elements("von_mises", "nowhere"))
 
+# Derivatives, with the history of all load steps, against differences of runs.
+friction, step = "Interfaces/contact/Law/Friction Coefficient", 1e-3
+entries = [friction, "Boundaries/push/Law/X"]
+scene["Solver/Accuracy"] = 1e-9
+scene["Output/Derivatives"] = entries
+derivatives = harmos.run(scene, work / "derivatives").derivatives
+assert len(derivatives) == 2 * len(harmos.read_scene(tests / "regression/sliding_blocks/sliding_blocks.xml")["Responses"])
+del scene["Output/Derivatives"]
+for entry in entries:
+    value = float(scene[entry])
+    above, below = (harmos.run(scene, work / "difference", {entry: value + sign * step * value, "Solver/Mesh Error": False})
+                    .history[1:] for sign in (1, -1))
+    for response in ("u_push", "friction_force", "dissipation_contact"):
+        difference = (above[response] - below[response]) / (2 * step * value)
+        size = max(abs(difference).max(), 0.1 * abs(above[response]).max() / abs(value))
+        assert abs(derivatives[response, entry] - difference).max() <= 2e-5 * size, (response, entry)
+scene["Solver/Accuracy"] = 1e-4
+
 # Too few iterations: an exception, and what was found so far.
 try:
     harmos.run(scene, work / "few", {"Solver/Maximum Iterations": 2})
