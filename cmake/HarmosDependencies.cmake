@@ -11,7 +11,8 @@ endif()
 find_package(MPI REQUIRED COMPONENTS CXX)
 # An installed Harmos looks for the same, see HarmosConfig.cmake.in.
 set(HARMOS_TRILINOS_VERSION 13.2)
-set(HARMOS_TRILINOS_COMPONENTS Tpetra Amesos2 Teuchos Belos Intrepid2 Shards Sacado)
+set(HARMOS_TRILINOS_COMPONENTS Tpetra Amesos2 Teuchos Belos Intrepid2 Shards Sacado
+    ThyraCore ThyraTpetraAdapters)
 find_package(Trilinos ${HARMOS_TRILINOS_VERSION} REQUIRED COMPONENTS ${HARMOS_TRILINOS_COMPONENTS})
 
 function(harmos_dependency name)
