@@ -32,9 +32,11 @@ function(harmos_package name)
     file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/detail ${HARMOS_DETAILS}/${name}/harmos/${name}/detail SYMBOLIC)
   endif()
 
-  add_library(harmos_${name} STATIC ${sources} ${arg_SOURCES})
+  add_library(harmos_${name} ${sources} ${arg_SOURCES})  # static, or with BUILD_SHARED_LIBS shared
   add_library(Harmos::${name} ALIAS harmos_${name})
-  set_target_properties(harmos_${name} PROPERTIES EXPORT_NAME ${name} HARMOS_PACKAGE ON)
+  set_target_properties(harmos_${name} PROPERTIES EXPORT_NAME ${name} HARMOS_PACKAGE ON
+                                                 VERSION ${PROJECT_VERSION} SOVERSION ${HARMOS_ABI}
+                                                 DEFINE_SYMBOL "")  # objects are those of static libraries
   list(TRANSFORM arg_USES PREPEND Harmos:: OUTPUT_VARIABLE used)
   target_link_libraries(harmos_${name} PUBLIC ${used} ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:harmos_warnings>)
   target_compile_features(harmos_${name} PUBLIC cxx_std_17)
@@ -49,7 +51,8 @@ function(harmos_package name)
                              INTERFACE $<BUILD_INTERFACE:$<${isHost}:${HARMOS_HEADERS}/${name}>>
                                        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
-  install(TARGETS harmos_${name} EXPORT HarmosTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(TARGETS harmos_${name} EXPORT HarmosTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+                                                      LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   list(TRANSFORM headers PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/harmos/${name})
 endfunction()

@@ -13,6 +13,7 @@ import re
 import sys
 
 KEYWORDS = {"USES", "PUBLIC", "PRIVATE", "SOURCES"}
+OF_NO_PACKAGE = {"version.hpp"}  # made by CMake
 INCLUDE = re.compile(r'^\s*#\s*include\s*<harmos/([^>]+)>', re.MULTILINE)
 
 
@@ -38,7 +39,7 @@ def sources(*folders):
 
 
 def includes(path):
-    return INCLUDE.findall(path.read_text())
+    return [each for each in INCLUDE.findall(path.read_text()) if each not in OF_NO_PACKAGE]
 
 
 def closure(start, following):
