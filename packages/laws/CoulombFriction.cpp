@@ -1,11 +1,9 @@
 #include <harmos/laws/detail/BuiltIn.hpp>
 #include <harmos/laws/detail/ContactTraction.hpp>
+#include <harmos/laws/detail/TangentialSlip.hpp>
 
 namespace harmos::laws {
 namespace {
-
-/// From this relative distance to the cone on, a node counts as slipping.
-constexpr double onTheCone = 2e-6;
 
 /// Unilateral contact with isotropic Coulomb friction, small sliding, implicit in the load step.
 ///
@@ -53,8 +51,7 @@ struct CoulombFriction {
         state.traction[1] *= scale;
         state.traction[2] *= scale;
       }
-      // A node that came to rest on the cone would otherwise be told apart by round-off.
-      state.status = trial >= (1.0 - onTheCone) * limit ? Status::slip : Status::stick;
+      state.status = trial >= (1.0 - atTheLimit) * limit ? Status::slip : Status::stick;
     }
     const base::Vector3 jump = line.jump(state.traction);
     now[0] = jump[1];

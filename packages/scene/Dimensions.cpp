@@ -65,6 +65,11 @@ class VectorChecker {
     }
   }
 
+  /// Of a law that knows directions of the surface.
+  void axisOfFriction(const Parameters& law) const {
+    if (law.type() == "Orthotropic Friction") direction(law, "Axis");
+  }
+
   void axisOfRotation(const Parameters& parameters) const {
     if (dimension_ != 2) {
       direction(parameters, "Axis");
@@ -87,6 +92,9 @@ void checkDimensions(const Parameters& scene, std::optional<int> dimension, inpu
   const VectorChecker vectors(dimension, errors);
   for (const Parameters& interface : scene.lists("Interfaces")) vectors.direction(interface, "Projection Direction");
   for (const Parameters& boundary : scene.lists("Boundaries")) vectors.remotePoint(boundary.list("Law"));
+  for (const char* kind : {"Interfaces", "Boundaries"}) {
+    for (const Parameters& interface : scene.lists(kind)) vectors.axisOfFriction(interface.list("Law"));
+  }
   for (const Parameters& load : scene.lists("Loads")) {
     vectors.point(load, "Point");
     vectors.axisOfRotation(load);

@@ -164,6 +164,23 @@ TEST(LostWork, OfAGapThatClosesIsNothing) {
   }
 }
 
+// A Jenkins element led out, beyond its limit, half the way back, and to where it has slid as far the other way.
+TEST(LawFields, ReadWhatTheLawRemembers) {
+  input::Parameters p("law");
+  p.set("Type", std::string("Jenkins")).set("Tangential Stiffness", 4.0).set("Slip Limit", 2.0).set("Opens", false);
+  p.set("Normal Stiffness", 50.0);
+  const assembly::Interface interface = onePair(laws::builtInLaws().create(p));
+  const LawFields fields =
+      lawFields(interface, along(interface, {{0.1, 0.25, 0}, {0.1, 1.5, 0}, {0.1, 0.75, 0}, {-0.1, -0.5, 0}}));
+  ASSERT_EQ(fields.outputs.size(), 1U);
+  const std::array<double, 4> way{0.0, 1.0, 1.0, 2.0}, force{1.0, 2.0, -1.0, -2.0};
+  for (std::size_t t = 0; t < way.size(); ++t) {
+    EXPECT_NEAR(fields.outputs[0][t], way[t], 1e-6);
+    EXPECT_NEAR(fields.lost[t], 2.0 * way[t], 1e-6);
+    EXPECT_NEAR(fields.stored[t], 0.5 * 50.0 * 0.01 + 0.5 * force[t] * force[t] / 4.0, 1e-6);
+  }
+}
+
 /// Through the solver: cubes joined by such a law and dragged less than makes the first slider move.
 TEST(DissipationResponse, OfElementsThatStickIsZero) {
   BoxAssembly cubes = twoCubes(

@@ -1,5 +1,6 @@
 #include "LawSamples.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +14,14 @@ double draw(const input::ParameterEntry& entry, Random& random) {
   if (hasMinimum) return entry.minimum + magnitude(random);
   if (hasMaximum) return entry.maximum - magnitude(random);
   return std::uniform_int_distribution<int>(0, 1)(random) == 0 ? magnitude(random) : -magnitude(random);
+}
+
+std::vector<double> ascending(const input::ParameterEntry& entry, Random& random) {
+  std::vector<double> numbers;
+  for (int i = 0; i < 3; ++i) numbers.push_back(draw(entry, random));
+  std::sort(numbers.begin(), numbers.end());
+  if (entry.minimum == 0.0 && entry.allows(0.0)) numbers.front() = 0.0;
+  return numbers;
 }
 
 }  // namespace
@@ -39,7 +48,7 @@ LocalLine randomLine(Random& random) {
 LocalLine randomLine(Random& random, const InterfaceLaw& law) {
   LocalLine line = randomLine(random);
   const double limit = complianceLimit(law);
-  if (std::isfinite(limit)) line.compliance = uniform(random, 0.01, 0.9) * limit;
+  if (std::isfinite(limit)) line.compliance = uniform(random, 0.01, 0.7) * limit;
   return line;
 }
 
@@ -67,7 +76,7 @@ input::Parameters randomParameters(const input::ParameterSpec& spec, Random& ran
         parameters.set(entry->name, entry->choices[random() % entry->choices.size()]);
         break;
       case input::ParameterType::numbers:
-        parameters.set(entry->name, std::vector<double>{draw(*entry, random)});
+        parameters.set(entry->name, ascending(*entry, random));
         break;
       case input::ParameterType::texts:
         parameters.set(entry->name, entry->choices);
@@ -83,13 +92,19 @@ input::Parameters scaled(const input::ParameterSpec& spec, const input::Paramete
   for (const auto& entry : spec.entries()) {
     if (entry->type == input::ParameterType::number)
       result.set(entry->name, factor(*entry) * parameters.number(entry->name));
+    if (entry->type == input::ParameterType::numbers) {
+      std::vector<double> numbers = parameters.numbers(entry->name);
+      for (double& number : numbers) number *= factor(*entry);
+      result.set(entry->name, std::move(numbers));
+    }
   }
   return result;
 }
 
-Node::Node(const InterfaceLaw& law, double gap)
+Node::Node(const InterfaceLaw& law, double gap, const base::Frame& frame)
     : law_(law),
       gap_(gap),
+      frame_(frame),
       old_(static_cast<std::size_t>(law.historySize()), 0.0),
       new_(static_cast<std::size_t>(law.historySize()), std::numeric_limits<double>::quiet_NaN()) {}
 
@@ -98,9 +113,8 @@ LocalState Node::solve(const LocalLine& line, int step, double duration) {
   std::fill(new_.begin(), new_.end(), std::numeric_limits<double>::quiet_NaN());
   LocalState state;
   const base::Vector3 place{1.0, 2.0, 3.0};
-  const base::Frame frame{{{{{1.0, 0.0, 0.0}}}, {{{0.0, 1.0, 0.0}}}, {{{0.0, 0.0, 1.0}}}}};
   const double area = 1.0;
-  NodeArrays nodes{1, &line, &gap_, old_.data(), new_.data(), &state, &place, &frame, &area};
+  NodeArrays nodes{1, &line, &gap_, old_.data(), new_.data(), &state, &place, &frame_, &area};
   nodes.duration = duration;
   nodes.time = (step + 1) * duration;
   law_.solve(step, nodes);

@@ -26,16 +26,17 @@ LocalLine randomLine(Random& random, const InterfaceLaw& law);
 double complianceLimit(const InterfaceLaw& law);
 
 /// What a law declares, as parameters for it: random within the declared ranges, of the order of one. Parameters that
-/// need not be given are given, but for texts of any kind.
+/// need not be given are given, but for texts of any kind. Lists have three numbers each, which ascend, from 0 where
+/// that is the least.
 input::Parameters randomParameters(const input::ParameterSpec& spec, Random& random);
-/// The same values with every number multiplied by factor(its declaration).
+/// The same values with every number, and all of a list, multiplied by factor(its declaration).
 input::Parameters scaled(const input::ParameterSpec& spec, const input::Parameters& parameters,
                          const std::function<double(const input::ParameterEntry&)>& factor);
 
 /// One node of an interface, led from load step to load step.
 class Node {
  public:
-  explicit Node(const InterfaceLaw& law, double gap = 0.0);
+  explicit Node(const InterfaceLaw& law, double gap = 0.0, const base::Frame& frame = axes);
   /// Meets a line; the load step goes on, so that other lines may follow. `duration` of the load step.
   LocalState solve(const LocalLine& line, int step = 0, double duration = 1.0);
   /// Ends the load step at the line that was met last.
@@ -44,8 +45,11 @@ class Node {
   const std::vector<double>& newHistory() const { return new_; }
 
  private:
+  static constexpr base::Frame axes{{{{{1.0, 0.0, 0.0}}}, {{{0.0, 1.0, 0.0}}}, {{{0.0, 0.0, 1.0}}}}};
+
   const InterfaceLaw& law_;
   double gap_;
+  base::Frame frame_;
   std::vector<double> old_, new_;
 };
 
