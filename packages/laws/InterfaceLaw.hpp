@@ -68,10 +68,10 @@ class InterfaceLaw {
   /// infinity, in the law's frame; k_i and c_i are the same at all nodes, whatever their gap, place and time: they
   /// follow from the number of the load step.
   virtual bool isAffine() const { return false; }
-  /// The least slope of the graph [stress/length]: (t_a - t_b).(delta_a - delta_b) >= lowestSlope() |delta_a -
-  /// delta_b|^2 for any two of its points with one history, the cone of friction left aside. 0: the law is monotone,
-  /// and meets every line once. Below 0 it softens, by so much at the steepest: it meets every line with H < -1 /
-  /// lowestSlope() once. Minus infinity: it falls at a jump.
+  /// The least slope of the graph [stress/length] along any ray from delta = 0, with one history, the cone of friction
+  /// left aside: (t_a - t_b).(delta_a - delta_b) >= lowestSlope() |delta_a - delta_b|^2. 0: the law is monotone, which
+  /// means that this holds for any two points, and it meets every line once. Below 0 it softens, by so much at the
+  /// steepest: it meets every line with H < -1 / lowestSlope() once. Minus infinity: it falls at a jump.
   virtual double lowestSlope() const { return 0.0; }
   /// With one history the traction is a continuously differentiable function of the free jump of a line: no kinks, as
   /// where a gap closes or a slider lets go.

@@ -7,6 +7,7 @@
 #include <harmos/mesh/InterfaceFinder.hpp>
 #include <harmos/scene/Interfaces.hpp>
 #include <harmos/scene/MeshSource.hpp>
+#include <harmos/scene/detail/CohesiveZones.hpp>
 #include <harmos/scene/detail/Contradictions.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
@@ -78,6 +79,9 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   problem.warnings = scene.warnings;
   for (const JoinedMeshes& joined : problem.joined) {
     for (std::string& warning : joined.warnings()) problem.warnings.push_back(std::move(warning));
+  }
+  for (std::string& warning : coarseCohesiveZones(scene, assembly, problem.bodies, problem.model)) {
+    problem.warnings.push_back(std::move(warning));
   }
   return problem;
 }

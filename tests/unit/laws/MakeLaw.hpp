@@ -18,7 +18,12 @@ inline std::unique_ptr<InterfaceLaw> makeLaw(const std::string& law, const std::
   for (const input::ParameterSpec& form : laws.forms()) {
     if (form.name() != law) continue;
     for (const auto& entry : form.entries()) {
-      if (entry->defaultText) parameters.set(entry->name, std::stod(*entry->defaultText));
+      if (!entry->defaultText) continue;
+      if (entry->type == input::ParameterType::text) {
+        parameters.set(entry->name, *entry->defaultText);
+      } else {
+        parameters.set(entry->name, std::stod(*entry->defaultText));
+      }
     }
   }
   for (const auto& [name, value] : values) parameters.set(name, value);
