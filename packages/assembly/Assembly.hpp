@@ -25,6 +25,11 @@ struct Assembly {
   bool isAffine() const {
     return std::all_of(interfaces.begin(), interfaces.end(), [](const Interface& one) { return one.law->isAffine(); });
   }
+  /// The law of some interface is not monotone, so that there may be several solutions.
+  bool softens() const {
+    return std::any_of(interfaces.begin(), interfaces.end(),
+                       [](const Interface& one) { return one.law->lowestSlope() < 0.0; });
+  }
   /// Rank that owns a body.
   int ownerOf(int body) const { return owner.empty() ? 0 : owner[body]; }
 };

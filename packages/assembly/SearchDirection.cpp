@@ -51,6 +51,23 @@ void makeConstant(const std::vector<double>& area, std::vector<double>& k) {
   std::fill(k.begin(), k.end(), std::exp(sum / total));
 }
 
+/// What k must not fall below, or 0. Of a law that falls at a jump no k is steep enough.
+double leastOf(const Interface& interface) {
+  const double fall = -interface.law->lowestSlope();
+  return fall > 0.0 && std::isfinite(fall) ? SearchDirection::marginOfSoftening * interface.sides() * fall : 0.0;
+}
+
+/// Whether any value was less.
+bool raise(std::vector<double>& k, double least) {
+  bool isRaised = false;
+  for (double& value : k) {
+    if (value >= least) continue;
+    value = least;
+    isRaised = true;
+  }
+  return isRaised;
+}
+
 }  // namespace
 
 SearchDirection::SearchDirection(const Assembly& assembly, double scale, const Teuchos::Comm<int>& comm) {
@@ -76,6 +93,7 @@ SearchDirection::SearchDirection(const Assembly& assembly, double scale, const T
       k[p] = weight * interface.sides() / softness;
     }
     if (!interface.mass.empty()) makeConstant(interface.area, k);
+    if (raise(k, leastOf(interface))) heldBySoftening_.push_back(static_cast<int>(k_.size()));
     k_.push_back(std::move(k));
   }
 }

@@ -37,6 +37,7 @@ struct LatinResult {
   double errorEstimate = 0.0;                 ///< largest of all estimates, which round-off is a part of
   double roundOffEstimate = 0.0;              ///< largest share of round-off in them; 0: far below the accuracy
   double indicator = 0.0;                     ///< the customary |s - s^| / |s|: not an error, for comparison only
+  std::vector<int> parts;                     ///< in which each load step was solved, where laws soften; 1: as a whole
   int solvedSteps = 0;                        ///< load steps that were solved; later values and fields mean nothing
   int iterations = 0;                         ///< applications of T outside the error estimate, in linear stages
   int linearStages = 0;                       ///< all applications of T, those of the error estimate included

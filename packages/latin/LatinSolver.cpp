@@ -258,8 +258,11 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
       isOver = false;
     }
   } while (!isOver);
+  result.parts = march.parts();
   if (end == March::End::noEquilibrium) {
     result.outcome = Outcome::noEquilibrium;
+    result.reason = march.reason();
+  } else if (end == March::End::unreached) {
     result.reason = march.reason();
   } else if (end == March::End::stopped && mustStop()) {
     result.outcome = Outcome::interrupted;
@@ -353,6 +356,37 @@ void LatinSolver::addIndeterminacy(LatinResult& result) {
                            "displacements");
 }
 
+void LatinSolver::addSoftening(LatinResult& result) const {
+  if (!assembly_.softens()) return;
+  const auto nameAll = [&](const std::vector<int>& interfaces) {
+    std::vector<std::string> names;
+    for (const int i : interfaces) {
+      std::string name = base::quoted(assembly_.interfaces[i].name);
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+    }
+    return base::joinNames(names, mostNames);
+  };
+  std::vector<int> soft;
+  for (std::size_t i = 0; i < assembly_.interfaces.size(); ++i) {
+    if (assembly_.interfaces[i].law->lowestSlope() < 0.0) soft.push_back(static_cast<int>(i));
+  }
+  if (result.outcome == Outcome::certified) {
+    result.remarks.push_back("the laws of " + nameAll(soft) +
+                             " soften, so that there may be other solutions: this is the one that the load history "
+                             "has led to, load step after load step");
+  }
+  std::vector<std::string> steps;
+  for (std::size_t t = 0; t < result.parts.size(); ++t) {
+    if (result.parts[t] > 1) steps.push_back(std::to_string(t + 1) + " in " + std::to_string(result.parts[t]));
+  }
+  if (!steps.empty())
+    result.remarks.push_back("load steps were followed in parts: " + base::joinNames(steps, mostNames));
+  const std::vector<int>& held = fixedPoint_.searchDirection().heldBySoftening();
+  if (!isSofter() || held.empty()) return;
+  result.remarks.push_back("the search direction went down to a tenth, but on " + nameAll(held) +
+                           " no further than the softening of the law allows");
+}
+
 void LatinSolver::deliver(LatinResult& result) {
   state_ = &fixedPoint_.apply(alpha_, image_);
   fixedPoint_.shareTractions(alpha_, image_, options_.accuracy);
@@ -379,7 +413,8 @@ void LatinSolver::deliver(LatinResult& result) {
     result.remarks = describeUnheldParts(*state_);
     addIndeterminacy(result);
   }
-  if (result.outcome != Outcome::iterationLimit) return;
+  addSoftening(result);
+  if (result.outcome != Outcome::iterationLimit || !result.reason.empty()) return;
   const Imbalance imbalance = largestImbalance(*state_);
   result.reason = "iteration limit of " + std::to_string(options_.maximumIterations) + " linear stages; worst " +
                   (imbalance.body < 0 ? "imbalance: none" : describe(imbalance, assembly_));

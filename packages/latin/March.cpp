@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <harmos/base/Numerals.hpp>
+#include <harmos/latin/StepContinuation.hpp>
 #include <harmos/latin/detail/SafeRelaxation.hpp>
 #include <harmos/latin/detail/Stagnation.hpp>
 
@@ -35,6 +37,8 @@ constexpr double motionIsGuessed = 1e-4;
 constexpr int maximumNewtonTries = 3;
 constexpr int maximumNewtonFailures = 3;
 constexpr double newtonShare = 0.5;
+// Its steps for a whole load step where laws soften; then the load step is divided.
+constexpr int mostSofteningSteps = 15;
 
 }  // namespace
 
@@ -53,7 +57,8 @@ March::March(FixedPoint& fixedPoint, int memory, double accuracy, int restarts)
       accelerations_(static_cast<std::size_t>(fixedPoint.assembly().steps()),
                      AndersonAcceleration(fixedPoint.metric(), memory, fixedPoint.assembly().isAffine())),
       tractions_(fixedPoint.layout().rows(), fixedPoint.assembly().steps()),
-      restarts_(fixedPoint.assembly().isAffine() ? 0 : restarts) {}
+      restarts_(fixedPoint.assembly().isAffine() ? 0 : restarts),
+      parts_(static_cast<std::size_t>(fixedPoint.assembly().steps()), 1) {}
 
 double March::forceSize(const Iterate& iterate, bool withReactions) const {
   const double norm = fixedPoint_.metric().norm(iterate.hattedTraction());
@@ -71,14 +76,20 @@ double March::forceSize(const Iterate& iterate, bool withReactions) const {
 }
 
 void March::restart(const Iterate& iterate, base::Matrix& alpha, base::Matrix& state) {
-  const auto soften = [](double* to, const double* traction, int rows) {
-    for (int row = 0; row < rows; ++row) to[row] = traction[row] + softer * (to[row] - traction[row]);
-  };
-  soften(state[0], iterate.hattedTraction()[0], state.numRows());
-  for (int t = 0; t < alpha.numCols(); ++t) soften(alpha[t], tractions_[t], alpha.numRows());
+  const std::vector<double> before = fixedPoint_.layout().stiffness();
+  base::Matrix traction(state.numRows(), 1);  // a copy: the field goes with the iterate
+  traction.assign(iterate.hattedTraction());
   fixedPoint_.rescale(softer * fixedPoint_.searchDirectionScale());
+  const std::vector<double>& after = fixedPoint_.layout().stiffness();
+  const auto soften = [&](double* to, const double* f) {
+    for (std::size_t row = 0; row < after.size(); ++row)
+      to[row] = f[row] + after[row] / before[row] * (to[row] - f[row]);
+  };
+  soften(state[0], traction[0]);
+  for (int t = 0; t < alpha.numCols(); ++t) soften(alpha[t], tractions_[t]);
   for (AndersonAcceleration& acceleration : accelerations_) acceleration.restart();
-  largestForce_ /= std::sqrt(softer);
+  // Where softening holds k, forces keep their size, and the larger one is the safer measure.
+  if (fixedPoint_.searchDirection().heldBySoftening().empty()) largestForce_ /= std::sqrt(softer);
   newtonFailures_ = 0;
   --restarts_;
 }
@@ -95,6 +106,24 @@ bool March::solveByNewton(const Iterate& iterate, base::Matrix& state, double ta
   return isReached;
 }
 
+bool March::solveSoftening(int step, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& state,
+                           double target) {
+  const int rows = state.numRows();
+  base::Matrix beta(rows, 1), whole(rows, 1), before(rows, 1);
+  beta.assign(iterate.beta());  // a copy: the field goes with the next solve
+  whole.assign(state);
+  if (newton_->solveWith(base::Matrix(rows, 1), whole, beta, target, mostSofteningSteps, mustStop_).isReached) {
+    state.assign(whole);
+    return true;
+  }
+  if (step > 0) std::copy_n(alpha[step - 1], rows, before[0]);
+  const StepContinuation::Result result =
+      StepContinuation(fixedPoint_, *newton_).solve(step, before, state, target, mustStop_);
+  if (result.isReached) parts_[step] = std::max(parts_[step], result.parts);
+  share_ = result.share;
+  return result.isReached;
+}
+
 March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance) {
   const StateMetric& metric = fixedPoint_.metric();
   AndersonAcceleration& acceleration = accelerations_[step];
@@ -107,7 +136,9 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   base::Matrix image(state.numRows(), 1);
   int iteration = 0, sinceLanding = 0, landings = 0, sinceHalved = 0, newtonTries = 0;
   double halved = std::numeric_limits<double>::infinity();
-  bool isListening = false;
+  bool isListening = false, isReached = false;
+  bool mayBeInParts = newton_ != nullptr && fixedPoint_.assembly().softens() && fixedPoint_.reference().isEmpty();
+  share_ = 1.0;
   End end = End::reached;
   const Iterate* iterate = nullptr;
   while (sinceLanding < maximumIterations && landings < maximumLandings) {
@@ -119,6 +150,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
     const double whole = metric.norm(image);
     if (size <= std::max(tolerance * force, noise * whole)) {
       largestForce_ = force;
+      isReached = true;
       break;
     }
     if (leavesWithoutDigits_ && force * manyTimes < whole && force > nothing * whole &&
@@ -128,12 +160,21 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       if (size <= motionIsKnown * whole || (sinceHalved >= iterationsToHalve && size <= motionIsGuessed * whole)) {
         largestForce_ = force;
         lacksDigits_ = true;
+        isReached = true;
         break;
       }
     }
     if (mustStop_ && mustStop_()) {
       end = End::stopped;
       break;
+    }
+    if (mayBeInParts) {
+      mayBeInParts = false;
+      if (solveSoftening(step, *iterate, alpha, state, newtonShare * tolerance * force)) {
+        acceleration.restart();
+        continue;
+      }
+      iterate = &fixedPoint_.apply(state, image);
     }
     const bool isStagnant = !fixedPoint_.assembly().isAffine() && stagnation.isFound(size, tolerance * force);
     if (isStagnant && newtonTries < maximumNewtonTries && mayTryNewton()) {
@@ -170,6 +211,11 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       imbalance.step = step;
       reason_ = describeLack(imbalance, fixedPoint_.assembly(), balance_ != nullptr && balance_->hasForces(step));
       end = End::noEquilibrium;
+      if (fixedPoint_.assembly().softens()) {
+        // What was pushed on trial has broken joints that may have held.
+        reason_ += "; laws soften, so that an equilibrium may have been missed";
+        end = End::unreached;
+      }
       break;
     }
     if (sinceLanding == iterationsBeforeListening) isListening = largestImbalance(*iterate).relative > flying;
@@ -178,6 +224,14 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       continue;
     }
     for (int row = 0; row < state.numRows(); ++row) state(row, 0) = relaxSafely(state(row, 0), image(row, 0));
+  }
+  if (end == End::reached && !isReached && fixedPoint_.assembly().softens()) {
+    end = End::unreached;
+    reason_ = "load step " + std::to_string(step + 1) + ", time " + base::toText(fixedPoint_.assembly().times[step]) +
+              ", has no solution near that of the load step before" +
+              (share_ < 1.0 ? ": it could be followed through " + base::toText(std::round(1e3 * share_) / 10.0) +
+                                  " % of the load step, where the joint snaps"
+                            : "");
   }
   state.assign(image);
   std::copy_n(iterate->hattedTraction()[0], state.numRows(), tractions_[step]);

@@ -17,14 +17,17 @@ namespace harmos::latin {
 /// down on what stops them (EquilibriumWatch), relaxed iterations help to find them. Where a step stagnates, StepNewton
 /// is tried. When that fails as well, the search direction k was too stiff for what the bodies do (sliding, hanging on
 /// soft springs): the march goes on with a tenth of it, at most `restarts` times. Neither where all laws are affine,
-/// for then the acceleration is a Krylov method. Displacement form only.
+/// for then the acceleration is a Krylov method. Where laws soften, Newton's method comes first, then the load step in
+/// parts (StepContinuation), and a step that cannot be solved ends the march: those after it would follow on nothing.
+/// Displacement form only.
 class March {
  public:
   /// How a march ended.
   enum class End {
     reached,        ///< all load steps were visited
     stopped,        ///< the caller asked to stop
-    noEquilibrium,  ///< see imbalance()
+    noEquilibrium,  ///< see reason()
+    unreached,      ///< a load step with laws that soften could not be solved, see reason()
   };
   /// How the next load step starts.
   enum class Guess {
@@ -65,14 +68,19 @@ class March {
   End run(base::Matrix& alpha, double tolerance, Guess guess);
   /// How many load steps, from the first, the last run came to the end of.
   int stepsReached() const { return stepsReached_; }
-  /// What the laws cannot carry, after End::noEquilibrium, in words for the user.
+  /// What the laws cannot carry, after End::noEquilibrium, or what has not been reached, in words for the user.
   const std::string& reason() const { return reason_; }
+  /// In how many parts each load step was solved at most, all runs together; 1: as a whole.
+  const std::vector<int>& parts() const { return parts_; }
 
  private:
   /// Whether there is Newton's method, and it has not failed too often.
   bool mayTryNewton() const;
   /// Tries it for a state whose iterate is given; false where it leads nowhere.
   bool solveByNewton(const Iterate& iterate, base::Matrix& state, double target);
+  /// Tries Newton's method for a whole load step, then for it in parts, where laws soften; false where neither leads
+  /// anywhere, which leaves in `state` the best place to go on from.
+  bool solveSoftening(int step, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& state, double target);
   End iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance);
   /// Size of f^ [force length, square root], at least that of the steps before; with the reactions of eliminated
   /// boundaries when they are asked for, which takes longer.
@@ -95,6 +103,8 @@ class March {
   std::string reason_;
   double largestForce_ = 0.0;
   int stepsReached_ = 0;
+  std::vector<int> parts_;
+  double share_ = 1.0;  // of the present load step, that could be solved in parts
 };
 
 /// The column of a load step from the two before it, linear in time; `state` has the rows of alpha.

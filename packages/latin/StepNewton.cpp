@@ -9,6 +9,7 @@ namespace {
 // Of the residual, that least squares may leave: of the first step, and when the last one has gained more.
 constexpr double firstForcing = 0.5;
 constexpr double leastForcing = 0.1;
+constexpr int mostHalvings = 5;
 // More than this share left, and not to be reduced: nothing resists the motion that it stands for.
 constexpr double unanswered = 0.75;
 // It has been answered when no more than this share of it is left along itself.
@@ -22,7 +23,8 @@ constexpr double closeEnough = 0.1;
 constexpr int maximumLooks = 40;
 constexpr int maximumSteps = 60;
 // Steps in which the best residual must fall to a share.
-constexpr int patience = 20;
+constexpr int longPatience = 20;
+constexpr int shortPatience = 5;
 constexpr double progress = 0.9;
 // Residuals below this share of the state are round-off.
 constexpr double noise = 1e-13;
@@ -30,13 +32,17 @@ constexpr double noise = 1e-13;
 }  // namespace
 
 StepNewton::StepNewton(FixedPoint& fixedPoint)
-    : fixedPoint_(fixedPoint), lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()) {}
+    : fixedPoint_(fixedPoint),
+      isDamped_(fixedPoint.assembly().softens()),
+      lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()) {}
 
 double StepNewton::evaluate() {
   fixedPoint_.pointwiseStage().begin();
-  fixedPoint_.pointwiseStage().solveColumn(0, beta_, traction_);
+  for (std::size_t row = 0; row < offset_.size(); ++row) shifted_[0][row] = beta_[0][row] + offset_[row];
+  const base::Matrix& beta = offset_.empty() ? beta_ : shifted_;
+  fixedPoint_.pointwiseStage().solveColumn(0, beta, traction_);
   for (int row = 0; row < alpha_.numRows(); ++row) {
-    residual_[0][row] = 2.0 * traction_[0][row] - beta_[0][row] - alpha_[0][row];
+    residual_[0][row] = 2.0 * traction_[0][row] - beta[0][row] - alpha_[0][row];
   }
   return fixedPoint_.metric().norm(residual_);
 }
@@ -95,6 +101,20 @@ double StepNewton::step(const std::vector<double>& c, double size) {
   return reached;
 }
 
+double StepNewton::dampedStep(const std::vector<double>& c, double size) {
+  double best = 0.0, least = 0.0, length = 1.0;
+  for (int halving = 0; halving <= mostHalvings; ++halving, length *= 0.5) {
+    moveFrom(c, length);
+    const double reached = evaluate();
+    if (reached < size) return reached;
+    if (halving > 0 && !(reached < least)) continue;
+    best = length;
+    least = reached;
+  }
+  moveFrom(c, best);
+  return evaluate();
+}
+
 std::optional<double> StepNewton::follow(std::vector<double> c) {
   const StateMetric& metric = fixedPoint_.metric();
   const int rows = alpha_.numRows();
@@ -121,11 +141,22 @@ StepNewton::Result StepNewton::solve(base::Matrix& state, const base::Matrix& be
                                      const std::function<bool()>& mustStop) {
   if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale()) forget();
   const bool isFull = space().size() >= maximumDirections;
-  Result result = attempt(state, beta, target, mustStop);
+  offset_.clear();
+  Result result = attempt(state, beta, target, maximumSteps, longPatience, mustStop);
   if (result.isReached || !isFull || (mustStop && mustStop())) return result;
   // What it holds are the directions of other states.
   forget();
-  return attempt(state, beta, target, mustStop);
+  return attempt(state, beta, target, maximumSteps, longPatience, mustStop);
+}
+
+StepNewton::Result StepNewton::solveWith(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta,
+                                         double target, int steps, const std::function<bool()>& mustStop) {
+  if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale() || space().size() >= maximumDirections) forget();
+  offset_.assign(offset[0], offset[0] + offset.numRows());
+  shifted_.shape(offset.numRows(), 1);
+  const Result result = attempt(state, beta, target, steps, shortPatience, mustStop);
+  if (result.isReached) beta.assign(beta_);
+  return result;
 }
 
 void StepNewton::forget() {
@@ -133,8 +164,8 @@ void StepNewton::forget() {
   scale_ = fixedPoint_.searchDirectionScale();
 }
 
-StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& beta, double target,
-                                       const std::function<bool()>& mustStop) {
+StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& beta, double target, int steps,
+                                       int patience, const std::function<bool()>& mustStop) {
   const int rows = state.numRows();
   for (base::Matrix* field :
        {&start_, &startImage_, &alpha_, &beta_, &traction_, &residual_, &fromAlpha_, &fromBeta_}) {
@@ -145,8 +176,8 @@ StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& 
   const auto enough = [&] { return std::max(target, noise * fixedPoint_.metric().norm(alpha_)); };
   Result result;
   result.residual = evaluate();
-  double best = result.residual, last = result.residual, forcing = firstForcing;
-  for (int number = 0, sinceBest = 0; number < maximumSteps && sinceBest < patience; ++number) {
+  double best = result.residual, last = result.residual, forcing = isDamped_ ? leastForcing : firstForcing;
+  for (int number = 0, sinceBest = 0; number < steps && sinceBest < patience; ++number) {
     const double goal = enough();
     if (result.residual <= goal) break;
     if (mustStop && mustStop()) break;
@@ -156,13 +187,17 @@ StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& 
         leastSquares(size * std::max(forcing, std::min(firstForcing, 0.5 * goal / size)));
     fromAlpha_.assign(alpha_);
     fromBeta_.assign(beta_);
-    const std::optional<double> reached =
-        direction.left > unanswered * size ? follow(direction.c) : step(direction.c, size);
+    std::optional<double> reached;
+    if (isDamped_) {
+      reached = dampedStep(direction.c, size);
+    } else {
+      reached = direction.left > unanswered * size ? follow(direction.c) : step(direction.c, size);
+    }
     if (!reached) break;
     result.residual = *reached;
     result.smallestSingularValue = space().smallestSingularValue();
     const double gain = result.residual / last;
-    forcing = std::clamp(gain * gain, leastForcing, firstForcing);
+    if (!isDamped_) forcing = std::clamp(gain * gain, leastForcing, firstForcing);
     last = result.residual;
     sinceBest = result.residual < progress * best ? 0 : sinceBest + 1;
     best = std::min(best, result.residual);

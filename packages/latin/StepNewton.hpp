@@ -19,6 +19,7 @@ namespace harmos::latin {
 ///  * what no direction reduces, l = R - (I - J) V c, is a motion that nothing resists: it is followed, twice as far
 ///    each time, until something answers;
 ///  * where R grows and points back along the way d, the step ends where R.d = 0.
+/// Where laws soften, I - T is not monotone: instead of both a step is halved until |R| falls.
 /// Displacement form, with the local stage PointwiseLocalStage. Norms are those of StateMetric.
 /// Source of the method: Alart, Curnier (1991), doi:10.1016/0045-7825(91)90022-X; of the recycling: Parks et al.
 /// (2006), doi:10.1137/040607277.
@@ -46,10 +47,17 @@ class StepNewton {
   /// empty, is asked on every rank. No iterate is valid afterwards. Throws base::Error as LocalStage::solve().
   Result solve(base::Matrix& state, const base::Matrix& beta, double target, const std::function<bool()>& mustStop);
 
+  /// Collective, one load step selected. The same with other loads: `offset` [stress], one column, is what they add to
+  /// beta of every state. `beta`, in and out, is without it. Takes no more than `steps` steps, of which few without
+  /// progress; begins with no directions where the space is full.
+  Result solveWith(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta, double target, int steps,
+                   const std::function<bool()>& mustStop);
+
  private:
   const CorrectionSpace& space() const { return tangent_->space(); }
-  /// solve() in the space as it is.
-  Result attempt(base::Matrix& state, const base::Matrix& beta, double target, const std::function<bool()>& mustStop);
+  /// Newton's method in the space as it is, from a state and its beta, which is without offset_.
+  Result attempt(base::Matrix& state, const base::Matrix& beta, double target, int steps, int patience,
+                 const std::function<bool()>& mustStop);
   /// Begins with an empty space.
   void forget();
   /// R of the present alpha, into residual_; returns |R|.
@@ -62,15 +70,20 @@ class StepNewton {
   void moveFrom(const std::vector<double>& c, double length);
   /// Newton's step, or where R points back from its end, as much of it as R does not. Returns |R|.
   double step(const std::vector<double>& c, double size);
+  /// As much of Newton's step as lets |R| fall, or fall most. Returns |R|.
+  double dampedStep(const std::vector<double>& c, double size);
   /// Follows what is left of R after this step, until something answers. Returns |R|; none where nothing has answered
   /// before it would be lost in round-off.
   std::optional<double> follow(std::vector<double> c);
 
   FixedPoint& fixedPoint_;
+  bool isDamped_;  // laws soften
   InterfaceLines lines_;
   std::optional<TangentSpace> tangent_;
   double scale_ = 0.0;               // of the search direction of tangent_
   base::Matrix start_, startImage_;  // alpha and beta that images are differences from
+  std::vector<double> offset_;       // what loads add to beta; empty: nothing
+  base::Matrix shifted_;             // beta with it
   base::Matrix alpha_, beta_, traction_, residual_;
   base::Matrix fromAlpha_, fromBeta_;  // where the present step begins
 };

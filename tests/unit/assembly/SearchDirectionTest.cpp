@@ -49,6 +49,19 @@ TEST(SearchDirection, OfABondIsThreeTimesStiffer) {
   EXPECT_NEAR(k(bonded, 0), 3.0 * k(twoBodies(30.0, 60.0), 0), 1e-12);
 }
 
+// A law that falls by 25 per length: lines of two sides with k are as steep at k = 2 x 25.
+TEST(SearchDirection, StaysAboveTheSoftening) {
+  Assembly glued = twoBodies(30.0, 60.0);
+  glued.interfaces[0].law = latin::softGlue(25.0);
+  const double least = SearchDirection::marginOfSoftening * 2.0 * 25.0;
+  ASSERT_LT(k(twoBodies(30.0, 60.0), 0), least);
+  for (const double scale : {1e-3, 1.0}) EXPECT_DOUBLE_EQ(k(glued, 0, 0, scale), least);
+  EXPECT_DOUBLE_EQ(k(glued, 0, 0, 1e3), 1e3 * k(twoBodies(30.0, 60.0), 0));
+  const SearchDirection direction(glued, 1.0, *Tpetra::getDefaultComm());
+  EXPECT_EQ(direction.heldBySoftening(), std::vector<int>{0});
+  EXPECT_DOUBLE_EQ(direction.of(1)[0], k(twoBodies(30.0, 60.0), 1));
+}
+
 TEST(SearchDirection, DoesNotDependOnTheOrderOfTheSides) {
   Assembly swapped = twoBodies(30.0, 60.0);
   std::swap(swapped.interfaces[0].body1, swapped.interfaces[0].body2);

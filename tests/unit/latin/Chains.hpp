@@ -80,6 +80,16 @@ inline std::shared_ptr<const laws::InterfaceLaw> clamp() {
   return laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}});
 }
 
+/// Glue with the strength 1 and the stiffness 1000, whose traction falls by `fall` per opening.
+inline std::shared_ptr<const laws::InterfaceLaw> softGlue(double fall) {
+  const double energy = 0.5 * (1e-3 + 1.0 / fall);
+  return laws::makeLaw("Cohesive Zone", {{"Stiffness", 1000.0},
+                                         {"Normal Strength", 1.0},
+                                         {"Shear Strength", 1.0},
+                                         {"Mode I Fracture Energy", energy},
+                                         {"Mode II Fracture Energy", energy}});
+}
+
 /// wall |--- left (3 springs of 30) ---| joint |--- right (2 springs of 40) ---> traction: the ends give 10 and 20.
 inline assembly::Assembly twoChains(std::shared_ptr<const laws::InterfaceLaw> joint,
                                     std::shared_ptr<const laws::InterfaceLaw> end, int steps = 1, double gap = 0.0) {

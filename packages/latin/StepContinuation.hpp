@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+
+#include <harmos/latin/StepNewton.hpp>
+
+namespace harmos::latin {
+
+/// Brings a load step on in parts, where laws soften: the loads of a part are interpolated between those of the load
+/// step before and its own, and every part is solved by Newton's method from where the parts before lead.
+///
+/// A crack that runs along an interface changes from pair to pair; a whole load step of it lies too far away for
+/// Newton's method. Loads enter beta of the linear stage linearly, so that the directions of StepNewton serve all
+/// parts. All parts have the history that the load step before has left: what is found at the end solves the load step
+/// itself, and lies on the branch of solutions that grows from the load step before. Parts that do not come to an end
+/// are halved; where a part has become too small, the branch turns back: the structure snaps. Laws and gaps that change
+/// with the load step are those of its end. Displacement form, with the local stage PointwiseLocalStage.
+class StepContinuation {
+ public:
+  /// What has become of a load step.
+  struct Result {
+    bool isReached = false;
+    int parts = 0;       ///< that were solved
+    double share = 0.0;  ///< of the load step, at the last of them
+  };
+
+  /// A part that would be smaller than this share of its load step is not tried.
+  static constexpr double leastPart = 1.0 / 512.0;
+
+  /// Both must outlive it.
+  StepContinuation(FixedPoint& fixedPoint, StepNewton& newton) : fixedPoint_(fixedPoint), newton_(newton) {}
+
+  /// Collective, `step` selected. From `before`, the solution of the load step before (0 of the first one), leaves in
+  /// `state` that of this one, |R| <= target; or, where that cannot be reached, the last one on the way. `mustStop`,
+  /// which may be empty, is asked on every rank. No iterate is valid afterwards. Throws base::Error as
+  /// LocalStage::solve().
+  Result solve(int step, const base::Matrix& before, base::Matrix& state, double target,
+               const std::function<bool()>& mustStop);
+
+ private:
+  FixedPoint& fixedPoint_;
+  StepNewton& newton_;
+};
+
+}  // namespace harmos::latin
