@@ -33,6 +33,8 @@ struct Interface {
   std::vector<double> area;
   std::vector<double> gap;            ///< per pair: geometric opening (x2 - x1).n [length]; 0 on a boundary
   std::vector<mesh::MassEntry> mass;  ///< consistent interface mass [as area], both triangles; empty: lumped
+  /// Laws of whole faces (CoupledLaw) take interfaces of one number together, the pieces of a face; -1: none besides.
+  int face = -1;
 
   /// How many points there are.
   int pairs() const { return trace1.points(); }

@@ -96,26 +96,22 @@ base::Matrix AdjointProblem::meet(const base::Matrix& beta) const {
 }
 
 base::Matrix AdjointProblem::jumpsOf(const std::vector<ResponseGradient>& gradients) {
-  const assembly::Assembly& assembly = fixedPoint_.assembly();
+  const TraceLayout& layout = fixedPoint_.layout();
   const int cases = static_cast<int>(gradients.size());
-  base::Matrix result(fixedPoint_.layout().rows(), cases);
-  std::vector<std::vector<laws::LocalState>> states(assembly.interfaces.size());
+  base::Matrix y(layout.rows(), cases), result(layout.rows(), cases);
   for (int column = 0; column < cases; ++column) {
-    for (auto& list : states) list.clear();
     for (const ResponseGradient::PairShare& share : gradients[column].pairs) {
-      if (!lines_.isActive(share.interface)) continue;
-      const assembly::Interface& interface = assembly.interfaces[share.interface];
-      std::vector<laws::LocalState>& list = states[share.interface];
-      list.resize(interface.pairs());
-      const bool isLocal = interface.law->frame() == laws::Frame::interface;
-      const base::Vector3 a = isLocal ? base::toFrame(interface.frame[share.pair], share.weight) : share.weight;
-      const base::Vector3 t = tangents_.traction(share.interface, share.pair, a);
-      for (std::size_t c = 0; c < 3; ++c) list[share.pair].traction[c] -= 2.0 * t[c];
-    }
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      if (!states[i].empty()) lines_.write(static_cast<int>(i), column, states[i].data(), result);
+      const int begin = layout.begin(share.interface, 0);
+      if (begin < 0) continue;
+      // A field of side 1 alone whose free jump is what the share counts.
+      for (int c = 0; c < layout.dimension(); ++c) {
+        const int row = begin + share.pair * layout.dimension() + c;
+        y[column][row] += layout.stiffness()[row] * share.weight[c];
+      }
     }
   }
+  tangents_.apply(y, result);
+  result.scale(-2.0);
   return result;
 }
 

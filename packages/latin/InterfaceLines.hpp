@@ -19,6 +19,8 @@ class InterfaceLines {
   InterfaceLines(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                  const TraceLayout& layout);
 
+  /// That of its fields.
+  const TraceLayout& layout() const { return layout_; }
   /// A side of the interface is owned here and has unknowns.
   bool isActive(int interfaceIndex) const { return joints_[interfaceIndex].active; }
   /// Largest number of columns of a field.

@@ -20,10 +20,12 @@ double largest(const base::Vector3& x) {
 }  // namespace
 
 PairTangents::PairTangents(const assembly::Assembly& assembly, InterfaceLines& lines)
-    : assembly_(assembly), lines_(lines), tangents_(assembly.interfaces.size()) {}
+    : assembly_(assembly), lines_(lines), tangents_(assembly.interfaces.size()), faces_(assembly, lines.layout()) {}
 
 void PairTangents::differentiate(int interfaceIndex, int step, const std::vector<laws::LocalLine>& lines,
                                  const laws::LocalState* states, const std::vector<double>& oldHistory) {
+  step_ = step;
+  if (faces_.law(interfaceIndex) != nullptr) return;
   const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];
   const auto pairs = static_cast<std::size_t>(interface.pairs());
   double jump = 0.0, traction = 0.0, length = 0.0;
@@ -76,7 +78,7 @@ void PairTangents::apply(const base::Matrix& y, base::Matrix& traction) const {
   std::vector<laws::LocalState> states;
   for (std::size_t i = 0; i < tangents_.size(); ++i) {
     const int index = static_cast<int>(i);
-    if (!lines_.isActive(index)) continue;
+    if (!lines_.isActive(index) || faces_.law(index) != nullptr) continue;
     const std::vector<base::Frame>& tangents = tangents_[i];
     states.resize(tangents.size());
     for (int column = 0; column < y.numCols(); ++column) {
@@ -85,6 +87,34 @@ void PairTangents::apply(const base::Matrix& y, base::Matrix& traction) const {
         for (std::size_t c = 0; c < 3; ++c) states[p].traction[c] = dot(tangents[p][c], lines[p].freeJump);
       }
       lines_.write(index, column, states.data(), traction);
+    }
+  }
+  if (!faces_.isEmpty()) applyFaces(y, traction);
+}
+
+void PairTangents::applyFaces(const base::Matrix& y, base::Matrix& traction) const {
+  FaceSums sums(faces_);
+  std::vector<laws::LocalLine> lines;
+  std::vector<laws::LocalState> states;
+  const auto arrays = [&](int i, int column) {
+    lines_.fill(i, column, y, lines);
+    states.resize(lines.size());
+    laws::NodeArrays nodes = assembly_.interfaces[i].nodes(assembly_.times, step_);
+    nodes.line = lines.data();
+    nodes.state = states.data();
+    return nodes;
+  };
+  sums.begin(y.numCols());
+  for (const int i : faces_.interfaces()) {
+    if (!lines_.isActive(i)) continue;
+    for (int column = 0; column < y.numCols(); ++column) sums.add(i, column, step_, arrays(i, column));
+  }
+  sums.finish();
+  for (const int i : faces_.interfaces()) {
+    if (!lines_.isActive(i)) continue;
+    for (int column = 0; column < y.numCols(); ++column) {
+      faces_.law(i)->solveTangent(step_, arrays(i, column), sums.of(i, column));
+      lines_.write(i, column, states.data(), traction);
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <harmos/base/Tensor3.hpp>
+#include <harmos/latin/FaceSums.hpp>
 #include <harmos/latin/InterfaceLines.hpp>
 #include <harmos/laws/InterfaceLaw.hpp>
 
@@ -13,7 +14,7 @@ namespace harmos::latin {
 ///
 /// A law is asked pair by pair, so that dt/d(free jump) [stress/length] is a matrix of 3 x 3 per pair, found with three
 /// further calls whatever the number of directions that it is to serve. Where the graph has a kink it is the tangent of
-/// one side. Displacement form.
+/// one side. A law over a whole face answers to every direction itself. Displacement form.
 class PairTangents {
  public:
   /// `assembly` and `lines`, whose buffers it uses, must outlive it.
@@ -23,20 +24,21 @@ class PairTangents {
   /// the lines and states of its pairs, and the history that they were found with. Not collective.
   void differentiate(int interfaceIndex, int step, const std::vector<laws::LocalLine>& lines,
                      const laws::LocalState* states, const std::vector<double>& oldHistory);
-  /// Replaces the tangents dt/d(free jump) of all pairs by their transposes. Not collective.
+  /// Replaces the tangents dt/d(free jump) of all pairs by their transposes; those of laws over whole faces are
+  /// symmetric. Not collective.
   void transpose();
-  /// What a pair of an interface with a side on this rank answers to a free jump alone [stress], in the frame of the
-  /// law. Not collective.
-  base::Vector3 traction(int interfaceIndex, int pair, const base::Vector3& freeJump) const {
-    return base::product(tangents_[interfaceIndex][pair], freeJump);
-  }
   /// Collective. traction = D y [stress], rows of the layout x the same columns.
   void apply(const base::Matrix& y, base::Matrix& traction) const;
 
  private:
+  /// Collective. The rows of laws over whole faces, whose y was exchanged.
+  void applyFaces(const base::Matrix& y, base::Matrix& traction) const;
+
   const assembly::Assembly& assembly_;
   InterfaceLines& lines_;
   std::vector<std::vector<base::Frame>> tangents_;  // per interface and pair: row by row
+  FaceSums faces_;
+  int step_ = 0;  // of the tangents
 };
 
 }  // namespace harmos::latin

@@ -12,6 +12,7 @@ PointwiseLocalStage::PointwiseLocalStage(const assembly::Assembly& assembly,
                                          Formulation formulation)
     : assembly_(assembly),
       lines_(assembly, searchDirection, layout),
+      faces_(assembly, layout),
       formulation_(formulation),
       joints_(assembly.interfaces.size()) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -45,11 +46,19 @@ void PointwiseLocalStage::solve(const base::Matrix& beta, base::Matrix& traction
   lines_.exchange(beta, 0, beta.numCols());
   begin();
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    if (!lines_.isActive(static_cast<int>(i))) continue;
+    if (!lines_.isActive(static_cast<int>(i)) || faces_.law(static_cast<int>(i)) != nullptr) continue;
     for (int t = 0; t < beta.numCols(); ++t) {
-      solveJoint(static_cast<int>(i), joints_[i], t, beta, traction);
+      solveJoint(static_cast<int>(i), t, beta, traction);
       joints_[i].history[0].swap(joints_[i].history[1]);
     }
+  }
+  // In the velocity form a line begins where the load step before has ended.
+  const bool areAllKnown = formulation_ == Formulation::displacement;
+  if (areAllKnown) sumFaces(0, beta.numCols(), beta);
+  for (int t = 0; t < beta.numCols(); ++t) {
+    if (!areAllKnown) sumFaces(t, 1, beta);
+    solveFaces(t, areAllKnown ? t : 0, beta, traction);
+    for (const int i : faces_.interfaces()) joints_[i].history[0].swap(joints_[i].history[1]);
   }
 }
 
@@ -63,8 +72,11 @@ void PointwiseLocalStage::begin() {
 void PointwiseLocalStage::solveColumn(int column, const base::Matrix& beta, base::Matrix& traction) {
   lines_.exchange(beta, column, 1);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    if (lines_.isActive(static_cast<int>(i))) solveJoint(static_cast<int>(i), joints_[i], column, beta, traction);
+    if (!lines_.isActive(static_cast<int>(i)) || faces_.law(static_cast<int>(i)) != nullptr) continue;
+    solveJoint(static_cast<int>(i), column, beta, traction);
   }
+  sumFaces(column, 1, beta);
+  solveFaces(column, 0, beta, traction);
 }
 
 void PointwiseLocalStage::accept() {
@@ -106,26 +118,62 @@ void PointwiseLocalStage::addReference(const assembly::Interface& interface, Joi
   }
 }
 
-void PointwiseLocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const base::Matrix& beta,
-                                     base::Matrix& traction) {
-  const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];
-  lines_.fill(interfaceIndex, t, beta, joint.line);
+void PointwiseLocalStage::fillLines(int interfaceIndex, int column, const base::Matrix& beta) {
+  Joint& joint = joints_[interfaceIndex];
+  lines_.fill(interfaceIndex, column, beta, joint.line);
   if (formulation_ == Formulation::velocity) beginAtLastJump(joint);
-  laws::LocalState* state = joint.state.data() + static_cast<std::size_t>(t) * joint.line.size();
-  const int step = steps_[t];
-  addReference(interface, joint, step);
-  laws::NodeArrays nodes = interface.nodes(assembly_.times, step);
+  addReference(assembly_.interfaces[interfaceIndex], joint, steps_[column]);
+}
+
+laws::NodeArrays PointwiseLocalStage::arrays(int interfaceIndex, int column) {
+  Joint& joint = joints_[interfaceIndex];
+  laws::NodeArrays nodes = assembly_.interfaces[interfaceIndex].nodes(assembly_.times, steps_[column]);
   nodes.line = joint.line.data();
   nodes.oldHistory = joint.history[0].data();
   nodes.newHistory = joint.history[1].data();
-  nodes.state = state;
-  interface.law->solve(step, nodes);
-  const double check = lines_.write(interfaceIndex, t, state, traction);
+  nodes.state = joint.state.data() + static_cast<std::size_t>(column) * joint.line.size();
+  return nodes;
+}
+
+void PointwiseLocalStage::finishJoint(int interfaceIndex, int column, base::Matrix& traction) {
+  const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];
+  Joint& joint = joints_[interfaceIndex];
+  const laws::LocalState* state = joint.state.data() + static_cast<std::size_t>(column) * joint.line.size();
+  const double check = lines_.write(interfaceIndex, column, state, traction);
   if (formulation_ == Formulation::velocity) keepJump(joint, state);
   if (!std::isfinite(check)) {
-    throw base::Error("interface \"" + interface.name + "\", load step " + std::to_string(step + 1) + ": law \"" +
-                          interface.law->name() + "\" met or returned a value that is not finite (NaN or infinity)",
+    throw base::Error("interface \"" + interface.name + "\", load step " + std::to_string(steps_[column] + 1) +
+                          ": law \"" + interface.law->name() +
+                          "\" met or returned a value that is not finite (NaN or infinity)",
                       base::ExitCode::notConverged);
+  }
+}
+
+void PointwiseLocalStage::solveJoint(int interfaceIndex, int column, const base::Matrix& beta, base::Matrix& traction) {
+  fillLines(interfaceIndex, column, beta);
+  assembly_.interfaces[interfaceIndex].law->solve(steps_[column], arrays(interfaceIndex, column));
+  finishJoint(interfaceIndex, column, traction);
+}
+
+void PointwiseLocalStage::sumFaces(int first, int count, const base::Matrix& beta) {
+  if (faces_.isEmpty()) return;
+  faces_.begin(count);
+  for (const int i : faces_.interfaces()) {
+    if (!lines_.isActive(i)) continue;
+    for (int t = 0; t < count; ++t) {
+      fillLines(i, first + t, beta);
+      faces_.add(i, t, steps_[first + t], arrays(i, first + t));
+    }
+  }
+  faces_.finish();
+}
+
+void PointwiseLocalStage::solveFaces(int column, int place, const base::Matrix& beta, base::Matrix& traction) {
+  for (const int i : faces_.interfaces()) {
+    if (!lines_.isActive(i)) continue;
+    fillLines(i, column, beta);
+    faces_.law(i)->solvePoints(steps_[column], arrays(i, column), faces_.of(i, place));
+    finishJoint(i, column, traction);
   }
 }
 

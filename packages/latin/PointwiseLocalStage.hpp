@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
+#include <harmos/latin/FaceSums.hpp>
 #include <harmos/latin/Formulation.hpp>
 #include <harmos/latin/InterfaceLines.hpp>
 #include <harmos/latin/LocalStage.hpp>
@@ -68,10 +69,21 @@ class PointwiseLocalStage final : public LocalStage {
   static void keepJump(Joint& joint, const laws::LocalState* state);
   /// Lines are those of whole displacements.
   void addReference(const assembly::Interface& interface, Joint& joint, int step) const;
-  void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
+  /// The lines of an interface at a column, of whole displacements.
+  void fillLines(int interfaceIndex, int column, const base::Matrix& beta);
+  /// What the law of an interface is asked at a column.
+  laws::NodeArrays arrays(int interfaceIndex, int column);
+  /// Writes and checks what the law has answered.
+  void finishJoint(int interfaceIndex, int column, base::Matrix& traction);
+  void solveJoint(int interfaceIndex, int column, const base::Matrix& beta, base::Matrix& traction);
+  /// Collective. Sums over whole faces at the columns first .. first + count - 1.
+  void sumFaces(int first, int count, const base::Matrix& beta);
+  /// Interfaces of laws over whole faces at a column, which is number `place` of the last sums.
+  void solveFaces(int column, int place, const base::Matrix& beta, base::Matrix& traction);
 
   const assembly::Assembly& assembly_;
   InterfaceLines lines_;
+  FaceSums faces_;
   Formulation formulation_;
   const ReferenceMotions* reference_ = nullptr;
   std::vector<int> steps_;  // load step of every column

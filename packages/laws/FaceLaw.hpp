@@ -7,14 +7,20 @@
 
 namespace harmos::laws {
 
-/// A law that acts on the mean motion of a whole face, over all pieces that it lies on. It is bound to the face before
-/// it is asked, by whoever puts it on an interface; NodeArrays must have positions.
-class FaceLaw : public InterfaceLaw {
+/// What an InterfaceLaw is besides that acts on the motion of a whole face, over all pieces that it lies on. It is
+/// bound to the face before it is asked, by whoever puts it on an interface; NodeArrays must have positions.
+class FaceLaw {
  public:
+  virtual ~FaceLaw() = default;
   /// The same law, bound to a face.
-  virtual std::shared_ptr<const FaceLaw> on(std::shared_ptr<const FaceMotions> face) const = 0;
+  virtual std::shared_ptr<const InterfaceLaw> on(std::shared_ptr<const FaceMotions> face) const = 0;
   /// The face that it is bound to; null: none yet.
   virtual const std::shared_ptr<const FaceMotions>& face() const = 0;
+  /// Its tractions follow from the mean motion of the face, so that other laws may hold or load its points besides.
+  virtual bool leavesFaceFree() const { return true; }
+  /// Of a law between two faces that need not lie on each other, each an interface with one side: that of the second,
+  /// not bound; null: the law acts on one face.
+  virtual std::shared_ptr<const InterfaceLaw> onOtherFace() const { return nullptr; }
 };
 
 /// `law`, which is to replace `present` on an interface: bound to the same face when it is a FaceLaw, else as it is.

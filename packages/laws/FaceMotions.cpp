@@ -54,6 +54,14 @@ std::optional<FaceMotions> FaceMotions::of(const std::vector<std::pair<base::Vec
   return motions;
 }
 
+std::vector<int> FaceMotions::components() const {
+  std::vector<int> result;
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (inverse_[i][i] > 0.0) result.push_back(static_cast<int>(i));
+  }
+  return result;
+}
+
 base::Vector3 FaceMotions::at(const Six& motion, const base::Vector3& place) const {
   return base::Vector3{motion[0], motion[1], motion[2]} +
          base::cross({motion[3], motion[4], motion[5]}, place - centre_);

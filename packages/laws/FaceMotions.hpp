@@ -25,6 +25,8 @@ class FaceMotions {
   /// line in space. `dimension`: 2 or 3.
   static std::optional<FaceMotions> of(const std::vector<std::pair<base::Vector3, double>>& points, int dimension);
 
+  /// Which of the six there are: all, or in the plane 0, 1 and 5.
+  std::vector<int> components() const;
   /// c [length].
   const base::Vector3& centre() const { return centre_; }
   /// sum of motion_i phi_i at a place.

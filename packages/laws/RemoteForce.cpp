@@ -2,7 +2,7 @@
 #include <cassert>
 
 #include <harmos/laws/FaceLaw.hpp>
-#include <harmos/laws/LawRegistry.hpp>
+#include <harmos/laws/detail/BuiltIn.hpp>
 #include <harmos/laws/detail/RemotePoint.hpp>
 
 namespace harmos::laws {
@@ -13,7 +13,7 @@ constexpr std::array<const char*, 3> moments = {"Moment X", "Moment Y", "Moment 
 
 /// A force and a moment in a point, spread over a face which stays free to deform: f = a + b x (x - c), with a and b
 /// such that the resultant is what is asked for. They do the work of force and moment on the mean motion of the face.
-class RemoteForce final : public FaceLaw {
+class RemoteForce final : public InterfaceLaw, public FaceLaw {
  public:
   static constexpr const char* lawName = "Remote Force";
 
@@ -45,7 +45,7 @@ class RemoteForce final : public FaceLaw {
   bool dissipates() const override { return false; }
   bool isAffine() const override { return true; }
 
-  std::shared_ptr<const FaceLaw> on(std::shared_ptr<const FaceMotions> face) const override {
+  std::shared_ptr<const InterfaceLaw> on(std::shared_ptr<const FaceMotions> face) const override {
     auto bound = std::make_shared<RemoteForce>(*this);
     bound->face_ = std::move(face);
     return bound;
@@ -68,12 +68,6 @@ class RemoteForce final : public FaceLaw {
 
 }  // namespace
 
-void addRemoteForce(LawRegistry& laws) {
-  input::ParameterSpec spec(RemoteForce::lawName);
-  RemoteForce::describe(spec);
-  laws.add(std::move(spec), [](const input::Parameters& p) -> std::unique_ptr<InterfaceLaw> {
-    return std::make_unique<RemoteForce>(p);
-  });
-}
+HARMOS_WHOLE_LAW(RemoteForce)
 
 }  // namespace harmos::laws

@@ -58,7 +58,7 @@ Piece makePiece(const Mesh& mesh, const std::string& name, const std::vector<std
 
 Piece makePiece(const Mesh& mesh, const std::string& name, const std::string& part, std::vector<int> elements) {
   const Elements all(mesh);
-  Piece piece{name, std::move(elements), {}, part};
+  Piece piece{name, std::move(elements), {}, part, 0};
   for (const int element : piece.elements) {
     const int* nodes = all.nodes(element);
     piece.nodes.insert(piece.nodes.end(), nodes, nodes + nodesPerElement(all.type(element)));

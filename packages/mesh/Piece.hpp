@@ -13,6 +13,7 @@ struct Piece {
   std::vector<int> elements;  // mesh element numbers, ascending
   std::vector<int> nodes;     // mesh node numbers, ascending; the position is the part's local node number
   std::string part;           // name of the part of the scene; the same as `name` if it is whole
+  int side = 0;               // of the plane that divides the part: -1 behind it, 1 beyond it; 0: none does
 };
 
 /// The part that consists of the named blocks. Throws base::Error(input) if a block does not exist, is named twice,

@@ -10,6 +10,7 @@
 #include <harmos/elasticity/Stiffness.hpp>
 #include <harmos/mesh/Congruence.hpp>
 #include <harmos/mesh/Partition.hpp>
+#include <harmos/mesh/PlaneCut.hpp>
 #include <harmos/scene/detail/BodyLoads.hpp>
 
 namespace harmos::scene {
@@ -86,12 +87,42 @@ bool haveEqualRadii(const mesh::Mesh& mesh, const mesh::Piece& first, const mesh
 }
 
 PartOptions optionsOf(const Parameters& part) {
-  PartOptions options{part.name(), part.where(), elasticity::formulationNamed(part.text("Formulation")), std::nullopt};
+  PartOptions options{
+      part.name(), part.where(), elasticity::formulationNamed(part.text("Formulation")), std::nullopt, {}};
   if (part.hasList("Body Force")) {
     const Parameters& force = part.list("Body Force");
     options.bodyForce = {force.schedule("X"), force.schedule("Y"), force.schedule("Z")};
   }
   return options;
+}
+
+/// The interface that divides a part along a plane; null: none.
+const Parameters* sectionOf(const Scene& scene, const std::string& part) {
+  for (const Parameters& interface : scene.input.lists("Interfaces")) {
+    if (interface.has("Part") && interface.text("Part") == part) return &interface;
+  }
+  return nullptr;
+}
+
+/// The pieces of a part that the plane of an interface divides, each side with its share of them but at least one.
+std::vector<mesh::Piece> dividedPart(const mesh::Mesh& mesh, const mesh::Piece& part, const Parameters& section,
+                                     int count) {
+  mesh::Plane plane;
+  std::copy(section.numbers("Point").begin(), section.numbers("Point").end(), plane.point.begin());
+  std::copy(section.numbers("Normal").begin(), section.numbers("Normal").end(), plane.normal.begin());
+  auto [behind, beyond] = mesh::divideAlong(mesh, part, plane);
+  const double share = static_cast<double>(behind.size()) / static_cast<double>(part.elements.size());
+  const int first = std::clamp(static_cast<int>(std::lround(share * count)), 1, std::max(1, count - 1));
+  std::vector<mesh::Piece> pieces;
+  for (const int side : {-1, 1}) {
+    const mesh::Piece half = mesh::makePiece(mesh, part.name, part.name, std::move(side < 0 ? behind : beyond));
+    for (mesh::Piece& piece : mesh::cutPart(mesh, half, side < 0 ? first : std::max(1, count - first))) {
+      piece.name = part.name + "." + std::to_string(pieces.size() + 1);
+      piece.side = side;
+      pieces.push_back(std::move(piece));
+    }
+  }
+  return pieces;
 }
 
 }  // namespace
@@ -115,9 +146,16 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& 
   if (errors.count() > 0) return bodies;
   for (const Parameters& input : scene.input.lists("Parts")) {
     errors.collect(input.where(), [&] {
-      const PartOptions options = optionsOf(input);
+      PartOptions options = optionsOf(input);
       const mesh::Piece part = mesh::makePiece(mesh, input.name(), blocksOf(input));
-      for (mesh::Piece& piece : mesh::cutPart(mesh, part, input.integer("Pieces"))) {
+      std::vector<mesh::Piece> pieces;
+      if (const Parameters* section = sectionOf(scene, input.name())) {
+        options.section = section->name();
+        errors.collect(section->where(), [&] { pieces = dividedPart(mesh, part, *section, input.integer("Pieces")); });
+      } else {
+        pieces = mesh::cutPart(mesh, part, input.integer("Pieces"));
+      }
+      for (mesh::Piece& piece : pieces) {
         bodies.pieces.push_back(std::move(piece));
         bodies.parts.push_back(options);
         bodies.materials.push_back(scene.materials.at(input.text("Material")));

@@ -41,6 +41,7 @@ struct PartOptions {
   std::string where;  // it stands, for messages
   elasticity::Formulation formulation = elasticity::Formulation::fullIntegration;
   std::optional<std::array<input::Schedule, 3>> bodyForce;  // global components [force/volume]
+  std::string section;  // interface that divides the part along a plane; empty: none does
 };
 
 /// The elastic bodies of the assembly: the parts of the scene, or the pieces they were cut into. The lists are
@@ -51,8 +52,9 @@ struct Bodies {
   std::vector<std::shared_ptr<const elasticity::Material>> materials;  // shared with the scene
 };
 
-/// Cuts the parts of the scene into pieces. Reports blocks that do not exist, belong to two parts or to none, and parts
-/// that cannot be cut, to `errors`; after errors in blocks there are no bodies. Every rank makes all of them.
+/// Cuts the parts of the scene into pieces, those that an interface divides along a plane at least into its two sides,
+/// the one behind the plane first. Reports blocks that do not exist, belong to two parts or to none, and parts that
+/// cannot be cut, to `errors`; after errors in blocks there are no bodies. Every rank makes all of them.
 Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors);
 
 /// For every body the earlier one that it equals up to a rigid motion or mirror image, elasticity and all; null: none.

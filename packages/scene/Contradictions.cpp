@@ -10,7 +10,9 @@
 #include <harmos/base/Numerals.hpp>
 #include <harmos/base/Vector3.hpp>
 #include <harmos/latin/PrescribedForces.hpp>
+#include <harmos/laws/FaceLaw.hpp>
 #include <harmos/scene/detail/HeldNodes.hpp>
+#include <harmos/scene/detail/Names.hpp>
 
 namespace harmos::scene {
 namespace {
@@ -31,6 +33,12 @@ std::string number(double value) {
 
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// Whether others may act on the points of its face as they like.
+bool leavesFaceFree(const laws::InterfaceLaw& law) {
+  const auto* ofFace = dynamic_cast<const laws::FaceLaw*>(&law);
+  return ofFace != nullptr && ofFace->leavesFaceFree();
 }
 
 class Checker {
@@ -120,9 +128,9 @@ class Checker {
   }
 
   std::size_t order(const std::string& wanted) const {
-    return static_cast<std::size_t>(
-        std::find_if(lists_.begin(), lists_.end(), [&](const auto* list) { return list->name() == wanted; }) -
-        lists_.begin());
+    return static_cast<std::size_t>(std::find_if(lists_.begin(), lists_.end(),
+                                                 [&](const auto* list) { return list->name() == nameOfList(wanted); }) -
+                                    lists_.begin());
   }
 
   /// What the law of `list` makes of the one of `other` on their common faces, which are all that it has if `areAll`.
@@ -138,6 +146,8 @@ class Checker {
                     shared + ", which holds them along the traction or a component of it, so that this has no effect.",
                     "Remove the component of one of them, or choose other faces.");
       }
+    } else if (leavesFaceFree(law) || leavesFaceFree(otherLaw)) {
+      return;
     } else if (!law.isAffine() && (otherLaw.bonds() || holdsNormals(list.name(), other.name(), common))) {
       errors_.add(list.where(), shared + ", which holds them along their normal; what each carries is not determined.",
                   "Give every face one of the two.");

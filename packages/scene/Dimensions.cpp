@@ -56,11 +56,13 @@ class VectorChecker {
 
   /// Of a law that acts in a point.
   void remotePoint(const Parameters& law) const {
-    if (law.type() != "Remote Force") return;
+    const bool isForce = law.type() == "Remote Force";
+    if (!isForce && law.type() != "Remote Displacement") return;
     point(law, "Point");
     if (dimension_ != 2) return;
-    for (const char* entry : {"Z", "Moment X", "Moment Y"}) {
-      if (law.number(entry) == 0.0) continue;
+    for (const char* entry : {"Z", "Force Z", "Moment X", "Moment Y", "Z Stiffness", "Rotation X", "Rotation Y",
+                              "Rotation X Stiffness", "Rotation Y Stiffness"}) {
+      if (!law.has(entry) || (isForce && law.number(entry) == 0.0)) continue;
       errors_.add(law.where(entry), "it leaves the plane.", std::string("Remove \"") + entry + "\".");
     }
   }
@@ -90,7 +92,14 @@ void checkDimensions(const Parameters& scene, std::optional<int> dimension, inpu
   // Vectors may have been written for the kinematics: then they are not wrong besides.
   if (dimension && !fitsKinematics(scene.list("Model"), *dimension, errors)) return;
   const VectorChecker vectors(dimension, errors);
-  for (const Parameters& interface : scene.lists("Interfaces")) vectors.direction(interface, "Projection Direction");
+  for (const Parameters& interface : scene.lists("Interfaces")) {
+    vectors.direction(interface, "Projection Direction");
+    vectors.point(interface, "Point");
+    vectors.direction(interface, "Normal");
+    if (interface.list("Law").type() != "Face Spring") continue;
+    vectors.point(interface.list("Law"), "Point");
+    vectors.direction(interface.list("Law"), "Axis");
+  }
   for (const Parameters& boundary : scene.lists("Boundaries")) vectors.remotePoint(boundary.list("Law"));
   for (const char* kind : {"Interfaces", "Boundaries"}) {
     for (const Parameters& interface : scene.lists(kind)) vectors.axisOfFriction(interface.list("Law"));

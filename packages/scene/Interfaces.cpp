@@ -1,6 +1,7 @@
 #include <harmos/scene/Interfaces.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -11,6 +12,7 @@
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Vector3.hpp>
 #include <harmos/laws/AffineComponent.hpp>
+#include <harmos/laws/CoupledLaw.hpp>
 #include <harmos/laws/FaceLaw.hpp>
 #include <harmos/mesh/InterfaceFrame.hpp>
 #include <harmos/mesh/Skin.hpp>
@@ -18,6 +20,7 @@
 #include <harmos/scene/detail/HeldByBoundaries.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
 #include <harmos/scene/detail/MeshJoiner.hpp>
+#include <harmos/scene/detail/Names.hpp>
 #include <harmos/scene/detail/PartPairs.hpp>
 
 namespace harmos::scene {
@@ -116,9 +119,26 @@ void bindToFaces(int dimension, std::vector<assembly::Interface>& interfaces) {
   }
 }
 
+bool isCoupled(const laws::InterfaceLaw& law) {
+  return dynamic_cast<const laws::CoupledLaw*>(&law) != nullptr;
+}
+
+/// Numbers the faces of laws over whole faces: an interface between two parts is one, whatever pieces they are cut
+/// into, and so are a boundary and the two faces of a law that joins such.
+void numberFaces(const std::vector<mesh::Piece>& pieces, std::vector<assembly::Interface>& interfaces) {
+  const auto partOf = [&](int body) { return body < 0 ? std::string() : pieces[body].part; };
+  std::map<std::array<std::string, 3>, int> faces;
+  for (assembly::Interface& interface : interfaces) {
+    if (!isCoupled(*interface.law)) continue;
+    std::array<std::string, 3> key{nameOfList(interface.name), "", ""};
+    if (interface.sides() == 2) key = {interface.name, partOf(interface.body1), partOf(interface.body2)};
+    interface.face = faces.emplace(key, static_cast<int>(faces.size())).first->second;
+  }
+}
+
 /// Whether the tractions of a law need no field of their own: they are given, or what they hold or join, node by node.
 bool actsOnNodes(const laws::InterfaceLaw& law, int steps) {
-  if (law.prescribesTraction()) return true;
+  if (law.prescribesTraction() || isCoupled(law)) return true;
   if (!law.isAffine()) return false;
   for (int t = 0; t < steps; ++t) {
     for (const laws::AffineComponent& component : laws::affineComponents(law, t, 1.0)) {
@@ -205,6 +225,34 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mes
   return finder.betweenSideSets(name, list.text("Side 1"), list.text("Side 2"), projection, creaseAngle, join);
 }
 
+/// The pieces of a part share nodes, of which some may be tied already: only what keeps them together acts there.
+void checkSection(const laws::InterfaceLaw& law, int steps) {
+  if (law.bonds() || (actsOnNodes(law, steps) && !law.prescribesTraction())) return;
+  throw base::Error("\"" + std::string(law.name()) +
+                        "\" cannot act on a plane through one part, where both sides stay together.\n  Choose "
+                        "Pretension, Preload Jump or Perfect, or divide the part into two blocks there.",
+                    base::ExitCode::input);
+}
+
+/// The surfaces of a law between two faces that are apart.
+std::pair<std::vector<mesh::InterfaceSurface>, std::vector<mesh::InterfaceSurface>> facesApart(
+    const Parameters& list, const mesh::InterfaceFinder& finder) {
+  const auto on = [&](const std::string& name, const char* side) {
+    finder.demandSurface(base::quoted(list.name()), list.text(side));
+    return finder.onSideSet(name, list.text(side));
+  };
+  return {on(list.name(), "Side 1"), on(nameOfOtherFace(list.name()), "Side 2")};
+}
+
+/// The surfaces between the pieces of parts; those between the sides of a plane belong to its interface.
+std::vector<mesh::InterfaceSurface> cutsOf(const Bodies& bodies, const mesh::InterfaceFinder& finder) {
+  std::vector<mesh::InterfaceSurface> cuts = finder.cuts();
+  for (mesh::InterfaceSurface& cut : cuts) {
+    if (bodies.pieces[cut.piece1].side != bodies.pieces[cut.piece2].side) cut.name = bodies.parts[cut.piece1].section;
+  }
+  return cuts;
+}
+
 std::vector<std::vector<mesh::PairCarrier>> everyPairItself(const std::vector<mesh::InterfaceSurface>& surfaces) {
   std::vector<std::vector<mesh::PairCarrier>> carriers;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
@@ -241,6 +289,18 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
     for (const Parameters& list : scene.input.lists(kind)) {
       errors.collect(list.where(), [&] {
         const laws::InterfaceLaw& law = *scene.laws.at(list.name());
+        if (std::string(kind) == "Interfaces" && list.has("Part")) {
+          checkSection(law, static_cast<int>(scene.times.size()));
+          return;  // it is found with the cuts
+        }
+        if (const auto* ofFace = dynamic_cast<const laws::FaceLaw*>(&law); ofFace != nullptr && ofFace->onOtherFace()) {
+          auto [first, second] = facesApart(list, finder);
+          checkFace(law, model, mesh.dimension, first);
+          checkFace(law, model, mesh.dimension, second);
+          append(std::move(first));
+          append(std::move(second));
+          return;
+        }
         const bool isSplit = law.creases() != laws::Creases::ignore;
         const double creaseAngle = isSplit ? list.number("Crease Angle") : mesh::InterfaceFinder::oneNormal;
         const auto join = [&](const std::string& name1, const std::vector<mesh::Face>& side1, const std::string& name2,
@@ -279,7 +339,7 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
                  "Add an interface to another part, or a boundary.");
     }
   }
-  append(finder.cuts());
+  append(cutsOf(bodies, finder));
   return surfaces;
 }
 
@@ -312,7 +372,8 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
     }
     if (interface.pairs() == 0) continue;
     // What is linear over the face keeps its moments with lumped areas.
-    const bool isOfFace = dynamic_cast<const laws::FaceLaw*>(interface.law.get()) != nullptr;
+    const bool isOfFace =
+        isCoupled(*interface.law) || dynamic_cast<const laws::FaceLaw*>(interface.law.get()) != nullptr;
     if (isConsistent && !isAlongNormals && !isOfFace) {
       for (const mesh::MassEntry& entry : surface.mass) {
         interface.mass.push_back({entry.row, entry.column, entry.value});
@@ -321,6 +382,7 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
     made.interfaces.push_back(std::move(interface));
   }
   bindToFaces(dimension, made.interfaces);
+  numberFaces(pieces, made.interfaces);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     for (std::size_t p = 0; p < carriers[s].size(); ++p) {
       const mesh::PairCarrier& carrier = carriers[s][p];

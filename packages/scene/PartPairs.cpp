@@ -56,7 +56,7 @@ PartPairs::PartPairs(const input::Parameters& scene, const mesh::Mesh& mesh, con
           taken_.insert(std::minmax(first, second));
         }
       }
-    } else if (!hasPattern(interface)) {
+    } else if (interface.has("Part 1") && !hasPattern(interface)) {
       taken_.insert(std::minmax(interface.text("Part 1"), interface.text("Part 2")));
     }
   }

@@ -12,6 +12,7 @@
 #include <harmos/elasticity/Materials.hpp>
 #include <harmos/input/Check.hpp>
 #include <harmos/input/ErrorList.hpp>
+#include <harmos/laws/FaceLaw.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/SceneSpec.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
@@ -167,9 +168,17 @@ class SceneChecker {
     const bool hasParts = interface.has("Part 1") && interface.has("Part 2");
     const bool hasAnySide = interface.has("Side 1") || interface.has("Side 2");
     const bool hasAnyPart = interface.has("Part 1") || interface.has("Part 2");
-    if ((hasAnySide && hasAnyPart) || !(hasSides || hasParts)) {
+    if (interface.has("Part") && !hasAnySide && !hasAnyPart) {
+      checkSection(interface);
+    } else if (interface.has("Part") || (hasAnySide && hasAnyPart) || !(hasSides || hasParts)) {
       errors_.add(interface.where(), "it is not clear what is joined.",
-                  "Give either \"Side 1\" and \"Side 2\" (names of side sets), or \"Part 1\" and \"Part 2\".");
+                  "Give either \"Side 1\" and \"Side 2\" (names of side sets), or \"Part 1\" and \"Part 2\", or "
+                  "\"Part\" with \"Point\" and \"Normal\".");
+    }
+    for (const char* entry : {"Point", "Normal"}) {
+      if (interface.has(entry) && !interface.has("Part")) {
+        errors_.add(interface.where(entry), "it belongs to a plane through one part.", "Remove it, or give \"Part\".");
+      }
     }
     const Names parts = namesOf(input_.lists("Parts"));
     for (const char* entry : {"Part 1", "Part 2"}) {
@@ -190,6 +199,25 @@ class SceneChecker {
     }
     checkJoining(interface);
     makeLaw(interface, 2);
+  }
+
+  /// An interface on a plane through one part.
+  void checkSection(const Parameters& interface) {
+    knownName(interface, "Part", namesOf(input_.lists("Parts")), "Parts");
+    for (const char* entry : {"Point", "Normal"}) {
+      if (interface.has(entry)) continue;
+      errors_.add(interface.where(), std::string("the plane through the part has no \"") + entry + "\".", "Give it.");
+    }
+    for (const char* entry : {"Projection Direction", "Closed Within", "Search Distance"}) {
+      if (!interface.has(entry)) continue;
+      errors_.add(interface.where(entry), "the sides of a plane through one part share their nodes.", "Remove it.");
+    }
+    for (const Parameters& other : input_.lists("Interfaces")) {
+      if (&other == &interface) break;
+      if (!other.has("Part") || other.text("Part") != interface.text("Part")) continue;
+      errors_.add(interface.where("Part"), "the part is divided already, at " + other.location() + ".",
+                  "Let one plane cut it, or divide the part into several.");
+    }
   }
 
   void checkJoining(const Parameters& interface) {
@@ -238,6 +266,13 @@ class SceneChecker {
                   "Choose another law, or describe a boundary in the list Boundaries.");
     }
     scene_.laws[interface.name()] = law;
+    const auto* ofFace = dynamic_cast<const laws::FaceLaw*>(law.get());
+    const auto other = ofFace == nullptr ? nullptr : ofFace->onOtherFace();
+    if (!other) return;
+    scene_.laws[nameOfOtherFace(interface.name())] = other;
+    if (interface.has("Side 1")) return;
+    errors_.add(interface.where(), base::quoted(parameters.type()) + " acts between two faces, which may be apart.",
+                "Give \"Side 1\" and \"Side 2\", names of side sets.");
   }
 
   void checkResponse(const Parameters& response) {

@@ -68,7 +68,10 @@ void describeCreaseAngle(input::ParameterSpec& spec) {
 }
 
 void describeInterface(input::ParameterSpec& spec, const laws::LawRegistry& laws) {
-  spec.summary("Interfaces join two parts, by two side sets or found between two parts. Side 1 carries the normal.");
+  spec.summary(
+      "Interfaces join two parts, by two side sets or found between two parts, or lie on a plane through one part. "
+      "Side "
+      "1 carries the normal.");
   spec.text("Side 1").optional().doc("Side set on the first part.");
   spec.text("Side 2").optional().doc("Side set on the second part. Nodes need not coincide.");
   spec.text("Part 1").optional().doc(
@@ -76,6 +79,11 @@ void describeInterface(input::ParameterSpec& spec, const laws::LawRegistry& laws
       "stands for all parts that it fits: every two of them with faces on each other are joined that no other "
       "interface names.");
   spec.text("Part 2").optional().doc("See Part 1.");
+  spec.text("Part").optional().doc(
+      "Instead of two parts: one that the interface divides along the layer of element faces nearest to a plane, over "
+      "its whole section, such as the shank of a bolt. For Pretension, Preload Jump and Perfect.");
+  spec.numbers("Point").unit("length").optional().doc("On the plane through Part.");
+  spec.numbers("Normal").optional().doc("Of the plane through Part, of any length; side 1 lies behind the plane.");
   spec.numbers("Projection Direction")
       .optional()
       .doc("For surfaces that are open at first: direction along which their nodes coincide and gaps are measured.");

@@ -17,7 +17,9 @@ using Named = std::pair<std::string, std::vector<int>>;
 
 bool isCut(const Problem& problem, const assembly::Interface& interface) {
   const auto& pieces = problem.bodies.pieces;
-  return interface.body2 >= 0 && pieces[interface.body1].part == pieces[interface.body2].part;
+  if (interface.body2 < 0) return false;
+  const mesh::Piece &first = pieces[interface.body1], &second = pieces[interface.body2];
+  return first.part == second.part && first.side == second.side;
 }
 
 std::vector<Named> interfacesByName(const Problem& problem) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
@@ -48,6 +49,18 @@ void demandExpansions(const scene::Problem& problem) {
   }
 }
 
+/// A law over a whole face is asked about each interface by itself there.
+void demandWholeFaces(const assembly::Assembly& assembly) {
+  std::map<int, int> interfaces;  // of each face
+  for (const assembly::Interface& interface : assembly.interfaces) {
+    if (interface.face < 0 || ++interfaces[interface.face] == 1) continue;
+    throw base::Error("The law " + base::quoted(interface.law->name()) + " of " + base::quoted(interface.name) +
+                          " acts on faces of several parts or pieces of parts together, which expansions cannot.\n"
+                          "  Give the parts Pieces = 1, or choose the design Collocation.",
+                      base::ExitCode::input);
+  }
+}
+
 }  // namespace
 
 ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
@@ -63,6 +76,7 @@ ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teucho
       choice_(chooseLocalStage(study, problem_, *comm_)),
       isGalerkin_(choice_.cost.isGalerkin) {
   demandExpansions(problem_);
+  demandWholeFaces(problem_.assembly);
   demandMemory(study, choice_, *comm_);
 }
 

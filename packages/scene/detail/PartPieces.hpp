@@ -9,9 +9,9 @@
 
 namespace harmos::scene {
 
-/// A part of the scene as one, whatever it was cut into.
+/// A part of the scene as one, whatever it was cut into; of a part that an interface divides one side of it.
 struct PartPieces {
-  std::string name;         ///< in the list Parts
+  std::string name;         ///< in the list Parts; with the side where an interface divides the part
   mesh::Piece piece;        ///< all its elements
   std::vector<int> bodies;  ///< that it was cut into
 };

@@ -59,7 +59,7 @@ TEST(RemoteForce, HasTheResultantThatIsAskedFor) {
     EXPECT_NEAR(found[i++], values.at(name), 1e-10) << name;
   }
   // What replaces it acts on the same face.
-  EXPECT_EQ(dynamic_cast<const FaceLaw&>(*inPlaceOf(*bound, law)).face(), bound->face());
+  EXPECT_EQ(dynamic_cast<const FaceLaw&>(*inPlaceOf(*bound, law)).face(), dynamic_cast<const FaceLaw&>(*bound).face());
   EXPECT_EQ(inPlaceOf(*makeLaw("Pressure", {{"Pressure", 1.0}}), bound), bound);
 }
 

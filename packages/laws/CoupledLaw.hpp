@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/laws/InterfaceLaw.hpp>
+
+namespace harmos::laws {
+
+/// A law over all points of a face together, whatever pieces and ranks it lies on.
+///
+/// The points depend on each other through a few sums over all of them only: s = sum over points of c_p + D_p
+/// delta_free_p, where c and D follow from the lines' compliances, areas and places. On the lines, at one load step and
+/// with one history, the tractions are affine in all free jumps together, t = A delta_free + b, with A symmetric in the
+/// sum of h a.(A b) over the points. The sums need areas: NodeArrays must have them.
+class CoupledLaw : public InterfaceLaw {
+ public:
+  /// How many sums there are, at least 1.
+  virtual int sums() const = 0;
+  /// Adds the share of some points to the sums of a load step, counted from 0. Reads no history.
+  virtual void addToSums(int step, const NodeArrays& nodes, double* sums) const = 0;
+  /// Solves some points of the face, given the sums over all of it; otherwise as solve(int, const NodeArrays&).
+  virtual void solvePoints(int step, const NodeArrays& nodes, const double* sums) const = 0;
+  /// Tractions A delta_free on lines whose free jumps are those of a direction, as are the sums. Reads and writes no
+  /// history, and of the states sets the tractions only.
+  virtual void solveTangent(int step, const NodeArrays& nodes, const double* sums) const = 0;
+
+  /// Of a face that these points are all of.
+  void solve(int step, const NodeArrays& nodes) const final {
+    std::vector<double> all(static_cast<std::size_t>(sums()), 0.0);
+    addToSums(step, nodes, all.data());
+    solvePoints(step, nodes, all.data());
+  }
+  /// No traction is given, and no component stands for itself.
+  bool prescribesTraction() const final { return false; }
+  /// See prescribesTraction().
+  bool isAffine() const final { return false; }
+  /// As it is affine in all free jumps together.
+  bool isSmooth() const final { return true; }
+};
+
+}  // namespace harmos::laws
