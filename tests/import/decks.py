@@ -144,6 +144,63 @@ class Decks(unittest.TestCase):
                 row = self.solved(self.bar(vector, f"*BOUNDARY\n999,1,1,{value}\n"))[-1]
                 self.assertAlmostEqual(row["bolt_force_preload_cut"], 1000.0 * 0.01 / 10.0, 5)
 
+    def test_pretension_by_force(self) -> None:
+        pull = "*BOUNDARY\n41,3,3,0.02\n42,3,3,0.02\n43,3,3,0.02\n44,3,3,0.02\n"
+        for vector, force in (("", 7.0), ("0,0,-1\n", -7.0)):
+            for lock in ("*BOUNDARY,FIXED\n999,1,1\n", "*BOUNDARY\n999,1,1\n"):
+                with self.subTest(vector + lock):
+                    text = self.bar(vector, f"*CLOAD\n999,1,{force}\n") + STEP.format(lock + pull)
+                    history = self.solved(text)
+                    # Locked, the bar goes on as one of ten cubes.
+                    self.assertAlmostEqual(history[1]["bolt_force_preload_cut"], 7.0, 4)
+                    self.assertAlmostEqual(history[-1]["bolt_force_preload_cut"], 7.0 + 1000.0 * 0.02 / 10.0, 4)
+        text = self.bar("", "*CLOAD\n999,1,7.\n") + STEP.format(pull)
+        self.assertAlmostEqual(self.solved(text)[-1]["bolt_force_preload_cut"], 7.0, 4)
+
+    def test_couplings(self) -> None:
+        # The end of ten cubes, of unit modulus times 1000, from a point beyond it.
+        def bar(kind: str, more: str, load: str) -> str:
+            text = self.bar("", load).replace("*SURFACE,NAME=CUT\n5, S2\n*PRE-TENSION SECTION,SURFACE=CUT,NODE=999\n",
+                                              f"*SURFACE,NAME=END\n10, S2\n{kind}")
+            return text.replace("1,2,3,4,41,42,43,44", "1,2,3,4").replace("999,0,0,0", "999,0.5,0.5,12.").replace(
+                "TYPE=C3D8", "TYPE=C3D8I") .replace("*BOUNDARY\nENDS", more + "*BOUNDARY\nENDS")
+        distributing = "*COUPLING,CONSTRAINT NAME=C,REF NODE=999,SURFACE=END\n*DISTRIBUTING\n"
+        kinematic = "*COUPLING,CONSTRAINT NAME=C,REF NODE=999,SURFACE=END\n*KINEMATIC\n1,3\n"
+        nodes = "*NSET,NSET=LAST\n41,42,43,44\n"
+        rigid = "*RIGID BODY,NSET=LAST,REF NODE=999\n"
+        for kind in (distributing, kinematic, nodes + rigid):
+            with self.subTest(kind):
+                row = self.solved(bar(kind, "", "*CLOAD\n999,1,3.\n999,3,5.\n"))[-1]
+                self.assertAlmostEqual(row["reaction_held_xyz_x"], -3.0, 4)
+                self.assertAlmostEqual(row["reaction_held_xyz_z"], -5.0, 4)
+                row = self.solved(bar(kind, "", "*BOUNDARY\n999,3,3,0.02\n"))[-1]
+                self.assertAlmostEqual(row["reaction_held_xyz_z"], -1000.0 * 0.02 / 10.0, 4)
+        code, said = self.imported(bar(kinematic.replace("1,3", "3,3"), "", ""))
+        self.assertEqual(code, 0, said)
+        self.assertIn("*KINEMATIC: of some components", said)
+
+    def test_rotation(self) -> None:
+        # A cube of mass 2 whose centre is 0.5 above a horizontal axis through its foot.
+        turn = "*DLOAD\nCUBE, CENTRIF, 9., 0., 0., 0., 0., 2., 0.\n"
+        history = self.solved(CUBE + STEEL + HELD + STEP.format("0.25, 1.\n" + turn))
+        for row in history:
+            self.assertAlmostEqual(row["reaction_held_xyz_z"], -2.0 * 9.0 * row["time"] * 0.5, 4)
+            self.assertAlmostEqual(row["reaction_held_xyz_x"], -2.0 * 9.0 * row["time"] * 0.5, 4)
+
+    def test_temperatures(self) -> None:
+        warm = "*INITIAL CONDITIONS,TYPE=TEMPERATURE\nALL, 20.\n"
+        expansion = STEEL.replace("*DENSITY", "*EXPANSION\n1e-5\n*DENSITY")
+        held = "*BOUNDARY\n1,1,3\n2,2,3\n3,3,3\n4,3,3\n5,3,3\n6,3,3\n7,3,3\n8,3,3\n"
+        for initial, change in ((warm, 100.0), ("", 120.0)):
+            text = CUBE + expansion + held + initial + STEP.format("*TEMPERATURE\nALL, 120.\n")
+            row = self.solved(text)[-1]
+            # Held between its ends: sigma = - E alpha dT, of which two of four nodes carry half.
+            two = row["reaction_held_xyz_z"] + row["reaction_held_yz_z"]
+            self.assertAlmostEqual(two, 0.5 * 1000.0 * 1e-5 * change, 5)
+        code, said = self.imported(CUBE + expansion + held + STEP.format("*TEMPERATURE\n1, 120.\n"))
+        self.assertEqual(code, 0, said)
+        self.assertIn("*TEMPERATURE: of part", said)
+
     def test_orthotropic_in_turned_axes(self) -> None:
         text = PLAIN.replace("*ELASTIC\n1000., 0.\n", "*ELASTIC,TYPE=ENGINEERING CONSTANTS\n"
                              "1000., 2000., 4000., 0., 0., 0., 500., 500.,\n500.\n")

@@ -6,24 +6,26 @@ import numpy
 
 from harmos.exchange.deck.cards import Card, read_cards
 from harmos.exchange.deck.contents import Contents
+from harmos.exchange.deck.couplings import Couplings
 from harmos.exchange.deck.curves import Histories
 from harmos.exchange.deck.joints import Joints
 from harmos.exchange.deck.loads import OUTPUT, LoadReader, LoadWriter
 from harmos.exchange.deck.materials import Material, read_materials, write_material
 from harmos.exchange.deck.solids import KINEMATICS, Solids
+from harmos.exchange.deck.volumes import VolumeWriter
 from harmos.exchange.findings import Findings
 from harmos.exchange.mesh import Mesh, clean_name, oriented, outer_faces, unused_name, without_loose_nodes
 from harmos.exchange.scene import SceneList
 
 _KNOWN = {"HEADING", "NODE", "ELEMENT", "NSET", "ELSET", "SURFACE", "MATERIAL", "ELASTIC", "DENSITY", "SOLIDSECTION",
           "ORIENTATION", "TIE", "CONTACTPAIR", "SURFACEINTERACTION", "FRICTION", "SURFACEBEHAVIOR", "PRE-TENSIONSECTION",
-          "BOUNDARY", "AMPLITUDE", "TRANSFORM", "PREPRINT", "PLASTIC", "CREEP", "EXPANSION", "CONDUCTIVITY",
+          "BOUNDARY", "COUPLING", "KINEMATIC", "DISTRIBUTING", "RIGIDBODY", "AMPLITUDE", "TRANSFORM", "PREPRINT", "PLASTIC",
+          "CREEP", "EXPANSION", "CONDUCTIVITY",
           "SPECIFICHEAT", "HYPERELASTIC", "HYPERFOAM", "DAMPING", "CONTACTDAMPING", "GAPCONDUCTANCE", *OUTPUT}
 
 _EFFECTS = {
     "EQUATION": "nodes that it ties move as they like",
-    "MPC": "nodes that it ties move as they like", "RIGIDBODY": "the body is elastic",
-    "COUPLING": "its reference point and what is tied to it move as they like",
+    "MPC": "nodes that it ties move as they like",
     "DISTRIBUTINGCOUPLING": "the load of its reference point is left out",
     "INITIALCONDITIONS": "initial temperatures, stresses or velocities are left out",
     "BEAMSECTION": "beams are left out", "SHELLSECTION": "shells are left out", "SPRING": "springs are left out",
@@ -52,7 +54,7 @@ def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> Im
     """
     contents = Contents(read_cards(path), findings)
     for card in contents.model:
-        if card.keyword not in _KNOWN:
+        if card.keyword not in _KNOWN and (card.keyword, card.get("TYPE")) != ("INITIALCONDITIONS", "TEMPERATURE"):
             findings.leave_out(card.place, f"*{card.keyword}", _EFFECTS.get(card.keyword, "without effect on the scene"))
     materials = read_materials(contents.model, findings)
     solids = Solids(contents, findings, path)
@@ -61,15 +63,19 @@ def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> Im
         scene.set("Units", units)
     thickness = _write_model(scene, solids, findings)
     scene.child("Mesh").set("Type", "Exodus").set("File", mesh_file)
-    _write_parts(scene, contents, solids, materials, findings)
-    loads = LoadReader(contents, solids, materials, findings).read()
+    names = _write_parts(scene, contents, solids, materials, findings)
+    couplings = Couplings(contents, solids, findings)
+    loads = LoadReader(contents, solids, materials, couplings, findings).read()
     histories = Histories(scene)
     joints = Joints(contents, solids, scene, findings)
     joints.write(histories, loads.preloads)
     writer = LoadWriter(solids, scene, histories, thickness, findings)
     writer.write(loads)
+    coupled = couplings.write(scene, histories)
+    VolumeWriter(solids, materials, names, scene, histories, findings).write(loads)
     _write_steps(scene, loads.steps, joints.has_contact or bool(scene.child("Histories").items), findings)
-    _hold_what_nothing_touches(scene, solids, writer.touched | {part for pair in joints.joined for part in pair}, findings)
+    _hold_what_nothing_touches(scene, solids,
+                               writer.touched | coupled | {part for pair in joints.joined for part in pair}, findings)
     mesh = solids.mesh
     for sets in (mesh.side_sets, mesh.node_sets):
         for name in [name for name, entries in sets.items() if not len(entries)]:
@@ -111,7 +117,8 @@ def _write_model(scene: SceneList, solids: Solids, findings: Findings) -> float:
 
 
 def _write_parts(scene: SceneList, contents: Contents, solids: Solids, materials: dict[str, Material],
-                 findings: Findings) -> None:
+                 findings: Findings) -> dict[str, str]:
+    """The name of the material of each part."""
     orientations = {card.get("NAME"): card for card in contents.model if card.keyword == "ORIENTATION"}
     names: dict[tuple[str, str], str] = {}
     for part, blocks in solids.mesh.parts().items():
@@ -129,6 +136,8 @@ def _write_parts(scene: SceneList, contents: Contents, solids: Solids, materials
         entry.set("Material", names[key])
         if solids.modes_of_part[part]:
             entry.set("Formulation", "Incompatible Modes")
+    return {part: names[solids.sections[number].material, solids.sections[number].orientation]
+            for part, number in solids.section_of_part.items()}
 
 
 def _axes(card: "Card | None", name: str, material: Material,

@@ -6,7 +6,8 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents
-from harmos.exchange.deck.curves import Histories, Points, peak
+from harmos.exchange.deck.curves import Histories
+from harmos.exchange.deck.loads import Preload
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.findings import Findings, Refusals, Refused, names_there
 from harmos.exchange.contact import face_measures
@@ -43,9 +44,8 @@ class Joints:
                 current = ""
         return result
 
-    def write(self, histories: Histories, preloads: dict[int, tuple[Points, str]]) -> None:
-        """All of them; `preloads`: by reference node the curve of its first component, and whether it is a
-        "displacement" or a "force"."""
+    def write(self, histories: Histories, preloads: dict[int, Preload]) -> None:
+        """All of them; `preloads`: by reference node."""
         refusals = Refusals()
         for card in self._contents.model:
             with refusals.collect():
@@ -148,7 +148,7 @@ class Joints:
         margin = 0.25 * max(float(numpy.max(high - low)) for low, high in boxes)
         return bool((boxes[0][0] <= boxes[1][1] + margin).all() and (boxes[1][0] <= boxes[0][1] + margin).all())
 
-    def _pretension(self, card: Card, histories: Histories, preloads: dict[int, tuple[Points, str]]) -> None:
+    def _pretension(self, card: Card, histories: Histories, preloads: dict[int, Preload]) -> None:
         surface = self._contents.surfaces.get(card.get("SURFACE"))
         node = int(card.number(card.get("NODE") or "0", 0)) if card.get("NODE").isdigit() else 0
         if surface is None or not node:
@@ -168,19 +168,17 @@ class Joints:
         own, other = owners.pop(), others.pop()
         name = unused_name(f"preload_{clean_name(card.parameters['SURFACE'])}".lower(),
                            set(self._scene.child("Interfaces").names()))
-        points, kind = preloads.get(node, (((0.0, 0.0),), "displacement"))
-        if kind == "force":
-            self._findings.leave_out(card.place, "*PRE-TENSION SECTION by force",
-                                     f"{peak(points):g}; the jump of the interface {name} is 0, raise it until the "
-                                     "response of that name has this force")
-            self._scene.child("Interfaces").comment(f"TO DECIDE: the jump that gives the bolt force {peak(points):g}.")
-            points = ((0.0, 0.0),)
+        preload = preloads.get(node, Preload())
+        points = preload.points
         if self._points_inwards(card, rows):
             points = tuple((time, -value) for time, value in points)
         interface = self._scene.child("Interfaces").child(name)
         interface.set("Side 1", self.add_side_set(card.parameters["SURFACE"], rows))
         interface.set("Side 2", self.add_side_set(f"{card.parameters['SURFACE']}_other", twins))
-        histories.set(interface.child("Law").set("Type", "Preload Jump"), "Jump", points)
+        law = interface.child("Law").set("Type", "Pretension" if preload.is_force else "Preload Jump")
+        histories.set(law, "Force" if preload.is_force else "Jump", points)
+        if preload.is_force and preload.locked is not None:
+            law.set("Locked From", preload.locked)
         self._scene.child("Responses").child(f"bolt_force_{name}").set("Type", "Bolt Force").set("Interface", name)
         self.joined.add(frozenset([own, other]))
         self._findings.found.append(f"{card.place}: pretension section: interface {name} between {own} and {other}")

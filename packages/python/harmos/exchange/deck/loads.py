@@ -1,6 +1,7 @@
 """Boundaries and loads of a deck over its steps, as boundaries of a scene."""
 import collections
 import dataclasses
+import typing
 
 import numpy
 
@@ -8,6 +9,7 @@ from harmos.arrays import Array
 from harmos.exchange.deck.areas import inner_areas, nodal_areas
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents, Scope, Step
+from harmos.exchange.deck.couplings import Couplings
 from harmos.exchange.deck.curves import UNLOADED, Histories, Points, Span, followed, peak, shape
 from harmos.exchange.deck.materials import Material
 from harmos.exchange.deck.solids import Solids
@@ -17,6 +19,8 @@ from harmos.exchange.scene import SceneList
 
 STATIC = ("STATIC",)
 """Procedures that Harmos has."""
+
+_Key = typing.TypeVar("_Key")
 
 SAME = 1e-3
 """Difference of nodal forces from those of a constant traction, over the largest of them, that counts as none."""
@@ -30,6 +34,24 @@ _TYPES = {"ENCASTRE": [1, 2, 3], "PINNED": [1, 2, 3], "XSYMM": [1], "YSYMM": [2]
           "XASYMM": [2, 3], "YASYMM": [1, 3], "ZASYMM": [1, 2]}
 
 
+Turn = tuple[str, tuple[float, ...], tuple[float, ...]]
+"""A part that turns, a point of the axis, and its direction."""
+
+
+@dataclasses.dataclass
+class Preload:
+    """What tightens a bolt.
+
+    Attributes:
+        points: curve of the displacement or of the force.
+        is_force: which of them.
+        locked: time from which the bolt keeps what the force has drawn together; None: it never does.
+    """
+    points: Points = UNLOADED
+    is_force: bool = False
+    locked: "float | None" = None
+
+
 @dataclasses.dataclass
 class Loads:
     """What acts, over time.
@@ -39,23 +61,29 @@ class Loads:
         forces: curve of a force, by the same.
         pressures: curve of a pressure, by element and side.
         body_forces: curves of the acceleration times density [force/volume], by part and component.
-        preloads: curve and kind, by the id of the reference node.
+        rotations: curve of the squared angular velocity, by part, point and axis.
+        temperatures: curve of the temperature, by node; the first value is that without strain.
+        preloads: of bolts, by the id of the reference node.
         steps: name, duration and increments.
     """
     held: dict[tuple[int, int], Points] = dataclasses.field(default_factory=dict)
     forces: dict[tuple[int, int], Points] = dataclasses.field(default_factory=dict)
     pressures: dict[tuple[int, int], Points] = dataclasses.field(default_factory=dict)
     body_forces: dict[tuple[str, int], Points] = dataclasses.field(default_factory=dict)
-    preloads: dict[int, tuple[Points, str]] = dataclasses.field(default_factory=dict)
+    rotations: dict[Turn, Points] = dataclasses.field(default_factory=dict)
+    temperatures: dict[int, Points] = dataclasses.field(default_factory=dict)
+    preloads: dict[int, Preload] = dataclasses.field(default_factory=dict)
     steps: list[tuple[str, float, int]] = dataclasses.field(default_factory=list)
 
 
 class LoadReader:
     """Follows the steps of a deck."""
 
-    def __init__(self, contents: Contents, solids: Solids, materials: dict[str, Material], findings: Findings) -> None:
-        """Keeps all of them."""
+    def __init__(self, contents: Contents, solids: Solids, materials: dict[str, Material], couplings: Couplings,
+                 findings: Findings) -> None:
+        """Keeps all of them; what acts on reference nodes is added to the couplings."""
         self._contents, self._solids, self._materials, self._findings = contents, solids, materials, findings
+        self._couplings = couplings
         self._scope = Scope()
         self._loads = Loads()
         self._refusals = Refusals()
@@ -85,6 +113,9 @@ class LoadReader:
             if card.keyword == "BOUNDARY":
                 with self._refusals.collect():
                     self._boundary(card, Span(-1.0, 0.0), True)
+            elif card.keyword == "INITIALCONDITIONS" and card.get("TYPE") == "TEMPERATURE":
+                with self._refusals.collect():
+                    self._temperature(card, None, True)
         for key, points in self._loads.held.items():
             self._loads.held[key] = ((0.0, points[-1][1]),)
         time = 0.0
@@ -122,6 +153,8 @@ class LoadReader:
                     self._force(card, span, at_once)
                 elif card.keyword in ("DLOAD", "DSLOAD"):
                     self._distributed(card, span, at_once)
+                elif card.keyword == "TEMPERATURE" and "FILE" not in card.parameters:
+                    self._temperature(card, span, at_once)
                 elif card.keyword not in OUTPUT and card is not static:
                     self._findings.leave_out(card.place, f"*{card.keyword}", "without effect on the scene")
         return span.end
@@ -133,6 +166,13 @@ class LoadReader:
             "BOUNDARY": [self._loads.held]}
         for keyword, tables in kinds.items():
             new = [card for card in step.cards if card.keyword == keyword and card.get("OP") == "NEW"]
+            if keyword == "CLOAD" and new:
+                for coupling in self._couplings.all:
+                    for component, points in coupling.forces.items():
+                        coupling.forces[component] = followed(points, span, 0.0, None, False)
+            if keyword == "DLOAD" and new:
+                for turn, points in self._loads.rotations.items():
+                    self._loads.rotations[turn] = followed(points, span, 0.0, None, False)
             if not new or not any(tables):
                 continue
             if keyword == "BOUNDARY":
@@ -174,11 +214,19 @@ class LoadReader:
                 last = int(card.number(words[2], row)) if len(words) > 2 and words[2] else first
                 components = list(range(first, last + 1))
                 value = card.number(words[3], row) if len(words) > 3 else 0.0
-            preload = self._preload_nodes & set(ids.tolist())
-            for node in preload:
+            for node in self._preload_nodes & set(ids.tolist()):
                 if 1 in components:
-                    points = self._loads.preloads.get(node, (UNLOADED, ""))[0]
-                    self._loads.preloads[node] = followed(points, span, value, amplitude, at_once), "displacement"
+                    self._draw(node, card, row, span, value, amplitude, at_once)
+            ids, coupled = self._divided(ids)
+            for node in coupled:
+                coupling, first = self._couplings.at_node[node]
+                for component in components:
+                    at = component - 1 + first
+                    points = coupling.held.get(at, UNLOADED)
+                    coupling.held[at] = (((0.0, value),) if span.end <= 0.0
+                                         else followed(points, span, value, amplitude, at_once))
+            if not len(ids):
+                continue
             if any(component > 3 for component in components):
                 others = [component for component in components if component > 3]
                 if not set(others) <= {4, 5, 6} or value != 0.0:
@@ -186,6 +234,29 @@ class LoadReader:
                                              "solids have displacements 1 to 3 only")
             self._hold(card, row, ids, [c for c in components if 1 <= c <= self._solids.mesh.dimension], span, value,
                        amplitude, at_once)
+
+    def _draw(self, node: int, card: Card, row: int, span: Span, value: float, amplitude: "Points | None",
+              at_once: bool) -> None:
+        """A displacement of the reference node of a pretension section; FIXED, or 0 after a force, locks the bolt."""
+        preload = self._loads.preloads.get(node, Preload())
+        if preload.is_force:
+            if "FIXED" not in card.parameters and value != 0.0:
+                self._findings.leave_out(card.place_of(row), "*BOUNDARY of a pretension section",
+                                         f"{value:g}, after a force: the bolt keeps what that has drawn together")
+            if preload.locked is None:
+                self._loads.preloads[node] = dataclasses.replace(preload, locked=span.begin)
+        elif "FIXED" not in card.parameters:
+            self._loads.preloads[node] = Preload(followed(preload.points, span, value, amplitude, at_once))
+
+    def _tighten(self, node: int, card: Card, row: int, span: Span, value: float, amplitude: "Points | None",
+                 at_once: bool) -> None:
+        """A force on the reference node of a pretension section."""
+        preload = self._loads.preloads.get(node, Preload())
+        if preload.locked is not None or (not preload.is_force and preload.points != UNLOADED):
+            self._findings.leave_out(card.place_of(row), "*CLOAD on a pretension section",
+                                     f"{value:g}, after the bolt was locked or drawn together: it keeps that")
+            return
+        self._loads.preloads[node] = Preload(followed(preload.points, span, value, amplitude, at_once), True)
 
     def _hold(self, card: Card, row: int, ids: Array, components: list[int], span: Span, value: float,
               amplitude: "Points | None", at_once: bool) -> None:
@@ -219,8 +290,14 @@ class LoadReader:
             ids, component = self._nodes(words[0], card, row), int(card.number(words[1], row))
             value = card.number(words[2], row)
             for node in self._preload_nodes & set(ids.tolist()):
-                points = self._loads.preloads.get(node, (UNLOADED, ""))[0]
-                self._loads.preloads[node] = followed(points, span, value, amplitude, at_once), "force"
+                if component == 1:
+                    self._tighten(node, card, row, span, value, amplitude, at_once)
+            ids, coupled = self._divided(ids)
+            for node in coupled:
+                coupling, first = self._couplings.at_node[node]
+                self._add(coupling.forces, component - 1 + first, span, value, amplitude, at_once)
+            if not len(ids):
+                continue
             if not 1 <= component <= self._solids.mesh.dimension:
                 self._findings.leave_out(card.place_of(row), f"*CLOAD of component {component}", f"{value:g}, on "
                                          "rotations or temperatures, which solids have not")
@@ -233,8 +310,30 @@ class LoadReader:
                 if node not in self._transformed:
                     self._add(self._loads.forces, (node, component - 1), span, value, amplitude, at_once)
 
+    def _temperature(self, card: Card, span: "Span | None", at_once: bool) -> None:
+        """Temperatures of nodes; without a span the initial ones, at which there is no strain."""
+        if span is not None and not any(material.expansion for material in self._materials.values()):
+            self._findings.leave_out(card.place, "*TEMPERATURE", "no material expands: it has no effect")
+            return
+        amplitude = self._amplitude(card, span) if span is not None else None
+        for row, words in enumerate(card.rows()):
+            if len(words) < 2:
+                raise Refused(f"{card.place_of(row)}: *{card.keyword} takes a node or set, and a temperature.")
+            value = card.number(words[1], row)
+            for node in self._solids.nodes(self._nodes(words[0], card, row)).tolist():
+                if span is None:
+                    self._loads.temperatures[node] = ((0.0, value),)
+                else:
+                    points = self._loads.temperatures.get(node, UNLOADED)
+                    self._loads.temperatures[node] = followed(points, span, value, amplitude, at_once)
+
+    def _divided(self, ids: Array) -> tuple[Array, list[int]]:
+        """The nodes that are no reference of a coupling, and those that are."""
+        is_reference = numpy.isin(ids, list(self._couplings.at_node))
+        return ids[~is_reference], ids[is_reference].tolist()
+
     @staticmethod
-    def _add(table: dict[tuple[int, int], Points], key: tuple[int, int], span: Span, value: float,
+    def _add(table: "dict[_Key, Points]", key: "_Key", span: Span, value: float,
              amplitude: "Points | None", at_once: bool) -> None:
         """Goes on to a value; what the step has said before is added to."""
         points = table.get(key, UNLOADED)
@@ -258,6 +357,9 @@ class LoadReader:
             elif card.keyword == "DLOAD" and label == "GRAV":
                 self._gravity(card, row, words, span, amplitude, at_once)
                 continue
+            elif card.keyword == "DLOAD" and label == "CENTRIF":
+                self._centrifugal(card, row, words, span, amplitude, at_once)
+                continue
             elif card.keyword == "DLOAD" and label[:1] == "P" and label[1:].isdigit():
                 ids = self._contents.ids(words[0], self._contents.element_sets, self._scope, card, row)
                 sides = self._solids.sides(ids, label, card.place_of(row))
@@ -276,31 +378,57 @@ class LoadReader:
         numbers = [card.number(word, row) for word in words[2:6]]
         if len(numbers) < 4:
             raise Refused(f"{card.place_of(row)}: GRAV takes an acceleration and a direction.")
-        mesh = self._solids.mesh
-        loaded = self._solids.elements(self._contents.ids(words[0], self._contents.element_sets, self._scope, card, row))
-        count = numpy.bincount(mesh.block_of(loaded), minlength=len(mesh.blocks)) if len(loaded) else numpy.zeros(
-            len(mesh.blocks), dtype=int)
         direction = numpy.array(numbers[1:]) / max(float(numpy.linalg.norm(numbers[1:])), 1e-300)
-        for part, blocks in mesh.parts().items():
-            held = sum(int(count[block]) for block in blocks)
-            if not held:
-                continue
-            if held < sum(len(mesh.blocks[block].connectivity) for block in blocks):
-                self._findings.leave_out(card.place_of(row), "*DLOAD GRAV", f"acts on a piece of part {part}: it is left "
-                                         "out there; make that piece a section of its own")
-                continue
-            section = self._solids.sections[self._solids.section_of_part[part]]
-            material = self._materials.get(section.material)
-            density = material.density if material else 0.0
-            if density == 0.0:
-                self._findings.leave_out(card.place_of(row), "*DLOAD GRAV", f"the material of part {part} has no density")
-            for component in range(mesh.dimension):
+        for part, density in self._loaded_parts(card, row, words):
+            for component in range(self._solids.mesh.dimension):
                 value = density * numbers[0] * float(direction[component])
                 if value != 0.0:
                     key = part, component
                     points = self._loads.body_forces.get(key, UNLOADED)
                     before = tuple(point for point in points if point[0] <= span.begin) or UNLOADED
                     self._loads.body_forces[key] = followed(before, span, value, amplitude, at_once)
+
+
+    def _loaded_parts(self, card: Card, row: int, words: list[str]) -> list[tuple[str, float]]:
+        """The parts on whose whole mass a line of *DLOAD acts, and their densities."""
+        mesh = self._solids.mesh
+        loaded = self._solids.elements(self._contents.ids(words[0], self._contents.element_sets, self._scope, card, row))
+        count = numpy.bincount(mesh.block_of(loaded), minlength=len(mesh.blocks)) if len(loaded) else numpy.zeros(
+            len(mesh.blocks), dtype=int)
+        result = []
+        for part, blocks in mesh.parts().items():
+            held = sum(int(count[block]) for block in blocks)
+            if not held:
+                continue
+            if held < sum(len(mesh.blocks[block].connectivity) for block in blocks):
+                self._findings.leave_out(card.place_of(row), f"*DLOAD {words[1].upper()}", f"acts on a piece of part {part}: "
+                                         "it is left out there; make that piece a section of its own")
+                continue
+            section = self._solids.sections[self._solids.section_of_part[part]]
+            material = self._materials.get(section.material)
+            density = material.density if material else 0.0
+            if density == 0.0:
+                self._findings.leave_out(card.place_of(row), f"*DLOAD {words[1].upper()}",
+                                         f"the material of part {part} has no density")
+                continue
+            result.append((part, density))
+        return result
+
+    def _centrifugal(self, card: Card, row: int, words: list[str], span: Span, amplitude: "Points | None",
+                     at_once: bool) -> None:
+        numbers = [card.number(word, row) for word in words[2:9]]
+        if len(numbers) < 7 or numbers[0] < 0.0 or not any(numbers[4:7]):
+            raise Refused(f"{card.place_of(row)}: CENTRIF takes the square of an angular velocity, a point and a direction.")
+        axis = numpy.array(numbers[4:7]) / float(numpy.linalg.norm(numbers[4:7]))
+        about = {"C3D": None, "CAX": 1}.get(self._solids.family, 2)
+        if about is not None and abs(abs(float(axis[about])) - 1.0) > SAME:
+            self._findings.leave_out(card.place_of(row), "*DLOAD CENTRIF", f"turns about another axis than {'xyz'[about]}")
+            return
+        for part, _ in self._loaded_parts(card, row, words):
+            key = part, tuple(numbers[1:4]), tuple(float(x) for x in axis)
+            points = self._loads.rotations.get(key, UNLOADED)
+            before = tuple(point for point in points if point[0] <= span.begin) or UNLOADED
+            self._loads.rotations[key] = followed(before, span, numbers[0], amplitude, at_once)
 
 
 class LoadWriter:

@@ -10,7 +10,7 @@ from harmos.exchange.scene import SceneList
 _EFFECTS = {
     "PLASTIC": "plastic flow: parts stay elastic, stresses above the yield stress are too high",
     "HYPERELASTIC": "rubber elasticity", "HYPERFOAM": "foam elasticity",
-    "CREEP": "creep: nothing flows with time", "EXPANSION": "thermal strain: temperatures change nothing",
+    "CREEP": "creep: nothing flows with time",
     "DAMPING": "damping, without effect in statics", "CONDUCTIVITY": "heat conduction, without effect in statics",
     "SPECIFICHEAT": "heat capacity, without effect in statics",
 }
@@ -25,11 +25,13 @@ class Material:
         name: in the scene.
         entries: of the scene; empty: it is not linear elastic.
         density: mass per volume; 0: not given.
+        expansion: entries of the scene for strains of temperatures; empty: there are none.
     """
     card: Card
     name: str
     entries: dict[str, float]
     density: float = 0.0
+    expansion: dict[str, float] = dataclasses.field(default_factory=dict)
 
 
 def read_materials(cards: list[Card], findings: Findings) -> dict[str, Material]:
@@ -55,6 +57,8 @@ def _take(card: Card, result: dict[str, Material], findings: Findings) -> None:
             current.entries = _elastic(card, findings)
         elif card.keyword == "DENSITY" and card.data:
             current.density = card.number(card.rows()[0][0], 0)
+        elif card.keyword == "EXPANSION":
+            current.expansion = _expansion(card, findings)
         elif card.keyword in _EFFECTS:
             findings.leave_out(card.place, f"*{card.keyword}", _EFFECTS[card.keyword])
 
@@ -82,6 +86,19 @@ def _elastic(card: Card, findings: Findings) -> dict[str, float]:
                 "Poisson's Ratio 13": float(-compliance[2, 0] * young[0]), "Shear Modulus 12": float(numbers[6]),
                 "Shear Modulus 13": float(numbers[7]), "Shear Modulus 23": float(numbers[8])}
     findings.leave_out(card.place, f"*ELASTIC, TYPE={kind}", "this elasticity; the material has to be given anew")
+    return {}
+
+
+def _expansion(card: Card, findings: Findings) -> dict[str, float]:
+    kind = card.get("TYPE") or "ISO"
+    numbers = [float(number) for number in card.flat()]
+    if len(card.data) > 1:
+        findings.leave_out(card.place, "*EXPANSION", "expansion that depends on temperature: the first line is taken")
+    if kind == "ISO" and numbers:
+        return {"Thermal Expansion": numbers[0]}
+    if kind in ("ORTHO", "ORTHOTROPIC") and len(numbers) >= 3:
+        return {f"Thermal Expansion {axis}": number for axis, number in zip("123", numbers)}
+    findings.leave_out(card.place, f"*EXPANSION, TYPE={kind}", "this thermal strain: temperatures change nothing")
     return {}
 
 

@@ -247,6 +247,11 @@ class Solids:
         found: Array = at[used[at]]
         return found
 
+    def parts_of(self, nodes: Array) -> set[str]:
+        """Names of the parts that have one of these nodes, given by their indices."""
+        return {part for part, blocks in self.mesh.parts().items()
+                if any(numpy.isin(nodes, self.mesh.blocks[block].connectivity).any() for block in blocks)}
+
     def elements(self, ids: Array) -> Array:
         """Numbers in the mesh of the elements with these ids, those that are solids."""
         known = self._ids[self._order]

@@ -1,0 +1,181 @@
+"""Couplings of a deck: faces that follow a reference node, as boundaries of a scene."""
+import dataclasses
+
+import numpy
+
+from harmos.arrays import Array
+from harmos.exchange.deck.cards import Card
+from harmos.exchange.deck.contents import Contents
+from harmos.exchange.deck.curves import Histories, Points, peak
+from harmos.exchange.deck.solids import Solids
+from harmos.exchange.findings import Findings, Refused, names_there
+from harmos.exchange.mesh import clean_name, unused_name
+from harmos.exchange.scene import SceneList
+
+_HELD = ("X", "Y", "Z", "Rotation X", "Rotation Y", "Rotation Z")
+_FORCES = ("Force X", "Force Y", "Force Z", "Moment X", "Moment Y", "Moment Z")
+
+
+@dataclasses.dataclass
+class Coupling:
+    """A face, or some nodes, that follow a reference node.
+
+    Attributes:
+        card: it stands on.
+        name: of the surface or node set.
+        point: where the reference node is.
+        is_rigid: they move as a rigid body; else on the mean.
+        sides: element and side of the faces; None: nodes.
+        nodes: index in the mesh, where it is nodes.
+        held: curve by component from 0, rotations behind displacements.
+        forces: the same of forces and moments.
+    """
+    card: Card
+    name: str
+    point: list[float]
+    is_rigid: bool
+    sides: "Array | None"
+    nodes: Array
+    held: dict[int, Points] = dataclasses.field(default_factory=dict)
+    forces: dict[int, Points] = dataclasses.field(default_factory=dict)
+
+
+class Couplings:
+    """All couplings of a deck.
+
+    Attributes:
+        all: in their order.
+        at_node: coupling and first component, by the id of a reference node.
+    """
+
+    def __init__(self, contents: Contents, solids: Solids, findings: Findings) -> None:
+        """Reads them; what Harmos has not is listed.
+
+        Raises:
+            Refused: a surface, set or node is not there.
+        """
+        self._contents, self._solids, self._findings = contents, solids, findings
+        self.all: list[Coupling] = []
+        self.at_node: dict[int, tuple[Coupling, int]] = {}
+        for number, card in enumerate(contents.model):
+            if card.keyword == "COUPLING":
+                follower = contents.model[number + 1] if number + 1 < len(contents.model) else None
+                self._coupling(card, follower)
+            elif card.keyword == "RIGIDBODY":
+                self._rigid_body(card)
+
+    def _coupling(self, card: Card, kind: "Card | None") -> None:
+        if kind is None or kind.keyword not in ("KINEMATIC", "DISTRIBUTING"):
+            raise Refused(f"{card.place}: *COUPLING is followed by *KINEMATIC or *DISTRIBUTING.")
+        is_rigid = kind.keyword == "KINEMATIC"
+        if is_rigid and not {1, 2, 3} <= self._components(kind):
+            self._findings.leave_out(card.place, "*COUPLING, *KINEMATIC", "of some components only: the face is free")
+            return
+        surface = self._contents.surfaces.get(card.get("SURFACE"))
+        if surface is None:
+            raise Refused(f"{card.place}: *COUPLING: there is no surface \"{card.get('SURFACE')}\". "
+                          f"{names_there(card.get('SURFACE'), self._contents.surfaces)}")
+        rows = self._solids.surface(surface)
+        if not len(rows):
+            self._findings.leave_out(card.place, "*COUPLING", "no solid has a face on its surface")
+            return
+        node = self._id(card, "REFNODE")
+        self._add(Coupling(card, card.parameters["SURFACE"], self._point(node), is_rigid, rows,
+                           numpy.zeros(0, dtype=numpy.int64)), node, None)
+
+    def _components(self, kind: Card) -> set[int]:
+        """Those that a line of *KINEMATIC names; all, without lines."""
+        if not kind.data:
+            return {1, 2, 3}
+        result: set[int] = set()
+        for row, words in enumerate(kind.rows()):
+            numbers = [int(kind.number(word, row)) for word in words if word]
+            result.update(range(numbers[0], numbers[-1] + 1))
+        return result
+
+    def _rigid_body(self, card: Card) -> None:
+        if not card.get("NSET"):
+            self._findings.leave_out(card.place, "*RIGID BODY", "of elements: the body is elastic")
+            return
+        sets = self._contents.node_sets
+        if card.get("NSET") not in sets:
+            raise Refused(f"{card.place}: *RIGID BODY: there is no set \"{card.get('NSET')}\". "
+                          f"{names_there(card.get('NSET'), sets)}")
+        nodes = self._solids.nodes(numpy.concatenate(sets[card.get("NSET")]))
+        parts = self._solids.parts_of(nodes)
+        if len(parts) != 1:
+            self._findings.leave_out(card.place, "*RIGID BODY", "of nodes of several parts, or of none: it is elastic")
+            return
+        rotation = self._id(card, "ROTNODE") if "ROTNODE" in card.parameters else None
+        node = self._id(card, "REFNODE")
+        self._add(Coupling(card, card.parameters["NSET"], self._point(node), True, None, nodes), node, rotation)
+
+    def _id(self, card: Card, parameter: str) -> int:
+        word = card.get(parameter)
+        if not word.isdigit() or int(word) not in self._contents.node_ids:
+            raise Refused(f"{card.place}: *{card.keyword}: there is no node \"{word}\" for its reference.")
+        return int(word)
+
+    def _point(self, node: int) -> list[float]:
+        at = int(numpy.flatnonzero(self._contents.node_ids == node)[0])
+        return [float(x) for x in self._contents.coordinates[at][:self._solids.mesh.dimension]]
+
+    def _add(self, coupling: Coupling, node: int, rotation: "int | None") -> None:
+        if node in self.at_node:
+            raise Refused(f"{coupling.card.place}: node {node} is the reference of {self.at_node[node][0].card.place} already.")
+        self.all.append(coupling)
+        self.at_node[node] = coupling, 0
+        if rotation is not None:
+            self.at_node[rotation] = coupling, 3
+
+    def write(self, scene: SceneList, histories: Histories) -> set[str]:
+        """Adds a boundary for each; the names of the parts that they touch."""
+        touched: set[str] = set()
+        for coupling in self.all:
+            if not coupling.is_rigid and not coupling.held and not coupling.forces:
+                self._findings.leave_out(coupling.card.place, "*COUPLING, *DISTRIBUTING", "nothing acts on its node")
+                continue
+            touched |= self._write(coupling, scene, histories)
+        return touched
+
+    def _write(self, coupling: Coupling, scene: SceneList, histories: Histories) -> set[str]:
+        mesh = self._solids.mesh
+        sets = {**mesh.side_sets, **mesh.node_sets}
+        taken = {*scene.child("Boundaries").names(), *scene.child("Interfaces").names()}
+        name = unused_name(clean_name(f"{coupling.name}_point".lower()), {*taken, *sets})
+        boundary = scene.child("Boundaries").child(name)
+        if coupling.sides is not None:
+            mesh.side_sets[name] = coupling.sides
+            boundary.set("Side Set", name)
+            blocks = mesh.block_of(coupling.sides[:, 0])
+            names = list(mesh.parts())
+            parts = {names[mesh.part_of_block()[block]] for block in blocks}
+        else:
+            mesh.node_sets[name] = numpy.unique(coupling.nodes)
+            parts = self._solids.parts_of(coupling.nodes)
+            boundary.set("Node Set", name).set("Part", next(iter(parts)))
+        law = boundary.child("Law").set("Type", "Remote Displacement")
+        law.set("Kind", "Rigid" if coupling.is_rigid else "Distributing").set("Point", coupling.point)
+        in_space = set(range(6)) if mesh.dimension == 3 else {0, 1, 5}
+        for component, points in {**coupling.held, **coupling.forces}.items():
+            if component not in in_space and peak(points) != 0.0:
+                self._findings.leave_out(coupling.card.place, f"*{coupling.card.keyword}, component {component + 1}",
+                                         f"{peak(points):g}, which leaves the plane")
+        held = {component: points for component, points in sorted(coupling.held.items()) if component in in_space}
+        for component, points in held.items():
+            histories.set(law, _HELD[component], points)
+        for component, points in sorted(coupling.forces.items()):
+            if component in in_space and component not in held and peak(points) != 0.0:
+                histories.set(law, _FORCES[component], points)
+        for component in held:
+            axis = [float(component % 3 == each) for each in range(mesh.dimension)]
+            response = scene.child("Responses").child(f"reaction_{name}_{_HELD[component].replace(' ', '_').lower()}")
+            if component < 3:
+                response.set("Type", "Interface Force").set("Interface", name).set("Direction", axis)
+            else:
+                response.set("Type", "Interface Moment").set("Interface", name).set("Centre", coupling.point)
+                if mesh.dimension == 3:
+                    response.set("Axis", axis)
+        self._findings.found.append(f"{coupling.card.place}: {'rigid' if coupling.is_rigid else 'distributing'} coupling: "
+                                    f"boundary {name}")
+        return parts
