@@ -4,6 +4,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/latin/detail/RigidParts.hpp>
 #include <harmos/latin/detail/RigidWork.hpp>
 #include <harmos/latin/detail/SymmetricEigen.hpp>
 
@@ -59,9 +60,14 @@ void ReferenceMotions::add(const base::Matrix& trace, const TraceLayout& layout)
       }
     }
   }
+  if (resists_.empty()) {
+    for (const ResistedMotions& own : resistedMotions(*assembly_, layout.comm())) {
+      resists_.push_back(std::any_of(own.begin(), own.end(), [](bool one) { return one; }));
+    }
+  }
   std::vector<double> mine(right.size(), 0.0), all(right.size(), 0.0);
   for (std::size_t b = 0; b < bodies; ++b) {
-    if (grams[b].normInf() == 0.0) continue;
+    if (grams[b].normInf() == 0.0 || resists_[b]) continue;
     const std::vector<double> values = symmetricEigen(grams[b]);
     for (std::size_t t = 0; t < steps; ++t) {
       const double* from = right.data() + (b * steps + t) * sixfold;

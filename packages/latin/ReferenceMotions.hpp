@@ -25,7 +25,8 @@ class ReferenceMotions {
   /// All motions become zero.
   void clear() { motions_.clear(); }
   /// Collective. Adds to the motion of every body the one that fits u' [length] best on its rows of the layout, in the
-  /// sense of sum h |u' - rho|^2; columns: load steps. Bodies without rows keep theirs.
+  /// sense of sum h |u' - rho|^2; columns: load steps. Bodies without rows keep theirs, and so do those whose stiffness
+  /// resists a rigid motion, as in axisymmetry.
   void add(const base::Matrix& trace, const TraceLayout& layout);
 
   /// rho [length] at a node of a body.
@@ -55,6 +56,7 @@ class ReferenceMotions {
 
   const assembly::Assembly* assembly_;
   std::vector<Motion> motions_;  // body by body; empty: none
+  std::vector<bool> resists_;    // per body: its stiffness resists a rigid motion; empty: not known yet
 };
 
 }  // namespace harmos::latin

@@ -48,6 +48,29 @@ TEST(Axisymmetry, TubeUnderPressureIsInClosedForm) {
   }
 }
 
+// Held at one node only, against moving along the axis: the hoops resist what moves or turns a plane body as rigid.
+TEST(Axisymmetry, TubeStandsOnOneNode) {
+  SceneInput scene = revolved({"Quad8", "Full Integration", 2}, {8, 2}, [](const base::Vector3& x) {
+    return base::Vector3{inner + (outer - inner) * x[0], x[1], 0.0};
+  });
+  scene.changeMesh([](mesh::Mesh& mesh) {
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+      const bool isCorner = base::distance(mesh.nodes[n], {inner, 1.0, 0.0}) < 1e-9;
+      if (isCorner) mesh.nodeSets.push_back({"corner", 1, {static_cast<int>(n)}});
+    }
+  });
+  scene.add("Boundaries",
+            boundary("inside", "body_xmin", "Pressure", {{"Pressure", pressure}}) +
+                xmlList("pin", xmlText("Node Set", "corner") +
+                                   xmlList("Law", xmlText("Type", "Prescribed Displacement") + xmlNumber("Y", 0.0))));
+  scene.add("Responses", meanDisplacement("u", "body_xmin", {1.0, 0.0}));
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  const double u =
+      pressure * inner / (outer * outer - inner * inner) * ((1.0 - nu) * inner * inner + (1.0 + nu) * outer * outer);
+  EXPECT_NEAR(run.value("u"), u, 1e-5 * u);
+}
+
 // A hemisphere with nodes on the axis.
 TEST(Axisymmetry, SphereUnderPressureIsInClosedForm) {
   for (const Elements& elements : planeElements) {
