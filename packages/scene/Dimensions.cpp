@@ -54,6 +54,21 @@ class VectorChecker {
     }
   }
 
+  /// Of a law with cylindrical axes.
+  void cylinder(const Parameters& law, bool isAxisymmetric) const {
+    if (law.type() != "Cylindrical Displacement" && law.type() != "Cylindrical Traction") return;
+    if (isAxisymmetric) {
+      errors_.add(law.where("Type"), "x and y are radial and axial in axisymmetry.",
+                  "Choose Prescribed Displacement or Prescribed Traction.");
+      return;
+    }
+    point(law, "Point");
+    axisOfRotation(law);
+    if (dimension_ != 2 || !law.has("Axial") || (law.type() == "Cylindrical Traction" && law.number("Axial") == 0.0))
+      return;
+    errors_.add(law.where("Axial"), "it leaves the plane.", "Remove \"Axial\".");
+  }
+
   /// Of a law that acts in a point.
   void remotePoint(const Parameters& law) const {
     const bool isForce = law.type() == "Remote Force";
@@ -92,6 +107,9 @@ void checkDimensions(const Parameters& scene, std::optional<int> dimension, inpu
   // Vectors may have been written for the kinematics: then they are not wrong besides.
   if (dimension && !fitsKinematics(scene.list("Model"), *dimension, errors)) return;
   const VectorChecker vectors(dimension, errors);
+  const Parameters& model = scene.list("Model");
+  const bool isAxisymmetric =
+      model.has("Kinematics") && elasticity::isAxisymmetric(elasticity::kinematicsNamed(model.text("Kinematics")));
   for (const Parameters& interface : scene.lists("Interfaces")) {
     vectors.direction(interface, "Projection Direction");
     vectors.point(interface, "Point");
@@ -100,7 +118,10 @@ void checkDimensions(const Parameters& scene, std::optional<int> dimension, inpu
     vectors.point(interface.list("Law"), "Point");
     vectors.direction(interface.list("Law"), "Axis");
   }
-  for (const Parameters& boundary : scene.lists("Boundaries")) vectors.remotePoint(boundary.list("Law"));
+  for (const Parameters& boundary : scene.lists("Boundaries")) {
+    vectors.remotePoint(boundary.list("Law"));
+    vectors.cylinder(boundary.list("Law"), isAxisymmetric);
+  }
   for (const char* kind : {"Interfaces", "Boundaries"}) {
     for (const Parameters& interface : scene.lists(kind)) vectors.axisOfFriction(interface.list("Law"));
   }

@@ -5,6 +5,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/laws/AffineComponent.hpp>
+#include <harmos/laws/TurnedLaw.hpp>
 
 namespace harmos::scene {
 namespace {
@@ -36,15 +37,17 @@ mortar::HeldDirections heldByBoundaries(const Scene& scene, int dimension, const
   for (const input::Parameters& list : scene.input.lists("Boundaries")) {
     const laws::InterfaceLaw& law = *scene.laws.at(list.name());
     if (!law.isAffine() || law.prescribesTraction()) continue;
+    const auto* turned = dynamic_cast<const laws::TurnedLaw*>(&law);
     const auto rigid = rigidComponents(law, dimension, static_cast<int>(scene.times.size()));
     for (const mesh::InterfaceSurface& surface : surfacesOf(list, finder)) {
       for (int p = 0; p < surface.pairs(); ++p) {
+        const base::Frame frame = turned == nullptr ? surface.frame[p] : turned->axesAt(surface.position[p]);
         auto& directions = held[pieces[surface.piece1].nodes[surface.trace1.node(p)]];
         for (std::size_t c = 0; c < 3; ++c) {
           if (!rigid[c]) continue;
           base::Vector3 axis{};
           axis[c] = 1.0;
-          directions.push_back(law.frame() == laws::Frame::interface ? surface.frame[p][c] : axis);
+          directions.push_back(law.frame() == laws::Frame::interface ? frame[c] : axis);
         }
       }
     }

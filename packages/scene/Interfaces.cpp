@@ -14,6 +14,7 @@
 #include <harmos/laws/AffineComponent.hpp>
 #include <harmos/laws/CoupledLaw.hpp>
 #include <harmos/laws/FaceLaw.hpp>
+#include <harmos/laws/TurnedLaw.hpp>
 #include <harmos/mesh/InterfaceFrame.hpp>
 #include <harmos/mesh/Skin.hpp>
 #include <harmos/mortar/GroundSurfaces.hpp>
@@ -77,6 +78,15 @@ void checkNormals(const laws::InterfaceLaw& law, const std::vector<mesh::Interfa
                           "\" has no meaning at a crease, where the normal is not unique: " + several.text() +
                           ".\n  Divide the faces there into several sets, or raise Crease Angle.",
                       base::ExitCode::input);
+  }
+}
+
+/// A law with axes of its own must have them everywhere.
+void checkAxes(const laws::InterfaceLaw& law, const std::vector<mesh::InterfaceSurface>& surfaces) {
+  const auto* turned = dynamic_cast<const laws::TurnedLaw*>(&law);
+  if (turned == nullptr) return;
+  for (const mesh::InterfaceSurface& surface : surfaces) {
+    for (const base::Vector3& place : surface.position) turned->axesAt(place);
   }
 }
 
@@ -323,6 +333,7 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }
         checkNormals(law, found);
+        checkAxes(law, found);
         checkFace(law, model, mesh.dimension, found);
         append(std::move(found));
       });
@@ -358,6 +369,7 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
     interface.body1 = surface.piece1;
     interface.body2 = surface.piece2;
     // Such a traction acts along the normals of the faces, which a mean normal times an area would exaggerate.
+    const auto* turned = dynamic_cast<const laws::TurnedLaw*>(interface.law.get());
     const bool isAlongNormals = interface.law->prescribesTraction() && interface.law->frame() == laws::Frame::interface;
     for (int p = 0; p < surface.pairs(); ++p) {
       if (carriers[s][p].surface != static_cast<int>(s)) continue;
@@ -365,7 +377,7 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
       interface.trace1.appendFrom(surface.trace1, p);
       if (surface.piece2 >= 0) interface.trace2.appendFrom(surface.trace2, p);
       interface.position.push_back(surface.position[p]);
-      interface.frame.push_back(surface.frame[p]);
+      interface.frame.push_back(turned == nullptr ? surface.frame[p] : turned->axesAt(surface.position[p]));
       interface.area.push_back(interface.law->prescribesTraction() ? surface.share[p] : surface.area[p]);
       if (isAlongNormals) alignWithNormal(surface.flux[p], dimension, interface.frame.back(), interface.area.back());
       interface.gap.push_back(surface.gap[p]);

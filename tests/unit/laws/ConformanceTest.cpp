@@ -634,9 +634,11 @@ std::vector<std::string> names() {
   std::vector<std::string> result;
   const LawRegistry laws = builtInLaws();
   for (const auto& form : laws.forms()) {
-    // Of whole faces, not of pairs: FaceLawTest, CoupledLawTest.
-    const std::set<std::string> whole = {"Face Spring", "Pretension", "Remote Displacement", "Remote Force"};
-    if (whole.count(form.name()) == 0) result.push_back(form.name());
+    // Of whole faces, not of pairs, FaceLawTest and CoupledLawTest; or with axes of their own.
+    const std::set<std::string> others = {
+        "Cylindrical Displacement", "Cylindrical Traction", "Face Spring", "Pretension",
+        "Remote Displacement",      "Remote Force"};
+    if (others.count(form.name()) == 0) result.push_back(form.name());
   }
   return result;
 }
