@@ -7,6 +7,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/HarmosConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/HarmosConfig.cmake INSTALL_DESTINATION ${HARMOS_CMAKE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/HarmosConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/HarmosConfig.cmake ${PROJECT_BINARY_DIR}/HarmosConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/HarmosLawPlugin.cmake
         DESTINATION ${HARMOS_CMAKE_DIR})
 
 # harmos.pc, for builds without CMake: all packages, those that use others first, and what they are made of.

@@ -2,6 +2,7 @@
 
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/input/Documentation.hpp>
+#include <harmos/plugins/LoadPlugin.hpp>
 #include <harmos/scene/SceneSpec.hpp>
 #include <harmos/study/StudySpec.hpp>
 
@@ -12,7 +13,9 @@ namespace {
 int printReference(const Arguments& arguments, const CommandEnvironment& environment) {
   std::string topic;
   for (const auto& word : arguments.operands()) topic += (topic.empty() ? "" : " ") + word;
-  const std::string text = input::documentation({scene::sceneSpec(laws::builtInLaws()), study::studySpec()}, topic);
+  laws::LawRegistry laws = laws::builtInLaws();
+  for (const std::string& plugin : arguments.values("--plugin")) plugins::loadPlugin(plugin, laws);
+  const std::string text = input::documentation({scene::sceneSpec(laws), study::studySpec()}, topic);
   if (environment.isRoot()) environment.out << text;
   return 0;
 }
@@ -23,8 +26,9 @@ Command docCommand() {
   return {"doc",
           "[TOPIC]",
           "Print the reference of every input, or of one list or type, in Markdown.",
-          {},
-          {"harmos doc Solver", "harmos doc Harmos Study", "harmos doc Coulomb Friction", "harmos doc > reference.md"},
+          {{"--plugin", "FILE", "a plugin whose laws are described, too; may be repeated", true}},
+          {"harmos doc Solver", "harmos doc Harmos Study", "harmos doc Coulomb Friction",
+           "harmos doc --plugin build/my_laws.so My Law", "harmos doc > reference.md"},
           printReference};
 }
 

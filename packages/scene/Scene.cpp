@@ -14,6 +14,7 @@
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/laws/FaceLaw.hpp>
 #include <harmos/scene/MeshSource.hpp>
+#include <harmos/scene/Plugins.hpp>
 #include <harmos/scene/SceneSpec.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
 #include <harmos/scene/detail/History.hpp>
@@ -314,12 +315,13 @@ void readDerivatives(const input::InputTree& input, Scene& scene, input::ErrorLi
 
 Scene makeScene(const input::InputTree& input, const std::string& path, const std::vector<std::string>& overrides,
                 const laws::LawRegistry& laws) {
+  const laws::LawRegistry known = lawsOf(input, path, overrides, laws);
   Scene scene;
   scene.path = path;
-  scene.input = input::check(input, sceneSpec(laws), overrides);
+  scene.input = input::check(input, sceneSpec(known), overrides);
   input::ErrorList errors;
   scene.times = stepTimes(scene.input.lists("Steps"), errors);
-  SceneChecker(laws, scene, errors).check();
+  SceneChecker(known, scene, errors).check();
   readDerivatives(input, scene, errors);
   errors.throwIfAny();
   scene.warnings = unusedEntries(input, overrides, scene.input, scene.times);
@@ -342,6 +344,7 @@ Scene readScene(const std::string& path, const std::vector<std::string>& overrid
 std::vector<std::string> inputFiles(const Scene& scene) {
   std::vector<std::string> files{scene.path};
   if (const auto mesh = meshFile(scene.input.list("Mesh"), scene.path)) files.push_back(*mesh);
+  for (const std::string& plugin : pluginFiles(scene.input, scene.path)) files.push_back(plugin);
   return files;
 }
 

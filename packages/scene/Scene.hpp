@@ -38,14 +38,15 @@ struct Scene {
 
 /// Checks an input against sceneSpec(), and every name that it refers to except those of the mesh.
 /// Each of `overrides` is "List/Sublist/Name=value". `path` is where the input comes from: relative names of files
-/// start at its folder. Throws one base::Error (input) that lists all errors. Keeps nothing of `laws`.
+/// start at its folder. Laws are those of `laws` and of the plugins that the input names, see lawsOf(). Throws one
+/// base::Error (input) that lists all errors, those of plugins before any other. Keeps nothing of `laws`.
 Scene makeScene(const input::InputTree& input, const std::string& path, const std::vector<std::string>& overrides,
                 const laws::LawRegistry& laws);
 
 /// makeScene() of a file. Throws base::Error (input) also when it cannot be read. Not collective: every rank reads it.
 Scene readScene(const std::string& path, const std::vector<std::string>& overrides, const laws::LawRegistry& laws);
 
-/// The files that `scene` is read from: its own, and that of its mesh if there is one.
+/// The files that `scene` is read from: its own, that of its mesh if there is one, and its plugins.
 std::vector<std::string> inputFiles(const Scene& scene);
 
 }  // namespace harmos::scene

@@ -4,6 +4,7 @@
 #include <harmos/elasticity/Materials.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/scene/MeshSource.hpp>
+#include <harmos/scene/Plugins.hpp>
 #include <harmos/scene/detail/History.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
@@ -134,6 +135,7 @@ input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
           "Length, force and time of all numbers. Nothing is converted: materials that no solid has in them are asked "
           "about, "
           "and results say them.");
+  describePlugins(spec);
   describeModel(spec.list("Model"));
   spec.namedNumbers("Values").summary("Numbers to share: write \"$name\" as the value of any number.");
   describeMesh(spec.alternatives("Mesh", meshForms(), true));

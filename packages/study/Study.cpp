@@ -4,6 +4,7 @@
 #include <harmos/base/Numerals.hpp>
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/input/Override.hpp>
+#include <harmos/scene/Plugins.hpp>
 #include <harmos/scene/SceneSpec.hpp>
 
 namespace harmos::study {
@@ -14,7 +15,7 @@ bool Study::isAdaptive() const {
 }
 
 scene::Scene Study::sceneFor(const std::vector<double>& values, const laws::LawRegistry& laws) const {
-  const input::ParameterSpec spec = scene::sceneSpec(laws);
+  const input::ParameterSpec spec = scene::sceneSpec(scene::lawsOf(sceneTree, scene.path, {}, laws));
   input::InputTree tree = sceneTree;
   input::ErrorList errors;
   for (std::size_t p = 0; p < parameters.size(); ++p) {

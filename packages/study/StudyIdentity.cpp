@@ -9,6 +9,7 @@
 #include <harmos/base/Numerals.hpp>
 #include <harmos/input/EffectiveInput.hpp>
 #include <harmos/scene/MeshSource.hpp>
+#include <harmos/scene/Plugins.hpp>
 
 namespace harmos::study {
 
@@ -65,6 +66,9 @@ results::Identity identityOf(const Study& study) {
   }
   if (const auto file = scene::meshFile(study.scene.input.list("Mesh"), study.scene.path)) {
     identity.emplace_back("Checksum of the mesh", checksum(*file));
+  }
+  for (const std::string& plugin : scene::pluginFiles(study.scene.input, study.scene.path)) {
+    identity.emplace_back("Checksum of " + plugin, checksum(plugin));
   }
   for (const StudyParameter& parameter : study.parameters) {
     if (parameter.sampleFile.empty()) continue;

@@ -12,6 +12,7 @@
 #include <harmos/input/Check.hpp>
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/input/Override.hpp>
+#include <harmos/scene/Plugins.hpp>
 #include <harmos/scene/SceneSpec.hpp>
 #include <harmos/study/PointsFile.hpp>
 #include <harmos/study/StochasticTails.hpp>
@@ -86,6 +87,7 @@ class StudyReader {
       if (study_.sceneTree.root.name() == studySpec().name()) {
         throw base::Error(path + " is a study itself, but a scene is wanted.", base::ExitCode::input);
       }
+      learnLaws(path, sceneChanges);
       changeScene(sceneChanges);
     });
     if (isRead) readScene(path);
@@ -110,6 +112,17 @@ class StudyReader {
   }
 
  private:
+  /// Changes may be of laws that plugins bring.
+  void learnLaws(const std::string& path, const Names& sceneChanges) {
+    Names changes = input_.has("Scene Overrides") ? input_.texts("Scene Overrides") : Names();
+    changes.insert(changes.end(), sceneChanges.begin(), sceneChanges.end());
+    try {
+      spec_ = scene::sceneSpec(scene::lawsOf(study_.sceneTree, path, changes, laws_));
+    } catch (const input::InputErrors&) {
+      // Plugins that cannot be used: readScene() reports them.
+    }
+  }
+
   void changeScene(const Names& sceneChanges) {
     if (input_.has("Scene Overrides")) {
       for (const std::string& change : input_.texts("Scene Overrides")) {

@@ -1,0 +1,16 @@
+# Writes the header with the version of Harmos and a digest of the headers behind "--":
+#   cmake -DVERSION=... -DOUTPUT=... -P InterfaceDigest.cmake -- HEADERS
+set(isHeader OFF)
+set(all "")
+math(EXPR last "${CMAKE_ARGC} - 1")
+foreach(i RANGE ${last})
+  if(isHeader)
+    file(SHA256 "${CMAKE_ARGV${i}}" one)
+    string(APPEND all "${one}\n")
+  elseif(CMAKE_ARGV${i} STREQUAL "--")
+    set(isHeader ON)
+  endif()
+endforeach()
+string(SHA256 digest "${all}")
+string(SUBSTRING ${digest} 0 16 digest)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/InterfaceDigest.hpp.in ${OUTPUT} @ONLY)
