@@ -1,5 +1,8 @@
 #include <harmos/assembly/Interface.hpp>
 
+#include <harmos/base/Error.hpp>
+#include <harmos/laws/NoIntersection.hpp>
+
 namespace harmos::assembly {
 
 laws::NodeArrays Interface::nodes(const std::vector<double>& times, int step) const {
@@ -14,6 +17,16 @@ laws::NodeArrays Interface::nodes(const std::vector<double>& times, int step) co
   while (before >= 0 && times[before] == nodes.time) --before;
   nodes.duration = before < 0 ? nodes.time : nodes.time - times[before];
   return nodes;
+}
+
+void Interface::solve(int step, const laws::NodeArrays& at) const {
+  try {
+    law->solve(step, at);
+  } catch (const laws::NoIntersection& error) {
+    throw base::Error("interface \"" + name + "\", load step " + std::to_string(step + 1) + ": law \"" + law->name() +
+                          "\" " + error.what(),
+                      error.code());
+  }
 }
 
 }  // namespace harmos::assembly

@@ -48,6 +48,9 @@ struct Interface {
   /// ascending order, of which several may be the same; the arrays are the interface's own. Lines, histories and states
   /// are left to the caller.
   laws::NodeArrays nodes(const std::vector<double>& times, int step) const;
+  /// Asks the law at a load step; what nodes() gives, completed by the caller. Throws base::Error (notConverged), which
+  /// names interface, load step and point, where it finds no point on a line.
+  void solve(int step, const laws::NodeArrays& at) const;
 };
 
 }  // namespace harmos::assembly

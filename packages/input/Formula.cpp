@@ -106,6 +106,14 @@ double Formula::evaluate(const std::vector<double>& values) const {
          "Write for example \"mu > 1 ? sqrt(mu - 1) < 2 : 0\"; && and || compute both sides always.");
 }
 
+double* Formula::slots() const {
+  return parser_->values.data();
+}
+
+double Formula::atSlots() const {
+  return parser_->engine.Eval();
+}
+
 bool isFormulaName(const std::string& name) {
   const auto isLetter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };

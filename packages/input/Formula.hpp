@@ -35,6 +35,12 @@ class Formula {
   /// `values` of the names, one for each, in their order. Not for use by several threads. Throws base::Error (input)
   /// when the result, or what it is computed from, is no number or the result is infinite.
   double evaluate(const std::vector<double>& values) const;
+  /// Where the values of the names are kept for atSlots(), in their order; owned by the formula, and valid as long as
+  /// it is, also when it is moved.
+  double* slots() const;
+  /// Its value at what the slots hold, unchecked and fast: what is no number comes back as it is. Not for use by
+  /// several threads.
+  double atSlots() const;
 
  private:
   struct Parser;

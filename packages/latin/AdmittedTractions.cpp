@@ -69,7 +69,7 @@ std::vector<laws::LocalState> AdmittedTractions::ask(int step, const std::vector
   nodes.frame = frames_.data();
   nodes.area = areas_.data();
   nodes.number = pairs_.data();
-  interface_.law->solve(step, nodes);
+  interface_.solve(step, nodes);
   return states;
 }
 

@@ -47,7 +47,7 @@ LawFields lawFields(const assembly::Interface& interface, const PairFields& fiel
       nodes.oldHistory = old.data();
       nodes.newHistory = now.data();
       nodes.state = states.data();
-      law.solve(t, nodes);
+      interface.solve(t, nodes);
     }
     for (std::size_t p = 0; p < pairs; ++p) {
       const std::size_t at = fields.at(t, static_cast<int>(p));

@@ -49,7 +49,7 @@ void PairTangents::differentiate(int interfaceIndex, int step, const std::vector
   nodes.state = moved.data();
   for (std::size_t c = 0; c < static_cast<std::size_t>(assembly_.dimension); ++c) {
     for (std::size_t p = 0; p < pairs; ++p) shifted[p].freeJump[c] = lines[p].freeJump[c] + difference;
-    interface.law->solve(step, nodes);
+    interface.solve(step, nodes);
     for (std::size_t p = 0; p < pairs; ++p) {
       const double exact = shifted[p].freeJump[c] - lines[p].freeJump[c];
       for (std::size_t i = 0; i < 3; ++i) {

@@ -1,5 +1,6 @@
 #include <harmos/latin/PointwiseLocalStage.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -142,16 +143,19 @@ void PointwiseLocalStage::finishJoint(int interfaceIndex, int column, base::Matr
   const double check = lines_.write(interfaceIndex, column, state, traction);
   if (formulation_ == Formulation::velocity) keepJump(joint, state);
   if (!std::isfinite(check)) {
+    const auto isBad = [](const laws::LocalState& each) { return !std::isfinite(base::norm(each.traction)); };
+    const auto point = std::find_if(state, state + joint.line.size(), isBad) - state;
     throw base::Error("interface \"" + interface.name + "\", load step " + std::to_string(steps_[column] + 1) +
                           ": law \"" + interface.law->name() +
-                          "\" met or returned a value that is not finite (NaN or infinity)",
+                          "\" met or returned a value that is not finite (NaN or infinity), at point " +
+                          std::to_string(point + 1),
                       base::ExitCode::notConverged);
   }
 }
 
 void PointwiseLocalStage::solveJoint(int interfaceIndex, int column, const base::Matrix& beta, base::Matrix& traction) {
   fillLines(interfaceIndex, column, beta);
-  assembly_.interfaces[interfaceIndex].law->solve(steps_[column], arrays(interfaceIndex, column));
+  assembly_.interfaces[interfaceIndex].solve(steps_[column], arrays(interfaceIndex, column));
   finishJoint(interfaceIndex, column, traction);
 }
 

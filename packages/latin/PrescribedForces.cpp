@@ -13,7 +13,7 @@ std::vector<laws::LocalState> prescribedStates(const assembly::Interface& interf
   laws::NodeArrays nodes = interface.nodes(times, step);
   nodes.line = lines.data();
   nodes.state = states.data();
-  interface.law->solve(step, nodes);
+  interface.solve(step, nodes);
   return states;
 }
 

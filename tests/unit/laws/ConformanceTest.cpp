@@ -634,9 +634,9 @@ std::vector<std::string> names() {
   std::vector<std::string> result;
   const LawRegistry laws = builtInLaws();
   for (const auto& form : laws.forms()) {
-    // Of whole faces, not of pairs, FaceLawTest and CoupledLawTest; or with axes of their own.
+    // Of whole faces, not of pairs, FaceLawTest and CoupledLawTest; with axes of their own; of texts, FormulaLawTest.
     const std::set<std::string> others = {
-        "Cylindrical Displacement", "Cylindrical Traction", "Face Spring", "Pretension",
+        "Cylindrical Displacement", "Cylindrical Traction", "Face Spring", "Formula", "Pretension",
         "Remote Displacement",      "Remote Force"};
     if (others.count(form.name()) == 0) result.push_back(form.name());
   }

@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <harmos/laws/LawRegistry.hpp>
+#include <harmos/laws/NewtonOnLine.hpp>
+#include <harmos/laws/NoIntersection.hpp>
+#include <harmos/laws/detail/FormulaGraph.hpp>
+
+namespace harmos::laws {
+namespace {
+
+constexpr double roundOff = std::numeric_limits<double>::epsilon();
+
+/// Traction and history by formulas of the jump. Where every component stands for itself, a monotone graph is bracketed
+/// on the line: of g(delta) = delta + H t(delta) - delta_free, whose slope is 1 at least, the root lies between 0 and
+/// -g(0). Else Newton's method with differences, and where that comes to no end the components in turn, bracketed
+/// alike.
+class FormulaLaw final : public InterfaceLaw {
+ public:
+  static constexpr const char* lawName = "Formula";
+
+  static void describe(input::ParameterSpec& p) {
+    p.summary(
+        "A law by formulas: the traction as a function of the jump, of time, of place and of numbers that it keeps.");
+    FormulaGraph::describe(p);
+    p.number("Lowest Slope")
+        .unit("stress/length")
+        .defaultValue(0.0)
+        .atMost(0.0)
+        .doc("The steepest fall of the traction over the jump; 0: it never falls.");
+    p.flag("Dissipates").defaultValue(false).doc("Whether work that is done on the interface counts as dissipation.");
+  }
+
+  explicit FormulaLaw(const input::Parameters& p)
+      : graph_(std::make_unique<FormulaGraph>(p)),
+        lowestSlope_(p.number("Lowest Slope")),
+        dissipates_(p.flag("Dissipates")) {}
+
+  const char* name() const override { return lawName; }
+  int historySize() const override { return static_cast<int>(graph_->histories().size()); }
+  Frame frame() const override { return Frame::interface; }
+  Sides sides() const override { return Sides::any; }
+  bool prescribesTraction() const override { return false; }
+  bool dissipates() const override { return dissipates_; }
+  double lowestSlope() const override { return lowestSlope_; }
+  std::vector<OutputField> outputs() const override { return graph_->outputs(); }
+  void output(const PairStep& step, double* values) const override { std::copy_n(step.history, historySize(), values); }
+
+  void solve(int step, const NodeArrays& nodes) const override {
+    const std::lock_guard<std::mutex> lock(mutex_);  // formulas are no matter of several threads
+    const int size = historySize();
+    for (int i = 0; i < nodes.count; ++i) {
+      const NodeContext at(step, nodes, i);
+      const LocalLine& line = nodes.line[i];
+      graph_->goTo(at, nodes.oldHistory + static_cast<std::ptrdiff_t>(i) * size);
+      nodes.state[i] = {graph_->isUncoupled() ? byComponents(line, at) : together(line, at), Status::bonded};
+      if (size > 0) {
+        graph_->update(line.jump(nodes.state[i].traction), nodes.newHistory + static_cast<std::ptrdiff_t>(i) * size);
+      }
+    }
+  }
+
+ private:
+  base::Vector3 byComponents(const LocalLine& line, const NodeContext& at) const {
+    base::Vector3 traction{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto found =
+          bracketed(line.freeJump[c], line.compliance, 0.0, [&](double jump) { return graph_->component(c, jump); });
+      if (!found) throw NoIntersection(line, at, "the formula of the traction has no value there, or falls");
+      traction[c] = *found;
+    }
+    return traction;
+  }
+
+  /// The traction t of a function t(delta) that does not fall at which delta + H t = delta_free; the search begins at
+  /// `from`. Nothing: it falls, or has no value.
+  template <class Traction>
+  static std::optional<double> bracketed(double freeJump, double compliance, double from, const Traction& tractionAt) {
+    if (!std::isfinite(freeJump)) return freeJump;
+    double scale = std::abs(freeJump) + std::abs(from);
+    double traction = 0.0;
+    const auto residual = [&](double jump) {
+      traction = tractionAt(jump);
+      return jump + compliance * traction - freeJump;
+    };
+    double a = from, atA = residual(a);
+    scale += std::abs(compliance * traction);
+    const double small = 4.0 * roundOff * scale;
+    if (std::abs(atA) <= small) return traction;
+    double b = a - atA, atB = residual(b);
+    if (std::abs(atB) <= small) return traction;
+    // The chord meets straight lines at once; from its nearer end for the digits.
+    const double slope = (atB - atA) / (b - a);
+    if (!(slope > 0.0)) return std::nullopt;
+    const double chord = std::abs(atA) < std::abs(atB) ? a - atA / slope : b - atB / slope;
+    if (std::abs(residual(chord)) <= small) return traction;
+    if (!((atA < 0.0 && atB > 0.0) || (atA > 0.0 && atB < 0.0))) return std::nullopt;
+    if (a > b) {
+      std::swap(a, b);
+      std::swap(atA, atB);
+    }
+    boost::uintmax_t limit = 200;
+    const auto width = [&](double left, double right) {
+      return right - left <= roundOff * (std::abs(left) + std::abs(right));
+    };
+    const auto ends = boost::math::tools::toms748_solve(residual, a, b, atA, atB, width, limit);
+    const double middle = 0.5 * (ends.first + ends.second);
+    // Also where the graph is vertical: any traction between.
+    const double found = (freeJump - middle) / compliance;
+    const double left = tractionAt(ends.first), right = tractionAt(ends.second);
+    return std::clamp(found, std::min(left, right), std::max(left, right));
+  }
+
+  base::Vector3 together(const LocalLine& line, const NodeContext& at) const {
+    const auto tractionAt = [&](const base::Vector3& jump) { return graph_->traction(jump); };
+    const auto newton =
+        newtonOnLine(line, tractionAt, [&](const base::Vector3& jump) { return differenced(line, jump); });
+    if (newton) return *newton;
+    const auto inTurn = oneAfterTheOther(line);
+    if (!inTurn) throw NoIntersection(line, at, "neither Newton's method nor the components in turn come to an end");
+    return *inTurn;
+  }
+
+  /// Central differences; what they leave of the error is seen by the residual, which must fall.
+  GraphPoint differenced(const LocalLine& line, const base::Vector3& jump) const {
+    GraphPoint point;
+    point.traction = graph_->traction(jump);
+    const double scale = norm(jump) + norm(line.freeJump) + line.compliance * norm(point.traction);
+    const double h = std::cbrt(roundOff) * (scale > 0.0 ? scale : 1.0);
+    for (std::size_t d = 0; d < 3; ++d) {
+      base::Vector3 before = jump, after = jump;
+      before[d] -= h;
+      after[d] += h;
+      const base::Vector3 change = graph_->traction(after) - graph_->traction(before);
+      for (std::size_t c = 0; c < 3; ++c) point.slope[c][d] = change[c] / (after[d] - before[d]);
+    }
+    return point;
+  }
+
+  std::optional<base::Vector3> oneAfterTheOther(const LocalLine& line) const {
+    constexpr int rounds = 1000;
+    base::Vector3 jump{};
+    for (int r = 0; r < rounds; ++r) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto found = bracketed(line.freeJump[c], line.compliance, jump[c], [&](double one) {
+          base::Vector3 all = jump;
+          all[c] = one;
+          return graph_->traction(all)[c];
+        });
+        if (!found) return std::nullopt;
+        jump[c] = line.freeJump[c] - line.compliance * *found;
+      }
+      const base::Vector3 traction = graph_->traction(jump);
+      if (LineResidual(line, jump, traction).isSmall()) return traction;
+    }
+    return std::nullopt;
+  }
+
+  std::unique_ptr<FormulaGraph> graph_;  // locked by mutex_
+  mutable std::mutex mutex_;
+  double lowestSlope_;
+  bool dissipates_;
+};
+
+}  // namespace
+
+void addFormulaLaw(LawRegistry& laws) {
+  input::ParameterSpec spec(FormulaLaw::lawName);
+  FormulaLaw::describe(spec);
+  laws.add(std::move(spec),
+           [](const input::Parameters& p) -> std::unique_ptr<InterfaceLaw> { return std::make_unique<FormulaLaw>(p); });
+}
+
+}  // namespace harmos::laws

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <harmos/laws/LocalLine.hpp>
+
+namespace harmos::laws {
+
+/// Where a graph t(delta) is at a jump, and how it goes on.
+struct GraphPoint {
+  base::Vector3 traction{};              ///< t [stress]
+  std::array<base::Vector3, 3> slope{};  ///< rows dt_i / d(delta_j) [stress/length]
+};
+
+/// The largest component, without its sign; not finite where v is not.
+inline double largest(const base::Vector3& v) {
+  const double sum = v[0] + v[1] + v[2];
+  return std::isfinite(sum) ? std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}) : std::abs(sum);
+}
+
+/// Solution of A x = b for 3 rows by Gauss with partial pivoting; not finite where A is singular.
+inline base::Vector3 solved(std::array<base::Vector3, 3> a, base::Vector3 b) {
+  const bool isDiagonal =
+      a[0][1] == 0.0 && a[0][2] == 0.0 && a[1][0] == 0.0 && a[1][2] == 0.0 && a[2][0] == 0.0 && a[2][1] == 0.0;
+  if (isDiagonal) return {b[0] / a[0][0], b[1] / a[1][1], b[2] / a[2][2]};
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < 3; ++i) {
+      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
+    }
+    if (pivot != k) {
+      std::swap(a[k], a[pivot]);
+      std::swap(b[k], b[pivot]);
+    }
+    const double inverse = 1.0 / a[k][k];
+    for (std::size_t i = k + 1; i < 3; ++i) {
+      const double factor = a[i][k] * inverse;
+      if (factor == 0.0) continue;
+      for (std::size_t j = k; j < 3; ++j) a[i][j] -= factor * a[k][j];
+      b[i] -= factor * b[k];
+    }
+  }
+  base::Vector3 x{};
+  x[2] = b[2] / a[2][2];
+  x[1] = (b[1] - a[1][2] * x[2]) / a[1][1];
+  x[0] = (b[0] - a[0][1] * x[1] - a[0][2] * x[2]) / a[0][0];
+  return x;
+}
+
+/// Residual, in parts of the terms of a line, that formulas whose own terms cancel may leave.
+constexpr double cancelled = 1e-9;
+
+/// What a jump leaves of a line, delta + H t - delta_free, beside the largest of its terms.
+struct LineResidual {
+  /// Of a graph that has the traction `t` at `jump`.
+  LineResidual(const LocalLine& line, const base::Vector3& jump, const base::Vector3& t)
+      : value(jump - line.jump(t)),
+        size(largest(value)),
+        scale(largest(jump) + line.compliance * largest(t) + largest(line.freeJump)) {}
+
+  /// No more than round-off; false where it is not a number.
+  bool isRoundOff() const { return size <= 16.0 * std::numeric_limits<double>::epsilon() * scale; }
+  /// As small as a formula whose terms cancel may leave it.
+  bool isSmall() const { return size <= cancelled * scale; }
+
+  base::Vector3 value;  // [length]
+  double size;          // its largest component
+  double scale;         // [length]
+};
+
+/// Traction at which a smooth graph meets a line, by Newton's method with steps that are halved until the residual
+/// falls; nothing when that comes to no end.
+///
+/// `tractionAt(jump)` is the graph [stress], `pointAt(jump)` a GraphPoint. Where the graph is monotone the residual
+/// falls along every Newton direction, and there is one point. Begins at the jump 0, or at the free jump where the
+/// graph has no value or slope there. A free jump that is not finite is handed on as traction.
+template <class TractionAt, class PointAt>
+std::optional<base::Vector3> newtonOnLine(const LocalLine& line, const TractionAt& tractionAt, const PointAt& pointAt) {
+  constexpr int iterations = 100, halvings = 30;
+  constexpr double leastDecrease = 1e-4;  // of the residual, in parts of a whole step
+  base::Vector3 jump{};
+  GraphPoint point = pointAt(jump);
+  for (int i = 0; i < iterations; ++i) {
+    if (i > 0) point = pointAt(jump);
+    const LineResidual residual(line, jump, point.traction);
+    if (residual.isRoundOff()) return point.traction;
+    std::array<base::Vector3, 3> rows;
+    for (std::size_t r = 0; r < 3; ++r) {
+      rows[r] = line.compliance * point.slope[r];
+      rows[r][r] += 1.0;
+    }
+    const base::Vector3 move = solved(rows, residual.value);
+    if (!std::isfinite(residual.size + move[0] + move[1] + move[2])) {
+      if (!std::isfinite(norm(line.freeJump))) return line.freeJump;  // what is not a number is handed on
+      if (i > 0 || jump == line.freeJump) return std::nullopt;
+      jump = line.freeJump;
+      continue;
+    }
+    double part = 1.0;
+    for (int h = 0;; ++h, part *= 0.5) {
+      const base::Vector3 next = jump - part * move;
+      const base::Vector3 traction = tractionAt(next);
+      const LineResidual left(line, next, traction);
+      if (left.isRoundOff()) return traction;
+      if (left.size <= (1.0 - leastDecrease * part) * residual.size) {
+        jump = next;
+        break;
+      }
+      if (h == halvings) return residual.isSmall() ? std::optional(point.traction) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace harmos::laws
