@@ -1,5 +1,6 @@
 #include <harmos/input/Field.hpp>
 
+#include <algorithm>
 #include <mutex>
 
 #include <harmos/base/Error.hpp>
@@ -38,6 +39,10 @@ void Field::describe(ParameterSpec& spec, const std::string& name) {
            ", such as \"1 - y / 10\" or \"sin(2 * _pi * x / 40) * (t > 1 ? 1 : t)\"; absent: 1.");
 }
 
+bool Field::isGiven(const Parameters& parameters, const std::string& name) {
+  return parameters.has(companionOf(name));
+}
+
 Field::Field(const Parameters& parameters, const std::string& name)
     : schedule_(parameters.schedule(name)), times_(parameters.times()) {
   const std::string companion = companionOf(name);
@@ -48,6 +53,12 @@ Field::Field(const Parameters& parameters, const std::string& name)
     return std::shared_ptr<Distribution>(
         new Distribution{Formula(parameters.text(companion), {"x", "y", "z", "t"}, words), where, {}});
   });
+}
+
+bool Field::looksAt(const std::string& variable) const {
+  if (!formula_) return false;
+  const std::vector<std::string> used = formula_->formula.variables();
+  return std::find(used.begin(), used.end(), variable) != used.end();
 }
 
 double Field::operator()(int step, const base::Vector3& place) const {

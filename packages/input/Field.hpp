@@ -23,8 +23,10 @@ class Field {
   /// and for a text that is no formula in x, y, z and t.
   Field(const Parameters& parameters, const std::string& name);
 
-  /// Whether it is the same at all places.
-  bool isUniform() const { return formula_ == nullptr; }
+  /// Whether a formula is given for the number of this name.
+  static bool isGiven(const Parameters& parameters, const std::string& name);
+  /// Whether its formula uses "x", "y", "z" or "t".
+  bool looksAt(const std::string& variable) const;
   /// Value at a load step, counted from 0, and a place [length]. Safe to use from several threads. Throws base::Error
   /// (input) with the place of the entry where the formula has no finite value.
   double operator()(int step, const base::Vector3& place) const;

@@ -1,5 +1,7 @@
 #include <harmos/input/Parameters.hpp>
 
+#include <algorithm>
+
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>
 
@@ -88,6 +90,11 @@ const std::vector<Parameters>& Parameters::lists(const std::string& name) const 
   static const std::vector<Parameters> none;
   const Sublist* sublist = findList(name);
   return sublist ? sublist->lists : none;
+}
+
+void Parameters::remove(const std::string& name) {
+  const auto isIt = [&](const Entry& entry) { return entry.name == name; };
+  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), isIt), entries_.end());
 }
 
 Parameters& Parameters::set(const std::string& name, Value value, std::string location) {

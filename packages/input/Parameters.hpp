@@ -85,6 +85,8 @@ class Parameters {
   Schedule schedule(const std::string& name) const;
   /// End of each load step [time]; empty when no histories with times were attached.
   std::vector<double> times() const { return histories_ ? histories_->times() : std::vector<double>(); }
+  /// The histories that were attached last; none when that has not happened.
+  Histories histories() const { return histories_ ? *histories_ : Histories(); }
 
   /// The sublist of this fixed name. Throws base::Error when it is absent, or holds lists named by the user.
   const Parameters& list(const std::string& name) const;
@@ -96,6 +98,8 @@ class Parameters {
   /// Adds an entry, or replaces the value and place of the one of this name. Checks nothing. Returns the list itself,
   /// as setList() and addNamed() do.
   Parameters& set(const std::string& name, Value value, std::string location = "");
+  /// Removes the entry of this name, if there is one.
+  void remove(const std::string& name);
   /// Makes schedule() hold the number to its declaration; nothing happens when there is no entry of this name.
   void restrict(const std::string& name, std::shared_ptr<const ParameterEntry> declaration);
   /// Adds a sublist of fixed name, or replaces the one of this name.

@@ -46,7 +46,7 @@ void PairDerivatives::demandSame(int interfaceIndex, const PointwiseLocalStage::
   nodes.oldHistory = met.oldHistory.data();
   nodes.newHistory = newHistory_.data();
   nodes.state = moved_.data();
-  interface.law->solve(met.step, nodes);
+  interface.solve(met.step, nodes);
   double difference = 0.0, size = 0.0;
   for (std::size_t p = 0; p < moved_.size(); ++p) {
     difference = std::max(difference, base::distance(moved_[p].traction, met.states[p].traction));

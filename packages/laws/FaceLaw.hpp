@@ -23,7 +23,8 @@ class FaceLaw {
   virtual std::shared_ptr<const InterfaceLaw> onOtherFace() const { return nullptr; }
 };
 
-/// `law`, which is to replace `present` on an interface: bound to the same face when it is a FaceLaw, else as it is.
+/// `law`, which is to replace `present` on an interface: bound to the same face when it is a FaceLaw, prepared
+/// for the same places when both are a FieldLaw, else as it is.
 std::shared_ptr<const InterfaceLaw> inPlaceOf(const InterfaceLaw& present, std::shared_ptr<const InterfaceLaw> law);
 
 }  // namespace harmos::laws

@@ -13,6 +13,10 @@ namespace harmos::laws {
 /// The laws that a scene may name; an object, so that a host can add its own.
 using LawRegistry = input::Registry<InterfaceLaw>;
 
+/// Adds a law that is asked pair by pair, so that its numbers may be fields, see FieldLaw. Throws base::Error when the
+/// name is taken.
+void addPointwise(LawRegistry& laws, input::ParameterSpec spec, LawRegistry::Factory make, LawRegistry::Check check);
+
 /// L::check(), or none.
 template <class L>
 auto checkOf(int) -> decltype(LawRegistry::Check(&L::check)) {
@@ -31,7 +35,7 @@ void addLaw(LawRegistry& laws) {
   const auto make = [](const input::Parameters& p) -> std::unique_ptr<InterfaceLaw> {
     return std::make_unique<PointwiseLaw<L>>(p);
   };
-  laws.add(std::move(spec), make, checkOf<L>(0));
+  addPointwise(laws, std::move(spec), make, checkOf<L>(0));
 }
 
 /// A new registry of all laws that come with Harmos: the list in packages/laws/CMakeLists.txt.

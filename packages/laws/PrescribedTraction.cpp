@@ -1,6 +1,5 @@
 #include <array>
 
-#include <harmos/input/Field.hpp>
 #include <harmos/laws/detail/BuiltIn.hpp>
 
 namespace harmos::laws {
@@ -19,19 +18,18 @@ struct PrescribedTraction {
     p.summary("Prescribed traction (force per area) in global components.");
     for (const char* component : {"X", "Y", "Z"}) {
       p.number(component).unit("stress").defaultValue(0.0).varying().doc("Traction along this axis.");
-      input::Field::describe(p, component);
     }
   }
 
-  explicit PrescribedTraction(const input::Parameters& p) : value{{{p, "X"}, {p, "Y"}, {p, "Z"}}} {}
+  explicit PrescribedTraction(const input::Parameters& p) : value{p.schedule("X"), p.schedule("Y"), p.schedule("Z")} {}
 
   LocalState solve(const LocalLine&, const NodeContext& at, const double*, double*) const {
     LocalState state;
-    for (std::size_t i = 0; i < 3; ++i) state.traction[i] = value[i](at.step, at.position());
+    for (std::size_t i = 0; i < 3; ++i) state.traction[i] = value[i][at.step];
     return state;
   }
 
-  std::array<input::Field, 3> value;
+  std::array<input::Schedule, 3> value;
 };
 
 }  // namespace

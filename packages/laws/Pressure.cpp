@@ -1,4 +1,3 @@
-#include <harmos/input/Field.hpp>
 #include <harmos/laws/detail/BuiltIn.hpp>
 
 namespace harmos::laws {
@@ -15,16 +14,15 @@ struct Pressure {
   static void describe(input::ParameterSpec& p) {
     p.summary("Prescribed pressure on an outer boundary, positive when it pushes on the body.");
     p.number("Pressure").unit("stress").required().varying().doc("Force per area against the outward normal.");
-    input::Field::describe(p, "Pressure");
   }
 
-  explicit Pressure(const input::Parameters& p) : value(p, "Pressure") {}
+  explicit Pressure(const input::Parameters& p) : value(p.schedule("Pressure")) {}
 
   LocalState solve(const LocalLine&, const NodeContext& at, const double*, double*) const {
-    return {{-value(at.step, at.position()), 0.0, 0.0}, Status::bonded};
+    return {{-value[at.step], 0.0, 0.0}, Status::bonded};
   }
 
-  input::Field value;
+  input::Schedule value;
 };
 
 }  // namespace

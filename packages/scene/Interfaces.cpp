@@ -14,6 +14,7 @@
 #include <harmos/laws/AffineComponent.hpp>
 #include <harmos/laws/CoupledLaw.hpp>
 #include <harmos/laws/FaceLaw.hpp>
+#include <harmos/laws/FieldLaw.hpp>
 #include <harmos/laws/TurnedLaw.hpp>
 #include <harmos/mesh/InterfaceFrame.hpp>
 #include <harmos/mesh/Skin.hpp>
@@ -144,6 +145,16 @@ void numberFaces(const std::vector<mesh::Piece>& pieces, std::vector<assembly::I
     if (interface.sides() == 2) key = {interface.name, partOf(interface.body1), partOf(interface.body2)};
     interface.face = faces.emplace(key, static_cast<int>(faces.size())).first->second;
   }
+}
+
+/// Makes the laws of all places where numbers vary over the surface, so that their errors come before the solution.
+void prepareFields(const std::vector<assembly::Interface>& interfaces) {
+  input::ErrorList errors;
+  for (const assembly::Interface& interface : interfaces) {
+    const auto* law = dynamic_cast<const laws::FieldLaw*>(interface.law.get());
+    if (law != nullptr) errors.collect(base::quoted(interface.name), [&] { law->prepare(interface.position); });
+  }
+  errors.throwIfAny();
 }
 
 /// Whether the tractions of a law need no field of their own: they are given, or what they hold or join, node by node.
@@ -395,6 +406,7 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
   }
   bindToFaces(dimension, made.interfaces);
   numberFaces(pieces, made.interfaces);
+  prepareFields(made.interfaces);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     for (std::size_t p = 0; p < carriers[s].size(); ++p) {
       const mesh::PairCarrier& carrier = carriers[s][p];

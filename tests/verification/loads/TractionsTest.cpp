@@ -78,5 +78,35 @@ TEST(FormulaLoads, NamePlacesWithoutValue) {
   }
 }
 
+// The wall turns by a small angle, and takes the plate along without any stress.
+TEST(FormulaLoads, TurnWallsAsTheySay) {
+  constexpr double angle = 1e-3;
+  SceneInput scene = plate();
+  scene.add("Boundaries",
+            xmlList("wall", xmlText("Side Set", "body_xmin") +
+                                xmlList("Law", xmlText("Type", "Prescribed Displacement") + xmlNumber("X", angle) +
+                                                   xmlText("X Formula", "-y * t") + xmlNumber("Y", 0.0))));
+  scene.add("Responses", meanDisplacement("lift", "body_xmax", {0, 1}) + forceResponse("pull", "wall", {1, 0}));
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  EXPECT_NEAR(run.value("lift"), 4.0 * angle, tolerance * 4.0 * angle);
+}
+
+// Springs that stiffen over the face carry the integral of their stiffness.
+TEST(FormulaLoads, LetStiffnessesVaryOverTheFace) {
+  SceneInput scene = plate().set("Materials/elastic/Young's Modulus=1e9");
+  scene.add("Boundaries", xmlList("springs", xmlText("Side Set", "body_xmin") +
+                                                 xmlList("Law", xmlText("Type", "Elastic Foundation") +
+                                                                    xmlNumber("Normal Stiffness", 3.0) +
+                                                                    xmlText("Normal Stiffness Formula", "2 + y"))) +
+                              xmlList("pull", xmlText("Side Set", "body_xmax") +
+                                                  xmlList("Law", xmlText("Type", "Prescribed Displacement") +
+                                                                     xmlNumber("X", 0.01) + xmlNumber("Y", 0.0))));
+  scene.add("Responses", forceResponse("force", "pull", {1, 0}));
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  EXPECT_NEAR(std::abs(run.value("force")), 3.0 * 2.0 * 0.01, 1e-5 * 0.06);
+}
+
 }  // namespace
 }  // namespace harmos::verification

@@ -1,0 +1,196 @@
+#include <harmos/laws/FieldLaw.hpp>
+
+#include <algorithm>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
+
+namespace harmos::laws {
+
+namespace {
+
+using Values = std::vector<std::vector<double>>;  // of every entry at every load step, or one for all of them
+
+std::string textOf(const base::Vector3& v) {
+  return "(" + base::toText(v[0]) + ", " + base::toText(v[1]) + ", " + base::toText(v[2]) + ")";
+}
+
+bool operator==(const AdmissibleTractions& a, const AdmissibleTractions& b) {
+  return a.lower == b.lower && a.upper == b.upper && a.friction == b.friction;
+}
+
+/// The pairs from `first` on.
+NodeArrays from(const NodeArrays& nodes, int first, int historySize, int count, std::vector<int>& numbers) {
+  NodeArrays part = nodes;
+  part.count = count;
+  part.line += first;
+  part.gap += first;
+  if (historySize > 0) {
+    part.oldHistory += static_cast<std::ptrdiff_t>(first) * historySize;
+    part.newHistory += static_cast<std::ptrdiff_t>(first) * historySize;
+  }
+  part.state += first;
+  part.position += first;
+  if (part.frame != nullptr) part.frame += first;
+  if (part.area != nullptr) part.area += first;
+  if (part.number != nullptr) {
+    part.number += first;
+  } else {
+    numbers.resize(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) numbers[static_cast<std::size_t>(i)] = first + i;
+    part.number = numbers.data();
+  }
+  return part;
+}
+
+}  // namespace
+
+void FieldLaw::describe(input::ParameterSpec& law) {
+  std::vector<std::string> numbers;
+  for (const auto& entry : law.entries()) {
+    if (entry->type == input::ParameterType::number) numbers.push_back(entry->name);
+  }
+  for (const std::string& number : numbers) input::Field::describe(law, number);
+}
+
+bool FieldLaw::isAskedFor(const input::Parameters& parameters) {
+  return std::any_of(parameters.entries().begin(), parameters.entries().end(), [&](const auto& entry) {
+    return std::holds_alternative<double>(entry.value) && input::Field::isGiven(parameters, entry.name);
+  });
+}
+
+FieldLaw::FieldLaw(const input::ParameterSpec& declared, const input::Parameters& parameters, Factory make)
+    : parameters_(parameters),
+      make_(std::move(make)),
+      law_(make_(parameters)),
+      steps_(std::max(1, static_cast<int>(parameters.times().size()))) {
+  for (const auto& entry : declared.entries()) {
+    if (entry->type != input::ParameterType::number || !input::Field::isGiven(parameters, entry->name)) continue;
+    input::Field field(parameters, entry->name);
+    if (!entry->varies && field.looksAt("t")) {
+      throw base::Error(parameters.where(entry->name + " Formula") + ": \"" + entry->name +
+                            "\" does not vary over the load steps.\n  Take a formula in x, y and z.",
+                        base::ExitCode::input);
+    }
+    entries_.push_back({entry, std::move(field)});
+    const std::string history = entry->name + " History";
+    if (parameters.has(history)) {
+      const input::Histories histories = parameters.histories();
+      const std::vector<double>* perStep = histories.find(parameters.text(history));
+      if (perStep != nullptr) steps_ = std::max(steps_, static_cast<int>(perStep->size()));
+    }
+  }
+}
+
+std::size_t FieldLaw::PlaceHash::operator()(const base::Vector3& place) const {
+  std::size_t hash = 0;
+  for (const double c : place) hash = 31 * hash + std::hash<double>()(c);
+  return hash;
+}
+
+void FieldLaw::prepare(const std::vector<base::Vector3>& places) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const base::Vector3& place : places) lawAt(place);
+}
+
+std::vector<base::Vector3> FieldLaw::places() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<base::Vector3> result;
+  for (const auto& known : byPlace_) result.push_back(known.first);
+  return result;
+}
+
+const InterfaceLaw& FieldLaw::at(const base::Vector3& place) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return lawAt(place);
+}
+
+const InterfaceLaw& FieldLaw::lawAt(const base::Vector3& place) const {
+  const auto known = byPlace_.find(place);
+  if (known != byPlace_.end()) return *known->second;
+  Values values;
+  for (const Entry& entry : entries_) {
+    std::vector<double> perStep;
+    for (int step = 0; step < (entry.declaration->varies ? steps_ : 1); ++step) {
+      perStep.push_back(entry.field(step, place));
+      if (entry.declaration->allows(perStep.back())) continue;
+      const std::string& name = entry.declaration->name;
+      throw base::Error(parameters_.where(name + " Formula") + ": the formula makes " + name + " = " +
+                            base::toText(perStep.back()) + " at " + textOf(place) +
+                            ".\n  Allowed: " + entry.declaration->range() + ".",
+                        base::ExitCode::input);
+    }
+    if (std::count(perStep.begin(), perStep.end(), perStep[0]) == static_cast<std::ptrdiff_t>(perStep.size())) {
+      perStep.resize(1);
+    }
+    values.push_back(std::move(perStep));
+  }
+  auto& law = byValues_[values];
+  if (!law) law = made(values);
+  byPlace_[place] = law.get();
+  return *law;
+}
+
+/// A number that varies over the load steps becomes 1 with a history of its own.
+std::unique_ptr<InterfaceLaw> FieldLaw::made(const Values& values) const {
+  input::Parameters here = parameters_;
+  auto histories = std::make_shared<input::Histories>(parameters_.histories());
+  for (std::size_t e = 0; e < entries_.size(); ++e) {
+    const std::string& name = entries_[e].declaration->name;
+    if (values[e].size() == 1) {
+      here.set(name, values[e][0]);
+      if (entries_[e].declaration->varies) here.remove(name + " History");
+    } else {
+      const std::string own = name + " at a place";
+      histories->add(own, values[e]);
+      here.set(name, 1.0).set(name + " History", own);
+    }
+  }
+  here.attach(histories);
+  return make_(here);
+}
+
+std::vector<const InterfaceLaw*> FieldLaw::all() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<const InterfaceLaw*> laws;
+  for (const auto& known : byValues_) laws.push_back(known.second.get());
+  if (laws.empty()) laws.push_back(law_.get());
+  return laws;
+}
+
+double FieldLaw::lowestSlope() const {
+  double lowest = 0.0;
+  for (const InterfaceLaw* law : all()) lowest = std::min(lowest, law->lowestSlope());
+  return lowest;
+}
+
+std::optional<AdmissibleTractions> FieldLaw::admissibleTractions(int step) const {
+  const std::vector<const InterfaceLaw*> laws = all();
+  const auto first = laws.front()->admissibleTractions(step);
+  for (const InterfaceLaw* law : laws) {
+    const auto other = law->admissibleTractions(step);
+    if (!first || !other || !(*first == *other)) return std::nullopt;
+  }
+  return first;
+}
+
+void FieldLaw::solve(int step, const NodeArrays& nodes) const {
+  if (nodes.count == 0) return;
+  if (nodes.position == nullptr) {
+    law_->solve(step, nodes);  // at no place in particular
+    return;
+  }
+  std::vector<const InterfaceLaw*> laws;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (int i = 0; i < nodes.count; ++i) laws.push_back(&lawAt(nodes.position[i]));
+  }
+  std::vector<int> numbers;
+  const int size = historySize();
+  for (int i = 0, end = 0; i < nodes.count; i = end) {
+    while (end < nodes.count && laws[static_cast<std::size_t>(end)] == laws[static_cast<std::size_t>(i)]) ++end;
+    laws[static_cast<std::size_t>(i)]->solve(step, from(nodes, i, size, end - i, numbers));
+  }
+}
+
+}  // namespace harmos::laws

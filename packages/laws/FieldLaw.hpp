@@ -1,0 +1,90 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <harmos/input/Field.hpp>
+#include <harmos/input/ParameterSpec.hpp>
+#include <harmos/input/Parameters.hpp>
+#include <harmos/laws/InterfaceLaw.hpp>
+
+namespace harmos::laws {
+
+/// A law of which some numbers vary over the surface: at every place the law that has the numbers of this place.
+///
+/// A number that is a field is its value times its history times its formula (input::Field). The laws are made where
+/// they are first asked for, or by prepare(); places with equal numbers share one. It costs a look-up per pair, and
+/// laws without fields nothing.
+class FieldLaw final : public InterfaceLaw {
+ public:
+  /// Makes a law of checked parameters, see input::Registry.
+  using Factory = std::function<std::unique_ptr<InterfaceLaw>(const input::Parameters&)>;
+
+  /// Declares "<name> Formula" for every number of a law.
+  static void describe(input::ParameterSpec& law);
+  /// Whether a formula is given for any number.
+  static bool isAskedFor(const input::Parameters& parameters);
+
+  /// `declared`: what describe() has been applied to. Throws what `make` throws, and base::Error (input) for formulas
+  /// that are none, and for those that look at the time where the number may not.
+  FieldLaw(const input::ParameterSpec& declared, const input::Parameters& parameters, Factory make);
+
+  /// Makes the laws of all these places [length]. Throws base::Error (input) with entry and place where a number leaves
+  /// its range or a formula has no value.
+  void prepare(const std::vector<base::Vector3>& places) const;
+  /// The places at which it has been asked so far.
+  std::vector<base::Vector3> places() const;
+
+  /// Those that follow are the law's with the numbers as they are written, or what all laws have in common.
+  const char* name() const override { return law_->name(); }
+  int historySize() const override { return law_->historySize(); }
+  Frame frame() const override { return law_->frame(); }
+  Sides sides() const override { return law_->sides(); }
+  bool prescribesTraction() const override { return law_->prescribesTraction(); }
+  bool dissipates() const override { return law_->dissipates(); }
+  double keptWork(const PairStep& step) const override { return at(step.at.position()).keptWork(step); }
+  double storedEnergy(const PairStep& step) const override { return at(step.at.position()).storedEnergy(step); }
+  std::vector<OutputField> outputs() const override { return law_->outputs(); }
+  void output(const PairStep& step, double* values) const override { at(step.at.position()).output(step, values); }
+  bool bonds() const override { return law_->bonds(); }
+  /// Of laws whose slopes are not the same everywhere only those are that have none.
+  bool isAffine() const override { return law_->isAffine() && prescribesTraction(); }
+  double lowestSlope() const override;
+  bool isSmooth() const override { return law_->isSmooth(); }
+  Creases creases() const override { return law_->creases(); }
+  /// Nothing where they are not the same at all places.
+  std::optional<AdmissibleTractions> admissibleTractions(int step) const override;
+  void solve(int step, const NodeArrays& nodes) const override;
+
+ private:
+  /// A number that varies.
+  struct Entry {
+    std::shared_ptr<const input::ParameterEntry> declaration;
+    input::Field field;
+  };
+
+  struct PlaceHash {
+    std::size_t operator()(const base::Vector3& place) const;
+  };
+
+  const InterfaceLaw& at(const base::Vector3& place) const;
+  const InterfaceLaw& lawAt(const base::Vector3& place) const;  // mutex_ is locked
+  std::unique_ptr<InterfaceLaw> made(const std::vector<std::vector<double>>& values) const;
+  std::vector<const InterfaceLaw*> all() const;
+
+  input::Parameters parameters_;
+  Factory make_;
+  std::shared_ptr<const InterfaceLaw> law_;
+  std::vector<Entry> entries_;
+  int steps_ = 1;  // load steps for which histories and times are known
+  mutable std::mutex mutex_;
+  mutable std::unordered_map<base::Vector3, const InterfaceLaw*, PlaceHash> byPlace_;
+  mutable std::map<std::vector<std::vector<double>>, std::unique_ptr<const InterfaceLaw>> byValues_;
+};
+
+}  // namespace harmos::laws

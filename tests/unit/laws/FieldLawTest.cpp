@@ -1,0 +1,132 @@
+// Numbers of laws that vary over the surface, against the law with the number of each place.
+#include <gtest/gtest.h>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/laws/FaceLaw.hpp>
+#include <harmos/laws/FieldLaw.hpp>
+
+#include "LawSamples.hpp"
+
+namespace harmos::laws {
+namespace {
+
+input::Parameters glue(const std::string& formula) {
+  const auto histories = std::make_shared<input::Histories>(std::vector<double>{1.0, 3.0});
+  histories->add("half", {1.0, 0.5});
+  input::Parameters p("law");
+  p.set("Type", std::string("Linear Elastic")).set("Normal Stiffness", 2.0).set("Tangential Stiffness", 5.0);
+  p.set("Normal Stiffness History", std::string("half")).set("Normal Stiffness Formula", formula);
+  p.attach(histories);
+  return p;
+}
+
+input::Parameters friction(const std::string& formula) {
+  input::Parameters p("law");
+  p.set("Type", std::string("Coulomb Friction")).set("Gap", 0.0).set("Friction Coefficient", 0.3);
+  p.set("Friction Coefficient Formula", formula);
+  return p;
+}
+
+const std::vector<base::Vector3> places{{1, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {2, 0, 0}};
+
+/// All places at once.
+struct Points {
+  explicit Points(const InterfaceLaw& law) {
+    const auto numbers = places.size() * static_cast<std::size_t>(law.historySize());
+    old.resize(numbers);
+    now.resize(numbers);
+  }
+  void solve(const InterfaceLaw& law, int step) {
+    NodeArrays nodes;
+    nodes.count = static_cast<int>(places.size());
+    nodes.line = lines.data();
+    nodes.gap = gaps.data();
+    nodes.oldHistory = old.data();
+    nodes.newHistory = now.data();
+    nodes.state = states.data();
+    nodes.position = places.data();
+    law.solve(step, nodes);
+    old.swap(now);
+  }
+  std::vector<LocalLine> lines = std::vector<LocalLine>(places.size(), LocalLine{{-1.0, 2.0, 0.5}, 0.25});
+  std::vector<double> gaps = std::vector<double>(places.size(), 0.0), old, now;
+  std::vector<LocalState> states = std::vector<LocalState>(places.size());
+};
+
+TEST(FieldLaw, HasAtEveryPlaceTheNumbersOfThisPlace) {
+  const auto law = builtInLaws().create(glue("x * t"));
+  Points points(*law);
+  for (int step = 0; step < 2; ++step) {
+    points.solve(*law, step);
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      const double k = 2.0 * (step == 0 ? 1.0 : 0.5) * places[p][0] * (step == 0 ? 1.0 : 3.0);
+      EXPECT_DOUBLE_EQ(points.states[p].traction[0], -k / (1.0 + 0.25 * k));
+      EXPECT_DOUBLE_EQ(points.states[p].traction[1], 10.0 / (1.0 + 0.25 * 5.0));
+    }
+  }
+}
+
+TEST(FieldLaw, KeepsHistoriesApart) {
+  const auto law = builtInLaws().create(friction("x / 2"));
+  Points points(*law);
+  for (int step = 0; step < 3; ++step) {
+    for (LocalLine& line : points.lines) line.freeJump[1] += step;
+    points.solve(*law, step);
+  }
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    const auto alone = makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.15 * places[p][0]}});
+    Node node(*alone);
+    LocalLine line{{-1.0, 2.0, 0.5}, 0.25};
+    LocalState expected;
+    for (int step = 0; step < 3; ++step) {
+      line.freeJump[1] += step;
+      expected = node.solve(line);
+      node.accept();
+    }
+    EXPECT_EQ(points.states[p].traction, expected.traction);
+    EXPECT_EQ(points.states[p].status, expected.status);
+  }
+}
+
+TEST(FieldLaw, IsTheLawItselfWithoutFormula) {
+  input::Parameters p = friction("1");
+  EXPECT_NE(dynamic_cast<const FieldLaw*>(builtInLaws().create(p).get()), nullptr);
+  p.remove("Friction Coefficient Formula");
+  EXPECT_EQ(dynamic_cast<const FieldLaw*>(builtInLaws().create(p).get()), nullptr);
+}
+
+TEST(FieldLaw, ClaimsWhatHoldsEverywhere) {
+  const auto uneven = builtInLaws().create(friction("x"));
+  dynamic_cast<const FieldLaw&>(*uneven).prepare(places);
+  EXPECT_FALSE(uneven->admissibleTractions(0));
+  const auto even = builtInLaws().create(friction("x > 0 ? 1 : 2"));
+  dynamic_cast<const FieldLaw&>(*even).prepare(places);
+  ASSERT_TRUE(even->admissibleTractions(0));
+  EXPECT_DOUBLE_EQ(even->admissibleTractions(0)->friction, 0.3);
+  EXPECT_FALSE(builtInLaws().create(glue("x"))->isAffine());
+}
+
+TEST(FieldLaw, RefusesNumbersOutOfTheirRange) {
+  const auto law = builtInLaws().create(friction("2 - x"));
+  try {
+    dynamic_cast<const FieldLaw&>(*law).prepare(places);
+    FAIL() << "accepted";
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+    const std::string message = error.what();
+    EXPECT_NE(message.find("the formula makes Friction Coefficient = -0.3 at (3, 0, 0)"), std::string::npos) << message;
+    EXPECT_NE(message.find("Allowed: at least 0"), std::string::npos) << message;
+  }
+}
+
+TEST(FieldLaw, IsPreparedForThePlacesOfWhatItReplaces) {
+  const auto present = builtInLaws().create(friction("x"));
+  dynamic_cast<const FieldLaw&>(*present).prepare(places);
+  const std::shared_ptr<const InterfaceLaw> bad = builtInLaws().create(friction("2 - x"));
+  EXPECT_THROW(inPlaceOf(*present, bad), base::Error);
+  const std::shared_ptr<const InterfaceLaw> good = builtInLaws().create(friction("x / 4"));
+  EXPECT_EQ(inPlaceOf(*present, good), good);
+}
+
+}  // namespace
+}  // namespace harmos::laws
