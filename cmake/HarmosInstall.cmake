@@ -3,8 +3,15 @@ include(CMakePackageConfigHelpers)
 set(HARMOS_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Harmos)
 
 install(EXPORT HarmosTargets NAMESPACE Harmos:: DESTINATION ${HARMOS_CMAKE_DIR})
+set(HARMOS_CONFORMANCE_INSTALL ${CMAKE_INSTALL_DATADIR}/harmos/conformance)
+list(TRANSFORM HARMOS_CONFORMANCE PREPEND ${PROJECT_SOURCE_DIR}/tests/unit/laws/ OUTPUT_VARIABLE suite)
+install(FILES ${suite} ${PROJECT_SOURCE_DIR}/tests/unit/laws/LawSamples.hpp
+              ${PROJECT_SOURCE_DIR}/tests/unit/laws/MakeLaw.hpp ${PROJECT_SOURCE_DIR}/tests/unit/laws/TestedLaws.hpp
+        DESTINATION ${HARMOS_CONFORMANCE_INSTALL})
+
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/HarmosConfig.cmake.in
-                              ${PROJECT_BINARY_DIR}/HarmosConfig.cmake INSTALL_DESTINATION ${HARMOS_CMAKE_DIR})
+                              ${PROJECT_BINARY_DIR}/HarmosConfig.cmake INSTALL_DESTINATION ${HARMOS_CMAKE_DIR}
+                              PATH_VARS HARMOS_CONFORMANCE_INSTALL)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/HarmosConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/HarmosConfig.cmake ${PROJECT_BINARY_DIR}/HarmosConfigVersion.cmake
               ${PROJECT_SOURCE_DIR}/cmake/HarmosLawPlugin.cmake

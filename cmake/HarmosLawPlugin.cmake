@@ -1,3 +1,6 @@
+# Sources of the conformance suite; HARMOS_CONFORMANCE_DIR is the folder where they are.
+set(HARMOS_CONFORMANCE ConformanceTest.cpp LawSamples.cpp PluginLaws.cpp)
+
 # harmos_add_law_plugin(<name> <sources>...): a shared library of interface laws, <name>.so, for "Plugins" of a scene.
 # It holds the Harmos code that it uses, so that any program can load it, and shows nothing but its entry point.
 function(harmos_add_law_plugin name)
@@ -6,4 +9,23 @@ function(harmos_add_law_plugin name)
   target_compile_features(${name} PRIVATE cxx_std_17)
   target_link_libraries(${name} PRIVATE Harmos::plugins)
   target_link_options(${name} PRIVATE LINKER:--exclude-libs,ALL LINKER:--as-needed LINKER:--no-undefined)
+endfunction()
+
+# harmos_add_law_conformance(<name> <plugin> [EXCEPT <laws>...]): a program that runs the conformance suite, in which
+# every law of Harmos is tested, on the laws of a plugin. Parameters are drawn from their declarations, and anew where
+# `check` of the law refuses them; lists get three ascending numbers. Left out must be laws whose points see each other.
+function(harmos_add_law_conformance name plugin)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "EXCEPT")
+  find_package(GTest REQUIRED)
+  set(untested "")
+  foreach(law IN LISTS arg_EXCEPT)
+    string(APPEND untested "\"${law}\",")
+  endforeach()
+  list(TRANSFORM HARMOS_CONFORMANCE PREPEND ${HARMOS_CONFORMANCE_DIR}/ OUTPUT_VARIABLE sources)
+  add_executable(${name} ${sources})
+  target_compile_features(${name} PRIVATE cxx_std_17)
+  target_link_libraries(${name} PRIVATE Harmos::plugins GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE "HARMOS_TESTED_PLUGIN=\"$<TARGET_FILE:${plugin}>\""
+                                             "HARMOS_UNTESTED_LAWS=${untested}")
+  add_dependencies(${name} ${plugin})
 endfunction()

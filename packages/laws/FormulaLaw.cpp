@@ -91,6 +91,7 @@ class FormulaLaw final : public InterfaceLaw {
     };
     double a = from, atA = residual(a);
     scale += std::abs(compliance * traction);
+    if (!std::isfinite(atA)) return std::nullopt;
     const double small = 4.0 * roundOff * scale;
     if (std::abs(atA) <= small) return traction;
     double b = a - atA, atB = residual(b);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <harmos/laws/LocalLine.hpp>
 
@@ -16,10 +16,9 @@ struct GraphPoint {
   std::array<base::Vector3, 3> slope{};  ///< rows dt_i / d(delta_j) [stress/length]
 };
 
-/// The largest component, without its sign; not finite where v is not.
-inline double largest(const base::Vector3& v) {
-  const double sum = v[0] + v[1] + v[2];
-  return std::isfinite(sum) ? std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}) : std::abs(sum);
+/// Sum of the components without their signs; not finite where v is not.
+inline double sumOfSizes(const base::Vector3& v) {
+  return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
 
 /// Solution of A x = b for 3 rows by Gauss with partial pivoting; not finite where A is singular.
@@ -51,24 +50,23 @@ inline base::Vector3 solved(std::array<base::Vector3, 3> a, base::Vector3 b) {
   return x;
 }
 
-/// Residual, in parts of the terms of a line, that formulas whose own terms cancel may leave.
-constexpr double cancelled = 1e-9;
-
 /// What a jump leaves of a line, delta + H t - delta_free, beside the largest of its terms.
 struct LineResidual {
   /// Of a graph that has the traction `t` at `jump`.
   LineResidual(const LocalLine& line, const base::Vector3& jump, const base::Vector3& t)
       : value(jump - line.jump(t)),
-        size(largest(value)),
-        scale(largest(jump) + line.compliance * largest(t) + largest(line.freeJump)) {}
+        size(norm(value)),
+        scale(sumOfSizes(jump) + line.compliance * sumOfSizes(t) + sumOfSizes(line.freeJump)) {}
 
-  /// No more than round-off; false where it is not a number.
-  bool isRoundOff() const { return size <= 16.0 * std::numeric_limits<double>::epsilon() * scale; }
+  /// No more than round-off; false where it is not finite.
+  bool isRoundOff() const { return size <= 16.0 * std::numeric_limits<double>::epsilon() * scale && isFinite(); }
   /// As small as a formula whose terms cancel may leave it.
-  bool isSmall() const { return size <= cancelled * scale; }
+  bool isSmall() const { return size <= 1e-12 * scale && isFinite(); }
+  /// Neither overflow nor what is not a number.
+  bool isFinite() const { return size <= std::numeric_limits<double>::max(); }
 
   base::Vector3 value;  // [length]
-  double size;          // its largest component
+  double size;          // its norm
   double scale;         // [length]
 };
 
@@ -80,8 +78,9 @@ struct LineResidual {
 /// graph has no value or slope there. A free jump that is not finite is handed on as traction.
 template <class TractionAt, class PointAt>
 std::optional<base::Vector3> newtonOnLine(const LocalLine& line, const TractionAt& tractionAt, const PointAt& pointAt) {
-  constexpr int iterations = 100, halvings = 30;
+  constexpr int iterations = 400, halvings = 60;
   constexpr double leastDecrease = 1e-4;  // of the residual, in parts of a whole step
+  constexpr double resolved = 1e-9;       // rest of a step that leads nowhere, in parts of the jump
   base::Vector3 jump{};
   GraphPoint point = pointAt(jump);
   for (int i = 0; i < iterations; ++i) {
@@ -100,17 +99,28 @@ std::optional<base::Vector3> newtonOnLine(const LocalLine& line, const TractionA
       jump = line.freeJump;
       continue;
     }
-    double part = 1.0;
+    double part = 1.0, least = residual.size;
+    base::Vector3 best = jump;
     for (int h = 0;; ++h, part *= 0.5) {
       const base::Vector3 next = jump - part * move;
       const base::Vector3 traction = tractionAt(next);
       const LineResidual left(line, next, traction);
       if (left.isRoundOff()) return traction;
-      if (left.size <= (1.0 - leastDecrease * part) * residual.size) {
-        jump = next;
+      // Where the whole step is too long, the residual falls on as it is halved, beyond kinks.
+      const bool isLower = left.size <= (1.0 - leastDecrease * part) * least;
+      if (isLower) {
+        least = left.size;
+        best = next;
+      }
+      if (least < residual.size && (!isLower || h == 0 || h == halvings)) {
+        jump = best;
         break;
       }
-      if (h == halvings) return residual.isSmall() ? std::optional(point.traction) : std::nullopt;
+      if (h < halvings) continue;
+      if (residual.isSmall()) return point.traction;
+      // The jump has all digits that the formulas leave it; those of the traction follow from the line.
+      if (sumOfSizes(move) <= resolved * sumOfSizes(jump)) return (1.0 / line.compliance) * (line.freeJump - jump);
+      return std::nullopt;
     }
   }
   return std::nullopt;

@@ -46,11 +46,11 @@ std::shared_ptr<const laws::InterfaceLaw> formula() {
 }
 
 /// CPU time of a pair at a load step [s]: the least of many, as others use the machine, too.
-double timeOf(std::shared_ptr<const laws::InterfaceLaw> law) {
+double timeOf(const std::shared_ptr<const laws::InterfaceLaw>& law) {
   latin::BoxAssembly boxes(
       {{"lower", {0, 0, 0}, {1, 1, 0.1}, {cells, cells, 1}}, {"upper", {0, 0, 0.1}, {1, 1, 0.2}, {cells, cells, 1}}},
       steps);
-  boxes.join("joint", "lower_zmax", "upper_zmin", std::move(law));
+  boxes.join("joint", "lower_zmax", "upper_zmin", law);
   boxes.hold("base", "lower_zmin", laws::makeLaw("Perfect"));
   const assembly::Assembly& assembly = boxes.assembly();
   const auto comm = latin::self();

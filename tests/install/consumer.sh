@@ -15,6 +15,7 @@ cmake -G Ninja -S "$source_dir" -B "$work_dir/consumer" -DCMAKE_PREFIX_PATH="$pr
 cmake --build "$work_dir/consumer"
 "$work_dir/consumer/consumer"
 mpirun -np 2 "$work_dir/consumer/consumer"
+"$work_dir/consumer/conformance" --gtest_brief=1
 "$prefix/bin/harmos" --version
 
 # The scripts are found where they were installed.

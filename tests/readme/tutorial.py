@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every block of C++ and CMake in the tutorial of embedding must stand in the files of the consumer, but for white space.
+"""Every block of code in the tutorials must stand in files that are tested, but for white space.
 
 tutorial.py SOURCE_DIRECTORY
 """
@@ -7,33 +7,42 @@ import pathlib
 import re
 import sys
 
-FILES = {"cpp": "main.cpp", "cmake": "CMakeLists.txt"}
-LEAST = 10
+# Of every page the files that its blocks of a language must stand in, and how many blocks there are at least.
+PAGES = {
+    "embedding.md": ({"cpp": ["tests/install/consumer/main.cpp"],
+                      "cmake": ["tests/install/consumer/CMakeLists.txt"]}, 10),
+    "writing-laws.md": ({"cpp": ["tests/install/consumer/laws/Maxwell.hpp", "tests/install/consumer/laws/plugin.cpp"],
+                         "cmake": ["tests/install/consumer/CMakeLists.txt"],
+                         "XML": ["xml/glue_by_formula.xml"]}, 7),
+}
 
 
 def normalised(text):
     return " ".join(text.split())
 
 
-def main():
-    source = pathlib.Path(sys.argv[1])
-    consumer = source / "tests" / "install" / "consumer"
-    page = (source / "docs" / "guide" / "embedding.md").read_text(encoding="utf-8")
-    texts = {language: normalised((consumer / name).read_text(encoding="utf-8")) for language, name in FILES.items()}
-    count, wrong = 0, 0
-    for match in re.finditer(r"^```(\w+)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
+def wrong_blocks(source, page, files, least):
+    """Messages about the blocks of a page."""
+    text = (source / "docs" / "guide" / page).read_text(encoding="utf-8")
+    count = 0
+    for match in re.finditer(r"^```(\w+)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
         language, block = match.groups()
-        if language not in FILES:
+        if language not in files:
             continue
         count += 1
-        if normalised(block) in texts[language]:
+        if any(normalised(block) in normalised((source / name).read_text(encoding="utf-8")) for name in files[language]):
             continue
-        wrong += 1
-        line = page.count("\n", 0, match.start()) + 1
-        print(f"docs/guide/embedding.md:{line}: this block is not in tests/install/consumer/{FILES[language]}:\n{block}")
-    if count < LEAST:
-        print(f"only {count} blocks found in docs/guide/embedding.md")
-    return 1 if wrong or count < LEAST else 0
+        line = text.count("\n", 0, match.start()) + 1
+        yield f"docs/guide/{page}:{line}: this block is not in {' or '.join(files[language])}:\n{block}"
+    if count < least:
+        yield f"only {count} blocks found in docs/guide/{page}"
+
+
+def main():
+    source = pathlib.Path(sys.argv[1])
+    messages = [each for page, (files, least) in PAGES.items() for each in wrong_blocks(source, page, files, least)]
+    print("\n".join(messages))
+    return 1 if messages else 0
 
 
 if __name__ == "__main__":

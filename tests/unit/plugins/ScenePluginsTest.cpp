@@ -31,7 +31,7 @@ class ScenePlugins : public ::testing::Test {
     text.replace(text.find(mu), mu.size(), "Stiffness\" type=\"double\" value=\"5");
     text.insert(text.find("  <ParameterList name=\"Mesh\">"),
                 "  <Parameter name=\"Plugins\" type=\"Array(string)\" value=\"" + plugins + "\"/>\n");
-    const std::string path = directory + "/scene.xml";
+    std::string path = directory + "/scene.xml";
     std::ofstream(path) << text;
     return path;
   }

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Runs a scene and a study with laws of a plugin by an installed Harmos, and plugins that must be refused.
+#
+#   plugin.sh PREFIX BUILD_DIR    BUILD_DIR: of the consumer project
+set -uo pipefail
+
+harmos=$1/bin/harmos build=$2
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../expect.sh"
+work=$build/plugin
+rm -rf "$work"
+mkdir -p "$work"
+cp "$here"/consumer/laws/*.xml "$build/seven_laws.so" "$work"
+cp "$work/seven_laws.so" "$work/again.so"
+scene=$work/relaxation.xml
+
+expect 0 'is valid' "$harmos" check "$scene"
+expect 0 'Maxwell (1867)' "$harmos" doc --plugin "$work/seven_laws.so" Outside Maxwell
+expect 0 'certified' "$harmos" run "$scene" --output "$work/one"
+expect 0 'certified' mpirun -np 2 "$harmos" run "$scene" --output "$work/two"
+for run in one two; do
+  expect 0 '^right$' awk -F, 'END { print (0.44663 < $3 && $3 < 0.44665 ? "right" : $0) }' "$work/$run/relaxation_history.csv"
+done
+expect 0 '' "$harmos" study "$work/relaxation_study.xml" --output "$work" --quiet
+
+# Plugins that cannot be used: exit code 2, and nothing is run or written.
+mkdir "$work/bad"
+refused() { expect 2 "$1" "$harmos" run "$scene" --output "$work/bad" --set "Plugins={$2}"; }
+refused 'Harmos / Plugins: ".*/nowhere.so" does not exist' nowhere.so
+refused 'relaxation.xml" cannot be loaded' relaxation.xml
+refused 'libc.so.6" is a shared library, but no Harmos plugin' "$(ldd "$harmos" | awk '/libc\.so\.6/ { print $3 }')"
+refused '"Outside Cohesion" is registered already' "seven_laws.so, again.so"
+expect 2 'unknown type\|"Outside Maxwell"' "$harmos" check "$scene" --set 'Plugins={}'
+expect 0 '^$' ls "$work/bad"
+[ $failures -eq 0 ] && echo "all as promised"
+exit $((failures > 0))
