@@ -1,6 +1,5 @@
 #include <array>
 
-#include <harmos/input/Field.hpp>
 #include <harmos/laws/detail/BuiltIn.hpp>
 #include <harmos/laws/detail/CylinderAxes.hpp>
 
@@ -21,24 +20,23 @@ struct CylindricalTraction {
     CylinderAxes::describe(p);
     for (const char* component : {"Radial", "Tangential", "Axial"}) {
       p.number(component).unit("stress").defaultValue(0.0).varying().doc("Traction along this direction.");
-      input::Field::describe(p, component);
     }
   }
 
   explicit CylindricalTraction(const input::Parameters& p)
-      : axes(p), value{{{p, "Radial"}, {p, "Tangential"}, {p, "Axial"}}} {}
+      : axes(p), value{p.schedule("Radial"), p.schedule("Tangential"), p.schedule("Axial")} {}
 
   LocalState solve(const LocalLine&, const NodeContext& at, const double*, double*) const {
     const base::Frame directions = axes.at(at.position());
     LocalState state;
     for (std::size_t i = 0; i < 3; ++i) {
-      state.traction = state.traction + value[i](at.step, at.position()) * directions[i];
+      state.traction = state.traction + value[i][at.step] * directions[i];
     }
     return state;
   }
 
   CylinderAxes axes;
-  std::array<input::Field, 3> value;
+  std::array<input::Schedule, 3> value;
 };
 
 }  // namespace

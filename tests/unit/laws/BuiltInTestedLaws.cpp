@@ -7,7 +7,7 @@ LawRegistry testedLaws() {
 }
 
 std::vector<std::string> untestedLaws() {
-  // Of whole faces, not of pairs: FaceLawTest and CoupledLawTest. With axes of their own: CylindricalLaws in
+  // Of whole faces, not of pairs: FaceLawTest and CoupledLawTest. With axes of their own: CylindricalTest in
   // tests/verification. Of texts: FormulaLawTest.
   return {"Cylindrical Displacement", "Cylindrical Traction", "Face Spring", "Formula", "Pretension",
           "Remote Displacement",      "Remote Force"};
