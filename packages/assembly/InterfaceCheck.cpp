@@ -58,7 +58,8 @@ class Check {
 
   void checkSides() {
     const laws::InterfaceLaw& law = *interface_.law;
-    if (interface_.sides() == 1 && law.sides() == laws::Sides::two) {
+    // Faces that lie apart from each other are two interfaces, which a law over both takes together.
+    if (interface_.sides() == 1 && law.sides() == laws::Sides::two && interface_.face < 0) {
       add("the law \"" + std::string(law.name()) + "\" joins two bodies, but body2 is -1");
     }
     if (interface_.sides() == 2 && law.sides() == laws::Sides::one) {

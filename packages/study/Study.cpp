@@ -26,7 +26,7 @@ scene::Scene Study::sceneFor(const std::vector<double>& values, const laws::LawR
   }
   try {
     errors.throwIfAny();
-    return scene::makeScene(std::move(tree), scene.path, {}, laws);
+    return scene::makeScene(tree, scene.path, {}, laws);
   } catch (const input::InputErrors& error) {
     // Elsewhere things are run: the closing line about the number of errors is not for a table.
     throw base::Error(error.list(), error.code());
