@@ -17,11 +17,12 @@ using LawRegistry = input::Registry<InterfaceLaw>;
 /// name is taken.
 void addPointwise(LawRegistry& laws, input::ParameterSpec spec, LawRegistry::Factory make, LawRegistry::Check check);
 
-/// L::check(), or none.
+/// L::check() of a law that has one.
 template <class L>
 auto checkOf(int) -> decltype(LawRegistry::Check(&L::check)) {
   return &L::check;
 }
+/// None, of other laws.
 template <class L>
 LawRegistry::Check checkOf(long) {
   return {};

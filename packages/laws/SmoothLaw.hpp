@@ -82,18 +82,25 @@ LocalState onLine(const G& graph, const LocalLine& line, const NodeContext& at, 
 /// line is found by Newton's method, derivatives are automatic (Sacado).
 ///
 /// The struct G gives all that PointwiseLaw asks for but solve(), and instead
+/// @code
 ///   template <class Scalar>
 ///   std::array<Scalar, 3> traction(const std::array<Scalar, 3>& jump, const NodeContext&, const double* old) const;
-/// written with the functions of <cmath> without "std::" before them; where it has history also
+/// @endcode
+/// written with the functions of the header cmath without "std::" before them; where it has history also
+/// @code
 ///   void update(const base::Vector3& jump, const NodeContext&, const double* old, double* now) const;
+/// @endcode
 /// which writes all of `now` at the jump that was found. It may give
-///   Status status(const base::Vector3& jump, const NodeContext&, const double* old) const;      default bonded
+/// @code
+///   Status status(const base::Vector3& jump, const NodeContext&, const double* old) const;  // default: bonded
+/// @endcode
 /// The traction must have a derivative at every jump that the law may meet, but for the jump 0, as sqrt(x^2 + y^2) has
 /// not. SmoothLaw<G> is a struct as PointwiseLaw wants it: addLaw<SmoothLaw<G>>(laws),
 /// HARMOS_LAW_PLUGIN(harmos::laws::SmoothLaw<G>).
 template <class G>
 struct SmoothLaw : G {
   using G::G;
+  /// Has a derivative, see InterfaceLaw::isSmooth().
   static constexpr bool isSmooth = true;
 
   /// Meets a line. Throws NoIntersection where Newton's method fails.
