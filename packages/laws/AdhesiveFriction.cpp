@@ -1,5 +1,7 @@
+#include <algorithm>
+
 #include <harmos/laws/detail/BuiltIn.hpp>
-#include <harmos/laws/detail/TangentialSlip.hpp>
+#include <harmos/laws/detail/SlidingLaw.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -11,11 +13,8 @@ namespace {
 /// |t_n| under pressure, and falls linearly to 0 where the pair opens, at t_n = a. The graph falls by a/d at the
 /// steepest. Sources: Derjaguin, Muller, Toporov (1975) for the attraction beside the contact; Mohr, Coulomb for
 /// cohesion.
-struct AdhesiveFriction {
+struct AdhesiveFriction : SlidingLaw {
   static constexpr const char* name = "Adhesive Friction";
-  static constexpr int historySize = SlipMemory::size;
-  static constexpr Sides sides = Sides::any;
-  static constexpr bool dissipates = true;
 
   static void describe(input::ParameterSpec& p) {
     p.summary(
@@ -60,9 +59,11 @@ struct AdhesiveFriction {
     return {{closed, slip.traction.t1, slip.traction.t2}, slip.slides ? Status::slip : Status::stick};
   }
 
-  double keptWork(const PairStep& step) const { return step.work() - SlipMemory::lostWork(step); }
-  static std::vector<OutputField> outputs() { return SlipMemory::outputs(); }
-  void output(const PairStep& step, double* values) const { values[0] = SlipMemory::way(step.history); }
+  /// Of the attraction, 0 in contact: what it has taken to come so far apart [stress length].
+  double storedEnergy(const PairStep& step) const {
+    const double opening = std::clamp(step.jump[0] + step.at.gap + gap[step.at.step], 0.0, range);
+    return adhesion * opening * (1.0 - 0.5 * opening / range);
+  }
 
   input::Schedule friction;
   input::Schedule gap;

@@ -7,21 +7,20 @@ namespace {
 /// Unilateral contact with friction whose surfaces wear off: the depth w opens the gap, delta_n + g + w >= 0, and grows
 /// by K p times the way of slip.
 ///
-/// The way is that of the load step before, the pressure that at the end of this one: so every load step has a graph
-/// that is monotone along the normal, whatever it wears off, and the error in time is of first order. `Cycles` load
-/// cycles like a load step wear off as many times as much. History: SlipMemory, w, and the way of the last load step
-/// [length]. Source: Archard, Contact and rubbing of flat surfaces (1953).
-struct ArchardWear {
+/// The pressure is that at the end of the load step. The way in it is foreseen from the velocity at its beginning, and
+/// what it has been more or less is worn off in the next one: so every load step has a graph that is monotone along the
+/// normal, whatever it wears off, and steady slip lags by nothing from its second load step on. (With the way of the
+/// load step itself the pressure would fall with it, and friction with the pressure: more than one solution where K p
+/// mu > 1.) `Cycles` load cycles like a load step wear off as many times as much. History: SlipMemory, w, what is still
+/// to be worn off [length], velocity [length/time]. Source: Archard, Contact and rubbing of flat surfaces (1953).
+struct ArchardWear : StickingFriction {
   static constexpr const char* name = "Archard Wear";
-  static constexpr int historySize = StickingFriction::historySize + 2;
-  static constexpr Sides sides = Sides::any;
-  static constexpr bool dissipates = true;
+  static constexpr int historySize = SlipMemory::size + 3;
 
   static void describe(input::ParameterSpec& p) {
     p.summary(
          "Contact with Coulomb friction whose surfaces wear off: the depth grows by wear coefficient times pressure "
-         "times "
-         "way of slip in the load step before, as often as a load step stands for cycles.")
+         "times way of slip, as often as a load step stands for cycles.")
         .source("Archard (1953)");
     p.number("Wear Coefficient")
         .unit("1/stress")
@@ -34,39 +33,43 @@ struct ArchardWear {
   }
 
   explicit ArchardWear(const input::Parameters& p)
-      : coefficient(p.number("Wear Coefficient")), cycles(p.schedule("Cycles")), shear(p) {}
-
-  AdmissibleTractions admissibleTractions(int step) const {
-    return AdmissibleTractions::pressure(shear.friction[step]);
-  }
+      : StickingFriction(p), coefficient(p.number("Wear Coefficient")), cycles(p.schedule("Cycles")) {}
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
-    const double* oldWear = old + StickingFriction::historySize;
-    double* wear = now + StickingFriction::historySize;
-    const double depth = at.duration() > 0.0 ? coefficient * cycles[at.step] * oldWear[1] : 0.0;  // by pressure
-    const double opening = shear.freeOpening(line, at) + oldWear[0];
-    const double pressure = -contactTraction(opening, line.compliance + depth);
-    const LocalState state = shear.solve(line, at, opening >= 0.0, pressure, old, now);
-    wear[0] = oldWear[0] + depth * pressure;
-    wear[1] = at.duration() > 0.0 ? SlipMemory::way(now) - SlipMemory::way(old) : oldWear[1];
+    const double *oldWear = old + SlipMemory::size, duration = at.duration();
+    double* wear = now + SlipMemory::size;
+    const bool goesOn = duration > 0.0;
+    const double rate = coefficient * cycles[at.step];  // depth by pressure and way
+    const double foreseen = goesOn ? oldWear[2] * duration : 0.0;
+    const double before = oldWear[0] + (goesOn ? oldWear[1] : 0.0);
+    const double opening = freeOpening(line, at) + before;
+    const double pressure = -contactTraction(opening, line.compliance + rate * foreseen);
+    const LocalState state = slideUnder(line, at, opening >= 0.0, pressure, old, now);
+    const double way = SlipMemory::way(now) - SlipMemory::way(old);
+    wear[0] = before + rate * foreseen * pressure;
+    wear[1] = (goesOn ? 0.0 : oldWear[1]) + rate * pressure * (way - foreseen);
+    wear[2] = goesOn ? way / duration : oldWear[2];
     return state;
   }
 
-  double keptWork(const PairStep& step) const { return shear.keptWork(step); }
-  double storedEnergy(const PairStep& step) const { return shear.storedEnergy(step.traction); }
+  /// All but what friction takes, and the pressure that follows the surfaces as they wear off.
+  static double keptWork(const PairStep& step) {
+    const double *old = step.oldHistory + SlipMemory::size, *now = step.history + SlipMemory::size;
+    return SlidingLaw::keptWork(step) + step.traction[0] * (now[0] + now[1] - old[0] - old[1]);
+  }
+  double storedEnergy(const PairStep& step) const { return shearEnergy(step.traction); }
   static std::vector<OutputField> outputs() {
-    std::vector<OutputField> outputs = SlipMemory::outputs();
-    outputs.push_back({"wear", "length", "depth that has worn off both surfaces together"});
-    return outputs;
+    return outputsAnd({{"wear", "length", "depth that has worn off both surfaces together"},
+                       {"wear_lag", "length", "depth that the next load step still has to wear off for this one"}});
   }
   void output(const PairStep& step, double* values) const {
-    values[0] = SlipMemory::way(step.history);
-    values[1] = step.history[StickingFriction::historySize];
+    SlidingLaw::output(step, values);
+    values[1] = step.history[SlipMemory::size];
+    values[2] = step.history[SlipMemory::size + 1];
   }
 
   double coefficient;
   input::Schedule cycles;
-  StickingFriction shear;
 };
 
 }  // namespace

@@ -8,7 +8,6 @@ namespace {
 /// Source: Iwan, On a class of models for the yielding behavior of continuous and composite systems (1967).
 struct Jenkins : ElasticSlider {
   static constexpr const char* name = "Jenkins";
-  static constexpr Sides sides = Sides::any;
 
   static void describe(input::ParameterSpec& p) {
     p.summary(
@@ -21,7 +20,7 @@ struct Jenkins : ElasticSlider {
   }
 
   explicit Jenkins(const input::Parameters& p)
-      : ElasticSlider{NormalSpring(p), 1.0 / p.number("Tangential Stiffness"), {p.number("Slip Limit"), 0.0, 0.0}} {}
+      : ElasticSlider(NormalSpring(p), 1.0 / p.number("Tangential Stiffness"), {p.number("Slip Limit"), 0.0, 0.0}) {}
 };
 
 }  // namespace

@@ -7,12 +7,8 @@ namespace {
 ///
 /// Implicit Euler over the load step. A load that is held creeps to t / k with the time eta / k; in a load step without
 /// duration nothing moves. History: delta at its end [length]. Source: Thomson (1865), Voigt (1892).
-struct KelvinGlue {
+struct KelvinGlue : Rheology {
   static constexpr const char* name = "Kelvin Glue";
-  static constexpr int historySize = 3;
-  static constexpr Sides sides = Sides::any;
-  static constexpr bool dissipates = true;
-  static constexpr bool isSmooth = true;
 
   static void describe(input::ParameterSpec& p) {
     p.summary(
@@ -23,15 +19,13 @@ struct KelvinGlue {
                        "eta of the dashpot: eta / k is the time of retardation.");
   }
 
-  explicit KelvinGlue(const input::Parameters& p) : parts(p) {}
-
-  AdmissibleTractions admissibleTractions(int) const { return {}; }
+  explicit KelvinGlue(const input::Parameters& p) : Rheology(p) {}
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
     LocalState state;
     const double time = at.duration();
     for (std::size_t i = 0; i < 3; ++i) {
-      const double k = parts.stiffness[i], eta = parts.viscosity[i];
+      const double k = stiffness[i], eta = viscosity[i];
       state.traction[i] = (k * time * line.freeJump[i] + eta * (line.freeJump[i] - old[i])) /
                           (time + line.compliance * (k * time + eta));
       now[i] = line.freeJump[i] - line.compliance * state.traction[i];
@@ -43,17 +37,15 @@ struct KelvinGlue {
   double keptWork(const PairStep& step) const {
     double kept = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      kept += parts.stiffness[i] * step.jump[i] * (step.jump[i] - step.oldJump[i]);
+      kept += stiffness[i] * step.jump[i] * (step.jump[i] - step.oldJump[i]);
     }
     return kept;
   }
   double storedEnergy(const PairStep& step) const {
     double energy = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) energy += 0.5 * parts.stiffness[i] * step.jump[i] * step.jump[i];
+    for (std::size_t i = 0; i < 3; ++i) energy += 0.5 * stiffness[i] * step.jump[i] * step.jump[i];
     return energy;
   }
-
-  Rheology parts;
 };
 
 }  // namespace

@@ -7,12 +7,8 @@ namespace {
 ///
 /// Implicit Euler: v = v_old + dt t / eta, which holds whatever the length dt of a load step. A jump that is held
 /// relaxes with the time eta / k. History: v [length]. Source: Maxwell (1867).
-struct MaxwellGlue {
+struct MaxwellGlue : Rheology {
   static constexpr const char* name = "Maxwell Glue";
-  static constexpr int historySize = 3;
-  static constexpr Sides sides = Sides::any;
-  static constexpr bool dissipates = true;
-  static constexpr bool isSmooth = true;
 
   static void describe(input::ParameterSpec& p) {
     p.summary(
@@ -22,15 +18,13 @@ struct MaxwellGlue {
     Rheology::describe(p, "k of the spring, met at once.", "eta of the dashpot: eta / k is the time of relaxation.");
   }
 
-  explicit MaxwellGlue(const input::Parameters& p) : parts(p) {}
-
-  AdmissibleTractions admissibleTractions(int) const { return {}; }
+  explicit MaxwellGlue(const input::Parameters& p) : Rheology(p) {}
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
     LocalState state;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double creep = at.duration() / parts.viscosity[i];
-      state.traction[i] = (line.freeJump[i] - old[i]) / (line.compliance + 1.0 / parts.stiffness[i] + creep);
+      const double creep = at.duration() / viscosity[i];
+      state.traction[i] = (line.freeJump[i] - old[i]) / (line.compliance + 1.0 / stiffness[i] + creep);
       now[i] = old[i] + creep * state.traction[i];
     }
     return state;
@@ -44,15 +38,13 @@ struct MaxwellGlue {
   }
   double storedEnergy(const PairStep& step) const {
     double energy = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) energy += 0.5 * step.traction[i] * step.traction[i] / parts.stiffness[i];
+    for (std::size_t i = 0; i < 3; ++i) energy += 0.5 * step.traction[i] * step.traction[i] / stiffness[i];
     return energy;
   }
   static std::vector<OutputField> outputs() { return {{"creep", "length", "length of the jump of the dashpots"}}; }
   void output(const PairStep& step, double* values) const {
     values[0] = base::norm({step.history[0], step.history[1], step.history[2]});
   }
-
-  Rheology parts;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <harmos/laws/detail/BuiltIn.hpp>
 #include <harmos/laws/detail/ContactTraction.hpp>
-#include <harmos/laws/detail/TangentialSlip.hpp>
+#include <harmos/laws/detail/SlidingLaw.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -36,11 +36,8 @@ Tangential nearestOnEllipse(double a, double b, const Tangential& point) {
 ///
 /// Axis 1 is the projection of a given direction onto the surface at each point. History: SlipMemory.
 /// Source: Michalowski, Mroz, Associated and non-associated sliding rules in contact friction problems (1978).
-struct OrthotropicFriction {
+struct OrthotropicFriction : SlidingLaw {
   static constexpr const char* name = "Orthotropic Friction";
-  static constexpr int historySize = SlipMemory::size;
-  static constexpr Sides sides = Sides::any;
-  static constexpr bool dissipates = true;
 
   static void describe(input::ParameterSpec& p) {
     p.summary(
@@ -88,10 +85,6 @@ struct OrthotropicFriction {
     SlipMemory::keep(oldSlip + moved, moved.norm(), old, now);
     return {{normal, traction.t1, traction.t2}, reach >= 1.0 - atTheLimit ? Status::slip : Status::stick};
   }
-
-  double keptWork(const PairStep& step) const { return step.work() - SlipMemory::lostWork(step); }
-  static std::vector<OutputField> outputs() { return SlipMemory::outputs(); }
-  void output(const PairStep& step, double* values) const { values[0] = SlipMemory::way(step.history); }
 
   /// Unit vector of axis 1; where the axis is a normal, t1.
   Tangential axisOnSurface(const base::Frame& frame) const {

@@ -3,27 +3,32 @@
 
 #include <harmos/laws/detail/BuiltIn.hpp>
 #include <harmos/laws/detail/ContactTraction.hpp>
-#include <harmos/laws/detail/TangentialSlip.hpp>
+#include <harmos/laws/detail/SlidingLaw.hpp>
 
 namespace harmos::laws {
 namespace {
 
+// Newton's method from the left goes over one scale of the exponential at a step, and has 36 of them at most.
+constexpr int mostSteps = 100;
+
 /// Unilateral contact with friction that depends on the velocity of slip: mu(v) = mu_k + (mu_s - mu_k) exp(-v / v_c).
 ///
-/// The coefficient of a load step is that of the velocity at the end of the one before, so that every load step has the
-/// graph of Coulomb's law: it loses no solution and gains none, and the error in time is of first order. History: slip,
-/// its way [length], the velocity, and that which the coefficient belongs to, which stays in a load step without
-/// duration [length/time]. Source: Bengisu, Akay (1994); explicit in the velocity.
-struct RateDependentFriction {
+/// Where friction rises with the velocity the coefficient is that at the end of the load step: v = |slip - slip_old| /
+/// dt is the root of a concave function that grows, so that the law is monotone under a pressure, and implicit Euler.
+/// Where it falls, a load step would have several solutions as soon as dt < p (mu_s - mu_k) H / v_c, and without
+/// inertia slip that is dragged at a constant velocity jumps: there the coefficient is that at the end of the load step
+/// before, which loses no solution and gains none; what the present velocity would change in it is an output. History:
+/// slip, its way [length], the velocity, and that which the coefficient belongs to, which stays in a load step without
+/// duration [length/time]. Source: Bengisu, Akay (1994).
+struct RateDependentFriction : SlidingLaw {
   static constexpr const char* name = "Rate-Dependent Friction";
   static constexpr int historySize = SlipMemory::size + 2;
-  static constexpr Sides sides = Sides::any;
-  static constexpr bool dissipates = true;
 
   static void describe(input::ParameterSpec& p) {
     p.summary(
          "Contact with friction that falls, or rises, with the velocity of slip: mu = mu_k + (mu_s - mu_k) exp(-v / "
-         "v_c), with v at the end of the load step before. Time is that of the steps.")
+         "v_c), with v at the end of the load step where it rises, of the load step before where it falls. Time is "
+         "that of the steps.")
         .source("Bengisu, Akay (1994)");
     p.number("Static Coefficient").unit("-").required().atLeast(0.0).doc("mu_s at rest.");
     p.number("Kinetic Coefficient").unit("-").required().atLeast(0.0).doc("mu_k at large velocities.");
@@ -40,35 +45,54 @@ struct RateDependentFriction {
 
   double coefficient(double speed) const { return moving + (atRest - moving) * std::exp(-speed / velocity); }
 
+  /// v > 0 where v dt + H p mu(v) = H trial [stress], for friction that rises and trial > p mu(0).
+  double speedOnLine(double trial, double compliance, double pressure, double duration) const {
+    double speed = 0.0;
+    for (int step = 0; step < mostSteps; ++step) {
+      const double rise = (moving - atRest) * std::exp(-speed / velocity);
+      const double left = compliance * (trial - pressure * (moving - rise)) - speed * duration;
+      const double next = speed + left / (duration + compliance * pressure * rise / velocity);
+      if (!(next > speed)) break;
+      speed = next;
+    }
+    return speed;
+  }
+
   AdmissibleTractions admissibleTractions(int) const { return AdmissibleTractions::pressure(std::max(atRest, moving)); }
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
-    const double opening = line.freeJump[0] + at.gap + gap[at.step];
+    const double opening = line.freeJump[0] + at.gap + gap[at.step], duration = at.duration();
     double& speed = now[SlipMemory::size];
-    const double before = old[at.duration() > 0.0 ? SlipMemory::size : SlipMemory::size + 1];
-    now[SlipMemory::size + 1] = before;
+    double& speedOfCoefficient = now[SlipMemory::size + 1];
+    speedOfCoefficient = old[duration > 0.0 ? SlipMemory::size : SlipMemory::size + 1];
     if (opening >= 0.0) {
       SlipMemory::keep(Tangential::of(line.freeJump), 0.0, old, now);
       speed = 0.0;
       return {{}, Status::open};
     }
     const double normal = contactTraction(opening, line.compliance);
-    const double limit = -coefficient(before) * normal;
-    const SlipState slip = slipOnLine(line, 0.0, SlipMemory::slip(old), {limit, 0.0, 0.0});
+    const Tangential oldSlip = SlipMemory::slip(old);
+    if (moving > atRest && duration > 0.0) {
+      const double trial = (Tangential::of(line.freeJump) - oldSlip).norm() / line.compliance;
+      const bool slides = trial > -atRest * normal;
+      speedOfCoefficient = slides ? speedOnLine(trial, line.compliance, -normal, duration) : 0.0;
+    }
+    const double limit = -coefficient(speedOfCoefficient) * normal;
+    const SlipState slip = slipOnLine(line, 0.0, oldSlip, {limit, 0.0, 0.0});
     SlipMemory::keep(slip.slip, slip.distance, old, now);
-    speed = at.duration() > 0.0 ? slip.distance / at.duration() : old[SlipMemory::size];
+    speed = duration > 0.0 ? slip.distance / duration : old[SlipMemory::size];
     return {{normal, slip.traction.t1, slip.traction.t2}, slip.slides ? Status::slip : Status::stick};
   }
 
-  double keptWork(const PairStep& step) const { return step.work() - SlipMemory::lostWork(step); }
   static std::vector<OutputField> outputs() {
-    std::vector<OutputField> outputs = SlipMemory::outputs();
-    outputs.push_back({"slip_velocity", "length/time", "velocity of slip at the end of the load step"});
-    return outputs;
+    return outputsAnd({{"slip_velocity", "length/time", "velocity of slip at the end of the load step"},
+                       {"coefficient_lag", "-", "coefficient at this velocity less the one that was taken"}});
   }
   void output(const PairStep& step, double* values) const {
-    values[0] = SlipMemory::way(step.history);
-    values[1] = step.history[SlipMemory::size];
+    const double speed = step.history[SlipMemory::size];
+    SlidingLaw::output(step, values);
+    values[1] = speed;
+    values[2] = coefficient(speed) - coefficient(step.history[SlipMemory::size + 1]);
   }
 
   double atRest, moving, velocity;

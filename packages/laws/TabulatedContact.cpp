@@ -37,11 +37,8 @@ class PressureTable {
 };
 
 /// Contact whose pressure is a table of the overclosure, and Coulomb friction, see StickingFriction.
-struct TabulatedContact {
+struct TabulatedContact : StickingFriction {
   static constexpr const char* name = "Tabulated Contact";
-  static constexpr int historySize = StickingFriction::historySize;
-  static constexpr Sides sides = Sides::any;
-  static constexpr bool dissipates = true;
 
   static void describe(input::ParameterSpec& p) {
     p.summary(
@@ -94,26 +91,18 @@ struct TabulatedContact {
   }
 
   explicit TabulatedContact(const input::Parameters& p)
-      : table(p.numbers("Overclosures"), p.numbers("Pressures")), shear(p) {}
-
-  AdmissibleTractions admissibleTractions(int step) const {
-    return AdmissibleTractions::pressure(shear.friction[step]);
-  }
+      : StickingFriction(p), table(p.numbers("Overclosures"), p.numbers("Pressures")) {}
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
-    const double overclosure = -shear.freeOpening(line, at);
-    return shear.solve(line, at, overclosure <= table.touch(), table.onLine(overclosure, line.compliance), old, now);
+    const double overclosure = -freeOpening(line, at);
+    return slideUnder(line, at, overclosure <= table.touch(), table.onLine(overclosure, line.compliance), old, now);
   }
 
-  double keptWork(const PairStep& step) const { return shear.keptWork(step); }
   double storedEnergy(const PairStep& step) const {
-    return table.energy(-step.traction[0]) + shear.storedEnergy(step.traction);
+    return table.energy(-step.traction[0]) + shearEnergy(step.traction);
   }
-  static std::vector<OutputField> outputs() { return SlipMemory::outputs(); }
-  void output(const PairStep& step, double* values) const { values[0] = SlipMemory::way(step.history); }
 
   PressureTable table;
-  StickingFriction shear;
 };
 
 }  // namespace

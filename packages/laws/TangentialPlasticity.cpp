@@ -8,7 +8,6 @@ namespace {
 /// Source: Simo, Hughes, Computational Inelasticity (1998), sections 1.5 and 1.6, for a vector along the surface.
 struct TangentialPlasticity : ElasticSlider {
   static constexpr const char* name = "Tangential Plasticity";
-  static constexpr Sides sides = Sides::any;
 
   static void describe(input::ParameterSpec& p) {
     p.summary(
@@ -31,9 +30,8 @@ struct TangentialPlasticity : ElasticSlider {
   }
 
   explicit TangentialPlasticity(const input::Parameters& p)
-      : ElasticSlider{NormalSpring(p),
-                      1.0 / p.number("Tangential Stiffness"),
-                      {p.number("Yield Stress"), p.number("Isotropic Hardening"), p.number("Kinematic Hardening")}} {}
+      : ElasticSlider(NormalSpring(p), 1.0 / p.number("Tangential Stiffness"),
+                      {p.number("Yield Stress"), p.number("Isotropic Hardening"), p.number("Kinematic Hardening")}) {}
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <harmos/laws/detail/BuiltIn.hpp>
 #include <harmos/laws/detail/ContactTraction.hpp>
-#include <harmos/laws/detail/TangentialSlip.hpp>
+#include <harmos/laws/detail/SlidingLaw.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -9,11 +9,8 @@ namespace {
 ///
 /// So the tangential part knows nothing of the normal one, and the law is monotone: there is one solution only.
 /// Source: Duvaut, Lions: Les inequations en mecanique et en physique (1972), chapter III.
-struct TrescaFriction {
+struct TrescaFriction : SlidingLaw {
   static constexpr const char* name = "Tresca Friction";
-  static constexpr int historySize = SlipMemory::size;
-  static constexpr Sides sides = Sides::any;
-  static constexpr bool dissipates = true;
 
   static void describe(input::ParameterSpec& p) {
     p.summary(
@@ -32,10 +29,6 @@ struct TrescaFriction {
     SlipMemory::keep(slip.slip, slip.distance, old, now);
     return {{normal, slip.traction.t1, slip.traction.t2}, slip.slides ? Status::slip : Status::stick};
   }
-
-  double keptWork(const PairStep& step) const { return step.work() - SlipMemory::lostWork(step); }
-  static std::vector<OutputField> outputs() { return SlipMemory::outputs(); }
-  void output(const PairStep& step, double* values) const { values[0] = SlipMemory::way(step.history); }
 
   input::Schedule limit;
   input::Schedule gap;

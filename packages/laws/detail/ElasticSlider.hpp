@@ -1,16 +1,13 @@
 #pragma once
 
 #include <harmos/laws/detail/NormalSpring.hpp>
-#include <harmos/laws/detail/TangentialSlip.hpp>
+#include <harmos/laws/detail/SlidingLaw.hpp>
 
 namespace harmos::laws {
 
 /// Tangential elastoplasticity beside a normal spring: t_t = k_t (delta_t - s), |t_t - h_k s| <= tau + h_i p, with the
 /// slip s along t_t - h_k s and p the length of its way. History: SlipMemory.
-struct ElasticSlider {
-  static constexpr int historySize = SlipMemory::size;
-  static constexpr bool dissipates = true;
-
+struct ElasticSlider : SlidingLaw {
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
     SlipLimit limit = slider;
     limit.limit += slider.isotropic * SlipMemory::way(old);
@@ -26,8 +23,9 @@ struct ElasticSlider {
     const double shear = Tangential::of(step.traction).norm(), slip = SlipMemory::slip(step.history).norm();
     return normal.energy(step.traction[0]) + 0.5 * (compliance * shear * shear + slider.kinematic * slip * slip);
   }
-  static std::vector<OutputField> outputs() { return SlipMemory::outputs(); }
-  void output(const PairStep& step, double* values) const { values[0] = SlipMemory::way(step.history); }
+
+  ElasticSlider(const NormalSpring& spring, double springCompliance, const SlipLimit& limit)
+      : normal(spring), compliance(springCompliance), slider(limit) {}
 
   NormalSpring normal;
   double compliance;  ///< 1 / k_t [length/stress]

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <harmos/laws/OutputField.hpp>
 #include <harmos/laws/detail/NormalSpring.hpp>
 #include <harmos/laws/detail/TangentialSlip.hpp>
 

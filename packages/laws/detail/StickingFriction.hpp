@@ -4,15 +4,13 @@
 #include <limits>
 
 #include <harmos/laws/detail/BuiltIn.hpp>
-#include <harmos/laws/detail/TangentialSlip.hpp>
+#include <harmos/laws/detail/SlidingLaw.hpp>
 
 namespace harmos::laws {
 
 /// Coulomb friction under a pressure that is known, with a spring along the surface where it sticks: t_t = k_t (delta_t
 /// - s), |t_t| <= min(mu p, tau). An open pair carries nothing, and sticks where it lands. History: SlipMemory.
-struct StickingFriction {
-  static constexpr int historySize = SlipMemory::size;
-
+struct StickingFriction : SlidingLaw {
   /// Declares its parameters.
   static void describe(input::ParameterSpec& p) {
     p.number("Friction Coefficient")
@@ -46,8 +44,8 @@ struct StickingFriction {
     return line.freeJump[0] + at.gap + gap[at.step];
   }
   /// The state that belongs to a pressure p >= 0 [stress] of a pair that is closed, or to an open one.
-  LocalState solve(const LocalLine& line, const NodeContext& at, bool isOpen, double pressure, const double* old,
-                   double* now) const {
+  LocalState slideUnder(const LocalLine& line, const NodeContext& at, bool isOpen, double pressure, const double* old,
+                        double* now) const {
     if (isOpen) {
       SlipMemory::keep(Tangential::of(line.freeJump), 0.0, old, now);
       return {{}, Status::open};
@@ -57,10 +55,10 @@ struct StickingFriction {
     SlipMemory::keep(slip.slip, slip.distance, old, now);
     return {{-pressure, slip.traction.t1, slip.traction.t2}, slip.slides ? Status::slip : Status::stick};
   }
-  /// Friction alone dissipates.
-  double keptWork(const PairStep& step) const { return step.work() - SlipMemory::lostWork(step); }
+  /// Pressure, and friction under it.
+  AdmissibleTractions admissibleTractions(int step) const { return AdmissibleTractions::pressure(friction[step]); }
   /// Of the spring along the surface [stress length].
-  double storedEnergy(const base::Vector3& traction) const {
+  double shearEnergy(const base::Vector3& traction) const {
     const double shear = tangentialNorm(traction);
     return 0.5 * compliance * shear * shear;
   }

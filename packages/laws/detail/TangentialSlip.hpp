@@ -1,10 +1,8 @@
 #pragma once
 
 #include <cmath>
-#include <vector>
 
 #include <harmos/laws/NodeArrays.hpp>
-#include <harmos/laws/OutputField.hpp>
 
 namespace harmos::laws {
 
@@ -84,8 +82,6 @@ struct SlipMemory {
     const Tangential now = slip(step.history);
     return dot(Tangential::of(step.traction) - kinematic * now, now - slip(step.oldHistory));
   }
-  /// The way as an output.
-  static std::vector<OutputField> outputs() { return {{"accumulated_slip", "length", "way that the slider has slid"}}; }
 };
 
 }  // namespace harmos::laws

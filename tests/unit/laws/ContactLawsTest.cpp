@@ -180,28 +180,100 @@ TEST(RateDependentFriction, FallsWithTheVelocity) {
   }
 }
 
-// Dragged by 0.4 a step under a pressure that is held, as three cycles: the depth is K p times three times the way, one
-// load step behind.
+/// Traction along t1 after `steps` load steps of equal duration in [0, end], on a line whose free jump goes by
+/// `velocity` along t1, pressed by `closing` along the normal.
+double drag(const InterfaceLaw& law, double closing, double velocity, double compliance, double end, int steps) {
+  Node node(law);
+  LocalState state;
+  for (int i = 1; i <= steps; ++i) {
+    state = node.solve({{-closing, velocity * end * i / steps, 0.0}, compliance}, i - 1, end / steps);
+    node.accept();
+  }
+  return state.traction[1];
+}
+
+// A block pulled by a spring k, friction that rises: k (V t - s) = p mu(s'), integrated by Runge and Kutta in the
+// spring force q, q' = k (V - mu^-1(q / p)). Implicit Euler, so half the load step is half the error.
+TEST(RateDependentFriction, RisesWithTheVelocity) {
+  const double rest = 0.2, moving = 0.5, scale = 2.0, h = 0.1, p = 3.0, velocity = 1.5;
+  const auto law = makeLaw("Rate-Dependent Friction",
+                           {{"Static Coefficient", rest}, {"Kinetic Coefficient", moving}, {"Velocity", scale}});
+  const auto rate = [&](double q) { return (velocity + scale * std::log((moving - q / p) / (moving - rest))) / h; };
+  const double begin = rest * p * h / velocity, end = begin + 0.15;  // it sticks until then
+  double q = rest * p;
+  constexpr int pieces = 2000;
+  for (int i = 0; i < pieces; ++i) {
+    const double dt = 0.15 / pieces, a = rate(q), b = rate(q + 0.5 * dt * a), c = rate(q + 0.5 * dt * b);
+    q += dt / 6.0 * (a + 2.0 * b + 2.0 * c + rate(q + dt * c));
+  }
+  const auto error = [&](int steps) { return std::abs(drag(*law, h * p, velocity, h, end, steps) - q); };
+  EXPECT_LT(error(100), 0.01 * q);
+  for (const int steps : {100, 400, 1600}) EXPECT_NEAR(error(steps) / error(2 * steps), 2.0, 0.1) << steps;
+  // However short the load step: the velocity of a steady slip.
+  EXPECT_NEAR(drag(*law, h * p, velocity, h, 100.0, 7), p * (moving - (moving - rest) * std::exp(-velocity / scale)),
+              1e-9);
+}
+
+// What a load step lags behind is told: nothing in a steady slip, and where friction rises.
+TEST(RateDependentFriction, TellsItsLag) {
+  const auto lags = [](double rest, double moving) {
+    const auto law = makeLaw("Rate-Dependent Friction",
+                             {{"Static Coefficient", rest}, {"Kinetic Coefficient", moving}, {"Velocity", 2.0}});
+    Node node(*law);
+    std::vector<double> result;
+    for (int step = 0; step < 2; ++step) {
+      node.solve({{-1e-9, 0.75 * (step + 1), 0.0}, 1e-9}, step, 0.5);
+      const std::vector<double> history = node.newHistory();
+      PairStep at;
+      at.history = history.data();
+      double values[3];
+      law->output(at, values);
+      result.push_back(values[2]);
+      node.accept();
+    }
+    return result;
+  };
+  EXPECT_NEAR(lags(0.5, 0.2)[0], 0.3 * (std::exp(-0.75) - 1.0), 1e-8);
+  EXPECT_NEAR(lags(0.5, 0.2)[1], 0.0, 1e-8);
+  EXPECT_EQ(lags(0.2, 0.5)[0], 0.0);
+}
+
+// Dragged by 0.4 a step under a pressure that is held, as three cycles: the depth is K p times three times the way,
+// from the second load step on; what the first one lacks is told.
 TEST(ArchardWear, GrowsWithPressureAndWay) {
   const auto law =
       makeLaw("Archard Wear", {{"Wear Coefficient", 0.01}, {"Cycles", 3.0}, {"Friction Coefficient", 0.2}});
   Node node(*law);
-  const double soft = 1e6, pressure = 2.0;
+  const double soft = 1e6, pressure = 2.0, each = 3.0 * 0.01 * pressure * 0.4;
   for (int step = 0; step < 5; ++step) {
-    const double slid = 0.4 * (step + 1), worn = 3.0 * 0.01 * pressure * 0.4 * step;
+    const double slid = 0.4 * (step + 1), worn = step == 0 ? 0.0 : each * (step + 1);
     const LocalLine line{{-soft * pressure - worn, slid + soft * 0.2 * pressure, 0.0}, soft};
     const LocalState state = node.solve(line, step);
     EXPECT_NEAR(state.traction[0], -pressure, 1e-8);
     EXPECT_NEAR(state.traction[1], 0.2 * pressure, 1e-8);
-    double values[2];
+    double values[3];
     PairStep at;
     const std::vector<double> history = node.newHistory();
     at.history = history.data();
     law->output(at, values);
     EXPECT_NEAR(values[0], slid, 1e-6);
     EXPECT_NEAR(values[1], worn, 1e-6);
+    EXPECT_NEAR(values[2], step == 0 ? each : 0.0, 1e-6);
     node.accept();
   }
+}
+
+// Pressed by a spring k that wear relaxes, and dragged by the same: from the onset of slip on
+// ln(p / p_0) - K mu (p - p_0) = -K k V t. Half the load step is half the error.
+TEST(ArchardWear, RelaxesThePressure) {
+  const double wear = 0.05, mu = 0.3, h = 0.1, first = 2.0, velocity = 1.0, end = 2.0;
+  const auto law = makeLaw("Archard Wear", {{"Wear Coefficient", wear}, {"Cycles", 1.0}, {"Friction Coefficient", mu}});
+  const double slides = end - mu * first * h / velocity;
+  double p = first;
+  for (int i = 0; i < 50; ++i) p = first * std::exp(wear * mu * (p - first) - wear / h * velocity * slides);
+  const auto error = [&](int steps) { return std::abs(drag(*law, h * first, velocity, h, end, steps) / mu - p); };
+  EXPECT_LT(error(100), 0.01 * first);
+  for (const int steps : {100, 400, 1600}) EXPECT_NEAR(error(steps) / error(2 * steps), 2.0, 0.2) << steps;
 }
 
 }  // namespace

@@ -173,9 +173,12 @@ class Cases:
         yield "force", run["force"][END], 0.2 * PRESSURE * AREA, RELATIVE * 20.0
         depth = wear * cycles * PRESSURE * AMPLITUDE * 0.2
         for step in range(1, END + 1):
-            yield f"height at step {step}", run["height"][step], -depth * (step - 1), RELATIVE * END * depth
+            expected = depth * step if step > 1 else 0.0  # that of the first one is worn off in the second
+            yield f"height at step {step}", run["height"][step], -expected, RELATIVE * END * depth
             worn = run.fields["wear"][step].max()
-            yield f"field wear at step {step}", worn, depth * (step - 1), 1e-3 * END * depth
+            yield f"field wear at step {step}", worn, expected, 1e-3 * END * depth
+        yield "field wear_lag at step 1", run.fields["wear_lag"][1].max(), depth, 0.2 * depth
+        yield "field wear_lag at the end", run.fields["wear_lag"][END].max(), 0.0, 1e-3 * depth
 
     def rate_dependent_friction(self):
         rest, moving, scale = 0.3, 0.1, 0.05
@@ -184,6 +187,12 @@ class Cases:
         for step in range(1, END + 1):
             speed = 0.0 if step == 1 else AMPLITUDE
             expected = (moving + (rest - moving) * math.exp(-speed / scale)) * PRESSURE * AREA
+            yield f"force at step {step}", run["force"][step], expected, 1e-3 * rest * PRESSURE * AREA
+        # Friction that rises does not lag.
+        run = self.run({"Type": "Rate-Dependent Friction", "Static Coefficient": moving, "Kinetic Coefficient": rest,
+                        "Velocity": scale}, way=([0, 5], [0, 5]))
+        for step in range(1, END + 1):
+            expected = (rest + (moving - rest) * math.exp(-AMPLITUDE / scale)) * PRESSURE * AREA
             yield f"force at step {step}", run["force"][step], expected, 1e-3 * rest * PRESSURE * AREA
 
 
