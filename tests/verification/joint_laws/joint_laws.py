@@ -146,6 +146,30 @@ class Cases:
         loss = 4 * density * AMPLITUDE ** (chi + 3) / ((chi + 2) * (chi + 3)) * AREA
         yield "loss of a cycle", run["lost"][END] - run["lost"][OUT], loss, 0.02 * loss
 
+    def bouc_wen(self):
+        stiffness, limit, ratio, exponent, shape, per_step = 200.0, 2.0, 0.1, 1.5, 0.7, 20
+        run = self.run({"Type": "Bouc-Wen", "Tangential Stiffness": stiffness, "Slip Limit": limit,
+                        "Residual Stiffness Ratio": ratio, "Exponent": exponent, "Unloading Shape": shape},
+                       f"Steps/out/Increments={OUT * per_step}", f"Steps/loop/Increments={(END - OUT) * per_step}")
+        hysteretic = (1 - ratio) * stiffness
+        bound = limit / hysteretic
+        # dz/du of Wen, explicit in steps that are far shorter than those of the scene.
+        z, u, lost, dissipated, pieces = 0.0, 0.0, {}, 0.0, 20000
+        for step, (end, length) in enumerate([(AMPLITUDE, 1), (-AMPLITUDE, 2), (AMPLITUDE, 2)]):
+            du = (end - u) / (pieces * length)
+            slope = lambda z: 1 - (abs(z) / bound) ** exponent * (shape * math.copysign(1, z * du) + 1 - shape)
+            for _ in range(pieces * length):
+                middle = z + 0.5 * du * slope(z)
+                dissipated += hysteretic * middle * (1 - slope(middle)) * du
+                z += du * slope(middle)
+            u = end
+            force = (ratio * stiffness * u + hysteretic * z) * AREA
+            found = (5, 15, 25)[step] * per_step
+            yield f"force at load step {found}", run["force"][found], force, 0.01 * limit * AREA
+            lost[found] = dissipated * AREA
+        loss = lost[END * per_step] - lost[OUT * per_step]
+        yield "loss of a cycle", run["lost"][END * per_step] - run["lost"][OUT * per_step], loss, 0.01 * loss
+
     def maxwell_glue(self):
         stiffness, viscosity = 40.0, 8.0
         run = self.run({"Type": "Maxwell Glue", "Normal Stiffness": 1e6, "Normal Viscosity": 1e9,
