@@ -18,17 +18,12 @@ struct Restore {
   }
 };
 
-/// One response on its way.
-struct Column {
-  explicit Column(const StateMetric& metric) : space(metric) {}
-
-  CorrectionSpace space;
-  std::vector<double> start, image;  // right side b, and beta of alpha = 0
-  double size = 0.0;                 // |b|
-  std::vector<double> residual;
-  std::vector<double> c;
-  double hidden = 0.0;
-};
+// Of a residual, what the directions that others have just added leave of it: less is not followed for now.
+constexpr double taken = 0.1;
+// Directions before which the smallest singular value of their space says nothing of slow modes, unless the residual is
+// no more than this share of the right side.
+constexpr int fewestDirections = 12;
+constexpr double converged = 1e-6;
 
 double norm(const StateMetric& metric, const std::vector<double>& a) {
   std::vector<double> sum{0.0};
@@ -38,6 +33,15 @@ double norm(const StateMetric& metric, const std::vector<double>& a) {
 }
 
 }  // namespace
+
+/// One response on its way.
+struct AdjointProblem::Column {
+  std::vector<double> start, image;  // right side b, and beta of alpha = 0
+  double size = 0.0;                 // |b|
+  std::vector<double> residual;
+  std::vector<double> c;
+  double hidden = 0.0;
+};
 
 AdjointProblem::AdjointProblem(FixedPoint& fixedPoint, const Iterate& state, int step)
     : fixedPoint_(fixedPoint),
@@ -115,6 +119,34 @@ base::Matrix AdjointProblem::jumpsOf(const std::vector<ResponseGradient>& gradie
   return result;
 }
 
+bool AdjointProblem::isTaken(const CorrectionSpace& space, int first, const std::vector<double>& residual) const {
+  if (space.size() == first) return false;
+  const std::vector<double> known = space.coefficients(residual.data());
+  const double size = norm(fixedPoint_.metric(), residual);
+  const double inOld = std::inner_product(known.begin(), known.begin() + first, known.begin(), 0.0);
+  const double inNew = std::inner_product(known.begin() + first, known.end(), known.begin() + first, 0.0);
+  const double added = size * size - inOld;  // what the space before this round does not hold
+  return added - inNew < taken * taken * added;
+}
+
+bool AdjointProblem::isLeft(const CorrectionSpace& space, double hidden, Column& column) const {
+  const StateMetric& metric = fixedPoint_.metric();
+  const int rows = fixedPoint_.layout().rows();
+  const CorrectionSpace::LeastSquares fit = space.solve(column.start.data());
+  column.c = fit.c;
+  std::vector<double> solution(rows, 0.0);
+  base::Matrix image(rows, 1);
+  space.move(fit.c, 1.0, solution.data(), image[0]);
+  const base::Matrix answer = meet(image);
+  for (int row = 0; row < rows; ++row) {
+    column.residual[row] = column.start[row] - solution[row] + answer[0][row];
+  }
+  const double seen = space.smallestSingularValue() * norm(metric, solution);
+  column.hidden = seen > 0.0 ? fit.left / seen : 1.0;
+  const bool isTooSoon = space.size() < fewestDirections && fit.left > converged * column.size;
+  return isTooSoon || column.hidden > hidden;
+}
+
 std::vector<AdjointProblem::Adjoint> AdjointProblem::solve(const std::vector<ResponseGradient>& gradients,
                                                            double hidden, int maximumDirections) {
   const StateMetric& metric = fixedPoint_.metric();
@@ -130,7 +162,7 @@ std::vector<AdjointProblem::Adjoint> AdjointProblem::solve(const std::vector<Res
   fixedPoint_.solveLinear(alpha, beta);
   base::Matrix start = meet(beta);
   start += jumpsOf(gradients);
-  std::vector<Column> columns(cases, Column(metric));
+  std::vector<Column> columns(cases);
   for (int j = 0; j < cases; ++j) {
     Column& column = columns[j];
     column.start.assign(start[j], start[j] + rows);
@@ -141,58 +173,49 @@ std::vector<AdjointProblem::Adjoint> AdjointProblem::solve(const std::vector<Res
   active.erase(std::remove_if(active.begin(), active.end(), [&](int j) { return columns[j].size == 0.0; }),
                active.end());
 
-  for (int count = 0; count < maximumDirections && !active.empty(); ++count) {
-    std::vector<std::vector<double>> directions;
+  // The space is one for all: what slows one of them slows the others, and shows sooner.
+  CorrectionSpace space(metric);
+  while (space.size() < maximumDirections && !active.empty()) {
+    const int first = space.size();
     std::vector<int> extended;
     for (const int j : active) {
-      std::vector<double> v = columns[j].residual;
-      if (!columns[j].space.makeIndependent(v.data())) continue;
-      directions.push_back(std::move(v));
+      std::vector<double>& v = columns[j].residual;
+      if (space.size() == maximumDirections || isTaken(space, first, v)) continue;
+      if (!space.makeIndependent(v.data())) continue;
+      space.add(v.data());
       extended.push_back(j);
     }
-    active = std::move(extended);
-    if (active.empty()) break;
-    const int selected = static_cast<int>(active.size());
+    if (extended.empty()) break;
+    const int selected = static_cast<int>(extended.size());
     base::Matrix v(rows, selected), y(rows, selected);
     for (int i = 0; i < selected; ++i) {
       // As large as the right side, so that the difference of the two images has its digits.
-      for (int row = 0; row < rows; ++row) v[i][row] = columns[active[i]].size * directions[i][row];
+      const double* direction = space.direction(first + i);
+      for (int row = 0; row < rows; ++row) v[i][row] = columns[extended[i]].size * direction[row];
     }
-    fixedPoint_.select(active);
+    fixedPoint_.select(extended);
     fixedPoint_.solveLinear(v, y);
     for (int i = 0; i < selected; ++i) {
-      const Column& column = columns[active[i]];
+      const Column& column = columns[extended[i]];
       for (int row = 0; row < rows; ++row) y[i][row] = (y[i][row] - column.image[row]) / column.size;
     }
     const base::Matrix moved = meet(y);
-    std::vector<int> left;
     for (int i = 0; i < selected; ++i) {
-      Column& column = columns[active[i]];
-      column.space.add(directions[i].data(), y[i]);
-      std::vector<double> g(directions[i]);
+      space.setImage(first + i, y[i]);
+      std::vector<double> g(space.direction(first + i), space.direction(first + i) + rows);
       for (int row = 0; row < rows; ++row) g[row] -= moved[i][row];
-      column.space.append(g.data());
-      const CorrectionSpace::LeastSquares fit = column.space.solve(column.start.data());
-      column.c = fit.c;
-      std::vector<double> solution(rows, 0.0), image(rows, 0.0);
-      column.space.move(fit.c, 1.0, solution.data(), image.data());
-      base::Matrix known(rows, 1);
-      std::copy(image.begin(), image.end(), known[0]);
-      const base::Matrix answer = meet(known);
-      for (int row = 0; row < rows; ++row) {
-        column.residual[row] = column.start[row] - solution[row] + answer[0][row];
-      }
-      const double seen = column.space.smallestSingularValue() * norm(metric, solution);
-      column.hidden = seen > 0.0 ? fit.left / seen : 1.0;
-      if (column.hidden > hidden) left.push_back(active[i]);
+      space.append(g.data());
     }
-    active = std::move(left);
+    active.clear();
+    for (int j = 0; j < cases; ++j) {
+      if (columns[j].size > 0.0 && isLeft(space, hidden, columns[j])) active.push_back(j);
+    }
   }
 
   for (int j = 0; j < cases; ++j) {
     if (columns[j].c.empty()) continue;
     std::vector<double> unused(rows, 0.0);
-    columns[j].space.move(columns[j].c, 1.0, alpha[j], unused.data());
+    space.move(columns[j].c, 1.0, alpha[j], unused.data());
   }
   std::vector<int> all(cases);
   std::iota(all.begin(), all.end(), 0);
@@ -203,7 +226,6 @@ std::vector<AdjointProblem::Adjoint> AdjointProblem::solve(const std::vector<Res
   for (int j = 0; j < cases; ++j) {
     result[j].displacement.resize(assembly.bodies.size());
     result[j].hidden = columns[j].hidden;
-    result[j].vectors = columns[j].space.size();
     for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
       if (!fixedPoint_.layout().owns(static_cast<int>(b))) continue;
       for (std::size_t node = 0; node < assembly.bodies[b].nodes.size(); ++node) {

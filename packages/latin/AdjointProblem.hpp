@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
+#include <harmos/latin/CorrectionSpace.hpp>
 #include <harmos/latin/FixedPoint.hpp>
 #include <harmos/latin/PairTangents.hpp>
 #include <harmos/latin/Response.hpp>
@@ -15,8 +16,8 @@ namespace harmos::latin {
 /// jumps of the bodies' displacements u, the adjoint z of dJ = sum weight.du + sum h a.dt obeys
 ///   K z + D^T h T^T (D z - a) = weight,
 /// an assembly like that of u, with the same bodies and search directions: it is solved by the same two stages, the
-/// local one with the transposed tangents. All responses are columns of one linear stage; each has a space of
-/// directions of its own. z: [unit of J per force]. Displacement form; with a consistent interface mass T^T is that of
+/// local one with the transposed tangents. All responses are columns of one linear stage, and share one space of
+/// directions. z: [unit of J per force]. Displacement form; with a consistent interface mass T^T is that of
 /// a lumped one. Where the graph of a law has a kink, T is the tangent of one side. Source: Becker, Rannacher (2001),
 /// doi:10.1017/S0962492901000010.
 class AdjointProblem {
@@ -27,17 +28,24 @@ class AdjointProblem {
     std::vector<std::vector<double>> displacement;
     /// What the remaining residual can hide at most, over z in the metric of states; see NewtonCorrection::Result.
     double hidden = 0.0;
-    int vectors = 0;  ///< directions: linear stages of one column
   };
 
   /// Collective. Finds the tangents at a load step, from 0, of a state of all of them; `state` stays valid.
   AdjointProblem(FixedPoint& fixedPoint, const Iterate& state, int step);
 
   /// Collective. One adjoint for each gradient; a response ends when no more than the share `hidden` of z can be
-  /// hidden, or after so many directions. Ends the validity of all iterates.
+  /// hidden, all end after so many directions together. What can be hidden follows from the smallest singular value in
+  /// the space, which a few directions do not show: there are a dozen of them before it counts. Ends the validity of
+  /// all iterates.
   std::vector<Adjoint> solve(const std::vector<ResponseGradient>& gradients, double hidden, int maximumDirections);
 
  private:
+  struct Column;
+
+  /// Whether the directions from `first` on hold nearly all that a residual would add to those before.
+  bool isTaken(const CorrectionSpace& space, int first, const std::vector<double>& residual) const;
+  /// Looks for the response of a column in the space; whether it is not good enough yet.
+  bool isLeft(const CorrectionSpace& space, double hidden, Column& column) const;
   void setLoads(const std::vector<ResponseGradient>& gradients);
   /// 2 f - beta of columns whose beta is given, without the jumps a.
   base::Matrix meet(const base::Matrix& beta) const;

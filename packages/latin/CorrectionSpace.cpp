@@ -79,6 +79,16 @@ void CorrectionSpace::add(const double* v, const double* y) {
   ++size_;
 }
 
+void CorrectionSpace::add(const double* v) {
+  directions_.insert(directions_.end(), v, v + rows());
+  images_.resize(directions_.size(), 0.0);
+  ++size_;
+}
+
+void CorrectionSpace::setImage(int direction, const double* y) {
+  std::copy_n(y, rows(), images_.begin() + static_cast<std::ptrdiff_t>(at(direction)));
+}
+
 void CorrectionSpace::append(const double* g) {
   assert(known_ < size_ && "all directions have their g");
   std::vector<double> x = scaled(g);

@@ -32,6 +32,10 @@ class CorrectionSpace {
   std::vector<double> coefficients(const double* v) const;
   /// Adds a direction that makeIndependent() has made, with its y; append() must follow for its g. Not collective.
   void add(const double* v, const double* y);
+  /// Adds a direction whose y is not known yet; setImage() must follow. Not collective.
+  void add(const double* v);
+  /// The y of a direction that was added without. Not collective.
+  void setImage(int direction, const double* y);
   /// Adds the g [stress] of the next direction that has none.
   void append(const double* g);
   /// Forgets the g of all directions; append() must follow for each of them. Not collective.

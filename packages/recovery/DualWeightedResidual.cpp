@@ -72,14 +72,18 @@ PartResidual dualWeightedResidual(const elasticity::ElasticPart& part, const bas
   const Compliance compliance(part.material, part.kinematics);
 
   PartResidual result;
-  for (auto* list : {&result.change, &result.absolute, &result.uncorrected}) list->assign(responses, 0.0);
-  std::vector<double> ofElement(responses, 0.0), raw(6 * columns), best(6 * columns);
+  for (auto* list : {&result.change, &result.absolute, &result.uncorrected, &result.work, &result.absoluteWork}) {
+    list->assign(responses, 0.0);
+  }
+  std::vector<double> ofElement(responses, 0.0), workOfElement(responses, 0.0), raw(6 * columns), best(6 * columns);
   int element = 0;
   const auto close = [&] {
     for (int j = 0; j < responses; ++j) {
       result.change[j] += ofElement[j];
       result.absolute[j] += std::abs(ofElement[j]);
-      ofElement[j] = 0.0;
+      result.work[j] += workOfElement[j];
+      result.absoluteWork[j] += std::abs(workOfElement[j]);
+      ofElement[j] = workOfElement[j] = 0.0;
     }
   };
   elasticity::forEachPoint(part, elasticity::PointSet::squares, displacements,
@@ -91,6 +95,7 @@ PartResidual dualWeightedResidual(const elasticity::ElasticPart& part, const bas
                              for (int j = 0; j < responses; ++j) {
                                const int at = 6 * (j + 1);
                                ofElement[j] += point.volume * compliance.product(best.data(), best.data() + at);
+                               workOfElement[j] += point.volume * compliance.product(point.stress, point.stress + at);
                                result.uncorrected[j] += point.volume * compliance.product(raw.data(), raw.data() + at);
                              }
                              result.errorEnergy += point.volume * compliance.product(best.data(), best.data());

@@ -10,11 +10,13 @@ namespace harmos::recovery {
 
 /// What a part adds to the mesh errors of responses.
 struct PartResidual {
-  std::vector<double> change;       ///< dJ of every response: the sum over the elements of dJ_E
-  std::vector<double> absolute;     ///< the sum of |dJ_E|
-  std::vector<double> uncorrected;  ///< dJ without the known tractions
-  double errorEnergy = 0.0;         ///< int (sigma* - sigma) : C^-1 : (sigma* - sigma) dV [force length]
-  double energy = 0.0;              ///< int sigma : C^-1 : sigma dV [force length]
+  std::vector<double> change;        ///< dJ of every response: the sum over the elements of dJ_E
+  std::vector<double> absolute;      ///< the sum of |dJ_E|
+  std::vector<double> uncorrected;   ///< dJ without the known tractions
+  std::vector<double> work;          ///< int sigma : C^-1 : zeta dV, what the part adds to J on this mesh
+  std::vector<double> absoluteWork;  ///< the sum of |int_E sigma : C^-1 : zeta dV|
+  double errorEnergy = 0.0;          ///< int (sigma* - sigma) : C^-1 : (sigma* - sigma) dV [force length]
+  double energy = 0.0;               ///< int sigma : C^-1 : sigma dV [force length]
 };
 
 /// Change of responses J from this mesh to an infinitely fine one, the share of one part: of its elements E

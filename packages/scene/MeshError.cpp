@@ -11,15 +11,16 @@
 #include <harmos/latin/AdjointProblem.hpp>
 #include <harmos/latin/Snapshot.hpp>
 #include <harmos/recovery/DualWeightedResidual.hpp>
+#include <harmos/recovery/Resummation.hpp>
 #include <harmos/scene/detail/NearSliding.hpp>
 #include <harmos/scene/detail/PartFields.hpp>
 
 namespace harmos::scene {
 namespace {
 
-// Share of an adjoint that its residual may hide, and directions that it may take.
-constexpr double hiddenInAdjoint = 0.05;
-constexpr int largestNumberOfDirections = 80;
+// Share of an adjoint that its residual may hide, and directions that all of them may take together.
+constexpr double hiddenInAdjoint = 0.02;
+constexpr int largestNumberOfDirections = 160;
 // Value over the size of a response, below which theta means nothing.
 constexpr double smallValue = 0.1;
 // |dJ| over the sum of |dJ_E|: less is what is left of cancellation. dJ without known tractions over dJ with them.
@@ -55,22 +56,28 @@ base::Matrix columnOf(const base::Matrix& all, int column) {
   return result;
 }
 
-/// What one number per part says of a response.
+/// What the parts say of one response, a number each.
+struct Shares {
+  std::vector<recovery::PartShare> part;
+  std::vector<double> absolute, uncorrected;  // as in recovery::PartResidual
+};
+
 ResponseMeshError judge(const std::string& response, double value, double size, bool isHidden,
-                        const std::vector<WholePart>& parts, const std::vector<double>& change,
-                        const std::vector<double>& absolute, const std::vector<double>& uncorrected) {
-  const double sum = std::accumulate(change.begin(), change.end(), 0.0);
+                        const std::vector<WholePart>& parts, const Shares& shares) {
+  double sum = 0.0;
+  for (const recovery::PartShare& part : shares.part) sum += part.change;
+  const std::vector<double>& absolute = shares.absolute;
   const double all = std::accumulate(absolute.begin(), absolute.end(), 0.0);
-  const double raw = std::accumulate(uncorrected.begin(), uncorrected.end(), 0.0);
+  const double raw = std::accumulate(shares.uncorrected.begin(), shares.uncorrected.end(), 0.0);
   ResponseMeshError error;
   error.response = response;
   const bool cancels = std::abs(sum) < cancelled * all;
   const double ratio = sum != 0.0 ? raw / sum : 1.0;
-  const double shown = std::copysign(cancels ? std::max(std::abs(sum), doubtful * all) : std::abs(sum), sum);
   const bool isSmall = std::abs(value) < smallValue * size;
-  const double theta = isSmall ? 0.0 : shown / value;
-  const bool isBeyond = theta >= 1.0;
-  error.change = isSmall || isBeyond ? shown : value * theta / (1.0 - theta);
+  const recovery::ResummedChange resummed = recovery::resummed(value, shares.part);
+  error.change = isSmall ? sum : resummed.change;
+  if (cancels) error.change = std::copysign(std::max(std::abs(error.change), doubtful * all), sum);
+  const bool isBeyond = !isSmall && resummed.isBeyond;
   const double converged = value + error.change;
   error.relative = isBeyond ? 1.0 : std::abs(error.change) / std::max({std::abs(converged), smallValue * size});
   if (size == 0.0) error.relative = 0.0;
@@ -139,7 +146,7 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
   }
 
   const std::vector<WholePart> parts = wholeParts(problem, fields, gradients, step, comm);
-  const std::size_t count = gradients.size(), width = 3 * count + 2;
+  const std::size_t count = gradients.size(), width = 5 * count + 2;
   std::vector<double> mine(width * parts.size(), 0.0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (static_cast<int>(p) % comm.getSize() != comm.getRank()) continue;
@@ -156,7 +163,8 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
     const recovery::PartResidual residual =
         recovery::dualWeightedResidual(elastic, part.displacements, part.boundary, part.faces, part.skipped);
     double* to = mine.data() + width * p;
-    for (const auto* list : {&residual.change, &residual.absolute, &residual.uncorrected}) {
+    for (const auto* list :
+         {&residual.change, &residual.absolute, &residual.uncorrected, &residual.work, &residual.absoluteWork}) {
       to = std::copy(list->begin(), list->end(), to);
     }
     *to++ = residual.errorEnergy;
@@ -168,14 +176,14 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
   }
 
   const auto judged = [&](std::size_t j, const std::string& name, double value, double size) {
-    std::vector<double> change, absolute, uncorrected;
+    Shares shares;
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const double* of = all.data() + width * p;
-      change.push_back(of[j]);
-      absolute.push_back(of[count + j]);
-      uncorrected.push_back(of[2 * count + j]);
+      shares.part.push_back({of[j], of[3 * count + j], of[4 * count + j]});
+      shares.absolute.push_back(of[count + j]);
+      shares.uncorrected.push_back(of[2 * count + j]);
     }
-    return judge(name, value, size, isHidden[j], parts, change, absolute, uncorrected);
+    return judge(name, value, size, isHidden[j], parts, shares);
   };
   MeshErrors result;
   for (std::size_t j = 0; j < asked; ++j) {
@@ -193,7 +201,7 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
     }
   }
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    const double* energies = all.data() + width * p + 3 * count;
+    const double* energies = all.data() + width * p + 5 * count;
     result.parts.push_back({parts[p].name, energies[1] > 0.0 ? energies[0] / energies[1] : 0.0});
   }
   return result;
@@ -209,9 +217,11 @@ std::string describe(const ResponseMeshError& error, double value) {
   if (error.word == MeshErrorWord::locks) {
     text << "the mesh locks";
   } else if (error.word == MeshErrorWord::nearSliding) {
-    text << "mesh";
-    if (error.relative <= coarse) text << " at least " << results::percentage(error.relative);
-    text << ": " << error.reason;
+    if (error.relative > coarse) {
+      text << "the mesh is too coarse: " << error.reason;
+    } else {
+      text << "mesh at least " << results::percentage(error.relative) << ": " << error.reason;
+    }
   } else if (error.word == MeshErrorWord::tooCoarse) {
     text << "the mesh is too coarse (more than " << 100.0 * coarse << " %)";
   } else {

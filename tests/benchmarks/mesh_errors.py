@@ -136,10 +136,23 @@ def frame(element, cells):
                   "joint": {"Part 1": "right", "Part 2": "beam", "Law": contact}})
 
 
+def mast(cells):
+    """A mast of tetrahedra that locks, on a soft block that does not: their shares of the displacement add up."""
+    return Scene({"block": ((-1, -1, 0), (2, 2, 1), (3 * cells, 3 * cells, cells), "Hex8"),
+                  "mast": ((0, 0, 1), (1, 1, 9), (cells, cells, 8 * cells), "Tet4")},
+                 {"held": boundary("block_zmin", held(X=0.0, Y=0.0, Z=0.0)),
+                  "top": boundary("mast_zmax", {"Type": "Prescribed Traction", "X": 0.01})},
+                 {"u": mean("mast_zmax", 1, 0, 0)},
+                 {"foot": joint("block_zmax", "mast_zmin", {"Type": "Perfect"})}, moduli={"block": 30})
+
+
 SCENES = {
     "beam of HEX8, one thick": beam("Hex8", 1),
     "beam of HEX8, two thick": beam("Hex8", 2),
+    "beam of TET4, one thick": beam("Tet4", 1),
     "beam of TET4": beam("Tet4", 2),
+    "beam of TET4, three thick": beam("Tet4", 3),
+    "beam of TET4, nu 0.49": beam("Tet4", 2, 0.49),
     "corners, QUAD4": corner("Quad4", 3),
     "corners, TRI3": corner("Tri3", 4),
     "corners, nu 0.49": corner("Quad4", 3, 0.49),
@@ -151,6 +164,7 @@ SCENES = {
     "tower of HEX8": tower("Hex8", 2),
     "tower of TET4": tower("Tet4", 2),
     "frame": frame("Quad4", 1),
+    "mast of TET4 on a block": mast(1),
 }
 
 
