@@ -85,6 +85,31 @@ void printStatistics(std::ostream& out, const results::StochasticSummary& summar
   }
 }
 
+/// Why configurations have no solution, the most frequent reasons first.
+void printReasons(std::ostream& out, const std::vector<results::ConfigurationResult>& all) {
+  constexpr std::size_t most = 3;
+  struct Reason {
+    std::string text;
+    int first = 0, count = 0;
+  };
+  std::vector<Reason> reasons;
+  for (const results::ConfigurationResult& result : all) {
+    if (results::isSolved(result.status)) continue;
+    const std::string text = std::string(results::statusName(result.status)) + ": " + result.reason;
+    auto known =
+        std::find_if(reasons.begin(), reasons.end(), [&](const Reason& reason) { return reason.text == text; });
+    if (known == reasons.end()) known = reasons.insert(reasons.end(), {text, result.id, 0});
+    ++known->count;
+  }
+  std::stable_sort(reasons.begin(), reasons.end(), [](const auto& a, const auto& b) { return a.count > b.count; });
+  for (std::size_t i = 0; i < std::min(most, reasons.size()); ++i) {
+    out << "  configuration " << reasons[i].first;
+    if (reasons[i].count > 1) out << " and " << reasons[i].count - 1 << " more";
+    out << " " << reasons[i].text << "\n";
+  }
+  if (reasons.size() > most) out << "  and " << reasons.size() - most << " more reasons, see the table\n";
+}
+
 }  // namespace
 
 void printOutcome(std::ostream& out, const results::StudyResults& results) {
@@ -98,6 +123,7 @@ void printOutcome(std::ostream& out, const results::StudyResults& results) {
   }
   out << "\n";
   const auto all = results.all();
+  printReasons(out, all);
   double seconds = 0.0;
   std::optional<double> largestError;  // of what is solved
   long stages = 0;

@@ -15,10 +15,10 @@
 #include <harmos/files/HistoryFile.hpp>
 #include <harmos/files/OutputGuard.hpp>
 #include <harmos/files/PendingResults.hpp>
-#include <harmos/input/EffectiveInput.hpp>
 #include <harmos/latin/Derivatives.hpp>
 #include <harmos/scene/LawParameters.hpp>
 #include <harmos/scene/Problem.hpp>
+#include <harmos/scene/detail/EffectiveScene.hpp>
 #include <harmos/scene/detail/FieldOutput.hpp>
 #include <harmos/scene/detail/SolutionSummary.hpp>
 
@@ -225,7 +225,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
     result.record.solution.largestVonMises = writeFields(
         scene, problem, solver.state(), fields, globalsOf(result.solution, scene.times.size()), steps, files, *comm);
     if (pending) {
-      files::replaceFile(files.effectiveInput, input::effectiveInput(scene.input));
+      files::replaceFile(files.effectiveInput, effectiveScene(scene, result.files.effectiveInput));
       files::writeHistory(files.history, historyOf(result.solution, scene.times));
       pending->commit();
       lastWords.reset();

@@ -55,6 +55,16 @@ same "$harmos" mesh "$name.xml" --output "./links/../$name.e"
 same "$harmos" mesh "$name.xml" --output "links/${name}_interfaces.e"
 expect 0 '' "$harmos" run "$name.xml" --output results --quiet
 
+# The effective input finds the mesh from anywhere, also when scene, mesh and results have moved together.
+cp -r . ../moved_files
+expect 0 '' sh -c "cd / && '$harmos' run '$PWD/results/${name}_effective.xml' --output '$PWD/again' --quiet"
+mv ../moved_files moved
+mv "$name.e" elsewhere.e
+expect 0 '' "$harmos" run "moved/results/${name}_effective.xml" --output moved/again --quiet
+expect 0 '' cmp "again/${name}_effective_history.csv" "moved/again/${name}_effective_history.csv"
+mv elsewhere.e "$name.e"
+rm -r moved again
+
 # A warning is printed once, counted, and stands in the record.
 spare='<ParameterList name="spare"><Parameter name="Type" type="string" value="Isotropic"/>'
 spare+='<Parameter name="Young'"'"'s Modulus" type="double" value="1"/>'

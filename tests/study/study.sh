@@ -96,6 +96,7 @@ expect 0 '^complete$' "$(dirname "$0")/state.py" "$work/two/two_values_study.h5"
 hopeless=(--points "$work/hopeless.csv" --set 'Scene/Solver/Maximum Iterations=2')
 printf 'pressure,mu\n20,0.3\n20,0.31\n' >"$work/hopeless.csv"
 expect 3 '2 not converged' "$harmos" study "$study" --output "$work/retry" "${hopeless[@]}"
+expect 3 '^  configuration 1.* not converged: .' "$harmos" study "$study" --output "$work/retry" --quiet "${hopeless[@]}"
 expect 3 '^no error estimate (asked for ' "$harmos" study "$study" --output "$work/retry" "${hopeless[@]}"
 expect 0 'Again from a cold start' cat "$work/retry/$name.journal"
 expect 1 '^aborted, ' "$harmos" study "$study" --output "$work/abort" "${hopeless[@]}" \
