@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <ostream>
+#include <sstream>
 
 #include <Teuchos_Comm.hpp>
 
 #include <harmos/base/AllRanks.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
+#include <harmos/cli/detail/ReferencePages.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/files/Version.hpp>
 
@@ -15,19 +17,25 @@ namespace harmos::cli {
 
 namespace {
 
-const char* const exitCodes =
-    "Exit codes:\n"
-    "  0    done; for run and study: all solutions are as accurate as asked for\n"
-    "  1    failure, also of memory or disk, the message says which; for compare: the files are different\n"
-    "  2    the input or the command line is wrong, nothing was run or written\n"
-    "  3    not converged: iteration limit or stagnation; for study: some configurations have no solution, a "
-    "tolerance\n"
-    "       of the design was not reached, or an audit found a larger error than was accepted\n"
-    "  4    no equilibrium exists under the given loads, or no path leads to it; for study: of some configurations, "
-    "all\n"
-    "       others are solved\n"
-    "  130  interrupted (SIGINT, SIGTERM), within a second; what was complete stays, what was being written is "
-    "removed\n";
+/// In columns, for a terminal.
+std::string exitCodes() {
+  constexpr std::size_t column = 7, width = 112;
+  std::string text = "Exit codes:\n";
+  for (const ExitCodeMeaning& each : exitCodeMeanings()) {
+    std::string line = "  " + std::to_string(each.code);
+    line.resize(column, ' ');
+    std::istringstream words(each.meaning);
+    for (std::string word; words >> word;) {
+      if (line.size() > column && line.size() + word.size() >= width) {
+        text += line + "\n";
+        line = std::string(column, ' ');
+      }
+      line += (line.size() > column ? " " : "") + word;
+    }
+    text += line + "\n";
+  }
+  return text;
+}
 
 void printIndented(std::ostream& out, const std::vector<std::string>& lines) {
   for (const auto& line : lines) out << "  " << line << "\n";
@@ -41,7 +49,7 @@ void printHelp(std::ostream& out, const std::vector<Command>& all) {
     out << "  " << command.name << std::string(10 - command.name.size(), ' ') << command.summary << "\n";
   out << "\n\"harmos COMMAND --help\" explains one of them; \"harmos --version\" prints the version.\n\nExamples:\n";
   for (const auto& command : all) printIndented(out, {command.examples.front()});
-  out << "  mpirun -np 2 harmos run xml/bolted_joint.xml\n\n" << exitCodes;
+  out << "  mpirun -np 2 harmos run xml/bolted_joint.xml\n\n" << exitCodes();
 }
 
 void printHelp(std::ostream& out, const Command& command) {
@@ -53,7 +61,7 @@ void printHelp(std::ostream& out, const Command& command) {
   }
   out << "\nExamples:\n";
   printIndented(out, command.examples);
-  out << "\n" << exitCodes;
+  out << "\n" << exitCodes();
 }
 
 int dispatch(const std::vector<std::string>& words, const CommandEnvironment& environment) {

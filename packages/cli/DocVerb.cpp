@@ -1,5 +1,6 @@
 #include <ostream>
 
+#include <harmos/cli/detail/ReferencePages.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/input/Documentation.hpp>
 #include <harmos/plugins/LoadPlugin.hpp>
@@ -15,7 +16,8 @@ int printReference(const Arguments& arguments, const CommandEnvironment& environ
   for (const auto& word : arguments.operands()) topic += (topic.empty() ? "" : " ") + word;
   laws::LawRegistry laws = laws::builtInLaws();
   for (const std::string& plugin : arguments.values("--plugin")) plugins::loadPlugin(plugin, laws);
-  const std::string text = input::documentation({scene::sceneSpec(laws), study::studySpec()}, topic);
+  const std::string text =
+      input::documentation({scene::sceneSpec(laws), study::studySpec()}, topic, referencePages(laws));
   if (environment.isRoot()) environment.out << text;
   return 0;
 }
@@ -25,10 +27,11 @@ int printReference(const Arguments& arguments, const CommandEnvironment& environ
 Command docCommand() {
   return {"doc",
           "[TOPIC]",
-          "Print the reference of every input, or of one list or type, in Markdown.",
+          "Print the reference of every input, or of one list, type or page, in Markdown.",
           {{"--plugin", "FILE", "a plugin whose laws are described, too; may be repeated", true}},
-          {"harmos doc Solver", "harmos doc Harmos Study", "harmos doc Coulomb Friction",
-           "harmos doc --plugin build/my_laws.so My Law", "harmos doc > reference.md"},
+          {"harmos doc Solver", "harmos doc Harmos Study", "harmos doc Coulomb Friction", "harmos doc Laws",
+           "harmos doc Outputs", "harmos doc Exit Codes", "harmos doc --plugin build/my_laws.so My Law",
+           "harmos doc > reference.md"},
           printReference};
 }
 

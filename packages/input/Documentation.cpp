@@ -35,12 +35,13 @@ std::string listXml(const std::string& name, const std::string& inside) {
   return "\n    <ParameterList name=\"" + name + "\">\n" + inside + "    </ParameterList>\n";
 }
 
-/// What must be given, with values to be replaced; empty when nothing must.
+/// What must be given and what has an example, else with values to be replaced; empty when there is nothing.
 std::string snippet(const ParameterSpec& spec, const ParameterSpec* form, const std::string& name) {
   std::string text;
   for (const ParameterEntry& entry : spec.entriesWith(form)) {
-    if (!entry.isRequired()) continue;
+    if (!entry.isRequired() && entry.exampleText.empty()) continue;
     std::string value = entry.choices.empty() ? "..." : entry.choices.front();
+    if (!entry.exampleText.empty()) value = entry.exampleText;
     if (form && entry.name == "Type") value = form->name();
     text += parameterXml(entry.name, entry.type, value);
   }
@@ -80,6 +81,12 @@ class Writer {
     for (const ParameterSpec& f : spec.forms()) list(spec, &f, path, name, isShown);
   }
 
+  /// A page that no list has.
+  void page(const Page& page) {
+    topics_.push_back(page.name);
+    if (topic_.empty() || page.name == topic_) text_ += "## " + page.name + "\n\n" + page.text + "\n";
+  }
+
   std::string text() const {
     if (text_.empty()) {
       throw base::Error(
@@ -94,6 +101,7 @@ class Writer {
     const ParameterSpec& shown = form ? *form : spec;
     std::string text, facts;
     if (!shown.summary().empty()) text += shown.summary() + "\n";
+    if (!shown.equation().empty()) text += "\nEquation: `" + shown.equation() + "`\n";
     if (!shown.source().empty()) text += "\nSource: " + shown.source() + ".\n";
     for (const auto& entry : shown.entries()) facts += describe(*entry);
     if (!form && !spec.forms().empty()) {
@@ -103,6 +111,9 @@ class Writer {
     }
     for (const auto& sublist : shown.sublists()) {
       facts += "- list `" + sublist.name + "` (" + (sublist.required ? "required" : "optional") + ").\n";
+    }
+    for (const auto& field : shown.outputs()) {
+      facts += "- adds `" + field.name + "` [" + field.unit + "] to the results: " + field.doc + ".\n";
     }
     if (!facts.empty()) text += (shown.summary().empty() ? "" : "\n") + facts;
     if (form || spec.forms().empty()) text += snippet(spec, form, name);
@@ -127,9 +138,11 @@ std::string documentation(const ParameterSpec& spec, const std::string& topic) {
   return documentation(std::vector<ParameterSpec>{spec}, topic);
 }
 
-std::string documentation(const std::vector<ParameterSpec>& specs, const std::string& topic) {
+std::string documentation(const std::vector<ParameterSpec>& specs, const std::string& topic,
+                          const std::vector<Page>& pages) {
   Writer writer(topic);
   for (const ParameterSpec& spec : specs) writer.list(spec, nullptr, spec.name(), spec.name(), topic.empty());
+  for (const Page& page : pages) writer.page(page);
   return writer.text();
 }
 

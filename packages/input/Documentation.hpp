@@ -13,7 +13,14 @@ namespace harmos::input {
 /// topics, when there is no such one.
 std::string documentation(const ParameterSpec& spec, const std::string& topic = "");
 
-/// The same for several inputs, one after the other; `topic` need be in one of them only.
-std::string documentation(const std::vector<ParameterSpec>& specs, const std::string& topic = "");
+/// What a reference says besides what inputs declare.
+struct Page {
+  std::string name;  // its topic and heading
+  std::string text;  // in Markdown, ending with a line break
+};
+
+/// The same for several inputs, one after the other, and then for pages; `topic` need be in one of them only.
+std::string documentation(const std::vector<ParameterSpec>& specs, const std::string& topic = "",
+                          const std::vector<Page>& pages = {});
 
 }  // namespace harmos::input

@@ -33,6 +33,11 @@ class ParameterEntry {
     description = std::move(d);
     return *this;
   }
+  /// A value, as it would be written in XML, for the snippet of the reference, which then has the entry.
+  ParameterEntry& example(std::string value) {
+    exampleText = std::move(value);
+    return *this;
+  }
   /// The entry must be given. Without required(), defaultValue() or optional() the entry counts as required.
   ParameterEntry& required() { return *this; }
   /// The entry may be absent and then has no value; ask Parameters::has().
@@ -92,6 +97,7 @@ class ParameterEntry {
   ParameterType type;                                         // what it holds
   std::string unitName;                                       // of unit(); empty: none
   std::string description;                                    // of doc()
+  std::string exampleText;                                    // of example(); empty: none
   std::optional<std::string> defaultText;                     // as it would be written in XML; nothing: no default
   bool isOptional = false;                                    // may be absent, then without a value
   bool varies = false;                                        // may be multiplied by a history
@@ -119,6 +125,17 @@ class ParameterSpec {
   /// What the list is for, in complete sentences for the user. Returns the spec itself.
   ParameterSpec& summary(std::string text) {
     summary_ = std::move(text);
+    return *this;
+  }
+  /// What it does in one line of mathematics. Returns the spec itself.
+  ParameterSpec& equation(std::string text) {
+    equation_ = std::move(text);
+    return *this;
+  }
+  /// Adds a field that what it configures adds to the results: its name in files, its unit, and what it is. Returns the
+  /// spec itself.
+  ParameterSpec& output(std::string name, std::string unit, std::string text) {
+    outputs_.push_back({std::move(name), std::move(unit), std::move(text)});
     return *this;
   }
   /// Where what it configures comes from: authors, year, equation. Returns the spec itself.
@@ -160,6 +177,16 @@ class ParameterSpec {
   const std::string& name() const { return name_; }
   /// What summary() was given; empty: nothing.
   const std::string& summary() const { return summary_; }
+  /// What equation() was given; empty: nothing.
+  const std::string& equation() const { return equation_; }
+  /// A field of the results.
+  struct Output {
+    std::string name;  // in files
+    std::string unit;  // such as "length" or "-"
+    std::string doc;   // what it is, in a few words
+  };
+  /// What output() was given.
+  const std::vector<Output>& outputs() const { return outputs_; }
   /// What source() was given; empty: nothing.
   const std::string& source() const { return source_; }
 
@@ -192,7 +219,8 @@ class ParameterSpec {
   ParameterEntry& add(std::string name, ParameterType type);
   ParameterSpec& addList(Sublist sublist);
 
-  std::string name_, summary_, source_;
+  std::string name_, summary_, equation_, source_;
+  std::vector<Output> outputs_;
   std::vector<std::shared_ptr<ParameterEntry>> entries_;
   std::vector<Sublist> sublists_;
   std::vector<ParameterSpec> forms_;

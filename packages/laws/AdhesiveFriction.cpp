@@ -22,14 +22,16 @@ struct AdhesiveFriction : SlidingLaw {
          "contact. "
          "What has come apart adheres again where it closes.")
         .source("Derjaguin, Muller, Toporov (1975); Mohr, Coulomb");
-    p.number("Friction Coefficient").unit("-").defaultValue(0.0).atLeast(0.0).varying().doc("mu.");
+    p.equation("opening >= 0, t_n = a max(0, 1 - opening / d) - p, p >= 0, p opening = 0; |t_t| <= c + mu p");
+    p.number("Friction Coefficient").example("0.2").unit("-").defaultValue(0.0).atLeast(0.0).varying().doc("mu.");
     p.number("Cohesion")
         .unit("stress")
         .defaultValue(0.0)
         .atLeast(0.0)
         .doc("c, what friction carries where nothing presses; wants an adhesion.");
-    p.number("Adhesion").unit("stress").required().above(0.0).doc("a, tension at which the sides part.");
-    p.number("Range").unit("length").required().above(0.0).doc("d, opening from which on nothing attracts.");
+    p.number("Adhesion").example("2").unit("stress").required().above(0.0).doc("a, tension at which the sides part.");
+    p.number("Range").example("0.1").unit("length").required().above(0.0).doc(
+        "d, opening from which on nothing attracts.");
     p.number("Gap").unit("length").defaultValue(0.0).varying().doc(
         "Opening of the undeformed surfaces beyond their geometric distance; negative is interference.");
   }

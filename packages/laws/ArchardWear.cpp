@@ -22,7 +22,11 @@ struct ArchardWear : StickingFriction {
          "Contact with Coulomb friction whose surfaces wear off: the depth grows by wear coefficient times pressure "
          "times way of slip, as often as a load step stands for cycles.")
         .source("Archard (1953)");
+    p.equation(
+        "opening + w >= 0, t_n <= 0, their product 0; |t_t| <= mu p; w grows by K p |s - s_old| times Cycles in a load "
+        "step");
     p.number("Wear Coefficient")
+        .example("1e-6")
         .unit("1/stress")
         .required()
         .atLeast(0.0)

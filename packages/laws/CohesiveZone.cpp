@@ -34,19 +34,34 @@ struct CohesiveZone {
         .source(
             "Turon, Camanho, Costa, Davila (2006), doi:10.1016/j.mechmat.2005.10.003; Benzeggagh, Kenane (1996), "
             "doi:10.1016/0266-3538(96)00005-X");
+    p.equation(
+        "t = (1 - d) K delta, d from 0 to 1 as the energy G_I + (G_II - G_I) B^eta is spent; closed: opening >= 0");
     p.number("Stiffness")
+        .example("1e5")
         .unit("stress/length")
         .required()
         .above(0.0)
         .doc("K of the undamaged joint, in opening and in shear; under pressure it does not give way.");
-    p.number("Normal Strength").unit("stress").required().above(0.0).doc("Largest traction in pure opening (mode I).");
-    p.number("Shear Strength").unit("stress").required().above(0.0).doc("Largest traction in pure shear (mode II).");
+    p.number("Normal Strength")
+        .example("30")
+        .unit("stress")
+        .required()
+        .above(0.0)
+        .doc("Largest traction in pure opening (mode I).");
+    p.number("Shear Strength")
+        .example("40")
+        .unit("stress")
+        .required()
+        .above(0.0)
+        .doc("Largest traction in pure shear (mode II).");
     p.number("Mode I Fracture Energy")
+        .example("0.3")
         .unit("energy/length^2")
         .required()
         .above(0.0)
         .doc("G_I, the area below the curve in pure opening; more than the square of the strength over 2 Stiffness.");
     p.number("Mode II Fracture Energy")
+        .example("0.9")
         .unit("energy/length^2")
         .required()
         .above(0.0)

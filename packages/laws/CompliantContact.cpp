@@ -14,7 +14,9 @@ struct CompliantContact : StickingFriction {
          "Contact of surfaces that give way: pressure = stiffness times overclosure, with Coulomb friction and a "
          "stiffness along the surface while it sticks (penalty contact).")
         .source("Oden, Martins (1985)");
+    p.equation("p = k_n max(0, -opening); t_t = k_t (delta_t - s), |t_t| <= min(mu p, tau)");
     p.number("Normal Stiffness")
+        .example("1e4")
         .unit("stress/length")
         .required()
         .above(0.0)

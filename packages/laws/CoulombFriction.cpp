@@ -20,7 +20,9 @@ struct CoulombFriction {
   static void describe(input::ParameterSpec& p) {
     p.summary("Unilateral contact with isotropic Coulomb friction: |t_t| <= mu |t_n|, sliding along t_t.")
         .source("Champaney, Blanze, Boucard (2004), section 2.2");
+    p.equation("opening >= 0, t_n <= 0, their product 0; |t_t| <= mu |t_n|, sliding along t_t");
     p.number("Friction Coefficient")
+        .example("0.3")
         .unit("-")
         .required()
         .atLeast(0.0)

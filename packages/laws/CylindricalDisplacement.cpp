@@ -23,9 +23,11 @@ class CylindricalDisplacement final : public InterfaceLaw, public TurnedLaw {
         "Prescribed displacement in radial, tangential and axial components about an axis; components that are not "
         "given "
         "are free. In results the radial direction stands for the normal.");
+    p.equation("w_i = given along the radial, tangential and axial direction; t_i = 0 where nothing is given");
     CylinderAxes::describe(p);
     for (const char* component : components) {
-      p.number(component).unit("length").optional().varying().doc("Displacement along this direction; absent: free.");
+      p.number(component).example("0.01").unit("length").optional().varying().doc(
+          "Displacement along this direction; absent: free.");
     }
   }
 

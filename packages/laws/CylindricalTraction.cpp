@@ -17,9 +17,10 @@ struct CylindricalTraction {
 
   static void describe(input::ParameterSpec& p) {
     p.summary("Prescribed traction (force per area) in radial, tangential and axial components about an axis.");
+    p.equation("t_i = given along the radial, tangential and axial direction");
     CylinderAxes::describe(p);
     for (const char* component : {"Radial", "Tangential", "Axial"}) {
-      p.number(component).unit("stress").defaultValue(0.0).varying().doc("Traction along this direction.");
+      p.number(component).example("5").unit("stress").defaultValue(0.0).varying().doc("Traction along this direction.");
     }
   }
 

@@ -14,7 +14,14 @@ struct ElasticFoundation {
   static void describe(input::ParameterSpec& p) {
     p.summary("Springs from an outer boundary to the ground: f_n = -k_n w_n, f_t = -k_t w_t.")
         .source("Winkler's foundation");
-    p.number("Normal Stiffness").unit("stress/length").required().atLeast(0.0).varying().doc("k_n per area.");
+    p.equation("f_n = -k_n w_n, f_t = -k_t w_t");
+    p.number("Normal Stiffness")
+        .example("100")
+        .unit("stress/length")
+        .required()
+        .atLeast(0.0)
+        .varying()
+        .doc("k_n per area.");
     p.number("Tangential Stiffness")
         .unit("stress/length")
         .defaultValue(0.0)

@@ -7,7 +7,10 @@ namespace harmos::laws {
 std::shared_ptr<const InterfaceLaw> inPlaceOf(const InterfaceLaw& present, std::shared_ptr<const InterfaceLaw> law) {
   const auto* field = dynamic_cast<const FieldLaw*>(law.get());
   const auto* presentField = dynamic_cast<const FieldLaw*>(&present);
-  if (field != nullptr && presentField != nullptr) field->prepare(presentField->places());
+  if (field != nullptr && presentField != nullptr) {
+    if (presentField->fields()) field->bind(presentField->fields());
+    field->prepare(presentField->places());
+  }
   const auto* bound = dynamic_cast<const FaceLaw*>(&present);
   const auto* unbound = dynamic_cast<const FaceLaw*>(law.get());
   if (bound == nullptr || unbound == nullptr) return law;

@@ -56,8 +56,15 @@ class FaceSpring final : public CoupledLaw, public FaceLaw {
         "Springs between the mean motions of two faces in a point: a bolt with preload, a hinge, a bearing. The faces "
         "may "
         "be apart and stay free to deform; they are two side sets.");
-    p.numbers("Point").unit("length").required().doc("In which both faces are moved against each other.");
-    p.numbers("Axis").required().doc("From side 1 to side 2, of any length.");
+    p.equation(
+        "F = F_0 + K Delta, with Delta the mean motion of face 2 in the point less that of face 1, F the force and "
+        "moment on it");
+    p.numbers("Point")
+        .example("{25, 5, 10}")
+        .unit("length")
+        .required()
+        .doc("In which both faces are moved against each other.");
+    p.numbers("Axis").example("{0, 0, 1}").required().doc("From side 1 to side 2, of any length.");
     const auto stiffness = [&](const char* name, const char* unit, const char* text) {
       p.number(name).unit(unit).optional().atLeast(0.0).doc(text);
     };

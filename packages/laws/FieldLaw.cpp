@@ -11,6 +11,16 @@ namespace {
 
 using Values = std::vector<std::vector<double>>;  // of every entry at every load step, or one for all of them
 
+std::string fieldOf(const std::string& number) {
+  return number + " Field";
+}
+
+/// Where the entries stand that make a number vary.
+std::string whereOf(const input::Parameters& parameters, const std::string& number) {
+  const std::string formula = number + " Formula";
+  return parameters.where(parameters.has(formula) ? formula : fieldOf(number));
+}
+
 std::string textOf(const base::Vector3& v) {
   return "(" + base::toText(v[0]) + ", " + base::toText(v[1]) + ", " + base::toText(v[2]) + ")";
 }
@@ -50,13 +60,41 @@ void FieldLaw::describe(input::ParameterSpec& law) {
   for (const auto& entry : law.entries()) {
     if (entry->type == input::ParameterType::number) numbers.push_back(entry->name);
   }
-  for (const std::string& number : numbers) input::Field::describe(law, number);
+  for (const std::string& number : numbers) {
+    input::Field::describe(law, number);
+    law.text(fieldOf(number))
+        .optional()
+        .doc("Name of the entry of Fields that multiplies " + number + "; absent: none.");
+  }
 }
 
 bool FieldLaw::isAskedFor(const input::Parameters& parameters) {
-  return std::any_of(parameters.entries().begin(), parameters.entries().end(), [&](const auto& entry) {
-    return std::holds_alternative<double>(entry.value) && input::Field::isGiven(parameters, entry.name);
-  });
+  return std::any_of(parameters.entries().begin(), parameters.entries().end(),
+                     [&](const auto& entry) {
+                       return std::holds_alternative<double>(entry.value) &&
+                              input::Field::isGiven(parameters, entry.name);
+                     }) ||
+         !fieldEntries(parameters).empty();
+}
+
+void FieldLaw::check(const input::ParameterSpec& law, const input::Parameters& parameters, input::ErrorList& errors) {
+  for (const auto& entry : law.entries()) {
+    if (entry->type != input::ParameterType::number || parameters.has(entry->name)) continue;
+    for (const std::string& companion : {entry->name + " Formula", fieldOf(entry->name)}) {
+      if (!parameters.has(companion)) continue;
+      errors.add(parameters.where(companion), "there is no \"" + entry->name + "\" that it multiplies.",
+                 "Give it, or remove this entry.");
+    }
+  }
+}
+
+std::vector<std::string> FieldLaw::fieldEntries(const input::Parameters& parameters) {
+  std::vector<std::string> given;
+  for (const auto& entry : parameters.entries()) {
+    const std::string field = fieldOf(entry.name);
+    if (std::holds_alternative<double>(entry.value) && parameters.has(field)) given.push_back(field);
+  }
+  return given;
 }
 
 FieldLaw::FieldLaw(const input::ParameterSpec& declared, const input::Parameters& parameters, Factory make)
@@ -65,20 +103,60 @@ FieldLaw::FieldLaw(const input::ParameterSpec& declared, const input::Parameters
       law_(make_(parameters)),
       steps_(std::max(1, static_cast<int>(parameters.times().size()))) {
   for (const auto& entry : declared.entries()) {
-    if (entry->type != input::ParameterType::number || !input::Field::isGiven(parameters, entry->name)) continue;
+    if (entry->type != input::ParameterType::number || !parameters.has(entry->name)) continue;
+    const std::string spatial = parameters.has(fieldOf(entry->name)) ? parameters.text(fieldOf(entry->name)) : "";
+    if (spatial.empty() && !input::Field::isGiven(parameters, entry->name)) continue;
     input::Field field(parameters, entry->name);
     if (!entry->varies && field.looksAt("t")) {
       throw base::Error(parameters.where(entry->name + " Formula") + ": \"" + entry->name +
                             "\" does not vary over the load steps.\n  Take a formula in x, y and z.",
                         base::ExitCode::input);
     }
-    entries_.push_back({entry, std::move(field)});
+    entries_.push_back({entry, std::move(field), spatial});
     const std::string history = entry->name + " History";
     if (parameters.has(history)) {
       const input::Histories histories = parameters.histories();
       const std::vector<double>* perStep = histories.find(parameters.text(history));
       if (perStep != nullptr) steps_ = std::max(steps_, static_cast<int>(perStep->size()));
     }
+  }
+}
+
+void FieldLaw::bind(std::shared_ptr<const SpatialFields> fields) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  fields_ = std::move(fields);
+  for (const Entry& entry : entries_) {
+    const std::string& name = entry.declaration->name;
+    if (entry.spatial.empty() || entry.declaration->varies || !spatialOf(entry).varies()) continue;
+    throw base::Error(parameters_.where(fieldOf(name)) + ": \"" + name +
+                          "\" does not vary over the load steps, and the field \"" + entry.spatial +
+                          "\" does.\n  Take one time step of it.",
+                      base::ExitCode::input);
+  }
+}
+
+std::shared_ptr<const SpatialFields> FieldLaw::fields() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return fields_;
+}
+
+const SpatialField& FieldLaw::spatialOf(const Entry& entry) const {
+  if (fields_) {
+    const auto found = fields_->find(entry.spatial);
+    if (found != fields_->end()) return *found->second;
+  }
+  throw base::Error(
+      parameters_.where(fieldOf(entry.declaration->name)) + ": there is no field \"" + entry.spatial + "\" here.",
+      base::ExitCode::input);
+}
+
+double FieldLaw::valueOf(const Entry& entry, int step, const base::Vector3& place) const {
+  const double value = entry.field(step, place);
+  if (entry.spatial.empty()) return value;
+  try {
+    return value * spatialOf(entry).at(step, place);
+  } catch (const base::Error& error) {
+    throw base::Error(parameters_.where(fieldOf(entry.declaration->name)) + ": " + error.what(), error.code());
   }
 }
 
@@ -112,11 +190,11 @@ const InterfaceLaw& FieldLaw::lawAt(const base::Vector3& place) const {
   for (const Entry& entry : entries_) {
     std::vector<double> perStep;
     for (int step = 0; step < (entry.declaration->varies ? steps_ : 1); ++step) {
-      perStep.push_back(entry.field(step, place));
+      perStep.push_back(valueOf(entry, step, place));
       if (entry.declaration->allows(perStep.back())) continue;
       const std::string& name = entry.declaration->name;
-      throw base::Error(parameters_.where(name + " Formula") + ": the formula makes " + name + " = " +
-                            base::toText(perStep.back()) + " at " + textOf(place) +
+      throw base::Error(whereOf(parameters_, name) + ": the " + (entry.spatial.empty() ? "formula" : "field") +
+                            " makes " + name + " = " + base::toText(perStep.back()) + " at " + textOf(place) +
                             ".\n  Allowed: " + entry.declaration->range() + ".",
                         base::ExitCode::input);
     }

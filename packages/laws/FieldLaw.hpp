@@ -8,32 +8,43 @@
 #include <unordered_map>
 #include <vector>
 
+#include <harmos/input/ErrorList.hpp>
 #include <harmos/input/Field.hpp>
 #include <harmos/input/ParameterSpec.hpp>
 #include <harmos/input/Parameters.hpp>
 #include <harmos/laws/InterfaceLaw.hpp>
+#include <harmos/laws/SpatialField.hpp>
 
 namespace harmos::laws {
 
 /// A law of which some numbers vary over the surface: at every place the law that has the numbers of this place.
 ///
-/// A number that is a field is its value times its history times its formula (input::Field). The laws are made where
-/// they are first asked for, or by prepare(); places with equal numbers share one. It costs a look-up per pair, and
-/// laws without fields nothing.
+/// A number that varies is its value times its history times its formula (input::Field) times the field that it names
+/// (SpatialField). The laws are made where they are first asked for, or by prepare(); places with equal numbers share
+/// one. It costs a look-up per pair, and laws without fields nothing.
 class FieldLaw final : public InterfaceLaw {
  public:
   /// Makes a law of checked parameters, see input::Registry.
   using Factory = std::function<std::unique_ptr<InterfaceLaw>(const input::Parameters&)>;
 
-  /// Declares "<name> Formula" for every number of a law.
+  /// Declares "<name> Formula" and "<name> Field" for every number of a law.
   static void describe(input::ParameterSpec& law);
-  /// Whether a formula is given for any number.
+  /// Whether a formula or a field is given for any number.
   static bool isAskedFor(const input::Parameters& parameters);
+  /// Reports formulas and fields of numbers that are not given. `law`: what describe() has been applied to.
+  static void check(const input::ParameterSpec& law, const input::Parameters& parameters, input::ErrorList& errors);
+  /// The entries "<name> Field" that are given.
+  static std::vector<std::string> fieldEntries(const input::Parameters& parameters);
 
   /// `declared`: what describe() has been applied to. Throws what `make` throws, and base::Error (input) for formulas
   /// that are none, and for those that look at the time where the number may not.
   FieldLaw(const input::ParameterSpec& declared, const input::Parameters& parameters, Factory make);
 
+  /// Gives the fields that its numbers name; shared, and none are asked for before. Must come before any place is asked
+  /// for. Throws base::Error (input) where a number that does not vary over the load steps names a field that does.
+  void bind(std::shared_ptr<const SpatialFields> fields) const;
+  /// Those of bind(); null: none.
+  std::shared_ptr<const SpatialFields> fields() const;
   /// Makes the laws of all these places [length]. Throws base::Error (input) with entry and place where a number leaves
   /// its range or a formula has no value.
   void prepare(const std::vector<base::Vector3>& places) const;
@@ -66,12 +77,15 @@ class FieldLaw final : public InterfaceLaw {
   struct Entry {
     std::shared_ptr<const input::ParameterEntry> declaration;
     input::Field field;
+    std::string spatial;  // name of the field, may be empty
   };
 
   struct PlaceHash {
     std::size_t operator()(const base::Vector3& place) const;
   };
 
+  double valueOf(const Entry& entry, int step, const base::Vector3& place) const;
+  const SpatialField& spatialOf(const Entry& entry) const;
   const InterfaceLaw& at(const base::Vector3& place) const;
   const InterfaceLaw& lawAt(const base::Vector3& place) const;  // mutex_ is locked
   std::unique_ptr<InterfaceLaw> made(const std::vector<std::vector<double>>& values) const;
@@ -82,6 +96,7 @@ class FieldLaw final : public InterfaceLaw {
   std::shared_ptr<const InterfaceLaw> law_;
   std::vector<Entry> entries_;
   int steps_ = 1;  // load steps for which histories and times are known
+  mutable std::shared_ptr<const SpatialFields> fields_;
   mutable std::mutex mutex_;
   mutable std::unordered_map<base::Vector3, const InterfaceLaw*, PlaceHash> byPlace_;
   mutable std::map<std::vector<std::vector<double>>, std::unique_ptr<const InterfaceLaw>> byValues_;

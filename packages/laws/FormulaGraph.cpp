@@ -11,6 +11,7 @@ namespace harmos::laws {
 namespace {
 
 const std::array<const char*, 3> entries = {"Normal Traction", "Tangential Traction 1", "Tangential Traction 2"};
+const std::array<const char*, 3> examples = {"500 * jump_n", "200 * jump_1", "200 * jump_2"};
 
 // The first slots of every formula.
 enum Slot : std::size_t { jumpN, jump1, jump2, gap, placeX, placeY, placeZ, time, duration, firstHistory };
@@ -25,8 +26,8 @@ void FormulaGraph::describe(input::ParameterSpec& spec) {
       " as a formula in jump_n, jump_1, jump_2, gap, x, y, z [length], t, dt (end and duration of the load step "
       "[time]), the Constants, and of every entry of History its value at the end of this load step and, with _old "
       "behind its name, of the one before.";
-  for (const char* entry : entries) {
-    spec.text(entry).defaultValue("0").doc("Traction on side 1 [stress]" + std::string(what));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    spec.text(entries[i]).example(examples[i]).defaultValue("0").doc("Traction on side 1 [stress]" + std::string(what));
   }
   spec.namedNumbers("Constants").summary("Numbers that the formulas use by name; a study may vary them.");
   input::ParameterSpec& history = spec.namedLists("History");

@@ -28,6 +28,7 @@ class FormulaLaw final : public InterfaceLaw {
   static void describe(input::ParameterSpec& p) {
     p.summary(
         "A law by formulas: the traction as a function of the jump, of time, of place and of numbers that it keeps.");
+    p.equation("t_i = formula(jump, gap, place, time, history)");
     FormulaGraph::describe(p);
     p.number("Lowest Slope")
         .unit("stress/length")

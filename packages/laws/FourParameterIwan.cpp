@@ -25,9 +25,15 @@ struct FourParameterIwan : SlipElements {
          "Micro-slip and macro-slip of a lap joint after Segalman: Jenkins elements with strengths distributed by a "
          "power law; small amplitudes lose energy like u^(3 + chi) per cycle.")
         .source("Segalman (2005), J. Appl. Mech. 72, 752-760");
-    p.number("Slip Limit").unit("stress").required().above(0.0).doc("F_S, traction at which all slides.");
-    p.number("Tangential Stiffness").unit("stress/length").required().above(0.0).doc("K_T before anything slides.");
-    p.number("Exponent").unit("-").required().above(-1.0).atMost(0.0).doc("chi of the power law.");
+    p.equation("t_t = integral of rho(phi) (delta_t - s_phi) dphi, |delta_t - s_phi| <= phi, rho = R phi^chi");
+    p.number("Slip Limit").example("5").unit("stress").required().above(0.0).doc("F_S, traction at which all slides.");
+    p.number("Tangential Stiffness")
+        .example("1000")
+        .unit("stress/length")
+        .required()
+        .above(0.0)
+        .doc("K_T before anything slides.");
+    p.number("Exponent").example("-0.5").unit("-").required().above(-1.0).atMost(0.0).doc("chi of the power law.");
     p.number("Ratio").unit("-").defaultValue(0.0).atLeast(0.0).doc(
         "beta, of the stiffness that goes at once at macro-slip to that which goes before.");
     p.integer("Elements").defaultValue(30).atLeast(1).atMost(200).doc("Into how many the distribution is cut.");

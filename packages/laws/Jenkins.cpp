@@ -14,8 +14,14 @@ struct Jenkins : ElasticSlider {
          "Jenkins element along the surface: a spring in series with a slider of constant strength, whatever the "
          "pressure: t_t = k_t (delta_t - s), |t_t| <= tau.")
         .source("Iwan (1967); Gaul, Nitsche (2001), section 3.2");
-    p.number("Tangential Stiffness").unit("stress/length").required().above(0.0).doc("k_t of the spring.");
-    p.number("Slip Limit").unit("stress").required().atLeast(0.0).doc("tau, at which the slider moves.");
+    p.equation("t_t = k_t (delta_t - s), |t_t| <= tau");
+    p.number("Tangential Stiffness")
+        .example("1000")
+        .unit("stress/length")
+        .required()
+        .above(0.0)
+        .doc("k_t of the spring.");
+    p.number("Slip Limit").example("5").unit("stress").required().atLeast(0.0).doc("tau, at which the slider moves.");
     NormalSpring::describe(p);
   }
 

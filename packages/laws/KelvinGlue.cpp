@@ -15,6 +15,7 @@ struct KelvinGlue : Rheology {
          "Glue that creeps to an end: a spring and a dashpot in parallel, normal and tangential. Under a load that is "
          "held the jump grows like 1 - exp(-k t / eta). Time is that of the steps.")
         .source("Thomson (1865), Voigt (1892); implicit Euler");
+    p.equation("t = k delta + eta d(delta)/dt");
     Rheology::describe(p, "k of the spring, which carries in the end.",
                        "eta of the dashpot: eta / k is the time of retardation.");
   }

@@ -11,7 +11,11 @@ void addPointwise(LawRegistry& laws, input::ParameterSpec spec, LawRegistry::Fac
     if (FieldLaw::isAskedFor(p)) return std::make_unique<FieldLaw>(declared, p, make);
     return make(p);
   };
-  laws.add(std::move(spec), orField, std::move(check));
+  const auto both = [declared = spec, check = std::move(check)](const input::Parameters& p, input::ErrorList& errors) {
+    FieldLaw::check(declared, p, errors);
+    if (check) check(p, errors);
+  };
+  laws.add(std::move(spec), orField, both);
 }
 
 }  // namespace harmos::laws

@@ -28,11 +28,21 @@ LawRegistry::Check checkOf(long) {
   return {};
 }
 
+/// Declares the fields of L::outputs(), where they do not depend on parameters.
+template <class L>
+auto declareOutputs(input::ParameterSpec& spec, int) -> decltype(L::outputs(), void()) {
+  for (const OutputField& field : L::outputs()) spec.output(field.name, field.unit, field.doc);
+}
+/// None, of other laws.
+template <class L>
+void declareOutputs(input::ParameterSpec& /*spec*/, long) {}
+
 /// Adds the law written as struct L (see PointwiseLaw) under L::name. Throws base::Error when the name is taken.
 template <class L>
 void addLaw(LawRegistry& laws) {
   input::ParameterSpec spec(L::name);
   L::describe(spec);
+  declareOutputs<L>(spec, 0);
   const auto make = [](const input::Parameters& p) -> std::unique_ptr<InterfaceLaw> {
     return std::make_unique<PointwiseLaw<L>>(p);
   };

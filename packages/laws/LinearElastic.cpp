@@ -16,13 +16,16 @@ struct LinearElastic {
   static void describe(input::ParameterSpec& p) {
     p.summary("Linear elastic joint (glue): traction = stiffness times jump.")
         .source("Champaney, Blanze, Boucard (2004), section 4.2");
+    p.equation("t_n = k_n delta_n, t_t = k_t delta_t");
     p.number("Normal Stiffness")
+        .example("1000")
         .unit("stress/length")
         .required()
         .atLeast(0.0)
         .varying()
         .doc("k_n; a glue layer of modulus E and thickness e has E/e.");
     p.number("Tangential Stiffness")
+        .example("400")
         .unit("stress/length")
         .required()
         .atLeast(0.0)

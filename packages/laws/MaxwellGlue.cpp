@@ -15,6 +15,7 @@ struct MaxwellGlue : Rheology {
          "Glue that creeps without end: a spring and a dashpot in series, normal and tangential. Under a jump that is "
          "held the traction falls by exp(-k t / eta). Time is that of the steps.")
         .source("Maxwell (1867); implicit Euler");
+    p.equation("t = k (delta - v), t = eta dv/dt");
     Rheology::describe(p, "k of the spring, met at once.", "eta of the dashpot: eta / k is the time of relaxation.");
   }
 

@@ -44,10 +44,20 @@ struct OrthotropicFriction : SlidingLaw {
          "Contact with friction that differs along two axes of the surface, as on rolled or ground sheets: an ellipse "
          "of tractions, sliding along its normal.")
         .source("Michalowski, Mroz (1978)");
-    p.number("Friction Coefficient 1").unit("-").required().above(0.0).doc("mu_1 along axis 1.");
-    p.number("Friction Coefficient 2").unit("-").required().above(0.0).doc("mu_2 along the axis across.");
-    p.numbers("Axis").unit("-").required().doc(
-        "Direction in x, y, z, whose projection onto the surface is axis 1; not along a normal.");
+    p.equation(
+        "opening >= 0, t_n <= 0, their product 0; (t_1 / mu_1)^2 + (t_2 / mu_2)^2 <= t_n^2, sliding along its normal");
+    p.number("Friction Coefficient 1").example("0.3").unit("-").required().above(0.0).doc("mu_1 along axis 1.");
+    p.number("Friction Coefficient 2")
+        .example("0.1")
+        .unit("-")
+        .required()
+        .above(0.0)
+        .doc("mu_2 along the axis across.");
+    p.numbers("Axis")
+        .example("{1, 0, 0}")
+        .unit("-")
+        .required()
+        .doc("Direction in x, y, z, whose projection onto the surface is axis 1; not along a normal.");
     p.number("Gap").unit("length").defaultValue(0.0).varying().doc(
         "Opening of the undeformed surfaces beyond their geometric distance; negative is interference.");
   }

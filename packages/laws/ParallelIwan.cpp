@@ -15,8 +15,19 @@ struct ParallelIwan : SlipElements {
          "Jenkins elements in parallel along the surface, springs in series with sliders, which let go one after the "
          "other: micro-slip of a joint.")
         .source("Iwan (1967)");
-    p.numbers("Stiffnesses").unit("stress/length").required().above(0.0).doc("k_i of the springs.");
-    p.numbers("Slip Limits").unit("stress").required().above(0.0).doc("tau_i of the sliders, as many.");
+    p.equation("t_t = k_0 delta_t + sum of k_i (delta_t - s_i), |k_i (delta_t - s_i)| <= tau_i");
+    p.numbers("Stiffnesses")
+        .example("{500, 300, 200}")
+        .unit("stress/length")
+        .required()
+        .above(0.0)
+        .doc("k_i of the springs.");
+    p.numbers("Slip Limits")
+        .example("{1, 2, 4}")
+        .unit("stress")
+        .required()
+        .above(0.0)
+        .doc("tau_i of the sliders, as many.");
     p.number("Residual Stiffness")
         .unit("stress/length")
         .defaultValue(0.0)

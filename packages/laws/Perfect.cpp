@@ -14,6 +14,7 @@ struct Perfect {
   static void describe(input::ParameterSpec& p) {
     p.summary("Perfect joint: both sides move together, delta = 0.")
         .source("Champaney, Blanze, Boucard (2004), eq. (7)");
+    p.equation("delta = 0");
   }
 
   explicit Perfect(const input::Parameters&) {}

@@ -17,7 +17,8 @@ struct PreloadJump {
   static void describe(input::ParameterSpec& p) {
     p.summary("Bolt preload: prescribed axial overlap of the two faces, joined perfectly otherwise.")
         .source("Champaney, Blanze, Boucard (2004), section 3.2");
-    p.number("Jump").unit("length").required().varying().doc(
+    p.equation("delta_n = -g(t), delta_t = 0");
+    p.number("Jump").example("0.01").unit("length").required().varying().doc(
         "Prescribed relative displacement of the faces along the normal; positive tightens the bolt.");
   }
 

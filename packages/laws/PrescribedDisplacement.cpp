@@ -18,8 +18,10 @@ struct PrescribedDisplacement {
 
   static void describe(input::ParameterSpec& p) {
     p.summary("Prescribed displacement in global components; components that are not given are free.");
+    p.equation("w_i = given along x, y and z; t_i = 0 where nothing is given");
     for (const char* component : components) {
-      p.number(component).unit("length").optional().varying().doc("Displacement along this axis; absent: free.");
+      p.number(component).example("0.01").unit("length").optional().varying().doc(
+          "Displacement along this axis; absent: free.");
     }
   }
 

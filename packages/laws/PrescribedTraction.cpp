@@ -16,8 +16,9 @@ struct PrescribedTraction {
 
   static void describe(input::ParameterSpec& p) {
     p.summary("Prescribed traction (force per area) in global components.");
+    p.equation("t_i = given along x, y and z");
     for (const char* component : {"X", "Y", "Z"}) {
-      p.number(component).unit("stress").defaultValue(0.0).varying().doc("Traction along this axis.");
+      p.number(component).example("5").unit("stress").defaultValue(0.0).varying().doc("Traction along this axis.");
     }
   }
 

@@ -13,7 +13,13 @@ struct Pressure {
 
   static void describe(input::ParameterSpec& p) {
     p.summary("Prescribed pressure on an outer boundary, positive when it pushes on the body.");
-    p.number("Pressure").unit("stress").required().varying().doc("Force per area against the outward normal.");
+    p.equation("t = -p n");
+    p.number("Pressure")
+        .example("10")
+        .unit("stress")
+        .required()
+        .varying()
+        .doc("Force per area against the outward normal.");
   }
 
   explicit Pressure(const input::Parameters& p) : value(p.schedule("Pressure")) {}

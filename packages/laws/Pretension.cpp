@@ -21,7 +21,8 @@ class Pretension final : public CoupledLaw {
     p.summary(
         "Bolt preload by force on a cut through the shank: joined perfectly but for one overlap of the faces along the "
         "normal, such that the bolt has the force. Locked, it keeps the overlap, and the force follows the loads.");
-    p.number("Force").unit("force").required().varying().doc(
+    p.equation("integral of t_n dS = F(t), delta_n the same everywhere; delta_t = 0; locked: delta_n stays");
+    p.number("Force").example("500").unit("force").required().varying().doc(
         "Force of the bolt until it is locked, positive in tension.");
     describeLocking(p);
   }

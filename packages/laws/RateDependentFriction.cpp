@@ -30,9 +30,15 @@ struct RateDependentFriction : SlidingLaw {
          "v_c), with v at the end of the load step where it rises, of the load step before where it falls. Time is "
          "that of the steps.")
         .source("Bengisu, Akay (1994)");
-    p.number("Static Coefficient").unit("-").required().atLeast(0.0).doc("mu_s at rest.");
-    p.number("Kinetic Coefficient").unit("-").required().atLeast(0.0).doc("mu_k at large velocities.");
-    p.number("Velocity").unit("length/time").required().above(0.0).doc("v_c, over which the coefficient changes.");
+    p.equation("opening >= 0, t_n <= 0, their product 0; |t_t| <= mu |t_n|, mu = mu_k + (mu_s - mu_k) exp(-v / v_c)");
+    p.number("Static Coefficient").example("0.4").unit("-").required().atLeast(0.0).doc("mu_s at rest.");
+    p.number("Kinetic Coefficient").example("0.2").unit("-").required().atLeast(0.0).doc("mu_k at large velocities.");
+    p.number("Velocity")
+        .example("0.01")
+        .unit("length/time")
+        .required()
+        .above(0.0)
+        .doc("v_c, over which the coefficient changes.");
     p.number("Gap").unit("length").defaultValue(0.0).varying().doc(
         "Opening of the undeformed surfaces beyond their geometric distance; negative is interference.");
   }

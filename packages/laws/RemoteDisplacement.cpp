@@ -26,6 +26,7 @@ class RemoteDisplacement final : public CoupledLaw, public FaceLaw {
         "Displacement and small rotation of a face in a point, each of the six held, on a spring, or free under a "
         "force. "
         "The responses Interface Force and Interface Moment are its reactions.");
+    p.equation("mean motion of the face in the point: u_i = given, or F_i = K_i (given - u_i), or F_i = given");
     p.text("Kind")
         .defaultValue("Distributing")
         .oneOf({"Distributing", "Rigid"})
@@ -35,6 +36,7 @@ class RemoteDisplacement final : public CoupledLaw, public FaceLaw {
     for (std::size_t i = 0; i < 6; ++i) {
       const std::string name = components[i];
       p.number(name)
+          .example(i < 3 ? "0.001" : "")
           .unit(i < 3 ? "length" : "radians")
           .optional()
           .varying()

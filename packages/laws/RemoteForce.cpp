@@ -21,12 +21,19 @@ class RemoteForce final : public InterfaceLaw, public FaceLaw {
     p.summary(
         "Force and moment in a point, spread over a face which stays free to deform (a distributing coupling): "
         "tractions that vary linearly over the face.");
+    p.equation("t = a + b x (x - c), with the force and the moment in the point as resultants");
     describeRemotePoint(p);
     for (const char* component : forces) {
-      p.number(component).unit("force").defaultValue(0.0).varying().doc("Force in the point along this axis.");
+      p.number(component).example("100").unit("force").defaultValue(0.0).varying().doc(
+          "Force in the point along this axis.");
     }
     for (const char* component : moments) {
-      p.number(component).unit("force length").defaultValue(0.0).varying().doc("Moment about the point, right-handed.");
+      p.number(component)
+          .example("100")
+          .unit("force length")
+          .defaultValue(0.0)
+          .varying()
+          .doc("Moment about the point, right-handed.");
     }
   }
 

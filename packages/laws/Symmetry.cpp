@@ -12,6 +12,7 @@ struct Symmetry {
 
   static void describe(input::ParameterSpec& p) {
     p.summary("Symmetry plane (rollers): no normal displacement, no tangential traction.");
+    p.equation("delta_n = 0, t_t = 0");
   }
 
   explicit Symmetry(const input::Parameters&) {}

@@ -45,7 +45,9 @@ struct TabulatedContact : StickingFriction {
          "Contact with a table of pressures by overclosures, as measured on rough surfaces or gaskets, with Coulomb "
          "friction and a stiffness along the surface while it sticks.")
         .source("known as tabular pressure-overclosure");
+    p.equation("p = table(-opening); t_t = k_t (delta_t - s), |t_t| <= min(mu p, tau)");
     p.numbers("Overclosures")
+        .example("{0, 0.01, 0.02}")
         .unit("length")
         .required()
         .doc(
@@ -53,6 +55,7 @@ struct TabulatedContact : StickingFriction {
             "goes "
             "on.");
     p.numbers("Pressures")
+        .example("{0, 20, 100}")
         .unit("stress")
         .required()
         .atLeast(0.0)

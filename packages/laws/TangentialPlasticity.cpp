@@ -14,8 +14,19 @@ struct TangentialPlasticity : ElasticSlider {
          "Elastoplastic joint along the surface with linear hardening: t_t = k_t (delta_t - s), |t_t - h_k s| <= tau + "
          "h_i p, s along t_t - h_k s, p the length of its way.")
         .source("Simo, Hughes (1998), sections 1.5 and 1.6");
-    p.number("Tangential Stiffness").unit("stress/length").required().above(0.0).doc("k_t of the spring.");
-    p.number("Yield Stress").unit("stress").required().atLeast(0.0).doc("tau of the joint that has not yielded yet.");
+    p.equation("t_t = k_t (delta_t - s), |t_t - h_k s| <= tau + h_i times the way of s");
+    p.number("Tangential Stiffness")
+        .example("1000")
+        .unit("stress/length")
+        .required()
+        .above(0.0)
+        .doc("k_t of the spring.");
+    p.number("Yield Stress")
+        .example("5")
+        .unit("stress")
+        .required()
+        .atLeast(0.0)
+        .doc("tau of the joint that has not yielded yet.");
     p.number("Isotropic Hardening")
         .unit("stress/length")
         .defaultValue(0.0)

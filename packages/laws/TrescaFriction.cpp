@@ -16,7 +16,14 @@ struct TrescaFriction : SlidingLaw {
     p.summary(
          "Unilateral contact with given friction: |t_t| <= tau whatever the pressure, also where the sides are apart.")
         .source("Duvaut, Lions (1972), chapter III");
-    p.number("Shear Limit").unit("stress").required().atLeast(0.0).varying().doc("tau, at which the sides slide.");
+    p.equation("opening >= 0, t_n <= 0, their product 0; |t_t| <= tau");
+    p.number("Shear Limit")
+        .example("5")
+        .unit("stress")
+        .required()
+        .atLeast(0.0)
+        .varying()
+        .doc("tau, at which the sides slide.");
     p.number("Gap").unit("length").defaultValue(0.0).varying().doc(
         "Opening of the undeformed surfaces beyond their geometric distance; negative is interference.");
   }

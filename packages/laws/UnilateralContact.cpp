@@ -14,6 +14,7 @@ struct UnilateralContact {
   static void describe(input::ParameterSpec& p) {
     p.summary("Frictionless unilateral contact: opening >= 0, pressure >= 0, their product 0.")
         .source("Signorini's conditions; Champaney, Blanze, Boucard (2004), section 2.2");
+    p.equation("opening >= 0, t_n <= 0, opening t_n = 0");
     p.number("Gap").unit("length").defaultValue(0.0).varying().doc(
         "Opening of the undeformed surfaces beyond their geometric distance; negative is interference.");
   }

@@ -148,11 +148,16 @@ void numberFaces(const std::vector<mesh::Piece>& pieces, std::vector<assembly::I
 }
 
 /// Makes the laws of all places where numbers vary over the surface, so that their errors come before the solution.
-void prepareFields(const std::vector<assembly::Interface>& interfaces) {
+void prepareFields(const std::vector<assembly::Interface>& interfaces,
+                   const std::shared_ptr<const laws::SpatialFields>& fields) {
   input::ErrorList errors;
   for (const assembly::Interface& interface : interfaces) {
     const auto* law = dynamic_cast<const laws::FieldLaw*>(interface.law.get());
-    if (law != nullptr) errors.collect(base::quoted(interface.name), [&] { law->prepare(interface.position); });
+    if (law == nullptr) continue;
+    errors.collect(base::quoted(interface.name), [&] {
+      law->bind(fields);
+      law->prepare(interface.position);
+    });
   }
   errors.throwIfAny();
 }
@@ -366,7 +371,8 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
 }
 
 Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<mesh::Piece>& pieces,
-                          std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent) {
+                          std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent,
+                          const std::shared_ptr<const laws::SpatialFields>& fields) {
   const auto carriers =
       isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(pieces, dimension, surfaces);
   Interfaces made;
@@ -406,7 +412,7 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
   }
   bindToFaces(dimension, made.interfaces);
   numberFaces(pieces, made.interfaces);
-  prepareFields(made.interfaces);
+  prepareFields(made.interfaces, fields);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     for (std::size_t p = 0; p < carriers[s].size(); ++p) {
       const mesh::PairCarrier& carrier = carriers[s][p];

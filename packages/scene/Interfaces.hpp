@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <harmos/assembly/Interface.hpp>
 #include <harmos/input/ErrorList.hpp>
+#include <harmos/laws/SpatialField.hpp>
 #include <harmos/mesh/InterfaceFinder.hpp>
 #include <harmos/mesh/RedundantPairs.hpp>
 #include <harmos/scene/Bodies.hpp>
@@ -43,8 +45,11 @@ struct Interfaces {
 /// redundant (the areas of `surfaces` change), unless `isConsistent`: then every pair of a surface is kept, with the
 /// consistent interface mass where the surface has faces. A traction that is prescribed in the frame of the interface
 /// gets |int N n dS| for areas and no mass: a uniform pressure then has the nodal forces and the resultant of the faces
-/// themselves. `dimension`: 2 or 3. Laws are shared with the scene.
+/// themselves. `dimension`: 2 or 3. Laws are shared with the scene; those whose
+/// numbers vary over the surface get `fields`, see makeFields(). Throws base::Error (input) where such a number leaves
+/// its range, or a field is not known.
 Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<mesh::Piece>& pieces,
-                          std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent);
+                          std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent,
+                          const std::shared_ptr<const laws::SpatialFields>& fields);
 
 }  // namespace harmos::scene

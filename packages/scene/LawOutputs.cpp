@@ -3,19 +3,12 @@
 #include <algorithm>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/scene/FieldFile.hpp>
+#include <harmos/scene/ResultFields.hpp>
 
 namespace harmos::scene {
 
 std::vector<std::string> interfaceVariables(int dimension) {
-  std::vector<std::string> names;
-  addVector(names, "disp", dimension);
-  names.emplace_back("contact_pressure");
-  addVector(names, "traction", dimension);
-  for (const char* name : {"contact_status", "opening"}) names.emplace_back(name);
-  addVector(names, "slip", dimension);
-  for (const char* name : {"slip_magnitude", "dissipation", "safety_slip", "safety_gaping"}) names.emplace_back(name);
-  return names;
+  return namesOf(interfaceFields(), dimension);
 }
 
 std::vector<std::size_t> LawOutputs::add(const laws::InterfaceLaw& law) {

@@ -10,6 +10,7 @@
 #include <harmos/scene/detail/CohesiveZones.hpp>
 #include <harmos/scene/detail/Contradictions.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
+#include <harmos/scene/detail/Fields.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
 
 namespace harmos::scene {
@@ -55,8 +56,14 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   assembly::Assembly& assembly = problem.assembly;
   assembly.dimension = problem.mesh.dimension;
   assembly.times = scene.times;
-  Interfaces made =
-      makeInterfaces(scene, assembly.dimension, problem.bodies.pieces, problem.surfaces, scene.hasConsistentMass);
+  const int before = errors.count();
+  const FieldContext fieldContext{problem.mesh, problem.bodies.pieces, scene.input.list("Mesh"), scene.path,
+                                  scene.times};
+  const auto fields =
+      std::make_shared<const laws::SpatialFields>(makeFields(scene.input.lists("Fields"), fieldContext, errors));
+  if (errors.count() > before) throwTogether(errors, comm);  // else laws would miss them
+  Interfaces made = makeInterfaces(scene, assembly.dimension, problem.bodies.pieces, problem.surfaces,
+                                   scene.hasConsistentMass, fields);
   assembly.interfaces = std::move(made.interfaces);
   problem.places = std::move(made.places);
   if (errors.count() == 0) {

@@ -13,6 +13,7 @@
 #include <harmos/input/Check.hpp>
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/laws/FaceLaw.hpp>
+#include <harmos/laws/FieldLaw.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/Plugins.hpp>
 #include <harmos/scene/SceneSpec.hpp>
@@ -87,6 +88,9 @@ class SceneChecker {
     checkPartsOf("Temperatures", "Thermal Expansion",
                  [](const elasticity::Material& m) { return m.thermalExpansion().has_value(); });
     checkOneTemperature();
+    for (const Parameters& field : input_.lists("Fields")) {
+      knownName(field, "Part", namesOf(input_.lists("Parts")), "Parts");
+    }
     for (const Parameters& interface : input_.lists("Interfaces")) checkInterface(interface);
     for (const Parameters& boundary : input_.lists("Boundaries")) checkBoundary(boundary);
     for (const Parameters& response : input_.lists("Responses")) checkResponse(response);
@@ -255,6 +259,9 @@ class SceneChecker {
     const int before = errors_.count();
     laws_.check(parameters, errors_);
     if (errors_.count() > before) return;
+    for (const std::string& entry : laws::FieldLaw::fieldEntries(parameters)) {
+      knownName(parameters, entry, namesOf(input_.lists("Fields")), "Fields");
+    }
     errors_.collect(parameters.where(), [&] { law = laws_.create(parameters); });
     if (!law) return;
     errors_.collect(parameters.where("Type"), [&] { outputs_.add(*law); });

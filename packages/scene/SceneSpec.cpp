@@ -5,6 +5,7 @@
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/Plugins.hpp>
+#include <harmos/scene/detail/Fields.hpp>
 #include <harmos/scene/detail/History.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
@@ -158,6 +159,9 @@ input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
   spec.namedLists("Histories")
       .summary("Factors over time that loads and law parameters follow.")
       .choose(historyForms());
+  spec.namedLists("Fields")
+      .summary("Factors over the faces of parts that numbers of laws follow, by \"NUMBER Field\".")
+      .choose(fieldForms());
   input::ParameterSpec& solver = spec.list("Solver");
   latin::LatinOptions::describe(solver);
   solver.text("Interface Mass")

@@ -30,14 +30,14 @@ bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Adds the histories that entries of a list, or of those in it, name.
-void addHistories(const input::Parameters& list, Names& names) {
+/// Adds what entries of a list, or of those in it, name whose own names end in `kind`.
+void addNamed(const std::string& kind, const input::Parameters& list, Names& names) {
   for (const auto& entry : list.entries()) {
     const auto* name = std::get_if<std::string>(&entry.value);
-    if (name != nullptr && endsWith(entry.name, " History")) names.insert(*name);
+    if (name != nullptr && endsWith(entry.name, " " + kind)) names.insert(*name);
   }
   for (const auto& sublist : list.sublists()) {
-    for (const input::Parameters& below : sublist.lists) addHistories(below, names);
+    for (const input::Parameters& below : sublist.lists) addNamed(kind, below, names);
   }
 }
 
@@ -53,7 +53,7 @@ double beginOf(const input::Parameters& history) {
 std::vector<std::string> unusedEntries(const input::InputTree& written, const std::vector<std::string>& overrides,
                                        const input::Parameters& scene, const std::vector<double>& times) {
   std::vector<std::string> sentences;
-  Names values, materials, histories;
+  Names values, materials, histories, fields;
   addReferences(written.root, values);
   for (const std::string& assignment : overrides) {
     const auto equals = assignment.find('=');
@@ -69,7 +69,11 @@ std::vector<std::string> unusedEntries(const input::InputTree& written, const st
   for (const input::Parameters& material : scene.lists("Materials")) {
     if (materials.count(material.name()) == 0) sentences.push_back(material.where() + ": no part has this material.");
   }
-  addHistories(scene, histories);
+  addNamed("History", scene, histories);
+  addNamed("Field", scene, fields);
+  for (const input::Parameters& field : scene.lists("Fields")) {
+    if (fields.count(field.name()) == 0) sentences.push_back(field.where() + ": nothing follows this field.");
+  }
   for (const input::Parameters& history : scene.lists("Histories")) {
     if (histories.count(history.name()) == 0) {
       sentences.push_back(history.where() + ": nothing follows this history.");

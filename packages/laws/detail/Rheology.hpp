@@ -18,8 +18,8 @@ struct Rheology {
   /// Declares its parameters; `spring` and `dashpot` say what they do in the law.
   static void describe(input::ParameterSpec& p, const std::string& spring, const std::string& dashpot) {
     for (const std::string along : {"Normal", "Tangential"}) {
-      p.number(along + " Stiffness").unit("stress/length").required().above(0.0).doc(spring);
-      p.number(along + " Viscosity").unit("stress time/length").required().above(0.0).doc(dashpot);
+      p.number(along + " Stiffness").example("1000").unit("stress/length").required().above(0.0).doc(spring);
+      p.number(along + " Viscosity").example("500").unit("stress time/length").required().above(0.0).doc(dashpot);
     }
   }
 

@@ -9,7 +9,7 @@ struct BoltForce {
 
   static void describe(input::ParameterSpec& p) {
     p.summary("Force [force] along the normal of an interface, positive in tension.");
-    p.text("Interface").required().doc("Name of an interface or boundary that cuts through the bolt.");
+    p.text("Interface").example("joint").required().doc("Name of an interface or boundary that cuts through the bolt.");
   }
 
   static std::unique_ptr<latin::Response> make(const input::Parameters& p, const ResponseContext& context) {

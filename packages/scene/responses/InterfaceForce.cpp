@@ -10,9 +10,10 @@ struct InterfaceForce {
   static void describe(input::ParameterSpec& p) {
     p.summary("Resultant [force] of the tractions of an interface or boundary along a direction.");
     p.text("Interface")
+        .example("joint")
         .required()
         .doc("Name of an interface or boundary; the force acts on its side 1, on a boundary on the part.");
-    p.numbers("Direction").required().doc("Of any length.");
+    p.numbers("Direction").example("{0, 0, 1}").required().doc("Of any length.");
   }
 
   static std::unique_ptr<latin::Response> make(const input::Parameters& p, const ResponseContext& context) {

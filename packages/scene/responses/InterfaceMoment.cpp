@@ -10,9 +10,10 @@ struct InterfaceMoment {
   static void describe(input::ParameterSpec& p) {
     p.summary("Resultant moment [force length] of the tractions of an interface or boundary about an axis.");
     p.text("Interface")
+        .example("joint")
         .required()
         .doc("Name of an interface or boundary; the force acts on its side 1, on a boundary on the part.");
-    p.numbers("Centre").unit("length").required().doc("Point on the axis.");
+    p.numbers("Centre").example("{25, 5, 10}").unit("length").required().doc("Point on the axis.");
     p.numbers("Axis").optional().doc("Direction of the axis, of any length; absent: z.");
   }
 

@@ -32,10 +32,10 @@ struct MeanDisplacement {
 
   static void describe(input::ParameterSpec& p) {
     p.summary("Mean displacement [length] of a surface along a direction, weighted by area.");
-    p.text("Side Set").optional().doc("Side set of the mesh.");
+    p.text("Side Set").example("upper_zmax").optional().doc("Side set of the mesh.");
     p.text("Node Set").optional().doc("Node set of the mesh, instead of a side set.");
     p.text("Part").optional().doc("Part whose nodes of the node set are meant, when parts share nodes.");
-    p.numbers("Direction").required().doc("Of any length.");
+    p.numbers("Direction").example("{0, 0, 1}").required().doc("Of any length.");
   }
 
   static void check(const input::Parameters& p, input::ErrorList& errors) {

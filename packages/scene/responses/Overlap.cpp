@@ -12,7 +12,7 @@ struct Overlap {
     p.summary(
         "Mean overlap [length] of the faces of an interface along the normal; at a cut through a bolt what tightening "
         "has drawn together, the elongation of the bolt and the shortening of the parts that it clamps.");
-    p.text("Interface").required().doc("Name of an interface.");
+    p.text("Interface").example("joint").required().doc("Name of an interface.");
   }
 
   static std::unique_ptr<latin::Response> make(const input::Parameters& p, const ResponseContext& context) {

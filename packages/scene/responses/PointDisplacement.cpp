@@ -92,10 +92,10 @@ struct PointDisplacement {
 
   static void describe(input::ParameterSpec& p) {
     p.summary("Displacement [length] of a node along a direction.");
-    p.numbers("Point").unit("length").optional().doc("Coordinates of the node.");
+    p.numbers("Point").example("{20, 0, 20}").unit("length").optional().doc("Coordinates of the node.");
     p.text("Node Set").optional().doc("Node set with this one node, instead of its coordinates.");
     p.text("Part").optional().doc("Part that the node belongs to, when several have nodes there.");
-    p.numbers("Direction").required().doc("Of any length.");
+    p.numbers("Direction").example("{0, 0, 1}").required().doc("Of any length.");
   }
 
   static void check(const input::Parameters& p, input::ErrorList& errors) { checkPlace(p, "node", "Point", errors); }

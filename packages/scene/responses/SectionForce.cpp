@@ -23,7 +23,10 @@ struct SectionForce {
     p.summary(
         "Force [force] or moment [force length] that an interface or boundary passes on, about the centre of its area "
         "and its mean normal.");
-    p.text("Interface").required().doc("Name of an interface or boundary, such as a cut through a bolt.");
+    p.text("Interface")
+        .example("joint")
+        .required()
+        .doc("Name of an interface or boundary, such as a cut through a bolt.");
     p.text("Component").required().oneOf(names).doc("Axial Force is positive in tension; shear and bending are sizes.");
   }
 

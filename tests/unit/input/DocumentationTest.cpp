@@ -46,6 +46,29 @@ TEST(Documentation, DescribesATypeOfSeveralListsOnce) {
       << text;
 }
 
+TEST(Documentation, ShowsEquationsExamplesAndOutputs) {
+  ParameterSpec spec("Spring");
+  spec.summary("Elastic.").equation("t = k delta").output("stretch", "length", "of the spring");
+  spec.number("Stiffness").unit("stress/length").example("500").doc("k.");
+  spec.number("Gap").unit("length").optional().example("0.1").doc("At rest.");
+  spec.number("Limit").unit("length").optional().doc("Largest stretch.");
+  const std::string text = documentation(spec);
+  for (const char* part :
+       {"\nEquation: `t = k delta`\n", "- adds `stretch` [length] to the results: of the spring.\n",
+        "name=\"Stiffness\" type=\"double\" value=\"500\"", "name=\"Gap\" type=\"double\" value=\"0.1\""}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << text;
+  }
+  EXPECT_EQ(text.find("name=\"Limit\""), std::string::npos) << text;
+}
+
+TEST(Documentation, HasPages) {
+  const std::vector<Page> pages{{"Codes", "0: done.\n"}};
+  EXPECT_EQ(documentation({sampleSpec()}, "Codes", pages), "## Codes\n\n0: done.\n\n");
+  EXPECT_NE(documentation({sampleSpec()}, "", pages).find("## Codes\n"), std::string::npos);
+  EXPECT_NE(messageOf([&] { documentation({sampleSpec()}, "Cdes", pages); }).find("Did you mean \"Codes\"?"),
+            std::string::npos);
+}
+
 TEST(Documentation, UnknownTopic) {
   EXPECT_EQ(
       messageOf([] { documentation(sampleSpec(), "Frction"); }),

@@ -128,5 +128,65 @@ TEST(FieldLaw, IsPreparedForThePlacesOfWhatItReplaces) {
   EXPECT_EQ(inPlaceOf(*present, good), good);
 }
 
+/// x at all load steps, or x times the number of the load step.
+struct Ramp final : SpatialField {
+  explicit Ramp(bool isMoving) : isMoving_(isMoving) {}
+  bool varies() const override { return isMoving_; }
+  double at(int step, const base::Vector3& place) const override {
+    return isMoving_ ? (step + 1) * place[0] : place[0];
+  }
+  bool isMoving_;
+};
+
+TEST(FieldLaw, MultipliesByItsField) {
+  for (const bool isMoving : {false, true}) {
+    input::Parameters p = glue("x");
+    p.set("Normal Stiffness Field", std::string("map"));
+    const auto law = builtInLaws().create(p);
+    const auto& field = dynamic_cast<const FieldLaw&>(*law);
+    EXPECT_THROW(field.prepare(places), base::Error);  // no field is known yet
+    field.bind(std::make_shared<const SpatialFields>(SpatialFields{{"map", std::make_shared<Ramp>(isMoving)}}));
+    Points points(*law);
+    for (int step = 0; step < 2; ++step) {
+      points.solve(*law, step);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const double x = places[i][0], k = 2.0 * (step == 0 ? 1.0 : 0.5) * x * x * (isMoving ? step + 1.0 : 1.0);
+        EXPECT_DOUBLE_EQ(points.states[i].traction[0], -k / (1.0 + 0.25 * k));
+      }
+    }
+    // What takes its place has its fields.
+    const std::shared_ptr<const InterfaceLaw> other = builtInLaws().create(p);
+    inPlaceOf(*law, other);
+    EXPECT_EQ(dynamic_cast<const FieldLaw&>(*other).places().size(), field.places().size());
+  }
+}
+
+TEST(FieldLaw, RefusesFieldsThatMoveUnderNumbersThatDoNot) {
+  input::Parameters p("law");
+  p.set("Type", std::string("Jenkins")).set("Tangential Stiffness", 1.0).set("Slip Limit", 1.0).set("Opens", false);
+  p.set("Slip Limit Field", std::string("map"));
+  const auto law = builtInLaws().create(p);
+  const auto bind = [&](bool isMoving) {
+    dynamic_cast<const FieldLaw&>(*law).bind(
+        std::make_shared<const SpatialFields>(SpatialFields{{"map", std::make_shared<Ramp>(isMoving)}}));
+  };
+  EXPECT_NO_THROW(bind(false));
+  EXPECT_THROW(bind(true), base::Error);
+}
+
+TEST(FieldLaw, RefusesFormulasOfNumbersThatAreNotGiven) {
+  for (const std::string companion : {"Shear Limit Formula", "Shear Limit Field"}) {
+    input::Parameters p("law");
+    p.set("Type", std::string("Compliant Contact")).set("Normal Stiffness", 1.0).set(companion, std::string("x"));
+    input::ErrorList errors;
+    builtInLaws().check(p, errors);
+    EXPECT_EQ(errors.count(), 1);
+    p.set("Shear Limit", 2.0);
+    input::ErrorList none;
+    builtInLaws().check(p, none);
+    EXPECT_EQ(none.count(), 0);
+  }
+}
+
 }  // namespace
 }  // namespace harmos::laws

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <harmos/base/Vector3.hpp>
+
+namespace harmos::laws {
+
+/// A factor [-] that varies over space, and may vary over the load steps, known at the places of interfaces.
+class SpatialField {
+ public:
+  virtual ~SpatialField() = default;
+  /// Whether it is not the same at all load steps.
+  virtual bool varies() const = 0;
+  /// Value at a load step, counted from 0, and a place [length]. Safe to use from several threads. Throws base::Error
+  /// (input) where it is not known.
+  virtual double at(int step, const base::Vector3& place) const = 0;
+};
+
+/// Fields by the names that laws call them.
+using SpatialFields = std::map<std::string, std::shared_ptr<const SpatialField>>;
+
+}  // namespace harmos::laws

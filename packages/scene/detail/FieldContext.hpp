@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/input/Parameters.hpp>
+#include <harmos/mesh/Mesh.hpp>
+#include <harmos/mesh/Piece.hpp>
+
+namespace harmos::scene {
+
+/// What fields are made of, besides their entries.
+struct FieldContext {
+  const mesh::Mesh& mesh;
+  const std::vector<mesh::Piece>& pieces;
+  const input::Parameters& source;   // the list Mesh
+  const std::string& scenePath;      // where relative names of files start
+  const std::vector<double>& times;  // end of each load step [time]
+};
+
+}  // namespace harmos::scene

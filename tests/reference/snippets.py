@@ -1,0 +1,137 @@
+#!/usr/bin/python3
+"""Runs every law and every response of the reference as its snippet says it, and holds the variables of the result
+files against those that the reference names.
+
+  snippets.py --harmos build/drivers/harmos [--only NAME]
+
+Exit code 1: a law has no equation, a snippet does not run, or a variable is not documented.
+"""
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+import netCDF4
+import numpy
+
+import harmos
+
+LAWS = ("Law", "Harmos / Interfaces / (your name) / Law, Type = ")
+RESPONSES = ("your name", "Harmos / Responses / (your name), Type = ")
+
+
+def box(low: float, high: float) -> dict[str, list[float]]:
+    return {"Lower Corner": [20.0, 0.0, low], "Upper Corner": [30.0, 10.0, high], "Cells": [2.0, 2.0, 2.0]}
+
+
+def scene(boxes: dict[str, object], interfaces: dict[str, object], boundaries: dict[str, object],
+          responses: dict[str, object]) -> harmos.Scene:
+    return harmos.Scene("example", {
+        "Units": "mm N s",
+        "Mesh": {"Type": "Boxes", "Boxes": boxes},
+        "Materials": {"steel": {"Type": "Isotropic", "Young's Modulus": 2.1e5, "Poisson's Ratio": 0.3}},
+        "Parts": {name: {"Material": "steel"} for name in boxes},
+        "Interfaces": interfaces,
+        "Boundaries": {"ground": {"Side Set": "lower_zmin", "Law": {
+            "Type": "Prescribed Displacement", "X": 0.0, "Y": 0.0, "Z": 0.0}}, **boundaries},
+        "Steps": {"load": {"Increments": 2}},
+        "Output": {"Nodal Stress": True},
+        "Responses": responses,
+    })
+
+
+def with_law(law: harmos.scenes.Lists, is_interface: bool, responses: dict[str, object]) -> harmos.Scene:
+    """Two blocks, the upper one pressed and dragged by its top; or one, with the law on top."""
+    if not is_interface:
+        return scene({"lower": box(0, 10)}, {}, {"joint": {"Side Set": "lower_zmax", "Law": law}}, responses)
+    top = {"Type": "Prescribed Displacement", "X": 0.002, "Y": 0.0, "Z": -0.01}
+    return scene({"lower": box(0, 10), "upper": box(10, 20)},
+                 {"joint": {"Side 1": "lower_zmax", "Side 2": "upper_zmin", "Law": law}},
+                 {"top": {"Side Set": "upper_zmax", "Law": top}}, responses)
+
+
+class Reference:
+    """What `harmos doc` prints.
+
+    Attributes:
+        sections: by heading.
+    """
+
+    def __init__(self, program: str) -> None:
+        text = subprocess.run([program, "doc"], capture_output=True, text=True, check=True).stdout
+        self.sections = {part.split("\n")[0]: part for part in re.split(r"^## ", text, flags=re.MULTILINE)[1:]}
+
+    def forms(self, start: str) -> dict[str, str]:
+        return {heading.removeprefix(start): text for heading, text in self.sections.items()
+                if heading.startswith(start)}
+
+    def variables(self) -> set[str]:
+        return set(re.findall(r"`(\w+)`", "".join(
+            line for line in self.sections["Outputs"].splitlines() if line.startswith("|"))))
+
+
+def snippet(text: str, name: str) -> harmos.scenes.Lists:
+    """The list of this name in a section of the reference."""
+    found = re.search(rf'^    <ParameterList name="{name}">.*?^    </ParameterList>', text, re.DOTALL | re.MULTILINE)
+    if not found:
+        return {}
+    values = {each.get("name", ""): harmos.scenes.TYPES[each.get("type", "")](each.get("value", ""))
+              for each in ElementTree.fromstring(found[0])}
+    return values
+
+
+def variables_of(path: pathlib.Path) -> set[str]:
+    with netCDF4.Dataset(path) as file:
+        return {b"".join(row.compressed()).decode().strip("\0") for kind in ("nod", "elem")
+                if f"name_{kind}_var" in file.variables
+                for row in numpy.ma.masked_equal(file[f"name_{kind}_var"][:], b"")}
+
+
+def run(program: str, example: harmos.Scene, folder: pathlib.Path) -> tuple[int, str]:
+    path = folder / "example.xml"
+    example.write(path)
+    done = subprocess.run([program, "run", str(path), "--quiet", "--output", str(folder)], capture_output=True,
+                          text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--harmos", required=True)
+    parser.add_argument("--only", default="")
+    arguments = parser.parse_args()
+    reference = Reference(arguments.harmos)
+    failures = []
+    laws, responses = reference.forms(LAWS[1]), reference.forms(RESPONSES[1])
+    runs = [(name, text, {}) for name, text in laws.items()]
+    shown = {name: snippet(text, RESPONSES[0]) for name, text in responses.items()}
+    runs.append(("all responses", laws["Coulomb Friction"], {name.lower(): each for name, each in shown.items()}))
+    known = reference.variables()
+    for name, text, wanted in runs:
+        if arguments.only not in name:
+            continue
+        if "\nEquation: `" not in text:
+            failures.append(f"{name}: no equation")
+        law = snippet(text, LAWS[0])
+        with tempfile.TemporaryDirectory() as there:
+            folder = pathlib.Path(there)
+            code, message = run(arguments.harmos, with_law(law, True, wanted), folder)
+            if code == 2 and "an interface joins two" in message:
+                code, message = run(arguments.harmos, with_law(law, False, wanted), folder)
+            if code != 0:
+                failures.append(f"{name}: exit code {code}\n{message}")
+                continue
+            for file in ("example.e", "example_interfaces.e"):
+                missing = variables_of(folder / file) - known
+                if missing:
+                    failures.append(f"{name}: {file} has {', '.join(sorted(missing))}, which harmos doc Outputs has not")
+    print(f"{len(laws)} laws, {len(responses)} responses")
+    print("\n".join(failures) or "all run")
+    return bool(failures or len(laws) < 20 or len(responses) < 10)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
