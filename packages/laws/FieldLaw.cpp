@@ -125,6 +125,15 @@ FieldLaw::FieldLaw(const input::ParameterSpec& declared, const input::Parameters
 void FieldLaw::bind(std::shared_ptr<const SpatialFields> fields) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   fields_ = std::move(fields);
+  own_.clear();
+  for (const Entry& entry : entries_) {
+    const auto shared = fields_->find(entry.spatial);
+    if (shared == fields_->end()) continue;
+    const auto list =
+        std::find_if(lists_.begin(), lists_.end(), [&](const auto& each) { return each.name() == entry.spatial; });
+    const auto own = list == lists_.end() ? nullptr : shared->second->with(*list);
+    own_[entry.spatial] = own ? own : shared->second;
+  }
   for (const Entry& entry : entries_) {
     const std::string& name = entry.declaration->name;
     if (entry.spatial.empty() || entry.declaration->varies || !spatialOf(entry).varies()) continue;
@@ -141,10 +150,8 @@ std::shared_ptr<const SpatialFields> FieldLaw::fields() const {
 }
 
 const SpatialField& FieldLaw::spatialOf(const Entry& entry) const {
-  if (fields_) {
-    const auto found = fields_->find(entry.spatial);
-    if (found != fields_->end()) return *found->second;
-  }
+  const auto found = own_.find(entry.spatial);
+  if (found != own_.end()) return *found->second;
   throw base::Error(
       parameters_.where(fieldOf(entry.declaration->name)) + ": there is no field \"" + entry.spatial + "\" here.",
       base::ExitCode::input);

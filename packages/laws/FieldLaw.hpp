@@ -40,6 +40,8 @@ class FieldLaw final : public InterfaceLaw {
   /// that are none, and for those that look at the time where the number may not.
   FieldLaw(const input::ParameterSpec& declared, const input::Parameters& parameters, Factory make);
 
+  /// Tells what the lists of fields hold now, see SpatialField::with(); for the next bind().
+  void tell(std::vector<input::Parameters> lists) { lists_ = std::move(lists); }
   /// Gives the fields that its numbers name; shared, and none are asked for before. Must come before any place is asked
   /// for. Throws base::Error (input) where a number that does not vary over the load steps names a field that does.
   void bind(std::shared_ptr<const SpatialFields> fields) const;
@@ -96,7 +98,9 @@ class FieldLaw final : public InterfaceLaw {
   std::shared_ptr<const InterfaceLaw> law_;
   std::vector<Entry> entries_;
   int steps_ = 1;  // load steps for which histories and times are known
+  std::vector<input::Parameters> lists_;
   mutable std::shared_ptr<const SpatialFields> fields_;
+  mutable SpatialFields own_;  // those of its numbers, with what the lists hold
   mutable std::mutex mutex_;
   mutable std::unordered_map<base::Vector3, const InterfaceLaw*, PlaceHash> byPlace_;
   mutable std::map<std::vector<std::vector<double>>, std::unique_ptr<const InterfaceLaw>> byValues_;

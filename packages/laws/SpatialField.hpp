@@ -5,6 +5,7 @@
 #include <string>
 
 #include <harmos/base/Vector3.hpp>
+#include <harmos/input/Parameters.hpp>
 
 namespace harmos::laws {
 
@@ -17,6 +18,9 @@ class SpatialField {
   /// Value at a load step, counted from 0, and a place [length]. Safe to use from several threads. Throws base::Error
   /// (input) where it is not known.
   virtual double at(int step, const base::Vector3& place) const = 0;
+  /// The same field with the numbers that its list has now, such as those of another draw; null: they are not looked
+  /// at.
+  virtual std::shared_ptr<const SpatialField> with(const input::Parameters& /*list*/) const { return nullptr; }
 };
 
 /// Fields by the names that laws call them.

@@ -1,18 +1,55 @@
 #include <harmos/scene/detail/Fields.hpp>
 
+#include <algorithm>
+#include <map>
+
+#include <harmos/laws/FieldLaw.hpp>
+#include <harmos/laws/RandomField.hpp>
 #include <harmos/scene/detail/MeshField.hpp>
 
 namespace harmos::scene {
 
+namespace {
+
+/// Whether a number of the law of an interface or boundary follows the field.
+bool follows(const input::Parameters& law, const std::string& field) {
+  const std::vector<std::string> entries = laws::FieldLaw::fieldEntries(law);
+  return std::any_of(entries.begin(), entries.end(), [&](const auto& entry) { return law.text(entry) == field; });
+}
+
+/// The points of all interfaces and boundaries that follow a field; at one place there may be some of several faces.
+laws::RandomField::Surface surfaceOf(const std::string& field, const FieldContext& context) {
+  std::vector<std::string> users;
+  for (const char* kind : {"Interfaces", "Boundaries"}) {
+    for (const input::Parameters& interface : context.scene.lists(kind)) {
+      if (follows(interface.list("Law"), field)) users.push_back(interface.name());
+    }
+  }
+  laws::RandomField::Surface areas;
+  for (const mesh::InterfaceSurface& surface : context.surfaces) {
+    if (std::find(users.begin(), users.end(), surface.name) == users.end()) continue;
+    for (int p = 0; p < surface.pairs(); ++p) areas[surface.position[p]] += surface.area[p];
+  }
+  return areas;
+}
+
+}  // namespace
+
 std::vector<input::ParameterSpec> fieldForms() {
-  return {MeshField::form()};
+  return {MeshField::form(), laws::RandomField::form()};
 }
 
 laws::SpatialFields makeFields(const std::vector<input::Parameters>& lists, const FieldContext& context,
                                input::ErrorList& errors) {
   laws::SpatialFields fields;
   for (const input::Parameters& list : lists) {
-    errors.collect(list.where(), [&] { fields[list.name()] = std::make_shared<MeshField>(list, context); });
+    errors.collect(list.where(), [&] {
+      if (list.type() == "Random") {
+        fields[list.name()] = std::make_shared<laws::RandomField>(list, surfaceOf(list.name(), context));
+      } else {
+        fields[list.name()] = std::make_shared<MeshField>(list, context);
+      }
+    });
   }
   return fields;
 }

@@ -60,7 +60,7 @@ input::ParameterSpec MeshField::form() {
 
 MeshField::MeshField(const input::Parameters& list, const FieldContext& context) : where_(list.where()) {
   const mesh::Mesh& mesh = context.mesh;
-  const input::Parameters& source = context.source;
+  const input::Parameters& source = context.scene.list("Mesh");
   const auto file = meshFile(source, context.scenePath);
   if (!file) refuse(where_, "a generated mesh has no variables.", "Take formulas, or a mesh of an Exodus file.");
   if (source.has("Refine") || source.has("Order")) {

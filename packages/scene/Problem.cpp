@@ -57,7 +57,7 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   assembly.dimension = problem.mesh.dimension;
   assembly.times = scene.times;
   const int before = errors.count();
-  const FieldContext fieldContext{problem.mesh, problem.bodies.pieces, scene.input.list("Mesh"), scene.path,
+  const FieldContext fieldContext{problem.mesh, problem.bodies.pieces, problem.surfaces, scene.input, scene.path,
                                   scene.times};
   const auto fields =
       std::make_shared<const laws::SpatialFields>(makeFields(scene.input.lists("Fields"), fieldContext, errors));

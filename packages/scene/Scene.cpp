@@ -89,7 +89,7 @@ class SceneChecker {
                  [](const elasticity::Material& m) { return m.thermalExpansion().has_value(); });
     checkOneTemperature();
     for (const Parameters& field : input_.lists("Fields")) {
-      knownName(field, "Part", namesOf(input_.lists("Parts")), "Parts");
+      if (field.type() == "Mesh Variable") knownName(field, "Part", namesOf(input_.lists("Parts")), "Parts");
     }
     for (const Parameters& interface : input_.lists("Interfaces")) checkInterface(interface);
     for (const Parameters& boundary : input_.lists("Boundaries")) checkBoundary(boundary);
@@ -262,7 +262,11 @@ class SceneChecker {
     for (const std::string& entry : laws::FieldLaw::fieldEntries(parameters)) {
       knownName(parameters, entry, namesOf(input_.lists("Fields")), "Fields");
     }
-    errors_.collect(parameters.where(), [&] { law = laws_.create(parameters); });
+    errors_.collect(parameters.where(), [&] {
+      auto made = laws_.create(parameters);
+      if (auto* field = dynamic_cast<laws::FieldLaw*>(made.get())) field->tell(input_.lists("Fields"));
+      law = std::move(made);
+    });
     if (!law) return;
     errors_.collect(parameters.where("Type"), [&] { outputs_.add(*law); });
     if (sides == 1 && law->sides() == laws::Sides::two) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <harmos/input/References.hpp>
+#include <harmos/laws/FieldLaw.hpp>
 
 namespace harmos::study {
 
@@ -25,6 +26,24 @@ bool anyPartHasLoads(const scene::Scene& scene) {
   if (!scene.input.lists("Loads").empty() || !scene.input.lists("Temperatures").empty()) return true;
   const auto& parts = scene.input.lists("Parts");
   return std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.hasList("Body Force"); });
+}
+
+/// The effects of another draw of a random field: the laws that follow it are others.
+std::vector<Effect> effectsOfField(const std::string& field, const std::string& entry, const scene::Scene& scene) {
+  std::vector<Effect> effects;
+  for (const char* kind : {"Interfaces", "Boundaries"}) {
+    for (const input::Parameters& interface : scene.input.lists(kind)) {
+      const input::Parameters& law = interface.list("Law");
+      const std::vector<std::string> followed = laws::FieldLaw::fieldEntries(law);
+      if (std::none_of(followed.begin(), followed.end(), [&](const auto& each) { return law.text(each) == field; })) {
+        continue;
+      }
+      Effect effect = effectOf(std::string(kind) + "/" + interface.name() + "/Law/", scene);
+      effect.entry = entry;
+      effects.push_back(std::move(effect));
+    }
+  }
+  return effects;
 }
 
 }  // namespace
@@ -50,7 +69,7 @@ Effect effectOf(const std::string& entry, const scene::Scene& scene) {
   const std::string& list = names.front();
   const std::string name = names.size() > 2 ? names[1] : "";
   const bool hasLaw = list == "Interfaces" || list == "Boundaries";
-  if (hasLaw && names.size() == 4 && names[2] == "Law") {
+  if (hasLaw && names.size() >= 4 && names[2] == "Law") {
     const auto law = scene.laws.find(name);
     const bool isLoad = law != scene.laws.end() && law->second->prescribesTraction();
     return {isLoad ? Kind::loads : Kind::localStage, Target::law, name, entry};
@@ -72,7 +91,13 @@ std::vector<Effect> effectsOf(const std::string& entry, const input::InputTree& 
     entries = input::entriesThatName(tree, "$" + names[1]);
   }
   std::vector<Effect> effects;
-  for (const std::string& each : entries) effects.push_back(effectOf(each, scene));
+  for (const std::string& each : entries) {
+    const std::vector<std::string> field = split(each);
+    const bool isDraw = field.size() == 4 && field[0] == "Fields" && field[2] == "Coefficients";
+    const std::vector<Effect> ofLaws = isDraw ? effectsOfField(field[1], each, scene) : std::vector<Effect>{};
+    if (ofLaws.empty()) effects.push_back(effectOf(each, scene));
+    effects.insert(effects.end(), ofLaws.begin(), ofLaws.end());
+  }
   return effects;
 }
 

@@ -80,6 +80,7 @@ TEST_F(StudyTest, KnowsWhatAnEntryBelongsTo) {
     EXPECT_EQ(effect.entry, entry);
   };
   expect("Interfaces/seal/Law/Gap", Kind::localStage, Target::law, "seal");
+  expect("Interfaces/seal/Law/Constants/k", Kind::localStage, Target::law, "seal");
   expect("Boundaries/pressed/Law/Pressure", Kind::loads, Target::law, "pressed");
   expect("Interfaces/seal/Side 1", Kind::operators, Target::other, "");
   expect("Histories/ramp/Values", Kind::operators, Target::history, "ramp");  // a part has a body force

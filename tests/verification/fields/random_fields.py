@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+"""Random fields over interfaces in studies, against closed forms and against each other.
+
+  random_fields.py --harmos build/drivers/harmos [--only CASE]
+
+A block in the plane, 4 x 1, on a face that follows a random field. Exit code 1: a moment differs from its reference, or a
+field without sense is not refused with its reason.
+"""
+import argparse
+import csv
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from typing import Any
+
+import harmos
+
+LENGTH, VARIATION, ACCURACY = 4.0, 0.3, 1e-7
+Checks = Iterator[tuple[str, float, float]]
+
+
+def field(terms: int, **entries: Any) -> dict[str, Any]:
+    return {"Type": "Random", "Covariance": "Exponential", "Correlation Length": 2.0,
+            "Coefficient of Variation": VARIATION, "Coefficients": {f"xi_{k + 1}": 0.0 for k in range(terms)}, **entries}
+
+
+def block(rough: dict[str, Any], law: str = "top/Law/Pressure", cells: int = 80) -> harmos.Scene:
+    scene = harmos.Scene("block", {
+        "Mesh": {"Type": "Boxes", "Boxes": {"block": {
+            "Lower Corner": [0.0, 0.0], "Upper Corner": [LENGTH, 1.0], "Cells": [float(cells), 2.0]}}},
+        "Materials": {"m": {"Type": "Isotropic", "Young's Modulus": 1000.0, "Poisson's Ratio": 0.3}},
+        "Parts": {"block": {"Material": "m"}},
+        "Boundaries": {
+            "ground": {"Side Set": "block_ymin", "Law": {
+                "Type": "Elastic Foundation", "Normal Stiffness": 50.0, "Tangential Stiffness": 20.0}},
+            "top": {"Side Set": "block_ymax", "Law": {"Type": "Pressure", "Pressure": 2.0}}},
+        "Steps": {"load": {"Increments": 1}},
+        "Fields": {"rough": rough},
+        "Solver": {"Accuracy": ACCURACY, "Mesh Error": False},
+        "Responses": {"force": {"Type": "Interface Force", "Interface": "top", "Direction": [0.0, 1.0]},
+                      "move": {"Type": "Mean Displacement", "Side Set": "block_ymax", "Direction": [0.0, 1.0]},
+                      "end": {"Type": "Point Displacement", "Point": [LENGTH, 1.0], "Direction": [0.0, 1.0]}}})
+    scene[f"Boundaries/{law} Field"] = "rough"
+    return scene
+
+
+def study(terms: int, design: dict[str, Any]) -> harmos.StudyInput:
+    normal = {"Type": "Normal", "Mean": 0.0, "Standard Deviation": 1.0}
+    return harmos.StudyInput("vary", {
+        "Scene": "block.xml",
+        "Parameters": {f"xi_{k + 1}": {"Entry": f"Fields/rough/Coefficients/xi_{k + 1}", "Distribution": normal}
+                       for k in range(terms)},
+        "Design": design,
+        "Responses": {name: {"Type": "Final", "Response": name} for name in ("force", "move", "end")}})
+
+
+class Cases:
+    """Each yields (what, found, largest that is allowed)."""
+
+    def __init__(self, program: str, folder: pathlib.Path) -> None:
+        self.program, self.folder = program, folder
+
+    def _call(self, verb: str, name: str, *launcher: str) -> tuple[int, str]:
+        done = subprocess.run([*launcher, self.program, verb, str(self.folder / name), "--quiet", "--output",
+                               str(self.folder)], capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout + done.stderr
+
+    def _moments(self, scene: harmos.Scene, terms: int, *launcher: str, **design: Any) -> dict[str, tuple[float, float]]:
+        for old in self.folder.glob("vary*"):
+            old.unlink()
+        scene.write(self.folder / "block.xml")
+        study(terms, design).write(self.folder / "vary.xml")
+        code, message = self._call("study", "vary.xml", *launcher)
+        if code != 0:
+            raise RuntimeError(f"exit code {code}: {message}")
+        with open(self.folder / "vary_moments.csv", newline="") as file:
+            return {row["response"]: (float(row["mean"]), float(row["std"])) for row in csv.DictReader(file)}
+
+    def force(self) -> Checks:
+        """The mean of a field with exp(-d/l) has the variance 2 (l/L)^2 (L/l - 1 + exp(-L/l))."""
+        ratio = 2.0 / LENGTH
+        share = 2 * ratio ** 2 * (1 / ratio - 1 + math.exp(-1 / ratio))
+        expected = 2.0 * LENGTH * VARIATION * math.sqrt(share)
+        scene = block(field(9, **{"Distribution": "Normal", "Energy Share": 0.95}))
+        for design in ({"Type": "Chaos", "Order": 1}, {"Type": "Collocation", "Points In": "Sparse", "Order": 1}):
+            mean, deviation = self._moments(scene, 9, **design)["force"]
+            yield f"{design['Type']}: mean", abs(abs(mean) / (2.0 * LENGTH) - 1), 1e-5
+            yield f"{design['Type']}: standard deviation", abs(deviation / expected - 1), 5e-3
+
+    def stiffness(self) -> Checks:
+        """Expanded fields and collocation find the same moments."""
+        rough = field(2, **{"Covariance": "Gaussian", "Correlation Length": 4.0})
+        scene = block(rough, "ground/Law/Normal Stiffness", 8)
+        one = self._moments(scene, 2, Type="Chaos", Order=6)
+        other = self._moments(scene, 2, Type="Collocation", **{"Points In": "Tensor", "Order": 6})
+        ranks = self._moments(scene, 2, "mpirun", "-np", "2", Type="Chaos", Order=6)
+        for name in ("move", "end"):
+            for which, words in enumerate(("mean", "standard deviation")):
+                scale = one[name][1]
+                yield f"{words} of {name}", abs(one[name][which] - other[name][which]) / scale, 1e-3
+                yield f"{words} of {name}, two ranks", abs(one[name][which] - ranks[name][which]) / scale, 1e-4
+        yield "it varies", 1e-3 / (one["end"][1] / abs(one["end"][0])), 0.1
+
+    def draws(self) -> Checks:
+        """A configuration is the scene with its coefficients, whatever the pieces."""
+        rough = field(3, **{"Covariance": "Gaussian", "Correlation Length": 3.0})
+        whole, cut = block(rough), block(rough)
+        cut["Parts/block/Pieces"] = 3
+        ends = []
+        for scene in (whole, cut):
+            for k, xi in enumerate((0.7, -1.1, 0.4)):
+                scene[f"Fields/rough/Coefficients/xi_{k + 1}"] = xi
+            scene.write(self.folder / "block.xml")
+            code, message = self._call("run", "block.xml")
+            if code != 0:
+                raise RuntimeError(message)
+            ends.append(float((self.folder / "block_history.csv").read_text().split()[-1].split(",")[4]))
+        yield "cut parts", abs(ends[1] / ends[0] - 1), 1e-5
+
+    def studies(self) -> Checks:
+        """A configuration of a study is the run with its draw, and all share their operators."""
+        for law, effect in (("ground/Law/Normal Stiffness", "local stage only, all operators stay"),
+                            ("top/Law/Pressure", "loads, all operators stay")):
+            scene = block(field(2, **{"Covariance": "Gaussian", "Correlation Length": 4.0}), law, 8)
+            scene.write(self.folder / "block.xml")
+            varied = harmos.StudyInput("vary", {
+                "Scene": "block.xml",
+                "Parameters": {"xi": {"Entry": "Fields/rough/Coefficients/xi_2", "Values": [-1.0, 0.5]}},
+                "Responses": {"end": {"Type": "Final", "Response": "end"}}})
+            varied.write(self.folder / "vary.xml")
+            said = subprocess.run([self.program, "check", str(self.folder / "vary.xml")], capture_output=True, text=True,
+                                  check=False).stdout
+            yield f"{effect}: {said if effect not in said else ''}", float(effect not in said), 0.5
+            code, message = self._call("study", "vary.xml")
+            if code != 0:
+                raise RuntimeError(message)
+            table = harmos.read_study(self.folder / "vary.h5").table()
+            for xi in (-1.0, 0.5):
+                scene["Fields/rough/Coefficients/xi_2"] = xi
+                scene.write(self.folder / "block.xml")
+                code, message = self._call("run", "block.xml")
+                if code != 0:
+                    raise RuntimeError(message)
+                alone = float((self.folder / "block_history.csv").read_text().split()[-1].split(",")[4])
+                yield f"{law}, draw {xi:g}", abs(table["end"][table["xi"] == xi][0] / alone - 1), 1e-5
+            for old in self.folder.glob("vary*"):
+                old.unlink()
+
+    def refused(self) -> Checks:
+        def reason(scene: harmos.Scene, words: str) -> tuple[str, float, float]:
+            scene.write(self.folder / "block.xml")
+            code, message = self._call("run", "block.xml")
+            is_right = code == 2 and words in message
+            return f"{words!r}" + ("" if is_right else f" is not in {code}: {message}"), float(not is_right), 0.5
+
+        yield reason(block(field(1, **{"Energy Share": 0.95})), "1 terms hold")
+        yield reason(block(field(9, **{"Covariance": "Gaussian", "Correlation Length": 100.0}), cells=2), "the field has")
+        yield reason(block(field(2, **{"Correlation Length": 0.0})), "above 0")
+        lone = block(field(9))
+        lone["Boundaries/top/Law"] = {"Type": "Pressure", "Pressure": 1.0}
+        yield reason(lone, "no interface and no boundary follows it")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--harmos", required=True)
+    parser.add_argument("--only", default="")
+    arguments = parser.parse_args()
+    failures = 0
+    for name in (name for name in vars(Cases) if not name.startswith("_")):
+        if arguments.only not in name:
+            continue
+        with tempfile.TemporaryDirectory() as folder:
+            cases = Cases(str(pathlib.Path(arguments.harmos).resolve()), pathlib.Path(folder))
+            try:
+                for what, found, limit in getattr(cases, name)():
+                    failures += int(found > limit)
+                    print(f"{'ok  ' if found <= limit else 'FAIL'} {name}: {what} {found:.2g}")
+            except RuntimeError as error:
+                failures += 1
+                print(f"FAIL {name}: {error}")
+    return min(failures, 1)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
