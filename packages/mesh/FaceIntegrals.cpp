@@ -92,6 +92,7 @@ void lump(FaceIntegrals& face, const std::vector<base::Vector3>& squares) {
     diagonal += face.mass[i][i];
     total += face.weight[i].share;
   }
+  if (!(diagonal > 0.0)) return;  // a face on the axis, which has no area
   for (std::size_t i = 0; i < squares.size(); ++i) {
     face.weight[i].area = total / diagonal * face.mass[i][i];
     face.weight[i].normal = total / diagonal * squares[i];

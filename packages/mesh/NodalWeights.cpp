@@ -29,7 +29,8 @@ NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const Pie
     if (std::none_of(face.nodes.begin(), face.nodes.end(), isWanted)) continue;
     const FaceIntegrals integrals = integrateFace(mesh.dimension, pointsOf(mesh, face.nodes), depth);
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
-      if (!isWanted(face.nodes[i])) continue;
+      // What lies on the axis of revolution is inside of the part.
+      if (!isWanted(face.nodes[i]) || (depth.isRevolved() && integrals.weight[i].area == 0.0)) continue;
       weights_[face.nodes[i]][map.of(face.element)] += integrals.weight[i];
     }
   }
@@ -47,8 +48,8 @@ NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const Pie
   for (const auto& [node, byPiece] : volumes) {
     double total = 0.0;
     for (const auto& [owner, part] : byPiece) total += part;
-    const double area = mesh.dimension == 3 ? std::pow(std::abs(total), 2.0 / 3.0)
-                                            : std::sqrt(std::abs(total) * depth.at(mesh.nodes[node]));
+    const double length = mesh.dimension == 3 ? 0.0 : depth.at(mesh.nodes[node]);
+    const double area = length > 0.0 ? std::sqrt(std::abs(total) * length) : std::pow(std::abs(total), 2.0 / 3.0);
     for (const auto& [owner, part] : byPiece) {
       NodalWeight& weight = weights_[node][owner];
       weight.share = weight.area = area * part / total;

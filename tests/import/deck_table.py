@@ -3,13 +3,14 @@
 
 deck_table.py HARMOS WORK_DIR [--decks FOLDER] [--write PAGE]
 
-Every deck in the folder (that of Debian's calculix-ccx-test) must end in a scene that `harmos check` accepts, or be
+Every deck in the folder (that of Debian's calculix-ccx-test, where most are packed by gzip) must end in a scene that `harmos check` accepts, or be
 refused with exit code 2 and a reason. Those of static steps are solved by both; the error is the largest difference of
 displacements at the end over CalculiX's largest displacement, nodes found by their coordinates; reduced integration is
 switched off in both, for Harmos has none. Fails when a deck ends
 in another way, or when one is off by more than DECISIVE of which nothing that matters was left out.
 """
 import argparse
+import gzip
 import json
 import os
 import pathlib
@@ -79,6 +80,16 @@ def difference(ours: tuple[numpy.ndarray, numpy.ndarray], theirs: tuple[numpy.nd
     return worst / size if size > 0.0 else 0.0
 
 
+def unpacked(folder: pathlib.Path, into: pathlib.Path) -> list[pathlib.Path]:
+    """Copies of all decks of a folder, in the order of their names."""
+    into.mkdir(parents=True, exist_ok=True)
+    for deck in folder.glob("*.inp"):
+        shutil.copyfile(deck, into / deck.name)
+    for deck in folder.glob("*.inp.gz"):
+        (into / deck.stem).write_bytes(gzip.decompress(deck.read_bytes()))
+    return sorted(into.glob("*.inp"))
+
+
 class Deck:
     """What became of one."""
 
@@ -90,7 +101,7 @@ class Deck:
         imported = subprocess.run([harmos, "import", str(deck), "--output", str(folder)], capture_output=True, text=True)
         self.left_out = [line for line in imported.stdout.splitlines() if line.startswith("left out")]
         if imported.returncode == 2 and imported.stderr.strip():
-            self.outcome = "refused: " + imported.stderr.splitlines()[0].split(": ", 1)[1]
+            self.outcome = "refused: " + re.sub(r"^\S*: ", "", imported.stderr.splitlines()[0])
             return
         scene = folder / f"{deck.stem}.xml"
         checked = subprocess.run([harmos, "check", str(scene)], capture_output=True, text=True)
@@ -157,7 +168,7 @@ def main() -> int:
     arguments = parser.parse_args()
     os.environ.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
     harmos = os.path.abspath(arguments.harmos)
-    decks = [Deck(harmos, deck, arguments.work) for deck in sorted(arguments.decks.glob("*.inp"))]
+    decks = [Deck(harmos, deck, arguments.work) for deck in unpacked(arguments.decks, arguments.work / "decks")]
     refused = [deck for deck in decks if deck.outcome.startswith("refused")]
     reasons: dict[str, int] = {}
     for deck in refused:

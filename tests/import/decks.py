@@ -99,19 +99,25 @@ class Decks(unittest.TestCase):
 
     def test_instances_and_ties(self) -> None:
         part = f"*PART,NAME=BRICK\n{CUBE}*SOLID SECTION,ELSET=CUBE,MATERIAL=STEEL\n*END PART\n"
-        turned = "*INSTANCE,NAME=B,PART=BRICK\n0., 0., 3.\n0., 0., 3., 1., 0., 3., -90.\n*END INSTANCE\n"
+        turned = "*INSTANCE,NAME=B,PART=BRICK\n0., 0., 2.\n0., 0., 2., 1., 0., 2., -90.\n*END INSTANCE\n"
         assembly = (f"*ASSEMBLY,NAME=ALL\n*INSTANCE,NAME=A,PART=BRICK\n*END INSTANCE\n{turned}"
-                    "*SURFACE,NAME=TOP_A\nA.CUBE, S2\n*SURFACE,NAME=END_B\nB.CUBE, S3\n"
+                    "*SURFACE,NAME=TOP_A\nA.CUBE, S2\n*SURFACE,NAME=END_B\nB.CUBE, S5\n"
                     "*NSET,NSET=BOTTOM,INSTANCE=A,GENERATE\n1, 4\n*END ASSEMBLY\n*TIE,NAME=GLUE\nEND_B, TOP_A\n")
         material = STEEL[:STEEL.index("*SOLID")]
-        # B is turned about the x axis at z = 3 by -90 degrees: y goes to -z, z to y.
+        # B is turned about the x axis at z = 2 by -90 degrees: y goes to -z, z to y.
         move = "*BOUNDARY\nBOTTOM,1,3\n"
-        text = part + assembly.replace("0., 0., 3.\n0., 0., 3.", "0., 0., 2.\n0., 0., 2.") + material + move
+        text = part + assembly + material + move
         code, said = self.imported(text + STEP.format(""))
         self.assertEqual(code, 0, said)
         mesh = subprocess.run(["ncdump", "-v", "coordz", str(work / "out" / "deck.e")], capture_output=True, text=True)
         self.assertIn("interface end_b_top_a", said)
         self.assertIn("coordz = 0, 0, 0, 0, 1, 1, 1, 1", mesh.stdout)
+        checked = subprocess.run([harmos, "check", str(work / "out" / "deck.xml")], capture_output=True, text=True)
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        # The far end of B is no neighbour of the top of A.
+        code, said = self.imported(text.replace("B.CUBE, S5", "B.CUBE, S3"))
+        self.assertEqual(code, 0, said)
+        self.assertIn("deck.inp:30: *TIE: no face of END_B lies opposite one of TOP_A", said)
 
     def test_stacked_instances_carry_a_pressure(self) -> None:
         part = f"*PART,NAME=BRICK\n{CUBE}*SOLID SECTION,ELSET=CUBE,MATERIAL=STEEL\n*END PART\n"
@@ -128,6 +134,147 @@ class Decks(unittest.TestCase):
         self.assertAlmostEqual(history[-1]["reaction_held_xyz_z"], 20000.0, 2)
         self.assertAlmostEqual(history[-1]["reaction_held_xyz_x"], -2000.0, 2)
         self.assertEqual([row["time"] for row in history], [0.0, 1.0, 1.5, 2.0])
+
+    def stack(self, interaction: str, load: str, pair: str = "*CONTACT PAIR,INTERACTION=CC\n") -> str:
+        """Two cubes, the upper one on the lower, which is held; its own sides are held against sliding."""
+        upper = "".join(f"{node + 8}, {x}, {y}, {z + 1}\n" for node, (x, y, z) in enumerate(
+            [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], 1))
+        return (CUBE + f"*NODE\n{upper}*ELEMENT,TYPE=C3D8,ELSET=CUBE\n2, 9,10,11,12,13,14,15,16\n" + STEEL + HELD
+                + "*NSET,NSET=TOP\n13,14,15,16\n*SURFACE,NAME=S\n2, S1\n*SURFACE,NAME=M\n1, S2\n"
+                + f"*SURFACE INTERACTION,NAME=CC\n{interaction}{pair}S, M\n" + STEP.format(load))
+
+    def test_pressure_overclosure(self) -> None:
+        down = "*BOUNDARY\nTOP,1,2\nTOP,3,3,-0.01\n"
+        # Two cubes of stiffness 1000 in a row, and the contact between them.
+        for behavior, force in (
+                ("*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=HARD\n", 0.01 * 500.0),
+                ("*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=LINEAR\n500., 3.\n", 0.01 / (1 / 500.0 + 2 / 1000.0)),
+                ("*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=TIED\n500.\n", 0.01 / (1 / 500.0 + 2 / 1000.0)),
+                ("*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=TABULAR\n0., -0.001\n2., 0.003\n3., 0.01\n",
+                 2.0 + (0.01 - 0.003 - 2.0 * 2 / 1000.0) / (7e-3 + 2e-3))):
+            with self.subTest(behavior):
+                row = self.solved(self.stack(behavior, down))[-1]
+                self.assertAlmostEqual(row["reaction_held_xyz_z"], force, 4)
+        # Exponential: p = p0 100^(overclosure / c0), beside the pressure that is found.
+        row = self.solved(self.stack("*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.004, 1.\n", down))[-1]
+        pressure = row["reaction_held_xyz_z"]
+        self.assertAlmostEqual(pressure / 100.0 ** ((0.01 - pressure * 2 / 1000.0) / 0.004), 1.0, 2)
+        # Tied surfaces hang on each other.
+        up = "*BOUNDARY\nTOP,1,2\nTOP,3,3,0.01\n"
+        row = self.solved(self.stack("*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=TIED\n500.\n", up))[-1]
+        self.assertAlmostEqual(row["reaction_held_xyz_z"], -2.5, 4)
+        for wrong in ("LINEAR\n-1.\n", "EXPONENTIAL\n1.\n", "TABULAR\n1., 0.\n2., 1.\n", "ODD\n1.\n"):
+            with self.subTest(wrong):
+                code, said = self.imported(self.stack(f"*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE={wrong}", down))
+                self.assertEqual(code, 0, said)
+                self.assertIn("contact is hard", said)
+
+    def test_friction_with_a_slope_of_sticking(self) -> None:
+        # Pressed by 2.5, then pushed aside: the cubes shear by 2 F / G, G = 500, and bend, and the contact gives F / slope.
+        behavior = "*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=LINEAR\n500.\n*FRICTION\n0.4, 100.\n"
+        shear = "*BOUNDARY\nTOP,1,1,{}\nTOP,2,2\nTOP,3,3,-0.01\n"
+        forces = [-self.solved(self.stack(behavior.replace("100.", slope), shear.format(push)))[-1]["reaction_held_xyz_x"]
+                  for slope, push in (("100.", "0.001"), ("1e6", "0.001"), ("100.", "0.1"))]
+        # Of the same springs in series the one of the contact changes: 1/F100 - 1/F1e6 = (1/100 - 1/1e6) / push.
+        self.assertAlmostEqual(1 / forces[0] - 1 / forces[1], (1 / 100.0 - 1e-6) / 0.001, delta=0.01)
+        self.assertAlmostEqual(forces[2], 0.4 * 2.5, 3)
+        code, said = self.imported(self.stack("*FRICTION\n0.4, 100.\n", ""))
+        self.assertEqual(code, 0, said)
+        self.assertIn("*FRICTION, stick slope", said)
+
+    def test_ties_of_cyclic_symmetry_are_listed(self) -> None:
+        code, said = self.imported(self.stack("", "", "*TIE,NAME=T,CYCLIC SYMMETRY\n"))
+        self.assertEqual(code, 0, said)
+        self.assertIn("*TIE, CYCLIC SYMMETRY", said)
+        self.assertNotIn("interface", said)
+
+    def test_surfaces_that_look_the_same_way_are_listed(self) -> None:
+        code, said = self.imported(self.stack("", "").replace("*SURFACE,NAME=S\n2, S1", "*SURFACE,NAME=S\n2, S2"))
+        self.assertEqual(code, 0, said)
+        self.assertIn("*CONTACTPAIR: S and M look the same way: CUBE_2 and CUBE overlap", said)
+
+    def test_two_surfaces_of_one_name(self) -> None:
+        text = self.stack("", "*BOUNDARY\nTOP,1,2\nTOP,3,3,-0.01\n").replace(
+            "*SURFACE,NAME=M\n", "*SURFACE,NAME=S,TYPE=NODE\n9\n*SURFACE,NAME=M\n")
+        self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_z"], 5.0, 4)
+        self.assertRegex(self.imported(text)[1], r"left out: \S*:38: \*SURFACE S, TYPE=NODE: .*the faces of the same name")
+
+    def test_more_nodes_than_the_type_has(self) -> None:
+        text = PLAIN.replace("1, 1,2,3,4,5,6,7,8\n", "1, 1,2,3,4,5,6,7,8,91,92,93\n")
+        self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_z"], 10.0, 4)
+        self.assertIn("more than 8 nodes", self.imported(text)[1])
+
+    def test_rigid_nodes_on_a_line_and_elasticity_without_stiffness_are_listed(self) -> None:
+        rigid = "*NODE\n99,0,0,2\n*NSET,NSET=EDGE\n5,6\n*RIGID BODY,NSET=EDGE,REF NODE=99\n*STEP\n"
+        code, said = self.imported(PLAIN.replace("*STEP\n", rigid))
+        self.assertEqual(code, 0, said)
+        self.assertIn("*RIGID BODY: of nodes on one line", said)
+        code, said = self.imported(PLAIN.replace("*ELASTIC\n1000., 0.\n", "*ELASTIC,TYPE=ORTHO\n" + "1., " * 8 + "\n1.\n"))
+        self.assertEqual(code, 0, said)
+        self.assertIn("no stiffness in some direction", said)
+
+    def test_temperatures_that_stand_elsewhere_are_listed(self) -> None:
+        code, said = self.imported(PLAIN.replace("*DENSITY", "*EXPANSION\n1e-5\n*DENSITY").replace(
+            "*DLOAD", "*TEMPERATURE,SUBMODEL,STEP=1\nALL\n*DLOAD"))
+        self.assertEqual(code, 0, said)
+        self.assertIn("*TEMPERATURE, SUBMODEL", said)
+
+    def test_equations_with_held_nodes(self) -> None:
+        # The top follows node 99, which is in no solid, by way of node 5.
+        equations = "*EQUATION\n2\n5,3,1.,99,3,-1.\n" + "".join(f"2,\n5,3,-2.,{node},3,2.\n" for node in (6, 7, 8))
+        text = CUBE.replace("*ELEMENT", "99, 0, 0, 5\n*ELEMENT") + STEEL + HELD + equations
+        row = self.solved(text + STEP.format("*BOUNDARY\n99,3,3,0.02\n"))[-1]
+        self.assertAlmostEqual(row["reaction_moved_z_z"], 20.0, 4)
+        code, said = self.imported(text + STEP.format("*BOUNDARY\n99,3,3,0.02\n"))
+        self.assertNotIn("left out:", said)
+        # Without it nothing says how they move; axes of their own, and other coefficients, are something else.
+        for changed in (text + STEP.format(""), text.replace("1.,99,3,-1.", "1.,99,3,-2.") + STEP.format("*BOUNDARY\n99,3,3,0.1\n"),
+                        text + "*TRANSFORM,NSET=ALL\n0.,1.,0.,1.,0.,0.\n" + STEP.format("*BOUNDARY\n99,3,3,0.1\n")):
+            code, said = self.imported(changed)
+            self.assertEqual(code, 0, said)
+            self.assertIn("deck.inp:24: *EQUATION: 4 of 4 equations", said)
+        self.demand_refused(text.replace("1.,99,3", "1.,98,3") + STEP.format(""), "deck.inp:26", "node 98 is nowhere")
+        self.demand_refused(text.replace("8,3,2.\n", "8,3\n") + STEP.format(""), "*EQUATION takes")
+
+    def test_equations_that_tie(self) -> None:
+        # A quarter of the face of the lower cube carries a small one, whose nodes move as points of that face.
+        small = "".join(f"{node + 8}, {0.5 * x}, {0.5 * y}, {1 + 0.5 * z}\n" for node, (x, y, z) in enumerate(
+            [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], 1))
+        shares = {9: (1, 0, 0, 0), 10: (0.5, 0.5, 0, 0), 11: (0.25,) * 4, 12: (0.5, 0, 0, 0.5)}
+        equations = "".join(
+            f"{1 + sum(share > 0 for share in of)}\n{node},{axis},1." + "".join(
+                f",{corner},{axis},{-share}" for corner, share in zip((5, 6, 7, 8), of) if share) + "\n"
+            for node, of in shares.items() for axis in (1, 2, 3))
+        text = (CUBE + f"*NODE\n{small}*ELEMENT,TYPE=C3D8,ELSET=CUBE\n2, 9,10,11,12,13,14,15,16\n" + STEEL + HELD
+                + f"*EQUATION\n{equations}" + STEP.format("*DLOAD\n2, P2, -8.\n"))
+        row = self.solved(text)[-1]
+        self.assertAlmostEqual(row["reaction_held_xyz_z"], -2.0, 4)
+        code, said = self.imported(text)
+        self.assertIn("equations tie CUBE_2 to CUBE: interface", said)
+        self.assertNotIn("left out:", said)
+        code, said = self.imported(text.replace("0.25", "0.2"))
+        self.assertIn("*EQUATION: 12 of 12 equations", said)
+
+    def test_nodes_on_the_axis_of_revolution(self) -> None:
+        # A disk of quadratic elements, pulled along the axis on nodes of which some lie on it.
+        places = {(i, j): 1 + i + 5 * j for j in range(5) for i in range(5) if not (i % 2 and j % 2)}
+        nodes = "".join(f"{node}, {0.5 * i}, {0.5 * j}\n" for (i, j), node in places.items())
+        rows = "".join(f"{1 + i + 2 * j}, " + ", ".join(
+            str(places[2 * i + a, 2 * j + b]) for a, b in ((0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1))) + "\n"
+            for j in range(2) for i in range(2))
+        top, foot, axis = (",".join(str(places[each]) for each in places if each[at] == value)
+                           for at, value in ((1, 4), (1, 0), (0, 0)))
+        text = (f"*NODE\n{nodes}*ELEMENT,TYPE=CAX8,ELSET=CUBE\n{rows}{STEEL}*NSET,NSET=TOP\n{top}\n*NSET,NSET=FOOT\n{foot}\n"
+                f"*NSET,NSET=AXIS\n{axis}\n*BOUNDARY\nAXIS,1,1\nFOOT,2,2\n" + STEP.format("*BOUNDARY\nTOP,2,2,0.02\n"))
+        row = self.solved(text)[-1]
+        pulled = sum(value for name, value in row.items() if name.startswith("reaction_moved") and name.endswith("_y"))
+        self.assertAlmostEqual(pulled, 1000.0 * 0.01 * 3.141592653589793 * 4.0, 3)
+        # A point of the axis, inside of the disk, is a point, and holds a force.
+        middle = str(places[0, 2])
+        text = text.replace("*BOUNDARY\nTOP,2,2,0.02\n", f"*CLOAD\n{middle},2,7.\n")
+        row = self.solved(text)[-1]
+        held = sum(value for name, value in row.items() if name.startswith("reaction_held") and name.endswith("_y"))
+        self.assertAlmostEqual(held, -7.0, 3)
 
     def bar(self, vector: str, load: str) -> str:
         """Ten cubes in a row, held at both ends, with a pretension section in the middle."""
@@ -235,7 +382,7 @@ class Decks(unittest.TestCase):
         self.demand_refused("*INCLUDE,INPUT=none.inc\n" + PLAIN, "deck.inp:1", "none.inc")
 
     def test_nothing_is_dropped_in_silence(self) -> None:
-        text = PLAIN.replace("*STEP", "*EQUATION\n2\n1,1,1.,2,1,-1.\n*ELEMENT,TYPE=B31\n9,1,2\n*STEP,NLGEOM").replace(
+        text = PLAIN.replace("*STEP", "*EQUATION\n2\n5,1,1.,6,1,-1.\n*ELEMENT,TYPE=B31\n9,1,2\n*STEP,NLGEOM").replace(
             "*DENSITY", "*PLASTIC\n1., 0.\n*DENSITY").replace("*END STEP", "*TEMPERATURE\nALL, 20.\n*END STEP")
         code, said = self.imported(text)
         self.assertEqual(code, 0)

@@ -13,7 +13,8 @@ namespace harmos::mesh {
 /// Gives single nodes an area, for interfaces without faces.
 ///
 /// A node of the skin of the given pieces together has the sums of what FaceIntegrals gives it; an inner node the area
-/// V^(2/3) (in 2-D (V times depth)^(1/2)), V being its share of the volume, and no normal.
+/// V^(2/3) (in 2-D (V times depth)^(1/2) off the axis), V being its share of the volume, and no normal. A node whose
+/// faces all lie on the axis of revolution is an inner one.
 /// Both are split over the pieces that own the faces or elements around the node.
 class NodalWeights {
  public:

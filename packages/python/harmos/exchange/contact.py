@@ -6,7 +6,7 @@ import numpy
 from scipy.spatial import cKDTree
 
 from harmos.arrays import Array
-from harmos.exchange.mesh import Faces, Mesh, outer_faces
+from harmos.exchange.mesh import Faces, Mesh, codes, outer_faces
 
 NEIGHBOURS = 12
 """How many faces around the middle of one are looked at."""
@@ -64,6 +64,49 @@ def face_measures(mesh: Mesh, faces: Faces) -> tuple[Array, Array, Array, Array]
     count = (faces.corners >= 0).sum(axis=1)
     centre = numpy.where(faces.corners[:, :, None] >= 0, at, 0.0).sum(axis=1) / count[:, None]
     return at, centre, vector / numpy.maximum(area, 1e-300)[:, None], area
+
+
+def _outwards(mesh: Mesh, rows: Array) -> tuple[Array, Array]:
+    """Middles of sides, and their normals out of the elements, in whatever sense these are numbered."""
+    outer = outer_faces(mesh)
+    ours, wanted = codes(outer.rows(), rows)
+    chosen = outer.chosen(numpy.isin(ours, wanted))
+    _, centre, normal, _ = face_measures(mesh, chosen)
+    first, blocks = mesh.first_elements(), mesh.block_of(chosen.element)
+    inside = numpy.array([mesh.nodes[mesh.blocks[block].connectivity[element - first[block]]].mean(axis=0)
+                          for element, block in zip(chosen.element, blocks)]).reshape(-1, 3)
+    sense = numpy.sign(numpy.einsum("ij,ij->i", centre - inside, normal))
+    return centre, normal * sense[:, None]
+
+
+def face_each_other(mesh: Mesh, rows: Array, other_rows: Array) -> bool:
+    """Whether the outward normal of some side of one side set is against that of the nearest side of the other."""
+    centre, normal = _outwards(mesh, rows)
+    other_centre, other_normal = _outwards(mesh, other_rows)
+    if not len(centre) or not len(other_centre):
+        return True
+    nearest = cKDTree(other_centre).query(centre)[1]
+    return bool((numpy.einsum("ij,ij->i", normal, other_normal[nearest]) < 0.0).any())
+
+
+def lie_opposite(mesh: Mesh, rows: Array, other_rows: Array, reach: float) -> bool:
+    """Whether the middle of some side of one side set, seen along the normal of a side of the other, lies in that, within
+    `reach` times the longest edge of both; or the other way round."""
+    outer = outer_faces(mesh)
+    sides = [_surface(mesh, outer.chosen(numpy.isin(*codes(outer.rows(), each)))) for each in (rows, other_rows)]
+    if not all(len(each.area) for each in sides):
+        return False
+    longest = max(float(numpy.linalg.norm(each.corners - numpy.roll(each.corners, 1, axis=1), axis=2).max()) for each in sides)
+    for point, face in (sides, reversed(sides)):
+        count = min(NEIGHBOURS, len(face.centre))
+        near = cKDTree(face.centre).query(point.centre, k=count)[1].reshape(len(point.centre), count)
+        for column in range(count):
+            of = face.chosen(near[:, column])
+            gap = numpy.abs(numpy.einsum("ij,ij->i", point.centre - of.centre, of.normal))
+            along = numpy.abs(numpy.einsum("ij,ij->i", point.normal, of.normal)) >= -OPPOSITE
+            if (_is_above(point, of, mesh.dimension) & along & (gap <= reach * longest)).any():
+                return True
+    return False
 
 
 def _surface(mesh: Mesh, faces: Faces) -> _Surface:
@@ -125,6 +168,13 @@ def _lies_in(point: _Surface, face: _Surface, dimension: int) -> Array:
     gap = numpy.einsum("ij,ij->i", offset, face.normal)
     lies: Array = (numpy.abs(gap) <= GAP * numpy.maximum(point.length, face.length)) & (
         numpy.einsum("ij,ij->i", point.normal, face.normal) <= OPPOSITE)
+    return lies & _is_above(point, face, dimension)
+
+
+def _is_above(point: _Surface, face: _Surface, dimension: int) -> Array:
+    """Whether the middle of a face, seen along the normal of another one, lies in that."""
+    gap = numpy.einsum("ij,ij->i", point.centre - face.centre, face.normal)
+    above: Array = numpy.ones(len(gap), dtype=bool)
     foot = point.centre - gap[:, None] * face.normal
     width = 4 if dimension == 3 else 2
     slack = 1e-6 * face.length
@@ -136,5 +186,5 @@ def _lies_in(point: _Surface, face: _Surface, dimension: int) -> Array:
             length = numpy.maximum(numpy.linalg.norm(along, axis=1), 1e-300)
         else:
             inwards, length = along, numpy.maximum(numpy.linalg.norm(along, axis=1), 1e-300)
-        lies &= numpy.einsum("ij,ij->i", foot - start, inwards) >= -slack * length
-    return lies
+        above &= numpy.einsum("ij,ij->i", foot - start, inwards) >= -slack * length
+    return above

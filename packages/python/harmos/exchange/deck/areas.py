@@ -77,7 +77,8 @@ def nodal_areas(mesh: Mesh, faces: Faces, thickness: float, is_revolved: bool) -
 
 def inner_areas(mesh: Mesh, block_numbers: list[int], thickness: float, is_revolved: bool) -> Array:
     """For every node of some blocks its share of the volume of their elements to the power 2/3 [area], in the plane the
-    root of its share of their area times the depth: what the program takes for nodes inside of a part."""
+    root of its share of their area times the depth, unless that is 0: what the program takes for nodes inside of a part,
+    and for those on the axis of revolution whose faces all lie on it."""
     volume = numpy.zeros(len(mesh.nodes))
     for number in block_numbers:
         block = mesh.blocks[number]
@@ -100,5 +101,5 @@ def inner_areas(mesh: Mesh, block_numbers: list[int], thickness: float, is_revol
         result: Array = volume ** (2.0 / 3.0)
         return result
     depth = 2 * numpy.pi * mesh.nodes[:, 0] if is_revolved else numpy.full(len(mesh.nodes), thickness)
-    inside: Array = numpy.sqrt(numpy.abs(volume * depth))
+    inside: Array = numpy.where(depth > 0.0, numpy.sqrt(numpy.abs(volume * depth)), volume ** (2.0 / 3.0))
     return inside

@@ -217,6 +217,8 @@ class Contents:
             nodes = numpy.zeros((len(ids), 0), dtype=numpy.int64)
         else:
             if len(flat) % (width + 1):
+                flat = self._one_per_line(card, width)
+            if len(flat) % (width + 1):
                 raise Refused(f"{card.place}: *ELEMENT of type {kind}: {len(flat)} numbers are no multiple of "
                               f"{width + 1}, an element with its {width} nodes; the deck is truncated or damaged.")
             rows_of = flat.reshape(-1, width + 1)
@@ -225,6 +227,17 @@ class Contents:
         name = card.get("ELSET")
         self.elements.append(ElementTable(kind, ids, nodes, scope.prefix + card.parameters["ELSET"] if name else "", card))
         self._add(self.element_sets, name, scope, ids)
+
+    def _one_per_line(self, card: Card, width: int) -> Array:
+        """Elements that have more nodes in their lines than their type, as the last nodes of incompatible modes in
+        CalculiX: those of the type count. All numbers, where lines are shorter."""
+        rows = [[word for word in words if word] for words in card.rows()]
+        if min(map(len, rows)) <= width:
+            return card.flat().astype(numpy.int64)
+        self._findings.leave_out(card.place, f"*ELEMENT, TYPE={card.get('TYPE')}, more than {width} nodes",
+                                 "the further numbers of its lines")
+        return numpy.array([int(card.number(word, row)) for row, words in enumerate(rows) for word in words[:width + 1]],
+                           dtype=numpy.int64)
 
     def _listed(self, card: Card, sets: dict[str, list[Array]], scope: Scope) -> list[Array]:
         """Ids that the data of a set name, by numbers, ranges and other sets."""
@@ -272,8 +285,15 @@ class Contents:
         if kind not in ("ELEMENT", "NODE"):
             self._findings.leave_out(card.place, f"*SURFACE, TYPE={kind}", "what refers to this surface is left out")
             return
-        if name in self.surfaces:
-            raise Refused(f"{card.place}: the surface \"{name}\" is also at {self.surfaces[name].card.place}; rename one.")
+        known = self.surfaces.get(name)
+        if known is not None and known.of_nodes != (kind == "NODE"):
+            nodes, faces = (card, known.card) if kind == "NODE" else (known.card, card)
+            self._findings.leave_out(nodes.place, f"*SURFACE {name}, TYPE=NODE", f"what refers to it means the faces of the same "
+                                     f"name, {faces.place}")
+            if kind == "NODE":
+                return
+        elif known is not None:
+            raise Refused(f"{card.place}: the surface \"{name}\" is also at {known.card.place}; rename one.")
         rows: list[tuple[Array, str]] = []
         sets = self.node_sets if kind == "NODE" else self.element_sets
         inside = self._scope(card, scope)

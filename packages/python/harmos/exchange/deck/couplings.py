@@ -12,6 +12,9 @@ from harmos.exchange.findings import Findings, Refused, names_there
 from harmos.exchange.mesh import clean_name, unused_name
 from harmos.exchange.scene import SceneList
 
+ON_ONE_LINE = 1e-6
+"""Width of nodes over their largest coordinate up to which they lie on one line."""
+
 _HELD = ("X", "Y", "Z", "Rotation X", "Rotation Y", "Rotation Z")
 _FORCES = ("Force X", "Force Y", "Force Z", "Moment X", "Moment Y", "Moment Z")
 
@@ -106,9 +109,19 @@ class Couplings:
         if len(parts) != 1:
             self._findings.leave_out(card.place, "*RIGID BODY", "of nodes of several parts, or of none: it is elastic")
             return
+        if not self._turn(nodes):
+            self._findings.leave_out(card.place, "*RIGID BODY", "of nodes on one line, which have no rotation about it: they move as "
+                                     "they like, and what acts on its reference nodes is left out")
+            return
         rotation = self._id(card, "ROTNODE") if "ROTNODE" in card.parameters else None
         node = self._id(card, "REFNODE")
         self._add(Coupling(card, card.parameters["NSET"], self._point(node), True, None, nodes), node, rotation)
+
+    def _turn(self, nodes: Array) -> bool:
+        """Whether nodes can be turned about every axis: in space those on one line cannot."""
+        at = self._solids.mesh.nodes[nodes]
+        spread = numpy.linalg.svd(at - at.mean(axis=0), compute_uv=False)
+        return bool(spread[self._solids.mesh.dimension - 2] > ON_ONE_LINE * max(float(numpy.abs(at).max()), 1e-300))
 
     def _id(self, card: Card, parameter: str) -> int:
         word = card.get(parameter)

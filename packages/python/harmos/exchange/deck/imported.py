@@ -8,6 +8,7 @@ from harmos.exchange.deck.cards import Card, read_cards
 from harmos.exchange.deck.contents import Contents
 from harmos.exchange.deck.couplings import Couplings
 from harmos.exchange.deck.curves import Histories
+from harmos.exchange.deck.equations import Equations
 from harmos.exchange.deck.joints import Joints
 from harmos.exchange.deck.loads import OUTPUT, LoadReader, LoadWriter
 from harmos.exchange.deck.materials import Material, read_materials, write_material
@@ -19,12 +20,11 @@ from harmos.exchange.scene import SceneList
 
 _KNOWN = {"HEADING", "NODE", "ELEMENT", "NSET", "ELSET", "SURFACE", "MATERIAL", "ELASTIC", "DENSITY", "SOLIDSECTION",
           "ORIENTATION", "TIE", "CONTACTPAIR", "SURFACEINTERACTION", "FRICTION", "SURFACEBEHAVIOR", "PRE-TENSIONSECTION",
-          "BOUNDARY", "COUPLING", "KINEMATIC", "DISTRIBUTING", "RIGIDBODY", "AMPLITUDE", "TRANSFORM", "PREPRINT", "PLASTIC",
+          "BOUNDARY", "COUPLING", "KINEMATIC", "DISTRIBUTING", "RIGIDBODY", "EQUATION", "AMPLITUDE", "TRANSFORM", "PREPRINT", "PLASTIC",
           "CREEP", "EXPANSION", "CONDUCTIVITY",
           "SPECIFICHEAT", "HYPERELASTIC", "HYPERFOAM", "DAMPING", "CONTACTDAMPING", "GAPCONDUCTANCE", *OUTPUT}
 
 _EFFECTS = {
-    "EQUATION": "nodes that it ties move as they like",
     "MPC": "nodes that it ties move as they like",
     "DISTRIBUTINGCOUPLING": "the load of its reference point is left out",
     "INITIALCONDITIONS": "initial temperatures, stresses or velocities are left out",
@@ -65,10 +65,12 @@ def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> Im
     scene.child("Mesh").set("Type", "Exodus").set("File", mesh_file)
     names = _write_parts(scene, contents, solids, materials, findings)
     couplings = Couplings(contents, solids, findings)
-    loads = LoadReader(contents, solids, materials, couplings, findings).read()
+    equations = Equations(contents, solids, findings)
+    loads = LoadReader(contents, solids, materials, couplings, equations.nodes(), findings).read()
+    ties = equations.apply(loads.held)
     histories = Histories(scene)
     joints = Joints(contents, solids, scene, findings)
-    joints.write(histories, loads.preloads)
+    joints.write(histories, loads.preloads, ties)
     writer = LoadWriter(solids, scene, histories, thickness, findings)
     writer.write(loads)
     coupled = couplings.write(scene, histories)
@@ -173,7 +175,8 @@ def _hold_what_nothing_touches(scene: SceneList, solids: Solids, touched: set[st
         if name in touched:
             continue
         side_set = unused_name(f"{clean_name(name)}_surface", {**mesh.side_sets, **mesh.node_sets})
-        mesh.side_sets[side_set] = faces.chosen(part == number).rows()
+        off_axis = (mesh.nodes[faces.corners, 0] > 0.0).any(axis=1) | (solids.family != "CAX")
+        mesh.side_sets[side_set] = faces.chosen((part == number) & off_axis).rows()
         boundaries = scene.child("Boundaries").comment(
             f"TO DECIDE: nothing holds {name}; this load of 0 on its whole surface stands for what does.")
         boundary = boundaries.child(unused_name(side_set, set(boundaries.names())))

@@ -1,5 +1,6 @@
 """Interfaces of a deck: ties, contact pairs, pretension sections, and parts that share nodes."""
 import itertools
+from collections.abc import Callable
 
 import numpy
 
@@ -7,13 +8,18 @@ from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents
 from harmos.exchange.deck.curves import Histories
+from harmos.exchange.deck.equations import Tie
+from harmos.exchange.deck.interactions import Interactions
 from harmos.exchange.deck.loads import Preload
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.findings import Findings, Refusals, Refused, names_there
-from harmos.exchange.contact import face_measures
+from harmos.exchange.contact import face_each_other, face_measures, lie_opposite
 from harmos.exchange.mesh import FORBIDDEN, clean_name, codes, outer_faces, unused_name
 from harmos.exchange.scene import SceneList
 from harmos.exchange.sides import split_by_part
+
+TIE_REACH = 0.1
+"""Distance up to which tied surfaces are joined, over the longest edge of both: that of the program."""
 
 
 class Joints:
@@ -29,68 +35,50 @@ class Joints:
         self._contents, self._solids, self._scene, self._findings = contents, solids, scene, findings
         self.joined: set[frozenset[str]] = set()
         self.has_contact = False
-        self._interactions = self._read_interactions()
+        self._interactions = Interactions(contents.model, findings)
 
-    def _read_interactions(self) -> dict[str, list[Card]]:
-        result: dict[str, list[Card]] = {}
-        current = ""
-        for card in self._contents.model:
-            if card.keyword in ("SURFACEINTERACTION",):
-                current = card.get("NAME")
-                result[current] = [card]
-            elif card.keyword in ("FRICTION", "SURFACEBEHAVIOR", "CONTACTDAMPING", "GAPCONDUCTANCE") and current:
-                result[current].append(card)
-            elif card.keyword not in ("FRICTION", "SURFACEBEHAVIOR"):
-                current = ""
-        return result
-
-    def write(self, histories: Histories, preloads: dict[int, Preload]) -> None:
-        """All of them; `preloads`: by reference node."""
+    def write(self, histories: Histories, preloads: dict[int, Preload], ties: list[Tie]) -> None:
+        """All of them; `preloads`: by reference node; `ties`: of equations."""
         refusals = Refusals()
         for card in self._contents.model:
             with refusals.collect():
                 if card.keyword == "TIE":
-                    self._pairs(card, "tie", lambda law: law.set("Type", "Perfect"))
+                    self._tie(card)
                 elif card.keyword == "CONTACTPAIR":
                     self._contact(card)
                 elif card.keyword == "PRE-TENSIONSECTION":
                     self._pretension(card, histories, preloads)
         refusals.raise_if_any()
+        for tie in ties:
+            self._equal_motions(tie)
         self._shared_nodes()
 
-    def _contact(self, card: Card) -> None:
-        name = card.get("INTERACTION")
-        if name not in self._interactions:
-            raise Refused(f"{card.place}: there is no *SURFACE INTERACTION \"{name}\". {names_there(name, self._interactions)}")
-        friction = 0.0
-        for other in self._interactions[name][1:]:
-            if other.keyword == "FRICTION" and other.data:
-                words = other.rows()[0]
-                friction = other.number(words[0], 0)
-                if len(words) > 1 and words[1]:
-                    self._findings.leave_out(other.place, "*FRICTION, stick slope",
-                                             "sticking is without slip; the deck lets surfaces slide by traction / slope")
-            elif other.keyword == "SURFACEBEHAVIOR":
-                kind = other.get("PRESSURE-OVERCLOSURE") or "HARD"
-                if kind != "HARD":
-                    self._findings.leave_out(other.place, f"*SURFACE BEHAVIOR, {kind}",
-                                             "contact is hard; the deck lets surfaces overlap by pressure / slope")
-            else:
-                self._findings.leave_out(other.place, f"*{other.keyword}", "this property of the contact")
-        if not self._pairs(card, "contact", lambda law: self._contact_law(law, friction)):
+    def _tie(self, card: Card) -> None:
+        if "CYCLICSYMMETRY" in card.parameters:
+            self._findings.leave_out(card.place, "*TIE, CYCLIC SYMMETRY", "a sector is not joined to its copies: its cuts are free")
             return
-        self.has_contact = True
+        self._pairs(card, "tie", lambda law: law.set("Type", "Perfect"))
 
-    @staticmethod
-    def _contact_law(law: SceneList, friction: float) -> None:
-        if friction > 0.0:
-            law.set("Type", "Coulomb Friction").set("Friction Coefficient", friction)
-        else:
-            law.set("Type", "Unilateral Contact")
+    def _equal_motions(self, tie: Tie) -> None:
+        if frozenset(tie.parts) in self.joined:
+            return
+        name = unused_name("_".join(tie.parts), set(self._scene.child("Interfaces").names()))
+        interface = self._scene.child("Interfaces").child(name)
+        for side, (own, other, faces) in enumerate(zip(tie.parts, reversed(tie.parts), tie.sides), 1):
+            interface.set(f"Side {side}", self.add_side_set(f"{own}_on_{other}", faces))
+        interface.child("Law").set("Type", "Perfect")
+        self.joined.add(frozenset(tie.parts))
+        self._findings.found.append(f"{tie.card.place}: equations tie {tie.parts[0]} to {tie.parts[1]}: interface {name}")
 
-    def _pairs(self, card: Card, word: str, write_law: "object") -> int:
+    def _contact(self, card: Card) -> None:
+        interaction = self._interactions.find(card)
+        if "ADJUST" in card.parameters:
+            self._findings.leave_out(card.place, "*CONTACT PAIR, ADJUST", "no node is moved: gaps are those of the mesh")
+        if self._pairs(card, "contact", interaction.write):
+            self.has_contact |= interaction.may_open
+
+    def _pairs(self, card: Card, word: str, write_law: Callable[[SceneList], object]) -> int:
         """An interface for each line with two surfaces and each pair of parts on them; how many."""
-        assert callable(write_law)
         count = 0
         for row, words in enumerate(card.rows()):
             if len(words) < 2 or not words[1]:
@@ -99,11 +87,20 @@ class Joints:
             slave, master = (self._surface(each, card, row) for each in words[:2])
             pieces = list(itertools.product(split_by_part(self._solids.mesh, slave).items(),
                                             split_by_part(self._solids.mesh, master).items()))
-            near = [(one, other) for one, other in pieces if one[0] != other[0]
-                    and (len(pieces) == 1 or self._is_near(one[1], other[1]))]
+            reach = TIE_REACH if word == "tie" else 1.0
+            mesh = self._solids.mesh
+            near, why = [], "contact of a part with itself, or of surfaces that no solid has"
+            for (part, rows), (other_part, other_rows) in pieces:
+                if part == other_part:
+                    continue
+                if not lie_opposite(mesh, rows, other_rows, reach):
+                    why = f"no face of {words[0]} lies opposite one of {words[1]} nearer than {reach:g} of the longest edge"
+                elif not face_each_other(mesh, rows, other_rows):
+                    why = f"{words[0]} and {words[1]} look the same way: {part} and {other_part} overlap"
+                else:
+                    near.append(((part, rows), (other_part, other_rows)))
             if not near:
-                self._findings.leave_out(card.place_of(row), f"*{card.keyword}", "contact of a part with itself, or of "
-                                         "surfaces that no solid has")
+                self._findings.leave_out(card.place_of(row), f"*{card.keyword}", why)
             for (part, rows), (other_part, other_rows) in near:
                 base = clean_name(f"{words[0]}_{words[1]}".lower()) if len(near) == 1 else f"{part}_{other_part}"
                 name = unused_name(base, set(self._scene.child("Interfaces").names()))
@@ -134,19 +131,6 @@ class Joints:
         if not len(rows):
             self._findings.leave_out(surface.card.place, f"*SURFACE {name}", "no solid has a face on it")
         return rows
-
-    def _is_near(self, rows: Array, other: Array) -> bool:
-        """Whether the boxes of both meet, with half of their size around."""
-        boxes = []
-        for each in (rows, other):
-            mesh = self._solids.mesh
-            first, blocks = mesh.first_elements(), mesh.block_of(each[:, 0])
-            nodes = numpy.concatenate([mesh.blocks[b].connectivity[e - first[b], list(mesh.blocks[b].type.sides[s])]
-                                       for (e, s), b in zip(each, blocks)])
-            at = mesh.nodes[nodes]
-            boxes.append((at.min(axis=0), at.max(axis=0)))
-        margin = 0.25 * max(float(numpy.max(high - low)) for low, high in boxes)
-        return bool((boxes[0][0] <= boxes[1][1] + margin).all() and (boxes[1][0] <= boxes[0][1] + margin).all())
 
     def _pretension(self, card: Card, histories: Histories, preloads: dict[int, Preload]) -> None:
         surface = self._contents.surfaces.get(card.get("SURFACE"))

@@ -80,10 +80,12 @@ class LoadReader:
     """Follows the steps of a deck."""
 
     def __init__(self, contents: Contents, solids: Solids, materials: dict[str, Material], couplings: Couplings,
-                 findings: Findings) -> None:
-        """Keeps all of them; what acts on reference nodes is added to the couplings."""
+                 joined: set[int], findings: Findings) -> None:
+        """Keeps all of them; what acts on reference nodes is added to the couplings. `joined`: nodes (indices in the mesh)
+        of equations, which may be held without belonging to a solid."""
         self._contents, self._solids, self._materials, self._findings = contents, solids, materials, findings
         self._couplings = couplings
+        self._holdable = numpy.union1d(solids.used_nodes(), numpy.array(sorted(joined), dtype=numpy.int64))
         self._scope = Scope()
         self._loads = Loads()
         self._refusals = Refusals()
@@ -153,7 +155,7 @@ class LoadReader:
                     self._force(card, span, at_once)
                 elif card.keyword in ("DLOAD", "DSLOAD"):
                     self._distributed(card, span, at_once)
-                elif card.keyword == "TEMPERATURE" and "FILE" not in card.parameters:
+                elif card.keyword == "TEMPERATURE":
                     self._temperature(card, span, at_once)
                 elif card.keyword not in OUTPUT and card is not static:
                     self._findings.leave_out(card.place, f"*{card.keyword}", "without effect on the scene")
@@ -260,7 +262,10 @@ class LoadReader:
 
     def _hold(self, card: Card, row: int, ids: Array, components: list[int], span: Span, value: float,
               amplitude: "Points | None", at_once: bool) -> None:
-        nodes = self._solids.nodes(ids)
+        known = self._contents.node_ids
+        at = numpy.minimum(numpy.searchsorted(known, ids), len(known) - 1)
+        at = at[known[at] == ids]
+        nodes = at[numpy.isin(at, self._holdable)]
         left = len(ids) - len(nodes) - len(self._preload_nodes & set(ids.tolist()))
         if left:
             self._findings.leave_out(card.place_of(row), "*BOUNDARY", f"{left} of its nodes belong to no solid")
@@ -315,6 +320,10 @@ class LoadReader:
         if span is not None and not any(material.expansion for material in self._materials.values()):
             self._findings.leave_out(card.place, "*TEMPERATURE", "no material expands: it has no effect")
             return
+        for switch in ("SUBMODEL", "USER", "FILE", "BSTEP"):
+            if switch in card.parameters:
+                self._findings.leave_out(card.place, f"*{card.keyword}, {switch}", "temperatures that stand elsewhere")
+                return
         amplitude = self._amplitude(card, span) if span is not None else None
         for row, words in enumerate(card.rows()):
             if len(words) < 2:
@@ -550,6 +559,9 @@ class LoadWriter:
         mesh = self._solids.mesh
         chosen = self._part_of_face == part
         areas = self._areas(chosen)
+        if self._solids.family == "CAX":
+            # What lies on the axis is inside of the part.
+            chosen = chosen & (mesh.nodes[self._outer.corners, 0] > 0.0).any(axis=1)
         faces = self._outer.chosen(chosen)
         blocks = list(mesh.parts().values())[part]
         on_surface = numpy.isin(numpy.arange(len(mesh.nodes)), self._nodes_of(faces.element, faces.side))

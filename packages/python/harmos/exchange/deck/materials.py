@@ -78,7 +78,12 @@ def _elastic(card: Card, findings: Findings) -> dict[str, float]:
         return dict(zip(names, (float(number) for number in numbers)))
     if kind in ("ORTHO", "ORTHOTROPIC") and len(numbers) >= 9:
         a, b, c, d, e, f = (float(number) for number in numbers[:6])
-        compliance = numpy.linalg.inv(numpy.array([[a, b, d], [b, c, e], [d, e, f]]))
+        stiffness = numpy.array([[a, b, d], [b, c, e], [d, e, f]])
+        if not numpy.linalg.eigvalsh(stiffness).min() > 0.0:
+            findings.leave_out(card.place, f"*ELASTIC, TYPE={kind}", "this elasticity has no stiffness in some direction; the "
+                               "material has to be given anew")
+            return {}
+        compliance = numpy.linalg.inv(stiffness)
         young = 1.0 / numpy.diag(compliance)
         return {"Young's Modulus 1": float(young[0]), "Young's Modulus 2": float(young[1]),
                 "Young's Modulus 3": float(young[2]), "Poisson's Ratio 12": float(-compliance[1, 0] * young[0]),

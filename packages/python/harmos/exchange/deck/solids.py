@@ -241,11 +241,15 @@ class Solids:
         known = self._contents.node_ids
         at = numpy.minimum(numpy.searchsorted(known, ids), len(known) - 1)
         at = at[known[at] == ids]
+        found: Array = at[numpy.isin(at, self.used_nodes())]
+        return found
+
+    def used_nodes(self) -> Array:
+        """Indices of all nodes that solids have."""
         used = numpy.zeros(len(self.mesh.nodes), dtype=bool)
         for block in self.mesh.blocks:
             used[block.connectivity] = True
-        found: Array = at[used[at]]
-        return found
+        return numpy.flatnonzero(used)
 
     def parts_of(self, nodes: Array) -> set[str]:
         """Names of the parts that have one of these nodes, given by their indices."""
