@@ -233,6 +233,7 @@ class Decks(unittest.TestCase):
             code, said = self.imported(changed)
             self.assertEqual(code, 0, said)
             self.assertIn("deck.inp:24: *EQUATION: 4 of 4 equations", said)
+        shutil.rmtree(work / "out")
         self.demand_refused(text.replace("1.,99,3", "1.,98,3") + STEP.format(""), "deck.inp:26", "node 98 is nowhere")
         self.demand_refused(text.replace("8,3,2.\n", "8,3\n") + STEP.format(""), "*EQUATION takes")
 
