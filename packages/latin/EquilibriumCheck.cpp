@@ -116,10 +116,11 @@ std::string describe(const Imbalance& imbalance, const assembly::Assembly& assem
 }
 
 std::string describeLack(const Imbalance& imbalance, const assembly::Assembly& assembly, bool hasForces) {
-  return "the interface laws cannot carry the loads; " + describe(imbalance, assembly) +
-         (hasForces ? "; forces within the friction of the interfaces would balance the loads, but no path leads to "
-                      "pressures that are high enough"
-                    : "");
+  const std::string why = hasForces
+                              ? "forces within the friction of the interfaces would balance the loads, but no path "
+                                "leads to pressures that are high enough; "
+                              : "the interface laws cannot carry the loads; ";
+  return why + describe(imbalance, assembly);
 }
 
 }  // namespace harmos::latin

@@ -14,9 +14,9 @@ namespace harmos::latin {
 /// search direction below 0.01 it does not look.
 class EquilibriumWatch {
  public:
-  /// Imbalances below `accuracy` (relative, see Imbalance) do not count. `isSure` is asked on every rank whether there
-  /// is an equilibrium at a column of the state: then no lack of it is found; may be empty. `canMove`: flags of the
-  /// bodies that may be followed, for one that is fixed lacks what another one does not get; empty: all.
+  /// Imbalances below a tenth of `accuracy` (relative, see Imbalance) do not count. `isSure` is asked on every rank
+  /// whether there is an equilibrium at a column of the state: then no lack of it is found; may be empty. `canMove`:
+  /// flags of the bodies that may be followed, for one that is fixed lacks what another one does not get; empty: all.
   explicit EquilibriumWatch(double accuracy, std::function<bool(int)> isSure = {}, std::vector<bool> canMove = {})
       : accuracy_(accuracy), isSure_(std::move(isSure)), canMove_(std::move(canMove)) {}
 
