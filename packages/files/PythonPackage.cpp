@@ -71,6 +71,45 @@ class Redirection {
   int memory_ = -1;
 };
 
+/// Of a script that listens to signals which this process may have blocked.
+class Attributes {
+ public:
+  Attributes() {
+    ::posix_spawnattr_init(&attributes_);
+    ::sigset_t none;
+    ::sigemptyset(&none);
+    ::posix_spawnattr_setsigmask(&attributes_, &none);
+    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK);
+  }
+  ~Attributes() { ::posix_spawnattr_destroy(&attributes_); }
+  Attributes(const Attributes&) = delete;
+  Attributes& operator=(const Attributes&) = delete;
+
+  const ::posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  ::posix_spawnattr_t attributes_{};
+};
+
+constexpr std::chrono::milliseconds betweenLooks{5};
+// After which a script that was asked to end is ended.
+constexpr std::chrono::milliseconds patience{600};
+
+/// Lets a script remove what it was writing.
+void end(::pid_t child) {
+  ::kill(child, SIGTERM);
+  const auto latest = std::chrono::steady_clock::now() + patience;
+  int status = 0;
+  while (::waitpid(child, &status, WNOHANG) == 0) {
+    if (std::chrono::steady_clock::now() > latest) {
+      ::kill(child, SIGKILL);
+      ::waitpid(child, &status, 0);
+      return;
+    }
+    std::this_thread::sleep_for(betweenLooks);
+  }
+}
+
 }  // namespace
 
 ScriptEnd runPythonPackage(std::vector<std::string> words, const std::function<bool()>& interrupted, bool keepsErrors) {
@@ -80,17 +119,18 @@ ScriptEnd runPythonPackage(std::vector<std::string> words, const std::function<b
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const Redirection redirection(keepsErrors);
+  const Attributes attributes;
   ::pid_t child = 0;
-  const int failure = ::posix_spawnp(&child, arguments[0], redirection.actions(), nullptr, arguments.data(), environ);
+  const int failure =
+      ::posix_spawnp(&child, arguments[0], redirection.actions(), attributes.get(), arguments.data(), environ);
   if (failure != 0) throw base::Error("Cannot start " + words[0] + ": " + std::strerror(failure) + ".");
   int status = 0;
   while (::waitpid(child, &status, WNOHANG) == 0) {
     if (interrupted && interrupted()) {
-      ::kill(child, SIGKILL);
-      ::waitpid(child, &status, 0);
+      end(child);
       return {130, {}};
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(betweenLooks);
   }
   if (WIFEXITED(status)) return {WEXITSTATUS(status), redirection.text()};
   throw base::Error("\"harmos " + verb + "\" was not finished: Python ended by a signal (" +

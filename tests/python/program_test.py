@@ -83,6 +83,24 @@ class Program(unittest.TestCase):
             harmos.run("scene.xml", self.output)
         self.assertEqual(caught.exception.result.status, "not converged")
 
+    def test_what_an_earlier_run_has_left_is_no_result(self) -> None:
+        with self.environment(WRITTEN=CERTIFIED):
+            self.assertTrue(harmos.run("scene.xml", self.output).is_certified)
+        for code, kind in ((3, harmos.NotConverged), (4, harmos.NoEquilibrium), (130, harmos.Interrupted)):
+            with self.environment(CODE=str(code)), self.assertRaises(kind) as caught:
+                harmos.run("scene.xml", self.output)
+            self.assertIsNone(caught.exception.result)
+        with self.environment(), self.assertRaises(harmos.HarmosError):
+            harmos.run("scene.xml", self.output)
+
+    def test_no_processes_are_no_number_of_ranks(self) -> None:
+        with self.environment(WRITTEN=CERTIFIED):
+            for ranks in (0, -1):
+                with self.assertRaisesRegex(ValueError, f"ranks.*{ranks}"):
+                    harmos.run("scene.xml", self.output, ranks=ranks)
+            with self.assertRaises(TypeError):
+                harmos.run("scene.xml", self.output, ranks=1.5)  # type: ignore[arg-type]
+
     def test_that_ends_without_a_word_is_an_error_as_well(self) -> None:
         with self.environment(CODE="7"), self.assertRaisesRegex(harmos.HarmosError, "exit code 7"):
             harmos.run("scene.xml", self.output)

@@ -58,6 +58,32 @@ class Scenes(unittest.TestCase):
         self.assertIn('name="n" type="int" value="3"', text)
         self.assertIn('name="v" type="Array(double)" value="{1.5, 2}"', text)
 
+    def test_what_no_entry_may_hold_is_refused_with_its_path(self) -> None:
+        for value in (None, object(), {1, 2}, b"x", 1j, [1, "a"], numpy.eye(2), (each for each in (1, 2))):
+            scene = harmos.Scene("a", {"Law": {"X": value}})
+            with self.assertRaisesRegex(TypeError, "^Law/X: .*neither text nor a number"):
+                scene.xml()
+        with self.assertRaisesRegex(TypeError, "neither text nor a number"):
+            value_text(None)  # type: ignore[arg-type]
+
+    def test_paths_are_text(self) -> None:
+        text = harmos.Scene("a", {"File": pathlib.Path("b/m.e"), "Plugins": [pathlib.Path("p.so")]}).xml()
+        self.assertIn('name="File" type="string" value="b/m.e"', text)
+        self.assertIn('name="Plugins" type="Array(string)" value="{p.so}"', text)
+
+    def test_names_are_those_of_files(self) -> None:
+        for name in ("", "a/b", "../a"):
+            with self.assertRaisesRegex(ValueError, "without folder"):
+                harmos.Scene(name)
+
+    def test_name_their_plugins_wherever_they_are_written(self) -> None:
+        (self.folder / "laws.so").touch()
+        scene = harmos.Scene("a", {"Plugins": ["laws.so", "/else/more.so"]}, self.folder)
+        elsewhere = self.folder / "results"
+        elsewhere.mkdir()
+        self.assertEqual(harmos.read_scene(scene.write(elsewhere / "a.xml"))["Plugins"],
+                         [str(self.folder / "laws.so"), "/else/more.so"])
+
     def test_name_their_files_wherever_they_are_written(self) -> None:
         (self.folder / "m.e").touch()
         scene = harmos.Scene("a", CONTENT, self.folder)
@@ -77,7 +103,8 @@ class Scenes(unittest.TestCase):
 
     def test_values_are_written_as_on_the_command_line(self) -> None:
         for value, text in ((True, "true"), (0.1, "0.1"), (3, "3"), ([1, 2.5], "{1, 2.5}"), (["a", "b"], "{a, b}"),
-                            ("$mu", "$mu"), (1e-9, "1e-09")):
+                            ("$mu", "$mu"), (1e-9, "1e-09"), (numpy.float32(0.5), "0.5"), (numpy.int64(3), "3"),
+                            (pathlib.Path("a/b"), "a/b"), (numpy.array([1.0, 2.5]), "{1, 2.5}"), ((1, 2), "{1, 2}")):
             self.assertEqual(value_text(value), text)  # type: ignore[arg-type]
 
 

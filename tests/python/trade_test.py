@@ -11,6 +11,7 @@ from harmos.trade.limits import limit_of
 
 SCENE = """<ParameterList name="Harmos">
   <!-- kept -->
+  <Parameter name="Plugins" type="Array(string)" value="{{laws/a.so, /else/b.so}}"/>
   <ParameterList name="Mesh"><Parameter name="Type" type="string" value="{type}"/>
     <Parameter name="File" type="string" value="meshes/a.e"/></ParameterList>
   <ParameterList name="Parts"><ParameterList name="a"/><ParameterList name="b"/></ParameterList>
@@ -88,6 +89,7 @@ class DocumentTest(unittest.TestCase):
         self.assertEqual(written.value("Steps/s/Increments", "none"), "none")
         self.assertEqual((target.parent / written.value("Mesh/File", "")).resolve(),
                          (self.folder / "meshes" / "a.e").resolve())
+        self.assertEqual(written.value("Plugins", ""), "{../../laws/a.so, /else/b.so}")
         self.assertIn("<!-- kept -->", target.read_text())
 
     def test_changes_of_a_study_win_over_its_overrides(self) -> None:

@@ -9,8 +9,10 @@ import csv
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
+import time
 
 import h5py
 
@@ -65,7 +67,8 @@ with h5py.File(f"{base}.h5") as file:
 demand("<img" in pathlib.Path(f"{base}.html").read_text(), "the page has no picture")
 demand(not [path for path in folder.iterdir() if path.name.startswith(".trade")], "runs were left behind")
 
-for words, message in ((("--budget", "5"), "--budget"), (("--targets", "1"), "--targets"), (("--memory", "8"), "--memory"),
+for words, message in ((("--budget", "5"), "--budget"), (("--budget", "1e400s"), "--budget"), (("--budget", "1.2.3s"), "--budget"),
+                       (("--targets", "1"), "--targets"), (("--memory", "8"), "--memory"),
                        (("--responses", "w"), "there are u, v")):
     end = run("trade", scene, "--output", folder / "refused", *words)
     demand(end.returncode == 2 and message in end.stderr and not os.path.exists(folder / "refused"), f"{words}: {end.stderr}")
@@ -83,3 +86,24 @@ slipping.write_text(scene.read_text().replace('name="X" type="double" value="0.2
 end = run("trade", slipping, "--output", folder / "slipping", "--budget", "20s", "--targets", "5%")
 demand(end.returncode == 3 and "no settings" in end.stdout and not list((folder / "slipping").glob("*within*")),
        end.stdout + end.stderr)
+
+# Interrupted in the middle: what an earlier trade has written stays, nothing of this one is left, and nothing runs on.
+kept = {path: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+cut = subprocess.Popen([harmos, "trade", str(scene), "--output", str(folder), "--budget", "1h", "--targets", "2%"],
+                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+for line in cut.stderr:
+    if "certified" in line:
+        break
+time.sleep(0.1)
+cut.send_signal(signal.SIGTERM)
+demand(cut.wait(timeout=10) == 130, f"a trade that was interrupted ends with {cut.returncode}")
+demand({path: path.read_bytes() for path in folder.iterdir() if path.is_file()} == kept, "half a trade is left")
+demand(not [path for path in folder.iterdir() if path.name.startswith(".trade")], "runs of half a trade are left")
+
+# A new trade replaces the old one, with settings for targets that this one has none for.
+old = folder / "slipping" / "slipping_within_5_percent.xml"
+old.write_text("<!-- settings of harmos trade for errors below 5 % in every response: x -->\n")
+own = folder / "slipping" / "slipping_within_2_percent.xml"
+own.write_text("<!-- mine -->\n")
+end = run("trade", slipping, "--output", folder / "slipping", "--budget", "5s", "--targets", "5%")
+demand(end.returncode == 3 and not old.exists() and own.exists(), "settings of an older trade are left")

@@ -8,6 +8,7 @@
 
 What goes wrong is an exception with the exit code and the messages of the program: HarmosError and those below it.
 """
+import operator
 import os
 import pathlib
 import shutil
@@ -83,15 +84,18 @@ def run(scene: "Input | str | os.PathLike[str]", output: str | os.PathLike[str] 
         ranks: processes that solve it together; more than one are started by mpirun.
 
     Raises:
+        TypeError, ValueError: `ranks` are no number of processes, or an entry of the scene holds what no entry may.
         InputError: the scene is wrong; nothing was written.
         NotConverged, NoEquilibrium, Interrupted: as they say; `result` of the error is what was written.
         HarmosError: anything else.
     """
     path = _file(scene, output)
     words = ["run", str(path), "--output", os.fspath(output), "--quiet", *_options(changes)]
-    code, errors = _start(words, ranks)
     record = pathlib.Path(output) / f"{path.stem}_result.json"
-    result = Result(record) if code != 2 and code != 1 and record.exists() else None
+    before = _stamp(record)
+    code, errors = _start(words, ranks)
+    # What an earlier run has left is no result of this one.
+    result = Result(record) if code != 2 and code != 1 and _stamp(record) not in (None, before) else None
     if code != 0 or result is None:
         raise error_for(code, errors, result)
     return result
@@ -112,6 +116,7 @@ def run_study(study: "Input | str | os.PathLike[str]", output: str | os.PathLike
         points: a table whose rows are solved instead of the study's design.
 
     Raises:
+        TypeError, ValueError: `ranks` are no number of processes, or an entry of the study holds what no entry may.
         InputError: the study is wrong; nothing was written.
         NotConverged, NoEquilibrium, Interrupted: as they say; `study` of the error is what was written.
         HarmosError: anything else.
@@ -140,6 +145,15 @@ def _file(source: "Input | str | os.PathLike[str]", folder: str | os.PathLike[st
     return source.write(pathlib.Path(folder) / f"{source.name}.xml")
 
 
+def _stamp(path: pathlib.Path) -> tuple[int, int] | None:
+    """Which file it is, and when it was written; files are replaced and never written anew in place. None: there is none."""
+    try:
+        found = path.stat()
+    except FileNotFoundError:
+        return None
+    return found.st_ino, found.st_mtime_ns
+
+
 def _options(changes: Mapping[str, Value] | None) -> list[str]:
     words = []
     for path, value in (changes or {}).items():
@@ -149,6 +163,8 @@ def _options(changes: Mapping[str, Value] | None) -> list[str]:
 
 def _start(words: Sequence[str], ranks: int) -> tuple[int, str]:
     """Exit code and messages; Ctrl-C goes to the program, which ends with what is complete."""
+    if operator.index(ranks) < 1:
+        raise ValueError(f"ranks are processes, one at least: not {ranks}")
     program = [find_program()]
     if ranks > 1:
         if not shutil.which(LAUNCHER):

@@ -18,11 +18,11 @@ from typing import Any, Union
 
 from harmos.exchange.scene import Entry, SceneList, number_text
 
-Value = Union[str, bool, int, float, Sequence[float], Sequence[str]]
-"""What an entry may hold; "$name" refers to a number of the list Values."""
+Value = Union[str, bool, int, float, "os.PathLike[str]", Sequence[float], Sequence[str], Sequence["os.PathLike[str]"]]
+"""What an entry may hold; "$name" refers to a number of the list Values. Numbers and arrays may be those of numpy."""
 Lists = Mapping[str, Any]
 """Entries and lists by name, in their order; a list is a mapping again."""
-FILES = ("File", "Scene")
+FILES = ("File", "Scene", "Plugins")
 """How the names of entries end that name files."""
 TYPES: dict[str, Callable[[str], Any]] = {"bool": lambda text: text.strip() == "true", "int": int, "double": lambda text: _number(text), "string": str,
          "Array(double)": lambda text: [_number(each) for each in _items(text)],
@@ -46,7 +46,13 @@ class Input:
     title = "Harmos"
 
     def __init__(self, name: str, content: Lists | None = None, folder: str | os.PathLike[str] = ".") -> None:
-        """`content`: entries and lists, copied. Nothing is checked before harmos.check() or a run."""
+        """`content`: entries and lists, copied. Nothing is checked before harmos.check() or a run.
+
+        Raises:
+            ValueError: the name is empty or has a "/", and is none of a file therefore.
+        """
+        if not name or "/" in name or "\0" in name:
+            raise ValueError(f"the name of a scene or a study is that of its file, without folder: not {name!r}")
         self.name = name
         self.folder = pathlib.Path(folder)
         self._lists: dict[str, Any] = _copy(content or {})
@@ -99,7 +105,11 @@ class Input:
         return iter(self._lists)
 
     def xml(self) -> str:
-        """As the program reads it."""
+        """As the program reads it.
+
+        Raises:
+            TypeError: an entry holds what no entry may, such as None; the message names it.
+        """
         return _as_list(self.title, self._lists).text() + "\n"
 
     def write(self, path: str | os.PathLike[str] | None = None) -> pathlib.Path:
@@ -116,11 +126,15 @@ class Input:
         for name, value in lists.items():
             if isinstance(value, Mapping):
                 result[name] = self._with_absolute_files(value)
-            elif isinstance(value, str) and name.endswith(FILES) and (self.folder / value).is_file():
-                result[name] = str((self.folder / value).absolute())
+            elif name.endswith(FILES) and isinstance(value, (list, tuple)):
+                result[name] = [self._absolute(each) for each in value]
             else:
-                result[name] = value
+                result[name] = self._absolute(value) if name.endswith(FILES) else value
         return result
+
+    def _absolute(self, value: Any) -> Any:
+        is_here = isinstance(value, (str, os.PathLike)) and (self.folder / value).is_file()
+        return str((self.folder / value).absolute()) if is_here else value
 
 
 class Scene(Input):
@@ -153,14 +167,19 @@ def read_study_input(path: str | os.PathLike[str]) -> StudyInput:
 
 
 def value_text(value: Value) -> str:
-    """As XML and the option --set have it: true, 0.2, {1, 2.5}."""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, str):
-        return value
-    if isinstance(value, (int, float)):
-        return number_text(value)
-    items = [each if isinstance(each, str) else number_text(each) for each in value]
+    """As XML and the option --set have it: true, 0.2, {1, 2.5}.
+
+    Raises:
+        TypeError: it is nothing that an entry may hold.
+    """
+    plain = _plain(value)
+    if isinstance(plain, bool):
+        return "true" if plain else "false"
+    if isinstance(plain, str):
+        return plain
+    if isinstance(plain, (int, float)):
+        return number_text(plain)
+    items = [each if isinstance(each, str) else number_text(each) for each in plain]
     return "{" + ", ".join(items) + "}"
 
 
@@ -168,19 +187,38 @@ def _copy(lists: Lists) -> dict[str, Any]:
     return {name: _copy(value) if isinstance(value, Mapping) else value for name, value in lists.items()}
 
 
-def _as_list(name: str, lists: Lists) -> SceneList:
+def _as_list(name: str, lists: Lists, path: str = "") -> SceneList:
     result = SceneList(name)
     for each, value in lists.items():
         if isinstance(value, Mapping):
-            result.items.append(_as_list(each, value))
-        else:
+            result.items.append(_as_list(each, value, f"{path}{each}/"))
+            continue
+        try:
             result.items.append(Entry(each, _plain(value)))
+        except TypeError as error:
+            raise TypeError(f"{path}{each}: {error}") from None
     return result
 
 
-def _plain(value: Any) -> Value:
-    """Numbers and arrays of numpy as those of Python."""
-    return value.tolist() if hasattr(value, "tolist") else value  # type: ignore[no-any-return]
+def _plain(value: Any) -> Any:
+    """Numbers and arrays of numpy as those of Python, paths as text.
+
+    Raises:
+        TypeError: it is nothing that an entry may hold.
+    """
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, (str, bool, int, float)):
+        return value
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray)):
+        items = [_plain(each) for each in value]
+        if all(isinstance(each, str) for each in items):
+            return items
+        if all(isinstance(each, (int, float)) and not isinstance(each, bool) for each in items):
+            return items
+    raise TypeError(f"{value!r} is neither text nor a number, nor a list of either")
 
 
 def _read(path: str | os.PathLike[str]) -> dict[str, Any]:

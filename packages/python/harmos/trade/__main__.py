@@ -3,9 +3,11 @@
 python3 -m harmos.trade INPUT.xml --program HARMOS [--output DIR] [--budget 10min] [--memory 8GB] [--targets 1%,0.1%] [--responses A,B]
 """
 import argparse
+import math
 import os
 import pathlib
 import re
+import signal
 import sys
 import tempfile
 
@@ -16,7 +18,7 @@ from harmos.trade.judging import Judge
 from harmos.trade.knobs import dimension_of, knobs_of
 from harmos.trade.ladder import Budget, Ladder, Rung
 from harmos.trade.page import MEGABYTE, page
-from harmos.trade.promises import Promise, keep
+from harmos.trade.promises import Promise, keep, settings_files
 from harmos.trade.running import Runner
 from harmos.trade.tables import all_rungs, pareto, write_csv, write_hdf5
 
@@ -49,12 +51,19 @@ def main(words: list[str] | None = None) -> int:
         responses = _responses(arguments.responses, document)
         folder = pathlib.Path(arguments.output)
         folder.mkdir(parents=True, exist_ok=True)
+        for interruption in (signal.SIGTERM, signal.SIGINT):
+            signal.signal(interruption, _end)
         with tempfile.TemporaryDirectory(prefix=".trade_", dir=folder) as work:
             return _trade(document, arguments.program, folder, pathlib.Path(work).resolve(), Budget(seconds, memory),
                           targets, responses, arguments.quiet)
     except (OSError, ValueError) as error:
         print(f"harmos trade: {error}", file=sys.stderr)
         return 2
+
+
+def _end(*_: object) -> None:
+    """Ends the process as an interrupted one, after what runs has been ended and removed."""
+    raise SystemExit(130)
 
 
 def _trade(document: Document, program: str, folder: pathlib.Path, work: pathlib.Path, budget: Budget,
@@ -74,18 +83,19 @@ def _trade(document: Document, program: str, folder: pathlib.Path, work: pathlib
             print(f"[{budget.spent():.0f} of {budget.seconds:.0f} s] {ladder.words(rung.settings)}: {rung.outcome.status}, "
                   f"{rung.outcome.cpu:.2f} CPU s{predicted}, {rung.outcome.memory / MEGABYTE:.0f} MB", file=sys.stderr,
                   flush=True)
-        write_csv(f"{base}.csv", ladder, Judge(ladder, responses), all_rungs(ladder, []))
 
     ladder = Ladder(knobs, dimension_of(document), runner, budget, report)
     ladder.explore(targets[-1], lambda: Judge(ladder, responses).doubt() <= ENOUGH * targets[-1],
                    lambda family: Judge(ladder, responses).is_beaten(family))
     judge = Judge(ladder, responses)
-    promises = [keep(target, ladder, judge, runner, document, folder) for target in targets]
+    promises = [keep(target, ladder, judge, runner, document, folder, work) for target in targets]
     rungs = all_rungs(ladder, promises)
     write_csv(f"{base}.csv", ladder, judge, rungs)
     write_hdf5(f"{base}.h5", ladder, judge, rungs)
     text = page(f"What accuracy costs: {document.path.stem}", ladder, judge, rungs, promises, Pictures())
     replace_file(f"{base}.html", text.encode())
+    for old in settings_files(document, folder) - {file for promise in promises for file in promise.files}:
+        old.unlink()
     _print(ladder, judge, rungs, promises)
     print(f"{base}.html\n{base}.csv\n{base}.h5", flush=True)
     return 0 if all(promise.rung is not None for promise in promises) else 3
@@ -108,20 +118,29 @@ def _print(ladder: Ladder, judge: Judge, rungs: list[Rung], promises: list[Promi
         else:
             cost = promise.rung.outcome
             print(f"{target}: {cost.cpu:.2f} CPU s, {cost.memory / MEGABYTE:.0f} MB, run afresh at most "
-                  f"{100 * promise.error:.2g} % off; {promise.file}")
+                  f"{100 * promise.error:.2g} % off; {promise.files[0]}")
 
 
 def _measured(text: str, units: dict[str, float], option: str, example: str) -> float:
     found = re.fullmatch(r"\s*([0-9.]+(?:e[0-9]+)?)\s*([A-Za-z]+)\s*", text)
-    if not found or found.group(2) not in units or float(found.group(1)) <= 0:
+    size = _number(found.group(1)) * units.get(found.group(2), math.nan) if found else math.nan
+    if not 0 < size < math.inf:
         raise ValueError(f"{option} is a number above 0 with one of the units {', '.join(units)}, such as {example}; "
                          f"it is \"{text}\".")
-    return float(found.group(1)) * units[found.group(2)]
+    return size
+
+
+def _number(text: str) -> float:
+    """NaN: it is none."""
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
 
 
 def _target(text: str) -> float:
     found = re.fullmatch(r"\s*([0-9.]+(?:e-?[0-9]+)?)\s*%\s*", text)
-    if not found or not 1e-6 <= float(found.group(1)) <= 100:
+    if not found or not 1e-6 <= _number(found.group(1)) <= 100:
         raise ValueError(f"--targets are errors from 0.000001 % to 100 % with commas between, such as 1%,0.1%; one is "
                          f"\"{text}\".")
     return float(found.group(1)) / 100

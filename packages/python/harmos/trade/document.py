@@ -150,10 +150,15 @@ def _set(root: xml.Element, entry: Entry) -> None:
 
 
 def _write(root: xml.Element, source: pathlib.Path, target: pathlib.Path, remark: str) -> None:
+    def moved(file: str) -> str:
+        return file if os.path.isabs(file) else os.path.relpath(source / file, target.parent)
+
     for one in root.iter("Parameter"):
-        file = one.get("value", "")
-        if one.get("name") == "File" and not os.path.isabs(file):
-            one.set("value", os.path.relpath(source / file, target.parent))
+        value = one.get("value", "")
+        if one.get("name") == "File":
+            one.set("value", moved(value))
+        elif one.get("name") == "Plugins":
+            one.set("value", "{" + ", ".join(moved(file) for file in _listed(value)) + "}")
     xml.indent(root)
     text = xml.tostring(root, encoding="unicode")
     replace_file(target, f"<!-- {remark.replace('--', '- -')} -->\n{text}\n".encode())

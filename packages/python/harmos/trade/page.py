@@ -34,7 +34,7 @@ def page(title: str, ladder: Ladder, judge: Judge, rungs: list[Rung], promises: 
 def promise_table(ladder: Ladder, promises: list[Promise]) -> str:
     """What each target costs, as a fresh run has shown."""
     rows = [(percent(one.target), percent(one.error), f"{one.rung.outcome.cpu:.2f}",
-             f"{one.rung.outcome.memory / MEGABYTE:.0f}", ladder.words(one.rung.settings), str(one.file))
+             f"{one.rung.outcome.memory / MEGABYTE:.0f}", ladder.words(one.rung.settings), str(one.files[0]))
             if one.rung is not None else (percent(one.target), "none", "", "", one.reason, "") for one in promises]
     return table(("target", "error at most", "CPU s", "memory MB", "settings", "file"), rows, (4, 5)) + (
         '<p class="note">Largest relative error of any response: distance of a fresh run from the reference, the '

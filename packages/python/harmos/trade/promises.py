@@ -14,6 +14,10 @@ TRIALS = 4
 """Settings that are tried for one promise, at most."""
 SAFETY = 0.9
 """Share of a target that the expected error of settings may reach."""
+WITHIN = "_within_"
+"""In the name of settings, between that of the input and the target."""
+REMARK = "settings of harmos trade"
+"""Begins the comment at the head of settings."""
 ALIKE = 1.15
 """Costs within this factor count as equal: of such settings those win that turn fewer knobs."""
 
@@ -26,14 +30,14 @@ class Promise:
         target: largest relative error of any response.
         rung: the fresh run; None: none that was affordable keeps it.
         error: largest error of that run, the uncertainty of the reference included.
-        file: its XML; None: none was written.
+        files: its XML, of a study that of its scene as well; empty: none were written.
         reason: why there is none.
     """
 
     target: float
     rung: Rung | None = None
     error: float = math.inf
-    file: pathlib.Path | None = None
+    files: tuple[pathlib.Path, ...] = ()
     reason: str = ""
 
 
@@ -58,8 +62,8 @@ def expected_costs(ladder: Ladder, judge: Judge) -> list[tuple[float, float, Set
 
 
 def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: Document,
-         folder: pathlib.Path) -> Promise:
-    """The cheapest settings whose fresh run keeps the target; their XML is written into `folder`."""
+         folder: pathlib.Path, work: pathlib.Path) -> Promise:
+    """The cheapest settings whose fresh run keeps the target; their XML is written into `folder` then, and tried in `work`."""
     promise = Promise(target)
     if judge.doubt() > target:
         promise.reason = (f"the reference itself is known to {100 * judge.doubt():.2g} % only"
@@ -73,15 +77,20 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
             promise.reason = "the budget does not allow the run that would show it"
             continue
         entries = [entry for knob, i in zip(ladder.knobs, settings) for entry in knob.levels[i].entries]
-        file = folder / f"{document.path.stem}_within_{100 * target:g}_percent.xml"
-        written = document.write(entries, file, f"settings of harmos trade for errors below {100 * target:g} % in every "
-                                 f"response: {ladder.words(settings)}")
-        outcome = runner.run_file(file, max(ladder.budget.left(), 1.0), ladder.budget.memory)
+        name = f"{document.path.stem}{WITHIN}{100 * target:g}_percent.xml"
+        remark = (f"{REMARK} for errors below {100 * target:g} % in every response: {ladder.words(settings)}")
+        trial = document.write(entries, work / name, remark)[0]
+        outcome = runner.run_file(trial, max(ladder.budget.left(), 1.0), ladder.budget.memory)
         rung = Rung(settings, outcome, ladder.predicted(settings, "cpu") or math.nan, f"within {100 * target:g} %")
         error = judge.promised(rung)
         if error <= target:
-            return Promise(target, rung, error, file)
-        for each in written:
-            each.unlink()
+            return Promise(target, rung, error, tuple(document.write(entries, folder / name, remark)))
         promise.reason = f"settings that were expected to keep it came to {100 * error:.2g} %"
     return promise
+
+
+def settings_files(document: Document, folder: pathlib.Path) -> set[pathlib.Path]:
+    """Settings in `folder` that this or an earlier trade of an input of this name has written."""
+    return {file for file in folder.iterdir()
+            if file.name.startswith(f"{document.path.stem}{WITHIN}") and file.suffix == ".xml"
+            and file.read_text(errors="replace").startswith(f"<!-- {REMARK} ")}

@@ -104,18 +104,23 @@ def _watched(command: list[str], environment: dict[str, str], messages: pathlib.
     with open(messages, "wb") as file:
         process = subprocess.Popen(command, env=environment, stdout=file, stderr=file, preexec_fn=_die_with_parent)
     stopped = ""
-    while True:
-        pid, status, usage = os.wait4(process.pid, os.WNOHANG)
-        if pid:
-            process.returncode = os.waitstatus_to_exitcode(status)  # so that Popen waits for it no more
-            return process.returncode, stopped, usage
-        if not stopped and time.monotonic() - begin > seconds:
-            stopped = "stopped: out of time"
-        elif not stopped and _peak(process.pid) > memory:
-            stopped = "stopped: out of memory"
-        if stopped:
-            os.kill(process.pid, signal.SIGKILL)
-        time.sleep(POLL)
+    try:
+        while True:
+            pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+            if pid:
+                process.returncode = os.waitstatus_to_exitcode(status)  # so that Popen waits for it no more
+                return process.returncode, stopped, usage
+            if not stopped and time.monotonic() - begin > seconds:
+                stopped = "stopped: out of time"
+            elif not stopped and _peak(process.pid) > memory:
+                stopped = "stopped: out of memory"
+            if stopped:
+                os.kill(process.pid, signal.SIGKILL)
+            time.sleep(POLL)
+    finally:
+        if process.returncode is None:  # interrupted: nothing may write any more where its folder is removed
+            process.kill()
+            process.wait()
 
 
 def _die_with_parent() -> None:
