@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 #include <metis.h>
 
@@ -12,9 +13,9 @@
 namespace harmos::mesh {
 namespace {
 
-/// Elements that share a face, in compressed rows.
+/// Elements that share a face, in compressed rows; a vertex may stand for several.
 struct FaceGraph {
-  std::vector<idx_t> first, neighbour;
+  std::vector<idx_t> first, neighbour, weight;  // weight: elements of a vertex
   int size() const { return static_cast<int>(first.size()) - 1; }
 };
 
@@ -45,7 +46,64 @@ FaceGraph faceGraph(const Elements& mesh, const std::vector<int>& elements, std:
   }
   const std::unique_ptr<idx_t, int (*)(void*)> rowOwner(rows, [](void* p) { return METIS_Free(p); });
   const std::unique_ptr<idx_t, int (*)(void*)> columnOwner(columns, [](void* p) { return METIS_Free(p); });
-  return {{rows, rows + elementCount + 1}, {columns, columns + rows[elementCount]}};
+  return {
+      {rows, rows + elementCount + 1}, {columns, columns + rows[elementCount]}, std::vector<idx_t>(elements.size(), 1)};
+}
+
+/// The vertex of each element where those at the nodes of one list that are connected with each other share one.
+std::vector<int> vertices(const Elements& mesh, const std::vector<int>& elements, const FaceGraph& graph,
+                          const std::vector<std::vector<int>>& together, int& count) {
+  std::vector<int> root(elements.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto rootOf = [&](int at) {
+    while (root[at] != at) at = root[at] = root[root[at]];
+    return at;
+  };
+  for (std::vector<int> nodes : together) {
+    std::sort(nodes.begin(), nodes.end());
+    std::vector<bool> touches(elements.size(), false);
+    for (std::size_t at = 0; at < elements.size(); ++at) {
+      const int* own = mesh.nodes(elements[at]);
+      touches[at] = std::any_of(own, own + nodesPerElement(mesh.type(elements[at])),
+                                [&](int node) { return std::binary_search(nodes.begin(), nodes.end(), node); });
+    }
+    for (std::size_t at = 0; at < elements.size(); ++at) {
+      for (idx_t k = graph.first[at]; k < graph.first[at + 1] && touches[at]; ++k) {
+        if (!touches[graph.neighbour[k]]) continue;
+        const int one = rootOf(static_cast<int>(at)), other = rootOf(graph.neighbour[k]);
+        root[std::max(one, other)] = std::min(one, other);
+      }
+    }
+  }
+  count = 0;
+  std::vector<int> result(elements.size());
+  for (std::size_t at = 0; at < elements.size(); ++at) {
+    const int first = rootOf(static_cast<int>(at));
+    result[at] = first == static_cast<int>(at) ? count++ : result[first];
+  }
+  return result;
+}
+
+/// The graph with one vertex for all elements of a kind.
+FaceGraph contracted(const FaceGraph& graph, const std::vector<int>& vertexOf, int count) {
+  FaceGraph result;
+  result.weight.assign(count, 0);
+  std::vector<std::vector<idx_t>> neighbours(count);
+  for (std::size_t at = 0; at < vertexOf.size(); ++at) {
+    ++result.weight[vertexOf[at]];
+    for (idx_t k = graph.first[at]; k < graph.first[at + 1]; ++k) {
+      const int other = vertexOf[graph.neighbour[k]];
+      if (other != vertexOf[at]) neighbours[vertexOf[at]].push_back(other);
+    }
+  }
+  result.first.push_back(0);
+  for (std::vector<idx_t>& row : neighbours) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+    result.neighbour.insert(result.neighbour.end(), row.begin(), row.end());
+    result.first.push_back(static_cast<idx_t>(result.neighbour.size()));
+  }
+  return result;
 }
 
 /// Numbers the connected groups of vertices of equal colour, by their lowest vertex.
@@ -143,14 +201,15 @@ std::vector<idx_t> cutConnected(FaceGraph graph, int pieces) {
   idx_t weights = 1;
   idx_t parts = pieces;
   idx_t unused = 0;
+  const auto elements = std::accumulate(graph.weight.begin(), graph.weight.end(), std::size_t{0});
   const std::size_t inBalance =
-      (11 * best.size() + 10 * static_cast<std::size_t>(pieces) - 1) / (10 * static_cast<std::size_t>(pieces));
+      (11 * elements + 10 * static_cast<std::size_t>(pieces) - 1) / (10 * static_cast<std::size_t>(pieces));
   std::pair<std::size_t, std::size_t> bestCost;
   for (const auto method : {METIS_PartGraphKway, METIS_PartGraphRecursive}) {
     options[METIS_OPTION_CONTIG] = method == METIS_PartGraphKway ? 1 : 0;
     std::vector<idx_t> piece(best.size());
-    if (method(&vertices, &weights, graph.first.data(), graph.neighbour.data(), nullptr, nullptr, nullptr, &parts,
-               nullptr, nullptr, options, &unused, piece.data()) != METIS_OK) {
+    if (method(&vertices, &weights, graph.first.data(), graph.neighbour.data(), graph.weight.data(), nullptr, nullptr,
+               &parts, nullptr, nullptr, options, &unused, piece.data()) != METIS_OK) {
       throw base::Error("METIS cannot cut the graph of elements; there may not be enough memory.");
     }
     int groups = 0;
@@ -159,7 +218,7 @@ std::vector<idx_t> cutConnected(FaceGraph graph, int pieces) {
     std::vector<std::size_t> size(pieces, 0);
     std::size_t cutFaces = 0;
     for (std::size_t at = 0; at < piece.size(); ++at) {
-      ++size[piece[at]];
+      size[piece[at]] += static_cast<std::size_t>(graph.weight[at]);
       for (idx_t k = graph.first[at]; k < graph.first[at + 1]; ++k) {
         if (piece[graph.neighbour[k]] != piece[at]) ++cutFaces;
       }
@@ -189,7 +248,8 @@ std::vector<int> shares(const std::vector<int>& sizes, int pieces) {
 
 }  // namespace
 
-std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces) {
+std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces,
+                           const std::vector<std::vector<int>>& together) {
   if (pieces == 1) return {part};
   if (pieces < 1 || static_cast<std::size_t>(pieces) > part.elements.size()) {
     refuse(part, pieces,
@@ -216,11 +276,20 @@ std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces) {
   std::vector<std::vector<int>> pieceElements;
   for (std::size_t body = 0; body < lists.size(); ++body) {
     const FaceGraph graph = bodies == 1 ? whole : faceGraph(elements, lists[body], mesh.nodes.size());
-    const auto group = cutConnected(graph, share[body]);
+    int count = 0;
+    const std::vector<int> vertexOf = vertices(elements, lists[body], graph, together, count);
+    if (share[body] > count) {
+      refuse(part, pieces,
+             "its elements at faces of interfaces whose meshes do not match stay together, which leaves " +
+                 std::to_string(count) + " to divide" + (bodies == 1 ? "" : " in one of its bodies") +
+                 "; give fewer pieces, or mesh the part finer.");
+    }
+    const bool isAsItIs = count == graph.size();
+    const auto group = cutConnected(isAsItIs ? graph : contracted(graph, vertexOf, count), share[body]);
     const std::size_t before = pieceElements.size();
     pieceElements.resize(before + static_cast<std::size_t>(share[body]));
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      pieceElements[before + static_cast<std::size_t>(group[i])].push_back(lists[body][i]);
+    for (std::size_t i = 0; i < vertexOf.size(); ++i) {
+      pieceElements[before + static_cast<std::size_t>(group[vertexOf[i]])].push_back(lists[body][i]);
     }
   }
   std::sort(pieceElements.begin(), pieceElements.end());

@@ -12,7 +12,12 @@ namespace harmos::mesh {
 /// element faces, and are the same in every run. A part of several unconnected groups of elements is cut group by
 /// group. One piece gives the part itself, whatever its groups. Throws base::Error(input) if there are more pieces than
 /// elements, fewer than groups or less than one; base::Error when METIS fails. Not collective.
+///
+/// `together`: lists of nodes of the mesh. Elements at the nodes of one list that are connected through faces with each
+/// other stay in one piece; pieces of different sizes are the price. Throws base::Error(input) if that leaves too few
+/// pieces.
 /// Source: Karypis, Kumar (1998), doi:10.1137/S1064827595287997.
-std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces);
+std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces,
+                           const std::vector<std::vector<int>>& together = {});
 
 }  // namespace harmos::mesh

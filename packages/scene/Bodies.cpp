@@ -106,7 +106,7 @@ const Parameters* sectionOf(const Scene& scene, const std::string& part) {
 
 /// The pieces of a part that the plane of an interface divides, each side with its share of them but at least one.
 std::vector<mesh::Piece> dividedPart(const mesh::Mesh& mesh, const mesh::Piece& part, const Parameters& section,
-                                     int count) {
+                                     int count, const std::vector<std::vector<int>>& together) {
   mesh::Plane plane;
   std::copy(section.numbers("Point").begin(), section.numbers("Point").end(), plane.point.begin());
   std::copy(section.numbers("Normal").begin(), section.numbers("Normal").end(), plane.normal.begin());
@@ -116,7 +116,7 @@ std::vector<mesh::Piece> dividedPart(const mesh::Mesh& mesh, const mesh::Piece& 
   std::vector<mesh::Piece> pieces;
   for (const int side : {-1, 1}) {
     const mesh::Piece half = mesh::makePiece(mesh, part.name, part.name, std::move(side < 0 ? behind : beyond));
-    for (mesh::Piece& piece : mesh::cutPart(mesh, half, side < 0 ? first : std::max(1, count - first))) {
+    for (mesh::Piece& piece : mesh::cutPart(mesh, half, side < 0 ? first : std::max(1, count - first), together)) {
       piece.name = part.name + "." + std::to_string(pieces.size() + 1);
       piece.side = side;
       pieces.push_back(std::move(piece));
@@ -140,7 +140,7 @@ mesh::Depth depthOf(const Model& model) {
   return elasticity::isAxisymmetric(model.kinematics) ? mesh::Depth::revolved() : mesh::Depth(model.thickness);
 }
 
-Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors) {
+Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors, const KeptTogether& together) {
   checkBlocks(scene, mesh, errors);
   Bodies bodies;
   if (errors.count() > 0) return bodies;
@@ -149,11 +149,15 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& 
       PartOptions options = optionsOf(input);
       const mesh::Piece part = mesh::makePiece(mesh, input.name(), blocksOf(input));
       std::vector<mesh::Piece> pieces;
+      const auto entry = together.find(input.name());
+      const std::vector<std::vector<int>> kept =
+          entry == together.end() ? std::vector<std::vector<int>>{} : entry->second;
       if (const Parameters* section = sectionOf(scene, input.name())) {
         options.section = section->name();
-        errors.collect(section->where(), [&] { pieces = dividedPart(mesh, part, *section, input.integer("Pieces")); });
+        errors.collect(section->where(),
+                       [&] { pieces = dividedPart(mesh, part, *section, input.integer("Pieces"), kept); });
       } else {
-        pieces = mesh::cutPart(mesh, part, input.integer("Pieces"));
+        pieces = mesh::cutPart(mesh, part, input.integer("Pieces"), kept);
       }
       for (mesh::Piece& piece : pieces) {
         bodies.pieces.push_back(std::move(piece));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,18 +45,23 @@ struct PartOptions {
   std::string section;  // interface that divides the part along a plane; empty: none does
 };
 
+/// Nodes of the mesh, lists of them for each part by name: what lies at those of one list is in one piece.
+using KeptTogether = std::map<std::string, std::vector<std::vector<int>>>;
+
 /// The elastic bodies of the assembly: the parts of the scene, or the pieces they were cut into. The lists are
 /// parallel.
 struct Bodies {
   std::vector<mesh::Piece> pieces;  // in the order of the list Parts; bodies are counted in this order everywhere
   std::vector<PartOptions> parts;
   std::vector<std::shared_ptr<const elasticity::Material>> materials;  // shared with the scene
+  KeptTogether together;                                               // when parts were cut
 };
 
 /// Cuts the parts of the scene into pieces, those that an interface divides along a plane at least into its two sides,
 /// the one behind the plane first. Reports blocks that do not exist, belong to two parts or to none, and parts that
 /// cannot be cut, to `errors`; after errors in blocks there are no bodies. Every rank makes all of them.
-Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors);
+Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors,
+                  const KeptTogether& together = {});
 
 /// For every body the earlier one that it equals up to a rigid motion or mirror image, elasticity and all; null: none.
 /// That one equals none itself. Bodies with materials of two names are never equal; a turned one is equal only when it

@@ -333,7 +333,7 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
                               const std::vector<mesh::Face>& side2) {
           if (!held) held = heldByBoundaries(scene, mesh.dimension, pieces, finder);
           const MeshJoiner joiner(list, law, creaseAngle, depthOf(model), *held, mesh, bodies, finder);
-          return joiner.join(name1, side1, name2, side2, surfaces.joined);
+          return joiner.join(name1, side1, name2, side2, surfaces.joined, surfaces.crossed);
         };
         const auto ground = [&](const std::vector<mesh::Face>& faces) {
           return mortar::groundSurfaces(list.name(), mesh, faces, creaseAngle, depthOf(model), pieces, finder.pieces());
@@ -345,6 +345,7 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
           suitQuadraticFaces(list, pair, law, mesh, static_cast<int>(scene.times.size()), finder, join, ground, more);
           std::move(more.begin(), more.end(), std::back_inserter(found));
         }
+        if (!surfaces.crossed.empty()) return;  // all are found again
         for (const char* entry : {"Side Set", "Side 1", "Side 2"}) {
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }
@@ -354,6 +355,10 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
         append(std::move(found));
       });
     }
+  }
+  if (!surfaces.crossed.empty()) {
+    surfaces.all.clear();
+    return surfaces;
   }
   if (errors.count() > before) return surfaces;  // else parts would be reported that a faulty interface should touch
   for (const Parameters& part : scene.input.lists("Parts")) {

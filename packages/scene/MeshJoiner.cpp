@@ -1,6 +1,9 @@
 #include <harmos/scene/detail/MeshJoiner.hpp>
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -54,13 +57,28 @@ void MeshJoiner::demandTwoParts(const std::vector<mesh::Face>& side1, const std:
   }
 }
 
+bool MeshJoiner::keepTogether(const std::vector<mesh::Face>& side, KeptTogether& crossed) const {
+  std::map<std::string, std::set<int>> nodes;
+  for (const mesh::Face& face : side) nodes[partOf(face)].insert(face.nodes.begin(), face.nodes.end());
+  bool isNew = false;
+  for (const auto& [part, ofPart] : nodes) {
+    const std::vector<int> list(ofPart.begin(), ofPart.end());
+    const auto known = bodies_.together.find(part);
+    if (known != bodies_.together.end() && std::count(known->second.begin(), known->second.end(), list) > 0) continue;
+    crossed[part].push_back(list);
+    isNew = true;
+  }
+  return isNew;
+}
+
 std::vector<mesh::InterfaceSurface> MeshJoiner::join(const std::string& name1, const std::vector<mesh::Face>& side1,
                                                      const std::string& name2, const std::vector<mesh::Face>& side2,
-                                                     std::vector<JoinedMeshes>& reports) const {
+                                                     std::vector<JoinedMeshes>& reports, KeptTogether& crossed) const {
   demandTwoParts(side1, side2);
   const mortar::Side one{name1, side1, stiffnessOf(side1)}, two{name2, side2, stiffnessOf(side2)};
   mortar::JoinOptions options = options_;
   mortar::PieceSurfaces divided;
+  std::optional<std::array<int, 2>> first;  // points that cuts cross, per side, at the first attempt
   // Cuts may cross the side with the points: where they cross the other one, the other choice may do.
   for (int attempt = 0; attempt < 2; ++attempt) {
     const auto joined = mortar::joinSurfaces("Interface \"" + name_ + "\"", mesh_, one, two, options);
@@ -70,9 +88,13 @@ std::vector<mesh::InterfaceSurface> MeshJoiner::join(const std::string& name1, c
           {name_, joined.pointsOn, static_cast<int>(joined.area.size()), joined.report, isOfSideSets_, hasGaps_});
       return divided.surfaces;
     }
+    if (!first) first = divided.crossed;
     if (options.pointsOn) break;
     options.pointsOn = 1 - joined.pointsOn;
   }
+  const bool isNew1 = (*first)[0] > 0 && keepTogether(side1, crossed);
+  const bool isNew2 = (*first)[1] > 0 && keepTogether(side2, crossed);
+  if (isNew1 || isNew2) return {};
   const int side = divided.crossed[0] > 0 ? 0 : 1;
   const bool isWithPoints = options.pointsOn == side;
   const base::Vector3& place = divided.firstCrossed;

@@ -1,5 +1,10 @@
 #include <harmos/scene/Problem.hpp>
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
@@ -46,11 +51,19 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   }
   const auto assembling = timers.start("assemble");
   problem.model = makeModel(scene.input.list("Model"), problem.mesh);
-  problem.bodies = makeBodies(scene, problem.mesh, errors);
-  throwTogether(errors, comm);
-
-  const mesh::InterfaceFinder finder(problem.mesh, problem.bodies.pieces, depthOf(problem.model));
-  Surfaces found = findSurfaces(scene, problem.mesh, problem.model, problem.bodies, finder, errors);
+  Surfaces found;
+  std::optional<mesh::InterfaceFinder> finder;
+  do {  // again while pieces divide what points of joined meshes see
+    KeptTogether together = std::move(problem.bodies.together);
+    for (auto& [part, lists] : found.crossed) {
+      std::move(lists.begin(), lists.end(), std::back_inserter(together[part]));
+    }
+    problem.bodies = makeBodies(scene, problem.mesh, errors, together);
+    problem.bodies.together = std::move(together);
+    throwTogether(errors, comm);
+    finder.emplace(problem.mesh, problem.bodies.pieces, depthOf(problem.model));
+    found = findSurfaces(scene, problem.mesh, problem.model, problem.bodies, *finder, errors);
+  } while (!found.crossed.empty() && errors.count() == 0);
   problem.surfaces = std::move(found.all);
   problem.joined = std::move(found.joined);
   assembly::Assembly& assembly = problem.assembly;
@@ -70,7 +83,7 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
     checkContradictions(scene, {problem.mesh, problem.bodies.pieces, problem.surfaces, assembly.interfaces}, errors);
   }
   problem.temperatures = std::make_shared<Temperatures>(scene, problem.mesh, errors);
-  const ResponseContext context{problem.mesh,  problem.bodies.pieces, finder, assembly, problem.bodies,
+  const ResponseContext context{problem.mesh,  problem.bodies.pieces, *finder, assembly, problem.bodies,
                                 problem.model, *problem.temperatures};
   for (const input::Parameters& response : scene.input.lists("Responses")) {
     errors.collect(response.where(), [&] {

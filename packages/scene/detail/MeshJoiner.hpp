@@ -23,15 +23,18 @@ class MeshJoiner {
              const mortar::HeldDirections& held, const mesh::Mesh& mesh, const Bodies& bodies,
              const mesh::InterfaceFinder& finder);
 
-  /// The surfaces between all pieces, and a line of `reports`. Throws base::Error(input) if the sides share a part,
-  /// cannot be joined, or if cuts of METIS cross the side without points.
+  /// The surfaces between all pieces, and a line of `reports`. Where cuts of METIS divide what a point sees, there are
+  /// none, and `crossed` gets the nodes of the sides that must not be divided. Throws base::Error(input) if the sides
+  /// share a part, cannot be joined, or if points see nodes of several pieces although these are together.
   std::vector<mesh::InterfaceSurface> join(const std::string& name1, const std::vector<mesh::Face>& side1,
                                            const std::string& name2, const std::vector<mesh::Face>& side2,
-                                           std::vector<JoinedMeshes>& reports) const;
+                                           std::vector<JoinedMeshes>& reports, KeptTogether& crossed) const;
 
  private:
   std::string partOf(const mesh::Face& face) const;
   double stiffnessOf(const std::vector<mesh::Face>& side) const;
+  /// Adds the nodes of a side, part by part, where they are not together yet; whether there were such.
+  bool keepTogether(const std::vector<mesh::Face>& side, KeptTogether& crossed) const;
   void demandTwoParts(const std::vector<mesh::Face>& side1, const std::vector<mesh::Face>& side2) const;
 
   const std::string& name_;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/mesh/BoltedJoint.hpp>
@@ -92,6 +93,39 @@ TEST(Partition, CutsUnconnectedBodiesOneByOne) {
   EXPECT_THROW(cutPart(three, makePiece(three, "all", {"a", "b", "c"}), 2), base::Error);
   EXPECT_THROW(cutPart(three, makePiece(three, "all", {"a", "b", "c"}), 4), base::Error);
   EXPECT_THROW(cutPart(three, makePiece(three, "all", {"a", "b", "c"}), 0), base::Error);
+}
+
+// Elements at the nodes of a face are in one piece, those of two faces that do not meet may be in two.
+TEST(Partition, KeepsElementsAtGivenNodesTogether) {
+  for (const ElementType type : {ElementType::hex8, ElementType::tet4, ElementType::wedge6, ElementType::hex20}) {
+    const Mesh mesh = boxes({{"box", {}, {4.0, 3.0, 6.0}, {4, 3, 6}, type}});
+    const Piece piece = makePiece(mesh, "box", {"box"});
+    const Elements elements(mesh);
+    std::vector<std::vector<int>> together(2);
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+      if (mesh.nodes[node][2] == 0.0) together[0].push_back(static_cast<int>(node));
+      if (mesh.nodes[node][2] == 6.0) together[1].push_back(static_cast<int>(node));
+    }
+    for (const int count : {2, 3, 5, 8}) {
+      const auto pieces = cutPart(mesh, piece, count, together);
+      expectPartition(mesh, piece, pieces, static_cast<std::size_t>(count));
+      for (const std::vector<int>& nodes : together) {
+        const auto touches = [&](int element) {
+          const int* own = elements.nodes(element);
+          return std::any_of(own, own + nodesPerElement(elements.type(element)),
+                             [&](int node) { return std::count(nodes.begin(), nodes.end(), node) > 0; });
+        };
+        const auto holders = std::count_if(pieces.begin(), pieces.end(), [&](const Piece& each) {
+          return std::any_of(each.elements.begin(), each.elements.end(), touches);
+        });
+        EXPECT_EQ(holders, 1) << count << " pieces";
+      }
+    }
+  }
+  const Mesh flat = boxes({{"box", {}, {4.0, 3.0, 1.0}, {4, 3, 1}}});
+  std::vector<int> all(flat.nodes.size());
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_THROW(cutPart(flat, makePiece(flat, "box", {"box"}), 2, {all}), base::Error);
 }
 
 TEST(Piece, NamesUnknownAndRepeatedBlocks) {
