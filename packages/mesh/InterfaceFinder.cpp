@@ -9,6 +9,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Vector3.hpp>
+#include <harmos/mesh/Interpenetration.hpp>
 #include <harmos/mesh/detail/FaceOverlap.hpp>
 #include <harmos/mesh/detail/InnerFaces.hpp>
 #include <harmos/mesh/detail/NodalWeights.hpp>
@@ -53,6 +54,23 @@ const Set& findSet(const std::string& where, const std::vector<Set>& sets, const
   }
   refuse(where, std::string("the mesh has no ") + kind + " \"" + name + "\". " +
                     base::suggestName(name, known, std::string(kind) + "s"));
+}
+
+/// Refuses parts of which one reaches into the other.
+void demandNoOverlap(const Mesh& mesh, const std::string& where, const std::string& part1,
+                     const std::vector<Face>& skin1, const std::string& part2, const std::vector<Face>& skin2) {
+  const Interpenetration first = interpenetration(mesh, skin1, skin2), second = interpenetration(mesh, skin2, skin1);
+  const bool isFirst = first.depth >= second.depth;
+  const Interpenetration& worse = isFirst ? first : second;
+  if (worse.element < 0) return;
+  std::ostringstream message;
+  message << "parts \"" << part1 << "\" and \"" << part2 << "\" overlap: " << worse.elements
+          << (worse.elements == 1 ? " element" : " elements") << " at the surface of part \""
+          << (isFirst ? part1 : part2) << "\" " << (worse.elements == 1 ? "reaches" : "reach") << " into part \""
+          << (isFirst ? part2 : part1) << "\", farthest element " << worse.element + 1 << " of the mesh, by "
+          << worse.depth << " at " << text(worse.place)
+          << ". Move or mesh them so that they touch; for an interference, name the sides that touch by side sets.";
+  refuse(where, message.str());
 }
 
 }  // namespace
@@ -259,6 +277,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
     };
     return join(partNamed(part1), chosen(skin1, touching1), partNamed(part2), chosen(skin2, touching2));
   }
+  if (faces.empty() && overlap.faces1.empty()) demandNoOverlap(mesh_, where, part1, skin1, part2, skin2);
   auto surfaces = joinPairs(name, skin1, skin2, faces, creaseAngle, std::nullopt);
 
   std::set<int> inFaces;
