@@ -164,7 +164,11 @@ void prepareFields(const std::vector<assembly::Interface>& interfaces,
 
 /// Whether the tractions of a law need no field of their own: they are given, or what they hold or join, node by node.
 bool actsOnNodes(const laws::InterfaceLaw& law, int steps) {
-  if (law.prescribesTraction() || isCoupled(law)) return true;
+  if (law.prescribesTraction()) return true;
+  if (isCoupled(law)) {
+    const auto* ofFace = dynamic_cast<const laws::FaceLaw*>(&law);
+    return ofFace == nullptr || !ofFace->leavesFaceFree();
+  }
   if (!law.isAffine()) return false;
   for (int t = 0; t < steps; ++t) {
     for (const laws::AffineComponent& component : laws::affineComponents(law, t, 1.0)) {
@@ -196,8 +200,9 @@ std::vector<mesh::InterfaceSurface> joinedSurfacesOf(const Parameters& list, con
   return finder.joinedSideSets(list.name(), list.text("Side 1"), list.text("Side 2"), join);
 }
 
-/// Makes surfaces of the faces of a boundary by mortar integrals.
-using Grounding = std::function<std::vector<mesh::InterfaceSurface>(const std::vector<mesh::Face>&)>;
+/// Makes surfaces of this name of the faces of a side set by mortar integrals; `where` is for messages.
+using Grounding = std::function<std::vector<mesh::InterfaceSurface>(const std::string& name, const std::string& where,
+                                                                    const std::string& sideSet)>;
 
 /// Gives a law that needs it points between which tractions are linear, where it acts on quadratic faces.
 void suitQuadraticFaces(const Parameters& list, const mesh::PartPair& parts, const laws::InterfaceLaw& law,
@@ -211,9 +216,10 @@ void suitQuadraticFaces(const Parameters& list, const mesh::PartPair& parts, con
     return;
   }
   if (list.has("Side Set")) {
-    surfaces = ground(finder.facesOf("\"" + list.name() + "\"", list.text("Side Set")));
+    surfaces = ground(list.name(), base::quoted(list.name()), list.text("Side Set"));
     return;
   }
+  if (isCoupled(law)) return;  // nodes have no faces: they count with their areas
   throw base::Error(
       "\"" + std::string(law.name()) + "\" cannot act on faces of quadratic elements here, of which there are " +
           std::to_string(count) +
@@ -262,10 +268,13 @@ void checkSection(const laws::InterfaceLaw& law, int steps) {
 
 /// The surfaces of a law between two faces that are apart.
 std::pair<std::vector<mesh::InterfaceSurface>, std::vector<mesh::InterfaceSurface>> facesApart(
-    const Parameters& list, const mesh::InterfaceFinder& finder) {
+    const Parameters& list, const laws::InterfaceLaw& law, const mesh::Mesh& mesh, int steps,
+    const mesh::InterfaceFinder& finder, const Grounding& ground) {
   const auto on = [&](const std::string& name, const char* side) {
     finder.demandSurface(base::quoted(list.name()), list.text(side));
-    return finder.onSideSet(name, list.text(side));
+    auto surfaces = finder.onSideSet(name, list.text(side));
+    if (countUnsuitedFaces(law, mesh, steps, surfaces) == 0) return surfaces;
+    return ground(name, base::quoted(list.name()), list.text(side));
   };
   return {on(list.name(), "Side 1"), on(nameOfOtherFace(list.name()), "Side 2")};
 }
@@ -319,30 +328,32 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
           checkSection(law, static_cast<int>(scene.times.size()));
           return;  // it is found with the cuts
         }
+        const bool isSplit = law.creases() != laws::Creases::ignore;
+        const double creaseAngle = isSplit ? list.number("Crease Angle") : mesh::InterfaceFinder::oneNormal;
+        const auto ground = [&](const std::string& name, const std::string& where, const std::string& sideSet) {
+          return mortar::groundSurfaces(name, mesh, finder.facesOf(where, sideSet), creaseAngle, depthOf(model), pieces,
+                                        finder.pieces());
+        };
+        const int steps = static_cast<int>(scene.times.size());
         if (const auto* ofFace = dynamic_cast<const laws::FaceLaw*>(&law); ofFace != nullptr && ofFace->onOtherFace()) {
-          auto [first, second] = facesApart(list, finder);
+          auto [first, second] = facesApart(list, law, mesh, steps, finder, ground);
           checkFace(law, model, mesh.dimension, first);
           checkFace(law, model, mesh.dimension, second);
           append(std::move(first));
           append(std::move(second));
           return;
         }
-        const bool isSplit = law.creases() != laws::Creases::ignore;
-        const double creaseAngle = isSplit ? list.number("Crease Angle") : mesh::InterfaceFinder::oneNormal;
         const auto join = [&](const std::string& name1, const std::vector<mesh::Face>& side1, const std::string& name2,
                               const std::vector<mesh::Face>& side2) {
           if (!held) held = heldByBoundaries(scene, mesh.dimension, pieces, finder);
           const MeshJoiner joiner(list, law, creaseAngle, depthOf(model), *held, mesh, bodies, finder);
           return joiner.join(name1, side1, name2, side2, surfaces.joined, surfaces.crossed);
         };
-        const auto ground = [&](const std::vector<mesh::Face>& faces) {
-          return mortar::groundSurfaces(list.name(), mesh, faces, creaseAngle, depthOf(model), pieces, finder.pieces());
-        };
         const auto pairs = list.has("Part 1") ? partPairs.of(list) : std::vector<mesh::PartPair>(1);
         std::vector<mesh::InterfaceSurface> found;
         for (const mesh::PartPair& pair : pairs) {
           auto more = surfacesOf(list, pair, creaseAngle, mesh, pieces, finder, join);
-          suitQuadraticFaces(list, pair, law, mesh, static_cast<int>(scene.times.size()), finder, join, ground, more);
+          suitQuadraticFaces(list, pair, law, mesh, steps, finder, join, ground, more);
           std::move(more.begin(), more.end(), std::back_inserter(found));
         }
         if (!surfaces.crossed.empty()) return;  // all are found again
