@@ -53,6 +53,8 @@ class FieldLaw final : public InterfaceLaw {
   /// The places at which it has been asked so far.
   std::vector<base::Vector3> places() const;
 
+  /// The law with the numbers as they are written, without formulas and fields.
+  const InterfaceLaw& plain() const { return *law_; }
   /// Those that follow are the law's with the numbers as they are written, or what all laws have in common.
   const char* name() const override { return law_->name(); }
   int historySize() const override { return law_->historySize(); }

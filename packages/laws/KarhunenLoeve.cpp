@@ -36,8 +36,8 @@ std::vector<double> eigenvaluesOf(base::Matrix& matrix) {
 }  // namespace
 
 KarhunenLoeve::KarhunenLoeve(std::vector<base::Vector3> places, const std::vector<double>& areas, Covariance covariance,
-                             double length)
-    : places_(std::move(places)), covariance_(covariance), length_(length) {
+                             double length, int wanted)
+    : places_(std::move(places)), covariance_(covariance), length_(length), areas_(areas) {
   const std::size_t n = places_.size();
   std::vector<double> root(n), rest(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -76,19 +76,21 @@ KarhunenLoeve::KarhunenLoeve(std::vector<base::Vector3> places, const std::vecto
   const std::vector<double> values = eigenvaluesOf(gram);
   for (int k = rank - 1; k >= 0 && values[index(k)] > noise * values.back(); --k)
     eigenvalues_.push_back(values[index(k)]);
-  modes_.shape(static_cast<int>(n), terms());
-  for (int k = 0; k < terms(); ++k) {
+  modes_.shape(static_cast<int>(n), std::min(wanted, terms()));
+  for (int k = 0; k < modes_.numCols(); ++k) {
     const double* coefficients = gram[rank - 1 - k];
+    double* mode = modes_[k];
+    for (int a = 0; a < rank; ++a) {
+      for (std::size_t i = 0; i < n; ++i) mode[i] += columns[index(a)][i] * coefficients[a];
+    }
     double largest = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
-      double vector = 0.0;  // times sqrt(lambda)
-      for (int a = 0; a < rank; ++a) vector += columns[index(a)][i] * coefficients[a];
-      modes_(static_cast<int>(i), k) = root[i] * vector / eigenvalues_[index(k)];
-      if (std::abs(vector) > std::abs(largest)) largest = vector;
+      mode[i] /= root[i];
+      if (std::abs(mode[i]) > std::abs(largest)) largest = mode[i];
     }
     // Either sign is right; the same one on every machine.
     if (largest < 0.0) {
-      for (std::size_t i = 0; i < n; ++i) modes_(static_cast<int>(i), k) *= -1.0;
+      for (std::size_t i = 0; i < n; ++i) mode[i] = -mode[i];
     }
   }
 }
@@ -104,12 +106,19 @@ double KarhunenLoeve::share(int count) const {
   return std::min(1.0, sum / area_);
 }
 
-std::vector<double> KarhunenLoeve::at(const base::Vector3& place, int count) const {
-  std::vector<double> values(static_cast<std::size_t>(count), 0.0);
+std::vector<double> KarhunenLoeve::atPoint(int point) const {
+  std::vector<double> values;
+  for (int k = 0; k < modes_.numCols(); ++k) values.push_back(modes_(point, k));
+  return values;
+}
+
+std::vector<double> KarhunenLoeve::at(const base::Vector3& place) const {
+  std::vector<double> values(index(modes_.numCols()), 0.0);
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    const double c = correlation(place, places_[i]);
-    for (int k = 0; k < count; ++k) values[static_cast<std::size_t>(k)] += c * modes_(static_cast<int>(i), k);
+    const double weight = areas_[i] * correlation(place, places_[i]);
+    for (int k = 0; k < modes_.numCols(); ++k) values[index(k)] += weight * modes_(static_cast<int>(i), k);
   }
+  for (int k = 0; k < modes_.numCols(); ++k) values[index(k)] /= eigenvalues_[index(k)];
   return values;
 }
 

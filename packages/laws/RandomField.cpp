@@ -73,13 +73,12 @@ RandomField::RandomField(const input::Parameters& list, const Surface& surface) 
     places.push_back(place);
     weights.push_back(area);
   }
-  if (places.empty())
-    refuse(list.where(), "no interface and no boundary follows it.", "Name it in a law, or remove it.");
+  if (places.empty()) refuse(list.where(), "the interfaces that follow it have no area.", "Give them faces.");
   const auto covariance = list.text("Covariance") == "Gaussian" ? Covariance::gaussian : Covariance::exponential;
-  auto modes = std::make_shared<Modes>(
-      Modes{KarhunenLoeve(std::move(places), weights, covariance, list.number("Correlation Length")), {}});
   read(list);
   const int terms = static_cast<int>(coefficients_.size());
+  auto modes = std::make_shared<Modes>(
+      Modes{KarhunenLoeve(places, weights, covariance, list.number("Correlation Length"), terms), {}});
   const double wanted = list.number("Energy Share");
   const KarhunenLoeve& expansion = modes->expansion;
   if (terms > expansion.terms()) {
@@ -95,7 +94,10 @@ RandomField::RandomField(const input::Parameters& list, const Surface& surface) 
                std::to_string(needed) + " hold " + percent(expansion.share(needed)) + ".",
            "Give so many, or a lower \"Energy Share\" than " + percent(wanted) + ".");
   }
-  for (const auto& [place, area] : surface) modes->known[place] = expansion.at(place, terms);
+  for (std::size_t p = 0; p < places.size(); ++p) modes->known[places[p]] = expansion.atPoint(static_cast<int>(p));
+  for (const auto& [place, area] : surface) {
+    if (area <= 0.0) modes->known[place] = expansion.at(place);
+  }
   modes_ = std::move(modes);
 }
 
@@ -117,8 +119,7 @@ std::shared_ptr<const SpatialField> RandomField::with(const input::Parameters& l
 
 double RandomField::at(int /*step*/, const base::Vector3& place) const {
   const auto found = modes_->known.find(place);
-  const int terms = static_cast<int>(coefficients_.size());
-  const std::vector<double> modes = found == modes_->known.end() ? modes_->expansion.at(place, terms) : found->second;
+  const std::vector<double> modes = found == modes_->known.end() ? modes_->expansion.at(place) : found->second;
   double value = 0.0, variance = 0.0;
   for (std::size_t k = 0; k < coefficients_.size(); ++k) {
     value += modes[k] * coefficients_[k];

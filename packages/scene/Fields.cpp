@@ -17,7 +17,8 @@ bool follows(const input::Parameters& law, const std::string& field) {
   return std::any_of(entries.begin(), entries.end(), [&](const auto& entry) { return law.text(entry) == field; });
 }
 
-/// The points of all interfaces and boundaries that follow a field; at one place there may be some of several faces.
+/// The points of all interfaces and boundaries that follow a field, none where nothing does; at one place there may be
+/// some of several faces.
 laws::RandomField::Surface surfaceOf(const std::string& field, const FieldContext& context) {
   std::vector<std::string> users;
   for (const char* kind : {"Interfaces", "Boundaries"}) {
@@ -45,7 +46,8 @@ laws::SpatialFields makeFields(const std::vector<input::Parameters>& lists, cons
   for (const input::Parameters& list : lists) {
     errors.collect(list.where(), [&] {
       if (list.type() == "Random") {
-        fields[list.name()] = std::make_shared<laws::RandomField>(list, surfaceOf(list.name(), context));
+        const laws::RandomField::Surface surface = surfaceOf(list.name(), context);
+        if (!surface.empty()) fields[list.name()] = std::make_shared<laws::RandomField>(list, surface);
       } else {
         fields[list.name()] = std::make_shared<MeshField>(list, context);
       }

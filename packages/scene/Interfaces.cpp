@@ -258,7 +258,9 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mes
 }
 
 /// The pieces of a part share nodes, of which some may be tied already: only what keeps them together acts there.
-void checkSection(const laws::InterfaceLaw& law, int steps) {
+void checkSection(const laws::InterfaceLaw& given, int steps) {
+  const auto* field = dynamic_cast<const laws::FieldLaw*>(&given);
+  const laws::InterfaceLaw& law = field == nullptr ? given : field->plain();  // what joins the sides varies nowhere
   if (law.bonds() || (actsOnNodes(law, steps) && !law.prescribesTraction())) return;
   throw base::Error("\"" + std::string(law.name()) +
                         "\" cannot act on a plane through one part, where both sides stay together.\n  Choose "

@@ -166,38 +166,39 @@ double MeshField::valueOn(const Found& faces, const Between& step) const {
 double MeshField::at(int step, const base::Vector3& place) const {
   const Between& between = steps_.size() == 1 ? steps_.front() : steps_[static_cast<std::size_t>(step)];
   std::vector<Found> found;
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = std::numeric_limits<double>::infinity(), size = 0.0, reach = nearest;
   for (const Body& body : bodies_) {
     found.emplace_back();
-    if (body.faces.distanceToBox(place) * (1.0 - mesh::conformingTolerance) > nearest) continue;
+    if (body.faces.distanceToBox(place) > reach) continue;
     found.back() = body.faces.at(place);
-    nearest = std::min(nearest, found.back().front().distance);
+    const auto& face = found.back().front();
+    if (face.distance >= nearest) continue;
+    nearest = face.distance;
+    size = face.size;
+    reach = nearest + mesh::conformingTolerance * size;
   }
-  const Body* first = nullptr;
-  double value = 0.0, size = 0.0;
+  std::map<std::string, Found> parts;  // both sides of a plane that divides one count together
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (found[b].empty()) continue;
-    const auto& face = found[b].front();
-    if (face.distance > nearest + mesh::conformingTolerance * face.size) continue;
-    const double here = valueOn(found[b], between);
-    if (first == nullptr) {
-      first = &bodies_[b];
-      value = here;
-      size = face.size;
-    } else if (first->part != bodies_[b].part &&
-               std::abs(here - value) > sameValue * std::max(std::abs(here), std::abs(value))) {
-      refuse(where_,
-             "at " + textOf(place) + " the parts " + base::quoted(first->part) + " and " +
-                 base::quoted(bodies_[b].part) + " have different values, " + base::toText(value) + " and " +
-                 base::toText(here) + ".",
-             "Name one of them in \"Part\".");
-    }
+    if (found[b].empty() || found[b].front().distance > reach) continue;
+    Found& faces = parts[bodies_[b].part];
+    faces.insert(faces.end(), found[b].begin(), found[b].end());
   }
+  const auto& [first, faces] = *parts.begin();
   if (nearest > size) {
     refuse(where_,
            "the place " + textOf(place) + " is " + base::toText(nearest) + " away from the part " +
-               base::quoted(first->part) + ".",
+               base::quoted(first) + ".",
            "Name the part on whose faces the law acts.");
+  }
+  const double value = valueOn(faces, between);
+  for (const auto& [part, others] : parts) {
+    if (part == first) continue;
+    const double here = valueOn(others, between);
+    if (std::abs(here - value) <= sameValue * std::max(std::abs(here), std::abs(value))) continue;
+    refuse(where_,
+           "at " + textOf(place) + " the parts " + base::quoted(first) + " and " + base::quoted(part) +
+               " have different values, " + base::toText(value) + " and " + base::toText(here) + ".",
+           "Name one of them in \"Part\".");
   }
   if (!std::isfinite(value)) {
     refuse(where_, "the variable is no number at " + textOf(place) + ".", "Give one there.");

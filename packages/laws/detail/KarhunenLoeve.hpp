@@ -21,17 +21,20 @@ enum class Covariance {
 /// pivoted Cholesky: Harbrecht, Peters, Schneider, Appl. Numer. Math. 62 (2012), doi:10.1016/j.apnum.2011.10.001.
 class KarhunenLoeve {
  public:
-  /// `places` [length], each once, with their areas [area], above 0; `length`: l [length], above 0. Takes n r^2
+  /// `places` [length], each once, with their areas [area], above 0; `length`: l [length], above 0; `wanted`: of how
+  /// many terms the functions are needed. Takes n r^2
   /// operations, r the rank that holds all but 1e-6 of the variance, at most 1000.
   KarhunenLoeve(std::vector<base::Vector3> places, const std::vector<double>& areas, Covariance covariance,
-                double length);
+                double length, int wanted);
 
-  /// How many terms are known.
+  /// How many terms there are, but for round-off.
   int terms() const { return static_cast<int>(eigenvalues_.size()); }
   /// Share of the variance, integrated over the surface, that the first `count` terms hold, from 0 to 1.
   double share(int count) const;
-  /// sqrt(lambda_k) phi_k of the first `count` terms at any place: by the integral equation.
-  std::vector<double> at(const base::Vector3& place, int count) const;
+  /// sqrt(lambda_k) phi_k of the terms that were wanted, as far as there are, at point number `point`.
+  std::vector<double> atPoint(int point) const;
+  /// The same at any place, by the integral equation: takes as many operations as there are points.
+  std::vector<double> at(const base::Vector3& place) const;
 
  private:
   double correlation(const base::Vector3& a, const base::Vector3& b) const;
@@ -40,7 +43,8 @@ class KarhunenLoeve {
   Covariance covariance_;
   double length_, area_ = 0.0;
   std::vector<double> eigenvalues_;  // descending [area]
-  base::Matrix modes_;               // points x terms: h phi_k / sqrt(lambda_k)
+  base::Matrix modes_;               // points x wanted terms: sqrt(lambda_k) phi_k
+  std::vector<double> areas_;
 };
 
 }  // namespace harmos::laws

@@ -213,6 +213,24 @@ class Cases:
             one["Boundaries/load/Law/Pressure History"] = "half"
         yield "product", self.runner.difference(followed, expected), SAME
 
+    def plane(self) -> Iterator[tuple[str, float, float]]:
+        """On a plane through a part; elements on both sides of it count."""
+        def cut(**options: Any) -> harmos.Scene:
+            wanted = scene(**options)
+            wanted["Interfaces/cut"] = {"Part": "upper", "Point": [2.0, 0.0, 1.5], "Normal": [1.0, 0.0, 0.0],
+                                        "Law": {"Type": "Preload Jump", "Jump": 0.01}}
+            return wanted
+
+        def elements(x: Any, *_: Any) -> Any:
+            return numpy.where(x < 2, 1.0, 3.0)
+
+        for formula, value, is_element in (("1 + y", lambda x, y, z, t: 1 + y, False), ("2", elements, True)):
+            followed, expected = cut(), cut()
+            self.runner.on_file(followed, "map", value, elements=is_element)
+            with_field(followed, "Interfaces/cut", "Jump", "map", Part="upper")
+            expected["Interfaces/cut/Law/Jump Formula"] = formula
+            yield formula, self.runner.difference(followed, expected), SAME
+
     def study(self) -> Iterator[tuple[str, float, float]]:
         """A configuration of a study is the run with its number."""
         followed = scene()

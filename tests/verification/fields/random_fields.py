@@ -159,9 +159,9 @@ class Cases:
         yield reason(block(field(1, **{"Energy Share": 0.95})), "1 terms hold")
         yield reason(block(field(9, **{"Covariance": "Gaussian", "Correlation Length": 100.0}), cells=2), "the field has")
         yield reason(block(field(2, **{"Correlation Length": 0.0})), "above 0")
-        lone = block(field(9))
-        lone["Boundaries/top/Law"] = {"Type": "Pressure", "Pressure": 1.0}
-        yield reason(lone, "no interface and no boundary follows it")
+        other = block(field(9))
+        other["Boundaries/top/Law/Pressure Field"] = "ruogh"
+        yield reason(other, 'Did you mean "rough"?')
 
 
 def main() -> int:
