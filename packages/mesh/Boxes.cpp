@@ -70,8 +70,8 @@ Box readBox(const input::Parameters& parameters) {
 input::ParameterSpec describeBoxes() {
   input::ParameterSpec spec("Boxes");
   spec.summary(
-      "Any number of boxes of equal cells. Each is a block of its own name with side sets <name>_xmin, "
-      "<name>_xmax and so on; boxes share no nodes.");
+      "Any number of boxes of equal cells. Each is a block of its own name with side sets NAME_xmin, "
+      "NAME_xmax and so on; boxes share no nodes.");
   input::ParameterSpec& box = spec.namedLists("Boxes", true);
   box.numbers(corners[0]).unit("length").doc("Lowest coordinates, 2 numbers in the plane or 3 in space.");
   box.numbers(corners[1]).unit("length").doc("Highest coordinates.");

@@ -45,13 +45,20 @@ def page_of(heading: str) -> str | None:
     return "outputs.md" if heading == "Outputs" else "scene.md"
 
 
+def fenced(section: str) -> str:
+    """A section with its snippets, which are indented for a terminal, as blocks of XML."""
+    def fence(match: re.Match[str]) -> str:
+        return "```xml\n" + re.sub(r"^    ", "", match[0], flags=re.MULTILINE).rstrip() + "\n```\n"
+    return re.sub(r"(?:^    .*\n)+", fence, section, flags=re.MULTILINE)
+
+
 def input_pages(harmos: str) -> dict[str, str]:
     sections: dict[str, list[str]] = {name: [] for name in INPUTS}
     for section in re.split(r"^(?=## )", output(harmos, "doc"), flags=re.MULTILINE)[1:]:
         heading = section.splitlines()[0].removeprefix("## ")
         page = page_of(heading)
         if page:
-            sections[page].insert(0 if heading == "Laws" else len(sections[page]), section.rstrip() + "\n")
+            sections[page].insert(0 if heading == "Laws" else len(sections[page]), fenced(section.rstrip() + "\n"))
     return {name: f"# {INPUTS[name][0]}\n\n{MADE}" + "\n".join(parts) for name, parts in sections.items()}
 
 
