@@ -1,5 +1,6 @@
 #include <harmos/scene/detail/LawEntry.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <variant>
@@ -19,8 +20,24 @@ std::vector<std::string> split(const std::string& path) {
   return names;
 }
 
+/// Of a law, or of a field that laws follow.
 bool isOfLaw(const std::vector<std::string>& names) {
-  return names.size() == 4 && (names[0] == "Interfaces" || names[0] == "Boundaries") && names[2] == "Law";
+  if (names.size() == 4 && names[0] == "Fields") return names[2] == "Coefficients";
+  return names.size() >= 4 && (names[0] == "Interfaces" || names[0] == "Boundaries") && names[2] == "Law";
+}
+
+/// The list that holds the last of these names; null: there is none.
+const input::Parameters* listOf(const input::Parameters& owner, const std::vector<std::string>& names) {
+  const input::Parameters* list = &owner;
+  for (std::size_t i = 2; i + 1 < names.size(); ++i) {
+    const auto& all = list->sublists();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const input::Parameters::Sublist& sublist) {
+      return sublist.name == names[i] && !sublist.isNamed;
+    });
+    if (found == all.end()) return nullptr;
+    list = &found->lists.front();
+  }
+  return list;
 }
 
 /// Nothing where there is no such list or number.
@@ -48,10 +65,9 @@ void demandLawEntry(const input::InputTree& input, const std::string& entry) {
   const std::vector<std::string> names = split(entry);
   if (isOfLaw(names)) return;
   if (names.size() != 2 || names[0] != "Values") {
-    refuse(
-        entry,
-        "only numbers of laws can be parameters: Interfaces/NAME/Law/ENTRY, Boundaries/NAME/Law/ENTRY, or Values/NAME "
-        "that such entries name.");
+    refuse(entry,
+           "only numbers of laws can be parameters: Interfaces/NAME/Law/ENTRY, Boundaries/NAME/Law/ENTRY, "
+           "Fields/NAME/Coefficients/ENTRY, or Values/NAME that such entries name.");
   }
   for (const std::string& user : input::entriesThatName(input, "$" + names[1])) {
     if (!isOfLaw(split(user))) refuse(entry, "\"" + user + "\" names it, too, which is no number of a law.");
@@ -69,12 +85,14 @@ double lawEntry(const input::InputTree& input, const input::Parameters& scene, c
     if (scene.hasList("Values")) list = &scene.list("Values");
   } else {
     std::vector<std::string> known;
-    for (const input::Parameters& interface : scene.lists(names[0])) {
-      known.push_back(interface.name());
-      if (interface.name() == names[1]) list = &interface.list("Law");
+    bool isKnown = false;
+    for (const input::Parameters& owner : scene.lists(names[0])) {
+      known.push_back(owner.name());
+      if (owner.name() != names[1]) continue;
+      isKnown = true;
+      list = listOf(owner, names);
     }
-    if (list == nullptr)
-      refuse(entry, "there is no \"" + names[1] + "\". " + base::suggestName(names[1], known, names[0]));
+    if (!isKnown) refuse(entry, "there is no \"" + names[1] + "\". " + base::suggestName(names[1], known, names[0]));
   }
   if (list != nullptr) {
     if (const auto number = numberIn(*list, name)) return *number;

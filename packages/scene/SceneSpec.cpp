@@ -119,7 +119,8 @@ void describeOutput(input::ParameterSpec& spec) {
   spec.texts("Derivatives")
       .optional()
       .doc(
-          "Numbers of laws, as Interfaces/NAME/Law/ENTRY, Boundaries/NAME/Law/ENTRY or Values/NAME: the derivatives of "
+          "Numbers of laws, as Interfaces/NAME/Law/ENTRY, Boundaries/NAME/Law/ENTRY, Fields/NAME/Coefficients/ENTRY or "
+          "Values/NAME: the derivatives of "
           "all responses with respect to them are written to SCENE_derivatives.csv. Not with the velocity form.");
 }
 

@@ -149,6 +149,28 @@ class Cases:
             for old in self.folder.glob("vary*"):
                 old.unlink()
 
+    def derivatives(self) -> Checks:
+        """With respect to coefficients, beside differences of runs."""
+        entry = "Fields/rough/Coefficients/xi_2"
+
+        def end(scene: harmos.Scene, xi: float) -> float:
+            scene[entry] = xi
+            scene.write(self.folder / "block.xml")
+            code, message = self._call("run", "block.xml")
+            if code != 0:
+                raise RuntimeError(message)
+            return float((self.folder / "block_history.csv").read_text().split()[-1].split(",")[4])
+
+        for law in ("ground/Law/Normal Stiffness", "top/Law/Pressure"):
+            scene = block(field(2, **{"Covariance": "Gaussian", "Correlation Length": 4.0}), law, 8)
+            scene["Solver/Accuracy"] = 1e-9
+            difference = (end(scene, 0.301) - end(scene, 0.299)) / 0.002
+            scene["Output"] = {"Derivatives": [entry]}
+            end(scene, 0.3)
+            with open(self.folder / "block_derivatives.csv", newline="") as file:
+                found = next(float(row["derivative"]) for row in csv.DictReader(file) if row["response"] == "end")
+            yield law, abs(found / difference - 1), 1e-5
+
     def refused(self) -> Checks:
         def reason(scene: harmos.Scene, words: str) -> tuple[str, float, float]:
             scene.write(self.folder / "block.xml")
