@@ -10,7 +10,8 @@ namespace {
 
 // Newton's method in a bracket, which is halved where it leaves it.
 constexpr int mostSteps = 200;
-constexpr double roundOff = 1e-16;
+// Of m: Newton's step after one as short as that is round-off.
+constexpr double converged = 1e-12;
 
 /// Smooth hysteresis along the surface: t_t = a k delta_t + (1 - a) k z, z' = delta' - z (|z|^(n-2) / Z^n) (s
 /// |delta'.z|
@@ -109,7 +110,7 @@ struct BoucWen {
       const double slope = 1.0 + h * (1.0 - factor * power) + exponent * grown * (m > 0.0 ? power / m : 0.0);
       double next = m - value / slope;
       if (!(next > low && next < high)) next = 0.5 * (low + high);
-      if (std::abs(next - m) <= roundOff * m || next == m) return next;
+      if (std::abs(next - m) <= converged * m) return next;
       m = next;
     }
     return m;

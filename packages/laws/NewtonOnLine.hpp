@@ -50,56 +50,62 @@ inline base::Vector3 solved(std::array<base::Vector3, 3> a, base::Vector3 b) {
   return x;
 }
 
-/// What a jump leaves of a line, delta + H t - delta_free, beside the largest of its terms.
+/// What a jump leaves of a line, delta + H t - delta_free, beside the largest of its terms. In squares, which take no
+/// roots.
 struct LineResidual {
   /// Of a graph that has the traction `t` at `jump`.
   LineResidual(const LocalLine& line, const base::Vector3& jump, const base::Vector3& t)
       : value(jump - line.jump(t)),
-        size(norm(value)),
+        square(base::dot(value, value)),
         scale(sumOfSizes(jump) + line.compliance * sumOfSizes(t) + sumOfSizes(line.freeJump)) {}
 
   /// No more than round-off; false where it is not finite.
-  bool isRoundOff() const { return size <= 16.0 * std::numeric_limits<double>::epsilon() * scale && isFinite(); }
+  bool isRoundOff() const { return isWithin(16.0 * std::numeric_limits<double>::epsilon()); }
   /// As small as a formula whose terms cancel may leave it.
-  bool isSmall() const { return size <= 1e-12 * scale && isFinite(); }
-  /// Neither overflow nor what is not a number.
-  bool isFinite() const { return size <= std::numeric_limits<double>::max(); }
+  bool isSmall() const { return isWithin(1e-12); }
 
   base::Vector3 value;  // [length]
-  double size;          // its norm
+  double square;        // |value|^2 [length^2]
   double scale;         // [length]
+
+ private:
+  bool isWithin(double share) const {
+    const double most = share * scale;
+    return square <= most * most && square <= std::numeric_limits<double>::max();
+  }
 };
 
-/// Traction at which a smooth graph meets a line, by Newton's method with steps that are halved until the residual
-/// falls; nothing when that comes to no end.
-///
-/// `tractionAt(jump)` is the graph [stress], `pointAt(jump)` a GraphPoint. Where the graph is monotone the residual
-/// falls along every Newton direction, and there is one point. Begins at the jump 0, or at the free jump where the
-/// graph has no value or slope there. A free jump that is not finite is handed on as traction.
+/// Newton's step: what to take from a jump of this residual [length].
+inline base::Vector3 newtonMove(const LocalLine& line, const GraphPoint& point, const base::Vector3& residual) {
+  std::array<base::Vector3, 3> rows;
+  for (std::size_t r = 0; r < 3; ++r) {
+    rows[r] = line.compliance * point.slope[r];
+    rows[r][r] += 1.0;
+  }
+  return solved(rows, residual);
+}
+
+/// Newton's method with steps that are halved until the residual falls, from a jump [length]; see newtonOnLine(), whose
+/// registers it is not to take.
 template <class TractionAt, class PointAt>
-std::optional<base::Vector3> newtonOnLine(const LocalLine& line, const TractionAt& tractionAt, const PointAt& pointAt) {
+[[gnu::noinline]] std::optional<base::Vector3> dampedNewtonOnLine(const LocalLine& line, base::Vector3 jump,
+                                                                  const TractionAt& tractionAt,
+                                                                  const PointAt& pointAt) {
   constexpr int iterations = 400, halvings = 60;
   constexpr double leastDecrease = 1e-4;  // of the residual, in parts of a whole step
   constexpr double resolved = 1e-9;       // rest of a step that leads nowhere, in parts of the jump
-  base::Vector3 jump{};
-  GraphPoint point = pointAt(jump);
   for (int i = 0; i < iterations; ++i) {
-    if (i > 0) point = pointAt(jump);
+    const GraphPoint point = pointAt(jump);
     const LineResidual residual(line, jump, point.traction);
     if (residual.isRoundOff()) return point.traction;
-    std::array<base::Vector3, 3> rows;
-    for (std::size_t r = 0; r < 3; ++r) {
-      rows[r] = line.compliance * point.slope[r];
-      rows[r][r] += 1.0;
-    }
-    const base::Vector3 move = solved(rows, residual.value);
-    if (!std::isfinite(residual.size + move[0] + move[1] + move[2])) {
+    const base::Vector3 move = newtonMove(line, point, residual.value);
+    if (!std::isfinite(residual.square + move[0] + move[1] + move[2])) {
       if (!std::isfinite(norm(line.freeJump))) return line.freeJump;  // what is not a number is handed on
       if (i > 0 || jump == line.freeJump) return std::nullopt;
       jump = line.freeJump;
       continue;
     }
-    double part = 1.0, least = residual.size;
+    double part = 1.0, least = residual.square;
     base::Vector3 best = jump;
     for (int h = 0;; ++h, part *= 0.5) {
       const base::Vector3 next = jump - part * move;
@@ -107,12 +113,13 @@ std::optional<base::Vector3> newtonOnLine(const LocalLine& line, const TractionA
       const LineResidual left(line, next, traction);
       if (left.isRoundOff()) return traction;
       // Where the whole step is too long, the residual falls on as it is halved, beyond kinks.
-      const bool isLower = left.size <= (1.0 - leastDecrease * part) * least;
+      const double share = 1.0 - leastDecrease * part;
+      const bool isLower = left.square <= share * share * least;
       if (isLower) {
-        least = left.size;
+        least = left.square;
         best = next;
       }
-      if (least < residual.size && (!isLower || h == 0 || h == halvings)) {
+      if (least < residual.square && (!isLower || h == 0 || h == halvings)) {
         jump = best;
         break;
       }
@@ -124,6 +131,24 @@ std::optional<base::Vector3> newtonOnLine(const LocalLine& line, const TractionA
     }
   }
   return std::nullopt;
+}
+
+/// Traction at which a smooth graph meets a line, by Newton's method with steps that are halved until the residual
+/// falls; nothing when that comes to no end.
+///
+/// `tractionAt(jump)` is the graph [stress], `pointAt(jump)` a GraphPoint. Where the graph is monotone the residual
+/// falls along every Newton direction, and there is one point. Begins at the jump 0, or at the free jump where the
+/// graph has no value or slope there. A free jump that is not finite is handed on as traction.
+template <class TractionAt, class PointAt>
+std::optional<base::Vector3> newtonOnLine(const LocalLine& line, const TractionAt& tractionAt, const PointAt& pointAt) {
+  const GraphPoint point = pointAt({});
+  const LineResidual residual(line, {}, point.traction);
+  const base::Vector3 next = (-1.0) * newtonMove(line, point, residual.value);
+  const base::Vector3 traction = tractionAt(next);
+  const LineResidual left(line, next, traction);
+  // Springs and the like are met at once.
+  if (left.isRoundOff()) return traction;
+  return dampedNewtonOnLine(line, left.square < residual.square ? next : base::Vector3{}, tractionAt, pointAt);
 }
 
 }  // namespace harmos::laws

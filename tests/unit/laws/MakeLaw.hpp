@@ -21,6 +21,8 @@ inline std::unique_ptr<InterfaceLaw> makeLaw(const std::string& law, const std::
       if (!entry->defaultText) continue;
       if (entry->type == input::ParameterType::text) {
         parameters.set(entry->name, *entry->defaultText);
+      } else if (entry->type == input::ParameterType::flag) {
+        parameters.set(entry->name, *entry->defaultText == "true");
       } else {
         parameters.set(entry->name, std::stod(*entry->defaultText));
       }
