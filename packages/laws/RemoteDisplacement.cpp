@@ -2,6 +2,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <harmos/laws/CoupledLaw.hpp>
 #include <harmos/laws/FaceLaw.hpp>
@@ -92,6 +93,19 @@ class RemoteDisplacement final : public CoupledLaw, public FaceLaw {
   }
   const std::shared_ptr<const FaceMotions>& face() const override { return face_; }
   bool leavesFaceFree() const override { return kind_ == FaceJoint::Kind::distributing; }
+  std::vector<HeldMotion> heldMotions() const override {
+    std::vector<HeldMotion> held;
+    if (!leavesFaceFree()) return held;
+    for (const int c : face_->components()) {
+      const auto i = static_cast<std::size_t>(c);
+      if (!std::isinf(stiffness_[i])) continue;
+      FaceMotions::Six unit{};
+      unit[i] = 1.0;
+      // A force in the point does the work of its displacement.
+      held.push_back({components[i], face_->fromPoint(point_.value_or(face_->centre()), unit)});
+    }
+    return held;
+  }
 
   void addToSums(int, const NodeArrays& nodes, double* sums) const override {
     assert(joint_ && "the law is bound to its face before it is asked");

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <sstream>
 #include <tuple>
 
+#include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
 #include <harmos/base/Vector3.hpp>
 #include <harmos/latin/PrescribedForces.hpp>
@@ -39,6 +41,43 @@ std::string counted(std::size_t count, const std::string& what) {
 bool leavesFaceFree(const laws::InterfaceLaw& law) {
   const auto* ofFace = dynamic_cast<const laws::FaceLaw*>(&law);
   return ofFace != nullptr && ofFace->leavesFaceFree();
+}
+
+/// Those of `motions` that follow from `others`.
+std::vector<std::string> dependentMotions(const std::vector<laws::FaceLaw::HeldMotion>& motions,
+                                          const std::vector<laws::FaceLaw::HeldMotion>& others) {
+  using Six = laws::FaceMotions::Six;
+  const auto dot = [](const Six& a, const Six& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); };
+  double length = 0.0;  // that makes rotations comparable
+  for (const auto* all : {&motions, &others}) {
+    for (const auto& motion : *all) {
+      if (motion.of[0] == 0.0 && motion.of[1] == 0.0 && motion.of[2] == 0.0) continue;
+      for (std::size_t i = 3; i < 6; ++i) length = std::max(length, std::abs(motion.of[i]));
+    }
+  }
+  std::vector<Six> axes;
+  /// Takes it among the axes; false: it lies in their span.
+  const auto add = [&](Six v) {
+    for (std::size_t i = 3; i < 6 && length > 0.0; ++i) v[i] /= length;
+    const double size = std::sqrt(dot(v, v));
+    for (int again = 0; again < 2; ++again) {
+      for (const Six& axis : axes) {
+        const double along = dot(v, axis);
+        for (std::size_t i = 0; i < 6; ++i) v[i] -= along * axis[i];
+      }
+    }
+    const double rest = std::sqrt(dot(v, v));
+    if (rest <= alongIt * size) return false;
+    for (double& one : v) one /= rest;
+    axes.push_back(v);
+    return true;
+  };
+  for (const auto& other : others) add(other.of);
+  std::vector<std::string> dependent;
+  for (const auto& motion : motions) {
+    if (!add(motion.of)) dependent.push_back(motion.name);
+  }
+  return dependent;
 }
 
 class Checker {
@@ -90,8 +129,10 @@ class Checker {
       }
     }
     for (const auto& [both, faces] : common) {
-      compare(*lists_[both.first], *lists_[both.second], both.first > both.second, faces,
-              faces.size() == counts[both.first]);
+      const input::Parameters &list = *lists_[both.first], &other = *lists_[both.second];
+      const bool isLater = both.first > both.second, areAll = faces.size() == counts[both.first];
+      compare(list, other, isLater, faces, areAll);
+      if (areAll) compareMotions(list, other, isLater, faces.size() == counts[both.second]);
     }
   }
 
@@ -154,6 +195,55 @@ class Checker {
     } else if (!law.isAffine() && !otherLaw.isAffine() && isLater) {
       errors_.add(list.where(), shared + "; what each carries is not determined.", "Give every face one of the two.");
     }
+  }
+
+  /// What the law of a list holds of the motion of its face, null where it is none of a face.
+  const laws::FaceLaw* faceLaw(const std::string& listName) const {
+    const auto found = std::find_if(places_.interfaces.begin(), places_.interfaces.end(),
+                                    [&](const assembly::Interface& one) { return one.name == listName; });
+    return found == places_.interfaces.end() ? nullptr : dynamic_cast<const laws::FaceLaw*>(found->law.get());
+  }
+
+  /// `holder` has all faces of `list`, and `list` all of it when they are `same`.
+  void compareMotions(const input::Parameters& list, const input::Parameters& holder, bool isLater, bool same) {
+    const laws::FaceLaw* law = faceLaw(list.name());
+    if (law == nullptr) return;
+    const laws::FaceLaw* other = faceLaw(holder.name());
+    std::vector<std::string> twice;
+    if (other == nullptr) {
+      for (const auto& motion : law->heldMotions()) {
+        if (nodesHold(holder.name(), list.name(), *law, motion)) twice.push_back(motion.name);
+      }
+    } else if (isLater && same) {
+      twice = dependentMotions(law->heldMotions(), other->heldMotions());
+    }
+    if (twice.empty()) return;
+    errors_.add(list.where(),
+                "it holds " + base::joinNames(twice, twice.size()) + " of the faces whose motion \"" + holder.name() +
+                    "\" at " + holder.location() +
+                    " holds already; they contradict each other, or what each carries is not determined.",
+                "Hold it in one of the two.");
+  }
+
+  /// The motion is that of nodes which a boundary holds along all that it consists of.
+  bool nodesHold(const std::string& holder, const std::string& listName, const laws::FaceLaw& law,
+                 const laws::FaceLaw::HeldMotion& motion) const {
+    const laws::FaceMotions::Six weights = law.face()->divided(motion.of);
+    std::vector<std::pair<std::pair<int, int>, base::Vector3>> parts;
+    double largest = 0.0;
+    for (const assembly::Interface& interface : places_.interfaces) {
+      if (interface.name != listName || !interface.trace1.isSelection()) continue;
+      for (int p = 0; p < interface.pairs(); ++p) {
+        const int node = interface.trace1.node(p);
+        const base::Vector3& place = places_.mesh.nodes[places_.pieces[interface.body1].nodes[node]];
+        parts.push_back({{interface.body1, node}, law.face()->at(weights, place)});
+        largest = std::max(largest, norm(parts.back().second));
+      }
+    }
+    return !parts.empty() && std::all_of(parts.begin(), parts.end(), [&](const auto& part) {
+      return norm(part.second) <= alongIt * largest ||
+             holdsWholly(holder, part.first.first, part.first.second, part.second);
+    });
   }
 
   /// Whether what a boundary holds leaves no part of a direction free.
