@@ -5,11 +5,13 @@
 #include <cmath>
 #include <ctime>
 #include <exception>
+#include <limits>
 #include <optional>
 
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
 #include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/HistoryFile.hpp>
@@ -150,12 +152,25 @@ std::vector<GlobalVariable> globalsOf(const latin::LatinResult& solution, std::s
   return globals;
 }
 
+// Of the residual of a derivative: beyond it what was found is none.
+constexpr double noDerivative = 1e-3;
+
+/// NaN, and a remark, where a pair sits at a kink of its law.
 std::vector<files::ResponseDerivative> differentiate(
     const std::vector<std::string>& entries, LawParameters& parameters, const base::Matrix& state,
-    latin::FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const latin::Response>>& responses) {
+    latin::FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const latin::Response>>& responses,
+    std::vector<std::string>& remarks) {
   std::vector<latin::ModelParameter> all;
   for (const std::string& entry : entries) all.push_back(parameters.parameter(entry));
-  const auto found = latin::Derivatives(fixedPoint, responses).compute(state, all);
+  auto found = latin::Derivatives(fixedPoint, responses).compute(state, all);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (found[i].residual <= noDerivative) continue;
+    for (std::vector<double>& values : found[i].responses) {
+      std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
+    }
+    remarks.push_back("there are no derivatives with respect to " + base::quoted(entries[i]) +
+                      ": a pair sits at a kink of its law, at the edge of sticking or of contact");
+  }
   std::vector<files::ResponseDerivative> derivatives;
   for (std::size_t j = 0; j < responses.size(); ++j) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -248,8 +263,8 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
     if (canDifferentiate) {
       const auto differentiating = timers.start("derivatives");
       LawParameters parameters(tree, request.scene, request.overrides, laws, problem.assembly);
-      result.derivatives =
-          differentiate(scene.output.derivatives, parameters, state, solver.fixedPoint(), problem.responses);
+      result.derivatives = differentiate(scene.output.derivatives, parameters, state, solver.fixedPoint(),
+                                         problem.responses, result.solution.remarks);
     }
     if (comm->getRank() == 0) files::writeDerivatives(result.files.derivatives, scene.times, result.derivatives);
   } catch (const std::exception& error) {

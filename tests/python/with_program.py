@@ -4,6 +4,9 @@ import pathlib
 import shutil
 import sys
 from collections.abc import Callable
+from typing import Any
+
+import numpy
 
 import harmos
 
@@ -63,6 +66,34 @@ for entry in entries:
         size = max(abs(difference).max(), 0.1 * abs(above[response]).max() / abs(value))
         assert abs(derivatives[response, entry] - difference).max() <= 2e-5 * size, (response, entry)
 scene["Solver/Accuracy"] = 1e-4
+
+# At the edge of slip, to all digits, there is no derivative, and nothing that looks like one.
+def fixed(side: str, **along: float) -> dict[str, Any]:
+    law: dict[str, Any] = {"Type": "Prescribed Displacement", **along}
+    return {"Side Set": side, "Law": law}
+
+
+OF_EDGE = "Interfaces/joint/Law/Friction Coefficient"
+edge = harmos.Scene("edge", {
+    "Model": {"Kinematics": "Plane Stress", "Thickness": 1.0},
+    "Mesh": {"Type": "Boxes", "Boxes": {name: {"Lower Corner": [0.0, 4.0 * i], "Upper Corner": [10.0, 4.0 * i + 4.0], "Cells": [2, 1]}
+                                        for i, name in enumerate(("lower", "upper"))}},
+    "Materials": {"steel": {"Type": "Isotropic", "Young's Modulus": 1e5, "Poisson's Ratio": 0.0}},
+    "Parts": {"lower": {"Material": "steel"}, "upper": {"Material": "steel"}},
+    "Interfaces": {"joint": {"Part 1": "lower", "Part 2": "upper",
+                             "Law": {"Type": "Coulomb Friction", "Friction Coefficient": 0.3}}},
+    "Boundaries": {"foot": fixed("lower_ymin", X=0.0, Y=0.0), "push": fixed("upper_ymax", X=1e-3, Y=-0.08)},
+    "Steps": {"push": {}}, "Solver": {"Accuracy": 1e-8, "Mesh Error": False},
+    "Responses": {name: {"Type": "Interface Force", "Interface": "joint", "Direction": direction}
+                  for name, direction in (("T", [1.0, 0.0]), ("N", [0.0, 1.0]))},
+    "Output": {"Derivatives": [OF_EDGE]}})
+stuck = harmos.run(edge, work / "stuck")
+assert stuck.derivatives["T", OF_EDGE][-1] == 0.0
+edge[OF_EDGE] = float(abs(stuck.history["T"][-1] / stuck.history["N"][-1]))
+slipping = harmos.run(edge, work / "slipping")
+assert slipping.is_certified
+assert numpy.isnan(slipping.derivatives["T", OF_EDGE]).all(), slipping.derivatives
+assert any(OF_EDGE in remark for remark in slipping.record["remarks"])
 
 # Too few iterations: an exception, and what was found so far.
 try:
