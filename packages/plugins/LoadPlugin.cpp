@@ -9,6 +9,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
 #include <harmos/plugins/PluginDescription.hpp>
+#include <harmos/plugins/detail/LibraryFile.hpp>
 
 namespace harmos::plugins {
 
@@ -30,8 +31,25 @@ std::string loadable(const std::string& path) {
   return none ? path : whole.string();
 }
 
+/// Or the like: the loader would wait for a pipe even to tell whether it is known.
+bool isPipeOrFolder(const std::string& file) {
+  std::error_code none;
+  return fs::exists(file, none) && !fs::is_regular_file(file, none);
+}
+
+void* opened(const std::string& path) {
+  const std::string file = loadable(path);
+  const auto demand = [&path](const std::string& defect) {
+    if (!defect.empty()) refuse(path, "cannot be loaded: it " + defect + ".", "Build or copy the plugin anew.");
+  };
+  demand(isPipeOrFolder(file) ? "is no file" : "");
+  if (void* const known = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD)) return known;
+  demand(defectOfLibrary(file));
+  return ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+}
+
 const PluginDescription& describedBy(const std::string& path) {
-  void* library = ::dlopen(loadable(path).c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* library = opened(path);
   if (library == nullptr) {
     const char* const reason = ::dlerror();
     std::error_code none;
@@ -48,7 +66,8 @@ const PluginDescription& describedBy(const std::string& path) {
            "One of its sources must have HARMOS_LAW_PLUGIN(...) with the names of its laws.");
   }
   const PluginDescription* const description = describe();
-  if (description == nullptr || description->magic != pluginMagic) {
+  if (description == nullptr || description->magic != pluginMagic || description->version == nullptr ||
+      description->digest == nullptr || description->abi == nullptr || description->addLaws == nullptr) {
     refuse(path, "describes itself in another way than plugins of this Harmos do.", rebuild);
   }
   return *description;

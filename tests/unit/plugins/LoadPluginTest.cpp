@@ -2,6 +2,8 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/plugins/LoadPlugin.hpp>
@@ -73,6 +75,24 @@ TEST(LoadPlugin, HandsOnWhatALawThrows) {
     EXPECT_EQ(error.code(), base::ExitCode::input);
     EXPECT_NE(std::string(error.what()).find("nothing would be left"), std::string::npos);
   }
+}
+
+// The loader would end the process, or wait.
+TEST(LoadPlugin, RefusesLibrariesThatWereCutShortAndPipes) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / ("harmos_cut_plugins_" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  const std::uintmax_t size = fs::file_size(pathOf("DampedGlue"));
+  for (const double share : {0.02, 0.3, 0.6, 0.9, 0.999}) {
+    const fs::path cut = folder / ("cut_" + std::to_string(share) + ".so");
+    fs::copy_file(pathOf("DampedGlue"), cut);
+    fs::resize_file(cut, static_cast<std::uintmax_t>(share * static_cast<double>(size)));
+    EXPECT_NE(refusalOf(cut.string()).find("cut short"), std::string::npos) << share;
+  }
+  const fs::path pipe = folder / "pipe.so";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_NE(refusalOf(pipe.string()).find("is no file"), std::string::npos);
+  fs::remove_all(folder);
 }
 
 TEST(LoadPlugin, RefusesWhatIsNotThere) {
