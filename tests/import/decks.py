@@ -97,6 +97,29 @@ class Decks(unittest.TestCase):
         for row, force in zip(history, (0.0, 4.0, 8.0, 4.0, 0.0, 1.5, 3.0, 4.5, 6.0)):
             self.assertAlmostEqual(row["reaction_held_xyz_z"], force, 3)
 
+    def test_amplitudes_that_start_later_or_are_no_tables(self) -> None:
+        saw = "*AMPLITUDE,NAME=SAW{}\n0., 0., 0.5, 1., 1., 0.\n"
+        text = CUBE + STEEL + HELD + saw + STEP.format("0.25, 1.\n*DLOAD,AMPLITUDE=SAW{}\nCUBE, P2, 8.\n")
+        for shift, delay in ((",SHIFTX=0.25", ""), ("", ",TIME DELAY=0.25")):
+            history = self.solved(text.format(shift, delay))
+            for row, force in zip(history, (0.0, 0.0, 4.0, 8.0, 4.0)):
+                self.assertAlmostEqual(row["reaction_held_xyz_z"], force, 3)
+        history = self.solved(text.format(",SHIFTY=1.", ""))
+        self.assertAlmostEqual(history[-1]["reaction_held_xyz_z"], 8.0, 3)
+        code, said = self.imported(text.format(",DEFINITION=PERIODIC", ""))
+        self.assertEqual(code, 0, said)
+        self.assertIn("*AMPLITUDE SAW: is no table", said)
+        shutil.rmtree(work / "out")
+        self.demand_refused(text.format(",SHIFTX=x", ""), "\"X\" is no number")
+
+    def test_fixed(self) -> None:
+        keep = STEP.format("*BOUNDARY\n5,3,3,0.01\n") + STEP.format("*BOUNDARY,FIXED\n5,3\n6,3\n*DLOAD\nCUBE, P2, 0.\n")
+        code, said = self.imported(CUBE + STEEL + HELD + keep)
+        self.assertEqual(code, 0, said)
+        self.assertNotIn("deck.inp:31: *BOUNDARY, FIXED", said)
+        self.assertIn("deck.inp:32: *BOUNDARY, FIXED: 1 of its nodes were free before", said)
+        self.assertIn('"Z" type="double" value="0.01"', (work / "out" / "deck.xml").read_text())
+
     def test_instances_and_ties(self) -> None:
         part = f"*PART,NAME=BRICK\n{CUBE}*SOLID SECTION,ELSET=CUBE,MATERIAL=STEEL\n*END PART\n"
         turned = "*INSTANCE,NAME=B,PART=BRICK\n0., 0., 2.\n0., 0., 2., 1., 0., 2., -90.\n*END INSTANCE\n"

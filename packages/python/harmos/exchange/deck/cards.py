@@ -34,8 +34,8 @@ class Card:
         return f"{self.file}:{self.line}"
 
     def place_of(self, row: int) -> str:
-        """FILE:LINE of a line of data."""
-        return f"{self.file}:{self.first[row]}"
+        """FILE:LINE of a line of data; of the keyword when there is none."""
+        return f"{self.file}:{self.first[row]}" if row < len(self.first) else self.place
 
     def get(self, name: str) -> str:
         """The value of a parameter in capitals; empty when it is not given."""

@@ -34,6 +34,10 @@ _TYPES = {"ENCASTRE": [1, 2, 3], "PINNED": [1, 2, 3], "XSYMM": [1], "YSYMM": [2]
           "XASYMM": [2, 3], "YASYMM": [1, 3], "ZASYMM": [1, 2]}
 
 
+_TABLE = {"NAME", "TIME", "VALUE", "DEFINITION", "SHIFTX", "SHIFTY", "SMOOTH"}
+"""Parameters of amplitudes that are tables."""
+
+
 Turn = tuple[str, tuple[float, ...], tuple[float, ...]]
 """A part that turns, a point of the axis, and its direction."""
 
@@ -191,11 +195,16 @@ class LoadReader:
         definition = self._amplitudes.get(name)
         if definition is None:
             raise Refused(f"{card.place}: there is no *AMPLITUDE \"{name}\". {names_there(name, self._amplitudes)}")
+        if set(definition.parameters) - _TABLE or definition.get("DEFINITION") not in ("", "TABULAR"):
+            self._findings.leave_out(definition.place, f"*AMPLITUDE {name}", "is no table: what it multiplies rises linearly")
+            return None
         numbers = definition.flat()
         if len(numbers) % 2:
             raise Refused(f"{definition.place}: *AMPLITUDE takes pairs of time and value.")
-        shift = span.begin if definition.get("TIME").startswith("TOTAL") else 0.0
-        return tuple((float(time) - shift, float(value)) for time, value in numbers.reshape(-1, 2))
+        begin = span.begin if definition.get("TIME").startswith("TOTAL") else 0.0
+        later, more = (definition.number(definition.get(each), 0) for each in ("SHIFTX", "SHIFTY"))
+        later += card.number(card.get("TIMEDELAY"), 0) - begin
+        return tuple((float(time) + later, float(value) + more) for time, value in numbers.reshape(-1, 2))
 
     def _nodes(self, word: str, card: Card, row: int) -> Array:
         return self._contents.ids(word, self._contents.node_sets, self._scope, card, row)
@@ -234,8 +243,19 @@ class LoadReader:
                 if not set(others) <= {4, 5, 6} or value != 0.0:
                     self._findings.leave_out(card.place_of(row), f"*BOUNDARY of component {others[0]}",
                                              "solids have displacements 1 to 3 only")
-            self._hold(card, row, ids, [c for c in components if 1 <= c <= self._solids.mesh.dimension], span, value,
-                       amplitude, at_once)
+            inside = [c for c in components if 1 <= c <= self._solids.mesh.dimension]
+            if "FIXED" in card.parameters:
+                self._keep(card, row, ids, inside)
+            else:
+                self._hold(card, row, ids, inside, span, value, amplitude, at_once)
+
+    def _keep(self, card: Card, row: int, ids: Array, components: list[int]) -> None:
+        """FIXED: what is held stays where it is; what was free would have to stay where the step before has left it."""
+        free = [node for node in self._solids.nodes(ids).tolist()
+                if any((node, component - 1) not in self._loads.held for component in components)]
+        if free:
+            self._findings.leave_out(card.place_of(row), "*BOUNDARY, FIXED", f"{len(free)} of its nodes were free before: they "
+                                     "stay free")
 
     def _draw(self, node: int, card: Card, row: int, span: Span, value: float, amplitude: "Points | None",
               at_once: bool) -> None:
