@@ -104,7 +104,7 @@ class Deck:
         imported = subprocess.run([harmos, "import", str(deck), "--output", str(folder)], capture_output=True, text=True)
         self.left_out = [line for line in imported.stdout.splitlines() if line.startswith("left out")]
         if imported.returncode == 2 and imported.stderr.strip():
-            self.outcome = "refused: " + re.sub(r"^\S*: ", "", imported.stderr.splitlines()[0])
+            self.outcome = "refused: " + re.sub(r"^\S*: |\S*/", "", imported.stderr.splitlines()[0])
             return
         scene = folder / f"{deck.stem}.xml"
         checked = subprocess.run([harmos, "check", str(scene)], capture_output=True, text=True)

@@ -232,6 +232,15 @@ class Decks(unittest.TestCase):
         code, said = self.imported(PLAIN.replace("*STEP\n", rigid))
         self.assertEqual(code, 0, said)
         self.assertIn("*RIGID BODY: of nodes on one line", said)
+        # Corners of a quadratic tetrahedron have no share of its faces.
+        corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        places = corners + [tuple((a + b) / 2 for a, b in zip(corners[i], corners[j]))
+                            for i, j in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))]
+        nodes = "".join(f"{number}, {x}, {y}, {z}\n" for number, (x, y, z) in enumerate(places, 1))
+        code, said = self.imported(f"*NODE\n{nodes}99,0,0,2\n*ELEMENT,TYPE=C3D10,ELSET=CUBE\n1,1,2,3,4,5,6,7,8,9,10\n{STEEL}"
+                                   "*NSET,NSET=FACE\n2,3,4\n*RIGID BODY,NSET=FACE,REF NODE=99\n*BOUNDARY\n1,1,3\n")
+        self.assertEqual(code, 0, said)
+        self.assertIn("*RIGID BODY: of nodes without a share of the surface", said)
         code, said = self.imported(PLAIN.replace("*ELASTIC\n1000., 0.\n", "*ELASTIC,TYPE=ORTHO\n" + "1., " * 8 + "\n1.\n"))
         self.assertEqual(code, 0, said)
         self.assertIn("no stiffness in some direction", said)

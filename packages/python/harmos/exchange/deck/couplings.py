@@ -4,16 +4,18 @@ import dataclasses
 import numpy
 
 from harmos.arrays import Array
+from harmos.exchange.deck.areas import nodal_areas
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents
 from harmos.exchange.deck.curves import Histories, Points, peak
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.findings import Findings, Refused, names_there
-from harmos.exchange.mesh import clean_name, unused_name
+from harmos.exchange.mesh import clean_name, outer_faces, unused_name
 from harmos.exchange.scene import SceneList
 
 ON_ONE_LINE = 1e-6
-"""Width of nodes over their largest coordinate up to which they lie on one line."""
+"""Width of nodes over their largest coordinate up to which they lie on one line, and share of them in the surface over the
+largest of a node up to which they have none."""
 
 _HELD = ("X", "Y", "Z", "Rotation X", "Rotation Y", "Rotation Z")
 _FORCES = ("Force X", "Force Y", "Force Z", "Moment X", "Moment Y", "Moment Z")
@@ -112,6 +114,11 @@ class Couplings:
         if not self._turn(nodes):
             self._findings.leave_out(card.place, "*RIGID BODY", "of nodes on one line, which have no rotation about it: they move as "
                                      "they like, and what acts on its reference nodes is left out")
+            return
+        areas = nodal_areas(self._solids.mesh, outer_faces(self._solids.mesh), 1.0, self._solids.family == "CAX")
+        if not areas[nodes].sum() > ON_ONE_LINE * float(numpy.abs(areas).max()):
+            self._findings.leave_out(card.place, "*RIGID BODY", "of nodes without a share of the surface, as corners of quadratic "
+                                     "faces: they move as they like, and what acts on its reference nodes is left out")
             return
         rotation = self._id(card, "ROTNODE") if "ROTNODE" in card.parameters else None
         node = self._id(card, "REFNODE")
