@@ -1,16 +1,11 @@
 #include <harmos/laws/detail/BuiltIn.hpp>
-#include <harmos/laws/detail/ContactTraction.hpp>
-#include <harmos/laws/detail/TangentialSlip.hpp>
+#include <harmos/laws/detail/FrictionalContact.hpp>
 
 namespace harmos::laws {
 namespace {
 
-/// Unilateral contact with isotropic Coulomb friction, small sliding, implicit in the load step.
-///
-/// Normal: delta_n + g >= 0, t_n <= 0, (delta_n + g) t_n = 0.
-/// Tangential, with s = delta_t - delta_t(previous step): |t_t| <= mu |t_n|; stick: s = 0; slip: t_t = mu |t_n| s/|s|.
-/// History: delta_t at the end of the previous load step [length]. Source: Champaney, Blanze, Boucard (2004),
-/// section 2.2.
+/// Unilateral contact with isotropic Coulomb friction, small sliding, implicit in the load step, see frictionalContact.
+/// History: delta_t at the end of the previous load step [length].
 struct CoulombFriction {
   static constexpr const char* name = "Coulomb Friction";
   static constexpr int historySize = 2;
@@ -38,27 +33,7 @@ struct CoulombFriction {
   AdmissibleTractions admissibleTractions(int step) const { return AdmissibleTractions::pressure(friction[step]); }
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
-    LocalState state;
-    const double opening = line.freeJump[0] + at.gap + gap[at.step];
-    state.traction[0] = contactTraction(opening, line.compliance);
-    if (opening >= 0.0) {
-      state.status = Status::open;
-    } else {
-      const double limit = -friction[at.step] * state.traction[0];
-      state.traction[1] = (line.freeJump[1] - old[0]) / line.compliance;
-      state.traction[2] = (line.freeJump[2] - old[1]) / line.compliance;
-      const double trial = tangentialNorm(state.traction);
-      if (trial >= limit) {
-        const double scale = trial > 0.0 ? limit / trial : 0.0;
-        state.traction[1] *= scale;
-        state.traction[2] *= scale;
-      }
-      state.status = trial >= (1.0 - atTheLimit) * limit ? Status::slip : Status::stick;
-    }
-    const base::Vector3 jump = line.jump(state.traction);
-    now[0] = jump[1];
-    now[1] = jump[2];
-    return state;
+    return frictionalContact(line, line.freeJump[0] + at.gap + gap[at.step], friction[at.step], old, now);
   }
 
   /// Friction alone dissipates: a pressure does work only where a gap closes within the load step, before it is there.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <harmos/base/Tensor3.hpp>
 #include <harmos/base/Vector3.hpp>
 
@@ -12,6 +14,17 @@ class TurnedLaw {
   virtual ~TurnedLaw() = default;
   /// Rows: its axes at an undeformed place [length]. Throws base::Error(input), without a place, where there are none.
   virtual base::Frame axesAt(const base::Vector3& place) const = 0;
+  /// Whether the first axis must point out of the part at every place.
+  virtual bool isOutside() const { return false; }
+  /// Whether it must be asked at nodes: what it does between them does not follow from the mean of their places.
+  virtual bool isOfNodes() const { return false; }
+  /// Throws base::Error(input), without a place of the scene, in models where the law has no meaning.
+  virtual void demandModel(int /*dimension*/, bool /*isAxisymmetric*/) const {}
+  /// Throws base::Error(input), without a place of the scene, when the law cannot act at these undeformed places
+  /// [length], in so many load steps.
+  virtual void demandPlaces(const std::vector<base::Vector3>& places, int /*steps*/) const {
+    for (const base::Vector3& place : places) axesAt(place);
+  }
 };
 
 }  // namespace harmos::laws

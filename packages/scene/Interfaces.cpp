@@ -83,12 +83,33 @@ void checkNormals(const laws::InterfaceLaw& law, const std::vector<mesh::Interfa
 }
 
 /// A law with axes of its own must have them everywhere.
-void checkAxes(const laws::InterfaceLaw& law, const std::vector<mesh::InterfaceSurface>& surfaces) {
+void checkAxes(const laws::InterfaceLaw& law, const Model& model, int dimension, int steps,
+               const std::vector<mesh::InterfaceSurface>& surfaces) {
   const auto* turned = dynamic_cast<const laws::TurnedLaw*>(&law);
   if (turned == nullptr) return;
+  turned->demandModel(dimension, elasticity::isAxisymmetric(model.kinematics));
+  std::vector<base::Vector3> places;
+  Misfits away;
   for (const mesh::InterfaceSurface& surface : surfaces) {
-    for (const base::Vector3& place : surface.position) turned->axesAt(place);
+    places.insert(places.end(), surface.position.begin(), surface.position.end());
+    if (turned->isOfNodes() && !surface.trace1.isSelection()) {
+      throw base::Error(
+          base::quoted(law.name()) +
+              " cannot act on faces of quadratic elements, whose points lie between the nodes.\n  Mesh the "
+              "part with linear elements.",
+          base::ExitCode::input);
+    }
+    for (int p = 0; p < surface.pairs() && turned->isOutside(); ++p) {
+      const double outwards = dot(turned->axesAt(surface.position[p])[0], surface.normal[p]);
+      if (outwards <= cancelled * surface.area[p]) away.add(surface.position[p]);
+    }
   }
+  if (away.count > 0) {
+    throw base::Error(base::quoted(law.name()) + " lies on the other side of the part as seen from " + away.text() +
+                          ", whose faces look away from it.\n  Name the faces that look at the tool, or move the tool.",
+                      base::ExitCode::input);
+  }
+  turned->demandPlaces(places, steps);
 }
 
 using FacePoints = std::vector<std::pair<base::Vector3, double>>;
@@ -363,7 +384,7 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }
         checkNormals(law, found);
-        checkAxes(law, found);
+        checkAxes(law, model, mesh.dimension, static_cast<int>(scene.times.size()), found);
         checkFace(law, model, mesh.dimension, found);
         append(std::move(found));
       });

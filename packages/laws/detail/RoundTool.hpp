@@ -1,0 +1,26 @@
+#pragma once
+
+#include <harmos/laws/detail/RigidTool.hpp>
+
+namespace harmos::laws {
+
+/// A rigid tool whose surface has one distance from its middle: from the outside g = r - R and n leads to the middle,
+/// for a part inside of the tool g = R - r and n leads away from it, r being the distance of the place from the middle.
+class RoundTool : public RigidTool {
+ public:
+  bool isOfNodes() const override { return true; }
+
+ protected:
+  /// Declares Radius, Part Inside, and what all tools have.
+  static void describeRound(input::ParameterSpec& p);
+  explicit RoundTool(const input::Parameters& p);
+  /// From the nearest point of the middle to a place [length].
+  virtual base::Vector3 armTo(const base::Vector3& place) const = 0;
+  Side sideAt(const base::Vector3& place) const final;
+
+ private:
+  double radius_;
+  bool isPartInside_;
+};
+
+}  // namespace harmos::laws
