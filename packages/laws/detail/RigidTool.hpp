@@ -50,6 +50,7 @@ class RigidTool : public InterfaceLaw, public TurnedLaw {
 
   /// Declares what all shapes have.
   static void describeTool(input::ParameterSpec& p);
+  /// Of what describeTool() declares.
   explicit RigidTool(const input::Parameters& p);
   /// Of the undeformed place [length].
   virtual Side sideAt(const base::Vector3& place) const = 0;

@@ -13,6 +13,7 @@ class RoundTool : public RigidTool {
  protected:
   /// Declares Radius, Part Inside, and what all tools have.
   static void describeRound(input::ParameterSpec& p);
+  /// Of what describeRound() declares.
   explicit RoundTool(const input::Parameters& p);
   /// From the nearest point of the middle to a place [length].
   virtual base::Vector3 armTo(const base::Vector3& place) const = 0;
