@@ -34,8 +34,10 @@ struct BoucWen {
          "Joint along the surface with smooth hysteresis: a spring beside an element that goes over from its stiffness "
          "to its strength, the sharper the larger the exponent.")
         .source("Wen (1976); Park, Wen, Ang (1986); Erlicher, Point (2004)");
-    p.number("Tangential Stiffness").unit("stress/length").required().above(0.0).doc("k at first.");
+    p.equation("t_t = a k delta_t + (1 - a) k z, z' = delta' - z |z|^(n-2) / Z^n (s |delta'.z| + (1 - s) delta'.z)");
+    p.number("Tangential Stiffness").example("1000").unit("stress/length").required().above(0.0).doc("k at first.");
     p.number("Slip Limit")
+        .example("5")
         .unit("stress")
         .required()
         .above(0.0)

@@ -35,8 +35,12 @@ struct Periodic {
          "Periodic connection of two opposite faces of a cell: jump = mean strain times offset. Interfaces whose nodes "
          "lie opposite to each other along the Projection Direction.")
         .source("Michel, Moulinec, Suquet (1999), doi:10.1016/S0045-7825(98)00227-8");
-    p.numbers("Offset").unit("length").required().doc(
-        "x2 - x1, from side 1 to side 2: 2 numbers in the plane, 3 in space.");
+    p.equation("delta = E (x2 - x1)");
+    p.numbers("Offset")
+        .example("{0, 0, 10}")
+        .unit("length")
+        .required()
+        .doc("x2 - x1, from side 1 to side 2: 2 numbers in the plane, 3 in space.");
     for (const StrainComponent& component : strainComponents) {
       const bool isShear = component.row != component.column;
       p.number(component.name)

@@ -19,8 +19,13 @@ class RigidCylinder final : public RoundTool {
     p.summary(
         "Contact with a rigid cylinder without end, from outside or inside, with friction; the tool moves by histories "
         "of X, Y, Z. Small sliding.");
-    p.numbers("Point").unit("length").required().doc("On the axis.");
-    p.numbers("Axis").optional().doc("Direction of the axis, of any length; absent, and in the plane: z.");
+    p.equation(
+        "g = |arm to x| - Radius, opening = g + motion.n - w.n >= 0, t_n <= 0, opening t_n = 0; |t_t| <= mu |t_n|");
+    p.numbers("Point").example("{25, 5, 35}").unit("length").required().doc("On the axis.");
+    p.numbers("Axis")
+        .example("{1, 0, 0}")
+        .optional()
+        .doc("Direction of the axis, of any length; absent, and in the plane: z.");
     describeRound(p);
   }
 

@@ -17,8 +17,13 @@ class RigidPlane final : public RigidTool {
 
   static void describe(input::ParameterSpec& p) {
     p.summary("Contact with a rigid plane, with friction; the tool moves by histories of X, Y, Z. Small sliding.");
-    p.numbers("Point").unit("length").required().doc("On the plane.");
-    p.numbers("Normal").required().doc("Direction out of the tool, towards the part, of any length.");
+    p.equation(
+        "g = (x - Point).Normal, opening = g + motion.n - w.n >= 0, t_n <= 0, opening t_n = 0; |t_t| <= mu |t_n|");
+    p.numbers("Point").example("{25, 5, 10}").unit("length").required().doc("On the plane.");
+    p.numbers("Normal")
+        .example("{0, 0, -1}")
+        .required()
+        .doc("Direction out of the tool, towards the part, of any length.");
     describeTool(p);
   }
 

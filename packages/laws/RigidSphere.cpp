@@ -14,7 +14,9 @@ class RigidSphere final : public RoundTool {
     p.summary(
         "Contact with a rigid sphere, from outside or inside, with friction; the tool moves by histories of X, Y, Z. "
         "Small sliding.");
-    p.numbers("Centre").unit("length").required().doc("Of the sphere.");
+    p.equation(
+        "g = |x - Centre| - Radius, opening = g + motion.n - w.n >= 0, t_n <= 0, opening t_n = 0; |t_t| <= mu |t_n|");
+    p.numbers("Centre").example("{25, 5, 35}").unit("length").required().doc("Of the sphere.");
     describeRound(p);
   }
 

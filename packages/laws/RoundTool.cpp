@@ -9,7 +9,7 @@ constexpr double inTheMiddle = 1e-12;
 }  // namespace
 
 void RoundTool::describeRound(input::ParameterSpec& p) {
-  p.number("Radius").unit("length").required().above(0.0).doc("Of the tool.");
+  p.number("Radius").example("25").unit("length").required().above(0.0).doc("Of the tool.");
   p.flag("Part Inside").defaultValue(false).doc("Whether the tool is around the part, as a bush is; else it is solid.");
   describeTool(p);
 }

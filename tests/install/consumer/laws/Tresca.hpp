@@ -29,6 +29,8 @@ struct Tresca {
     return {t, slides ? Status::slip : Status::stick};
   }
 
+  /// Of the springs.
+  double storedEnergy(const PairStep& s) const { return 0.5 * dot(s.traction, s.traction) / stiffness; }
   /// Of the springs; what the slip takes is lost.
   double keptWork(const PairStep& s) const {
     double kept = s.traction[0] * (s.jump[0] - s.oldJump[0]);
