@@ -75,6 +75,7 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost) {
       << "Memory, roughly:\n";
   printBytes(out, "stiffness matrices", cost.matrixBytes);
   printBytes(out, "factors", cost.factorBytes);
+  if (cost.singleBytes > 0.0) printBytes(out, "the same in single precision, at most", cost.singleBytes);
   printBytes(out, "fields of the iteration", cost.fieldBytes);
   printBytes(out, "whole process at its peak", cost.processBytes);
   out << "CPU time, roughly:\n"
@@ -96,7 +97,9 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
                const CommandEnvironment& environment) {
   base::Timers timers;
   const scene::Problem problem = scene::makeProblem(scene, *environment.communicator, timers);
-  const scene::CostEstimate cost = scene::estimateCost(problem, *environment.communicator);
+  latin::LatinOptions options = scene.solver;
+  if (study && study->isChaos()) options.stages.solver.allowsSingle = false;  // nothing marches
+  const scene::CostEstimate cost = scene::estimateCost(problem, options, *environment.communicator);
   const bool isShown = environment.isRoot() && !arguments.has("--quiet");
   if (isShown) {
     printProblem(environment.out, problem);

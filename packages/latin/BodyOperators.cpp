@@ -270,6 +270,12 @@ void BodyOperators::solve(const base::Matrix& forces, int first, int count, subs
   for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g]->solve(solved[g], precision);
 }
 
+double BodyOperators::prepareSingle() {
+  double largest = 0.0;
+  for (auto& group : groups_) largest = std::max(largest, group->prepareSingle());
+  return largest;
+}
+
 void BodyOperators::addForces(const base::Matrix& forces, int first, int count) {
   const int columns = static_cast<int>(steps_.size());
   for (const BlockMap& block : blocks_) {

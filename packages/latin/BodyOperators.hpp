@@ -57,9 +57,10 @@ class BodyOperators {
   /// [force]: how large the terms are that A u adds up.
   double squaredTerms() const;
   /// Finds u for all owned bodies and the columns first .. first + count - 1, where r are the nodal forces [force] on
-  /// the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement(). Bodies that are solved on
-  /// their traces only are solved to this precision.
+  /// the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement().
   void solve(const base::Matrix& forces, int first, int count, substructure::Precision precision);
+  /// Prepares solves in single precision; returns the largest SubstructureSolver::singleError() of this rank.
+  double prepareSingle();
   /// Adds nodal forces to those of the last solve of all columns which move no body: reactions follow, u stays.
   void addBalanced(const base::Matrix& forces);
   /// The linear part of it for one owned body and arbitrary columns, in the body's own numbering: S u = P r, u [length]

@@ -156,11 +156,11 @@ void FixedPoint::selectAll() {
   select(all);
 }
 
-const Iterate& FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image) {
+const Iterate& FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image, substructure::Precision precision) {
   ++fields_.present;
   base::Matrix& beta = fields_.beta;
   base::Matrix& traction = fields_.hattedTraction;
-  linear_->solve(alpha, beta);
+  linear_->solve(alpha, beta, precision);
   fields_.hasHattedTrace = false;
   fields_.hasWholeTrace = false;
   fields_.hasWholeHattedTrace = false;

@@ -102,8 +102,11 @@ class FixedPoint {
 
   /// Collective. image = T(alpha) [stress], both rows of the layout x columns selected, and two objects. Throws
   /// base::Error as LocalStage::solve(). The fields of both stages are valid until the next apply(), select() or
-  /// selectAll().
-  const Iterate& apply(const base::Matrix& alpha, base::Matrix& image);
+  /// selectAll(). In single precision only after prepareSingle().
+  const Iterate& apply(const base::Matrix& alpha, base::Matrix& image,
+                       substructure::Precision precision = substructure::Precision::exact);
+  /// Collective. See LinearStage::prepareSingle(); to be called again after rescale().
+  double prepareSingle() { return linear_->prepareSingle(); }
 
   /// Collective. Gives the present iterate, its alpha and its image [stress] those tractions that are defined where the
   /// bodies cannot tell what pairs share (TractionShare): T and its fixed points mean the same as before. `tolerance`

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <Teuchos_CommHelpers.hpp>
+
 #include <harmos/latin/InterfaceMass.hpp>
 
 namespace harmos::latin {
@@ -22,8 +24,6 @@ LinearStage::LinearStage(const assembly::Assembly& assembly, const assembly::Sea
 
 void LinearStage::select(const std::vector<int>& steps) {
   steps_ = steps;
-  const bool isOneOfSeveral = steps.size() == 1 && assembly_.steps() > 1;
-  precision_ = isOneOfSeveral ? substructure::Precision::single : substructure::Precision::exact;
   operators_.select(steps);
   for (base::Matrix* field : {&forces_, &trace_, &traction_}) {
     field->shape(layout_.rows(), static_cast<int>(steps.size()));
@@ -66,7 +66,7 @@ void LinearStage::addBalanced(const base::Matrix& tractions, base::Matrix& beta)
   operators_.addBalanced(forces_);
 }
 
-void LinearStage::solveSteps(base::Matrix& alpha, int first, int count) {
+void LinearStage::solveSteps(base::Matrix& alpha, int first, int count, substructure::Precision precision) {
   applyMass(alpha, forces_, first, count);
   if (macro_) {
     const auto running = timers_.start("macro");
@@ -74,25 +74,36 @@ void LinearStage::solveSteps(base::Matrix& alpha, int first, int count) {
   }
   {
     const auto running = timers_.start("block solve");
-    operators_.solve(forces_, first, count, precision_);
+    operators_.solve(forces_, first, count, precision);
   }
   operators_.trace(trace_, first, count);
 }
 
-void LinearStage::solve(const base::Matrix& alpha, base::Matrix& beta) {
+double LinearStage::prepareSingle() {
+  if (!singleError_) {
+    const auto running = timers_.start("factor");
+    double largest = 0.0;
+    const double here = operators_.prepareSingle();
+    Teuchos::reduceAll(layout_.comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(largest));
+    singleError_ = largest;
+  }
+  return *singleError_;
+}
+
+void LinearStage::solve(const base::Matrix& alpha, base::Matrix& beta, substructure::Precision precision) {
   const auto running = timers_.start("linear");
   columnsSolved_ += alpha.numCols();
   const std::vector<double>& k = layout_.stiffness();
   traction_.assign(alpha);
   const int steps = alpha.numCols();
   if (formulation_ == Formulation::displacement) {
-    solveSteps(traction_, 0, steps);
+    solveSteps(traction_, 0, steps, precision);
   } else {
     for (int t = 0; t < steps; ++t) {
       if (t > 0) {
         for (std::size_t row = 0; row < k.size(); ++row) traction_[t][row] += k[row] * trace_[t - 1][row];
       }
-      solveSteps(traction_, t, 1);
+      solveSteps(traction_, t, 1, precision);
     }
   }
   for (int t = 0; t < steps; ++t) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <harmos/base/Matrix.hpp>
 #include <harmos/base/Timers.hpp>
@@ -24,8 +25,7 @@ class LinearStage {
               const TraceLayout& layout, const EliminatedBoundaries& eliminated, Formulation formulation,
               bool withMacroProblem, const substructure::SolverOptions& options, base::Timers& timers);
 
-  /// Sets which load step each column of a field is; to be called before the first solve. One load step out of several
-  /// is solved in single precision, where the options of the solver provide it: all of them together come after it.
+  /// Sets which load step each column of a field is; to be called before the first solve.
   void select(const std::vector<int>& steps);
 
   /// To be called when the laws of boundaries without unknowns have been replaced.
@@ -43,8 +43,13 @@ class LinearStage {
   /// Undoes it.
   void unperturb();
 
-  /// Collective. From alpha [stress] to beta = f - k w [stress] (velocity form: f - k dw); keeps w.
-  void solve(const base::Matrix& alpha, base::Matrix& beta);
+  /// Collective. From alpha [stress] to beta = f - k w [stress] (velocity form: f - k dw); keeps w. In single precision
+  /// only after prepareSingle().
+  void solve(const base::Matrix& alpha, base::Matrix& beta,
+             substructure::Precision precision = substructure::Precision::exact);
+  /// Collective. Prepares solves in single precision, the first time it is called. Returns the largest relative error
+  /// of w [-] that they make in the bodies of any rank, see SubstructureSolver::singleError(); 0: they are exact.
+  double prepareSingle();
 
   /// Adds tractions [stress] to those of the last solve of all columns, and to its beta, that move no body.
   void addBalanced(const base::Matrix& tractions, base::Matrix& beta);
@@ -74,13 +79,13 @@ class LinearStage {
 
  private:
   void applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const;
-  void solveSteps(base::Matrix& alpha, int first, int count);
+  void solveSteps(base::Matrix& alpha, int first, int count, substructure::Precision precision);
 
   const assembly::Assembly& assembly_;
   const TraceLayout& layout_;
   Formulation formulation_;
-  std::vector<int> steps_;  // load step of every column
-  substructure::Precision precision_ = substructure::Precision::exact;
+  std::vector<int> steps_;             // load step of every column
+  std::optional<double> singleError_;  // once it is known
   base::Timers& timers_;
   BodyOperators operators_;
   std::unique_ptr<MacroProblem> macro_;

@@ -37,6 +37,9 @@ constexpr double motionIsGuessed = 1e-4;
 constexpr int maximumNewtonTries = 3;
 constexpr int maximumNewtonFailures = 3;
 constexpr double newtonShare = 0.5;
+// Of the residual: errors of single precision that change nothing. Nor may they be above what is gone for, or what the
+// acceleration remembers is too rough for the last iterations.
+constexpr double negligible = 1e-2;
 // Its steps for a whole load step where laws soften; then the load step is divided.
 constexpr int mostSofteningSteps = 15;
 
@@ -124,6 +127,11 @@ bool March::solveSoftening(int step, const Iterate& iterate, const base::Matrix&
   return result.isReached;
 }
 
+substructure::Precision March::precision() {
+  if (harmless_ == 0.0) return substructure::Precision::exact;
+  return fixedPoint_.prepareSingle() <= harmless_ ? substructure::Precision::single : substructure::Precision::exact;
+}
+
 March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance) {
   const StateMetric& metric = fixedPoint_.metric();
   AndersonAcceleration& acceleration = accelerations_[step];
@@ -142,12 +150,16 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   End end = End::reached;
   const Iterate* iterate = nullptr;
   while (sinceLanding < maximumIterations && landings < maximumLandings) {
-    iterate = &fixedPoint_.apply(state, image);
+    // Newton's method starts from what is exact, and imbalances that last must not be those of single precision.
+    const bool mayBeSingle = !mayBeInParts && sinceLanding < iterationsBeforeListening;
+    const substructure::Precision used = mayBeSingle ? precision() : substructure::Precision::exact;
+    iterate = &fixedPoint_.apply(state, image, used);
     ++iteration;
     ++sinceLanding;
     const double size = metric.distance(image, state);
     const double force = forceSize(*iterate, iteration % iterationsPerReaction == 0);
     const double whole = metric.norm(image);
+    harmless_ = whole > 0.0 ? std::min(negligible * size, tolerance * force) / whole : 0.0;
     if (size <= std::max(tolerance * force, noise * whole)) {
       largestForce_ = force;
       isReached = true;
@@ -177,6 +189,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       iterate = &fixedPoint_.apply(state, image);
     }
     const bool isStagnant = !fixedPoint_.assembly().isAffine() && stagnation.isFound(size, tolerance * force);
+    if (isStagnant && used == substructure::Precision::single) iterate = &fixedPoint_.apply(state, image);
     if (isStagnant && newtonTries < maximumNewtonTries && mayTryNewton()) {
       ++newtonTries;
       if (solveByNewton(*iterate, state, newtonShare * tolerance * force)) {
@@ -248,6 +261,7 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
   fixedPoint_.startUnloaded();
   stepsReached_ = 0;
   lacksDigits_ = false;
+  harmless_ = 0.0;
   for (int t = 0; t < alpha.numCols(); ++t) {
     // What an earlier run has found for the steps to come is better than a copy.
     if (end != End::reached && guess == Guess::state) break;

@@ -19,6 +19,7 @@ namespace harmos::latin {
 /// soft springs): the march goes on with a tenth of it, at most `restarts` times. Neither where all laws are affine,
 /// for then the acceleration is a Krylov method. Where laws soften, Newton's method comes first, then the load step in
 /// parts (StepContinuation), and a step that cannot be solved ends the march: those after it would follow on nothing.
+/// Bodies are solved in single precision as long as its error is far below the residual.
 /// Displacement form only.
 class March {
  public:
@@ -82,6 +83,8 @@ class March {
   /// anywhere, which leaves in `state` the best place to go on from.
   bool solveSoftening(int step, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& state, double target);
   End iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance);
+  /// How exactly T is to be found next.
+  substructure::Precision precision();
   /// Size of f^ [force length, square root], at least that of the steps before; with the reactions of eliminated
   /// boundaries when they are asked for, which takes longer.
   double forceSize(const Iterate& iterate, bool withReactions) const;
@@ -105,6 +108,9 @@ class March {
   int stepsReached_ = 0;
   std::vector<int> parts_;
   double share_ = 1.0;  // of the present load step, that could be solved in parts
+  /// Error of T over the size of the state that would change nothing, from the last residual and what is gone for; 0:
+  /// nothing is known of it.
+  double harmless_ = 0.0;
 };
 
 /// The column of a load step from the two before it, linear in time; `state` has the rows of alpha.

@@ -217,7 +217,7 @@ void OperatorGroup::solve(const std::vector<int>& columns, substructure::Precisi
   if (isTrace()) {
     solver_.solveTrace(right, solution, precision);
   } else {
-    solver_.solve(right, solution);
+    solver_.solve(right, solution, precision);
   }
   for (int j = 0; j < count; ++j) {
     double* to = solution_[columns[j]];

@@ -17,6 +17,8 @@ constexpr int fewestStates = 3;
 // this share over so many iterations.
 constexpr std::size_t iterationsToFall = 4;
 constexpr double slow = 0.5;
+// Of the residual that a load step must come to: errors of single precision that change nothing.
+constexpr double negligible = 1e-2;
 // Differences across many changes of status mislead as well.
 constexpr std::size_t iterationsToFallLater = 8;
 
@@ -133,7 +135,8 @@ bool ConfigurationIteration::meets(int step, const Indicators& target) {
   if (residual_ <= latin::March::noise * std::sqrt(sums[2])) return true;
   const bool isCold = isFirstMarch_ && starts_.empty();
   const double traction = isCold ? std::sqrt((traction_ * traction_ * step + sums[1]) / (step + 1.0)) : traction_;
-  if (residual_ > target.force * traction) return false;
+  enough_ = target.force * traction;
+  if (residual_ > enough_) return false;
   return force_ == 0.0 || gauge_.imbalance(step, columnTraction_) <= target.response * force_;
 }
 
@@ -185,7 +188,9 @@ bool ConfigurationIteration::iterate(int step, const Indicators& target) {
     for (int row = 0; row < rows; ++row) change[0][row] = -column_[0][row];
     acceleration.advance(column_, columnImage_);
     change += column_;
-    const latin::Iterate& iterate = fixedPoint_.apply(change, unused);
+    const bool isNegligible = fixedPoint_.prepareSingle() * fixedPoint_.metric().norm(change) <= negligible * enough_;
+    const latin::Iterate& iterate = fixedPoint_.apply(
+        change, unused, isNegligible ? substructure::Precision::single : substructure::Precision::exact);
     for (int row = 0; row < rows; ++row) columnBeta_[0][row] += iterate.beta()[0][row] - offset_[step][row];
     applyLaws();
     isThere = meets(step, target);

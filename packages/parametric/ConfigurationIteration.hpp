@@ -93,6 +93,7 @@ class ConfigurationIteration {
   double traction_ = 0.0;  // root mean square over the load steps of |f^|; when cold, over those so far
   double force_ = 0.0;     // what imbalances are measured by [force]; 0 before it is known
   double residual_ = 0.0;  // |T(alpha) - alpha| of the present load step
+  double enough_ = 0.0;    // residual that the present load step must come to
   std::vector<int> starts_;
   int stagesBefore_ = 0;
 };

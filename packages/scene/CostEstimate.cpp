@@ -11,8 +11,8 @@
 
 namespace harmos::scene {
 
-CostEstimate estimateCost(const Problem& problem, const Teuchos::Comm<int>& comm) {
-  constexpr double entryBytes = 8.0, matrixEntryBytes = 12.0;
+CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& solver, const Teuchos::Comm<int>& comm) {
+  constexpr double entryBytes = 8.0, singleEntryBytes = 4.0, matrixEntryBytes = 12.0;
   // Entries of a factor: 25 n^(4/3) in space, 8 n log2 n in the plane.
   constexpr double entriesInSpace = 25.0, growthInSpace = 4.0 / 3.0, entriesInPlane = 8.0;
   // Of a factorisation: measured with so many unknowns, and how it grows with them.
@@ -28,27 +28,32 @@ CostEstimate estimateCost(const Problem& problem, const Teuchos::Comm<int>& comm
   constexpr double secondsPerEntryAndColumn = 2.4e-10;  // forward and backward substitution of several columns
   CostEstimate cost;
   const assembly::Assembly& assembly = problem.assembly;
-  double matrixEntries = 0.0, factorEntries = 0.0;
+  const bool mayBeSingle = solver.stages.solver.allowsSingle && solver.algorithm == latin::Algorithm::accelerated &&
+                           solver.stages.formulation == latin::Formulation::displacement;
+  double matrixEntries = 0.0, factorEntries = 0.0, singleEntries = 0.0;
   for (const auto& body : assembly.bodies) {
     const double n = static_cast<double>(body.nodes.size()) * assembly.dimension;
     cost.unknowns += static_cast<std::int64_t>(n);
     if (body.stiffness.is_null()) continue;
     matrixEntries += static_cast<double>(body.stiffness->getGlobalNumEntries());
-    factorEntries +=
+    const double entries =
         assembly.dimension == 3 ? entriesInSpace * std::pow(n, growthInSpace) : entriesInPlane * n * std::log2(n + 1.0);
+    factorEntries += entries;
+    if (mayBeSingle) singleEntries += entries;
     cost.factorSeconds += measuredSeconds * std::pow(n / measuredUnknowns, growthOfSeconds);
   }
-  std::vector<double> mine{matrixEntries, factorEntries, cost.factorSeconds}, sum(3);
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 3, mine.data(), sum.data());
+  std::vector<double> mine{matrixEntries, factorEntries, cost.factorSeconds, singleEntries}, sum(4);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 4, mine.data(), sum.data());
   for (const auto& interface : assembly.interfaces)
     cost.interfaceUnknowns += static_cast<std::int64_t>(interface.pairs()) * interface.sides() * assembly.dimension;
   cost.matrixBytes = matrixEntryBytes * sum[0];
   cost.factorBytes = entryBytes * sum[1];
   cost.factorSeconds = sum[2];
+  cost.singleBytes = singleEntryBytes * sum[3];
   cost.fieldBytes = entryBytes * storedStates * static_cast<double>(cost.interfaceUnknowns) * assembly.steps();
   const double unknowns = static_cast<double>(cost.unknowns);
   cost.processBytes = programBytes * comm.getSize() + matrixCopies * cost.matrixBytes +
-                      factorCopies * cost.factorBytes + cost.fieldBytes +
+                      factorCopies * cost.factorBytes + cost.singleBytes + cost.fieldBytes +
                       entryBytes * displacementFields * unknowns * assembly.steps() +
                       bytesPerNode * unknowns / assembly.dimension;
   cost.stageSeconds = secondsPerEntryAndColumn * sum[1] * assembly.steps();

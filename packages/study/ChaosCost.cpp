@@ -117,7 +117,7 @@ ChaosCost estimateChaos(const Study& study, const scene::Problem& problem, const
 
 ChaosChoice chooseLocalStage(const Study& study, const scene::Problem& problem, const Teuchos::Comm<int>& comm) {
   const ChaosOptions& options = *study.design.as<ChaosOptions>();
-  const scene::CostEstimate cost = scene::estimateCost(problem, comm);
+  const scene::CostEstimate cost = scene::estimateCost(problem, study.scene.solver, comm);
   const int ranks = comm.getSize();
   const ChaosCost spectral = estimateChaos(study, problem, cost, false);
   const ChaosCost galerkin = estimateChaos(study, problem, cost, true);

@@ -39,7 +39,8 @@ std::string lowerCase(std::string text) {
 
 SolverOptions::SolverOptions() : name(defaultSolver) {}
 
-SolverOptions::SolverOptions(const input::Parameters& given) : name(given.text("Name")) {}
+SolverOptions::SolverOptions(const input::Parameters& given)
+    : name(given.text("Name")), allowsSingle(given.text("Precision") == "Automatic") {}
 
 void SolverOptions::describe(input::ParameterSpec& spec) {
   spec.summary("Direct solver that factors every substructure once.");
@@ -49,6 +50,13 @@ void SolverOptions::describe(input::ParameterSpec& spec) {
           "cholmod (supernodal, fastest), tacho, or any solver of the installed Amesos2 such as klu2, in upper or "
           "lower "
           "case.");
+  spec.text("Precision")
+      .defaultValue("Automatic")
+      .oneOf({"Automatic", "Double"})
+      .doc(
+          "Of what only leads to a solution. Automatic: in single precision as long as its error, measured for every "
+          "part, is far below what is left to be found; that takes half as much memory again as the factors. What is "
+          "delivered, and what is said of its error, is always computed in double precision.");
 }
 
 std::vector<std::string> availableSolvers() {
@@ -100,6 +108,14 @@ std::unique_ptr<TraceFactor> traceFactor([[maybe_unused]] const DirectSolver& so
 #ifdef HARMOS_CHOLMOD
   const auto* cholmod = dynamic_cast<const Cholmod<base::CrsMatrix, base::MultiVector>*>(&solver);
   if (cholmod != nullptr) return cholmod->traceFactor();
+#endif
+  return nullptr;
+}
+
+std::unique_ptr<SingleFactor> singleFactor([[maybe_unused]] const DirectSolver& solver) {
+#ifdef HARMOS_CHOLMOD
+  const auto* cholmod = dynamic_cast<const Cholmod<base::CrsMatrix, base::MultiVector>*>(&solver);
+  if (cholmod != nullptr) return cholmod->singleFactor();
 #endif
   return nullptr;
 }

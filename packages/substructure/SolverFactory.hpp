@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <harmos/base/Tpetra.hpp>
+#include <harmos/substructure/SingleFactor.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
 #include <harmos/substructure/TraceFactor.hpp>
 
@@ -25,5 +26,9 @@ Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teucho
 /// What a factored solver made with a trace offers for it, a copy that the caller owns: null when its sparse factor is
 /// cheaper, or when it is not CHOLMOD.
 std::unique_ptr<TraceFactor> traceFactor(const DirectSolver& solver);
+
+/// The factor of a factored solver in single precision, a copy that the caller owns: null when it is not a supernodal
+/// one of CHOLMOD.
+std::unique_ptr<SingleFactor> singleFactor(const DirectSolver& solver);
 
 }  // namespace harmos::substructure

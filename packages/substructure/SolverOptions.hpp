@@ -23,7 +23,7 @@ struct SolverOptions {
   explicit SolverOptions(std::string solverName) : name(std::move(solverName)) {}
   /// From a list that was checked against describe().
   explicit SolverOptions(const input::Parameters& given);
-  /// Declares the one entry, Name.
+  /// Declares the entries of the list Linear Solver.
   static void describe(input::ParameterSpec& spec);
 
   std::string name;                                   ///< default: cholmod, or tacho where CHOLMOD is not built in
@@ -31,6 +31,7 @@ struct SolverOptions {
   /// A dense trace is inverted too, in single precision, which pays when single load steps are solved many times.
   /// CHOLMOD only: other solvers have no dense trace.
   bool invertTrace = false;
+  bool allowsSingle = true;  ///< whether SubstructureSolver::prepareSingle() may prepare anything
 };
 
 /// Names that SolverOptions may have in this build: Harmos' own solvers, then those of the installed Amesos2.

@@ -21,6 +21,19 @@ namespace {
 constexpr double shift = 1e-8;
 // Residual of a random right-hand side, times the square root of the unknowns, above which a matrix is singular.
 constexpr double singularResidual = 1e-3;
+// Right-hand sides by which single precision is measured, and the error from which on it is of no use.
+constexpr int trials = 3;
+constexpr double worstSingle = 1e-3;
+
+/// Columns of entries between -1 and 1, as if by chance.
+base::Matrix randomForces(int rows, int columns) {
+  base::Matrix b(rows, columns);
+  std::mt19937 random;  // its sequence is fixed by the standard, that of the distributions is not
+  for (int j = 0; j < columns; ++j) {
+    for (int row = 0; row < rows; ++row) b(row, j) = random() / 2147483648.0 - 1.0;
+  }
+  return b;
+}
 
 /// The matrix as a block of vectors, not copied. Amesos2 wants the right-hand side const but has no const view.
 base::MultiVector vectorsOf(const base::Matrix& matrix, const Teuchos::RCP<const base::MultiVector::map_type>& map) {
@@ -39,7 +52,10 @@ std::string nodeOf(int dof, int dimension) {
 SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
                                        const BoundaryTerm& boundary, const SolverOptions& options, std::string partName,
                                        const std::vector<int>& trace)
-    : part_(std::move(partName)), dimension_(boundary.dimension), stiffness_(stiffness) {
+    : part_(std::move(partName)),
+      dimension_(boundary.dimension),
+      stiffness_(stiffness),
+      mayPrepareSingle_(options.allowsSingle) {
   const Teuchos::RCP<base::CrsMatrix> sum = sumOf(*stiffness, boundary, part_);
   project(*sum, boundary);
   const CrsView view = viewOf(*sum, part_);
@@ -103,9 +119,8 @@ void SubstructureSolver::factor(const Teuchos::RCP<base::CrsMatrix>& sum) {
 /// only.
 void SubstructureSolver::checkSolution(const base::CrsMatrix& sum) const {
   const CrsView view = viewOf(sum, part_);
-  base::Matrix b(dofs_, 1), x(dofs_, 1);
-  std::mt19937 random;  // its sequence is fixed by the standard, that of the distributions is not
-  for (int row = 0; row < dofs_; ++row) b(row, 0) = random() / 2147483648.0 - 1.0;
+  const base::Matrix b = randomForces(dofs_, 1);
+  base::Matrix x(dofs_, 1);
   solve(b, x);
   double residual = 0.0, norm = 0.0, energy = 0.0;
   for (int row = 0; row < dofs_; ++row) {
@@ -135,7 +150,37 @@ void SubstructureSolver::throwIndefinite() const {
                     "orientation of the elements, and that no stiffness of its interfaces is negative.");
 }
 
-void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x) const {
+double SubstructureSolver::prepareSingle() {
+  if (!mayPrepareSingle_) return singleError_;
+  mayPrepareSingle_ = false;
+  if (!solvesTrace()) single_ = singleFactor(*solver_);
+  if (!single_ && !inverse_) return singleError_;
+  const base::Matrix b = randomForces(inverse_ ? inverse_->rows() : dofs_, trials);
+  base::Matrix exact(b.numRows(), trials), single(exact);
+  if (inverse_) {
+    inverse_->solve(b, exact);
+    inverse_->solveRoughly(b, single);
+  } else {
+    solve(b, exact);
+    single_->solve(b, single);
+  }
+  for (int j = 0; j < trials; ++j) {
+    double distance = 0.0, norm = 0.0;
+    for (int row = 0; row < b.numRows(); ++row) {
+      distance += (single(row, j) - exact(row, j)) * (single(row, j) - exact(row, j));
+      norm += exact(row, j) * exact(row, j);
+    }
+    const double error = std::sqrt(distance / norm);
+    if (!(error <= worstSingle)) {  // also when numbers of single precision do not reach so far
+      single_.reset();
+      return singleError_ = 0.0;
+    }
+    singleError_ = std::max(singleError_, error);
+  }
+  return singleError_;
+}
+
+void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision precision) const {
   if (b.numRows() != dofs_ || (b.numCols() > 1 && b.stride() != dofs_)) {
     throw base::Error("Part \"" + part_ + "\" has " + std::to_string(dofs_) + " unknowns; a right-hand side of " +
                       std::to_string(b.numRows()) + " rows with stride " + std::to_string(b.stride()) + " was given.");
@@ -145,6 +190,10 @@ void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x) const {
     throw base::Error("The solution for part \"" + part_ + "\" must be stored without gaps between its columns.");
   }
   if (b.numCols() == 0) return;
+  if (single_ && precision == Precision::single) {
+    single_->solve(b, x);
+    return;
+  }
   const auto map = stiffness_->getRowMap();
   const base::MultiVector right = vectorsOf(b, map);
   base::MultiVector left = vectorsOf(x, map);

@@ -16,10 +16,10 @@
 
 namespace harmos::substructure {
 
-/// How exactly a trace is solved.
+/// How exactly a system is solved.
 enum class Precision {
   exact,  ///< double
-  single  ///< about six digits where the options ask for the inverse of the trace, else exact; for few columns
+  single  ///< where prepareSingle() has prepared it to about singleError(), faster; else exact
 };
 
 /// The factored operator A = K + k h [force/length] of one substructure, for any number of right-hand sides at once: x
@@ -48,16 +48,25 @@ class SubstructureSolver {
 
   /// x = A^-1 b, column by column; b and x are dofs x any number, different objects. x is reshaped when it does not
   /// have the shape of b. Throws base::Error when b has other rows than the matrix or either has gaps between columns.
-  void solve(const base::Matrix& b, base::Matrix& x) const;
+  void solve(const base::Matrix& b, base::Matrix& x, Precision precision = Precision::exact) const;
+
+  /// Prepares what Precision::single needs, half of memory() more, and measures its error; later calls do nothing.
+  /// Where the options do not allow it, the solver has none, or its error is too large to be of use, all solves stay
+  /// exact. Returns singleError().
+  double prepareSingle();
+  /// e = |x - A^-1 b| / |A^-1 b| of solves in single precision [-], the largest of some right-hand sides with random
+  /// entries, to which the part answers as softly as it can; 0: they are exact. Errors of others with forces as large
+  /// are as large, so that the relative one exceeds e where forces are balanced and the part answers stiffly.
+  double singleError() const { return singleError_; }
 
   /// True when solveTrace() exists because it is cheaper than solve().
   bool solvesTrace() const { return trace_ || inverse_; }
   /// x = B A^-1 B^T b with B the restriction to the trace: rows as in `trace`, which is not checked, any number of
   /// columns, different objects. x is reshaped when it does not have the shape of b. Only if solvesTrace().
-  void solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision) const {
+  void solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision = Precision::exact) const {
     if (!inverse_) {
       trace_->solve(b, x);
-    } else if (precision == Precision::single) {
+    } else if (precision == Precision::single && singleError_ > 0.0) {
       inverse_->solveRoughly(b, x);
     } else {
       inverse_->solve(b, x);
@@ -68,7 +77,7 @@ class SubstructureSolver {
   int dofs() const { return dofs_; }
   /// Entries of the factors, zeros stored for speed included; 0 when the solver does not say.
   std::size_t factorNonzeros() const;
-  /// Memory of the factors [byte], estimated from factorNonzeros(), without that of the trace.
+  /// Memory of the factors [byte], estimated from factorNonzeros(), without that of the trace and of single precision.
   std::size_t memory() const { return factorNonzeros() * sizeof(double); }
 
   /// Predicts the factor of a matrix from its structure, in a small part of the time of factoring it. Throws
@@ -89,6 +98,9 @@ class SubstructureSolver {
   Teuchos::RCP<DirectSolver> solver_;
   std::unique_ptr<TraceFactor> trace_;
   std::unique_ptr<TraceInverse> inverse_;  // instead of trace_
+  std::unique_ptr<SingleFactor> single_;   // of the whole, where nothing is known of a trace
+  bool mayPrepareSingle_;
+  double singleError_ = 0.0;
 };
 
 }  // namespace harmos::substructure

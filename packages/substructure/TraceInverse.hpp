@@ -13,6 +13,8 @@ class TraceInverse {
   /// Keeps nothing of the factor. Throws base::Error when it is singular.
   explicit TraceInverse(const TraceFactor& factor);
 
+  /// Of the trace.
+  int rows() const { return inverse_.numRows(); }
   /// x = B A^-1 B^T b, as TraceFactor::solve().
   void solve(const base::Matrix& b, base::Matrix& x) const;
   /// The same in single precision, to about six digits, one column after the other: each is bound by the memory that is

@@ -44,6 +44,8 @@ class OperatorGroup {
   void keepSolution() { hasReactions_ = false; }
   /// Solves these columns, by single ones when they are not all.
   void solve(const std::vector<int>& columns, substructure::Precision precision);
+  /// See SubstructureSolver::prepareSingle().
+  double prepareSingle() { return solver_.prepareSingle(); }
   /// Rows of forces() of the last solve [length].
   const base::Matrix& solution() const { return solution_; }
   /// All dofs of it.

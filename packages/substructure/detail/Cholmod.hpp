@@ -11,6 +11,7 @@
 
 #include <cholmod.h>
 
+#include <harmos/substructure/SingleFactor.hpp>
 #include <harmos/substructure/TraceFactor.hpp>
 #include <harmos/substructure/detail/SolverAdapter.hpp>
 #include <harmos/substructure/detail/TooLarge.hpp>
@@ -97,6 +98,24 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
         }
       }
     }
+    return result;
+  }
+
+  /// Once factored: the factor in single precision, or null when it is not supernodal.
+  std::unique_ptr<SingleFactor> singleFactor() const {
+    if (!factor_->is_super) return nullptr;
+    auto result = std::make_unique<SingleFactor>();
+    const auto copy = [](const void* from, std::size_t count, auto& to) {
+      const auto* first = static_cast<const int*>(from);
+      to.assign(first, first + count);
+    };
+    copy(factor_->Perm, factor_->n, result->order);
+    copy(factor_->super, factor_->nsuper + 1, result->firstColumn);
+    copy(factor_->pi, factor_->nsuper + 1, result->firstRow);
+    copy(factor_->px, factor_->nsuper + 1, result->firstValue);
+    copy(factor_->s, factor_->ssize, result->row);
+    const auto* values = static_cast<const double*>(factor_->x);
+    result->value.assign(values, values + factor_->xsize);
     return result;
   }
 

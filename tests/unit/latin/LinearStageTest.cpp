@@ -18,12 +18,12 @@ constexpr int steps = 4;
 
 struct Stage {
   explicit Stage(assembly::Assembly given, bool withMacroProblem = true,
-                 Formulation formulation = Formulation::displacement)
+                 Formulation formulation = Formulation::displacement, const substructure::SolverOptions& options = {})
       : assembly(std::move(given)),
         k(assembly, 1.0, *self()),
         eliminated(assembly, k, Elimination::none),
         layout(assembly, k, eliminated, self()),
-        linear(assembly, k, layout, eliminated, formulation, withMacroProblem, {}, timers),
+        linear(assembly, k, layout, eliminated, formulation, withMacroProblem, options, timers),
         alpha(layout.rows(), steps),
         beta(layout.rows(), steps) {
     linear.select(allSteps(steps));
@@ -100,6 +100,23 @@ TEST(LinearStage, BalancesEveryBody) {
 TEST(LinearStage, BalancesEveryBodyInTheVelocityForm) {
   for (bool withMacroProblem : {false, true})
     expectEquilibrium(Stage(loadedCubes(), withMacroProblem, Formulation::velocity));
+}
+
+TEST(LinearStage, KnowsItsErrorInSinglePrecision) {
+  substructure::SolverOptions options;
+  options.invertTrace = true;
+  Stage stage(loadedCubes(), true, Formulation::displacement, options);
+  const base::Matrix exact = stage.beta, trace = stage.linear.trace();
+  const double error = stage.linear.prepareSingle();
+  EXPECT_GT(error, 1e-8);
+  EXPECT_LT(error, 1e-4);
+  stage.linear.solve(stage.alpha, stage.beta);
+  EXPECT_EQ(stage.beta, exact) << "double as long as nobody asks for less";
+  stage.linear.solve(stage.alpha, stage.beta, substructure::Precision::single);
+  base::Matrix difference = stage.linear.trace();
+  difference -= trace;
+  EXPECT_GT(difference.normFrobenius(), 0.0);
+  EXPECT_LT(difference.normFrobenius(), 10.0 * error * trace.normFrobenius());
 }
 
 TEST(LinearStage, TakesTheTraceFromTheBodies) {

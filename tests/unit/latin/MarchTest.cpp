@@ -30,7 +30,8 @@ BoxAssembly draggedCubes() {
 }
 
 struct Problem {
-  explicit Problem(BoxAssembly boxes) : cubes(std::move(boxes)), fixedPoint(cubes.assembly(), {}, self(), timers) {}
+  explicit Problem(BoxAssembly boxes, const StageOptions& options = {})
+      : cubes(std::move(boxes)), fixedPoint(cubes.assembly(), options, self(), timers) {}
 
   int steps() { return cubes.assembly().steps(); }
   base::Matrix zero() { return base::Matrix(fixedPoint.layout().rows(), steps()); }
@@ -105,6 +106,33 @@ TEST(March, StaysWhereItIsRight) {
   EXPECT_EQ(visited, allSteps(problem.steps()));
   EXPECT_EQ(iterations, std::vector<int>(cycle.size(), 1));
   expectEqualForces(problem, alpha, problem.converged());
+}
+
+// What is asked for decides how far it may serve.
+TEST(March, IsAsExactInSinglePrecisionAsInDouble) {
+  StageOptions inDouble, inSingle;
+  inDouble.solver.invertTrace = inSingle.solver.invertTrace = true;
+  inDouble.solver.allowsSingle = false;
+  for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-9}) {
+    Problem exact(draggedCubes(), inDouble), problem(draggedCubes(), inSingle);
+    EXPECT_EQ(exact.fixedPoint.prepareSingle(), 0.0);
+    EXPECT_GT(problem.fixedPoint.prepareSingle(), 1e-8);
+    base::Matrix states[] = {exact.zero(), exact.zero()};
+    std::vector<int> iterations[2];
+    for (const int i : {0, 1}) {
+      March march((i == 0 ? exact : problem).fixedPoint, memory, accuracy, 0);
+      march.setObserver([&](int, int count, const Iterate&) { iterations[i].push_back(count); });
+      EXPECT_EQ(march.run(states[i], tolerance, March::Guess::extrapolation), March::End::reached);
+    }
+    for (std::size_t t = 0; t < cycle.size(); ++t) EXPECT_NEAR(iterations[1][t], iterations[0][t], 1) << tolerance;
+    // The residual is in double precision.
+    const StateMetric& metric = exact.fixedPoint.metric();
+    base::Matrix image = exact.zero();
+    const double force = metric.norm(exact.fixedPoint.apply(states[1], image).hattedTraction());
+    EXPECT_LE(metric.distance(image, states[1]), tolerance * force);
+    // Whether it has served.
+    EXPECT_EQ(metric.distance(states[0], states[1]) > 0.0, tolerance > 1e-8) << tolerance;
+  }
 }
 
 // After a march the fixed point has all load steps again, from the unloaded state.

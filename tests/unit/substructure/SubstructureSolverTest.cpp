@@ -163,8 +163,9 @@ TEST(SubstructureSolver, solvesTheTraceLikeTheWhole) {
   for (const bool invert : {false, true}) {
     SolverOptions options;
     options.invertTrace = invert;
-    const SubstructureSolver solver(lattice.matrix(), boundary, options, "part", trace);
+    SubstructureSolver solver(lattice.matrix(), boundary, options, "part", trace);
     ASSERT_TRUE(solver.solvesTrace());
+    EXPECT_EQ(solver.prepareSingle() > 0.0, invert);
     const base::Matrix b = loads(static_cast<int>(trace.size()), 3);
     base::Matrix x, rough, whole, wholeLoads(lattice.dofs(), 3);
     for (int j = 0; j < 3; ++j) {
@@ -191,6 +192,61 @@ TEST(SubstructureSolver, keepsToTheSparseFactorWhereItIsCheaper) {
   std::iota(all.begin(), all.end(), 0);
   const SubstructureSolver solver(lattice.matrix(), onOneFace(lattice, 1.0), {}, "part", all);
   EXPECT_FALSE(solver.solvesTrace());
+}
+
+double distance(const base::Matrix& a, const base::Matrix& b) {
+  base::Matrix difference = a;
+  difference -= b;
+  return difference.normFrobenius() / b.normFrobenius();
+}
+
+TEST(SubstructureSolver, knowsTheErrorOfSinglePrecision) {
+  if (availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD gives its factor";
+  const Lattice lattice{8};
+  // The softer the springs that hold the part, the worse its condition.
+  double before = 0.0;
+  for (const double springs : {1.0, 1e-3}) {
+    SubstructureSolver solver(lattice.matrix(), onOneFace(lattice, springs), {}, "part");
+    for (const int columns : {1, 11}) {
+      const base::Matrix b = loads(lattice.dofs(), columns);
+      base::Matrix exact, x;
+      solver.solve(b, exact);
+      EXPECT_EQ(solver.singleError(), columns == 1 ? 0.0 : solver.prepareSingle());
+      if (columns == 1) {
+        solver.solve(b, x, Precision::single);
+        EXPECT_EQ(distance(x, exact), 0.0) << "not yet prepared";
+      }
+      const double error = solver.prepareSingle();
+      EXPECT_GT(error, before);
+      EXPECT_LT(error, 1e-3);
+      solver.solve(b, x, Precision::single);
+      EXPECT_GT(distance(x, exact), 0.1 * error);
+      // The part is as soft as the springs, rigidly.
+      const double softest = lattice.dofs() / (springs * 64.0);
+      x -= exact;
+      EXPECT_LT(x.normFrobenius(), error * softest * b.normFrobenius());
+    }
+    before = solver.singleError();
+  }
+}
+
+TEST(SubstructureSolver, staysExactWhereSinglePrecisionIsOfNoUse) {
+  const Lattice lattice{8};
+  const base::Matrix b = loads(lattice.dofs(), 1);
+  SolverOptions isDouble;
+  isDouble.allowsSingle = false;
+  base::Matrix x, exact;
+  for (const SolverOptions& options : {isDouble, SolverOptions("tacho")}) {
+    SubstructureSolver solver(lattice.matrix(), onOneFace(lattice, 1.0), options, "part");
+    EXPECT_EQ(solver.prepareSingle(), 0.0) << options.name;
+    solver.solve(b, exact);
+    solver.solve(b, x, Precision::single);
+    EXPECT_EQ(distance(x, exact), 0.0) << options.name;
+  }
+  // Entries beyond the numbers of single precision.
+  const Lattice hard{8, 3, 1e80};
+  SubstructureSolver solver(hard.matrix(), onOneFace(hard, 1e80), {}, "part");
+  EXPECT_EQ(solver.prepareSingle(), 0.0);
 }
 
 TEST(SubstructureSolver, namesTheSolversThatThereAre) {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <harmos/base/Matrix.hpp>
+
+namespace harmos::substructure {
+
+/// A supernodal Cholesky factor P A P^T = L L^T in single precision: solves read half as much memory as in double. The
+/// relative error of a solution is about 6e-8 times the square root of the condition of A to 6e-8 times the condition;
+/// whoever uses it must know it, see SubstructureSolver::singleError().
+///
+/// Supernode s: columns firstColumn[s] to firstColumn[s + 1] of L, whose entries stand in the rows
+/// row[firstRow[s]] ... row[firstRow[s + 1] - 1], the first of them the columns themselves; values by columns from
+/// firstValue[s]. Source: Chen, Davis, Hager, Rajamanickam (2008), doi:10.1145/1391989.1391995.
+struct SingleFactor {
+  std::vector<int> order;  ///< row of A of each row of L
+  std::vector<int> firstColumn, firstRow, row;
+  std::vector<std::size_t> firstValue;
+  std::vector<float> value;
+
+  /// x = A^-1 b, both in double and of the same shape, any number of columns; different objects. Columns are scaled to
+  /// 1, so that they may be of any size.
+  void solve(const base::Matrix& b, base::Matrix& x) const;
+  /// What it holds [byte].
+  std::size_t memory() const;
+};
+
+}  // namespace harmos::substructure
