@@ -39,7 +39,6 @@ struct Tresca {
     }
     return kept;
   }
-  double storedEnergy(const PairStep& s) const { return 0.5 * harmos::base::dot(s.traction, s.traction) / stiffness; }
 
   double stiffness;
   input::Schedule strength;
