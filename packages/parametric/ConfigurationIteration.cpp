@@ -17,8 +17,8 @@ constexpr int fewestStates = 3;
 // this share over so many iterations.
 constexpr std::size_t iterationsToFall = 4;
 constexpr double slow = 0.5;
-// Of the residual that a load step must come to: errors of single precision that change nothing.
-constexpr double negligible = 1e-2;
+// Error of solves in single precision from which on they are made in double.
+constexpr double tooRough = 1e-5;
 // Differences across many changes of status mislead as well.
 constexpr std::size_t iterationsToFallLater = 8;
 
@@ -26,10 +26,12 @@ constexpr std::size_t iterationsToFallLater = 8;
 
 ConfigurationIteration::ConfigurationIteration(latin::FixedPoint& fixedPoint,
                                                const std::vector<std::shared_ptr<const latin::Response>>& responses,
-                                               int neighbours, int memory, double accuracy, base::Timers& timers)
+                                               int neighbours, int memory, double accuracy,
+                                               substructure::Precision precision, base::Timers& timers)
     : fixedPoint_(fixedPoint),
       neighbours_(neighbours),
       accuracy_(accuracy),
+      precision_(precision),
       timers_(timers),
       gauge_(fixedPoint, responses),
       start_(fixedPoint),
@@ -70,6 +72,9 @@ void ConfigurationIteration::updateOffset() {
 }
 
 void ConfigurationIteration::prepare() {
+  if (precision_ == substructure::Precision::single && fixedPoint_.prepareSingle() > tooRough) {
+    precision_ = substructure::Precision::exact;
+  }
   const int rows = fixedPoint_.layout().rows();
   for (base::Matrix* field : {&alpha_, &next_, &image_, &beta_}) field->shape(rows, fixedPoint_.assembly().steps());
   for (base::Matrix* field : {&column_, &columnImage_, &columnBeta_, &columnTraction_}) field->shape(rows, 1);
@@ -135,8 +140,7 @@ bool ConfigurationIteration::meets(int step, const Indicators& target) {
   if (residual_ <= latin::March::noise * std::sqrt(sums[2])) return true;
   const bool isCold = isFirstMarch_ && starts_.empty();
   const double traction = isCold ? std::sqrt((traction_ * traction_ * step + sums[1]) / (step + 1.0)) : traction_;
-  enough_ = target.force * traction;
-  if (residual_ > enough_) return false;
+  if (residual_ > target.force * traction) return false;
   return force_ == 0.0 || gauge_.imbalance(step, columnTraction_) <= target.response * force_;
 }
 
@@ -188,9 +192,7 @@ bool ConfigurationIteration::iterate(int step, const Indicators& target) {
     for (int row = 0; row < rows; ++row) change[0][row] = -column_[0][row];
     acceleration.advance(column_, columnImage_);
     change += column_;
-    const bool isNegligible = fixedPoint_.prepareSingle() * fixedPoint_.metric().norm(change) <= negligible * enough_;
-    const latin::Iterate& iterate = fixedPoint_.apply(
-        change, unused, isNegligible ? substructure::Precision::single : substructure::Precision::exact);
+    const latin::Iterate& iterate = fixedPoint_.apply(change, unused, precision_);
     for (int row = 0; row < rows; ++row) columnBeta_[0][row] += iterate.beta()[0][row] - offset_[step][row];
     applyLaws();
     isThere = meets(step, target);

@@ -20,12 +20,12 @@ namespace harmos::parametric {
 class ConfigurationIteration {
  public:
   /// `neighbours`: solved states that a start is made of, at most. `memory`: differences that the acceleration keeps
-  /// beyond those of the start. `accuracy`: relative one
-  /// that fields have in the end [-], see FixedPoint::shareTractions(). The phases "start", "indicators" and
+  /// beyond those of the start. `accuracy`: relative one that fields have in the end [-], see
+  /// FixedPoint::shareTractions(). `precision`: of the solves of single load steps. The phases "start", "indicators" and
   /// "acceleration" are charged to `timers`. All arguments must outlive it.
   ConfigurationIteration(latin::FixedPoint& fixedPoint,
                          const std::vector<std::shared_ptr<const latin::Response>>& responses, int neighbours,
-                         int memory, double accuracy, base::Timers& timers);
+                         int memory, double accuracy, substructure::Precision precision, base::Timers& timers);
   /// Asked on every rank before every load step; march() then goes on with the stage of all load steps at once.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
 
@@ -76,6 +76,7 @@ class ConfigurationIteration {
   latin::FixedPoint& fixedPoint_;
   int neighbours_;
   double accuracy_;
+  substructure::Precision precision_;
   base::Timers& timers_;
   Gauge gauge_;
   ReducedBasisStart start_;
@@ -93,7 +94,6 @@ class ConfigurationIteration {
   double traction_ = 0.0;  // root mean square over the load steps of |f^|; when cold, over those so far
   double force_ = 0.0;     // what imbalances are measured by [force]; 0 before it is known
   double residual_ = 0.0;  // |T(alpha) - alpha| of the present load step
-  double enough_ = 0.0;    // residual that the present load step must come to
   std::vector<int> starts_;
   int stagesBefore_ = 0;
 };

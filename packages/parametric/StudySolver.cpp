@@ -64,7 +64,9 @@ StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
       solver_(assembly, options_, comm, timers),
       fixedPoint_(solver_.fixedPoint()),
       iteration_(fixedPoint_, responses_, options.accuracy < demanding ? neighboursWhenDemanding : neighbours,
-                 options.memory, options.accuracy, timers),
+                 options.memory, options.accuracy,
+                 options.stages.solver.invertTrace ? substructure::Precision::single : substructure::Precision::exact,
+                 timers),
       states_(statesThatFit(fixedPoint_.layout(), assembly.steps())) {
   for (const auto& response : responses_) solver_.addResponse(response);
   iteration_.setStop([this] { return mustStop(); });
