@@ -114,7 +114,7 @@ TEST_F(Dragged, AreSolvedByAMarch) {
     states_.copy(i, alpha, linear);
     three.add(i + 1, {0.1 * (i + 1)}, alpha, linear);
   }
-  ConfigurationIteration iteration(fixedPoint_, none, 3, 10, 1e-6, timers_);
+  ConfigurationIteration iteration(fixedPoint_, none, 3, 10, 1e-6, substructure::Precision::exact, timers_);
   int stages[2];
   for (const bool isWarm : {false, true}) {
     iteration.begin(isWarm ? three : empty, {0.24});
