@@ -39,6 +39,14 @@ class Interaction:
         """Whether it is contact, which depends on the way of the loads."""
         return self.kind != "TIED"
 
+    def rub(self, friction: float, stick_slope: float) -> None:
+        """Takes what *FRICTION says."""
+        self.friction, self.stick_slope = friction, stick_slope
+
+    def close(self, kind: str, numbers: list[float]) -> None:
+        """Takes what *SURFACE BEHAVIOR says."""
+        self.kind, self.numbers = kind, numbers
+
     def write(self, law: SceneList) -> None:
         """Fills in the list Law of an interface."""
         writers: dict[str, Callable[[SceneList], None]] = {
@@ -114,7 +122,7 @@ class Interactions:
             if len(card.data) > 1 or len(numbers) > 2:
                 self._findings.leave_out(card.place, "*FRICTION", "that depends on more than the pressure: the first numbers "
                                          "are taken")
-            interaction.friction, interaction.stick_slope = ([*numbers, 0.0, 0.0])[:2]
+            interaction.rub(*([*numbers, 0.0, 0.0])[:2])
         elif card.keyword == "SURFACEBEHAVIOR":
             self._take_behavior(card, interaction)
         else:
@@ -130,7 +138,7 @@ class Interactions:
             self._findings.leave_out(card.place, f"*SURFACE BEHAVIOR, {kind}", "of which Harmos does not know what it means: "
                                      "contact is hard")
             return
-        interaction.kind, interaction.numbers = kind, numbers
+        interaction.close(kind, numbers)
 
 
 def _is_complete(kind: str, numbers: list[float]) -> bool:
