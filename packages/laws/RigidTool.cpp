@@ -16,6 +16,11 @@ constexpr std::array<const char*, 3> components = {"X", "Y", "Z"};
 // Of the largest coordinate: overlap that is none but for rounding.
 constexpr double roundOff = 1e-9;
 
+std::vector<OutputField> fields() {
+  return {{"tool_gap", "length", "distance that is left to the tool"},
+          {"tool_slip", "length", "way that the surface is off its place on the tool, along it"}};
+}
+
 std::string text(const base::Vector3& place) {
   std::ostringstream result;
   result << "(" << place[0] << ", " << place[1] << ", " << place[2] << ")";
@@ -55,6 +60,7 @@ base::Vector3 directionOf(const input::Parameters& p, const char* entry) {
 }
 
 void RigidTool::describeTool(input::ParameterSpec& p) {
+  for (const OutputField& field : fields()) p.output(field.name, field.unit, field.doc);
   for (const char* component : components) {
     p.number(component).unit("length").defaultValue(0.0).varying().doc(
         "Motion of the tool along this axis from where it is at the start; with a history it presses and slides.");
@@ -145,8 +151,7 @@ double RigidTool::keptWork(const PairStep& step) const {
 }
 
 std::vector<OutputField> RigidTool::outputs() const {
-  return {{"tool_gap", "length", "distance that is left to the tool"},
-          {"tool_slip", "length", "way that the surface is off its place on the tool, along it"}};
+  return fields();
 }
 
 void RigidTool::output(const PairStep& step, double* values) const {
