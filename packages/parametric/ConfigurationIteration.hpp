@@ -21,8 +21,8 @@ class ConfigurationIteration {
  public:
   /// `neighbours`: solved states that a start is made of, at most. `memory`: differences that the acceleration keeps
   /// beyond those of the start. `accuracy`: relative one that fields have in the end [-], see
-  /// FixedPoint::shareTractions(). `precision`: of the solves of single load steps. The phases "start", "indicators" and
-  /// "acceleration" are charged to `timers`. All arguments must outlive it.
+  /// FixedPoint::shareTractions(). `precision`: of the solves of single load steps. The phases "start", "indicators"
+  /// and "acceleration" are charged to `timers`. All arguments must outlive it.
   ConfigurationIteration(latin::FixedPoint& fixedPoint,
                          const std::vector<std::shared_ptr<const latin::Response>>& responses, int neighbours,
                          int memory, double accuracy, substructure::Precision precision, base::Timers& timers);
