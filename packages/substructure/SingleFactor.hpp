@@ -15,10 +15,12 @@ namespace harmos::substructure {
 /// row[firstRow[s]] ... row[firstRow[s + 1] - 1], the first of them the columns themselves; values by columns from
 /// firstValue[s]. Source: Chen, Davis, Hager, Rajamanickam (2008), doi:10.1145/1391989.1391995.
 struct SingleFactor {
-  std::vector<int> order;  ///< row of A of each row of L
-  std::vector<int> firstColumn, firstRow, row;
-  std::vector<std::size_t> firstValue;
-  std::vector<float> value;
+  std::vector<int> order;               ///< row of A of each row of L
+  std::vector<int> firstColumn;         ///< of every supernode, and the number of all
+  std::vector<int> firstRow;            ///< in `row` of every supernode, and its length
+  std::vector<int> row;                 ///< of L, of all entries
+  std::vector<std::size_t> firstValue;  ///< in `value` of every supernode, and its length
+  std::vector<float> value;             ///< of the entries, supernode by supernode
 
   /// x = A^-1 b, both in double and of the same shape, any number of columns; different objects. Columns are scaled to
   /// 1, so that they may be of any size.
