@@ -150,8 +150,9 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   End end = End::reached;
   const Iterate* iterate = nullptr;
   while (sinceLanding < maximumIterations && landings < maximumLandings) {
-    // Newton's method starts from what is exact, and imbalances that last must not be those of single precision.
-    const bool mayBeSingle = !mayBeInParts && sinceLanding < iterationsBeforeListening;
+    // Where laws soften, small errors choose other ways; and imbalances that last must not be those of single
+    // precision.
+    const bool mayBeSingle = !fixedPoint_.assembly().softens() && sinceLanding < iterationsBeforeListening;
     const substructure::Precision used = mayBeSingle ? precision() : substructure::Precision::exact;
     iterate = &fixedPoint_.apply(state, image, used);
     ++iteration;

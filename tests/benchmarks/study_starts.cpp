@@ -205,7 +205,7 @@ int measure(std::vector<std::string> arguments) {
                               unused);
     for (const auto& response : joint.problem.responses) solver.addResponse(response);
     parametric::ConfigurationIteration iteration(solver.fixedPoint(), joint.problem.responses, 0, joint.options.memory,
-                                                 joint.options.accuracy, unused);
+                                                 joint.options.accuracy, substructure::Precision::exact, unused);
     for (int i : sample(static_cast<int>(open.size()), coldRuns, 3)) {
       const design::Configuration& configuration = open[i];
       joint.install(configuration.values);
