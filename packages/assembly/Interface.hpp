@@ -35,6 +35,8 @@ struct Interface {
   std::vector<mesh::MassEntry> mass;  ///< consistent interface mass [as area], both triangles; empty: lumped
   /// Laws of whole faces (CoupledLaw) take interfaces of one number together, the pieces of a face; -1: none besides.
   int face = -1;
+  /// Between pieces of one part, joined perfectly: nothing that the problem has, so that its forces measure nothing.
+  bool isCut = false;
 
   /// How many points there are.
   int pairs() const { return trace1.points(); }

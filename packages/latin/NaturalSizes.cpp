@@ -34,6 +34,18 @@ std::vector<double> volumeLoads(const Iterate& state) {
   return sums;
 }
 
+/// Whether a row lies on a cut through a part.
+std::vector<bool> rowsOfCuts(const Iterate& state) {
+  const TraceLayout& layout = state.layout();
+  std::vector<bool> result(layout.area().size(), false);
+  for (const TraceLayout::Block& block : layout.blocks()) {
+    if (!state.assembly().interfaces[block.interface].isCut) continue;
+    const auto begin = result.begin() + block.begin;
+    std::fill(begin, begin + block.pairs * layout.dimension(), true);
+  }
+  return result;
+}
+
 }  // namespace
 
 NaturalSizes::NaturalSizes(const Iterate& state) {
@@ -45,15 +57,16 @@ NaturalSizes::NaturalSizes(const Iterate& state) {
   // What the loads do to a body that only k holds grows as 1/k; with the automatic k it is a natural size.
   double displacement = state.largestDisplacement(std::min(1.0, state.searchDirectionScale()));
   const auto add = [&](const base::Matrix& traction, const base::Matrix& trace, const std::vector<double>& area,
-                       const std::vector<double>& k) {
+                       const std::vector<double>& k, const std::vector<bool>& isOfCut) {
     for (std::size_t t = 0; t < steps; ++t) {
       const double* f = traction[static_cast<int>(t)];
       const double* w = trace[static_cast<int>(t)];
       for (std::size_t row = 0; row < area.size(); ++row) {
         const double spring = k[row] / state.searchDirectionScale() * std::abs(w[row]);
+        squaredSprings[t] += area[row] * spring * spring;
+        if (isOfCut[row]) continue;
         forces[t] += area[row] * std::abs(f[row]);
         springs[t] += area[row] * spring;
-        squaredSprings[t] += area[row] * spring * spring;
         stress = std::max(stress, std::abs(f[row]));
         springStress = std::max(springStress, spring);
         displacement = std::max(displacement, std::abs(w[row]));
@@ -61,10 +74,11 @@ NaturalSizes::NaturalSizes(const Iterate& state) {
     }
     for (const double a : area) total[0] += a;
   };
-  add(state.hattedTraction(), state.trace(), layout.area(), layout.stiffness());
+  add(state.hattedTraction(), state.trace(), layout.area(), layout.stiffness(), rowsOfCuts(state));
   const BoundaryFields& boundaries = state.boundaryFields();
   if (!boundaries.interfaces.empty()) {
-    add(boundaries.traction, boundaries.trace, boundaries.area, boundaries.stiffness);
+    add(boundaries.traction, boundaries.trace, boundaries.area, boundaries.stiffness,
+        std::vector<bool>(boundaries.area.size(), false));
   }
   std::vector<double> loads = volumeLoads(state);
   for (auto* sums : {&forces, &springs, &squaredSprings, &total, &loads}) state.metric().sum(*sums);

@@ -15,18 +15,11 @@ constexpr double sameValue = 1e-6;
 /// Positions in the assembly of the interfaces of one name.
 using Named = std::pair<std::string, std::vector<int>>;
 
-bool isCut(const Problem& problem, const assembly::Interface& interface) {
-  const auto& pieces = problem.bodies.pieces;
-  if (interface.body2 < 0) return false;
-  const mesh::Piece &first = pieces[interface.body1], &second = pieces[interface.body2];
-  return first.part == second.part && first.side == second.side;
-}
-
 std::vector<Named> interfacesByName(const Problem& problem) {
   std::vector<Named> result;
   for (std::size_t i = 0; i < problem.assembly.interfaces.size(); ++i) {
     const assembly::Interface& interface = problem.assembly.interfaces[i];
-    if (isCut(problem, interface)) continue;
+    if (interface.isCut) continue;
     auto found = std::find_if(result.begin(), result.end(), [&](const Named& n) { return n.first == interface.name; });
     if (found == result.end()) found = result.insert(result.end(), {interface.name, {}});
     found->second.push_back(static_cast<int>(i));
