@@ -4,6 +4,7 @@
     python3 -m campaign run --harmos ../build/drivers/harmos --classes matching --scenes 330    30 scenes of each class
     python3 -m campaign run --harmos ../build/drivers/harmos --classes apart --scenes 150       meshes that do not match
     python3 -m campaign run --harmos ../build/drivers/harmos --only rings --first 100 --scenes 20
+    python3 -m campaign restate --harmos ../build/drivers/harmos --scenes 80    the same problems in other words
     python3 -m campaign show rings 3 --output DIR                               writes the scene and prints the answer
     python3 -m campaign try rings 3 --harmos ../build/drivers/harmos            one scene, with all responses
 
@@ -19,10 +20,12 @@ from collections.abc import Iterable, Iterator
 
 from .reference.solver import Answer, solve
 from .scenes.classes import APART, CLASSES, MATCHING, make_scene
+from .scenes.restatements import RESTATEMENTS
 from .scenes.scene import Scene
 from .scenes.scene_file import write_scene
 from .trial.campaign import Trial, report, try_scene
 from .trial.program import run_harmos
+from .trial.restatements import Pair, restatement_report, try_restatements
 from .trial.verdict import judge, true_errors
 
 GROUPS: dict[str, Iterable[str]] = {"all": CLASSES, "matching": MATCHING, "apart": APART}
@@ -59,10 +62,14 @@ def _try(options: argparse.Namespace) -> bool:
     return True
 
 
-def _trials(options: argparse.Namespace) -> Iterator[Trial]:
+def _chosen(options: argparse.Namespace) -> Iterator[tuple[str, int]]:
     names = options.only or list(GROUPS[options.classes])
     for index in range(options.scenes):
-        name, seed = names[index % len(names)], options.first + index // len(names)
+        yield names[index % len(names)], options.first + index // len(names)
+
+
+def _trials(options: argparse.Namespace) -> Iterator[Trial]:
+    for name, seed in _chosen(options):
         trial = try_scene(name, seed, options.harmos, options.output, options.limit)
         print(f"{name} {seed}: {trial.nodes} nodes, {trial.judgement.verdict.value}, {trial.stages} stages, "
               f"{trial.harmos_seconds:.1f} s, reference {trial.reference_seconds:.1f} s; {trial.judgement.detail}",
@@ -84,23 +91,39 @@ def _run(options: argparse.Namespace) -> bool:
     return met and is_whole
 
 
+def _restate(options: argparse.Namespace) -> bool:
+    pairs: list[Pair] = []
+    for name, seed in _chosen(options):
+        new = try_restatements(name, seed, options.harmos, options.output, options.limit,
+                               options.kind or list(RESTATEMENTS))
+        said = (f"{pair.restatement} {pair.endings[1].name.lower()} {pair.error:.2f} {pair.excess:.2f}" for pair in new)
+        print(f"{name} {seed}: " + ", ".join(said), file=sys.stderr, flush=True)
+        pairs += new
+    text, met = restatement_report(pairs)
+    print(text)
+    return met
+
+
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="campaign", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     verbs = parser.add_subparsers(required=True)
-    for verb, function in (("run", _run), ("show", _show), ("try", _try)):
+    for verb, function in (("run", _run), ("restate", _restate), ("show", _show), ("try", _try)):
         command = verbs.add_parser(verb)
         command.set_defaults(function=function)
         command.add_argument("--output", type=pathlib.Path, default=None, help="folder of scenes; default: a new one")
         if verb != "show":
             command.add_argument("--harmos", type=pathlib.Path, required=True, help="the program")
             command.add_argument("--limit", type=float, default=60.0, help="seconds per run")
-        if verb == "run":
+        if verb in ("run", "restate"):
             command.add_argument("--scenes", type=int, default=330)
             command.add_argument("--first", type=int, default=0, help="seed to begin with")
             command.add_argument("--classes", choices=list(GROUPS), default="all",
                                  help="matching: parts on one grid; apart: parts meshed one by one, all elements")
             command.add_argument("--only", action="append", choices=list(CLASSES), help="a class; may be repeated")
+            if verb == "restate":
+                command.add_argument("--kind", action="append", choices=list(RESTATEMENTS),
+                                     help="of restatement; may be repeated")
         else:
             command.add_argument("name", choices=list(CLASSES))
             command.add_argument("seed", type=int)

@@ -10,10 +10,12 @@ from scipy.io import netcdf_file
 from .reference.elements import nodal_volumes
 from .reference.laws import conditions
 from .reference.problem import assemble
+from .reference.solver import solve
 from .reference.surfaces import nodal_areas
 from .scenes.classes import APART, CLASSES, MATCHING, make_scene, make_twin
 from .scenes.lattice import Lattice
 from .scenes.mesh import LINEAR
+from .scenes.restatements import RESTATEMENTS
 from .scenes.scene_file import scene_element, write_scene
 
 SEEDS = range(6)
@@ -61,6 +63,20 @@ class Scenes(unittest.TestCase):
             self.assertTrue(all(joint.points_on is None for joint in twin.joints))
             self.assertEqual([j.law for j in scene.joints if j.side2], [j.law for j in twin.joints if j.side2])
             assemble(twin)  # refuses sides that do not conform
+
+    def test_restatements_say_the_same(self) -> None:
+        for name in ("laps", "strips"):
+            scene = make_scene(name, 1)
+            own = solve(scene)
+            self.assertTrue(own.determined)
+            for kind, restate in RESTATEMENTS.items():
+                restated = restate(scene, np.random.default_rng(1))
+                answer = solve(restated.scene)
+                for response in own.determined:
+                    expected = restated.factors[response] * own.values[response]
+                    tolerance = 1e-6 * abs(restated.factors[response]) * own.sizes[response]
+                    np.testing.assert_allclose(answer.values[response], expected, rtol=0.0, atol=tolerance,
+                                               err_msg=f"{name} {kind}")
 
     def test_files(self) -> None:
         scene = make_scene("laps", 1)
