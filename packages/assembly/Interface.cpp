@@ -1,7 +1,7 @@
 #include <harmos/assembly/Interface.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/laws/NoIntersection.hpp>
+#include <harmos/laws/LawFailure.hpp>
 
 namespace harmos::assembly {
 
@@ -22,7 +22,7 @@ laws::NodeArrays Interface::nodes(const std::vector<double>& times, int step) co
 void Interface::solve(int step, const laws::NodeArrays& at) const {
   try {
     law->solve(step, at);
-  } catch (const laws::NoIntersection& error) {
+  } catch (const laws::LawFailure& error) {
     throw base::Error("interface \"" + name + "\", load step " + std::to_string(step + 1) + ": law \"" + law->name() +
                           "\" " + error.what(),
                       error.code());

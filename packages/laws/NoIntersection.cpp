@@ -13,9 +13,9 @@ std::string textOf(const base::Vector3& v) {
 }  // namespace
 
 NoIntersection::NoIntersection(const LocalLine& line, const NodeContext& at, const std::string& why)
-    : base::Error("at point " + std::to_string(at.number() + 1) + ", place " + textOf(at.position()) +
-                      ", no traction was found on the line jump = " + textOf(line.freeJump) + " - " +
-                      base::toText(line.compliance) + " * traction: " + why + ".",
-                  base::ExitCode::notConverged) {}
+    : LawFailure("at point " + std::to_string(at.number() + 1) + ", place " + textOf(at.position()) +
+                     ", no traction was found on the line jump = " + textOf(line.freeJump) + " - " +
+                     base::toText(line.compliance) + " * traction: " + why + ".",
+                 base::ExitCode::notConverged) {}
 
 }  // namespace harmos::laws
