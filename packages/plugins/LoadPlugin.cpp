@@ -10,6 +10,7 @@
 #include <harmos/base/Names.hpp>
 #include <harmos/plugins/PluginDescription.hpp>
 #include <harmos/plugins/detail/LibraryFile.hpp>
+#include <harmos/plugins/detail/PythonLibrary.hpp>
 
 namespace harmos::plugins {
 
@@ -20,8 +21,14 @@ namespace fs = std::filesystem;
 constexpr const char* rebuild =
     "Build the plugin anew against this Harmos: find_package(Harmos) and harmos_add_law_plugin().";
 
+/// Why a plugin cannot be used.
+class Refusal : public base::Error {
+ public:
+  using base::Error::Error;
+};
+
 [[noreturn]] void refuse(const std::string& path, const std::string& what, const std::string& repair) {
-  throw base::Error(base::quoted(path) + " " + what + "\n  " + repair, base::ExitCode::input);
+  throw Refusal(base::quoted(path) + " " + what + "\n  " + repair, base::ExitCode::input);
 }
 
 /// The loader searches its own folders for a name without a slash.
@@ -48,8 +55,8 @@ void* opened(const std::string& path) {
   return ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
 }
 
-const PluginDescription& describedBy(const std::string& path) {
-  void* library = opened(path);
+void* libraryOf(const std::string& path) {
+  void* const library = opened(path);
   if (library == nullptr) {
     const char* const reason = ::dlerror();
     std::error_code none;
@@ -57,8 +64,12 @@ const PluginDescription& describedBy(const std::string& path) {
       refuse(path, "does not exist.", "Build the plugin, or correct the path; it starts at the folder of the scene.");
     }
     refuse(path, "cannot be loaded: " + std::string(reason != nullptr ? reason : "unknown reason") + ".",
-           "A plugin is a shared library that harmos_add_law_plugin() builds.");
+           "A plugin is a shared library that harmos_add_law_plugin() builds, or a file of Python laws, NAME.py.");
   }
+  return library;
+}
+
+const PluginDescription& describedBy(const std::string& path, void* library) {
   using Describe = const PluginDescription* (*)();
   const auto describe = reinterpret_cast<Describe>(::dlsym(library, pluginSymbol));
   if (describe == nullptr) {
@@ -93,17 +104,48 @@ void demandSameInterface(const std::string& path, const PluginDescription& plugi
   }
 }
 
+/// Adds the laws of a file of Python, through the library that runs Python.
+void addPythonLaws(const std::string& file, laws::LawRegistry& registry) {
+  const std::string path = pythonLibrary();
+  void* const library = libraryOf(path);
+  demandSameInterface(path, describedBy(path, library));
+  using AddLaws = void (*)(const std::string&, laws::LawRegistry&);
+  const auto addLaws = reinterpret_cast<AddLaws>(::dlsym(library, pythonLawsSymbol));
+  if (addLaws == nullptr) refuse(path, "is not the library of Harmos that runs laws in Python.", rebuild);
+  addLaws(loadable(file), registry);
+}
+
+void addLaws(const std::string& path, laws::LawRegistry& registry) {
+  void* const library = libraryOf(path);
+  const PluginDescription& plugin = describedBy(path, library);
+  demandSameInterface(path, plugin);
+  plugin.addLaws(registry);
+}
+
+/// Refuses what is no file, which Python would wait for, or read as something else.
+bool isPython(const std::string& path) {
+  if (fs::path(path).extension() != ".py") return false;
+  std::error_code none;
+  if (!fs::exists(path, none)) {
+    refuse(path, "does not exist.", "Write the file, or correct the path; it starts at the folder of the scene.");
+  }
+  if (isPipeOrFolder(path)) refuse(path, "cannot be loaded: it is no file.", "Name a file of Python laws.");
+  return true;
+}
+
 }  // namespace
 
 void loadPlugin(const std::string& path, laws::LawRegistry& registry) {
-  const PluginDescription& plugin = describedBy(path);
-  demandSameInterface(path, plugin);
   laws::LawRegistry extended = registry;
+  const bool isInPython = isPython(path);
+  const char* const unique = "Names of laws are unique among those of Harmos and of all plugins of a scene.";
   try {
-    plugin.addLaws(extended);
+    isInPython ? addPythonLaws(path, extended) : addLaws(path, extended);
+  } catch (const Refusal&) {
+    throw;
   } catch (const std::exception& error) {
     refuse(path, "cannot register its laws: " + std::string(error.what()),
-           "Names of laws are unique among those of Harmos and of all plugins of a scene.");
+           isInPython ? "docs/guide/python.md says what a file of laws holds. " + std::string(unique) : unique);
   } catch (...) {
     refuse(path, "cannot register its laws: it throws what is no std::exception.", "Mend the plugin.");
   }

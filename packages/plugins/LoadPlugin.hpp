@@ -6,8 +6,11 @@
 
 namespace harmos::plugins {
 
-/// Loads a shared library of laws, and adds them to `registry`; when it throws, `registry` is as it was.
+/// Loads a shared library of laws, or a file NAME.py of laws in Python, and adds them to `registry`; when it throws,
+/// `registry` is as it was.
 ///
+/// Python is started in the process for the first NAME.py, by a library that lies in ../lib/harmos of the program, or
+/// is named by the environment variable HARMOS_PYTHON_LAWS; it is another error where that is missing.
 /// A plugin carries its own copy of the Harmos code that it uses, none of which has a state; laws and registry pass by
 /// reference. It stays loaded until the process ends, so that laws may outlive the registry; the same path is the same
 /// plugin from then on, whatever becomes of the file. Code that runs while a library is loaded runs unchecked: name

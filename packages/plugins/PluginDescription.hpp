@@ -38,5 +38,9 @@ constexpr unsigned long pluginMagic = 0x4841524D4F530001;  // "HARMOS", 1
 
 /// Name of the function, extern "C" and without arguments, that returns a `const PluginDescription*`.
 constexpr const char* pluginSymbol = "harmosLawPlugin";
+/// Name of the function, extern "C", by which the library that runs laws in Python adds those of a file to a registry:
+/// void(const std::string& file, laws::LawRegistry&). It throws base::Error with the cause. The library is a plugin
+/// besides, without laws of its own.
+constexpr const char* pythonLawsSymbol = "harmosPythonLaws";
 
 }  // namespace harmos::plugins

@@ -46,8 +46,9 @@ std::optional<input::Parameters> pluginsAlone(const input::InputTree& scene,
 
 void describePlugins(input::ParameterSpec& scene) {
   scene.texts(entry).optional().doc(
-      "Shared libraries of interface laws that were built against this Harmos, paths relative to the scene. They are "
-      "programs: use those that you trust.");
+      "Shared libraries of interface laws that were built against this Harmos, or files NAME.py of laws in Python, "
+      "paths "
+      "relative to the scene. They are programs: use those that you trust.");
 }
 
 std::vector<std::string> pluginFiles(const input::Parameters& scene, const std::string& path) {

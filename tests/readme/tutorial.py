@@ -11,6 +11,7 @@ import sys
 PAGES = {
     "embedding.md": ({"cpp": ["tests/install/consumer/main.cpp"],
                       "cmake": ["tests/install/consumer/CMakeLists.txt"]}, 10),
+    "python.md": ({"py": ["docs/guide/laws_in_python.py"]}, 1),
     "writing-laws.md": ({"cpp": ["tests/install/consumer/laws/Maxwell.hpp", "tests/install/consumer/laws/plugin.cpp"],
                          "cmake": ["tests/install/consumer/CMakeLists.txt"],
                          "XML": ["xml/glue_by_formula.xml"]}, 7),

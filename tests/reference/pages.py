@@ -25,6 +25,7 @@ INPUTS = {
 }
 """Pages of what `harmos doc` prints: heading and summary."""
 VERBS = ("command-line.md", "Command line", "Verbs, their options, exit codes.")
+LIBRARIES = ("harmos.laws",)  # packages in the package whose modules users import
 PYTHON = ("python.md", "Python", "The modules, classes and functions of the package harmos.")
 
 
@@ -95,12 +96,17 @@ def text_block(text: str | None) -> str:
     return f"```text\n{inspect.cleandoc(text)}\n```\n" if text else ""
 
 
+def modules_of(package: str) -> list[str]:
+    """The public modules of a package, without those of packages in it that are no matter of users."""
+    path = importlib.import_module(package).__path__
+    found = [each for each in pkgutil.iter_modules(path, f"{package}.") if not each.name.split(".")[-1].startswith("_")]
+    return [name for each in found for name in (
+        [each.name, *(modules_of(each.name) if each.name in LIBRARIES else [])])]
+
+
 def python_page() -> str:
     parts = [f"# {PYTHON[1]}\n\n{MADE}What it is for, with examples: [python.md](../guide/python.md).\n"]
-    package = importlib.import_module("harmos")
-    names = sorted(["harmos", *(each.name for each in pkgutil.iter_modules(package.__path__, "harmos.")
-                                if not each.name.split(".")[-1].startswith("_"))])
-    for name in names:
+    for name in sorted(["harmos", *modules_of("harmos")]):
         module = importlib.import_module(name)
         parts.append(f"## {name}\n\n{text_block(module.__doc__)}")
         for key, value in members(module, name):

@@ -1,8 +1,9 @@
 """Runs Harmos, builds its scenes, and reads what it writes; the modules named here say how.
 
 harmos.program runs scenes and studies, harmos.scenes builds them, harmos.result, harmos.exodus_fields, harmos.results
-and harmos.stochastic read what comes of them.
+and harmos.stochastic read what comes of them. harmos.laws is for laws in Python.
 """
+from harmos import laws
 from harmos.errors import HarmosError, InputError, Interrupted, NoEquilibrium, NotConverged, NotFound
 from harmos.exodus_fields import Fields, read_fields
 from harmos.program import check, find_program, run, run_study, version
@@ -13,5 +14,5 @@ from harmos.stochastic import Basis, Convergence, Expansion, Germ, ResponseStati
 
 __all__ = ["Basis", "Convergence", "Expansion", "Fields", "Germ", "HarmosError", "Input", "InputError", "Interrupted",
            "NoEquilibrium", "NotConverged", "NotFound", "ResponseStatistics", "Result", "Scene", "Statistics", "Study",
-           "StudyInput", "Surrogate", "SurrogateModel", "Sweep", "Table", "check", "find_program", "read_fields",
+           "StudyInput", "Surrogate", "SurrogateModel", "Sweep", "Table", "check", "find_program", "laws", "read_fields",
            "read_history", "read_result", "read_scene", "read_study", "read_study_input", "run", "run_study", "version"]
