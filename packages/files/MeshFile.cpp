@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 5> convertedEndings = {".msh", ".inp", ".unv", ".med", ".vtu"};
+constexpr std::array<const char*, 6> convertedEndings = {".msh", ".inp", ".unv", ".med", ".vtu", ".vtk"};
 
 bool isConverted(const std::string& path) {
   std::string ending = fs::path(path).extension().string();

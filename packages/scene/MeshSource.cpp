@@ -46,7 +46,7 @@ std::vector<input::ParameterSpec> meshForms() {
   exodus.text("File").required().doc(
       "Path of the file; a relative one starts at the folder of the scene. Files that end in .msh (Gmsh), .inp "
       "(Abaqus, "
-      "CalculiX), .unv, .med or .vtu are read as what they are.");
+      "CalculiX), .unv, .med, .vtu or .vtk are read as what they are.");
   std::vector<input::ParameterSpec> forms{exodus};
   for (const Source& source : generators()) forms.push_back(source.form);
   return forms;

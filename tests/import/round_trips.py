@@ -84,6 +84,31 @@ class RoundTrips(unittest.TestCase):
             with self.subTest(element):
                 self.demand_equal(mesh, self.imported(work / f"{element}.unv"))
 
+    def test_decks_without_sections(self) -> None:
+        for element in ("Hex8", "Tet10", "Wedge6", "Wedge15", "Hex20", "Tri6", "Quad4"):
+            mesh = boxes_mesh(harmos, work, element)
+            mesh.node_sets.clear()
+            write_gmsh(work / f"{element}.inp", mesh)
+            back = self.imported(work / f"{element}.inp")
+            with self.subTest(element):
+                self.demand_equal(mesh, back)
+                self.assertEqual(len(mesh.side_sets), len(back.side_sets))
+
+    def test_sets_of_decks_without_sections(self) -> None:
+        write_gmsh(work / "sets.inp", boxes_mesh(harmos, work, "Hex8"))
+        text = (work / "sets.inp").read_text() + ("*ELSET,ELSET=All\nlower, upper\n*NSET,NSET=Corner\n1, 2\n"
+                                                  "*ELEMENT,TYPE=R3D4,ELSET=Nowhere\n99901, 1, 2, 3, 1\n")
+        (work / "sets.inp").write_text(text + "*SURFACE,NAME=Skin\nAll\n*STEP\n*STATIC\n*END STEP\n")
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            self.assertEqual(main(["import", "--output", str(work / "out"), str(work / "sets.inp")]), 0)
+        back = read_exodus(str(work / "out" / "sets.e"), Findings())
+        self.assertEqual(["lower", "upper"], [block.name for block in back.blocks])
+        self.assertEqual(len(back.node_sets["Corner"]), 2)
+        self.assertEqual(len(back.side_sets["Skin"]), 48)
+        self.assertIn("only its mesh is taken", said.getvalue())
+        self.assertIn("Nowhere: 1 of its flat elements are sides of no solid", said.getvalue())
+
     def test_mesh_file_takes_gmsh(self) -> None:
         mesh = boxes_mesh(harmos, work, "Tet10")
         write_gmsh(work / "direct.msh", mesh)
@@ -97,7 +122,7 @@ class RoundTrips(unittest.TestCase):
                        check=True)
         self.demand_equal(mesh, read_exodus(str(work / "back.e"), Findings()))
 
-    def test_vtu(self) -> None:
+    def test_vtk(self) -> None:
         of_name = {name: (kind, order) for kind, (name, order) in MESHIO.items()}
         for element in ("Hex20", "Hex27", "Tet10", "Quad9"):
             mesh = boxes_mesh(harmos, work, element)
@@ -107,10 +132,10 @@ class RoundTrips(unittest.TestCase):
                 cells.append((kind, block.connectivity[:, numpy.argsort(permutation(block.type.name, order))]))
                 parts.append(numpy.full(len(block.connectivity), number))
                 block.name = f"part_{number}"
-            path = work / f"{element}.vtu"
-            meshio.write(path, meshio.Mesh(mesh.nodes, cells, cell_data={"part": parts}))
-            with self.subTest(element):
-                self.demand_equal(mesh, self.imported(path), sets=False)
+            for path in (work / f"{element}.vtu", work / f"{element}.vtk"):
+                meshio.write(path, meshio.Mesh(mesh.nodes, cells, cell_data={"part": parts}))
+                with self.subTest(path.name):
+                    self.demand_equal(mesh, self.imported(path), sets=False)
 
     def test_med(self) -> None:
         mesh = boxes_mesh(harmos, work, "Hex8")

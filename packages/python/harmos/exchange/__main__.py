@@ -92,12 +92,16 @@ def _import(arguments: argparse.Namespace) -> None:
     if outputs[1].exists() and _was_changed(outputs[1]):
         raise Refused(f"{outputs[1]} is not as it was imported, and its changes would be lost. Rename it, or name another "
                       "folder by --output.")
+    scene = None
     if suffix in DECKS:
         from harmos.exchange.deck.imported import import_deck
         deck = import_deck(path, f"{stem}.e", arguments.units, findings)
         mesh, scene = deck.mesh, deck.scene
+    elif suffix in DRAWINGS:
+        mesh = read_drawing(path, _meshing(arguments), findings)
     else:
-        mesh = read_drawing(path, _meshing(arguments), findings) if suffix in DRAWINGS else read_mesh(path, findings)
+        mesh = read_mesh(path, findings)
+    if scene is None:
         findings.found.insert(0, mesh.text())
         choices = Choices(arguments.hold, arguments.load, arguments.perfect)
         scene = starting_scene(mesh, f"{stem}.e", stem, units, bool(arguments.units), choices, findings)

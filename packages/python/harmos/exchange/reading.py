@@ -16,6 +16,7 @@ READERS: dict[str, tuple[str, str, str]] = {
     ".exo": ("harmos.exchange.exodus", "read_exodus", "python3-netcdf4"),
     ".g": ("harmos.exchange.exodus", "read_exodus", "python3-netcdf4"),
     ".vtu": ("harmos.exchange.foreign_mesh", "read_meshio", "python3-meshio"),
+    ".vtk": ("harmos.exchange.foreign_mesh", "read_meshio", "python3-meshio"),
 }
 """Module, function and package of Debian that read a format."""
 

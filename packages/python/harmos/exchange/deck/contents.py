@@ -90,6 +90,7 @@ class Contents:
         self.node_sets: dict[str, list[Array]] = {}
         self.element_sets: dict[str, list[Array]] = {}
         self.surfaces: dict[str, Surface] = {}
+        self._written: dict[str, str] = {}
         self.model: list[Card] = []
         self.steps: list[Step] = []
         self._findings = findings
@@ -100,6 +101,10 @@ class Contents:
         self._read(cards)
         self._refusals.raise_if_any()
         self._gather_nodes()
+
+    def written(self, name: str) -> str:
+        """The name of a set or surface, in capitals here, as the deck writes it."""
+        return self._written.get(name, name)
 
     def _read(self, cards: list[Card]) -> None:
         at = 0
@@ -164,6 +169,9 @@ class Contents:
 
     def _take(self, card: Card, scope: Scope) -> bool:
         """Takes what is geometry; whether it was."""
+        for parameter in ("NSET", "ELSET", "NAME"):
+            if card.keyword in ("NODE", "ELEMENT", "NSET", "ELSET", "SURFACE") and card.get(parameter):
+                self._written.setdefault(scope.prefix + card.get(parameter), scope.prefix + card.parameters[parameter])
         if card.keyword == "NODE" and card.data:
             table = card.table(4)
             ids = table[:, 0].astype(numpy.int64) + scope.offset
@@ -212,9 +220,11 @@ class Contents:
         flat = card.flat().astype(numpy.int64)
         width = nodes_of_kind(kind)
         if width == 0:
-            rows = card.rows()
+            rows = [[word for word in words if word] for words in card.rows()]
             ids = numpy.array([int(card.number(words[0], row)) for row, words in enumerate(rows)], dtype=numpy.int64)
-            nodes = numpy.zeros((len(ids), 0), dtype=numpy.int64)
+            width = len(rows[0]) - 1 if len({len(words) for words in rows}) == 1 else 0
+            nodes = numpy.array([[int(card.number(word, row)) for word in words[1:1 + width]]
+                                 for row, words in enumerate(rows)], dtype=numpy.int64).reshape(len(rows), width)
         else:
             if len(flat) % (width + 1):
                 flat = self._one_per_line(card, width)
@@ -312,9 +322,9 @@ class Contents:
         self.node_ids, self.coordinates = ids[last], at[last]
 
 
-_OTHER_KINDS = {"B31": 2, "B31R": 2, "B32": 3, "B32R": 3, "T2D2": 2, "T3D2": 2, "T3D3": 3, "SPRINGA": 2, "SPRING2": 2,
+_OTHER_KINDS = {"B31": 2, "B31R": 2, "B32": 3, "B32R": 3, "T2D2": 2, "T3D2": 2, "SPRINGA": 2, "SPRING2": 2,
                 "SPRING1": 1, "DASHPOTA": 2, "GAPUNI": 2, "MASS": 1, "D": 3, "DCOUP3D": 1, "S3": 3, "S4": 4, "S4R": 4,
-                "S6": 6, "S8": 8, "S8R": 8, "M3D3": 3, "M3D4": 4, "M3D4R": 4, "M3D6": 6, "M3D8": 8, "M3D8R": 8}
+                "S6": 6, "S8": 8, "S8R": 8, "M3D3": 3, "M3D4": 4, "M3D4R": 4, "M3D6": 6, "M3D8": 8, "M3D8R": 8, "M3D9": 9, "T3D3": 3}
 
 
 def nodes_of_kind(kind: str) -> int:

@@ -4,6 +4,7 @@ import pathlib
 
 import numpy
 
+from harmos.exchange.deck.bare import is_bare, read_bare
 from harmos.exchange.deck.cards import Card, read_cards
 from harmos.exchange.deck.contents import Contents
 from harmos.exchange.deck.couplings import Couplings
@@ -40,10 +41,10 @@ class ImportedDeck:
 
     Attributes:
         mesh: of its solids.
-        scene: what it says about them; its mesh is in the file that was named.
+        scene: what it says about them; its mesh is in the file that was named. None: it says nothing but the mesh.
     """
     mesh: Mesh
-    scene: SceneList
+    scene: "SceneList | None"
 
 
 def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> ImportedDeck:
@@ -53,6 +54,8 @@ def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> Im
         Refused: the deck is damaged, contradicts itself, or holds no solids.
     """
     contents = Contents(read_cards(path), findings)
+    if is_bare(contents):
+        return ImportedDeck(read_bare(contents, findings, path), None)
     for card in contents.model:
         if card.keyword not in _KNOWN and (card.keyword, card.get("TYPE")) != ("INITIALCONDITIONS", "TEMPERATURE"):
             findings.leave_out(card.place, f"*{card.keyword}", _EFFECTS.get(card.keyword, "without effect on the scene"))

@@ -49,6 +49,12 @@ class Section:
     thickness: float
 
 
+def is_solid(kind: str) -> bool:
+    """Whether a type of elements of a deck is a solid, or one of the plane, that Harmos has."""
+    match = _SOLID.match(kind)
+    return match is not None and int(match[2]) in _KINDS["C3D" if match[1] == "C3D" else "plane"]
+
+
 def side_of(type_name: str, label: str) -> int:
     """The side in Exodus of a face such as S3 or P3; -1 where there is none."""
     digits = label.lstrip("SP")
@@ -99,21 +105,20 @@ class Solids:
     def _tables(self) -> list[tuple[str, Order, bool, str, Array, Array]]:
         """Exodus type, order, incompatible modes, set, ids and node indices of the solids."""
         contents = self._contents
-        self.family = ""
+        self.family = self._family()
         result = []
         for table in contents.elements:
             match = _SOLID.match(table.kind)
             kinds = _KINDS["C3D" if match and match[1] == "C3D" else "plane"]
-            if not match or int(match[2]) not in kinds:
+            if not match or not is_solid(table.kind):
                 self._findings.leave_out(table.card.place, f"*ELEMENT, TYPE={table.kind}",
                                          f"{len(table.ids)} elements are left out, with their stiffness and loads")
                 continue
-            if self.family and match[1] != self.family:
+            if match[1] != self.family:
                 self._findings.leave_out(table.card.place, f"*ELEMENT, TYPE={table.kind}",
                                          f"{len(table.ids)} elements are left out: a scene has one kind of mechanics, "
                                          f"here {KINEMATICS[self.family]}")
                 continue
-            self.family = match[1]
             if "R" in match[3]:
                 self._findings.leave_out(table.card.place, f"TYPE={table.kind}", "reduced integration: elements are "
                                          "integrated fully, which changes displacements by a part of the mesh error")
@@ -136,6 +141,14 @@ class Solids:
             raise Refused(f"{self._path}: the deck holds no solid elements that Harmos has.\n"
                           + "\n".join(f"  left out: {each}" for each in self._findings.left_out))
         return result
+
+    def _family(self) -> str:
+        """That of the elements with sections: solids before others, which may only mark surfaces."""
+        held = numpy.unique(numpy.concatenate(self._section_ids)) if self._section_ids else numpy.zeros(0, dtype=numpy.int64)
+        tables = [table for table in self._contents.elements if is_solid(table.kind)]
+        of = [match[1] for table in tables if (match := _SOLID.match(table.kind)) and numpy.isin(table.ids, held).any()]
+        of = of or [match[1] for table in tables if (match := _SOLID.match(table.kind))]
+        return "C3D" if "C3D" in of else next(iter(of), "")
 
     def _make_parts(self, tables: list[tuple[str, Order, bool, str, Array, Array]]) -> None:
         section_of = self._sections_of(numpy.concatenate([ids for *_, ids, _ in tables]))
