@@ -14,6 +14,9 @@ import subprocess
 import sys
 import unittest
 
+import netCDF4
+import numpy
+
 from harmos.exchange.__main__ import main
 
 harmos = sys.argv[1]
@@ -404,6 +407,43 @@ class Decks(unittest.TestCase):
         text = (f"*NODE\n{nodes}*ELEMENT,TYPE=C3D8,ELSET=CUBE\n{rows}{STEEL}*NSET,NSET=BOTTOM,GENERATE\n1,9\n*BOUNDARY\n"
                 "BOTTOM,1,3\n" + STEP.format("*CLOAD\n14,1,7.\n"))
         self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_x"], -7.0, 4)
+
+    def test_axes_of_nodes(self) -> None:
+        top = "*NSET,NSET=TOP\n5,6,7,8\n"
+        # Axes along others: the first one is z.
+        along = f"{top}*TRANSFORM,NSET=TOP\n0.,0.,1.,1.,0.,0.\n"
+        row = self.solved(CUBE + STEEL + HELD + along + STEP.format("*BOUNDARY\nTOP,1,1,0.01\n"))[-1]
+        self.assertAlmostEqual(row["reaction_moved_z_z"], 10.0, 4)
+        row = self.solved(CUBE + STEEL + HELD + along + STEP.format("*CLOAD\nTOP,1,2.5\n"))[-1]
+        self.assertAlmostEqual(row["u_loaded_z"], 0.01, 6)
+        # The same cube turned by 30 degrees about x, pulled along its own z.
+        cosine, sine = 3.0 ** 0.5 / 2.0, 0.5
+        nodes = [line.split(",") for line in CUBE.splitlines()[1:9]]
+        turned = CUBE
+        for line, (node, x, y, z) in zip(CUBE.splitlines()[1:9], nodes):
+            across, up = cosine * float(y) - sine * float(z), sine * float(y) + cosine * float(z)
+            turned = turned.replace(line, f"{node},{x},{across:.12f},{up:.12f}")
+        own = f"{top}*TRANSFORM,NSET=TOP,TYPE=R\n1.,0.,0.,0.,{cosine:.12f},{sine}\n"
+        row = self.solved(turned + STEEL + HELD + own + STEP.format("*BOUNDARY\nTOP,3,3,0.01\n"))[-1]
+        self.assertAlmostEqual(row["reaction_moved_3_3"], 10.0, 4)
+        # About an axis: a small rotation moves the cube without strain; a tangential force at (1, 1).
+        turn = "*NSET,NSET=RIM\n2,3,4,6,7,8\n*TRANSFORM,NSET=ALL,TYPE=C\n0.,0.,0.,0.,0.,1.\n"
+        spin = "".join(f"{node},2,2,{0.001 * radius}\n" for node, radius in
+                       ((1, 0), (2, 1), (3, 2 ** 0.5), (4, 1), (5, 0), (6, 1), (7, 2 ** 0.5), (8, 1)))
+        text = CUBE + STEEL + turn + "*BOUNDARY\nALL,1,1\nALL,3,3\n1,2,2\n5,2,2\n"
+        row = self.solved(text + STEP.format(f"*BOUNDARY\n{spin}"))[-1]
+        self.assertTrue(all(abs(value) < 1e-6 for name, value in row.items() if name.startswith("reaction")), row)
+        with netCDF4.Dataset(work / "run" / "deck.e") as file:
+            names = [netCDF4.chartostring(name).item().strip("\0 ") for name in file["name_nod_var"][:]]
+            at, moved = file["coordx"][:], file[f"vals_nod_var{names.index('disp_y') + 1}"][-1]
+        self.assertLess(numpy.abs(moved - 0.001 * at).max(), 1e-8)
+        row = self.solved(CUBE + STEEL + HELD + turn.replace("NSET=ALL", "NSET=RIM").replace("2,3,4,6,7,8", "7")
+                          + STEP.format("*CLOAD\n7,2,2.\n"))[-1]
+        self.assertAlmostEqual(row["reaction_held_xyz_x"], 2.0 / 2.0 ** 0.5, 4)
+        self.assertAlmostEqual(row["reaction_held_xyz_y"], -2.0 / 2.0 ** 0.5, 4)
+        shutil.rmtree(work / "out")
+        self.demand_refused(CUBE + STEEL + HELD + "*TRANSFORM,NSET=NONE\n1,0,0,0,1,0\n" + STEP.format(""), "no set \"NONE\"")
+        self.demand_refused(CUBE + STEEL + HELD + "*TRANSFORM,NSET=ALL\n1,0,0,2,0,0\n" + STEP.format(""), "on one line with the")
 
     def test_includes(self) -> None:
         (work / "part.inc").write_text(CUBE)

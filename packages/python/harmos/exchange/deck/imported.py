@@ -11,7 +11,8 @@ from harmos.exchange.deck.couplings import Couplings
 from harmos.exchange.deck.curves import Histories
 from harmos.exchange.deck.equations import Equations
 from harmos.exchange.deck.joints import Joints
-from harmos.exchange.deck.loads import OUTPUT, LoadReader, LoadWriter
+from harmos.exchange.deck.load_writer import LoadWriter
+from harmos.exchange.deck.loads import OUTPUT, LoadReader
 from harmos.exchange.deck.materials import Material, read_materials, write_material
 from harmos.exchange.deck.solids import KINEMATICS, Solids
 from harmos.exchange.deck.volumes import VolumeWriter

@@ -1,29 +1,26 @@
-"""Boundaries and loads of a deck over its steps, as boundaries of a scene."""
-import collections
+"""Boundaries and loads of a deck over its steps."""
 import dataclasses
 import typing
 
 import numpy
 
 from harmos.arrays import Array
-from harmos.exchange.deck.areas import inner_areas, nodal_areas
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents, Scope, Step
 from harmos.exchange.deck.couplings import Couplings
-from harmos.exchange.deck.curves import UNLOADED, Histories, Points, Span, followed, peak, shape
+from harmos.exchange.deck.curves import UNLOADED, Points, Span, followed
 from harmos.exchange.deck.materials import Material
 from harmos.exchange.deck.solids import Solids
+from harmos.exchange.deck.transforms import Axes, Transforms
 from harmos.exchange.findings import Findings, Refusals, Refused, names_there
-from harmos.exchange.mesh import outer_faces, unused_name
-from harmos.exchange.scene import SceneList
 
 STATIC = ("STATIC",)
 """Procedures that Harmos has."""
 
-_Key = typing.TypeVar("_Key")
+ALONG = 1e-3
+"""Difference of the cosine with a global axis from 1 that counts as none: decks have few digits."""
 
-SAME = 1e-3
-"""Difference of nodal forces from those of a constant traction, over the largest of them, that counts as none."""
+_Key = typing.TypeVar("_Key")
 
 OUTPUT = ("NODEPRINT", "ELPRINT", "NODEFILE", "ELFILE", "CONTACTPRINT", "CONTACTFILE", "SECTIONPRINT", "FACEPRINT",
           "OUTPUT", "NODEOUTPUT", "ELEMENTOUTPUT", "CONTACTOUTPUT", "ELEMENTFILE", "ELEMENTPRINT", "PREPRINT", "RESTART",
@@ -61,7 +58,8 @@ class Loads:
     """What acts, over time.
 
     Attributes:
-        held: curve of a displacement, by node (index in the mesh) and component from 0.
+        held: curve of a displacement, by node (index in the mesh) and component from 0, of nodes in `axes` along those.
+        axes: of nodes whose held components are no global ones.
         forces: curve of a force, by the same.
         pressures: curve of a pressure, by element and side.
         body_forces: curves of the acceleration times density [force/volume], by part and component.
@@ -71,6 +69,7 @@ class Loads:
         steps: name, duration and increments.
     """
     held: dict[tuple[int, int], Points] = dataclasses.field(default_factory=dict)
+    axes: dict[int, Axes] = dataclasses.field(default_factory=dict)
     forces: dict[tuple[int, int], Points] = dataclasses.field(default_factory=dict)
     pressures: dict[tuple[int, int], Points] = dataclasses.field(default_factory=dict)
     body_forces: dict[tuple[str, int], Points] = dataclasses.field(default_factory=dict)
@@ -95,19 +94,13 @@ class LoadReader:
         self._refusals = Refusals()
         self._preload_nodes = {int(card.get("NODE")) for card in contents.model
                                if card.keyword == "PRE-TENSIONSECTION" and card.get("NODE").isdigit()}
-        self._transformed = self._read_transforms()
+        self._transforms = Transforms(contents, solids, findings)
+        for card in contents.model:
+            sets = contents.node_sets.get(card.get("NSET"), []) if card.keyword == "TRANSFORM" else []
+            if any(numpy.isin(ids, list(couplings.at_node)).any() for ids in sets):
+                findings.leave_out(card.place, "*TRANSFORM of a reference node", "what acts there counts in global axes")
         self._amplitudes = {card.get("NAME"): card for card in contents.model if card.keyword == "AMPLITUDE"}
         self._first: dict[tuple[int, int], tuple[str, float]] = {}
-
-    def _read_transforms(self) -> set[int]:
-        nodes: set[int] = set()
-        for card in self._contents.model:
-            if card.keyword == "TRANSFORM":
-                name = card.get("NSET")
-                for ids in self._contents.node_sets.get(name, []):
-                    nodes.update(self._solids.nodes(ids).tolist())
-                self._findings.leave_out(card.place, "*TRANSFORM", f"boundaries and forces in the axes of the node set {name}")
-        return nodes
 
     def read(self) -> Loads:
         """All of it.
@@ -252,7 +245,7 @@ class LoadReader:
     def _keep(self, card: Card, row: int, ids: Array, components: list[int]) -> None:
         """FIXED: what is held stays where it is; what was free would have to stay where the step before has left it."""
         free = [node for node in self._solids.nodes(ids).tolist()
-                if any((node, component - 1) not in self._loads.held for component in components)]
+                if any((node, self._degree(node, component)[0]) not in self._loads.held for component in components)]
         if free:
             self._findings.leave_out(card.place_of(row), "*BOUNDARY, FIXED", f"{len(free)} of its nodes were free before: they "
                                      "stay free")
@@ -280,6 +273,17 @@ class LoadReader:
             return
         self._loads.preloads[node] = Preload(followed(preload.points, span, value, amplitude, at_once), True)
 
+    def _degree(self, node: int, component: int) -> tuple[int, float]:
+        """The component from 0 that a node is held along, and its sense; takes note of axes that are turned."""
+        axes = self._transforms.of_node.get(node)
+        if axes is None:
+            return component - 1, 1.0
+        along = axes.along_global()
+        if along is not None:
+            return along[component - 1]
+        self._loads.axes[node] = axes
+        return component - 1, 1.0
+
     def _hold(self, card: Card, row: int, ids: Array, components: list[int], span: Span, value: float,
               amplitude: "Points | None", at_once: bool) -> None:
         known = self._contents.node_ids
@@ -290,22 +294,23 @@ class LoadReader:
         if left:
             self._findings.leave_out(card.place_of(row), "*BOUNDARY", f"{left} of its nodes belong to no solid")
         for node in nodes.tolist():
-            if node in self._transformed:
+            if node in self._transforms.left_out:
                 continue
             for component in components:
-                key = node, component - 1
+                along, sense = self._degree(node, component)
+                key, wanted = (node, along), sense * value
                 said = self._first.get(key)
-                if span.end <= 0.0 and said is not None and said[1] != value:
-                    raise Refused(f"{card.place_of(row)}: *BOUNDARY holds component {component} of a node at {value:g}, "
+                if span.end <= 0.0 and said is not None and said[1] != wanted:
+                    raise Refused(f"{card.place_of(row)}: *BOUNDARY holds component {component} of a node at {wanted:g}, "
                                   f"{said[0]} at {said[1]:g}; remove one of them.")
                 if span.end <= 0.0:
-                    self._first[key] = card.place_of(row), value
-                    self._loads.held[key] = ((0.0, value),)
+                    self._first[key] = card.place_of(row), wanted
+                    self._loads.held[key] = ((0.0, wanted),)
                     continue
                 points = self._loads.held.get(key, UNLOADED)
                 if points[-1][0] >= span.end:
                     points = tuple(point for point in points if point[0] <= span.begin) or UNLOADED
-                self._loads.held[key] = followed(points, span, value, amplitude, at_once)
+                self._loads.held[key] = followed(points, span, wanted, amplitude, at_once)
 
     def _force(self, card: Card, span: Span, at_once: bool) -> None:
         amplitude = self._amplitude(card, span)
@@ -332,8 +337,15 @@ class LoadReader:
             if left:
                 self._findings.leave_out(card.place_of(row), "*CLOAD", f"{value:g} on {left} nodes that belong to no solid")
             for node in nodes.tolist():
-                if node not in self._transformed:
+                axes = self._transforms.of_node.get(node)
+                if node in self._transforms.left_out:
+                    continue
+                if axes is None:
                     self._add(self._loads.forces, (node, component - 1), span, value, amplitude, at_once)
+                    continue
+                direction = axes.at(self._solids.mesh.nodes[node], self._transforms.size)[component - 1]
+                for along in numpy.flatnonzero(numpy.abs(direction) > 1e-12).tolist():
+                    self._add(self._loads.forces, (node, along), span, value * float(direction[along]), amplitude, at_once)
 
     def _temperature(self, card: Card, span: "Span | None", at_once: bool) -> None:
         """Temperatures of nodes; without a span the initial ones, at which there is no strain."""
@@ -450,7 +462,7 @@ class LoadReader:
             raise Refused(f"{card.place_of(row)}: CENTRIF takes the square of an angular velocity, a point and a direction.")
         axis = numpy.array(numbers[4:7]) / float(numpy.linalg.norm(numbers[4:7]))
         about = {"C3D": None, "CAX": 1}.get(self._solids.family, 2)
-        if about is not None and abs(abs(float(axis[about])) - 1.0) > SAME:
+        if about is not None and abs(abs(float(axis[about])) - 1.0) > ALONG:
             self._findings.leave_out(card.place_of(row), "*DLOAD CENTRIF", f"turns about another axis than {'xyz'[about]}")
             return
         for part, _ in self._loaded_parts(card, row, words):
@@ -458,176 +470,3 @@ class LoadReader:
             points = self._loads.rotations.get(key, UNLOADED)
             before = tuple(point for point in points if point[0] <= span.begin) or UNLOADED
             self._loads.rotations[key] = followed(before, span, numbers[0], amplitude, at_once)
-
-
-class LoadWriter:
-    """Writes the boundaries of a scene.
-
-    Attributes:
-        touched: names of the parts that have one.
-    """
-
-    def __init__(self, solids: Solids, scene: SceneList, histories: Histories, thickness: float,
-                 findings: Findings) -> None:
-        """Adds to this scene and to the sets of the mesh."""
-        self._solids, self._scene, self._histories = solids, scene, histories
-        self._thickness, self._findings = thickness, findings
-        mesh = solids.mesh
-        self._outer = outer_faces(mesh)
-        self._part_of_face = numpy.asarray(mesh.part_of_block())[mesh.block_of(self._outer.element)]
-        self._part_of_node = numpy.full(len(mesh.nodes), -1)
-        for number in range(len(mesh.blocks) - 1, -1, -1):
-            self._part_of_node[mesh.blocks[number].connectivity] = mesh.part_of_block()[number]
-        self.touched: set[str] = set()
-
-    def write(self, loads: Loads) -> None:
-        """All of them."""
-        for (part, component), points in loads.body_forces.items():
-            force = self._scene.child("Parts").child(part).child("Body Force")
-            self._histories.set(force, "XYZ"[component], points)
-        self._write_held(loads.held)
-        self._write_pressures(loads.pressures)
-        self._write_forces(loads.forces)
-
-    def _boundary(self, name: str) -> "tuple[str, SceneList]":
-        boundaries = self._scene.child("Boundaries")
-        taken = {*boundaries.names(), *self._scene.child("Interfaces").names()}
-        free = unused_name(name, taken)
-        return free, boundaries.child(free)
-
-    def _set_name(self, wanted: str) -> str:
-        mesh = self._solids.mesh
-        return unused_name(wanted, {**mesh.side_sets, **mesh.node_sets})
-
-    def _write_held(self, held: dict[tuple[int, int], Points]) -> None:
-        by_node: dict[int, dict[int, Points]] = collections.defaultdict(dict)
-        for (node, component), points in held.items():
-            by_node[node][component] = points
-        groups: dict[tuple[int, tuple[tuple[int, Points], ...]], list[int]] = collections.defaultdict(list)
-        for node, curves in by_node.items():
-            groups[int(self._part_of_node[node]), tuple(sorted(curves.items()))].append(node)
-        names = list(self._solids.mesh.parts())
-        for (part, components), nodes in groups.items():
-            letters = "".join("xyz"[component] for component, _ in components)
-            moved = any(peak(points) for _, points in components)
-            name = self._set_name(f"{'moved' if moved else 'held'}_{letters}")
-            self._solids.mesh.node_sets[name] = numpy.array(sorted(nodes))
-            boundary_name, boundary = self._boundary(name)
-            boundary.set("Node Set", name).set("Part", names[part])
-            law = boundary.child("Law").set("Type", "Prescribed Displacement")
-            for component, points in components:
-                self._histories.set(law, "XYZ"[component], points)
-            self.touched.add(names[part])
-            for component, _ in components:
-                axis = [float(component == each) for each in range(self._solids.mesh.dimension)]
-                response = self._scene.child("Responses").child(f"reaction_{boundary_name}_{'xyz'[component]}")
-                response.set("Type", "Interface Force").set("Interface", boundary_name).set("Direction", axis)
-
-    def _write_pressures(self, pressures: dict[tuple[int, int], Points]) -> None:
-        groups = collections.defaultdict(list)
-        for face, points in pressures.items():
-            groups[points].append(face)
-        for points, faces in groups.items():
-            name = self._set_name("pressed")
-            rows = numpy.array(sorted(faces))
-            outer = {tuple(row) for row in self._outer.rows().tolist()}
-            inside = [tuple(row) not in outer for row in rows.tolist()]
-            if any(inside):
-                self._findings.leave_out("DLOAD", "pressure", f"{sum(inside)} of its faces lie inside of a part")
-                rows = rows[~numpy.array(inside)]
-            if not len(rows):
-                continue
-            self._solids.mesh.side_sets[name] = rows
-            _, boundary = self._boundary(name)
-            law = boundary.set("Side Set", name).child("Law").set("Type", "Pressure")
-            self._histories.set(law, "Pressure", points)
-            names = list(self._solids.mesh.parts())
-            self.touched |= {names[self._solids.mesh.part_of_block()[block]]
-                             for block in self._solids.mesh.block_of(rows[:, 0])}
-
-    def _write_forces(self, forces: dict[tuple[int, int], Points]) -> None:
-        groups: dict[tuple[int, int, Points], dict[int, float]] = collections.defaultdict(dict)
-        for (node, component), points in forces.items():
-            if peak(points) != 0.0:
-                groups[int(self._part_of_node[node]), component, shape(points)][node] = peak(points)
-        names = list(self._solids.mesh.parts())
-        nodal: dict[tuple[int, int], list[tuple[int, float, Points]]] = collections.defaultdict(list)
-        for (part, component, form), values in groups.items():
-            self.touched.add(names[part])
-            if not self._as_traction(part, component, form, values):
-                for node, value in values.items():
-                    nodal[part, node].append((component, value, form))
-        areas: dict[int, Array] = {}
-        for (part, node), entries in nodal.items():
-            if part not in areas:
-                areas[part] = self._nodal_areas(part)
-            area = float(areas[part][node])
-            if abs(area) < 1e-9 * float(numpy.abs(areas[part]).max()):
-                listed = ", ".join(f"{value:g} along {'xyz'[component]}" for component, value, _ in entries)
-                self._findings.leave_out("CLOAD", f"force at ({', '.join(f'{x:g}' for x in self._solids.mesh.nodes[node])})",
-                                         f"{listed}: the node has no share of the surface; load the faces around it")
-                continue
-            name = self._set_name("force")
-            self._solids.mesh.node_sets[name] = numpy.array([node])
-            _, boundary = self._boundary(name)
-            law = boundary.set("Node Set", name).set("Part", names[part]).child("Law").set("Type", "Prescribed Traction")
-            for component, value, form in entries:
-                self._histories.set(law, "XYZ"[component], form, value / area)
-
-    def _nodal_areas(self, part: int) -> Array:
-        """Those by which the program divides forces on single nodes of a part."""
-        mesh = self._solids.mesh
-        chosen = self._part_of_face == part
-        areas = self._areas(chosen)
-        if self._solids.family == "CAX":
-            # What lies on the axis is inside of the part.
-            chosen = chosen & (mesh.nodes[self._outer.corners, 0] > 0.0).any(axis=1)
-        faces = self._outer.chosen(chosen)
-        blocks = list(mesh.parts().values())[part]
-        on_surface = numpy.isin(numpy.arange(len(mesh.nodes)), self._nodes_of(faces.element, faces.side))
-        inner = inner_areas(mesh, blocks, self._thickness, self._solids.family == "CAX")
-        result: Array = numpy.where(on_surface, areas, inner)
-        return result
-
-    def _nodes_of(self, element: Array, side: Array) -> Array:
-        """All nodes on sides, those amid corners as well."""
-        mesh = self._solids.mesh
-        first, blocks = mesh.first_elements(), mesh.block_of(element)
-        found = [numpy.zeros(0, dtype=numpy.int64)]
-        for number, block in enumerate(mesh.blocks):
-            for label, corners in enumerate(block.type.sides):
-                of = element[(blocks == number) & (side == label)] - first[number]
-                columns = [at for at, spot in enumerate(block.type.order) if spot <= frozenset(corners)]
-                found.append(block.connectivity[of][:, columns].reshape(-1))
-        result: Array = numpy.unique(numpy.concatenate(found))
-        return result
-
-    def _areas(self, which: Array) -> Array:
-        return nodal_areas(self._solids.mesh, self._outer.chosen(which), self._thickness, self._solids.family == "CAX")
-
-    def _as_traction(self, part: int, component: int, form: Points, values: dict[int, float]) -> bool:
-        """Whether the forces are those of a constant traction on the faces between the nodes, which is then written."""
-        mesh = self._solids.mesh
-        nodes = numpy.array(sorted(values))
-        inside = (numpy.isin(self._outer.corners, nodes) | (self._outer.corners < 0)).all(axis=1)
-        which = inside & (self._part_of_face == part)
-        if not which.any():
-            return False
-        areas = self._areas(which)
-        loaded = numpy.flatnonzero(areas)
-        given = numpy.zeros(len(mesh.nodes))
-        given[nodes] = [values[int(node)] for node in nodes]
-        traction = given.sum() / areas.sum()
-        if numpy.abs(given - traction * areas).max() > SAME * numpy.abs(given).max() or not len(loaded):
-            return False
-        rows = self._outer.chosen(which).rows()
-        same = [known for known, of in mesh.side_sets.items() if len(of) == len(rows) and numpy.array_equal(of, rows)]
-        name = same[0] if same else self._set_name("loaded")
-        mesh.side_sets[name] = rows
-        _, boundary = self._boundary(name)
-        law = boundary.set("Side Set", name).child("Law").set("Type", "Prescribed Traction")
-        self._histories.set(law, "XYZ"[component], form, traction)
-        response = self._scene.child("Responses").child(unused_name(f"u_{name}_{'xyz'[component]}", set()))
-        response.set("Type", "Mean Displacement").set("Side Set", name).set(
-            "Direction", [float(component == each) for each in range(mesh.dimension)])
-        return True

@@ -1,0 +1,215 @@
+"""Boundaries and loads of a deck as boundaries of a scene."""
+import collections
+
+import numpy
+
+from harmos.arrays import Array
+from harmos.exchange.deck.areas import inner_areas, nodal_areas
+from harmos.exchange.deck.curves import Histories, Points, peak, shape
+from harmos.exchange.deck.loads import Loads
+from harmos.exchange.deck.solids import Solids
+from harmos.exchange.deck.transforms import Axes
+from harmos.exchange.findings import Findings
+from harmos.exchange.mesh import outer_faces, unused_name
+from harmos.exchange.scene import SceneList
+
+SAME = 1e-3
+"""Difference of nodal forces from those of a constant traction, over the largest of them, that counts as none."""
+
+
+class LoadWriter:
+    """Writes the boundaries of a scene.
+
+    Attributes:
+        touched: names of the parts that have one.
+    """
+
+    def __init__(self, solids: Solids, scene: SceneList, histories: Histories, thickness: float,
+                 findings: Findings) -> None:
+        """Adds to this scene and to the sets of the mesh."""
+        self._solids, self._scene, self._histories = solids, scene, histories
+        self._thickness, self._findings = thickness, findings
+        mesh = solids.mesh
+        self._outer = outer_faces(mesh)
+        self._part_of_face = numpy.asarray(mesh.part_of_block())[mesh.block_of(self._outer.element)]
+        self._part_of_node = numpy.full(len(mesh.nodes), -1)
+        for number in range(len(mesh.blocks) - 1, -1, -1):
+            self._part_of_node[mesh.blocks[number].connectivity] = mesh.part_of_block()[number]
+        self.touched: set[str] = set()
+
+    def write(self, loads: Loads) -> None:
+        """All of them."""
+        for (part, component), points in loads.body_forces.items():
+            force = self._scene.child("Parts").child(part).child("Body Force")
+            self._histories.set(force, "XYZ"[component], points)
+        self._write_held(loads.held, loads.axes)
+        self._write_pressures(loads.pressures)
+        self._write_forces(loads.forces)
+
+    def _boundary(self, name: str) -> "tuple[str, SceneList]":
+        boundaries = self._scene.child("Boundaries")
+        taken = {*boundaries.names(), *self._scene.child("Interfaces").names()}
+        free = unused_name(name, taken)
+        return free, boundaries.child(free)
+
+    def _set_name(self, wanted: str) -> str:
+        mesh = self._solids.mesh
+        return unused_name(wanted, {**mesh.side_sets, **mesh.node_sets})
+
+    def _write_held(self, held: dict[tuple[int, int], Points], axes: dict[int, Axes]) -> None:
+        by_node: dict[int, dict[int, Points]] = collections.defaultdict(dict)
+        for (node, component), points in held.items():
+            by_node[node][component] = points
+        groups: dict[tuple[int, Axes | None, tuple[tuple[int, Points], ...]], list[int]] = collections.defaultdict(list)
+        for node, curves in by_node.items():
+            groups[int(self._part_of_node[node]), axes.get(node), tuple(sorted(curves.items()))].append(node)
+        names = list(self._solids.mesh.parts())
+        for (part, turned, components), nodes in groups.items():
+            letters = "".join(("xyz" if turned is None else "rta" if turned.is_cylindrical else "123")[component]
+                              for component, _ in components)
+            moved = any(peak(points) for _, points in components)
+            name = self._set_name(f"{'moved' if moved else 'held'}_{letters}")
+            self._solids.mesh.node_sets[name] = numpy.array(sorted(nodes))
+            boundary_name, boundary = self._boundary(name)
+            boundary.set("Node Set", name).set("Part", names[part])
+            self.touched.add(names[part])
+            if turned is not None:
+                self._hold_about(boundary, boundary_name, turned, dict(components), nodes)
+                continue
+            law = boundary.child("Law").set("Type", "Prescribed Displacement")
+            for component, points in components:
+                self._histories.set(law, "XYZ"[component], points)
+                axis = [float(component == each) for each in range(self._solids.mesh.dimension)]
+                self._add_reaction(f"reaction_{boundary_name}_{'xyz'[component]}", boundary_name, axis)
+
+    def _hold_about(self, boundary: SceneList, name: str, axes: Axes, components: dict[int, Points], nodes: list[int]) -> None:
+        """Holds nodes in axes of their own."""
+        mesh = self._solids.mesh
+        size = float(numpy.ptp(mesh.nodes, axis=0).max())
+        point, direction = axes.cylinder(mesh.nodes[nodes].mean(axis=0), size)
+        if not axes.is_cylindrical:
+            boundary.comment("Rectangular axes: those of a cylinder so large that they do not turn.")
+        law = boundary.child("Law").set("Type", "Cylindrical Displacement").set("Point", point[:mesh.dimension])
+        if mesh.dimension == 3:
+            law.set("Axis", direction)
+        for component, points in components.items():
+            self._histories.set(law, ("Radial", "Tangential", "Axial")[component], points)
+        if axes.is_cylindrical and 2 in components:
+            self._add_reaction(f"reaction_{name}_axial", name, direction)
+        if not axes.is_cylindrical:
+            rows = axes.at(mesh.nodes[nodes[0]], size)
+            for component in components:
+                self._add_reaction(f"reaction_{name}_{component + 1}", name, [float(x) for x in rows[component][:mesh.dimension]])
+
+    def _add_reaction(self, name: str, boundary: str, direction: list[float]) -> None:
+        response = self._scene.child("Responses").child(name)
+        response.set("Type", "Interface Force").set("Interface", boundary).set("Direction", direction)
+
+    def _write_pressures(self, pressures: dict[tuple[int, int], Points]) -> None:
+        groups = collections.defaultdict(list)
+        for face, points in pressures.items():
+            groups[points].append(face)
+        for points, faces in groups.items():
+            name = self._set_name("pressed")
+            rows = numpy.array(sorted(faces))
+            outer = {tuple(row) for row in self._outer.rows().tolist()}
+            inside = [tuple(row) not in outer for row in rows.tolist()]
+            if any(inside):
+                self._findings.leave_out("DLOAD", "pressure", f"{sum(inside)} of its faces lie inside of a part")
+                rows = rows[~numpy.array(inside)]
+            if not len(rows):
+                continue
+            self._solids.mesh.side_sets[name] = rows
+            _, boundary = self._boundary(name)
+            law = boundary.set("Side Set", name).child("Law").set("Type", "Pressure")
+            self._histories.set(law, "Pressure", points)
+            names = list(self._solids.mesh.parts())
+            self.touched |= {names[self._solids.mesh.part_of_block()[block]]
+                             for block in self._solids.mesh.block_of(rows[:, 0])}
+
+    def _write_forces(self, forces: dict[tuple[int, int], Points]) -> None:
+        groups: dict[tuple[int, int, Points], dict[int, float]] = collections.defaultdict(dict)
+        for (node, component), points in forces.items():
+            if peak(points) != 0.0:
+                groups[int(self._part_of_node[node]), component, shape(points)][node] = peak(points)
+        names = list(self._solids.mesh.parts())
+        nodal: dict[tuple[int, int], list[tuple[int, float, Points]]] = collections.defaultdict(list)
+        for (part, component, form), values in groups.items():
+            self.touched.add(names[part])
+            if not self._as_traction(part, component, form, values):
+                for node, value in values.items():
+                    nodal[part, node].append((component, value, form))
+        areas: dict[int, Array] = {}
+        for (part, node), entries in nodal.items():
+            if part not in areas:
+                areas[part] = self._nodal_areas(part)
+            area = float(areas[part][node])
+            if abs(area) < 1e-9 * float(numpy.abs(areas[part]).max()):
+                listed = ", ".join(f"{value:g} along {'xyz'[component]}" for component, value, _ in entries)
+                self._findings.leave_out("CLOAD", f"force at ({', '.join(f'{x:g}' for x in self._solids.mesh.nodes[node])})",
+                                         f"{listed}: the node has no share of the surface; load the faces around it")
+                continue
+            name = self._set_name("force")
+            self._solids.mesh.node_sets[name] = numpy.array([node])
+            _, boundary = self._boundary(name)
+            law = boundary.set("Node Set", name).set("Part", names[part]).child("Law").set("Type", "Prescribed Traction")
+            for component, value, form in entries:
+                self._histories.set(law, "XYZ"[component], form, value / area)
+
+    def _nodal_areas(self, part: int) -> Array:
+        """Those by which the program divides forces on single nodes of a part."""
+        mesh = self._solids.mesh
+        chosen = self._part_of_face == part
+        areas = self._areas(chosen)
+        if self._solids.family == "CAX":
+            # What lies on the axis is inside of the part.
+            chosen = chosen & (mesh.nodes[self._outer.corners, 0] > 0.0).any(axis=1)
+        faces = self._outer.chosen(chosen)
+        blocks = list(mesh.parts().values())[part]
+        on_surface = numpy.isin(numpy.arange(len(mesh.nodes)), self._nodes_of(faces.element, faces.side))
+        inner = inner_areas(mesh, blocks, self._thickness, self._solids.family == "CAX")
+        result: Array = numpy.where(on_surface, areas, inner)
+        return result
+
+    def _nodes_of(self, element: Array, side: Array) -> Array:
+        """All nodes on sides, those amid corners as well."""
+        mesh = self._solids.mesh
+        first, blocks = mesh.first_elements(), mesh.block_of(element)
+        found = [numpy.zeros(0, dtype=numpy.int64)]
+        for number, block in enumerate(mesh.blocks):
+            for label, corners in enumerate(block.type.sides):
+                of = element[(blocks == number) & (side == label)] - first[number]
+                columns = [at for at, spot in enumerate(block.type.order) if spot <= frozenset(corners)]
+                found.append(block.connectivity[of][:, columns].reshape(-1))
+        result: Array = numpy.unique(numpy.concatenate(found))
+        return result
+
+    def _areas(self, which: Array) -> Array:
+        return nodal_areas(self._solids.mesh, self._outer.chosen(which), self._thickness, self._solids.family == "CAX")
+
+    def _as_traction(self, part: int, component: int, form: Points, values: dict[int, float]) -> bool:
+        """Whether the forces are those of a constant traction on the faces between the nodes, which is then written."""
+        mesh = self._solids.mesh
+        nodes = numpy.array(sorted(values))
+        inside = (numpy.isin(self._outer.corners, nodes) | (self._outer.corners < 0)).all(axis=1)
+        which = inside & (self._part_of_face == part)
+        if not which.any():
+            return False
+        areas = self._areas(which)
+        loaded = numpy.flatnonzero(areas)
+        given = numpy.zeros(len(mesh.nodes))
+        given[nodes] = [values[int(node)] for node in nodes]
+        traction = given.sum() / areas.sum()
+        if numpy.abs(given - traction * areas).max() > SAME * numpy.abs(given).max() or not len(loaded):
+            return False
+        rows = self._outer.chosen(which).rows()
+        same = [known for known, of in mesh.side_sets.items() if len(of) == len(rows) and numpy.array_equal(of, rows)]
+        name = same[0] if same else self._set_name("loaded")
+        mesh.side_sets[name] = rows
+        _, boundary = self._boundary(name)
+        law = boundary.set("Side Set", name).child("Law").set("Type", "Prescribed Traction")
+        self._histories.set(law, "XYZ"[component], form, traction)
+        response = self._scene.child("Responses").child(unused_name(f"u_{name}_{'xyz'[component]}", set()))
+        response.set("Type", "Mean Displacement").set("Side Set", name).set(
+            "Direction", [float(component == each) for each in range(mesh.dimension)])
+        return True
