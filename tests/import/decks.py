@@ -9,6 +9,7 @@ import io
 import os
 import pathlib
 import random
+import re
 import shutil
 import subprocess
 import sys
@@ -195,6 +196,22 @@ class Decks(unittest.TestCase):
                 self.assertEqual(code, 0, said)
                 self.assertIn("contact is hard", said)
 
+    def test_adjust(self) -> None:
+        # The upper cube stands 0.002 above the lower one; its slave nodes are the same four that ADJUST moves.
+        down = "*BOUNDARY\nTOP,1,2\nTOP,3,3,-0.01\n"
+        pair = "*NSET,NSET=LOW\n9,10,11,12\n*CONTACT PAIR,INTERACTION=CC,ADJUST={}\n"
+        for adjust, gap in (("0.005", 0.0), ("0.001", 0.002), ("LOW", 0.0)):
+            with self.subTest(adjust):
+                text = self.stack("", down, pair.format(adjust))
+                for node in range(9, 13):
+                    text = re.sub(rf"^({node}, .*, 1)$", r"\1.002", text, flags=re.MULTILINE)
+                row = self.solved(text)[-1]
+                # The cube is 0.998 high, until its nodes have moved.
+                self.assertAlmostEqual(row["reaction_held_xyz_z"], 1000.0 * (0.01 - gap) / (2.0 - gap), 4)
+        self.assertIn("ADJUST: 4 nodes of S moved onto M", self.imported(text)[1])
+        shutil.rmtree(work / "out")
+        self.demand_refused(self.stack("", down, "*CONTACT PAIR,INTERACTION=CC,ADJUST=NONE\n"), "ADJUST=NONE", "distance or a node set")
+
     def test_friction_with_a_slope_of_sticking(self) -> None:
         # Pressed by 2.5, then pushed aside: the cubes shear by 2 F / G, G = 500, and bend, and the contact gives F / slope.
         behavior = "*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=LINEAR\n500.\n*FRICTION\n0.4, 100.\n"
@@ -326,6 +343,25 @@ class Decks(unittest.TestCase):
             with self.subTest(vector):
                 row = self.solved(self.bar(vector, f"*BOUNDARY\n999,1,1,{value}\n"))[-1]
                 self.assertAlmostEqual(row["bolt_force_preload_cut"], 1000.0 * 0.01 / 10.0, 5)
+
+    def test_tetrahedra_beside_a_pretension_section_are_told(self) -> None:
+        # Each cube as six tetrahedra about the diagonal from its first to its seventh corner.
+        text = self.bar("", "*BOUNDARY\n999,1,1,0.01\n")
+        begin, end = text.index("*ELEMENT"), text.index("*MATERIAL")
+        rows, upper = [], []
+        for cube in range(10):
+            nodes = [4 * cube + n for n in range(1, 9)]
+            for one, other in ((1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1)):
+                rows.append((nodes[0], nodes[one], nodes[other], nodes[6]))
+                if cube == 4 and {nodes[one], nodes[other]} <= set(nodes[4:]):
+                    upper.append(len(rows))
+        elements = "".join(f"{k}, {', '.join(map(str, row))}\n" for k, row in enumerate(rows, 1))
+        text = f"{text[:begin]}*ELEMENT,TYPE=C3D4,ELSET=CUBE\n{elements}{text[end:]}"
+        text = text.replace("5, S2\n", "".join(f"{each}, S3\n" for each in upper))
+        row = self.solved(text)[-1]
+        self.assertAlmostEqual(row["bolt_force_preload_cut"], 1000.0 * 0.01 / 10.0, 5)
+        self.assertIn("4 elements of CUBE touch the section without a face on it", self.imported(text)[1])
+        self.assertNotIn("without a face on it", self.imported(self.bar("", ""))[1])
 
     def test_pretension_by_force(self) -> None:
         pull = "*BOUNDARY\n41,3,3,0.02\n42,3,3,0.02\n43,3,3,0.02\n44,3,3,0.02\n"

@@ -17,6 +17,9 @@ ON_ONE_LINE = 1e-6
 """Width of nodes over their largest coordinate up to which they lie on one line, and share of them in the surface over the
 largest of a node up to which they have none."""
 
+LARGE_ROTATION = 0.1
+"""Rotation from which an import warns [radians]: displacements linear in it are off by its half."""
+
 _HELD = ("X", "Y", "Z", "Rotation X", "Rotation Y", "Rotation Z")
 _FORCES = ("Force X", "Force Y", "Force Z", "Moment X", "Moment Y", "Moment Z")
 
@@ -183,6 +186,9 @@ class Couplings:
                                          f"{peak(points):g}, which leaves the plane")
         held = {component: points for component, points in sorted(coupling.held.items()) if component in in_space}
         for component, points in held.items():
+            if component > 2 and abs(peak(points)) > LARGE_ROTATION:
+                self._findings.leave_out(coupling.card.place, f"*{coupling.card.keyword}, rotation", f"{peak(points):g} is not small: all "
+                                         "is linear in geometry, and displacements are this times the arm")
             histories.set(law, _HELD[component], points)
         for component, points in sorted(coupling.forces.items()):
             if component in in_space and component not in held and peak(points) != 0.0:

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy
 
 from harmos.arrays import Array
+from harmos.exchange.deck.adjust import move_onto
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents
 from harmos.exchange.deck.curves import Histories
@@ -73,9 +74,30 @@ class Joints:
     def _contact(self, card: Card) -> None:
         interaction = self._interactions.find(card)
         if "ADJUST" in card.parameters:
-            self._findings.leave_out(card.place, "*CONTACT PAIR, ADJUST", "no node is moved: gaps are those of the mesh")
+            self._adjust(card)
         if self._pairs(card, "contact", interaction.write):
             self.has_contact |= interaction.may_open
+
+    def _adjust(self, card: Card) -> None:
+        """Moves the nodes of slave surfaces onto their masters, up to a gap or of a node set."""
+        word = card.get("ADJUST")
+        sets = self._contents.node_sets
+        chosen = self._solids.nodes(numpy.unique(numpy.concatenate(sets[word]))) if sets.get(word) else None
+        reach = 0.0
+        if chosen is None:
+            try:
+                reach = float(word or "0")
+            except ValueError:
+                raise Refused(f"{card.place}: *CONTACT PAIR, ADJUST={word}: it takes a distance or a node set. "
+                              f"{names_there(word, sets)}") from None
+        for row, words in enumerate(card.rows()):
+            if len(words) < 2 or not words[1]:
+                continue
+            slave, master = (self._surface(each, card, row) for each in words[:2])
+            if not len(slave) or not len(master):
+                continue
+            moved = move_onto(self._solids.mesh, slave, master, reach, chosen)
+            self._findings.found.append(f"{card.place_of(row)}: ADJUST: {moved} nodes of {words[0]} moved onto {words[1]}")
 
     def _pairs(self, card: Card, word: str, write_law: Callable[[SceneList], object]) -> int:
         """An interface for each line with two surfaces and each pair of parts on them; how many."""
@@ -166,6 +188,18 @@ class Joints:
         self._scene.child("Responses").child(f"bolt_force_{name}").set("Type", "Bolt Force").set("Interface", name)
         self.joined.add(frozenset([own, other]))
         self._findings.found.append(f"{card.place}: pretension section: interface {name} between {own} and {other}")
+        beside = self._beside(rows, own)
+        if beside:
+            self._findings.found.append(f"{card.place}: {beside} elements of {own} touch the section without a face on it: CalculiX does "
+                                        "not cut them, and they hold its halves together there; here they are cut")
+
+    def _beside(self, rows: Array, part: str) -> int:
+        """How many elements of a part have nodes of sides, but none of these."""
+        mesh = self._solids.mesh
+        outer = outer_faces(mesh)
+        corners = outer.corners[numpy.isin(*codes(outer.rows(), rows))]
+        touching = sum(int(numpy.isin(mesh.blocks[block].connectivity, corners).any(axis=1).sum()) for block in mesh.parts()[part])
+        return touching - len(numpy.unique(rows[:, 0]))
 
     def _points_inwards(self, card: Card, rows: Array) -> bool:
         """Whether the vector of a pretension section, along which displacements count, points into its elements."""

@@ -74,6 +74,7 @@ class Transforms:
 
     Attributes:
         of_node: axes by node (index in the mesh).
+        left_out: nodes whose axes leave the plane.
         size: of the mesh [length].
     """
 
