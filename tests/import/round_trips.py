@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import unittest
+from collections.abc import Callable
 
 import meshio
 import numpy
@@ -158,6 +159,41 @@ class RoundTrips(unittest.TestCase):
         write_exodus(str(work / "long.e"), mesh)
         back = self.imported(work / "long.e")
         self.assertTrue(all(len(name) <= LONGEST_NAME for name in back.side_sets))
+
+    def test_gmsh_writes_elements_of_several_groups_several_times(self) -> None:
+        def bring(version: float, more: "Callable[[], None]") -> tuple[Mesh, str]:
+            with session():
+                import gmsh
+                low, high = gmsh.model.occ.addBox(0, 0, 0, 1, 1, 1), gmsh.model.occ.addBox(0, 0, 1, 1, 1, 1)
+                gmsh.model.occ.fragment([(3, low)], [(3, high)])
+                gmsh.model.occ.synchronize()
+                for entities, name in (([1, 2], "all"), ([1], "low"), ([2], "high" + "_of_them" * 10)):
+                    gmsh.model.setPhysicalName(3, gmsh.model.addPhysicalGroup(3, entities), name)
+                gmsh.model.setPhysicalName(2, gmsh.model.addPhysicalGroup(2, [5]), "support" * 12)
+                gmsh.option.setNumber("Mesh.MeshSizeMax", 0.6)
+                gmsh.model.mesh.generate(3)
+                count = sum(len(tags) for _, tag in gmsh.model.getEntities(3)
+                            for tags in gmsh.model.mesh.getElements(3, tag)[1])
+                more()
+                gmsh.option.setNumber("Mesh.MshFileVersion", version)
+                gmsh.write(str(work / "several.msh"))
+            said = io.StringIO()
+            with contextlib.redirect_stdout(said):
+                self.assertEqual(main(["import", "--output", str(work / "out"), str(work / "several.msh")]), 0)
+            checked = subprocess.run([harmos, "check", str(work / "out" / "several.xml")], capture_output=True, text=True)
+            self.assertEqual(checked.returncode, 0, checked.stderr)
+            back = read_exodus(str(work / "out" / "several.e"), Findings())
+            self.assertEqual(int(back.first_elements()[-1]), count)
+            return back, said.getvalue()
+
+        def ghosts() -> None:
+            import gmsh
+            gmsh.option.setNumber("Mesh.PartitionCreateGhostCells", 1)
+            gmsh.model.mesh.partition(2)
+
+        self.assertIn("elements are there twice", bring(2.2, lambda: None)[1])
+        bring(4.1, lambda: None)
+        bring(4.1, ghosts)
 
     def test_orders_are_those_of_gmsh(self) -> None:
         with session():

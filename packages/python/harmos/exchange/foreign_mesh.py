@@ -7,7 +7,7 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.elements import MESHIO, TYPES, to_exodus
 from harmos.exchange.findings import Findings, Refused
-from harmos.exchange.mesh import Block, Mesh, clean_name, oriented, unused_name, without_loose_nodes
+from harmos.exchange.mesh import Block, Mesh, clean_name, oriented, unused_name, without_loose_nodes, without_twins
 from harmos.exchange.sides import SideFinder, add_side_set
 
 _FLAT = {"vertex": 0, "line": 1, "line3": 1, "triangle": 2, "triangle6": 2, "quad": 2, "quad8": 2, "quad9": 2}
@@ -105,6 +105,9 @@ def _read_cells(path: str, source: meshio.Mesh, mesh: Mesh, findings: Findings) 
             names.add(block)
             mesh.blocks.append(Block(block, TYPES[name], to_exodus(name, order, numpy.concatenate(of_kind)),
                                      clean_name(part)))
+    twice = without_twins(mesh)
+    if twice:
+        findings.found.append(f"{twice} elements are there twice, and count once")
     if mesh.blocks:
         _read_sets(path, source, mesh, surfaces, findings)
 

@@ -11,7 +11,7 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.elements import GMSH, TYPES, to_exodus
 from harmos.exchange.findings import Findings, Refused
-from harmos.exchange.mesh import Block, Mesh, oriented, unused_name, without_loose_nodes
+from harmos.exchange.mesh import Block, Mesh, oriented, unused_name, without_loose_nodes, without_twins
 from harmos.exchange.sides import SideFinder, add_side_set
 
 
@@ -46,7 +46,7 @@ def read_gmsh(path: str, findings: Findings) -> Mesh:
         if serious:
             raise Refused(f"{path}: Gmsh cannot read it: {serious[0].split(':', 1)[1].strip()}. It is damaged.")
         mesh = mesh_of_model(path, findings)
-    for line in errors:
+    for line in dict.fromkeys(errors):
         findings.found.append(f"Gmsh says: {line.split(':', 1)[1].strip()}")
     return mesh
 
@@ -57,7 +57,10 @@ def _demand_sections(path: str) -> None:
     if not content.lstrip().startswith(b"$"):
         raise Refused(f"{path}:1: this is no mesh of Gmsh: it does not begin with $MeshFormat.")
     ended = set(re.findall(rb"^\$End(\w+)", content, re.MULTILINE))
-    known = (b"MeshFormat", b"PhysicalNames", b"Entities", b"Nodes", b"Elements", b"PartitionedEntities", b"Periodic")
+    known = (b"MeshFormat", b"PhysicalNames", b"Entities", b"Nodes", b"Elements", b"PartitionedEntities", b"Periodic",
+             b"ParametricNodes")
+    if b"ParametricNodes" in ended:
+        ended.add(b"Nodes")
     for match in re.finditer(rb"^\$(\w+)\s*$", content, re.MULTILINE):
         name = match.group(1)
         if name in known and name not in ended:
@@ -81,12 +84,17 @@ def mesh_of_model(path: str, findings: Findings) -> Mesh:
         raise Refused(f"{path}: a coordinate is not a finite number.")
     dimension = max((dim for dim, tag in gmsh.model.getEntities() if len(gmsh.model.mesh.getElements(dim, tag)[0])),
                     default=0)
+    findings.found += [f"physical group \"{name}\" of the file holds no elements" for name in _empty_groups(path)]
     if dimension < 2:
         raise Refused(f"{path}: it holds no elements that fill a space or a plane.")
     if dimension == 2 and numpy.ptp(nodes[:, 2]) > 1e-9 * max(numpy.ptp(nodes, axis=0)):
-        raise Refused(f"{path}: its elements are a surface in space; Harmos has solids, and plane meshes with z = 0.")
+        raise Refused(f"{path}: its elements are a surface in space; Harmos has solids, and plane meshes with z = 0.\n"
+                      "  Where surfaces only are in physical groups, Gmsh writes no others: put the volumes in one as well.")
     mesh = Mesh(dimension, nodes, [])
     _read_blocks(path, mesh, number, findings)
+    twice = without_twins(mesh)
+    if twice:
+        findings.found.append(f"{twice} elements are there twice, as format 2.2 writes those of several groups, and count once")
     _read_sets(path, mesh, number, findings)
     turned, loose = oriented(mesh), without_loose_nodes(mesh)
     if turned:
@@ -94,6 +102,16 @@ def mesh_of_model(path: str, findings: Findings) -> Mesh:
     if loose:
         findings.found.append(f"{loose} nodes belong to no element and have been left out")
     return mesh
+
+
+def _empty_groups(path: str) -> list[str]:
+    """Names of a .msh file that belong to no group that Gmsh has read."""
+    if pathlib.Path(path).suffix.lower() != ".msh":
+        return []
+    section = re.search(rb"^\$PhysicalNames\s*$(.*?)^\$EndPhysicalNames", pathlib.Path(path).read_bytes(), re.MULTILINE | re.DOTALL)
+    named = re.findall(rb'^\s*(\d+)\s+(-?\d+)\s+"(.*)"\s*$', section.group(1), re.MULTILINE) if section else []
+    there = set(gmsh.model.getPhysicalGroups())
+    return [name.decode(errors="replace") for dimension, tag, name in named if (int(dimension), int(tag)) not in there]
 
 
 def _groups(dimension: int, findings: Findings) -> dict[str, list[int]]:
@@ -133,7 +151,8 @@ def _read_blocks(path: str, mesh: Mesh, number: Array, findings: Findings) -> No
         groups[name] = [entity for entity in entities if entity not in taken]
         taken |= set(entities)
     for _, entity in gmsh.model.getEntities(mesh.dimension):
-        if entity not in taken and len(gmsh.model.mesh.getElements(mesh.dimension, entity)[0]):
+        is_copy = gmsh.model.getType(mesh.dimension, entity).startswith("Ghost")  # of elements of another partition
+        if entity not in taken and not is_copy and len(gmsh.model.mesh.getElements(mesh.dimension, entity)[0]):
             name = gmsh.model.getEntityName(mesh.dimension, entity).split("/")[-1]
             groups[unused_name(name or f"{'volume' if mesh.dimension == 3 else 'surface'}_{entity}", groups)] = [entity]
     unknown = collections.Counter[str]()

@@ -12,14 +12,19 @@ from harmos.exchange.findings import Refused
 FORBIDDEN = re.compile(r"[^A-Za-z0-9_.+-]+")
 """What no name of a block or set may hold: overrides and files are addressed by them."""
 
-LONGEST_NAME = 80
-"""Letters of a name at most."""
+LONGEST_NAME = 64
+"""Letters of a name at most, in a scene and so in meshes."""
 
 
 def clean_name(name: str) -> str:
     """A name that may stand in a scene and in every format."""
     cleaned = FORBIDDEN.sub("_", name.strip()).strip("_")
     return cleaned[:LONGEST_NAME] or "unnamed"
+
+
+def ended_name(name: str, end: str) -> str:
+    """A name with something at its end, cut in between where it would be too long."""
+    return name[:LONGEST_NAME - len(end)] + end
 
 
 def unused_name(wanted: str, taken: Container[str]) -> str:
@@ -29,7 +34,7 @@ def unused_name(wanted: str, taken: Container[str]) -> str:
     result = name
     while result in taken:
         end = f"_{number}"
-        result = name[:LONGEST_NAME - len(end)] + end
+        result = ended_name(name, end)
         number += 1
     return result
 
@@ -181,6 +186,33 @@ def _sense(mesh: Mesh, block: Block) -> Array:
     return volume
 
 
+def _twins(mesh: Mesh) -> Array:
+    """Whether an element has the nodes of an earlier one, a flag per element."""
+    width = max((block.connectivity.shape[1] for block in mesh.blocks), default=1)
+    rows = numpy.full((int(mesh.first_elements()[-1]), width), -1, dtype=numpy.int64)
+    for first, block in zip(mesh.first_elements(), mesh.blocks):
+        rows[first:first + len(block.connectivity), :block.connectivity.shape[1]] = numpy.sort(block.connectivity, axis=1)
+    # Sums of products with odd numbers, modulo 2^64, tell rows apart; those that are equal are compared.
+    odd = numpy.random.default_rng(1).integers(1, 2**62, width) * 2 + 1
+    code = (rows * odd).sum(axis=1)
+    order = numpy.argsort(code, kind="stable")
+    same = (code[order][1:] == code[order][:-1]) & (rows[order][1:] == rows[order][:-1]).all(axis=1)
+    result = numpy.zeros(len(rows), dtype=bool)
+    result[order[1:][same]] = True
+    return result
+
+
+def without_twins(mesh: Mesh) -> int:
+    """Removes elements with the nodes of an earlier one from a mesh without sets; the number of those that were."""
+    twin = _twins(mesh)
+    if twin.any():
+        first = mesh.first_elements()
+        for number, block in enumerate(mesh.blocks):
+            block.connectivity = block.connectivity[~twin[first[number]:first[number + 1]]]
+        mesh.blocks = [block for block in mesh.blocks if len(block.connectivity)]
+    return int(twin.sum())
+
+
 def without_loose_nodes(mesh: Mesh) -> int:
     """Removes nodes that no element has, from node sets as well; the number of those that were."""
     used = numpy.zeros(len(mesh.nodes), dtype=bool)
@@ -214,6 +246,11 @@ def demand_sound(path: str, mesh: Mesh) -> None:
         if len(twice):
             raise Refused(f"{path}: {len(twice)} elements of block \"{block.name}\" have a node twice, the first of them "
                           f"is its element {twice[0] + 1}.\n  Mesh the part anew; collapsed elements are not supported.")
+    twin = numpy.flatnonzero(_twins(mesh))
+    if len(twin):
+        block = mesh.blocks[int(mesh.block_of(twin[:1])[0])]
+        raise Refused(f"{path}: {len(twin)} elements have the nodes of another one, the first of them in block \"{block.name}\".\n"
+                      "  Remove those that are there twice.")
     count = mesh.first_elements()[-1]
     for name, entries in mesh.side_sets.items():
         if len(entries) and (entries.min() < 0 or entries[:, 0].max() >= count or entries[:, 1].max() >= 6):

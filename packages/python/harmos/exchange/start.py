@@ -7,7 +7,7 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.contact import Contact, contacts, face_measures
 from harmos.exchange.findings import Findings, Refused
-from harmos.exchange.mesh import Mesh, codes, faces_of, outer_faces, unused_name
+from harmos.exchange.mesh import Mesh, codes, ended_name, faces_of, outer_faces, unused_name
 from harmos.exchange.scene import SceneList, number_text
 from harmos.exchange.units import UnitSystem
 
@@ -183,14 +183,14 @@ def _lies_on(surface: Array, rows: Array) -> bool:
 def _add_reactions(responses: SceneList, boundary: str, dimension: int) -> None:
     for axis in "xyz"[:dimension]:
         direction = [float(axis == each) for each in "xyz"[:dimension]]
-        responses.child(f"reaction_{boundary}_{axis}").set("Type", "Interface Force").set("Interface", boundary).set(
+        responses.child(ended_name(f"reaction_{boundary}", f"_{axis}")).set("Type", "Interface Force").set("Interface", boundary).set(
             "Direction", direction)
 
 
 def _add_mean_displacements(responses: SceneList, side_set: str, dimension: int) -> None:
     for axis in "xyz"[:dimension]:
         direction = [float(axis == each) for each in "xyz"[:dimension]]
-        responses.child(f"u_{side_set}_{axis}").set("Type", "Mean Displacement").set("Side Set", side_set).set(
+        responses.child(ended_name(f"u_{side_set}", f"_{axis}")).set("Type", "Mean Displacement").set("Side Set", side_set).set(
             "Direction", direction)
 
 

@@ -10,7 +10,7 @@ from harmos.exchange.deck.contents import Contents
 from harmos.exchange.deck.curves import Histories, Points, peak
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.findings import Findings, Refused, names_there
-from harmos.exchange.mesh import clean_name, outer_faces, unused_name
+from harmos.exchange.mesh import clean_name, ended_name, outer_faces, unused_name
 from harmos.exchange.scene import SceneList
 
 ON_ONE_LINE = 1e-6
@@ -195,7 +195,8 @@ class Couplings:
                 histories.set(law, _FORCES[component], points)
         for component in held:
             axis = [float(component % 3 == each) for each in range(mesh.dimension)]
-            response = scene.child("Responses").child(f"reaction_{name}_{_HELD[component].replace(' ', '_').lower()}")
+            response = scene.child("Responses").child(
+                ended_name(f"reaction_{name}", f"_{_HELD[component].replace(' ', '_').lower()}"))
             if component < 3:
                 response.set("Type", "Interface Force").set("Interface", name).set("Direction", axis)
             else:

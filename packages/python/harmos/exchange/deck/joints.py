@@ -15,7 +15,7 @@ from harmos.exchange.deck.loads import Preload
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.findings import Findings, Refusals, Refused, names_there
 from harmos.exchange.contact import face_each_other, face_measures, lie_opposite
-from harmos.exchange.mesh import FORBIDDEN, clean_name, codes, outer_faces, unused_name
+from harmos.exchange.mesh import FORBIDDEN, clean_name, codes, ended_name, outer_faces, unused_name
 from harmos.exchange.scene import SceneList
 from harmos.exchange.sides import split_by_part
 
@@ -185,7 +185,7 @@ class Joints:
         histories.set(law, "Force" if preload.is_force else "Jump", points)
         if preload.is_force and preload.locked is not None:
             law.set("Locked From", preload.locked)
-        self._scene.child("Responses").child(f"bolt_force_{name}").set("Type", "Bolt Force").set("Interface", name)
+        self._scene.child("Responses").child(ended_name(f"bolt_force_{name}", "")).set("Type", "Bolt Force").set("Interface", name)
         self.joined.add(frozenset([own, other]))
         self._findings.found.append(f"{card.place}: pretension section: interface {name} between {own} and {other}")
         beside = self._beside(rows, own)

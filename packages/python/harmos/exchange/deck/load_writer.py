@@ -10,7 +10,7 @@ from harmos.exchange.deck.loads import Loads
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.deck.transforms import Axes
 from harmos.exchange.findings import Findings
-from harmos.exchange.mesh import outer_faces, unused_name
+from harmos.exchange.mesh import ended_name, outer_faces, unused_name
 from harmos.exchange.scene import SceneList
 
 SAME = 1e-3
@@ -80,7 +80,7 @@ class LoadWriter:
             for component, points in components:
                 self._histories.set(law, "XYZ"[component], points)
                 axis = [float(component == each) for each in range(self._solids.mesh.dimension)]
-                self._add_reaction(f"reaction_{boundary_name}_{'xyz'[component]}", boundary_name, axis)
+                self._add_reaction(boundary_name, "xyz"[component], axis)
 
     def _hold_about(self, boundary: SceneList, name: str, axes: Axes, components: dict[int, Points], nodes: list[int]) -> None:
         """Holds nodes in axes of their own."""
@@ -95,14 +95,14 @@ class LoadWriter:
         for component, points in components.items():
             self._histories.set(law, ("Radial", "Tangential", "Axial")[component], points)
         if axes.is_cylindrical and 2 in components:
-            self._add_reaction(f"reaction_{name}_axial", name, direction)
+            self._add_reaction(name, "axial", direction)
         if not axes.is_cylindrical:
             rows = axes.at(mesh.nodes[nodes[0]], size)
             for component in components:
-                self._add_reaction(f"reaction_{name}_{component + 1}", name, [float(x) for x in rows[component][:mesh.dimension]])
+                self._add_reaction(name, str(component + 1), [float(x) for x in rows[component][:mesh.dimension]])
 
-    def _add_reaction(self, name: str, boundary: str, direction: list[float]) -> None:
-        response = self._scene.child("Responses").child(name)
+    def _add_reaction(self, boundary: str, along: str, direction: list[float]) -> None:
+        response = self._scene.child("Responses").child(ended_name(f"reaction_{boundary}", f"_{along}"))
         response.set("Type", "Interface Force").set("Interface", boundary).set("Direction", direction)
 
     def _write_pressures(self, pressures: dict[tuple[int, int], Points]) -> None:
@@ -209,7 +209,7 @@ class LoadWriter:
         _, boundary = self._boundary(name)
         law = boundary.set("Side Set", name).child("Law").set("Type", "Prescribed Traction")
         self._histories.set(law, "XYZ"[component], form, traction)
-        response = self._scene.child("Responses").child(unused_name(f"u_{name}_{'xyz'[component]}", set()))
+        response = self._scene.child("Responses").child(ended_name(f"u_{name}", f"_{'xyz'[component]}"))
         response.set("Type", "Mean Displacement").set("Side Set", name).set(
             "Direction", [float(component == each) for each in range(mesh.dimension)])
         return True
