@@ -116,6 +116,25 @@ class Decks(unittest.TestCase):
         shutil.rmtree(work / "out")
         self.demand_refused(text.format(",SHIFTX=x", ""), "\"X\" is no number")
 
+    def test_boundaries_that_are_said_anew(self) -> None:
+        pull = "*BOUNDARY\n5,3,3,0.01\n6,3,3,0.01\n7,3,3,0.01\n8,3,3,0.01\n"
+        again = "*BOUNDARY,OP=NEW\n1,1,3\n2,1,3\n3,1,3\n4,1,3\n{}"
+        text = CUBE + STEEL + HELD + STEP.format(pull)
+        history = self.solved(text + STEP.format(again.format(pull.replace("*BOUNDARY\n", "").replace("0.01", "0.02"))))
+        self.assertAlmostEqual(history[-1]["reaction_moved_z_z"], 20.0, 4)
+        code, said = self.imported(text + STEP.format(again.format(pull.replace("*BOUNDARY\n", ""))))
+        self.assertNotIn("left out", said)
+        code, said = self.imported(text + STEP.format(again.format("")))
+        self.assertEqual(code, 0, said)
+        self.assertIn("deck.inp:33: *BOUNDARY, OP=NEW: 4 nodes are released from here on: they stay held", said)
+
+    def test_constraints_are_listed_by_what_they_would_change(self) -> None:
+        code, said = self.imported(PLAIN.replace("*BOUNDARY", "*MPC\nPLANE,5,6,7,8\nMEANROT,5,6,7\nPLANE,1,2,3,4\n*BOUNDARY", 1))
+        self.assertEqual(code, 0, said)
+        self.assertRegex(said, r"deck.inp:\d+: \*MPC PLANE: its nodes need not stay in one plane")
+        self.assertRegex(said, r"deck.inp:\d+: \*MPC MEANROT: the mean rotation")
+        self.assertEqual(said.count("*MPC"), 2)
+
     def test_fixed(self) -> None:
         keep = STEP.format("*BOUNDARY\n5,3,3,0.01\n") + STEP.format("*BOUNDARY,FIXED\n5,3\n6,3\n*DLOAD\nCUBE, P2, 0.\n")
         code, said = self.imported(CUBE + STEEL + HELD + keep)
@@ -398,6 +417,16 @@ class Decks(unittest.TestCase):
                 self.assertAlmostEqual(row["reaction_held_xyz_z"], -5.0, 4)
                 row = self.solved(bar(kind, "", "*BOUNDARY\n999,3,3,0.02\n"))[-1]
                 self.assertAlmostEqual(row["reaction_held_xyz_z"], -1000.0 * 0.02 / 10.0, 4)
+        # The older form acts in the middle of its nodes.
+        older = ("*ELEMENT,TYPE=DCOUP3D,ELSET=E1\n99,999\n*DISTRIBUTING COUPLING,ELSET=E1\nLAST,1.\n")
+        text = bar(nodes + older, "", "*CLOAD\n999,3,5.\n").replace("999,0.5,0.5,12.", "999,0.,0.,0.")
+        row = self.solved(text)[-1]
+        self.assertAlmostEqual(row["reaction_held_xyz_z"], -5.0, 4)
+        code, said = self.imported(text)
+        self.assertNotIn("left out:", said)
+        self.assertIn("in Abaqus they act in the reference node (0, 0, 0)", said)
+        with netCDF4.Dataset(work / "run" / "deck.e") as file:
+            self.assertLess(numpy.abs(file["vals_nod_var1"][-1]).max(), 1e-8)
         code, said = self.imported(bar(kinematic.replace("1,3", "3,3"), "", ""))
         self.assertEqual(code, 0, said)
         self.assertIn("*KINEMATIC: of some components", said)

@@ -6,7 +6,7 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.deck.areas import nodal_areas
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.deck.contents import Contents
+from harmos.exchange.deck.contents import Contents, Scope
 from harmos.exchange.deck.curves import Histories, Points, peak
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.findings import Findings, Refused, names_there
@@ -69,6 +69,8 @@ class Couplings:
             if card.keyword == "COUPLING":
                 follower = contents.model[number + 1] if number + 1 < len(contents.model) else None
                 self._coupling(card, follower)
+            elif card.keyword == "DISTRIBUTINGCOUPLING":
+                self._distributing(card)
             elif card.keyword == "RIGIDBODY":
                 self._rigid_body(card)
 
@@ -100,6 +102,37 @@ class Couplings:
             numbers = [int(kind.number(word, row)) for word in words if word]
             result.update(range(numbers[0], numbers[-1] + 1))
         return result
+
+    def _distributing(self, card: Card) -> None:
+        """The older form: nodes with weights, and the reference node in an element of its own."""
+        elements = [table for table in self._contents.elements if table.set.upper() == card.get("ELSET")
+                    and table.kind.startswith("DCOUP") and len(table.ids)]
+        if not elements:
+            raise Refused(f"{card.place}: *DISTRIBUTING COUPLING: no element DCOUP3D is in the set \"{card.get('ELSET')}\". "
+                          f"{names_there(card.get('ELSET'), self._contents.element_sets)}")
+        found, weights = [], []
+        for row, words in enumerate(card.rows()):
+            ids = self._contents.ids(words[0], self._contents.node_sets, Scope(), card, row)
+            found.append(ids)
+            weights += [card.number(words[1], row) if len(words) > 1 and words[1] else 1.0] * len(ids)
+        ids = numpy.concatenate(found) if found else numpy.zeros(0, dtype=numpy.int64)
+        nodes = numpy.unique(self._solids.nodes(ids))
+        faces = outer_faces(self._solids.mesh)
+        inside = (numpy.isin(faces.corners, nodes) | (faces.corners < 0)).all(axis=1)
+        sides = numpy.unique(faces.chosen(inside).rows(), axis=0)
+        if not len(sides):
+            self._findings.leave_out(card.place, "*DISTRIBUTING COUPLING", "its nodes are those of no face of a solid: what acts on its "
+                                     "reference node is left out")
+            return
+        self._findings.found.append(f"{card.place}: nodes count by their area"
+                                    + ("" if max(weights) == min(weights) else ", not by the weights that the deck gives them"))
+        node = int(elements[0].nodes[0, 0])
+        point = [float(x) for x in self._solids.mesh.nodes[nodes].mean(axis=0)[:self._solids.mesh.dimension]]
+        if numpy.abs(numpy.array(point) - self._point(node)).max() > ON_ONE_LINE * float(numpy.ptp(self._solids.mesh.nodes, axis=0).max()):
+            self._findings.undecided.append(f"{card.place}: forces act in the middle of the nodes, as in CalculiX; in Abaqus they act in "
+                                            f"the reference node ({', '.join(f'{x:g}' for x in self._point(node))})")
+        self._add(Coupling(card, card.parameters["ELSET"], point, False, sides, numpy.zeros(0, dtype=numpy.int64)),
+                  node, None)
 
     def _rigid_body(self, card: Card) -> None:
         if not card.get("NSET"):

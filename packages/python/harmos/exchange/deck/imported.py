@@ -22,18 +22,27 @@ from harmos.exchange.scene import SceneList
 
 _KNOWN = {"HEADING", "NODE", "ELEMENT", "NSET", "ELSET", "SURFACE", "MATERIAL", "ELASTIC", "DENSITY", "SOLIDSECTION",
           "ORIENTATION", "TIE", "CONTACTPAIR", "SURFACEINTERACTION", "FRICTION", "SURFACEBEHAVIOR", "PRE-TENSIONSECTION",
-          "BOUNDARY", "COUPLING", "KINEMATIC", "DISTRIBUTING", "RIGIDBODY", "EQUATION", "AMPLITUDE", "TRANSFORM", "PREPRINT", "PLASTIC",
+          "BOUNDARY", "COUPLING", "KINEMATIC", "DISTRIBUTING", "DISTRIBUTINGCOUPLING", "RIGIDBODY", "EQUATION", "AMPLITUDE", "TRANSFORM", "PREPRINT", "PLASTIC",
           "CREEP", "EXPANSION", "CONDUCTIVITY",
           "SPECIFICHEAT", "HYPERELASTIC", "HYPERFOAM", "DAMPING", "CONTACTDAMPING", "GAPCONDUCTANCE", *OUTPUT}
 
 _EFFECTS = {
-    "MPC": "nodes that it ties move as they like",
-    "DISTRIBUTINGCOUPLING": "the load of its reference point is left out",
     "INITIALCONDITIONS": "initial temperatures, stresses or velocities are left out",
     "BEAMSECTION": "beams are left out", "SHELLSECTION": "shells are left out", "SPRING": "springs are left out",
     "DASHPOT": "dashpots are left out", "MASS": "masses are left out", "GAP": "gap elements are left out",
     "MEMBRANESECTION": "membranes are left out", "BEAMGENERALSECTION": "beams are left out",
 }
+
+
+_CONSTRAINTS = {
+    "PLANE": "its nodes need not stay in one plane", "STRAIGHT": "its nodes need not stay on one line",
+    "BEAM": "its nodes are not held at their distance by a rigid beam", "LINK": "its nodes are not held at their distance",
+    "PIN": "its nodes need not move alike", "TIE": "its nodes need not move alike",
+    "MEANROT": "the mean rotation of its nodes is free, and what acts on its last node is left out",
+    "DIST": "the distance of its nodes may grow", "CYCLIC": "its nodes need not move alike, turned about the axis",
+    "SLIDER": "its nodes need not stay on one line",
+}
+"""What types of *MPC would change."""
 
 
 @dataclasses.dataclass
@@ -59,7 +68,10 @@ def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> Im
         return ImportedDeck(read_bare(contents, findings, path), None)
     for card in contents.model:
         if card.keyword not in _KNOWN and (card.keyword, card.get("TYPE")) != ("INITIALCONDITIONS", "TEMPERATURE"):
-            findings.leave_out(card.place, f"*{card.keyword}", _EFFECTS.get(card.keyword, "without effect on the scene"))
+            if card.keyword == "MPC":
+                _list_constraints(card, findings)
+            else:
+                findings.leave_out(card.place, f"*{card.keyword}", _EFFECTS.get(card.keyword, "without effect on the scene"))
     materials = read_materials(contents.model, findings)
     solids = Solids(contents, findings, path)
     scene = SceneList("Harmos").set("Title", _title(contents, path))
@@ -97,6 +109,18 @@ def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> Im
     if asked:
         findings.found.append(f"{len(asked)} requests of output or control, the first at {asked[0]}: results hold all fields")
     return ImportedDeck(mesh, scene)
+
+
+def _list_constraints(card: Card, findings: Findings) -> None:
+    """Each type of a *MPC card once, with what it would change."""
+    kinds: dict[str, int] = {}
+    for row, words in enumerate(card.rows()):
+        if words[0] and not words[0].lstrip("+-").isdigit():
+            kinds.setdefault(words[0].upper(), row)
+    for kind, row in kinds.items():
+        findings.leave_out(card.place_of(row), f"*MPC {kind}", _CONSTRAINTS.get(kind, "nodes that it ties move as they like"))
+    if not kinds:
+        findings.leave_out(card.place, "*MPC", "nodes that it ties move as they like")
 
 
 def _title(contents: Contents, path: str) -> str:

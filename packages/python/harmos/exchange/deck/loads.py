@@ -175,11 +175,33 @@ class LoadReader:
             if not new or not any(tables):
                 continue
             if keyword == "BOUNDARY":
-                self._findings.leave_out(new[0].place, "*BOUNDARY, OP=NEW", "what was held stays held")
+                self._list_released(new[0], step)
                 continue
             for table in tables:
                 for key, points in table.items():
                     table[key] = followed(points, span, 0.0, None, False)
+
+    def _list_released(self, new: Card, step: Step) -> None:
+        """OP=NEW of boundaries: lists what the step does not hold again, which stays held in the scene."""
+        again: set[tuple[int, int]] = set()
+        for card in step.cards:
+            for row, words in enumerate(card.rows() if card.keyword == "BOUNDARY" else []):
+                components, _ = self._components(card, row, words)
+                for node in self._solids.nodes(self._nodes(words[0], card, row)).tolist():
+                    again.update((node, self._degree(node, component)[0]) for component in components if 1 <= component <= 3)
+        released = {node for node, along in self._loads.held if (node, along) not in again}
+        if released:
+            self._findings.leave_out(new.place, "*BOUNDARY, OP=NEW", f"{len(released)} nodes are released from here on: they stay held")
+
+    @staticmethod
+    def _components(card: Card, row: int, words: list[str]) -> tuple[list[int], float]:
+        """Which components a line of *BOUNDARY holds, from 1, and at what."""
+        named = words[1].upper() if len(words) > 1 else ""
+        if named in _TYPES:
+            return _TYPES[named], 0.0
+        first = int(card.number(named, row))
+        last = int(card.number(words[2], row)) if len(words) > 2 and words[2] else first
+        return list(range(first, last + 1)), card.number(words[3], row) if len(words) > 3 else 0.0
 
     def _amplitude(self, card: Card, span: Span) -> "Points | None":
         name = card.get("AMPLITUDE")
@@ -210,14 +232,7 @@ class LoadReader:
         amplitude = self._amplitude(card, span)
         for row, words in enumerate(card.rows()):
             ids = self._nodes(words[0], card, row)
-            named = words[1].upper() if len(words) > 1 else ""
-            if named in _TYPES:
-                components, value = _TYPES[named], 0.0
-            else:
-                first = int(card.number(named, row))
-                last = int(card.number(words[2], row)) if len(words) > 2 and words[2] else first
-                components = list(range(first, last + 1))
-                value = card.number(words[3], row) if len(words) > 3 else 0.0
+            components, value = self._components(card, row, words)
             for node in self._preload_nodes & set(ids.tolist()):
                 if 1 in components:
                     self._draw(node, card, row, span, value, amplitude, at_once)

@@ -106,10 +106,13 @@ class Solids:
         """Exodus type, order, incompatible modes, set, ids and node indices of the solids."""
         contents = self._contents
         self.family = self._family()
+        coupled = {card.get("ELSET") for card in contents.model if card.keyword == "DISTRIBUTINGCOUPLING"}
         result = []
         for table in contents.elements:
             match = _SOLID.match(table.kind)
             kinds = _KINDS["C3D" if match and match[1] == "C3D" else "plane"]
+            if table.kind.startswith("DCOUP") and table.set.upper() in coupled:
+                continue
             if not match or not is_solid(table.kind):
                 self._findings.leave_out(table.card.place, f"*ELEMENT, TYPE={table.kind}",
                                          f"{len(table.ids)} elements are left out, with their stiffness and loads")
