@@ -6,6 +6,7 @@
 The truth is a run with quadratic elements on a mesh finer than any that the trade may use.
 """
 import csv
+import fcntl
 import os
 import pathlib
 import shutil
@@ -99,6 +100,24 @@ cut.send_signal(signal.SIGTERM)
 demand(cut.wait(timeout=10) == 130, f"a trade that was interrupted ends with {cut.returncode}")
 demand({path: path.read_bytes() for path in folder.iterdir() if path.is_file()} == kept, "half a trade is left")
 demand(not [path for path in folder.iterdir() if path.name.startswith(".trade")], "runs of half a trade are left")
+
+# Killed, it cannot clean up, the next one in the same folder does; one that runs beside it is left alone.
+killed = subprocess.Popen([harmos, "trade", str(scene), "--output", str(folder / "killed"), "--budget", "1h", "--targets", "2%"],
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True)
+for line in killed.stderr:
+    if "certified" in line:
+        break
+os.killpg(killed.pid, signal.SIGKILL)
+killed.wait()
+left = {path.name for path in (folder / "killed").glob(".trade_*")}
+demand(len(left) == 1, f"a trade that was killed leaves {left}")
+demand(not [path for path in (folder / "killed").iterdir() if path.name not in left], "a trade that was killed has results")
+beside = folder / "killed" / ".trade_beside"
+beside.mkdir()
+with open(beside / "owner.lock", "wb") as owner:
+    fcntl.flock(owner, fcntl.LOCK_EX)
+    run("trade", scene, "--output", folder / "killed", "--budget", "1s", "--targets", "5%")
+    demand({path.name for path in (folder / "killed").glob(".trade_*")} == {".trade_beside"}, "runs of a killed trade are left")
 
 # A new trade replaces the old one, with settings for targets that this one has none for.
 old = folder / "slipping" / "slipping_within_5_percent.xml"

@@ -9,7 +9,6 @@ import pathlib
 import re
 import signal
 import sys
-import tempfile
 
 from harmos.outputs import replace_file
 from harmos.report.writing import Pictures, percent
@@ -21,6 +20,7 @@ from harmos.trade.page import MEGABYTE, page
 from harmos.trade.promises import Promise, keep, settings_files
 from harmos.trade.running import Runner
 from harmos.trade.tables import all_rungs, pareto, write_csv, write_hdf5
+from harmos.trade.workspace import workspace
 
 ENOUGH = 1 / 3
 """Uncertainty of the reference, over the least target, at which no finer mesh is needed."""
@@ -53,9 +53,9 @@ def main(words: list[str] | None = None) -> int:
         folder.mkdir(parents=True, exist_ok=True)
         for interruption in (signal.SIGTERM, signal.SIGINT):
             signal.signal(interruption, _end)
-        with tempfile.TemporaryDirectory(prefix=".trade_", dir=folder) as work:
-            return _trade(document, arguments.program, folder, pathlib.Path(work).resolve(), Budget(seconds, memory),
-                          targets, responses, arguments.quiet)
+        with workspace(folder) as work:
+            return _trade(document, arguments.program, folder, work, Budget(seconds, memory), targets, responses,
+                          arguments.quiet)
     except (OSError, ValueError) as error:
         print(f"harmos trade: {error}", file=sys.stderr)
         return 2
