@@ -6,11 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include <harmos/mesh/FaceIntegrals.hpp>
-#include <harmos/mesh/FaceMatching.hpp>
+#include <harmos/mesh/CutMesh.hpp>
 #include <harmos/mesh/InterfaceSurface.hpp>
-#include <harmos/mesh/Piece.hpp>
-#include <harmos/mesh/PieceMap.hpp>
+#include <harmos/mesh/SmoothPatches.hpp>
 
 namespace harmos::mesh {
 
@@ -28,7 +26,7 @@ namespace harmos::mesh {
 class InterfaceFinder {
  public:
   /// A crease angle that no surface has.
-  static constexpr double oneNormal = 180.0;
+  static constexpr double oneNormal = noCrease;
 
   /// Joins faces of two sides that do not match, with the names of both as messages have them. The faces are those
   /// of both side sets, or those of both parts that lie on each other.
@@ -70,7 +68,7 @@ class InterfaceFinder {
                                             const Joiner& join) const;
 
   /// Which part, and which piece of it, elements belong to.
-  const PieceMap& pieces() const { return map_; }
+  const PieceMap& pieces() const { return parts_.map; }
 
   /// The surfaces between the pieces of every part that was cut, named "<part> cut": by their common faces, and by
   /// single nodes where no chain of faces ties pieces that share one. A scene gives them the law Perfect.
@@ -96,24 +94,10 @@ class InterfaceFinder {
   void demandSurface(const std::string& where, const std::string& sideSet) const;
 
  private:
-  FaceIntegrals integrate(const Face& face, const std::optional<base::Vector3>& projection = std::nullopt) const;
-  std::vector<InterfaceSurface> joinPairs(const std::string& name, const std::vector<Face>& side1,
-                                          const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
-                                          double creaseAngle, const std::optional<base::Vector3>& projection) const;
-  std::vector<InterfaceSurface> joinNodes(const std::string& name, const std::vector<int>& pieces1,
-                                          const std::vector<int>& pieces2,
-                                          const std::vector<std::pair<int, int>>& nodes) const;
-  std::vector<InterfaceSurface> joinDifferentFaces(const std::string& name, const std::vector<Face>& side1,
-                                                   const std::vector<Face>& side2, double creaseAngle) const;
   std::vector<InterfaceSurface> onFaces(const std::string& name, const std::vector<Face>& faces,
                                         double creaseAngle) const;
-  std::vector<InterfaceSurface> cut(const std::string& name, const std::vector<int>& pieces) const;
 
-  const Mesh& mesh_;
-  const std::vector<Piece>& pieces_;
-  Depth depth_;
-  Elements elements_;
-  PieceMap map_;
+  CutMesh parts_;
 };
 
 }  // namespace harmos::mesh

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
 
+#include <harmos/base/Error.hpp>
 #include <harmos/mesh/Elements.hpp>
 
 namespace harmos::mesh {
@@ -110,6 +112,22 @@ Interpenetration interpenetration(const Mesh& mesh, const std::vector<Face>& ski
     }
   }
   return result;
+}
+
+void demandNoOverlap(const Mesh& mesh, const std::string& where, const std::string& part1,
+                     const std::vector<Face>& skin1, const std::string& part2, const std::vector<Face>& skin2) {
+  const Interpenetration first = interpenetration(mesh, skin1, skin2), second = interpenetration(mesh, skin2, skin1);
+  const bool isFirst = first.depth >= second.depth;
+  const Interpenetration& worse = isFirst ? first : second;
+  if (worse.element < 0) return;
+  std::ostringstream message;
+  message << where << ": parts \"" << part1 << "\" and \"" << part2 << "\" overlap: " << worse.elements
+          << (worse.elements == 1 ? " element" : " elements") << " at the surface of part \""
+          << (isFirst ? part1 : part2) << "\" " << (worse.elements == 1 ? "reaches" : "reach") << " into part \""
+          << (isFirst ? part2 : part1) << "\", farthest element " << worse.element + 1 << " of the mesh, by "
+          << worse.depth << " at (" << worse.place[0] << ", " << worse.place[1] << ", " << worse.place[2]
+          << "). Move or mesh them so that they touch; for an interference, name the sides that touch by side sets.";
+  throw base::Error(message.str(), base::ExitCode::input);
 }
 
 }  // namespace harmos::mesh

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <harmos/base/Vector3.hpp>
@@ -24,5 +25,10 @@ struct Interpenetration {
 /// edges. Of the first body no more than 500 faces are looked at, evenly chosen among those in the box around the
 /// second. Not collective. Source: Van Oosterom, Strackee (1983), doi:10.1109/TBME.1983.325207.
 Interpenetration interpenetration(const Mesh& mesh, const std::vector<Face>& skin1, const std::vector<Face>& skin2);
+
+/// Throws base::Error(input), starting with `where`, if one of two parts with these skins reaches into the other: says
+/// which, how far and where.
+void demandNoOverlap(const Mesh& mesh, const std::string& where, const std::string& part1,
+                     const std::vector<Face>& skin1, const std::string& part2, const std::vector<Face>& skin2);
 
 }  // namespace harmos::mesh

@@ -7,6 +7,9 @@
 
 namespace harmos::mesh {
 
+/// A crease angle [degrees] that no surface has.
+inline constexpr double noCrease = 180.0;
+
 /// The mesh nodes of side 1 and side 2 that face each other; the second is -1 on an outer boundary.
 using NodePair = std::pair<int, int>;
 
