@@ -8,12 +8,12 @@ namespace harmos::elasticity {
 
 BodyForce::BodyForce(const ElasticPart& part)
     : name_(part.piece.name),
-      dimension_(dimensionOf(part.kinematics)),
+      components_(componentsOf(part.kinematics)),
       moments_(part.piece.nodes.size(), std::array<double, 4>{}),
       isOnAxis_(nodesOnAxis(part.mesh, part.piece, part.kinematics)) {
   const ElasticPart plain{part.mesh,       part.piece,    part.material, Formulation::fullIntegration,
                           part.kinematics, part.thickness};
-  const base::Matrix rest(dimension_ * static_cast<int>(moments_.size()), 1);
+  const base::Matrix rest(components_ * static_cast<int>(moments_.size()), 1);
   forEachPoint(plain, PointSet::integration, rest, [&](const ElementPoint& point) {
     for (int a = 0; a < point.nodes; ++a) {
       std::array<double, 4>& moments = moments_[point.node[a]];
@@ -25,7 +25,7 @@ BodyForce::BodyForce(const ElasticPart& part)
 }
 
 void BodyForce::addTo(double* forces, const AffineField& b) const {
-  if (dimension_ == 2 && (b.constant[2] != 0.0 || b.slope[2][0] != 0.0 || b.slope[2][1] != 0.0)) {
+  if (components_ == 2 && (b.constant[2] != 0.0 || b.slope[2][0] != 0.0 || b.slope[2][1] != 0.0)) {
     throw base::Error("The body force of part \"" + name_ + "\" has a z component of " + base::toText(b.constant[2]) +
                           "; in 2-D it must be 0.",
                       base::ExitCode::input);
@@ -33,8 +33,9 @@ void BodyForce::addTo(double* forces, const AffineField& b) const {
   for (std::size_t node = 0; node < moments_.size(); ++node) {
     const std::array<double, 4>& moments = moments_[node];
     const base::Vector3 force = moments[0] * b.constant + base::product(b.slope, {moments[1], moments[2], moments[3]});
-    // On the axis nothing moves along the radius.
-    for (int c = isOnAxis_[node] ? 1 : 0; c < dimension_; ++c) forces[dimension_ * node + c] += force[c];
+    for (int c = 0; c < components_; ++c) {
+      if (!isOnAxis_[node] || isFreeOnAxis(c)) forces[components_ * node + c] += force[c];
+    }
   }
 }
 

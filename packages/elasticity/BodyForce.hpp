@@ -30,12 +30,12 @@ class BodyForce {
   explicit BodyForce(const ElasticPart& part);
 
   /// Adds the nodal forces [force] of b [force/volume] in the global axes to those of the part's dofs. Throws
-  /// base::Error (input) when b leaves the plane in 2-D.
+  /// base::Error (input) when b leaves the plane where displacements do not.
   void addTo(double* forces, const AffineField& b) const;
 
  private:
   std::string name_;
-  int dimension_;
+  int components_;
   std::vector<std::array<double, 4>> moments_;  // per node: int N dV, int N x dV, with y and z
   std::vector<bool> isOnAxis_;
 };

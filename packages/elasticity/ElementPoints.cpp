@@ -60,8 +60,8 @@ void temperaturesAt(const base::Matrix& temperature, const ElementPoint& point, 
 
 void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& displacements,
                   const std::function<void(const ElementPoint&)>& visit) {
-  const int dimension = dimensionOf(part.kinematics), columns = displacements.numCols();
-  const int dofs = dimension * static_cast<int>(part.piece.nodes.size());
+  const int components = componentsOf(part.kinematics), columns = displacements.numCols();
+  const int dofs = components * static_cast<int>(part.piece.nodes.size());
   if (displacements.numRows() != dofs) {
     throw base::Error("Part \"" + part.piece.name + "\" has " + std::to_string(dofs) +
                       " degrees of freedom; displacements of " + std::to_string(displacements.numRows()) +
@@ -81,7 +81,7 @@ void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& 
     ElementStrain strain(type, part.formulation, part.kinematics, c, rule.place);
     const int nodes = group.nodesPerElement();
     std::vector<base::Vector3> places(nodes);
-    base::Matrix values(dimension * nodes, columns);
+    base::Matrix values(components * nodes, columns);
     for (int number = 0; number < group.elements(); ++number) {
       ElementPoint point;
       point.element = group.firstElement + number;
@@ -93,7 +93,7 @@ void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& 
       for (int a = 0; a < nodes; ++a) {
         places[a] = part.mesh.nodes[part.piece.nodes[point.node[a]]];
         for (int j = 0; j < columns; ++j) {
-          std::copy_n(displacements[j] + dimension * point.node[a], dimension, values[j] + dimension * a);
+          std::copy_n(displacements[j] + components * point.node[a], components, values[j] + components * a);
         }
       }
       if (!strain.set(places, values)) {
@@ -106,7 +106,7 @@ void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& 
         point.value = strain.values(p);
         point.position = {};
         for (int a = 0; a < nodes; ++a) point.position = point.position + point.value[a] * places[a];
-        const double across = dimension == 2 ? depth.at(point.position) : 1.0;
+        const double across = dimensionOf(part.kinematics) == 2 ? depth.at(point.position) : 1.0;
         point.volume = across * rule.weight[p] * strain.determinant(p);
         if (temperatures > 0) {
           temperaturesAt(*part.temperature, point, isLinear ? mean.data() : point.value, temperature);

@@ -43,13 +43,15 @@ ElementStrain::ElementStrain(mesh::ElementType type, Formulation formulation, Ki
       operators_(kinematics),
       formulation_(formulation),
       dimension_(mesh::dimensionOf(type)),
+      components_(operators_.components),
       shape_(mesh::shapeFunctions(type, places)),
       places_(places),
       determinant_(places.size()),
       gradient_(places.size() * static_cast<std::size_t>(basis_.functions() * operators_.gradients)) {
   for (const StrainOperator::Term& first : operators_.terms) {
     for (const StrainOperator::Term& second : operators_.terms) {
-      c_[first.component][second.component][first.gradient][second.gradient] += c[first.strain][second.strain];
+      c_[first.component][second.component][first.gradient][second.gradient] +=
+          first.sign * second.sign * c[first.strain][second.strain];
     }
   }
 }
@@ -82,7 +84,7 @@ bool ElementStrain::set(const std::vector<base::Vector3>& nodes, const base::Mat
       std::copy_n(g.begin(), dimension_, gradient + operators_.gradients * (shape_.nodes + m));
     }
   }
-  values_.shape(dimension_ * basis_.functions(), displacements.numCols());
+  values_.shape(components_ * basis_.functions(), displacements.numCols());
   for (int j = 0; j < displacements.numCols(); ++j) {
     std::copy_n(displacements[j], displacements.numRows(), values_[j]);
   }
@@ -93,9 +95,9 @@ bool ElementStrain::set(const std::vector<base::Vector3>& nodes, const base::Mat
 /// No force acts on the modes: K_mm alpha = -K_mu u.
 void ElementStrain::findModes() {
   const int gradients = operators_.gradients, entries = gradients * basis_.functions();
-  const int size = dimension_ * basis_.modes, first = dimension_ * shape_.nodes;
+  const int size = components_ * basis_.modes, first = components_ * shape_.nodes;
   const auto stiffness = [&](int row, int column) {  // of functions a <= b
-    const int a = row / dimension_, i = row % dimension_, b = column / dimension_, j = column % dimension_;
+    const int a = row / components_, i = row % components_, b = column / components_, j = column % components_;
     double sum = 0.0;
     for (int k = 0; k < gradients; ++k) {
       for (int l = 0; l < gradients; ++l) {
@@ -123,9 +125,9 @@ void ElementStrain::addForces(int point, const Strain& stress, double volume, do
   const int gradients = operators_.gradients;
   const double* gradient = gradient_.data() + static_cast<std::ptrdiff_t>(point) * basis_.functions() * gradients;
   for (const StrainOperator::Term& term : operators_.terms) {
-    const double traction = volume * stress[term.strain];
+    const double traction = term.sign * volume * stress[term.strain];
     for (int a = 0; a < shape_.nodes; ++a) {
-      forces[dimension_ * a + term.component] += traction * gradient[gradients * a + term.gradient];
+      forces[components_ * a + term.component] += traction * gradient[gradients * a + term.gradient];
     }
   }
 }
@@ -136,8 +138,8 @@ std::array<double, 6> ElementStrain::strain(int point, int column) const {
   double h[3][3] = {}, mean[3][3] = {};  // component i times gradient k
   const bool isMean = formulation_ == Formulation::bBar;
   for (int f = 0; f < functions; ++f) {
-    for (int i = 0; i < dimension_; ++i) {
-      const double u = values_(dimension_ * f + i, column);
+    for (int i = 0; i < components_; ++i) {
+      const double u = values_(components_ * f + i, column);
       for (int k = 0; k < gradients; ++k) h[i][k] += u * gradient[gradients * f + k];
       for (int k = 0; k < gradients && isMean; ++k) {
         mean[i][k] += u * integrals_.gradient[gradients * f + k] / integrals_.volume;

@@ -21,7 +21,8 @@ std::size_t indexOf(const std::string& name, const std::vector<std::string>& nam
 }  // namespace
 
 const std::vector<std::string>& kinematicsNames() {
-  static const std::vector<std::string> names{"3-D", "Plane Strain", "Plane Stress", "Axisymmetric"};
+  static const std::vector<std::string> names{"3-D", "Plane Strain", "Plane Stress", "Axisymmetric",
+                                              "Axisymmetric With Torsion"};
   return names;
 }
 
@@ -39,7 +40,7 @@ Formulation formulationNamed(const std::string& name) {
 }
 
 std::vector<std::size_t> workingComponents(Kinematics kinematics) {
-  if (kinematics == Kinematics::threeDimensional) return {0, 1, 2, 3, 4, 5};
+  if (componentsOf(kinematics) == 3) return {0, 1, 2, 3, 4, 5};
   if (isAxisymmetric(kinematics)) return {0, 1, 2, 3};
   return {0, 1, 3};
 }

@@ -79,9 +79,9 @@ class ElementStiffness {
       const int i = first.component, k = first.gradient;
       const std::size_t m = first.strain;
       for (const StrainOperator::Term& second : strain.terms) {
-        c_[i][second.component][k][second.gradient] += thickness * c[m][second.strain];
+        c_[i][second.component][k][second.gradient] += first.sign * second.sign * thickness * c[m][second.strain];
       }
-      pressure_[i][k] += thickness * (c[m][0] + c[m][1] + c[m][2]);
+      pressure_[i][k] += first.sign * thickness * (c[m][0] + c[m][1] + c[m][2]);
       if (m < 3) volume_[i][k] += 1.0;
     }
     for (std::size_t m = 0; m < 3; ++m) bulk_ += thickness * (c[m][0] + c[m][1] + c[m][2]);
@@ -241,9 +241,10 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece
             double* block = rows + D * graph.positionOf(local[b], local[a]);
             for (int i = 0; i < D; ++i) {
               for (int j = 0; j < D; ++j) {
-                // A radial displacement that is 0 couples with nothing.
+                // A displacement that is 0 couples with nothing.
                 const bool isDiagonal = a == b && i == j;
-                if (!isDiagonal && ((i == 0 && isFixed[local[a]]) || (j == 0 && isFixed[local[b]]))) continue;
+                if (!isDiagonal && ((isFixed[local[a]] && !isFreeOnAxis(i)) || (isFixed[local[b]] && !isFreeOnAxis(j))))
+                  continue;
                 block[i * stride + j] +=
                     a <= b ? stiffness[(D * a + i) * dofs + D * b + j] : stiffness[(D * b + j) * dofs + D * a + i];
               }
@@ -267,6 +268,8 @@ Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const me
     return assemble(mesh, piece, groups, formulation, kinematics, element);
   };
   if (kinematics == Kinematics::threeDimensional) return assembled(ElementStiffness<3, 3>(c, formulation, strain, 1.0));
+  if (kinematics == Kinematics::axisymmetricWithTorsion)
+    return assembled(ElementStiffness<3, 3>(c, formulation, strain, 1.0));
   if (isAxisymmetric(kinematics)) return assembled(ElementStiffness<2, 3>(c, formulation, strain, 1.0));
   return assembled(ElementStiffness<2, 2>(c, formulation, strain, thickness));
 }

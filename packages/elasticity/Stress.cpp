@@ -12,7 +12,7 @@ namespace harmos::elasticity {
 
 base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, const Material& material,
                            Kinematics kinematics, const base::Matrix& displacements, const base::Matrix* temperature) {
-  const int dimension = dimensionOf(kinematics), dofs = dimension * static_cast<int>(piece.nodes.size());
+  const int components = componentsOf(kinematics), dofs = components * static_cast<int>(piece.nodes.size());
   if (displacements.numRows() != dofs) {
     throw base::Error("Part \"" + piece.name + "\" has " + std::to_string(dofs) +
                       " degrees of freedom; displacements of " + std::to_string(displacements.numRows()) +
@@ -29,8 +29,8 @@ base::Matrix elementStress(const mesh::Mesh& mesh, const mesh::Piece& piece, con
                    for (int column = 0; column < displacements.numCols(); ++column) {
                      double h[3][3] = {};  // mean of gradient k times component i
                      for (int a = 0; a < perElement; ++a) {
-                       for (int i = 0; i < dimension; ++i) {
-                         const double u = displacements(dimension * local[a] + i, column) / integrals.volume;
+                       for (int i = 0; i < components; ++i) {
+                         const double u = displacements(components * local[a] + i, column) / integrals.volume;
                          for (int k = 0; k < operators.gradients; ++k)
                            h[i][k] += u * integrals.gradient.data()[operators.gradients * a + k];
                        }

@@ -9,25 +9,27 @@
 namespace harmos::elasticity {
 
 base::Matrix thermalForces(const ElasticPart& part) {
-  const int dimension = dimensionOf(part.kinematics), columns = part.temperature->numCols();
-  base::Matrix forces(dimension * static_cast<int>(part.piece.nodes.size()), columns);
+  const int components = componentsOf(part.kinematics), columns = part.temperature->numCols();
+  base::Matrix forces(components * static_cast<int>(part.piece.nodes.size()), columns);
   const Strain hot = thermalStress(part.material, part.kinematics);
   std::vector<double> unit;
   const base::Matrix rest(forces.numRows(), 1);
   forEachPoint(part, PointSet::stiffness, rest, [&](const ElementPoint& point) {
-    unit.assign(static_cast<std::size_t>(dimension) * static_cast<std::size_t>(point.nodes), 0.0);
+    unit.assign(static_cast<std::size_t>(components) * static_cast<std::size_t>(point.nodes), 0.0);
     point.strain->addForces(point.number, hot, point.volume, unit.data());
     for (int j = 0; j < columns; ++j) {
       for (int a = 0; a < point.nodes; ++a) {
-        for (int c = 0; c < dimension; ++c) {
-          forces(dimension * point.node[a] + c, j) += point.temperature[j] * unit[dimension * a + c];
+        for (int c = 0; c < components; ++c) {
+          forces(components * point.node[a] + c, j) += point.temperature[j] * unit[components * a + c];
         }
       }
     }
   });
   const std::vector<bool> isOnAxis = nodesOnAxis(part.mesh, part.piece, part.kinematics);
   for (std::size_t node = 0; node < isOnAxis.size(); ++node) {
-    for (int j = 0; isOnAxis[node] && j < columns; ++j) forces(dimension * static_cast<int>(node), j) = 0.0;
+    for (int c = 0; isOnAxis[node] && c < components; ++c) {
+      for (int j = 0; j < columns && !isFreeOnAxis(c); ++j) forces(components * static_cast<int>(node) + c, j) = 0.0;
+    }
   }
   return forces;
 }

@@ -78,13 +78,14 @@ class Groups {
 };
 
 /// Whether |K r| is more than round-off for the rigid motions r about the first node. Rotations about another place
-/// differ by translations, so that those that are resisted make all rotations resisted.
+/// differ by translations, so that those that are resisted make all rotations resisted; but where both across an axis
+/// of the coordinates are, the turn about that axis may be free, as that of a half plane with torsion is about y.
 ResistedMotions resistedMotions(const substructure::Substructure& body) {
   const substructure::CrsView k = substructure::viewOf(*body.stiffness, body.name);
   const int dimension = body.dimension;
   std::vector<double> displacement(static_cast<std::size_t>(k.rows));
-  const auto isResisted = [&](const statics::Motion& motion) {
-    const statics::RigidBody rigid{body.nodes.front(), 1.0, {}};
+  const auto isResisted = [&](const statics::Motion& motion, const base::Vector3& centre) {
+    const statics::RigidBody rigid{centre, 1.0, {}};
     for (std::size_t node = 0; node < body.nodes.size(); ++node) {
       const base::Vector3 u = statics::displacementOf(rigid, motion, body.nodes[node]);
       std::copy_n(u.begin(), dimension, displacement.begin() + static_cast<std::ptrdiff_t>(node) * dimension);
@@ -107,13 +108,15 @@ ResistedMotions resistedMotions(const substructure::Substructure& body) {
   for (std::size_t c = 0; c < static_cast<std::size_t>(dimension); ++c) {
     statics::Motion motion;
     motion.translation[c] = 1.0;
-    resisted[c] = isResisted(motion);
+    resisted[c] = isResisted(motion, body.nodes.front());
     anyTranslation = anyTranslation || resisted[c];
   }
   for (std::size_t c = dimension == 2 ? 2 : 0; c < 3; ++c) {
     statics::Motion motion;
     motion.rotation[c] = 1.0;
-    resisted[dimension == 2 ? 2 : 3 + c] = anyTranslation || isResisted(motion);
+    const bool isAcross = dimension == 3 && resisted[(c + 1) % 3] && resisted[(c + 2) % 3];
+    resisted[dimension == 2 ? 2 : 3 + c] =
+        isAcross ? isResisted(motion, base::Vector3{}) : anyTranslation || isResisted(motion, body.nodes.front());
   }
   return resisted;
 }
@@ -202,6 +205,12 @@ RigidParts::RigidParts(const Assembly& assembly, const std::vector<ResistedMotio
     if (rigidBodyOf_[b] < 0) continue;
     auto& isHeld = rigid_.bodies[rigidBodyOf_[b]].isHeld;
     for (std::size_t i = 0; i < isHeld.size(); ++i) isHeld[i] = isHeld[i] || resisted[b][i];
+  }
+  for (statics::RigidBody& body : rigid_.bodies) {
+    for (std::size_t c = 0; c < 3 && assembly.dimension == 3; ++c) {
+      const std::size_t d = (c + 1) % 3, e = (c + 2) % 3;
+      if (!body.isHeld[3 + c] && body.isHeld[d] && body.isHeld[e]) body.centre[d] = body.centre[e] = 0.0;
+    }
   }
   for (const Connection& connection : connections) {
     const Interface& interface = assembly.interfaces[connection.interface];

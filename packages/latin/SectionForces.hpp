@@ -25,10 +25,16 @@ struct SectionForces {
   double axial(const Section& section) const { return dot(force, section.normal); }
   /// Across the normal [force].
   double shear(const Section& section) const { return norm(force - axial(section) * section.normal); }
-  /// About the normal [force length].
-  double torque(const Section& section) const { return dot(moment, section.normal); }
+  /// About the normal [force length]; around an axis without one about y.
+  double torque(const Section& section) const { return dot(moment, axisOf(section)); }
   /// About axes across the normal [force length].
-  double bending(const Section& section) const { return norm(moment - torque(section) * section.normal); }
+  double bending(const Section& section) const { return norm(moment - torque(section) * axisOf(section)); }
+
+ private:
+  static base::Vector3 axisOf(const Section& section) {
+    const bool isAround = section.isAxisymmetric && norm(section.normal) == 0.0;
+    return isAround ? base::Vector3{0.0, 1.0, 0.0} : section.normal;
+  }
 };
 
 /// What one interface passes through at a load step, by its local stage's tractions.

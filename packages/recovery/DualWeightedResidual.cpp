@@ -68,7 +68,7 @@ PartResidual dualWeightedResidual(const elasticity::ElasticPart& part, const bas
   const int columns = displacements.numCols(), responses = columns - 1;
   const StressRecovery recovery(part, boundary, displacements);
   base::Matrix corrected(recovery.stress());
-  correctTractions(faces, skipped, part.mesh.dimension, corrected);
+  correctTractions(faces, skipped, elasticity::componentsOf(part.kinematics), corrected);
   const Compliance compliance(part.material, part.kinematics);
 
   PartResidual result;

@@ -229,7 +229,7 @@ std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh:
     const mesh::Piece& piece = bodies.pieces[b];
     const PartOptions& part = bodies.parts[b];
     assembled[b].name = piece.name;
-    assembled[b].dimension = mesh.dimension;
+    assembled[b].dimension = elasticity::componentsOf(model.kinematics);
     assembled[b].congruence = congruences[b];
     for (const int node : piece.nodes) assembled[b].nodes.push_back(mesh.nodes[node]);
     errors.collect(part.where, [&] {

@@ -23,7 +23,7 @@ std::vector<const VolumeLoad*> BodyLoads::loadsOn(const std::string& part) const
 
 base::Matrix BodyLoads::of(const elasticity::ElasticPart& body,
                            const std::optional<std::array<input::Schedule, 3>>& bodyForce) const {
-  const int dofs = elasticity::dimensionOf(body.kinematics) * static_cast<int>(body.piece.nodes.size());
+  const int dofs = elasticity::componentsOf(body.kinematics) * static_cast<int>(body.piece.nodes.size());
   const int steps = static_cast<int>(scene_.times.size());
   const std::vector<const VolumeLoad*> loads = loadsOn(body.piece.part);
   base::Matrix forces;

@@ -46,7 +46,7 @@ const input::Parameters* findCohesive(const Scene& scene, const std::string& nam
 std::vector<std::string> coarseCohesiveZones(const Scene& scene, const assembly::Assembly& assembly,
                                              const Bodies& bodies, const Model& model) {
   std::vector<std::string> warnings, named;
-  if (model.kinematics == elasticity::Kinematics::axisymmetric) return warnings;
+  if (elasticity::isAxisymmetric(model.kinematics)) return warnings;
   for (const assembly::Interface& interface : assembly.interfaces) {
     const input::Parameters* law = findCohesive(scene, interface.name);
     if (law == nullptr || interface.pairs() == 0 || std::count(named.begin(), named.end(), interface.name) > 0)

@@ -86,8 +86,7 @@ class Checker {
       : scene_(scene),
         places_(places),
         errors_(errors),
-        held_(places.interfaces, nodeCounts(places.pieces), places.mesh.dimension,
-              static_cast<int>(scene.times.size())) {
+        held_(places.interfaces, nodeCounts(places.pieces), places.components, static_cast<int>(scene.times.size())) {
     for (const char* kind : {"Interfaces", "Boundaries"}) {
       for (const input::Parameters& list : scene.input.lists(kind)) lists_.push_back(&list);
     }
@@ -264,7 +263,7 @@ class Checker {
   /// an inclined face is held is as it should be.
   bool actsOnlyOnHeld(const std::string& loaded, const std::string& holder) const {
     const bool isGlobal = scene_.laws.at(loaded)->frame() == laws::Frame::global;
-    for (int c = 0; c < (isGlobal ? places_.mesh.dimension : 1); ++c) {
+    for (int c = 0; c < (isGlobal ? places_.components : 1); ++c) {
       const auto part = [&](const base::Vector3& traction) {
         if (!isGlobal) return traction;
         base::Vector3 component{};

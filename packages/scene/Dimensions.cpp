@@ -16,13 +16,19 @@ bool fitsKinematics(const Parameters& model, int dimension, input::ErrorList& er
   if (elasticity::dimensionOf(elasticity::kinematicsNamed(kinematics)) == dimension) return true;
   errors.add(model.where("Kinematics"),
              "\"" + kinematics + "\" does not fit the mesh, which has " + std::to_string(dimension) + " dimensions.",
-             dimension == 3 ? "Allowed: 3-D." : "Allowed: Plane Strain, Plane Stress, Axisymmetric.");
+             dimension == 3 ? "Allowed: 3-D."
+                            : "Allowed: Plane Strain, Plane Stress, Axisymmetric, Axisymmetric With Torsion.");
   return false;
 }
 
 class VectorChecker {
  public:
-  VectorChecker(std::optional<int> dimension, input::ErrorList& errors) : dimension_(dimension), errors_(errors) {}
+  VectorChecker(std::optional<int> dimension, std::optional<elasticity::Kinematics> kinematics,
+                input::ErrorList& errors)
+      : dimension_(dimension),
+        isAxisymmetric_(kinematics && elasticity::isAxisymmetric(*kinematics)),
+        hasHoop_(dimension == 2 && kinematics && elasticity::componentsOf(*kinematics) == 3),
+        errors_(errors) {}
 
   /// Returns whether the entry is given and has the right number of components.
   bool point(const Parameters& parameters, const std::string& entry) const {
@@ -39,7 +45,8 @@ class VectorChecker {
   }
 
   void direction(const Parameters& parameters, const std::string& entry) const {
-    if (!point(parameters, entry)) return;
+    const bool isAlongHoop = hasHoop_ && parameters.has(entry) && parameters.numbers(entry).size() == 3;
+    if (!isAlongHoop && !point(parameters, entry)) return;
     const std::vector<double>& components = parameters.numbers(entry);
     if (std::any_of(components.begin(), components.end(), [](double x) { return x != 0.0; })) return;
     errors_.add(parameters.where(entry), "is not a direction.",
@@ -50,14 +57,16 @@ class VectorChecker {
     if (dimension_ != 2) {
       direction(parameters, "Axis");
     } else if (parameters.has("Axis")) {
-      errors_.add(parameters.where("Axis"), "in the plane the only moment is about z.", "Remove \"Axis\".");
+      errors_.add(parameters.where("Axis"),
+                  hasHoop_ ? "in axisymmetry the only moment is about y." : "in the plane the only moment is about z.",
+                  "Remove \"Axis\".");
     }
   }
 
   /// Of a law with cylindrical axes.
-  void cylinder(const Parameters& law, bool isAxisymmetric) const {
+  void cylinder(const Parameters& law) const {
     if (law.type() != "Cylindrical Displacement" && law.type() != "Cylindrical Traction") return;
-    if (isAxisymmetric) {
+    if (isAxisymmetric_) {
       errors_.add(law.where("Type"), "x and y are radial and axial in axisymmetry.",
                   "Choose Prescribed Displacement or Prescribed Traction.");
       return;
@@ -98,6 +107,7 @@ class VectorChecker {
 
  private:
   std::optional<int> dimension_;
+  bool isAxisymmetric_, hasHoop_;  // the latter: displacements leave the plane
   input::ErrorList& errors_;
 };
 
@@ -106,10 +116,10 @@ class VectorChecker {
 void checkDimensions(const Parameters& scene, std::optional<int> dimension, input::ErrorList& errors) {
   // Vectors may have been written for the kinematics: then they are not wrong besides.
   if (dimension && !fitsKinematics(scene.list("Model"), *dimension, errors)) return;
-  const VectorChecker vectors(dimension, errors);
   const Parameters& model = scene.list("Model");
-  const bool isAxisymmetric =
-      model.has("Kinematics") && elasticity::isAxisymmetric(elasticity::kinematicsNamed(model.text("Kinematics")));
+  std::optional<elasticity::Kinematics> kinematics;
+  if (model.has("Kinematics")) kinematics = elasticity::kinematicsNamed(model.text("Kinematics"));
+  const VectorChecker vectors(dimension, kinematics, errors);
   for (const Parameters& interface : scene.lists("Interfaces")) {
     vectors.direction(interface, "Projection Direction");
     vectors.point(interface, "Point");
@@ -120,7 +130,7 @@ void checkDimensions(const Parameters& scene, std::optional<int> dimension, inpu
   }
   for (const Parameters& boundary : scene.lists("Boundaries")) {
     vectors.remotePoint(boundary.list("Law"));
-    vectors.cylinder(boundary.list("Law"), isAxisymmetric);
+    vectors.cylinder(boundary.list("Law"));
   }
   for (const char* kind : {"Interfaces", "Boundaries"}) {
     for (const Parameters& interface : scene.lists(kind)) vectors.axisOfFriction(interface.list("Law"));

@@ -36,7 +36,7 @@ std::vector<std::size_t> stressesOf(int dimension) {
 /// Means over the elements of all steps at once: the integrals over an element are formed only once. Empty: of bodies
 /// of other ranks.
 std::vector<base::Matrix> elementStresses(const Problem& problem, const latin::Iterate& state) {
-  const int dimension = problem.mesh.dimension, steps = problem.assembly.steps();
+  const int dimension = problem.assembly.dimension, steps = problem.assembly.steps();
   std::vector<base::Matrix> stress(problem.bodies.pieces.size());
   for (std::size_t body = 0; body < stress.size(); ++body) {
     if (!state.layout().owns(static_cast<int>(body))) continue;
@@ -60,7 +60,7 @@ class NodalStress {
   /// Collective. Of the first `steps` load steps.
   NodalStress(const Problem& problem, const latin::Iterate& state, int steps)
       : parts_(PartStress::ofAll(problem.mesh, problem.bodies, problem.model, *problem.temperatures)),
-        components_(stressesOf(problem.mesh.dimension)) {
+        components_(stressesOf(problem.assembly.dimension)) {
     for (const PartStress& part : parts_) stress_.push_back(part.recover(state, 0, steps));
   }
 
@@ -141,7 +141,7 @@ std::optional<files::StressPeak> writeParts(const Problem& problem, const latin:
                                             const OutputChoice& choice, const std::string& path,
                                             const FieldFile& file) {
   const auto layout = files::layOutParts(problem.mesh, problem.bodies.pieces, problem.surfaces);
-  const int dimension = problem.mesh.dimension;
+  const int dimension = problem.assembly.dimension;
   const auto components = stressesOf(dimension);
   ResultVariables variables;
   addVector(variables.nodal, "disp", dimension);
@@ -234,7 +234,7 @@ void writeInterfaces(const Problem& problem, const latin::Iterate& state, const 
                      const LawOutputs& outputs, const std::vector<std::vector<std::size_t>>& ofLaws,
                      const std::string& path, const FieldFile& file) {
   const auto layout = files::layOutInterfaces(problem.mesh.dimension, problem.surfaces);
-  const int dimension = problem.mesh.dimension;
+  const int dimension = problem.assembly.dimension;
   const auto& interfaces = problem.assembly.interfaces;
   ResultVariables variables;
   variables.nodal = interfaceVariables(dimension);

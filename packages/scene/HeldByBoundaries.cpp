@@ -11,11 +11,11 @@ namespace harmos::scene {
 namespace {
 
 /// The components of an affine law that are rigid at all load steps.
-std::array<bool, 3> rigidComponents(const laws::InterfaceLaw& law, int dimension, int steps) {
-  std::array<bool, 3> rigid = {true, true, dimension == 3};
+std::array<bool, 3> rigidComponents(const laws::InterfaceLaw& law, int components, int steps) {
+  std::array<bool, 3> rigid = {true, true, components == 3};
   for (int t = 0; t < steps; ++t) {
-    const auto components = laws::affineComponents(law, t, 1.0);
-    for (std::size_t c = 0; c < 3; ++c) rigid[c] = rigid[c] && std::isinf(components[c].stiffness);
+    const auto affine = laws::affineComponents(law, t, 1.0);
+    for (std::size_t c = 0; c < 3; ++c) rigid[c] = rigid[c] && std::isinf(affine[c].stiffness);
   }
   return rigid;
 }
@@ -31,14 +31,14 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const input::Parameters& list, co
 
 }  // namespace
 
-mortar::HeldDirections heldByBoundaries(const Scene& scene, int dimension, const std::vector<mesh::Piece>& pieces,
+mortar::HeldDirections heldByBoundaries(const Scene& scene, int components, const std::vector<mesh::Piece>& pieces,
                                         const mesh::InterfaceFinder& finder) {
   mortar::HeldDirections held;
   for (const input::Parameters& list : scene.input.lists("Boundaries")) {
     const laws::InterfaceLaw& law = *scene.laws.at(list.name());
     if (!law.isAffine() || law.prescribesTraction()) continue;
     const auto* turned = dynamic_cast<const laws::TurnedLaw*>(&law);
-    const auto rigid = rigidComponents(law, dimension, static_cast<int>(scene.times.size()));
+    const auto rigid = rigidComponents(law, components, static_cast<int>(scene.times.size()));
     for (const mesh::InterfaceSurface& surface : surfacesOf(list, finder)) {
       for (int p = 0; p < surface.pairs(); ++p) {
         const base::Frame frame = turned == nullptr ? surface.frame[p] : turned->axesAt(surface.position[p]);

@@ -18,7 +18,7 @@ constexpr double sameNormal = 0.8;
 
 void fillDisplacements(const Problem& problem, const std::vector<std::vector<std::vector<double>>>& fields,
                        const Teuchos::Comm<int>& comm, WholePart& part) {
-  const int dimension = problem.mesh.dimension, columns = static_cast<int>(fields.size());
+  const int dimension = problem.assembly.dimension, columns = static_cast<int>(fields.size());
   const int dofs = dimension * static_cast<int>(part.piece.nodes.size());
   base::Matrix mine(dofs, columns + 1);  // and how many bodies have the dof
   for (const int body : part.bodies) {

@@ -64,7 +64,8 @@ PartStress::PartStress(const mesh::Mesh& mesh, const Bodies& bodies, const Model
 }
 
 base::Matrix PartStress::recover(const latin::Iterate& state, int first, int count) const {
-  const int dimension = mesh_.dimension, dofs = dimension * static_cast<int>(mesh_.nodes.size());
+  const int components = elasticity::componentsOf(model_.kinematics),
+            dofs = components * static_cast<int>(mesh_.nodes.size());
   base::Matrix displacements(dofs, count);
   std::vector<double> sharing(mesh_.nodes.size(), 0.0);  // bodies that have the node
   for (std::size_t i = 0; i < part_.bodies.size(); ++i) {
@@ -77,7 +78,7 @@ base::Matrix PartStress::recover(const latin::Iterate& state, int first, int cou
       const int to = nodeOfPart_[i][node];
       for (int j = 0; j < count; ++j) {
         const base::Vector3 u = strainingDisplacement(state, part_, body, node, first + j);
-        for (int c = 0; c < dimension; ++c) displacements(dimension * to + c, j) += u[c] / sharing[to];
+        for (int c = 0; c < components; ++c) displacements(components * to + c, j) += u[c] / sharing[to];
       }
     }
   }

@@ -67,7 +67,7 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   problem.surfaces = std::move(found.all);
   problem.joined = std::move(found.joined);
   assembly::Assembly& assembly = problem.assembly;
-  assembly.dimension = problem.mesh.dimension;
+  assembly.dimension = elasticity::componentsOf(problem.model.kinematics);
   assembly.times = scene.times;
   const int before = errors.count();
   const FieldContext fieldContext{problem.mesh, problem.bodies.pieces, problem.surfaces, scene.input, scene.path,
@@ -75,12 +75,14 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   const auto fields =
       std::make_shared<const laws::SpatialFields>(makeFields(scene.input.lists("Fields"), fieldContext, errors));
   if (errors.count() > before) throwTogether(errors, comm);  // else laws would miss them
-  Interfaces made = makeInterfaces(scene, assembly.dimension, problem.bodies.pieces, problem.surfaces,
+  Interfaces made = makeInterfaces(scene, problem.mesh.dimension, problem.bodies.pieces, problem.surfaces,
                                    scene.hasConsistentMass, fields);
   assembly.interfaces = std::move(made.interfaces);
   problem.places = std::move(made.places);
   if (errors.count() == 0) {
-    checkContradictions(scene, {problem.mesh, problem.bodies.pieces, problem.surfaces, assembly.interfaces}, errors);
+    checkContradictions(
+        scene, {problem.mesh, problem.bodies.pieces, problem.surfaces, assembly.interfaces, assembly.dimension},
+        errors);
   }
   problem.temperatures = std::make_shared<Temperatures>(scene, problem.mesh, errors);
   const ResponseContext context{problem.mesh,  problem.bodies.pieces, *finder, assembly, problem.bodies,

@@ -95,7 +95,7 @@ void writeParts(const ChaosStudy& chaos, const Moments& moments, const std::stri
   const scene::Problem& problem = chaos.problem();
   const auto& solver = chaos.solver();
   const auto layout = files::layOutParts(problem.mesh, problem.bodies.pieces, problem.surfaces);
-  const int dimension = problem.mesh.dimension;
+  const int dimension = problem.assembly.dimension;
   std::vector<std::string> fields;
   scene::addVector(fields, "disp", dimension);
   ResultVariables variables;
@@ -129,7 +129,7 @@ void writeInterfaces(const ChaosStudy& chaos, const Moments& moments, const std:
   const scene::Problem& problem = chaos.problem();
   const auto& solver = chaos.solver();
   const auto layout = files::layOutInterfaces(problem.mesh.dimension, problem.surfaces);
-  const int dimension = problem.mesh.dimension;
+  const int dimension = problem.assembly.dimension;
   std::vector<std::string> fields = {"contact_pressure"};
   scene::addVector(fields, "traction", dimension);
   ResultVariables variables;

@@ -8,8 +8,13 @@
 
 namespace harmos::elasticity {
 
-/// Per node of the part, whether it lies on the axis of axisymmetry, where nothing moves along the radius. Throws
-/// base::Error (input) that counts the nodes of negative radius.
+/// Per node of the part, whether it lies on the axis of axisymmetry, see isFreeOnAxis(). Throws base::Error (input)
+/// that counts the nodes of negative radius.
 std::vector<bool> nodesOnAxis(const mesh::Mesh& mesh, const mesh::Piece& piece, Kinematics kinematics);
+
+/// Whether this component of the displacement may differ from 0 on the axis: the one along it.
+inline bool isFreeOnAxis(int component) {
+  return component == 1;
+}
 
 }  // namespace harmos::elasticity

@@ -21,7 +21,7 @@ class ElementStrain {
   ElementStrain(mesh::ElementType type, Formulation formulation, Kinematics kinematics, const ElasticityMatrix& c,
                 const std::vector<base::Vector3>& places);
 
-  /// Looks at an element with these nodes [length], displaced by `displacements`, (dimension x nodes) x columns
+  /// Looks at an element with these nodes [length], displaced by `displacements`, (components x nodes) x columns
   /// [length]. False when it is turned inside out.
   bool set(const std::vector<base::Vector3>& nodes, const base::Matrix& displacements);
 
@@ -37,7 +37,7 @@ class ElementStrain {
     for (int a = 0; a < shape_.nodes; ++a) mean[a] = integrals_.value[a] / integrals_.volume;
     return mean;
   }
-  /// Adds volume B^t stress [force] to the forces of the nodes, dimension x nodes: what a stress at a point asks of
+  /// Adds volume B^t stress [force] to the forces of the nodes, components x nodes: what a stress at a point asks of
   /// them, B as in full integration.
   void addForces(int point, const Strain& stress, double volume, double* forces) const;
   /// Strain at a point, components xx, yy, zz, xy, yz, zx, shear doubled.
@@ -50,13 +50,14 @@ class ElementStrain {
   StrainOperator operators_;
   Formulation formulation_;
   double c_[3][3][3][3] = {};  // of components i, j and gradients k, l
-  int dimension_;
+  int dimension_;              // of the mesh
+  int components_;             // of a displacement
   mesh::ShapeFunctions shape_;
   std::vector<base::Vector3> places_;
   ElementIntegrals integrals_;
   std::vector<double> determinant_;
   std::vector<double> gradient_;  // points x functions x gradients
-  base::Matrix values_;           // of nodes and modes, (dimension x functions) x columns
+  base::Matrix values_;           // of nodes and modes, (components x functions) x columns
 };
 
 }  // namespace harmos::elasticity

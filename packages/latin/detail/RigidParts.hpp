@@ -12,7 +12,9 @@
 namespace harmos::latin {
 
 /// Which rigid motions of a body (translations, then rotations about any place; in the plane x, y and the turn) its own
-/// stiffness resists. None of a body of finite elements; a host may have put springs to the ground into its matrix.
+/// stiffness resists. Where it resists both translations across an axis of the coordinates, the rotation is that about
+/// this axis. None of a body of finite elements, but with axisymmetry; a host may have put springs to the ground into
+/// its matrix.
 using ResistedMotions = std::array<bool, 6>;
 
 /// Of every body of the assembly. Collective: the owner of a body knows its matrix.

@@ -17,6 +17,7 @@ struct LawPlaces {
   const std::vector<mesh::Piece>& pieces;               // the bodies of the interfaces
   const std::vector<mesh::InterfaceSurface>& surfaces;  // of interfaces, boundaries and cuts
   const std::vector<assembly::Interface>& interfaces;   // made of them
+  int components;                                       // of a displacement
 };
 
 /// Reports to `errors` what no displacement or no traction can obey:

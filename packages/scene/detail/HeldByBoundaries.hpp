@@ -10,8 +10,9 @@
 namespace harmos::scene {
 
 /// The directions along which boundaries of a scene give the displacements of nodes at all load steps: symmetry,
-/// prescribed displacement. Boundaries that are faulty are passed over; they are reported where they are made.
-mortar::HeldDirections heldByBoundaries(const Scene& scene, int dimension, const std::vector<mesh::Piece>& pieces,
+/// prescribed displacement. `components`: of a displacement. Boundaries that are faulty are passed over; they are
+/// reported where they are made.
+mortar::HeldDirections heldByBoundaries(const Scene& scene, int components, const std::vector<mesh::Piece>& pieces,
                                         const mesh::InterfaceFinder& finder);
 
 }  // namespace harmos::scene

@@ -63,8 +63,9 @@ struct Rotation {
     if (elasticity::isAxisymmetric(kinematics)) {
       axis = {0.0, 1.0, 0.0};
       if (point[0] != 0.0) refuse(p.where("Point"), "in axisymmetry the axis is x = 0.", "Remove Point.");
-      if (p.number("Angular Acceleration") != 0.0) {
-        refuse(p.where("Angular Acceleration"), "axisymmetry is without torsion.", "Remove it, or model it in space.");
+      if (p.number("Angular Acceleration") != 0.0 && elasticity::componentsOf(kinematics) == 2) {
+        refuse(p.where("Angular Acceleration"), "this axisymmetry is without torsion.",
+               "Remove it, or choose Kinematics = Axisymmetric With Torsion.");
       }
     } else if (elasticity::dimensionOf(kinematics) == 3) {
       if (!p.has("Axis")) refuse(p.where(), "in space the axis has a direction.", "Give \"Axis\".");
