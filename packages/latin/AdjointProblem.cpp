@@ -24,6 +24,9 @@ constexpr double taken = 0.1;
 // no more than this share of the right side.
 constexpr int fewestDirections = 12;
 constexpr double converged = 1e-6;
+// Relative error of solves in single precision that no estimate notices, and what it leaves of a residual, over it.
+constexpr double unnoticed = 1e-4;
+constexpr double leftBySingle = 10.0;
 
 double norm(const StateMetric& metric, const std::vector<double>& a) {
   std::vector<double> sum{0.0};
@@ -143,7 +146,8 @@ bool AdjointProblem::isLeft(const CorrectionSpace& space, double hidden, Column&
   }
   const double seen = space.smallestSingularValue() * norm(metric, solution);
   column.hidden = seen > 0.0 ? fit.left / seen : 1.0;
-  const bool isTooSoon = space.size() < fewestDirections && fit.left > converged * column.size;
+  const double least = std::max(converged, leftBySingle * directionError_);
+  const bool isTooSoon = space.size() < fewestDirections && fit.left > least * column.size;
   return isTooSoon || column.hidden > hidden;
 }
 
@@ -173,6 +177,10 @@ std::vector<AdjointProblem::Adjoint> AdjointProblem::solve(const std::vector<Res
   active.erase(std::remove_if(active.begin(), active.end(), [&](int j) { return columns[j].size == 0.0; }),
                active.end());
 
+  const double singleError = fixedPoint_.prepareSingle();
+  const bool isSingle = singleError <= unnoticed;
+  const auto precision = isSingle ? substructure::Precision::single : substructure::Precision::exact;
+  directionError_ = isSingle ? singleError : 0.0;
   // The space is one for all: what slows one of them slows the others, and shows sooner.
   CorrectionSpace space(metric);
   while (space.size() < maximumDirections && !active.empty()) {
@@ -194,7 +202,7 @@ std::vector<AdjointProblem::Adjoint> AdjointProblem::solve(const std::vector<Res
       for (int row = 0; row < rows; ++row) v[i][row] = columns[extended[i]].size * direction[row];
     }
     fixedPoint_.select(extended);
-    fixedPoint_.solveLinear(v, y);
+    fixedPoint_.solveLinear(v, y, precision);
     for (int i = 0; i < selected; ++i) {
       const Column& column = columns[extended[i]];
       for (int row = 0; row < rows; ++row) y[i][row] = (y[i][row] - column.image[row]) / column.size;

@@ -35,8 +35,8 @@ class AdjointProblem {
 
   /// Collective. One adjoint for each gradient; a response ends when no more than the share `hidden` of z can be
   /// hidden, all end after so many directions together. What can be hidden follows from the smallest singular value in
-  /// the space, which a few directions do not show: there are a dozen of them before it counts. Ends the validity of
-  /// all iterates.
+  /// the space, which a few directions do not show: there are a dozen of them before it counts. Directions are solved
+  /// in single precision where its error is far below `hidden`. Ends the validity of all iterates.
   std::vector<Adjoint> solve(const std::vector<ResponseGradient>& gradients, double hidden, int maximumDirections);
 
  private:
@@ -55,6 +55,7 @@ class AdjointProblem {
   FixedPoint& fixedPoint_;
   InterfaceLines lines_;
   PairTangents tangents_;
+  double directionError_ = 0.0;  // relative, of the linear stage for directions
 };
 
 }  // namespace harmos::latin

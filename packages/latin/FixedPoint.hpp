@@ -117,9 +117,10 @@ class FixedPoint {
 
   /// Collective. The linear stage alone, for the load steps selected: beta [stress] of alpha, see LinearStage::solve().
   /// No iterate is valid afterwards.
-  void solveLinear(const base::Matrix& alpha, base::Matrix& beta) {
+  void solveLinear(const base::Matrix& alpha, base::Matrix& beta,
+                   substructure::Precision precision = substructure::Precision::exact) {
     ++fields_.present;
-    linear_->solve(alpha, beta);
+    linear_->solve(alpha, beta, precision);
   }
 
   /// The assembly that was given.

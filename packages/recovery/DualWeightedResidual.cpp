@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include <Teuchos_LAPACK.hpp>
 
@@ -33,15 +34,15 @@ class Compliance {
     }
   }
 
-  /// a : C^-1 : b of six components each.
-  double product(const double* a, const double* b) const {
-    double sum = 0.0;
+  /// C^-1 : a of six components each; 0 where none works.
+  std::array<double, 6> times(const double* a) const {
+    std::array<double, 6> result{};
     for (std::size_t i = 0; i < components_.size(); ++i) {
       for (std::size_t j = 0; j < components_.size(); ++j) {
-        sum += a[components_[i]] * inverse_(static_cast<int>(i), static_cast<int>(j)) * b[components_[j]];
+        result[components_[i]] += inverse_(static_cast<int>(i), static_cast<int>(j)) * a[components_[j]];
       }
     }
-    return sum;
+    return result;
   }
 
  private:
@@ -49,16 +50,42 @@ class Compliance {
   base::Matrix inverse_;
 };
 
-/// sigma* - sigma at a point, six components of every column.
-void difference(const elasticity::ElementPoint& point, const base::Matrix& nodal, std::vector<double>& result) {
-  for (int column = 0; column < nodal.numCols(); ++column) {
-    for (int m = 0; m < 6; ++m) {
-      double recovered = 0.0;
-      for (int a = 0; a < point.nodes; ++a) recovered += point.value[a] * nodal[column][6 * point.node[a] + m];
-      result[6 * column + m] = recovered - point.stress[6 * column + m];
+double product(const std::array<double, 6>& strain, const double* stress) {
+  return std::inner_product(strain.begin(), strain.end(), stress, 0.0);
+}
+
+/// Nodal stresses at the points of an element, sigma* - sigma.
+class Recovered {
+ public:
+  explicit Recovered(const base::Matrix& nodal) : nodal_(nodal), size_(6 * nodal.numCols()) {}
+
+  /// Looks at the nodes of the element of a point: those of one column after the other lie apart.
+  void gather(const elasticity::ElementPoint& point) {
+    atNodes_.resize(static_cast<std::size_t>(point.nodes) * size_);
+    for (int a = 0; a < point.nodes; ++a) {
+      double* to = atNodes_.data() + a * size_;
+      for (int column = 0; column < nodal_.numCols(); ++column) {
+        to = std::copy_n(nodal_[column] + 6 * point.node[a], 6, to);
+      }
     }
   }
-}
+
+  /// Six components of every column, at a point of that element.
+  const double* difference(const elasticity::ElementPoint& point) {
+    difference_.assign(size_, 0.0);
+    for (int a = 0; a < point.nodes; ++a) {
+      const double* from = atNodes_.data() + a * size_;
+      for (int i = 0; i < size_; ++i) difference_[i] += point.value[a] * from[i];
+    }
+    for (int i = 0; i < size_; ++i) difference_[i] -= point.stress[i];
+    return difference_.data();
+  }
+
+ private:
+  const base::Matrix& nodal_;
+  int size_;
+  std::vector<double> atNodes_, difference_;
+};
 
 }  // namespace
 
@@ -75,8 +102,9 @@ PartResidual dualWeightedResidual(const elasticity::ElasticPart& part, const bas
   for (auto* list : {&result.change, &result.absolute, &result.uncorrected, &result.work, &result.absoluteWork}) {
     list->assign(responses, 0.0);
   }
-  std::vector<double> ofElement(responses, 0.0), workOfElement(responses, 0.0), raw(6 * columns), best(6 * columns);
-  int element = 0;
+  std::vector<double> ofElement(responses, 0.0), workOfElement(responses, 0.0);
+  Recovered uncorrected(recovery.stress()), best(corrected);
+  int element = -1;
   const auto close = [&] {
     for (int j = 0; j < responses; ++j) {
       result.change[j] += ofElement[j];
@@ -86,21 +114,26 @@ PartResidual dualWeightedResidual(const elasticity::ElasticPart& part, const bas
       ofElement[j] = workOfElement[j] = 0.0;
     }
   };
-  elasticity::forEachPoint(part, elasticity::PointSet::squares, displacements,
-                           [&](const elasticity::ElementPoint& point) {
-                             if (point.element != element) close();
-                             element = point.element;
-                             difference(point, recovery.stress(), raw);
-                             difference(point, corrected, best);
-                             for (int j = 0; j < responses; ++j) {
-                               const int at = 6 * (j + 1);
-                               ofElement[j] += point.volume * compliance.product(best.data(), best.data() + at);
-                               workOfElement[j] += point.volume * compliance.product(point.stress, point.stress + at);
-                               result.uncorrected[j] += point.volume * compliance.product(raw.data(), raw.data() + at);
-                             }
-                             result.errorEnergy += point.volume * compliance.product(best.data(), best.data());
-                             result.energy += point.volume * compliance.product(point.stress, point.stress);
-                           });
+  elasticity::forEachPoint(
+      part, elasticity::PointSet::squares, displacements, [&](const elasticity::ElementPoint& point) {
+        if (point.element != element) {
+          close();
+          element = point.element;
+          uncorrected.gather(point);
+          best.gather(point);
+        }
+        const double *rawError = uncorrected.difference(point), *error = best.difference(point);
+        const std::array<double, 6> ofRaw = compliance.times(rawError), ofError = compliance.times(error),
+                                    strain = compliance.times(point.stress);
+        for (int j = 0; j < responses; ++j) {
+          const int at = 6 * (j + 1);
+          ofElement[j] += point.volume * product(ofError, error + at);
+          workOfElement[j] += point.volume * product(strain, point.stress + at);
+          result.uncorrected[j] += point.volume * product(ofRaw, rawError + at);
+        }
+        result.errorEnergy += point.volume * product(ofError, error);
+        result.energy += point.volume * product(strain, point.stress);
+      });
   close();
   return result;
 }

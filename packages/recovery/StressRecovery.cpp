@@ -42,39 +42,46 @@ Samples sample(const elasticity::ElasticPart& part, const base::Matrix& displace
 /// Which elements of a part a node belongs to, and which nodes an element has.
 class Neighbourhood {
  public:
-  explicit Neighbourhood(const elasticity::ElasticPart& part) : elements_(part.mesh), part_(part) {
+  explicit Neighbourhood(const elasticity::ElasticPart& part) : elements_(part.mesh), part_(part), first_(1, 0) {
     ofNode_.resize(part.piece.nodes.size());
+    wasFound_.assign(part.piece.elements.size(), false);
     for (std::size_t e = 0; e < part.piece.elements.size(); ++e) {
-      forEachNode(static_cast<int>(e), [&](int node) { ofNode_[node].push_back(static_cast<int>(e)); });
+      const int number = part.piece.elements[e];
+      const int* nodes = elements_.nodes(number);
+      for (int a = 0; a < mesh::nodesPerElement(elements_.type(number)); ++a) {
+        nodes_.push_back(mesh::localNode(part.piece, nodes[a]));
+        ofNode_[nodes_.back()].push_back(static_cast<int>(e));
+      }
+      first_.push_back(nodes_.size());
     }
   }
 
   mesh::ElementType type(int element) const { return elements_.type(part_.piece.elements[element]); }
   const std::vector<int>& elementsOf(int node) const { return ofNode_[node]; }
   /// And those that share a node with one of them.
-  std::vector<int> widened(const std::vector<int>& elements) const {
+  std::vector<int> widened(const std::vector<int>& elements) {
     std::vector<int> result;
     for (const int element : elements) {
-      forEachNode(element, [&](int node) { result.insert(result.end(), ofNode_[node].begin(), ofNode_[node].end()); });
+      for (std::size_t k = first_[element]; k < first_[element + 1]; ++k) {
+        for (const int neighbour : ofNode_[nodes_[k]]) {
+          if (wasFound_[neighbour]) continue;
+          wasFound_[neighbour] = true;
+          result.push_back(neighbour);
+        }
+      }
     }
+    for (const int element : result) wasFound_[element] = false;
     std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
  private:
-  template <class Visitor>
-  void forEachNode(int element, const Visitor& visit) const {
-    const int number = part_.piece.elements[element];
-    const int* nodes = elements_.nodes(number);
-    for (int a = 0; a < mesh::nodesPerElement(elements_.type(number)); ++a) {
-      visit(mesh::localNode(part_.piece, nodes[a]));
-    }
-  }
-
   mesh::Elements elements_;
   const elasticity::ElasticPart& part_;
+  std::vector<std::size_t> first_;  // in nodes_ of each element, and the end
+  std::vector<int> nodes_;          // of the piece
   std::vector<std::vector<int>> ofNode_;
+  std::vector<bool> wasFound_;  // per element, during widened()
 };
 
 bool isSimplex(mesh::ElementType type) {
@@ -89,7 +96,7 @@ std::size_t fewest(mesh::ElementType type) {
   return isPlane ? 4 : 8;
 }
 
-std::vector<int> patchOf(const Neighbourhood& neighbourhood, int node, bool isOnBoundary) {
+std::vector<int> patchOf(Neighbourhood& neighbourhood, int node, bool isOnBoundary) {
   const std::vector<int>& own = neighbourhood.elementsOf(node);
   if (own.empty()) return {};
   const mesh::ElementType type = neighbourhood.type(own.front());
@@ -159,7 +166,7 @@ StressRecovery::StressRecovery(const elasticity::ElasticPart& part, const std::v
   const int columns = displacements.numCols();
   const int nodes = static_cast<int>(part.piece.nodes.size());
   const Samples samples = sample(part, displacements);
-  const Neighbourhood neighbourhood(part);
+  Neighbourhood neighbourhood(part);
   stress_.shape(6 * nodes, columns);
   std::vector<double> sum(6 * static_cast<std::size_t>(columns));
   for (int node = 0; node < nodes; ++node) {
