@@ -74,6 +74,13 @@ py::object bridge(const char* function) {
   return py::module_::import("harmos.laws.bridge").attr(function);
 }
 
+std::shared_ptr<const py::object> kept(const py::handle& object) {
+  return {new py::object(py::reinterpret_borrow<py::object>(object)), [](const py::object* each) {
+            const py::gil_scoped_acquire lock;
+            delete each;
+          }};
+}
+
 std::string reasonOf(const py::error_already_set& error, const std::string& file) {
   py::object value = error.value();
   if (error.trace()) PyException_SetTraceback(value.ptr(), error.trace().ptr());

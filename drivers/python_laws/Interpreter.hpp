@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include <pybind11/pybind11.h>
@@ -15,6 +16,9 @@ void startPython();
 
 /// A function of the module harmos.laws.bridge. To be called with Python's lock; throws pybind11::error_already_set.
 pybind11::object bridge(const char* function);
+
+/// A reference that may be given up anywhere: Python's lock is taken then. To be called with it.
+std::shared_ptr<const pybind11::object> kept(const pybind11::handle& object);
 
 /// What a Python error says, and in which line of the file of laws, in words that end without a full stop. To be called
 /// with Python's lock.

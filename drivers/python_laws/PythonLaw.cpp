@@ -95,8 +95,8 @@ base::Vector3 vectorOf(const py::handle& numbers) {
 
 }  // namespace
 
-PythonLaw::PythonLaw(py::object object, std::string file)
-    : object_(std::make_unique<py::object>(std::move(object))),
+PythonLaw::PythonLaw(const py::object& object, std::string file)
+    : object_(kept(object)),
       file_(std::move(file)),
       name_(object_->attr("name").cast<std::string>()),
       historySize_(object_->attr("history").cast<int>()),
@@ -112,11 +112,6 @@ PythonLaw::PythonLaw(py::object object, std::string file)
     outputs_.push_back({each.attr("name").cast<std::string>(), each.attr("unit").cast<std::string>(),
                         each.attr("doc").cast<std::string>()});
   }
-}
-
-PythonLaw::~PythonLaw() {
-  const py::gil_scoped_acquire lock;
-  object_.reset();
 }
 
 std::vector<double> PythonLaw::stepped(const char* what, const laws::PairStep& step, std::size_t count) const {

@@ -19,10 +19,7 @@ class PythonLaw final : public laws::InterfaceLaw {
  public:
   /// `object`: what harmos.laws.bridge.made() has made. `file`: where its class stands, for messages. To be called with
   /// Python's lock.
-  PythonLaw(pybind11::object object, std::string file);
-  ~PythonLaw() override;
-  PythonLaw(const PythonLaw&) = delete;
-  PythonLaw& operator=(const PythonLaw&) = delete;
+  PythonLaw(const pybind11::object& object, std::string file);
 
   const char* name() const override { return name_.c_str(); }
   int historySize() const override { return historySize_; }
@@ -44,7 +41,7 @@ class PythonLaw final : public laws::InterfaceLaw {
   /// What harmos.laws.bridge.stepped() gives for one pair.
   std::vector<double> stepped(const char* what, const laws::PairStep& step, std::size_t count) const;
 
-  std::unique_ptr<pybind11::object> object_;  // released with Python's lock
+  std::shared_ptr<const pybind11::object> object_;
   std::string file_, name_;
   int historySize_;
   laws::Frame frame_;

@@ -16,14 +16,6 @@ namespace py = pybind11;
 
 namespace {
 
-/// Held by a registry, which knows nothing of Python's lock.
-std::shared_ptr<py::object> kept(const py::handle& object) {
-  return {new py::object(py::reinterpret_borrow<py::object>(object)), [](py::object* each) {
-            const py::gil_scoped_acquire lock;
-            delete each;
-          }};
-}
-
 /// Throws base::Error (input) for what the constructor raises.
 std::unique_ptr<laws::InterfaceLaw> made(const py::object& law, const std::string& file,
                                          const input::Parameters& parameters) {
@@ -40,7 +32,7 @@ std::unique_ptr<laws::InterfaceLaw> made(const py::object& law, const std::strin
 }
 
 void addOne(const py::handle& law, const std::string& file, laws::LawRegistry& registry) {
-  const std::shared_ptr<py::object> known = kept(law);
+  const std::shared_ptr<const py::object> known = kept(law);
   const auto make = [known, file](const input::Parameters& p) { return made(*known, file, p); };
   const auto check = [make](const input::Parameters& p, input::ErrorList& errors) {
     errors.collect(p.where(), [&] { make(p); });

@@ -23,6 +23,11 @@ for run in one two; do
 done
 expect 0 '' "$harmos" study "$work/relaxation_study.xml" --output "$work" --quiet
 
+# Laws in Python, where Harmos was built with them: beside the installed program lie the library and the package.
+if compgen -G "$1/lib*/harmos/python_laws.so" >/dev/null; then
+  expect 0 'Linear glue' "$harmos" doc --plugin "$here/../../docs/guide/laws_in_python.py" Python Glue
+fi
+
 # Plugins that cannot be used: exit code 2, and nothing is run or written.
 mkdir "$work/bad"
 refused() { expect 2 "$1" "$harmos" run "$scene" --output "$work/bad" --set "Plugins={$2}"; }
