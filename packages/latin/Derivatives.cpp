@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/SoleThread.hpp>
 #include <harmos/latin/detail/PairDerivatives.hpp>
 #include <harmos/laws/AffineComponent.hpp>
 
@@ -256,6 +257,7 @@ base::Matrix Derivatives::stateOf(const Iterate& solution) {
 
 std::vector<Derivatives::Result> Derivatives::compute(const base::Matrix& state,
                                                       const std::vector<ModelParameter>& parameters) {
+  const base::SoleThread inside;
   const int rows = fixedPoint_.layout().rows(), steps = fixedPoint_.assembly().steps();
   std::vector<Result> results(parameters.size());
   for (Result& result : results) result.dalpha.shape(rows, steps);

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/SoleThread.hpp>
 #include <harmos/latin/detail/TractionShare.hpp>
 
 namespace harmos::latin {
@@ -58,6 +59,7 @@ FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& o
 FixedPoint::~FixedPoint() = default;
 
 std::unique_ptr<LinearStage> FixedPoint::makeLinearStage() {
+  const base::SoleThread inside;
   const auto make = [&] {
     auto stage = std::make_unique<LinearStage>(assembly_, searchDirection_, layout_, eliminated_, options_.formulation,
                                                options_.macroProblem, options_.solver, timers_);

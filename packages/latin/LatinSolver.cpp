@@ -11,6 +11,7 @@
 #include <harmos/assembly/AssemblyCheck.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
+#include <harmos/base/SoleThread.hpp>
 #include <harmos/base/Vector3.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/detail/RoundOff.hpp>
@@ -105,6 +106,7 @@ bool LatinSolver::hasDiverged(const base::Matrix& state) {
 }
 
 LatinResult LatinSolver::solve(const base::Matrix* start) {
+  const base::SoleThread inside;
   fixedPoint_.uncentre(alpha_);
   if (start != &alpha_) {
     alpha_.putScalar(0.0);

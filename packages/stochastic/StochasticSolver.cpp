@@ -8,6 +8,7 @@
 
 #include <harmos/assembly/AssemblyCheck.hpp>
 #include <harmos/base/Error.hpp>
+#include <harmos/base/SoleThread.hpp>
 #include <harmos/stochastic/detail/ModalAssembly.hpp>
 
 namespace harmos::stochastic {
@@ -125,6 +126,7 @@ StochasticSolver::End StochasticSolver::run(double tolerance, bool isFresh) {
 }
 
 StochasticResult StochasticSolver::solve(const base::Matrix* start) {
+  const base::SoleThread inside;
   if (start != &alpha_) {
     alpha_.putScalar(0.0);
     if (start != nullptr) alpha_.assign(*start);

@@ -1,5 +1,8 @@
 #include <fstream>
+#include <functional>
+#include <set>
 #include <stdexcept>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -89,6 +92,68 @@ TEST(Host, CanUseSolversByTurns) {
   difference -= state;
   EXPECT_EQ(difference.normInf(), 0.0);
   EXPECT_EQ(one.solve().outcome, first.outcome);
+}
+
+/// A law during which others may be asked.
+struct Waiting {
+  static constexpr const char* name = "Waiting";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::two;
+  explicit Waiting(const std::function<void()>& action) : meanwhile(action) {}
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext&, const double*, double*) const {
+    meanwhile();
+    laws::LocalState state;
+    for (std::size_t c = 0; c < 3; ++c) state.traction[c] = line.freeJump[c] / (1.0 + line.compliance);
+    return state;
+  }
+  std::function<void()> meanwhile;
+};
+
+/// What another thread is told that does this; empty: nothing.
+std::string toldElsewhere(const std::function<void()>& action) {
+  std::string message;
+  std::thread([&] {
+    try {
+      action();
+    } catch (const base::Error& error) {
+      message = error.what();
+    }
+  }).join();
+  return message;
+}
+
+// Trilinos counts references without locks.
+TEST(Host, RefusesASecondThreadWhileOneIsInside) {
+  const assembly::Assembly assembly = sample();
+  base::Timers timers;
+  LatinSolver idle(assembly, {}, self(), timers);
+  std::set<std::string> told;
+  assembly::Assembly waits = sample();
+  waits.interfaces[1].law = std::make_shared<laws::PointwiseLaw<Waiting>>([&] {
+    if (told.size() > 1) return;
+    told.insert(toldElsewhere([&] { idle.solve(); }));
+    told.insert("and " + toldElsewhere([&] { LatinSolver(assembly, {}, self(), timers); }));
+  });
+  LatinSolver working(waits, {}, self(), timers);
+  working.solve();
+  ASSERT_EQ(told.size(), 2U);
+  for (const std::string& message : told) {
+    EXPECT_NE(message.find("second thread asks a solver of Harmos while another one is inside"), std::string::npos);
+    EXPECT_NE(message.find("take turns"), std::string::npos);
+  }
+}
+
+// Taking turns is no harm; nor is a thread that has failed inside.
+TEST(Host, LetsThreadsTakeTurns) {
+  const assembly::Assembly assembly = sample();
+  const double first = displacement(assembly, self());
+  assembly::Assembly broken = sample();
+  broken.interfaces[1].law = std::make_shared<laws::PointwiseLaw<Broken>>();
+  double found = 0.0;
+  EXPECT_EQ(toldElsewhere([&] { EXPECT_THROW(displacement(broken, self()), std::out_of_range); }), "");
+  EXPECT_EQ(toldElsewhere([&] { found = displacement(assembly, self()); }), "");
+  EXPECT_EQ(found, first);
+  EXPECT_EQ(displacement(assembly, self()), first);
 }
 
 }  // namespace
