@@ -107,7 +107,15 @@ on = fields.blocks["contact"]
 assert (fields.at_nodes("seen_time")[on] == 3.0).all()
 assert numpy.allclose(fields.at_nodes("seen_x")[on], fields.nodes[on][..., 0])
 
-# Numbers may be fields, follow --set and studies; derivatives are those of differences.
+# Derivatives are those of the law by formulas.
+slope = {}
+for name, each, entry in (("known", scene("known", formula, []), "Constants/k"),
+                          ("creeping", creeping("creeping"), "Stiffness")):
+    each["Output/Derivatives"] = [f"Interfaces/contact/Law/{entry}"]
+    slope[name] = harmos.run(each, work / "slopes").derivatives["u_push", f"Interfaces/contact/Law/{entry}"]
+assert abs(slope["creeping"] - slope["known"]).max() <= 1e-5 * abs(slope["known"]).max() > 0.0
+
+# Numbers may be fields, and follow studies.
 varied = creeping("varied", **{"Stiffness Formula": "1 + x / 40"})
 assert harmos.run(varied, work / "varied").is_certified
 study = harmos.StudyInput("springs", {
