@@ -23,6 +23,17 @@ for run in one two; do
 done
 expect 0 '' "$harmos" study "$work/relaxation_study.xml" --output "$work" --quiet
 
+# A law over all points of an interface: by itself, and on a face that bends, cut into pieces or not, on one rank or two.
+bolt=$work/bolt.xml
+value() { tail -1 "$work/$1/bolt_history.csv" | cut -d, -f3; }
+expect 0 'certified' "$harmos" run "$bolt" --output "$work/rest"
+bent=(--set Boundaries/held/Law/Z=0.01 --set Interfaces/bolt/Law/Stiffness=1000)
+expect 0 'certified' "$harmos" run "$bolt" --output "$work/whole" "${bent[@]}"
+expect 0 'certified' mpirun -np 2 "$harmos" run "$bolt" --output "$work/cut" "${bent[@]}" --set Parts/lower/Pieces=2 --set Parts/upper/Pieces=3
+expect 0 '^right$' awk -v rest="$(value rest)" -v whole="$(value whole)" -v cut="$(value cut)" 'BEGIN {
+  isRight = (rest - 5 / 3) ^ 2 < 1e-12 && (whole - 5.75 / 21) ^ 2 < 1e-12 && (cut - 5.75 / 21) ^ 2 < 1e-12
+  print (isRight ? "right" : rest " " whole " " cut) }'
+
 # Laws in Python, where Harmos was built with them: beside the installed program lie the library and the package.
 if compgen -G "$1/lib*/harmos/python_laws.so" >/dev/null; then
   expect 0 'Linear glue' "$harmos" doc --plugin "$here/../../docs/guide/laws_in_python.py" Python Glue

@@ -1,12 +1,12 @@
 // A bolt between the mean motions of two faces, which stay free to deform: one traction on all points, along the
-// normal. A law of a whole interface, which must not be cut into pieces; it is written without PointwiseLaw.
+// normal. A law over all points of an interface, whatever pieces it is cut into.
 #pragma once
 
-#include <cassert>
+#include <harmos/laws/CoupledLaw.hpp>
 
 #include "Harmos.hpp"
 
-class MeanBolt final : public InterfaceLaw {
+class MeanBolt final : public CoupledLaw {
  public:
   static constexpr const char* lawName = "Outside Bolt";
 
@@ -21,23 +21,28 @@ class MeanBolt final : public InterfaceLaw {
   int historySize() const override { return 0; }
   Frame frame() const override { return Frame::interface; }
   Sides sides() const override { return Sides::two; }
-  bool prescribesTraction() const override { return false; }
   bool dissipates() const override { return false; }
 
-  void solve(int step, const NodeArrays& nodes) const override {
-    double area = 0.0, jump = 0.0, compliance = 0.0;
-    assert(nodes.count == 0 || nodes.area != nullptr);
+  int sums() const override { return 3; }  // of area, area times free jump, area times compliance
+  void addToSums(int, const NodeArrays& nodes, double* sums) const override {
     for (int i = 0; i < nodes.count; ++i) {
-      area += nodes.area[i];
-      jump += nodes.area[i] * nodes.line[i].freeJump[0];
-      compliance += nodes.area[i] * nodes.line[i].compliance;
+      sums[0] += nodes.area[i];
+      sums[1] += nodes.area[i] * nodes.line[i].freeJump[0];
+      sums[2] += nodes.area[i] * nodes.line[i].compliance;
     }
-    if (nodes.count == 0) return;
-    const double tension = (preload_[step] + stiffness_ * jump / area) / (1.0 + stiffness_ * compliance / area);
+  }
+  void solvePoints(int step, const NodeArrays& nodes, const double* sums) const override {
+    pull(preload_[step], nodes, sums);
+  }
+  void solveTangent(int, const NodeArrays& nodes, const double* sums) const override { pull(0.0, nodes, sums); }
+
+ private:
+  /// T = (P + k <delta_free>) / (1 + k <H>), with means over the face.
+  void pull(double preload, const NodeArrays& nodes, const double* sums) const {
+    const double tension = (preload * sums[0] + stiffness_ * sums[1]) / (sums[0] + stiffness_ * sums[2]);
     for (int i = 0; i < nodes.count; ++i) nodes.state[i] = {{tension, 0.0, 0.0}, Status::bonded};
   }
 
- private:
   double stiffness_;
   input::Schedule preload_;
 };
