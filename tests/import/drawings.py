@@ -58,6 +58,36 @@ class Drawings(unittest.TestCase):
         self.assertEqual(end.returncode, 0, end.stderr)
         self.assertEqual(run("check", work / "b" / "joint.xml").returncode, 0)
 
+    def test_lengths_are_those_of_the_units(self) -> None:
+        with_units = {}
+        for units, size in (("mm N s", "20"), ("m N s", "0.02"), ("in lbf s", "0.8")):
+            end = run("import", work / "joint.step", "--output", work / "u", "--units", units, "--size", size)
+            self.assertEqual(end.returncode, 0, end.stderr)
+            found = re.search(r"area ([\d.e-]+)(?: and [\d.e-]+)?: interface plate_to_bracket", end.stdout)
+            assert found is not None, end.stdout
+            with_units[units] = float(found.group(1))
+            self.assertEqual("converted" in end.stdout, units != "mm N s")
+        # Each is meshed anew, and contact is found face by face.
+        self.assertLess(abs(with_units["m N s"] / with_units["mm N s"] * 1e6 - 1.0), 0.2)
+        self.assertLess(abs(with_units["in lbf s"] / with_units["mm N s"] * 25.4**2 - 1.0), 0.2)
+
+    def test_solids_in_each_other_and_loose_surfaces_are_told(self) -> None:
+        import gmsh
+        gmsh.initialize(["overlap"], False)
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.model.occ.addBox(0, 0, 0, 10, 10, 10)
+        gmsh.model.occ.addBox(5, 0, 0, 10, 10, 10)
+        gmsh.model.occ.addBox(15, 0, 0, 10, 10, 10)
+        gmsh.model.occ.addRectangle(40, 0, 0, 5, 5)
+        gmsh.model.occ.synchronize()
+        gmsh.write(str(work / "overlap.brep"))
+        gmsh.finalize()
+        end = run("import", work / "overlap.brep", "--output", work / "o", "--size", 5)
+        self.assertEqual(end.returncode, 0, end.stderr)
+        self.assertIn("to decide: solid_1 and solid_2 overlap by a volume of 500: ", end.stdout)
+        self.assertEqual(end.stdout.count("overlap by"), 1)
+        self.assertIn("surfaces and curves: 1 that belong to no solid", end.stdout)
+
     def test_refused(self) -> None:
         content = (work / "joint.step").read_bytes()
         (work / "cut.step").write_bytes(content[:len(content) // 2])

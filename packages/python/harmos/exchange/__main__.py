@@ -17,7 +17,7 @@ from harmos.exchange.meshing import Meshing
 from harmos.exchange.reading import DECKS, DRAWINGS, Missing, ending, load, read_drawing, read_mesh
 from harmos.exchange.scene import Comment, SceneList
 from harmos.exchange.start import Choices, starting_scene
-from harmos.exchange.units import SYSTEMS
+from harmos.exchange.units import SYSTEMS, UnitSystem
 
 
 UNCHANGED = "<!-- as imported: {:08x} -->\n"
@@ -98,7 +98,7 @@ def _import(arguments: argparse.Namespace) -> None:
         deck = import_deck(path, f"{stem}.e", arguments.units, findings)
         mesh, scene = deck.mesh, deck.scene
     elif suffix in DRAWINGS:
-        mesh = read_drawing(path, _meshing(arguments), findings)
+        mesh = read_drawing(path, _meshing(arguments, units), findings)
     else:
         mesh = read_mesh(path, findings)
     if scene is None:
@@ -113,7 +113,7 @@ def _import(arguments: argparse.Namespace) -> None:
     print(f"{outputs[1]}: the starting scene; \"harmos check {outputs[1]}\" says what it will take.", flush=True)
 
 
-def _meshing(arguments: argparse.Namespace) -> Meshing:
+def _meshing(arguments: argparse.Namespace, units: UnitSystem) -> Meshing:
     """How to mesh a drawing, as the words say."""
     sizes = {}
     for word in arguments.part_size:
@@ -126,7 +126,7 @@ def _meshing(arguments: argparse.Namespace) -> Meshing:
             raise Refused(f"--part-size \"{word}\": it takes PART=SIZE, a size above 0.")
     if not arguments.size >= 0.0:
         raise Refused(f"--size {arguments.size:g}: it must be above 0.")
-    return Meshing(arguments.size, arguments.order, sizes, arguments.conformal)
+    return Meshing(arguments.size, arguments.order, sizes, arguments.conformal, units.length)
 
 
 def _heading(path: str, findings: Findings) -> Comment:

@@ -1,4 +1,7 @@
 """Drawings (STEP, BREP), meshed by Gmsh: solids become parts with their names, faces side sets."""
+import itertools
+import pathlib
+
 import gmsh
 import numpy
 
@@ -14,6 +17,16 @@ AROUND = 16
 """Elements around a circle at least."""
 
 
+UNITS = {1e-6: "UM", 1e-3: "MM", 1e-2: "CM", 0.0254: "INCH", 1.0: "M"}
+"""Open CASCADE's names of the units to which it converts the lengths of STEP files, by their length [m]."""
+
+OVERLAP = 1e-3
+"""Volume that two solids share, over that of the smaller one, from which the import tells of it."""
+
+PAIRS = 100
+"""Pairs of solids of which that is looked at: each takes a Boolean operation."""
+
+
 def mesh_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
     """Meshes the solids of a drawing.
 
@@ -22,10 +35,12 @@ def mesh_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
     """
     with session():
         gmsh.option.setNumber("Geometry.OCCImportLabels", 1)
+        gmsh.option.setString("Geometry.OCCTargetUnit", UNITS[meshing.length])
         gmsh.logger.start()
         try:
-            shapes = gmsh.model.occ.importShapes(path)
+            shapes = gmsh.model.occ.importShapes(path, highestDimOnly=False)
             gmsh.model.occ.synchronize()
+            flat = _remove_loose()
         except Exception as error:  # Gmsh raises nothing more special
             raise Refused(f"{path}: Open CASCADE cannot read it: {error}. It is damaged or no drawing.") from None
         solids = [tag for dimension, tag in shapes if dimension == 3]
@@ -38,6 +53,8 @@ def mesh_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
         pieces = {name: [tag] for name, tag in parts.items()}
         if meshing.conformal and len(solids) > 1:
             pieces = _fragmented(parts)
+        else:
+            findings.undecided += _overlaps(parts)
         _set_sizes(pieces, meshing)
         _name_groups(pieces)
         try:
@@ -49,7 +66,44 @@ def mesh_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
             raise Refused(f"{path}: Gmsh cannot mesh it: {said[0] if said else error}.\n  Try a smaller size.") from None
         mesh = mesh_of_model(path, findings)
     findings.found.insert(0, f"{len(parts)} solids: {', '.join(parts)}")
+    if meshing.length != 1e-3 and pathlib.Path(path).suffix.lower() in (".step", ".stp"):
+        findings.found.insert(1, f"lengths of the drawing are converted to units of {meshing.length:g} m, as was asked for")
+    if flat:
+        findings.leave_out(path, "surfaces and curves", f"{flat} that belong to no solid")
     return mesh
+
+
+def _remove_loose() -> int:
+    """Removes faces and edges that belong to nothing; how many."""
+    loose = [(dimension, tag) for dimension, tag in gmsh.model.getEntities()
+             if dimension in (1, 2) and not len(gmsh.model.getAdjacencies(dimension, tag)[0])]
+    if loose and gmsh.model.getEntities(3):
+        gmsh.model.occ.remove(loose, recursive=True)
+        gmsh.model.occ.synchronize()
+    return len(loose)
+
+
+def _overlaps(parts: dict[str, int]) -> list[str]:
+    """What to tell about solids that lie in each other."""
+    boxes = {name: numpy.array(gmsh.model.occ.getBoundingBox(3, tag)) for name, tag in parts.items()}
+    volume = {name: gmsh.model.occ.getMass(3, tag) for name, tag in parts.items()}
+    pairs = [(one, other) for one, other in itertools.combinations(parts, 2)
+             if (numpy.maximum(boxes[one][:3], boxes[other][:3]) < numpy.minimum(boxes[one][3:], boxes[other][3:])).all()]
+    told = []
+    for one, other in pairs[:PAIRS]:
+        try:
+            common, _ = gmsh.model.occ.intersect([(3, parts[one])], [(3, parts[other])], removeObject=False, removeTool=False)
+        except Exception:  # Open CASCADE gives up on some shapes
+            continue
+        shared = sum(gmsh.model.occ.getMass(3, tag) for dimension, tag in common if dimension == 3)
+        gmsh.model.occ.remove(common, recursive=True)
+        if shared > OVERLAP * min(volume[one], volume[other]):
+            told.append(f"{one} and {other} overlap by a volume of {shared:.4g}: both are meshed there; --conformal gives it to the "
+                        "first")
+    if len(pairs) > PAIRS:
+        told.append(f"whether solids overlap was looked at for the first {PAIRS} of {len(pairs)} pairs that are near each other")
+    gmsh.model.occ.synchronize()
+    return told
 
 
 def _names(solids: list[int]) -> dict[str, int]:

@@ -107,5 +107,6 @@ def _in_child(path: str, make: Callable[[Findings], Mesh], findings: Findings, e
                 del sets[name]
                 said.found.append(f"set \"{name}\" is empty and has been left out")
     findings.found += said.found
+    findings.undecided += said.undecided
     findings.left_out += said.left_out
     return mesh
