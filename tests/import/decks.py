@@ -514,6 +514,18 @@ class Decks(unittest.TestCase):
         self.demand_refused(CUBE + STEEL + HELD + "*TRANSFORM,NSET=NONE\n1,0,0,0,1,0\n" + STEP.format(""), "no set \"NONE\"")
         self.demand_refused(CUBE + STEEL + HELD + "*TRANSFORM,NSET=ALL\n1,0,0,2,0,0\n" + STEP.format(""), "on one line with the")
 
+    def test_equal_forces_on_a_grid_share_boundaries(self) -> None:
+        # Nine equal forces are no constant traction; corners have other shares of the surface.
+        nodes = "".join(f"{1 + i + 3 * j + 9 * k}, {i}, {j}, {k}\n" for k in range(2) for j in range(3) for i in range(3))
+        rows = "".join(f"{1 + i + 2 * j}, " + ", ".join(
+            str(1 + i + x + 3 * (j + y) + 9 * z) for x, y, z in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1),
+                                                              (1, 0, 1), (1, 1, 1), (0, 1, 1))) + "\n"
+            for j in range(2) for i in range(2))
+        text = (f"*NODE\n{nodes}*ELEMENT,TYPE=C3D8,ELSET=CUBE\n{rows}{STEEL}*NSET,NSET=BOTTOM,GENERATE\n1,9\n*NSET,NSET=TOP,"
+                "GENERATE\n10,18\n*BOUNDARY\nBOTTOM,1,3\n" + STEP.format("*CLOAD\nTOP,1,2.\n"))
+        self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_x"], -18.0, 4)
+        self.assertEqual((work / "out" / "deck.xml").read_text().count('"Prescribed Traction"'), 2)
+
     def test_includes(self) -> None:
         (work / "part.inc").write_text(CUBE)
         self.assertEqual(self.imported("*INCLUDE,INPUT=part.inc\n" + PLAIN[len(CUBE):])[0], 0)

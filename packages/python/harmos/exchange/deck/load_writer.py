@@ -140,6 +140,7 @@ class LoadWriter:
                 for node, value in values.items():
                     nodal[part, node].append((component, value, form))
         areas: dict[int, Array] = {}
+        alike: dict[tuple[int, tuple[tuple[int, float, Points], ...]], list[int]] = collections.defaultdict(list)
         for (part, node), entries in nodal.items():
             if part not in areas:
                 areas[part] = self._nodal_areas(part)
@@ -149,12 +150,15 @@ class LoadWriter:
                 self._findings.leave_out("CLOAD", f"force at ({', '.join(f'{x:g}' for x in self._solids.mesh.nodes[node])})",
                                          f"{listed}: the node has no share of the surface; load the faces around it")
                 continue
+            # Eight digits: nodes of a regular mesh have areas that differ by round-off.
+            alike[part, tuple((component, float(f"{value / area:.8g}"), form) for component, value, form in entries)].append(node)
+        for (part, tractions), nodes in alike.items():
             name = self._set_name("force")
-            self._solids.mesh.node_sets[name] = numpy.array([node])
+            self._solids.mesh.node_sets[name] = numpy.array(sorted(nodes))
             _, boundary = self._boundary(name)
             law = boundary.set("Node Set", name).set("Part", names[part]).child("Law").set("Type", "Prescribed Traction")
-            for component, value, form in entries:
-                self._histories.set(law, "XYZ"[component], form, value / area)
+            for component, traction, form in tractions:
+                self._histories.set(law, "XYZ"[component], form, traction)
 
     def _nodal_areas(self, part: int) -> Array:
         """Those by which the program divides forces on single nodes of a part."""

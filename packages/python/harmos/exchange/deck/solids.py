@@ -92,6 +92,10 @@ class Solids:
         self._make_parts(tables)
         demand_sound(path, self.mesh)
         self._order = numpy.argsort(self._ids, kind="stable")
+        self._known = self._ids[self._order]
+        self._used = numpy.zeros(len(self.mesh.nodes), dtype=bool)
+        for block in self.mesh.blocks:
+            self._used[block.connectivity] = True
 
     def _read_section(self, card: Card) -> None:
         name = card.get("ELSET")
@@ -257,15 +261,12 @@ class Solids:
         known = self._contents.node_ids
         at = numpy.minimum(numpy.searchsorted(known, ids), len(known) - 1)
         at = at[known[at] == ids]
-        found: Array = at[numpy.isin(at, self.used_nodes())]
+        found: Array = at[self._used[at]]
         return found
 
     def used_nodes(self) -> Array:
         """Indices of all nodes that solids have."""
-        used = numpy.zeros(len(self.mesh.nodes), dtype=bool)
-        for block in self.mesh.blocks:
-            used[block.connectivity] = True
-        return numpy.flatnonzero(used)
+        return numpy.flatnonzero(self._used)
 
     def parts_of(self, nodes: Array) -> set[str]:
         """Names of the parts that have one of these nodes, given by their indices."""
@@ -274,7 +275,7 @@ class Solids:
 
     def elements(self, ids: Array) -> Array:
         """Numbers in the mesh of the elements with these ids, those that are solids."""
-        known = self._ids[self._order]
+        known = self._known
         at = numpy.minimum(numpy.searchsorted(known, ids), len(known) - 1)
         found: Array = self._order[at[known[at] == ids]]
         return found
