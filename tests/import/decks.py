@@ -261,6 +261,10 @@ class Decks(unittest.TestCase):
         self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_z"], 5.0, 4)
         self.assertRegex(self.imported(text)[1], r"left out: \S*:38: \*SURFACE S, TYPE=NODE: .*the faces of the same name")
 
+    def test_a_card_without_elements(self) -> None:
+        empty = PLAIN.replace("1, 1,2,3,4,5,6,7,8\n", "").replace("CUBE, P2", "1, P2")
+        self.demand_refused(empty, "the deck holds no solid elements")
+
     def test_elements_that_are_there_twice_are_refused(self) -> None:
         self.demand_refused(PLAIN.replace("1, 1,2,3,4,5,6,7,8\n", "1, 1,2,3,4,5,6,7,8\n2, 2,3,4,1,6,7,8,5\n"),
                             "1 elements have the nodes of another one")

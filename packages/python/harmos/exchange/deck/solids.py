@@ -113,6 +113,8 @@ class Solids:
         coupled = {card.get("ELSET") for card in contents.model if card.keyword == "DISTRIBUTINGCOUPLING"}
         result = []
         for table in contents.elements:
+            if not len(table.ids):
+                continue
             match = _SOLID.match(table.kind)
             kinds = _KINDS["C3D" if match and match[1] == "C3D" else "plane"]
             if table.kind.startswith("DCOUP") and table.set.upper() in coupled:
