@@ -530,6 +530,23 @@ class Decks(unittest.TestCase):
         self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_x"], -18.0, 4)
         self.assertEqual((work / "out" / "deck.xml").read_text().count('"Prescribed Traction"'), 2)
 
+    def test_equal_forces_per_area_on_faces_and_beside_them(self) -> None:
+        # All four nodes of a face that is no constant traction, for their areas are those of three faces each: two times 2.5.
+        corner = CUBE + STEEL + HELD + STEP.format("*CLOAD\n5,1,2.5\n6,1,2.5\n7,1,2.5\n8,1,2.5\n5,2,1.\n6,2,1.\n7,2,1.\n8,2,1.001\n")
+        row = self.solved(corner)[-1]
+        self.assertAlmostEqual(row["reaction_held_xyz_x"], -10.0, 4)
+        self.assertAlmostEqual(row["reaction_held_xyz_y"], -4.001, 4)
+        # The middle of a larger face, which has a ring of others around it.
+        nodes = "".join(f"{1 + i + 6 * j + 36 * k}, {i}, {j}, {k}\n" for k in range(2) for j in range(6) for i in range(6))
+        rows = "".join(f"{1 + i + 5 * j}, " + ", ".join(
+            str(1 + i + x + 6 * (j + y) + 36 * z) for x, y, z in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1),
+                                                               (1, 0, 1), (1, 1, 1), (0, 1, 1))) + "\n"
+            for j in range(5) for i in range(5))
+        inner = "".join(f"{37 + i + 6 * j},1,2.\n" for j in range(1, 5) for i in range(1, 5))
+        text = (f"*NODE\n{nodes}*ELEMENT,TYPE=C3D8,ELSET=CUBE\n{rows}{STEEL}*NSET,NSET=BOTTOM,GENERATE\n1,36\n*BOUNDARY\n"
+                "BOTTOM,1,3\n" + STEP.format(f"*CLOAD\n{inner}"))
+        self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_x"], -32.0, 4)
+
     def test_includes(self) -> None:
         (work / "part.inc").write_text(CUBE)
         self.assertEqual(self.imported("*INCLUDE,INPUT=part.inc\n" + PLAIN[len(CUBE):])[0], 0)

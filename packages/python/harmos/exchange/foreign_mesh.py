@@ -23,8 +23,8 @@ def read_meshio(path: str, findings: Findings) -> Mesh:
     try:
         source = meshio.read(path)
     except (Exception, SystemExit) as error:  # meshio raises anything on damaged files, and ends the process on some
-        raise Refused(f"{path}: meshio cannot read it: {type(error).__name__}: {error}. It is damaged or no mesh.") \
-            from None
+        raise Refused(f"{path}: meshio cannot read it: {type(error).__name__}: {error}. It is damaged, no mesh, or of a kind that "
+                      "meshio has not.\n  Write it as text, as .vtu or as .msh.") from None
     nodes = numpy.zeros((len(source.points), 3))
     nodes[:, :source.points.shape[1]] = source.points
     if not len(nodes) or not numpy.isfinite(nodes).all():
@@ -76,6 +76,7 @@ def _read_cells(path: str, source: meshio.Mesh, mesh: Mesh, findings: Findings) 
             unknown[cells.type] += len(table)
             continue
         left = numpy.ones(len(table), dtype=bool)
+        grouped = numpy.zeros(len(table), dtype=bool)
         for group, inside in _group_names(source, index, "part"):
             if fills:
                 if (inside & ~left).any():
@@ -84,10 +85,13 @@ def _read_cells(path: str, source: meshio.Mesh, mesh: Mesh, findings: Findings) 
                 left &= ~inside
                 parts.setdefault(group, {}).setdefault(cells.type, []).append(table[inside])
             elif _FLAT[cells.type] == mesh.dimension - 1:
+                grouped |= inside
                 rows = numpy.full((int(inside.sum()), 4 if mesh.dimension == 3 else 2), -1, dtype=numpy.int64)
                 corners = {"triangle": 3, "quad": 4, "line": 2}[cells.type.rstrip("0123456789")]
                 rows[:, :corners] = table[inside][:, :corners]
                 surfaces.setdefault(group, []).append(rows)
+        if not fills and _FLAT[cells.type] == mesh.dimension - 1 and not grouped.all():
+            findings.found.append(f"{int((~grouped).sum())} cells {cells.type} are in no group, and no side set")
         if fills and left.any():
             parts.setdefault("part", {}).setdefault(cells.type, []).append(table[left])
     if unknown:

@@ -67,7 +67,7 @@ def _columns(mesh: Mesh, block: int, side: int) -> tuple[list[int], bool]:
     return corners + middles, len(middles) == len(edges)
 
 
-def _sides(mesh: Mesh, rows: Array) -> list[tuple[Array, Array, int, bool]]:
+def tables_of_sides(mesh: Mesh, rows: Array) -> list[tuple[Array, Array, int, bool]]:
     """Nodes of sides, those of their elements, the number of corners and whether they are quadratic, kind by kind."""
     first, blocks = mesh.first_elements(), mesh.block_of(rows[:, 0])
     result = []
@@ -81,14 +81,14 @@ def _sides(mesh: Mesh, rows: Array) -> list[tuple[Array, Array, int, bool]]:
 
 
 def _nodes(mesh: Mesh, rows: Array) -> Array:
-    result: Array = numpy.unique(numpy.concatenate([nodes.reshape(-1) for nodes, _, _, _ in _sides(mesh, rows)]))
+    result: Array = numpy.unique(numpy.concatenate([nodes.reshape(-1) for nodes, _, _, _ in tables_of_sides(mesh, rows)]))
     return result
 
 
 def _facets(mesh: Mesh, rows: Array) -> tuple[Array, Array]:
     """Corners of flat pieces of sides, in a sense that turns about their unit normals out of the elements, and these."""
     corners, normals = [], []
-    for nodes, elements, count, is_quadratic in _sides(mesh, rows):
+    for nodes, elements, count, is_quadratic in tables_of_sides(mesh, rows):
         inside: Array = mesh.nodes[elements].mean(axis=1)
         for piece in _FACETS[count, is_quadratic]:
             at: Array = mesh.nodes[nodes[:, list(piece)]]

@@ -36,7 +36,7 @@ def read_bare(contents: Contents, findings: Findings, path: str) -> Mesh:
     on_cards = {table.set.upper() for table in contents.elements if table.set}
     _add_sections(contents, [table for table in filling if is_solid(table.kind)], on_cards, path)
     contents.elements = filling
-    solids = Solids(contents, findings, path)
+    solids = Solids(contents, findings, path, False)
     _add_surfaces(contents, solids, findings)
     _add_flat_sets(contents, solids, others, on_cards, findings)
     for name, found in contents.node_sets.items():

@@ -4,6 +4,7 @@ import collections
 import numpy
 
 from harmos.arrays import Array
+from harmos.exchange.deck.adjust import tables_of_sides
 from harmos.exchange.deck.areas import inner_areas, nodal_areas
 from harmos.exchange.deck.curves import Histories, Points, peak, shape
 from harmos.exchange.deck.loads import Loads
@@ -152,13 +153,28 @@ class LoadWriter:
                 continue
             # Eight digits: nodes of a regular mesh have areas that differ by round-off.
             alike[part, tuple((component, float(f"{value / area:.8g}"), form) for component, value, form in entries)].append(node)
-        for (part, tractions), nodes in alike.items():
+        for (part, tractions), nodes in ((key, piece) for key, members in alike.items()
+                                         for piece in self._no_faces(key[0], numpy.array(sorted(members)))):
             name = self._set_name("force")
-            self._solids.mesh.node_sets[name] = numpy.array(sorted(nodes))
+            self._solids.mesh.node_sets[name] = nodes
             _, boundary = self._boundary(name)
             law = boundary.set("Node Set", name).set("Part", names[part]).child("Law").set("Type", "Prescribed Traction")
             for component, traction, form in tractions:
                 self._histories.set(law, "XYZ"[component], form, traction)
+
+    def _no_faces(self, part: int, nodes: Array) -> list[Array]:
+        """Nodes in groups that the program takes for nodes: it takes those of which each belongs to a face whose nodes are all
+        among them for these faces, and counts their areas otherwise."""
+        rows = self._outer.chosen((self._part_of_face == part) & numpy.isin(self._outer.corners, nodes).any(axis=1)).rows()
+        faces = [face for table, _, _, _ in tables_of_sides(self._solids.mesh, rows)
+                 for face in table[numpy.isin(table, nodes).all(axis=1)]] if len(rows) else []
+        covered = numpy.unique(numpy.concatenate(faces)) if faces else numpy.zeros(0, dtype=numpy.int64)
+        if len(covered) < len(nodes):
+            return [nodes]
+        # Without its neighbours the first node belongs to no such face.
+        near = numpy.unique(numpy.concatenate([face for face in faces if nodes[0] in face]))
+        near = near[near != nodes[0]]
+        return [numpy.setdiff1d(nodes, near), *self._no_faces(part, near)]
 
     def _nodal_areas(self, part: int) -> Array:
         """Those by which the program divides forces on single nodes of a part."""

@@ -9,7 +9,7 @@ from scipy.sparse.csgraph import connected_components
 
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.deck.contents import Contents, Surface
+from harmos.exchange.deck.contents import Contents, ElementTable, Surface
 from harmos.exchange.elements import MESHIO, TYPES, Order, to_exodus
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Block, Mesh, demand_sound, faces_of, outer_faces, unused_name
@@ -76,8 +76,9 @@ class Solids:
         modes_of_part: whether its elements have incompatible modes, by name.
     """
 
-    def __init__(self, contents: Contents, findings: Findings, path: str) -> None:
-        """Refuses what refers to nodes or elements that are not there."""
+    def __init__(self, contents: Contents, findings: Findings, path: str, tells_formulations: bool = True) -> None:
+        """Refuses what refers to nodes or elements that are not there; lists formulations of elements that Harmos has not."""
+        self._tells_formulations = tells_formulations
         self._contents, self._findings, self._path = contents, findings, path
         self.sections: list[Section] = []
         self._section_ids: list[Array] = []
@@ -128,15 +129,8 @@ class Solids:
                                          f"{len(table.ids)} elements are left out: a scene has one kind of mechanics, "
                                          f"here {KINEMATICS[self.family]}")
                 continue
-            if "R" in match[3]:
-                self._findings.leave_out(table.card.place, f"TYPE={table.kind}", "reduced integration: elements are "
-                                         "integrated fully, which changes displacements by a part of the mesh error")
-            if table.kind.startswith("CPS4"):
-                self._findings.leave_out(table.card.place, f"*ELEMENT, TYPE={table.kind}", "CalculiX makes a solid of each, "
-                                         "whose stress across the plane is zero in the mean only: coarse meshes differ")
-            if "H" in match[3]:
-                self._findings.leave_out(table.card.place, f"TYPE={table.kind}", "hybrid elements: pressure is no "
-                                         "unknown; use the formulation B-Bar where Poisson's ratio is above 0.45")
+            if self._tells_formulations:
+                self._tell_formulation(table, match[3])
             name, order = MESHIO[kinds[int(match[2])]]
             at = numpy.searchsorted(contents.node_ids, table.nodes)
             at = numpy.minimum(at, max(0, len(contents.node_ids) - 1))
@@ -150,6 +144,17 @@ class Solids:
             raise Refused(f"{self._path}: the deck holds no solid elements that Harmos has.\n"
                           + "\n".join(f"  left out: {each}" for each in self._findings.left_out))
         return result
+
+    def _tell_formulation(self, table: ElementTable, letters: str) -> None:
+        if "R" in letters:
+            self._findings.leave_out(table.card.place, f"TYPE={table.kind}", "reduced integration: elements are "
+                                     "integrated fully, which changes displacements by a part of the mesh error")
+        if table.kind.startswith("CPS4"):
+            self._findings.leave_out(table.card.place, f"*ELEMENT, TYPE={table.kind}", "CalculiX makes a solid of each, "
+                                     "whose stress across the plane is zero in the mean only: coarse meshes differ")
+        if "H" in letters:
+            self._findings.leave_out(table.card.place, f"TYPE={table.kind}", "hybrid elements: pressure is no "
+                                     "unknown; use the formulation B-Bar where Poisson's ratio is above 0.45")
 
     def _family(self) -> str:
         """That of the elements with sections: solids before others, which may only mark surfaces."""
