@@ -17,4 +17,16 @@ void applyMass(const assembly::Interface& interface, int dimension, const double
   }
 }
 
+std::vector<base::Vector3> placesOfForces(const assembly::Interface& interface, std::vector<base::Vector3> places) {
+  if (interface.mass.empty()) return places;
+  std::vector<base::Vector3> sums(places.size());
+  std::vector<double> areas(places.size(), 0.0);
+  for (const mesh::MassEntry& entry : interface.mass) {
+    sums[entry.column] = sums[entry.column] + entry.value * places[entry.row];
+    areas[entry.column] += entry.value;
+  }
+  for (std::size_t p = 0; p < places.size(); ++p) places[p] = (1.0 / areas[p]) * sums[p];
+  return places;
+}
+
 }  // namespace harmos::latin

@@ -2,9 +2,30 @@
 
 #include <algorithm>
 
+#include <harmos/latin/InterfaceMass.hpp>
 #include <harmos/latin/LawFields.hpp>
 
 namespace harmos::latin {
+namespace {
+
+/// What a traction of a pair is multiplied with, times its area; `direction` and `centre` have one element or none.
+base::Vector3 armAt(const assembly::Interface& interface, int pair, const std::vector<base::Vector3>& direction,
+                    const std::vector<base::Vector3>& centre, const base::Vector3& place) {
+  const base::Vector3& along = direction.empty() ? interface.frame[pair][0] : direction[0];
+  return centre.empty() ? along : cross(along, place - centre[0]);
+}
+
+/// Where the forces of all pairs act on side 1.
+std::vector<base::Vector3> placesOf(const assembly::Assembly& assembly, const assembly::Interface& interface) {
+  std::vector<base::Vector3> places;
+  for (int p = 0; p < interface.pairs(); ++p) {
+    places.push_back(interface.trace1.at(p, assembly.bodies[interface.body1].nodes));
+  }
+  return placesOfForces(interface, std::move(places));
+}
+
+}  // namespace
+
 std::vector<double> DisplacementResponse::evaluate(const Iterate& state) const {
   std::vector<double> values(state.assembly().steps(), 0.0);
   for (const Node& node : nodes_) {
@@ -25,9 +46,9 @@ std::optional<ResponseGradient> DisplacementResponse::gradient(const assembly::A
 
 base::Vector3 ResultantResponse::arm(const assembly::Assembly& assembly, const assembly::Interface& interface,
                                      int pair) const {
-  const base::Vector3& direction = direction_.empty() ? interface.frame[pair][0] : direction_[0];
-  if (centre_.empty()) return direction;
-  return cross(direction, interface.trace1.at(pair, assembly.bodies[interface.body1].nodes) - centre_[0]);
+  const base::Vector3 place = interface.mass.empty() ? interface.trace1.at(pair, assembly.bodies[interface.body1].nodes)
+                                                     : placesOf(assembly, interface)[pair];
+  return armAt(interface, pair, direction_, centre_, place);
 }
 
 base::Vector3 ResultantResponse::slope(const assembly::Assembly& assembly, const At& at) const {
@@ -41,8 +62,8 @@ std::vector<double> ResultantResponse::evaluate(const Iterate& state) const {
   for (int i : interfaces_) {
     const assembly::Interface& interface = state.assembly().interfaces[i];
     if (!state.layout().owns(interface.body1)) continue;
-    std::vector<base::Vector3> arms;
-    for (int p = 0; p < interface.pairs(); ++p) arms.push_back(arm(state.assembly(), interface, p));
+    std::vector<base::Vector3> arms = placesOf(state.assembly(), interface);
+    for (int p = 0; p < interface.pairs(); ++p) arms[p] = armAt(interface, p, direction_, centre_, arms[p]);
     for (int t = 0; t < state.assembly().steps(); ++t) {
       const std::vector<base::Vector3> tractions = state.tractions(i, t);
       for (int p = 0; p < interface.pairs(); ++p) values[t] += interface.area[p] * dot(tractions[p], arms[p]);
@@ -56,7 +77,10 @@ std::optional<ResponseGradient> ResultantResponse::gradient(const assembly::Asse
   ResponseGradient result;
   for (int i : interfaces_) {
     const assembly::Interface& interface = assembly.interfaces[i];
-    for (int p = 0; p < interface.pairs(); ++p) result.pairs.push_back({i, p, arm(assembly, interface, p)});
+    const std::vector<base::Vector3> places = placesOf(assembly, interface);
+    for (int p = 0; p < interface.pairs(); ++p) {
+      result.pairs.push_back({i, p, armAt(interface, p, direction_, centre_, places[p])});
+    }
   }
   return result;
 }
@@ -131,7 +155,7 @@ void MaximumResponse::include(const assembly::Interface& interface, const PairFi
           value = base::tangentialNorm(f);
           break;
         case Field::opening:
-          value = jump[0] + interface.gap[p];
+          value = jump[0] + (interface.sides() == 2 ? interface.gap[p] : 0.0);
           break;
         case Field::slip:
           value = base::tangentialNorm(jump);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <harmos/latin/InterfaceMass.hpp>
+
 namespace harmos::latin {
 namespace {
 
@@ -49,9 +51,10 @@ void SectionForces::add(const Section& section, const base::Vector3& position, c
 SectionForces forcesOf(const assembly::Interface& interface, const PairFields& fields, int step,
                        const Section& section) {
   SectionForces forces;
+  const std::vector<base::Vector3> places = placesOfForces(interface, interface.position);
   for (int p = 0; p < fields.pairs; ++p) {
     const base::Vector3 t = base::toGlobal(interface.frame[p], fields.traction[fields.at(step, p)]);
-    forces.add(section, interface.position[p], interface.area[p] * t);
+    forces.add(section, places[p], interface.area[p] * t);
   }
   return forces;
 }
