@@ -138,8 +138,8 @@ void RigidTool::solve(int step, const NodeArrays& nodes) const {
     const base::Vector3 shift = base::toFrame(frameOf(side.normal), moved);
     const LocalLine line{nodes.line[p].freeJump + shift, nodes.line[p].compliance};
     const std::size_t at = 2 * static_cast<std::size_t>(p);
-    nodes.state[p] = frictionalContact(line, line.freeJump[0] + side.gap, friction_[step], nodes.oldHistory + at,
-                                       nodes.newHistory + at);
+    nodes.state[p] = frictionalContact(line, line.freeJump[0] + side.gap + nodes.gap[p], friction_[step],
+                                       nodes.oldHistory + at, nodes.newHistory + at);
   }
 }
 
@@ -156,7 +156,7 @@ std::vector<OutputField> RigidTool::outputs() const {
 
 void RigidTool::output(const PairStep& step, double* values) const {
   const Side side = sideAt(step.at.position());
-  values[0] = side.gap + dot(side.normal, motion(step.at.step)) + step.jump[0];
+  values[0] = side.gap + step.at.gap + dot(side.normal, motion(step.at.step)) + step.jump[0];
   values[1] = std::hypot(step.history[0], step.history[1]);
 }
 

@@ -25,4 +25,11 @@ RigidTool::Side RoundTool::sideAt(const base::Vector3& place) const {
   return {(sense / distance) * arm, sense * (radius_ - distance)};
 }
 
+double RoundTool::distanceBeyondMean(const std::vector<base::Vector3>& places, const std::vector<double>& weights,
+                                     const base::Vector3& mean) const {
+  double distance = sideAt(mean).gap;
+  for (std::size_t i = 0; i < places.size(); ++i) distance -= weights[i] * sideAt(places[i]).gap;
+  return -distance;
+}
+
 }  // namespace harmos::laws

@@ -16,8 +16,13 @@ class TurnedLaw {
   virtual base::Frame axesAt(const base::Vector3& place) const = 0;
   /// Whether the first axis must point out of the part at every place.
   virtual bool isOutside() const { return false; }
-  /// Whether it must be asked at nodes: what it does between them does not follow from the mean of their places.
-  virtual bool isOfNodes() const { return false; }
+  /// For a point that moves by the mean of some nodes: by how much the mean of the distances that the law measures
+  /// along its first axis at their undeformed `places`, with these weights, exceeds the distance at the mean of the
+  /// places [all length]. The weights add up to 1 and may be negative. Becomes the gap of the point.
+  virtual double distanceBeyondMean(const std::vector<base::Vector3>& /*places*/,
+                                    const std::vector<double>& /*weights*/, const base::Vector3& /*mean*/) const {
+    return 0.0;
+  }
   /// Throws base::Error(input), without a place of the scene, in models where the law has no meaning.
   virtual void demandModel(int /*dimension*/, bool /*isAxisymmetric*/) const {}
   /// Throws base::Error(input), without a place of the scene, when the law cannot act at these undeformed places

@@ -13,8 +13,8 @@
 #include <harmos/base/Vector3.hpp>
 #include <harmos/latin/PrescribedForces.hpp>
 #include <harmos/laws/FaceLaw.hpp>
+#include <harmos/scene/FaceNames.hpp>
 #include <harmos/scene/detail/HeldNodes.hpp>
-#include <harmos/scene/detail/Names.hpp>
 
 namespace harmos::scene {
 namespace {

@@ -91,6 +91,21 @@ class VectorChecker {
     }
   }
 
+  /// Of a law that gives forces to nodes.
+  void nodalForce(const Parameters& law) const {
+    if (law.type() != "Nodal Force" || dimension_ != 2 || !law.has("Z") || law.number("Z") == 0.0) return;
+    errors_.add(law.where("Z"), "it leaves the plane.", "Remove \"Z\".");
+  }
+
+  /// Of a law that is a rigid body.
+  void tool(const Parameters& law) const {
+    const std::string& type = law.type();
+    if (type != "Rigid Plane" && type != "Rigid Cylinder" && type != "Rigid Sphere") return;
+    point(law, type == "Rigid Sphere" ? "Centre" : "Point");
+    if (type == "Rigid Plane") point(law, "Normal");
+    if (type == "Rigid Cylinder" && dimension_ == 3) point(law, "Axis");
+  }
+
   /// Of a law that knows directions of the surface.
   void axisOfFriction(const Parameters& law) const {
     if (law.type() == "Orthotropic Friction") direction(law, "Axis");
@@ -131,6 +146,8 @@ void checkDimensions(const Parameters& scene, std::optional<int> dimension, inpu
   for (const Parameters& boundary : scene.lists("Boundaries")) {
     vectors.remotePoint(boundary.list("Law"));
     vectors.cylinder(boundary.list("Law"));
+    vectors.nodalForce(boundary.list("Law"));
+    vectors.tool(boundary.list("Law"));
   }
   for (const char* kind : {"Interfaces", "Boundaries"}) {
     for (const Parameters& interface : scene.lists(kind)) vectors.axisOfFriction(interface.list("Law"));

@@ -207,7 +207,8 @@ class InterfaceStep {
     for (std::size_t d = 0; d < dimension_; ++d)
       put(frame[0][d] * traction[0] + frame[1][d] * traction[1] + frame[2][d] * traction[2]);
     put(static_cast<double>(status));
-    put(hasJump ? jump[0] + interface.gap[at(p)] : 0.0);
+    // On a boundary the gap is part of the distance to a tool, and the jump is the motion of the part.
+    put(hasJump ? jump[0] + (interface.sides() == 2 ? interface.gap[at(p)] : 0.0) : 0.0);
     for (std::size_t d = 0; d < dimension_; ++d) put(hasJump ? frame[1][d] * jump[1] + frame[2][d] * jump[2] : 0.0);
     put(hasJump ? std::hypot(jump[1], jump[2]) : 0.0);
     put(all.law[i].lost[fields.at(t, p)]);

@@ -19,10 +19,12 @@
 #include <harmos/mesh/InterfaceFrame.hpp>
 #include <harmos/mesh/Skin.hpp>
 #include <harmos/mortar/GroundSurfaces.hpp>
+#include <harmos/scene/FaceNames.hpp>
+#include <harmos/scene/TurnedPlaces.hpp>
 #include <harmos/scene/detail/HeldByBoundaries.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
 #include <harmos/scene/detail/MeshJoiner.hpp>
-#include <harmos/scene/detail/Names.hpp>
+#include <harmos/scene/detail/PairCarriers.hpp>
 #include <harmos/scene/detail/PartPairs.hpp>
 
 namespace harmos::scene {
@@ -49,11 +51,6 @@ struct Misfits {
     return out.str();
   }
 };
-
-/// A point of meshes that do not match, whose unknowns are in the surface of other pieces.
-bool isCopy(const mesh::InterfaceSurface& surface, int p) {
-  return surface.area[p] == 0.0;
-}
 
 /// A law that depends on the normal needs one at every node, and some need that there is only one.
 void checkNormals(const laws::InterfaceLaw& law, const std::vector<mesh::InterfaceSurface>& surfaces) {
@@ -82,23 +79,20 @@ void checkNormals(const laws::InterfaceLaw& law, const std::vector<mesh::Interfa
   }
 }
 
-/// A law with axes of its own must have them everywhere.
-void checkAxes(const laws::InterfaceLaw& law, const Model& model, int dimension, int steps,
-               const std::vector<mesh::InterfaceSurface>& surfaces) {
+/// A law with axes of its own must have them everywhere; distances to it are means between nodes.
+void checkAxes(const laws::InterfaceLaw& law, const Model& model, const mesh::Mesh& mesh, int steps,
+               const std::vector<mesh::Piece>& pieces, std::vector<mesh::InterfaceSurface>& surfaces) {
   const auto* turned = dynamic_cast<const laws::TurnedLaw*>(&law);
   if (turned == nullptr) return;
-  turned->demandModel(dimension, elasticity::isAxisymmetric(model.kinematics));
+  turned->demandModel(mesh.dimension, elasticity::isAxisymmetric(model.kinematics));
   std::vector<base::Vector3> places;
   Misfits away;
-  for (const mesh::InterfaceSurface& surface : surfaces) {
-    places.insert(places.end(), surface.position.begin(), surface.position.end());
-    if (turned->isOfNodes() && !surface.trace1.isSelection()) {
-      throw base::Error(
-          base::quoted(law.name()) +
-              " cannot act on faces of quadratic elements, whose points lie between the nodes.\n  Mesh the "
-              "part with linear elements.",
-          base::ExitCode::input);
-    }
+  for (mesh::InterfaceSurface& surface : surfaces) {
+    std::vector<base::Vector3> nodes;
+    for (const int node : pieces[surface.piece1].nodes) nodes.push_back(mesh.nodes[node]);
+    const auto more = placesOfNodes(surface.trace1, nodes);
+    places.insert(places.end(), more.begin(), more.end());
+    measureGaps(*turned, nodes, surface);
     for (int p = 0; p < surface.pairs() && turned->isOutside(); ++p) {
       const double outwards = dot(turned->axesAt(surface.position[p])[0], surface.normal[p]);
       if (outwards <= cancelled * surface.area[p]) away.add(surface.position[p]);
@@ -311,17 +305,6 @@ std::vector<mesh::InterfaceSurface> cutsOf(const Bodies& bodies, const mesh::Int
   return cuts;
 }
 
-std::vector<std::vector<mesh::PairCarrier>> everyPairItself(const std::vector<mesh::InterfaceSurface>& surfaces) {
-  std::vector<std::vector<mesh::PairCarrier>> carriers;
-  for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    auto& pairs = carriers.emplace_back();
-    for (int p = 0; p < surfaces[s].pairs(); ++p) {
-      pairs.push_back(isCopy(surfaces[s], p) ? mesh::PairCarrier{} : mesh::PairCarrier{static_cast<int>(s), p});
-    }
-  }
-  return carriers;
-}
-
 /// Makes area times n the integral of N n over the faces. Where n would point inwards the area is negative, as at the
 /// corners of quadratic quadrilaterals; where the integral is 0, as at those of triangles, the area is.
 void alignWithNormal(const base::Vector3& flux, int dimension, base::Frame& frame, double& area) {
@@ -384,8 +367,9 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }
         checkNormals(law, found);
-        checkAxes(law, model, mesh.dimension, static_cast<int>(scene.times.size()), found);
+        checkAxes(law, model, mesh, steps, pieces, found);
         checkFace(law, model, mesh.dimension, found);
+        demandOnePart(law, mesh, pieces, found);
         append(std::move(found));
       });
     }
@@ -412,8 +396,7 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
 Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<mesh::Piece>& pieces,
                           std::vector<mesh::InterfaceSurface>& surfaces, bool isConsistent,
                           const std::shared_ptr<const laws::SpatialFields>& fields) {
-  const auto carriers =
-      isConsistent ? everyPairItself(surfaces) : mesh::mergeRedundantPairs(pieces, dimension, surfaces);
+  const auto carriers = carriersOf(scene, pieces, dimension, isConsistent, surfaces);
   Interfaces made;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const mesh::InterfaceSurface& surface = surfaces[s];
@@ -428,6 +411,7 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
                       pieces[surface.piece1].side == pieces[surface.piece2].side;
     // Such a traction acts along the normals of the faces, which a mean normal times an area would exaggerate.
     const auto* turned = dynamic_cast<const laws::TurnedLaw*>(interface.law.get());
+    const bool isNodal = isOfNodes(scene, surface.name);
     const bool isAlongNormals = interface.law->prescribesTraction() && interface.law->frame() == laws::Frame::interface;
     for (int p = 0; p < surface.pairs(); ++p) {
       if (carriers[s][p].surface != static_cast<int>(s)) continue;
@@ -436,7 +420,7 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
       if (surface.piece2 >= 0) interface.trace2.appendFrom(surface.trace2, p);
       interface.position.push_back(surface.position[p]);
       interface.frame.push_back(turned == nullptr ? surface.frame[p] : turned->axesAt(surface.position[p]));
-      interface.area.push_back(interface.law->prescribesTraction() ? surface.share[p] : surface.area[p]);
+      interface.area.push_back(interface.law->prescribesTraction() && !isNodal ? surface.share[p] : surface.area[p]);
       if (isAlongNormals) alignWithNormal(surface.flux[p], dimension, interface.frame.back(), interface.area.back());
       interface.gap.push_back(surface.gap[p]);
     }
@@ -444,7 +428,7 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
     // What is linear over the face keeps its moments with lumped areas.
     const bool isOfFace =
         isCoupled(*interface.law) || dynamic_cast<const laws::FaceLaw*>(interface.law.get()) != nullptr;
-    if (isConsistent && !isAlongNormals && !isOfFace) {
+    if (isConsistent && !isAlongNormals && !isOfFace && !isNodal) {
       for (const mesh::MassEntry& entry : surface.mass) {
         interface.mass.push_back({entry.row, entry.column, entry.value});
       }

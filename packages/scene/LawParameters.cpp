@@ -5,7 +5,7 @@
 
 #include <harmos/base/Numerals.hpp>
 #include <harmos/laws/FaceLaw.hpp>
-#include <harmos/laws/TurnedLaw.hpp>
+#include <harmos/scene/TurnedPlaces.hpp>
 #include <harmos/scene/detail/LawEntry.hpp>
 
 namespace harmos::scene {
@@ -17,13 +17,11 @@ constexpr double relativeStep = 1e-6;
 }  // namespace
 
 void useLaws(const Scene& scene, assembly::Assembly& assembly) {
+  demandPlaces(assembly, scene.laws);
   for (assembly::Interface& interface : assembly.interfaces) {
     const auto law = scene.laws.find(interface.name);
     if (law == scene.laws.end()) continue;  // a cut through a part, which no entry changes
     interface.law = laws::inPlaceOf(*interface.law, law->second);
-    if (const auto* turned = dynamic_cast<const laws::TurnedLaw*>(interface.law.get())) {
-      turned->demandPlaces(interface.position, static_cast<int>(scene.times.size()));
-    }
   }
 }
 

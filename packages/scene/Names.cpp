@@ -4,15 +4,13 @@
 
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
+#include <harmos/scene/FaceNames.hpp>
 
 namespace harmos::scene {
 
 namespace {
 
 constexpr std::size_t longestName = 64;  // Exodus readers cut names; 256 is the most that netCDF has
-
-// Refused at the end of names of lists.
-constexpr const char* otherFace = " (side 2)";
 
 bool isControl(char character) {
   return static_cast<unsigned char>(character) < 0x20 || character == 0x7f;
@@ -33,21 +31,11 @@ void checkName(const input::Parameters& list, const std::string& kind, input::Er
   } else if (name == "." || name == ".." || name != base::trimmed(name)) {
     refuse("begins or ends with a blank, or is a dot.", "Take another name.");
   } else if (nameOfList(name) != name) {
-    refuse("ends with" + std::string(otherFace) + ", as the second face of an interface does.", "Take another name.");
+    refuse("ends with" + nameOfOtherFace("") + ", as the second face of an interface does.", "Take another name.");
   } else if (name.size() > longestName) {
     refuse("has a name of " + std::to_string(name.size()) + " characters.",
            "Allowed: " + std::to_string(longestName) + ".");
   }
-}
-
-std::string nameOfOtherFace(const std::string& interface) {
-  return interface + otherFace;
-}
-
-std::string nameOfList(const std::string& face) {
-  const std::string end = otherFace;
-  const bool isOther = face.size() > end.size() && face.compare(face.size() - end.size(), end.size(), end) == 0;
-  return isOther ? face.substr(0, face.size() - end.size()) : face;
 }
 
 }  // namespace harmos::scene

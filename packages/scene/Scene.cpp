@@ -14,6 +14,7 @@
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/laws/FaceLaw.hpp>
 #include <harmos/laws/FieldLaw.hpp>
+#include <harmos/scene/FaceNames.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/Plugins.hpp>
 #include <harmos/scene/SceneSpec.hpp>

@@ -292,6 +292,21 @@ class Decks(unittest.TestCase):
         self.assertEqual(code, 0, said)
         self.assertIn("no stiffness in some direction", said)
 
+    def test_forces_on_corners_of_quadratic_tetrahedra_act(self) -> None:
+        # Constant tractions have no share there, and one such force is not like the others.
+        corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        places = corners + [tuple((a + b) / 2 for a, b in zip(corners[i], corners[j]))
+                            for i, j in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))]
+        nodes = "".join(f"{number}, {x}, {y}, {z}\n" for number, (x, y, z) in enumerate(places, 1))
+        text = (f"*NODE\n{nodes}*ELEMENT,TYPE=C3D10,ELSET=CUBE\n1,1,2,3,4,5,6,7,8,9,10\n{STEEL}*NSET,NSET=FOOT\n1,2,3,5,6,7\n"
+                "*BOUNDARY\nFOOT,1,3\n" + STEP.format("*CLOAD\n4,3,7.\n8,3,2.\n9,3,2.\n4,1,1.\n"))
+        row = self.solved(text)[-1]
+        held = [sum(value for name, value in row.items() if name.startswith("reaction_held") and name.endswith(axis))
+                for axis in "xyz"]
+        for found, expected in zip(held, (-1.0, 0.0, -11.0)):
+            self.assertAlmostEqual(found, expected, 4)
+        self.assertNotIn("left out:", self.imported(text)[1])
+
     def test_temperatures_that_stand_elsewhere_are_listed(self) -> None:
         code, said = self.imported(PLAIN.replace("*DENSITY", "*EXPANSION\n1e-5\n*DENSITY").replace(
             "*DLOAD", "*TEMPERATURE,SUBMODEL,STEP=1\nALL\n*DLOAD"))

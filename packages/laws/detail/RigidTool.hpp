@@ -17,9 +17,9 @@ namespace harmos::laws {
 ///
 /// At a place x of the undeformed surface the tool has the distance g(x) >= 0 along the unit normal n(x) from the part
 /// to the tool. It moves by m(t), without turning. Small sliding: n and g stay those of the place. With the
-/// displacement w of the part the distance left is g + (m - w).n, and the tangential jump (m - w)_t; see
-/// frictionalContact. The traction acts on the part. History: tangential jump at the end of the previous load step
-/// [length].
+/// displacement w of the part the distance left is g + (m - w).n, at points between nodes with the mean of theirs for
+/// g, and the tangential jump (m - w)_t; see frictionalContact. The traction acts on the part. History: tangential jump
+/// at the end of the previous load step [length].
 class RigidTool : public InterfaceLaw, public TurnedLaw {
  public:
   int historySize() const override { return 2; }

@@ -8,7 +8,10 @@ namespace harmos::laws {
 /// for a part inside of the tool g = R - r and n leads away from it, r being the distance of the place from the middle.
 class RoundTool : public RigidTool {
  public:
-  bool isOfNodes() const override { return true; }
+  /// Between nodes on a circle the mean is none of its places: with the mean of their distances, a part that fits the
+  /// tool touches it everywhere. Independent of the radius.
+  double distanceBeyondMean(const std::vector<base::Vector3>& places, const std::vector<double>& weights,
+                            const base::Vector3& mean) const final;
 
  protected:
   /// Declares Radius, Part Inside, and what all tools have.

@@ -89,6 +89,84 @@ TEST(RigidCylinder, HoldsARingInside) {
   EXPECT_NEAR(force / area, pressure, 3e-3 * pressure);
 }
 
+// The same, of quadratic elements whose nodes lie on the circles: what fits the tool touches it everywhere.
+TEST(RigidCylinder, FitsCurvedFaces) {
+  constexpr double inner = 1.0, outer = 2.0, interference = 1e-3;
+  for (const std::string element : {"Quad8", "Quad9", "Tri6"}) {
+    SceneInput scene = bodyOf({element, "Full Integration", 2}, {4, 6}, [](const base::Vector3& x) {
+      const double radius = inner + (outer - inner) * x[0], angle = 0.5 * M_PI * x[1];
+      return radius * base::Vector3{std::cos(angle), std::sin(angle), 0.0};
+    });
+    const std::string bush = xmlNumbers("Point", {0.0, 0.0}) + xmlNumber("Radius", outer - interference) +
+                             xmlNumber("Interference", 1.01 * interference) +
+                             R"(<Parameter name="Part Inside" type="bool" value="true"/>)";
+    scene.add("Boundaries", boundary("ends", "body_ymin", "Symmetry") + boundary("other", "body_ymax", "Symmetry") +
+                                tool("bush", "body_xmax", "Rigid Cylinder", bush));
+    const SolvedScene run(scene);
+    ASSERT_TRUE(run.isCertified()) << element << ": " << run.result.reason;
+    const double ratio = inner * inner / (1.0 - 2.0 * poisson);  // B / A
+    const double a = -interference / (outer + ratio / outer);
+    const double pressure = -young / (1.0 + poisson) * (a / (1.0 - 2.0 * poisson) - ratio * a / (outer * outer));
+    double least = 1e300, most = 0.0;
+    for (const PairValue& pair : run.pairs("bush")) {
+      least = std::min(least, -pair.traction[0]);
+      most = std::max(most, -pair.traction[0]);
+    }
+    EXPECT_NEAR(least, pressure, 0.02 * pressure) << element;
+    EXPECT_NEAR(most, pressure, 0.02 * pressure) << element;
+  }
+}
+
+// On quadratic faces, a quarter of the cells in each direction.
+TEST(RigidTools, PressQuadraticFacesAsHertzSays) {
+  constexpr double radius = 1.0;
+  const std::string round = xmlNumber("Radius", radius);
+  for (const bool isSphere : {false, true}) {
+    SceneInput scene = indented(isSphere ? "Rigid Sphere" : "Rigid Cylinder",
+                                xmlNumbers(isSphere ? "Centre" : "Point", {0.0, radius}) + round, 4e-3);
+    scene.set("Mesh/Order=2");
+    if (isSphere) {
+      scene.add("Model", xmlText("Kinematics", "Axisymmetric"));
+      scene.remove("Boundaries/middle");
+    }
+    const SolvedScene run(scene);
+    ASSERT_TRUE(run.isCertified()) << run.result.reason;
+    const double force = run.value("force");
+    const double expected = isSphere
+                                ? std::cbrt(6.0 * force * effective * effective / (std::pow(M_PI, 3) * radius * radius))
+                                : std::sqrt(2.0 * force * effective / (M_PI * radius));
+    EXPECT_NEAR(largest(run.pairs("tool")), expected, 0.03 * expected) << isSphere;
+  }
+}
+
+// A ball on a block in space: P = 4/3 E* R^(1/2) d^(3/2) for all kinds of quadratic faces, and the sum is what holds
+// it.
+TEST(RigidSphere, PressesAllQuadraticFacesAlike) {
+  constexpr double radius = 4.0, depth = 0.02;
+  std::vector<double> forces;
+  for (const std::string element : {"Hex8", "Hex20", "Hex27", "Tet10", "Wedge15"}) {
+    const int cells = element == "Hex8" ? 16 : 8;
+    SceneInput scene = bodyOf({element}, {cells, cells, 4}, [](const base::Vector3& x) {
+      return base::Vector3{2.0 * x[0] * (0.4 + 0.6 * x[0]), 2.0 * x[1] * (0.4 + 0.6 * x[1]),
+                           1.0 - (1.0 - x[2]) * (0.4 + 0.6 * (1.0 - x[2]))};
+    });
+    scene.set("Solver/Accuracy=1e-4");
+    scene.add("Boundaries",
+              boundary("foot", "body_zmin", "Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}) +
+                  boundary("west", "body_xmin", "Symmetry") + boundary("south", "body_ymin", "Symmetry") +
+                  tool("tool", "body_zmax", "Rigid Sphere",
+                       xmlNumbers("Centre", {0.0, 0.0, 1.0 + radius}) + xmlNumber("Radius", radius) +
+                           xmlNumber("Z", -depth)));
+    scene.add("Responses",
+              forceResponse("down", "tool", {0.0, 0.0, -1.0}) + forceResponse("foot", "foot", {0.0, 0.0, 1.0}));
+    const SolvedScene run(scene);
+    ASSERT_TRUE(run.isCertified()) << element << ": " << run.result.reason;
+    EXPECT_NEAR(run.value("down"), run.value("foot"), 1e-3 * run.value("down")) << element;
+    forces.push_back(run.value("down"));
+  }
+  for (const double force : forces) EXPECT_NEAR(force, forces[2], 0.03 * forces[2]);
+}
+
 /// A block on the ground under a rigid plane, which comes down by 0.02 from 0.01 above it, and then slides.
 SceneInput pressedBlock(const std::string& plane) {
   SceneInput scene = bodyOf({"Hex8"}, {3, 2, 2}, [](const base::Vector3& x) { return x; });
@@ -154,9 +232,6 @@ TEST(RigidTools, AreRefusedWhereTheyCannotAct) {
   expectRefused(indented("Rigid Sphere", centre, 1e-3), "a sphere is none in the plane");
   const std::string axis = xmlNumbers("Point", {0.0, 1.0}) + xmlNumber("Radius", 1.0) + xmlNumbers("Axis", {0.0, 1.0});
   expectRefused(indented("Rigid Cylinder", axis, 1e-3), "in the plane the axis is z");
-  SceneInput quadratic = indented("Rigid Cylinder", xmlNumbers("Point", {0.0, 1.0}) + xmlNumber("Radius", 1.0), 1e-3);
-  quadratic.set("Mesh/Order=2");
-  expectRefused(quadratic, "cannot act on faces of quadratic elements");
   const std::string tilted = xmlNumbers("Point", {0.0, 0.0}) + xmlNumbers("Normal", {1.0, 1.0});
   SceneInput revolved = indented("Rigid Plane", tilted, 1e-3);
   revolved.add("Model", xmlText("Kinematics", "Axisymmetric"));

@@ -73,33 +73,3 @@ def nodal_areas(mesh: Mesh, faces: Faces, thickness: float, is_revolved: bool) -
                 for column, value in enumerate(values):
                     numpy.add.at(result, rows[:, column], value * weight * area)
     return result
-
-
-def inner_areas(mesh: Mesh, block_numbers: list[int], thickness: float, is_revolved: bool) -> Array:
-    """For every node of some blocks its share of the volume of their elements to the power 2/3 [area], in the plane the
-    root of its share of their area times the depth, unless that is 0: what the program takes for nodes inside of a part,
-    and for those on the axis of revolution whose faces all lie on it."""
-    volume = numpy.zeros(len(mesh.nodes))
-    for number in block_numbers:
-        block = mesh.blocks[number]
-        at = mesh.nodes[block.connectivity[:, :block.type.corners]]
-        of_element = numpy.zeros(len(at))
-        if mesh.dimension == 2:
-            for one, other in block.type.sides:
-                of_element += 0.5 * (at[:, one, 0] * at[:, other, 1] - at[:, one, 1] * at[:, other, 0])
-            of_element *= 2 * numpy.pi * at[:, :, 0].mean(axis=1) if is_revolved else thickness
-        else:
-            for side in block.type.sides:
-                corner = at[:, side]
-                middle = corner.mean(axis=1)
-                for i in range(len(side)):
-                    of_element += numpy.einsum("ij,ij->i", numpy.cross(corner[:, i], corner[:, (i + 1) % len(side)]),
-                                               middle) / 6.0
-        for column in range(block.type.nodes):
-            numpy.add.at(volume, block.connectivity[:, column], numpy.abs(of_element) / block.type.nodes)
-    if mesh.dimension == 3:
-        result: Array = volume ** (2.0 / 3.0)
-        return result
-    depth = 2 * numpy.pi * mesh.nodes[:, 0] if is_revolved else numpy.full(len(mesh.nodes), thickness)
-    inside: Array = numpy.where(depth > 0.0, numpy.sqrt(numpy.abs(volume * depth)), volume ** (2.0 / 3.0))
-    return inside

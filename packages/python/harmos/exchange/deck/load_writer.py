@@ -4,8 +4,7 @@ import collections
 import numpy
 
 from harmos.arrays import Array
-from harmos.exchange.deck.adjust import tables_of_sides
-from harmos.exchange.deck.areas import inner_areas, nodal_areas
+from harmos.exchange.deck.areas import nodal_areas
 from harmos.exchange.deck.curves import Histories, Points, peak, shape
 from harmos.exchange.deck.loads import Loads
 from harmos.exchange.deck.solids import Solids
@@ -140,69 +139,16 @@ class LoadWriter:
             if not self._as_traction(part, component, form, values):
                 for node, value in values.items():
                     nodal[part, node].append((component, value, form))
-        areas: dict[int, Array] = {}
         alike: dict[tuple[int, tuple[tuple[int, float, Points], ...]], list[int]] = collections.defaultdict(list)
         for (part, node), entries in nodal.items():
-            if part not in areas:
-                areas[part] = self._nodal_areas(part)
-            area = float(areas[part][node])
-            if abs(area) < 1e-9 * float(numpy.abs(areas[part]).max()):
-                listed = ", ".join(f"{value:g} along {'xyz'[component]}" for component, value, _ in entries)
-                self._findings.leave_out("CLOAD", f"force at ({', '.join(f'{x:g}' for x in self._solids.mesh.nodes[node])})",
-                                         f"{listed}: the node has no share of the surface; load the faces around it")
-                continue
-            # Eight digits: nodes of a regular mesh have areas that differ by round-off.
-            alike[part, tuple((component, float(f"{value / area:.8g}"), form) for component, value, form in entries)].append(node)
-        for (part, tractions), nodes in ((key, piece) for key, members in alike.items()
-                                         for piece in self._no_faces(key[0], numpy.array(sorted(members)))):
+            alike[part, tuple(sorted(entries))].append(node)
+        for (part, entries), nodes in alike.items():
             name = self._set_name("force")
-            self._solids.mesh.node_sets[name] = nodes
+            self._solids.mesh.node_sets[name] = numpy.array(sorted(nodes))
             _, boundary = self._boundary(name)
-            law = boundary.set("Node Set", name).set("Part", names[part]).child("Law").set("Type", "Prescribed Traction")
-            for component, traction, form in tractions:
-                self._histories.set(law, "XYZ"[component], form, traction)
-
-    def _no_faces(self, part: int, nodes: Array) -> list[Array]:
-        """Nodes in groups that the program takes for nodes: it takes those of which each belongs to a face whose nodes are all
-        among them for these faces, and counts their areas otherwise."""
-        rows = self._outer.chosen((self._part_of_face == part) & numpy.isin(self._outer.corners, nodes).any(axis=1)).rows()
-        faces = [face for table, _, _, _ in tables_of_sides(self._solids.mesh, rows)
-                 for face in table[numpy.isin(table, nodes).all(axis=1)]] if len(rows) else []
-        covered = numpy.unique(numpy.concatenate(faces)) if faces else numpy.zeros(0, dtype=numpy.int64)
-        if len(covered) < len(nodes):
-            return [nodes]
-        # Without its neighbours the first node belongs to no such face.
-        near = numpy.unique(numpy.concatenate([face for face in faces if nodes[0] in face]))
-        near = near[near != nodes[0]]
-        return [numpy.setdiff1d(nodes, near), *self._no_faces(part, near)]
-
-    def _nodal_areas(self, part: int) -> Array:
-        """Those by which the program divides forces on single nodes of a part."""
-        mesh = self._solids.mesh
-        chosen = self._part_of_face == part
-        areas = self._areas(chosen)
-        if self._solids.family == "CAX":
-            # What lies on the axis is inside of the part.
-            chosen = chosen & (mesh.nodes[self._outer.corners, 0] > 0.0).any(axis=1)
-        faces = self._outer.chosen(chosen)
-        blocks = list(mesh.parts().values())[part]
-        on_surface = numpy.isin(numpy.arange(len(mesh.nodes)), self._nodes_of(faces.element, faces.side))
-        inner = inner_areas(mesh, blocks, self._thickness, self._solids.family == "CAX")
-        result: Array = numpy.where(on_surface, areas, inner)
-        return result
-
-    def _nodes_of(self, element: Array, side: Array) -> Array:
-        """All nodes on sides, those amid corners as well."""
-        mesh = self._solids.mesh
-        first, blocks = mesh.first_elements(), mesh.block_of(element)
-        found = [numpy.zeros(0, dtype=numpy.int64)]
-        for number, block in enumerate(mesh.blocks):
-            for label, corners in enumerate(block.type.sides):
-                of = element[(blocks == number) & (side == label)] - first[number]
-                columns = [at for at, spot in enumerate(block.type.order) if spot <= frozenset(corners)]
-                found.append(block.connectivity[of][:, columns].reshape(-1))
-        result: Array = numpy.unique(numpy.concatenate(found))
-        return result
+            law = boundary.set("Node Set", name).set("Part", names[part]).child("Law").set("Type", "Nodal Force")
+            for component, value, form in entries:
+                self._histories.set(law, "XYZ"[component], form, value)
 
     def _areas(self, which: Array) -> Array:
         return nodal_areas(self._solids.mesh, self._outer.chosen(which), self._thickness, self._solids.family == "CAX")
