@@ -35,8 +35,13 @@ void FaceSums::begin(int columns) {
 }
 
 void FaceSums::add(int interfaceIndex, int column, int step, const laws::NodeArrays& nodes) {
+  add(interfaceIndex, column, step, nodes, *law(interfaceIndex));
+}
+
+void FaceSums::add(int interfaceIndex, int column, int step, const laws::NodeArrays& nodes,
+                   const laws::CoupledLaw& law) {
   if (!layout_.owns(assembly_.interfaces[interfaceIndex].body1)) return;
-  law(interfaceIndex)->addToSums(step, nodes, sums_[column] + first_[interfaceIndex]);
+  law.addToSums(step, nodes, sums_[column] + first_[interfaceIndex]);
 }
 
 void FaceSums::finish() {

@@ -28,6 +28,8 @@ class FaceSums {
   /// Adds the points of an interface with such a law to a column, on the rank that owns its body 1; on others does
   /// nothing. `step`: load step of the column, from 0.
   void add(int interfaceIndex, int column, int step, const laws::NodeArrays& nodes);
+  /// The same for a law that stands for that of the interface.
+  void add(int interfaceIndex, int column, int step, const laws::NodeArrays& nodes, const laws::CoupledLaw& law);
   /// Collective. Ends the sums.
   void finish();
   /// Of the face that an interface belongs to, in a column; after finish().

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/laws/CoupledLaw.hpp>
 
 namespace harmos::stochastic {
 
@@ -14,6 +15,7 @@ ChaosLocalStage::ChaosLocalStage(const assembly::Assembly& modal, const assembly
       searchDirection_(searchDirection),
       projection_(std::move(projection)),
       lines_(modal, searchDirection, layout),
+      faces_(modal, layout),
       joints_(modal.interfaces.size()) {
   lines_.reserve(modal.steps());
   count_ = steps();
@@ -67,6 +69,7 @@ bool ChaosLocalStage::hasMemory() const {
 
 void ChaosLocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
   lines_.exchange(beta, 0, beta.numCols());
+  sumFaces(beta);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (!lines_.isActive(static_cast<int>(i))) continue;
     for (Histories& history : joints_[i].histories) history.now = history.start;
@@ -74,20 +77,61 @@ void ChaosLocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
   }
 }
 
-void ChaosLocalStage::solvePoints(const assembly::Interface& interface, Joint& joint, int step) {
-  laws::NodeArrays nodes = interface.nodes(modal_.times, step * projection_->terms());
+void ChaosLocalStage::sumFaces(const base::Matrix& beta) {
+  if (faces_.isEmpty()) return;
+  const int points = projection_->points();
+  faces_.begin(count_ * points);
+  for (const int i : faces_.interfaces()) {
+    if (!lines_.isActive(i)) continue;
+    for (int t = 0; t < count_; ++t) {
+      fillLines(i, t, beta);
+      projection_->toPoints(freeJumps_, freeJumpsAtPoints_);
+      for (int q = 0; q < points; ++q) {
+        const auto& law = dynamic_cast<const laws::CoupledLaw&>(*joints_[i].laws[q]);
+        faces_.add(i, t * points + q, first_ + t, arraysAt(i, first_ + t, q), law);
+      }
+    }
+  }
+  faces_.finish();
+}
+
+void ChaosLocalStage::fillLines(int interfaceIndex, int column, const base::Matrix& beta) {
+  const int terms = projection_->terms();
+  freeJumps_.shapeUninitialized(3 * modal_.interfaces[interfaceIndex].pairs(), terms);
+  for (int a = 0; a < terms; ++a) {
+    lines_.fill(interfaceIndex, column * terms + a, beta, line_);
+    double* free = freeJumps_[a];
+    for (const laws::LocalLine& line : line_) free = std::copy_n(line.freeJump.begin(), 3, free);
+  }
+  state_.resize(line_.size());
+}
+
+laws::NodeArrays ChaosLocalStage::arraysAt(int interfaceIndex, int step, int point) {
+  laws::NodeArrays nodes = modal_.interfaces[interfaceIndex].nodes(modal_.times, step * projection_->terms());
+  const double* free = freeJumpsAtPoints_[point];
+  for (laws::LocalLine& line : line_) {
+    std::copy_n(free, 3, line.freeJump.begin());
+    free += 3;
+  }
   nodes.line = line_.data();
   nodes.state = state_.data();
+  return nodes;
+}
+
+void ChaosLocalStage::solvePoints(int interfaceIndex, Joint& joint, int column) {
+  const int step = first_ + column;
+  const bool isCoupled = faces_.law(interfaceIndex) != nullptr;
   for (int q = 0; q < projection_->points(); ++q) {
     Histories& history = joint.histories[q];
-    const double* free = freeJumpsAtPoints_[q];
-    for (laws::LocalLine& line : line_) {
-      std::copy_n(free, 3, line.freeJump.begin());
-      free += 3;
-    }
+    laws::NodeArrays nodes = arraysAt(interfaceIndex, step, q);
     nodes.oldHistory = history.now.data();
     nodes.newHistory = history.next.data();
-    joint.laws[q]->solve(step, nodes);
+    if (isCoupled) {
+      dynamic_cast<const laws::CoupledLaw&>(*joint.laws[q])
+          .solvePoints(step, nodes, faces_.of(interfaceIndex, column * projection_->points() + q));
+    } else {
+      joint.laws[q]->solve(step, nodes);
+    }
     history.now.swap(history.next);
     double* traction = tractionsAtPoints_[q];
     for (const laws::LocalState& state : state_) traction = std::copy_n(state.traction.begin(), 3, traction);
@@ -99,19 +143,13 @@ void ChaosLocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const 
   const assembly::Interface& interface = modal_.interfaces[interfaceIndex];
   const int terms = projection_->terms();
   const int step = first_ + t;
-  freeJumps_.shapeUninitialized(3 * interface.pairs(), terms);
-  for (int a = 0; a < terms; ++a) {
-    lines_.fill(interfaceIndex, t * terms + a, beta, line_);
-    double* free = freeJumps_[a];
-    for (const laws::LocalLine& line : line_) free = std::copy_n(line.freeJump.begin(), 3, free);
-  }
-  state_.resize(line_.size());
+  fillLines(interfaceIndex, t, beta);
   if (joint.springs) {
     joint.springs->solve(step, line_, freeJumps_, tractions_);
   } else {
     projection_->toPoints(freeJumps_, freeJumpsAtPoints_);
     tractionsAtPoints_.shapeUninitialized(freeJumps_.numRows(), projection_->points());
-    solvePoints(interface, joint, step);
+    solvePoints(interfaceIndex, joint, t);
     projection_->toCoefficients(tractionsAtPoints_, tractions_);
   }
   double check = 0.0;

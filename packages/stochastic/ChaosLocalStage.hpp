@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include <harmos/latin/FaceSums.hpp>
 #include <harmos/latin/InterfaceLines.hpp>
 #include <harmos/latin/LocalStage.hpp>
 #include <harmos/stochastic/GalerkinSprings.hpp>
@@ -57,14 +58,21 @@ class ChaosLocalStage final : public latin::LocalStage {
   };
 
   int steps() const { return modal_.steps() / projection_->terms(); }
+  /// Of laws over whole faces, over all pieces and ranks of each face, at all load steps and points. Collective.
+  void sumFaces(const base::Matrix& beta);
   void solveJoint(int interfaceIndex, Joint& joint, int column, const base::Matrix& beta, base::Matrix& traction);
-  /// Tractions at the points from free jumps at the points.
-  void solvePoints(const assembly::Interface& interface, Joint& joint, int step);
+  /// Lines and coefficients of the free jumps.
+  void fillLines(int interfaceIndex, int column, const base::Matrix& beta);
+  /// Of the interface at a point, with its free jumps in the lines; histories are left to the caller.
+  laws::NodeArrays arraysAt(int interfaceIndex, int step, int point);
+  /// Tractions at the points from free jumps at the points, in a column of the load steps that are solved.
+  void solvePoints(int interfaceIndex, Joint& joint, int column);
 
   const assembly::Assembly& modal_;
   const assembly::SearchDirection& searchDirection_;
   std::shared_ptr<const Projection> projection_;
   latin::InterfaceLines lines_;
+  latin::FaceSums faces_;  // columns: (load step that is solved) * points + point
   std::vector<Joint> joints_;
   const std::vector<laws::LocalState> noStates_;
   int first_ = 0;  // load step of the first columns

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <map>
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/laws/FaceLaw.hpp>
+#include <harmos/laws/TurnedLaw.hpp>
+#include <harmos/scene/TurnedPlaces.hpp>
 #include <harmos/study/StochasticTails.hpp>
 
 namespace harmos::study {
@@ -49,18 +50,6 @@ void demandExpansions(const scene::Problem& problem) {
   }
 }
 
-/// A law over a whole face is asked about each interface by itself there.
-void demandWholeFaces(const assembly::Assembly& assembly) {
-  std::map<int, int> interfaces;  // of each face
-  for (const assembly::Interface& interface : assembly.interfaces) {
-    if (interface.face < 0 || ++interfaces[interface.face] == 1) continue;
-    throw base::Error("The law " + base::quoted(interface.law->name()) + " of " + base::quoted(interface.name) +
-                          " acts on faces of several parts or pieces of parts together, which expansions cannot.\n"
-                          "  Give the parts Pieces = 1, or choose the design Collocation.",
-                      base::ExitCode::input);
-  }
-}
-
 }  // namespace
 
 ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
@@ -76,7 +65,9 @@ ChaosStudy::ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teucho
       choice_(chooseLocalStage(study, problem_, *comm_)),
       isGalerkin_(choice_.cost.isGalerkin) {
   demandExpansions(problem_);
-  demandWholeFaces(problem_.assembly);
+  input::ErrorList errors;
+  if (demandsPlaces()) checkTails(study, laws, demandOfPlaces(), errors);
+  errors.throwIfAny();
   demandMemory(study, choice_, *comm_);
 }
 
@@ -126,6 +117,18 @@ stochastic::Realisations ChaosStudy::realise(const probability::RandomVector& va
   return laws;
 }
 
+bool ChaosStudy::demandsPlaces() const {
+  const auto& interfaces = problem_.assembly.interfaces;
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    if (isRandom_[i] && dynamic_cast<const laws::TurnedLaw*>(interfaces[i].law.get()) != nullptr) return true;
+  }
+  return false;
+}
+
+Demand ChaosStudy::demandOfPlaces() const {
+  return [this](const scene::Scene& scene) { scene::demandPlaces(problem_.assembly, scene.laws); };
+}
+
 latin::Outcome ChaosStudy::raiseOrder() {
   const int largest = options_.order;
   const double tolerance = *options_.tolerance;
@@ -163,7 +166,7 @@ latin::Outcome ChaosStudy::raiseOrder() {
 
 bool ChaosStudy::admits(int order) const {
   input::ErrorList errors;
-  checkTails(study_, laws_, order, errors);
+  checkTails(study_, laws_, order, demandOfPlaces(), errors);
   return errors.count() == 0;
 }
 

@@ -65,10 +65,13 @@ std::string remedy(const Study& study, const probability::Distribution& distribu
   return text + (usesGaussPoints(*study.stochastic) ? ", or a lower Order." : ".");
 }
 
-/// What the scene says against the values at a point of germs; empty when it allows them.
-std::string refusal(const Study& study, const laws::LawRegistry& laws, const std::vector<double>& values) {
+/// What the scene says against these values; empty when it allows them.
+using Refusal = std::function<std::string(const std::vector<double>& values)>;
+
+std::string refusal(const Study& study, const laws::LawRegistry& laws, const Demand& demand,
+                    const std::vector<double>& values) {
   try {
-    study.sceneFor(*study.plan->complete(values), laws);
+    demand(study.sceneFor(*study.plan->complete(values), laws));
   } catch (const base::Error& error) {
     if (error.code() != base::ExitCode::input) throw;
     return error.what();
@@ -83,7 +86,7 @@ std::string whoNeeds(const Study& study, int order) {
 }
 
 /// Both ends of what is needed of one parameter, the others at their medians.
-void checkVariable(const Study& study, const laws::LawRegistry& laws, const probability::RandomVector& variables, int i,
+void checkVariable(const Study& study, const Refusal& refuse, const probability::RandomVector& variables, int i,
                    int order, const std::string& where, input::ErrorList& errors) {
   const auto [least, largest] = reachOf(study, variables, i, order);
   const probability::Variable& variable = variables.variables()[i];
@@ -91,7 +94,7 @@ void checkVariable(const Study& study, const laws::LawRegistry& laws, const prob
   for (const double point : {least, largest}) {
     germs[i] = point * beyondTheEdge;
     const std::vector<double> values = variables.values(germs);
-    const std::string reason = refusal(study, laws, values);
+    const std::string reason = refuse(values);
     if (reason.empty()) continue;
     const double value = values[i];
     errors.add(where,
@@ -104,8 +107,8 @@ void checkVariable(const Study& study, const laws::LawRegistry& laws, const prob
 }
 
 /// All corners of what is needed: where parameters are correlated, or meet in a formula.
-void checkCorners(const Study& study, const laws::LawRegistry& laws, const probability::RandomVector& variables,
-                  int order, input::ErrorList& errors) {
+void checkCorners(const Study& study, const Refusal& refuse, const probability::RandomVector& variables, int order,
+                  input::ErrorList& errors) {
   const std::size_t dimension = variables.variables().size();
   for (std::size_t corner = 0; corner < (std::size_t{1} << dimension); ++corner) {
     std::vector<double> germs;
@@ -114,7 +117,7 @@ void checkCorners(const Study& study, const laws::LawRegistry& laws, const proba
       germs.push_back(beyondTheEdge * ((corner >> i) % 2 == 0 ? least : largest));
     }
     const std::vector<double> values = variables.values(germs);
-    const std::string reason = refusal(study, laws, values);
+    const std::string reason = refuse(values);
     if (reason.empty()) continue;
     std::string point;
     for (std::size_t i = 0; i < dimension; ++i) {
@@ -159,13 +162,15 @@ std::string warningOf(const Study& study, int i, double coefficient) {
 
 }  // namespace
 
-void checkTails(const Study& study, const laws::LawRegistry& laws, input::ErrorList& errors) {
-  checkTails(study, laws, certainOrder(study), errors);
+void checkTails(const Study& study, const laws::LawRegistry& laws, const Demand& demand, input::ErrorList& errors) {
+  checkTails(study, laws, certainOrder(study), demand, errors);
 }
 
-void checkTails(const Study& study, const laws::LawRegistry& laws, int order, input::ErrorList& errors) {
+void checkTails(const Study& study, const laws::LawRegistry& laws, int order, const Demand& demand,
+                input::ErrorList& errors) {
   const StochasticPlan& plan = *study.stochastic;
   if (plan.method == Method::sampling) return;
+  const Refusal refuse = [&](const std::vector<double>& values) { return refusal(study, laws, demand, values); };
   std::vector<double> largest;
   for (const auto& sweep : plan.sweeps) {
     largest.push_back(*std::max_element(sweep.coefficients.begin(), sweep.coefficients.end()));
@@ -175,15 +180,15 @@ void checkTails(const Study& study, const laws::LawRegistry& laws, int order, in
   if (plan.variables->isIndependent()) {
     for (int i = 0; i < plan.variables->dimension(); ++i) {
       const StudyParameter& parameter = study.parameters[plan.places[i]];
-      checkVariable(study, laws, *plan.variables, i, order, parameter.where + " / Distribution", errors);
+      checkVariable(study, refuse, *plan.variables, i, order, parameter.where + " / Distribution", errors);
     }
     for (const auto& sweep : plan.sweeps) {
-      checkVariable(study, laws, *widest, static_cast<int>(sweep.variable), order, sweep.where, errors);
+      checkVariable(study, refuse, *widest, static_cast<int>(sweep.variable), order, sweep.where, errors);
     }
     if (plan.variables->dimension() > mostForCorners) return;
   }
-  if (errors.count() == before) checkCorners(study, laws, *plan.variables, order, errors);
-  if (errors.count() == before && !plan.sweeps.empty()) checkCorners(study, laws, *widest, order, errors);
+  if (errors.count() == before) checkCorners(study, refuse, *plan.variables, order, errors);
+  if (errors.count() == before && !plan.sweeps.empty()) checkCorners(study, refuse, *widest, order, errors);
 }
 
 std::vector<std::string> describeTails(const Study& study) {

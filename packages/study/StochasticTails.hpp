@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,9 @@
 #include <harmos/study/Study.hpp>
 
 namespace harmos::study {
+
+/// What is asked of a scene beyond its input; throws base::Error (input) where it is refused.
+using Demand = std::function<void(const scene::Scene&)>;
 
 /// Reports to `errors` distributions whose tails the scene does not admit where a quadrature needs them. The study has
 /// random parameters; of a sample nothing is refused.
@@ -17,11 +21,12 @@ namespace harmos::study {
 /// for 3, 4, 5 points.
 ///
 /// kbar: its mean [stress/length], d: its coefficient of variation [-], xi and x_max: germs [-]. Of an order that is
-/// raised until a tolerance is met, only order 2 is certain to be needed.
-void checkTails(const Study& study, const laws::LawRegistry& laws, input::ErrorList& errors);
+/// raised until a tolerance is met, only order 2 is certain to be needed. `demand` is asked about every scene besides.
+void checkTails(const Study& study, const laws::LawRegistry& laws, const Demand& demand, input::ErrorList& errors);
 
 /// The same for an expansion of order `order`.
-void checkTails(const Study& study, const laws::LawRegistry& laws, int order, input::ErrorList& errors);
+void checkTails(const Study& study, const laws::LawRegistry& laws, int order, const Demand& demand,
+                input::ErrorList& errors);
 
 /// One sentence about every random parameter: its moments, P(parameter <= 0), and a warning when a Gauss point leaves
 /// less than a fifth of the mean of a normal one. The study has random parameters.

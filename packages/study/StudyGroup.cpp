@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/results/StatusName.hpp>
@@ -76,28 +77,57 @@ scene::Scene firstAdmissible(const Study& study, const std::vector<design::Confi
   }
 }
 
+/// Of the first admissible configuration, or where its laws cannot act on the mesh, of the last or the one in the
+/// middle; the error is that of the first.
+std::pair<scene::Scene, scene::Problem> firstPossible(const Study& study,
+                                                      const std::vector<design::Configuration>& configurations,
+                                                      const laws::LawRegistry& laws,
+                                                      const std::function<scene::Problem(const scene::Scene&)>& make) {
+  scene::Scene first = firstAdmissible(study, configurations, laws);
+  try {
+    scene::Problem problem = make(first);
+    return {std::move(first), std::move(problem)};
+  } catch (const base::Error& error) {
+    if (error.code() != base::ExitCode::input) throw;
+    for (const std::size_t i : {configurations.size() - 1, configurations.size() / 2}) {
+      try {
+        scene::Scene other = study.sceneFor(configurations[i].values, laws);
+        scene::Problem problem = make(other);
+        return {std::move(other), std::move(problem)};
+      } catch (const base::Error& again) {
+        if (again.code() != base::ExitCode::input) throw;
+      }
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
-StudyGroup::StudyGroup(const Study& study, const std::vector<design::Configuration>& configurations,
-                       const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers)
+StudyGroup::StudyGroup(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
+                       base::Timers& timers, std::pair<scene::Scene, scene::Problem> made)
     : study_(study),
       laws_(laws),
       comm_(std::move(comm)),
       timers_(timers),
-      scene_(firstAdmissible(study, configurations, laws)),
-      problem_(scene::makeProblem(scene_, *comm_, timers)) {}
+      scene_(std::move(made.first)),
+      problem_(std::move(made.second)) {}
+
+StudyGroup::StudyGroup(const Study& study, const std::vector<design::Configuration>& configurations,
+                       const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers)
+    : StudyGroup(study, laws, comm, timers, firstPossible(study, configurations, laws, [&](const scene::Scene& scene) {
+                   return scene::makeProblem(scene, *comm, timers);
+                 })) {}
 
 StudyGroup::StudyGroup(const Study& study, const std::vector<design::Configuration>& configurations,
                        const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers,
                        const scene::Problem& made)
-    : study_(study),
-      laws_(laws),
-      comm_(std::move(comm)),
-      timers_(timers),
-      scene_(firstAdmissible(study, configurations, laws)),
-      problem_(made) {
-  scene::useLaws(scene_, problem_.assembly);
-}
+    : StudyGroup(study, laws, std::move(comm), timers,
+                 firstPossible(study, configurations, laws, [&](const scene::Scene& scene) {
+                   scene::Problem problem = made;
+                   scene::useLaws(scene, problem.assembly);
+                   return problem;
+                 })) {}
 
 void StudyGroup::solve(const std::vector<design::Configuration>& configurations, results::ResultSink& sink) {
   if (configurations.empty()) return;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <Teuchos_Comm.hpp>
@@ -24,8 +25,9 @@ namespace harmos::study {
 /// walk() make their own.
 class StudyGroup {
  public:
-  /// Builds mesh and bodies for the first of `configurations` whose values are admissible. The study, the laws and the
-  /// timers must outlive it. Throws base::Error (input) when none is, and as makeProblem() does.
+  /// Builds mesh and bodies for the first of `configurations` whose values are admissible, or for the last or the
+  /// middle one where its laws cannot act on the mesh. The study, the laws and the timers must outlive it. Throws
+  /// base::Error (input) when none is, and as makeProblem() does.
   StudyGroup(const Study& study, const std::vector<design::Configuration>& configurations,
              const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
   /// The same with a problem that is made already, for the same communicator; it is copied, its matrices are shared.
@@ -51,6 +53,9 @@ class StudyGroup {
   void walk(const design::Configuration& from, const design::Configuration& to, int steps, results::ResultSink& sink);
 
  private:
+  StudyGroup(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
+             base::Timers& timers, std::pair<scene::Scene, scene::Problem> made);
+
   std::unique_ptr<parametric::ParametricStudy> makeEngine(std::size_t configurations);
   void install(const std::vector<double>& values);
   void estimateMeshErrors(const design::Configuration& configuration, latin::FixedPoint& fixedPoint,

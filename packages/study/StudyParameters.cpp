@@ -5,6 +5,7 @@
 
 #include <harmos/base/Names.hpp>
 #include <harmos/input/Override.hpp>
+#include <harmos/scene/FaceNames.hpp>
 #include <harmos/study/detail/DistributionSpec.hpp>
 
 namespace harmos::study {
@@ -124,9 +125,10 @@ void StudyParameterReader::readLevels(const Parameters& list, design::Axis& axis
 }
 
 bool changeLawOf(const std::vector<StudyParameter>& parameters, const std::string& interface) {
+  const std::string list = scene::nameOfList(interface);
   return std::any_of(parameters.begin(), parameters.end(), [&](const StudyParameter& parameter) {
     return std::any_of(parameter.effects.begin(), parameter.effects.end(),
-                       [&](const Effect& effect) { return effect.changesLawOf(interface); });
+                       [&](const Effect& effect) { return effect.changesLawOf(list); });
   });
 }
 

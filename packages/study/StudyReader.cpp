@@ -107,7 +107,9 @@ class StudyReader {
     if (isSceneRead_ && study_.isChaos()) checkChaos();
     makeConfigurations();
     if (errors_.count() == 0) demandAdmissible();
-    if (study_.stochastic && errors_.count() == 0) checkTails(study_, laws_, errors_);
+    if (study_.stochastic && errors_.count() == 0)
+      checkTails(
+          study_, laws_, [](const scene::Scene&) {}, errors_);
     finish();
   }
 

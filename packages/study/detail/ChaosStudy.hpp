@@ -14,6 +14,7 @@
 #include <harmos/scene/Problem.hpp>
 #include <harmos/stochastic/StochasticSolver.hpp>
 #include <harmos/study/ChaosCost.hpp>
+#include <harmos/study/StochasticTails.hpp>
 #include <harmos/study/Study.hpp>
 
 namespace harmos::study {
@@ -23,7 +24,7 @@ namespace harmos::study {
 class ChaosStudy {
  public:
   /// Builds mesh and bodies and chooses the local stage. All arguments must outlive it. Throws as makeProblem() and
-  /// demandMemory().
+  /// demandMemory(), and base::Error (input) where a law cannot act at its places with values that are needed.
   ChaosStudy(const Study& study, const laws::LawRegistry& laws, Teuchos::RCP<const Teuchos::Comm<int>> comm,
              base::Timers& timers);
 
@@ -61,6 +62,9 @@ class ChaosStudy {
   latin::Outcome run(const base::Matrix* start);
   stochastic::Realisations realise(const probability::RandomVector& variables) const;
   latin::Outcome raiseOrder();
+  /// Whether random laws look at where they act, see scene::demandPlaces().
+  bool demandsPlaces() const;
+  Demand demandOfPlaces() const;
   /// Whether the scene allows the values that an expansion of this order needs.
   bool admits(int order) const;
   latin::Outcome sweep();
