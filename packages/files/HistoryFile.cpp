@@ -10,12 +10,15 @@ void writeHistory(const std::string& path, const History& history) {
   std::string text = "step,time";
   for (const auto& name : history.responses) text += "," + quoted(name);
   for (const auto& error : history.meshErrors) text += "," + quoted(error.response + "_mesh_error");
+  // A column: programs that read tables know no other place for it.
+  if (!history.units.empty()) text += "," + quoted("units: " + history.units);
   text += "\n";
   for (std::size_t row = 0; row < history.times.size(); ++row) {
     text += std::to_string(row) + "," + base::toText(history.times[row]);
     for (double value : history.values[row]) text += "," + base::toText(value);
     const bool isLast = row + 1 == history.times.size();
     for (const auto& error : history.meshErrors) text += "," + (isLast ? base::toText(error.relative) : "nan");
+    if (!history.units.empty()) text += ",nan";
     text += "\n";
   }
   replaceFile(path, text);

@@ -13,11 +13,13 @@ struct History {
   std::vector<double> times;                              // one per row [time]; row 0 is the unloaded start
   std::vector<std::vector<double>> values;                // [row][response], each in its unit
   std::vector<results::MeshErrorRecord> meshErrors = {};  // of some responses, in the last row
+  std::string units = {};  // length, force and time, as the scene declares them; empty: it does not
 };
 
 /// Writes a CSV file "step,time,<response>,...,<response>_mesh_error,..." with one row per time step, counted from 0;
-/// numbers read back exactly. Errors of the mesh are relative [-], and nan in all rows but the last. Replaces an older
-/// file in one step; throws base::Error when it cannot.
+/// numbers read back exactly. Errors of the mesh are relative [-], and nan in all rows but the last. Declared
+/// units head a column of their own, "units: mm N s", which is nan. Replaces an older file in one step; throws
+/// base::Error when it cannot.
 void writeHistory(const std::string& path, const History& history);
 
 }  // namespace harmos::files

@@ -126,8 +126,14 @@ void describe(const MeshErrors& errors, files::RunRecord& record) {
   for (const PartMeshError& error : errors.parts) record.meshEnergyShares.emplace_back(error.part, error.energyShare);
 }
 
-files::History historyOf(const latin::LatinResult& solution, const std::vector<double>& times) {
+std::string unitsOf(const Scene& scene) {
+  return scene.input.has("Units") ? scene.input.text("Units") : "";
+}
+
+files::History historyOf(const latin::LatinResult& solution, const Scene& scene) {
+  const std::vector<double>& times = scene.times;
   files::History history;
+  history.units = unitsOf(scene);
   for (const auto& response : solution.responses) history.responses.push_back(response.name);
   history.times = {0.0};
   history.values = {std::vector<double>(solution.responses.size(), 0.0)};
@@ -209,7 +215,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
   Problem problem = makeProblem(scene, *comm, timers);
 
   result.record.scene = request.scene;
-  if (scene.input.has("Units")) result.record.units = scene.input.text("Units");
+  result.record.units = unitsOf(scene);
   result.record.warnings = problem.warnings;
   result.record.accuracy = options.accuracy;
   result.record.status = "running";
@@ -241,7 +247,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
         scene, problem, solver.state(), fields, globalsOf(result.solution, scene.times.size()), steps, files, *comm);
     if (pending) {
       files::replaceFile(files.effectiveInput, effectiveScene(scene, result.files.effectiveInput));
-      files::writeHistory(files.history, historyOf(result.solution, scene.times));
+      files::writeHistory(files.history, historyOf(result.solution, scene));
       pending->commit();
       lastWords.reset();
       result.record.earlier.clear();
@@ -255,7 +261,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
       const auto estimating = timers.start("mesh error");
       result.meshErrors = estimateMeshErrors(problem, solver.fixedPoint(), solver.state(), problem.responses, *comm);
       if (comm->getRank() == 0) {
-        files::History history = historyOf(result.solution, scene.times);
+        files::History history = historyOf(result.solution, scene);
         for (const auto& error : result.meshErrors.responses) history.meshErrors.push_back(recordOf(error));
         files::writeHistory(result.files.history, history);
       }

@@ -42,6 +42,8 @@ def main():
                 sys.exit(f"FAILED: {files[step]} has other displacements")
             if grid.GetFieldData().GetAbstractArray("block_names").GetNumberOfValues() != len(blocks):
                 sys.exit(f"FAILED: {files[step]} does not name its blocks")
+            if grid.GetFieldData().GetAbstractArray("units").GetValue(0) != "mm N s":
+                sys.exit(f"FAILED: {files[step]} does not say its units")
 
 
 if __name__ == "__main__":

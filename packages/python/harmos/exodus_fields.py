@@ -12,6 +12,7 @@ from typing import Any
 import numpy
 
 from harmos.arrays import Floats, Integers
+from harmos.classic import demand_complete
 from harmos.foreign import read_foreign
 
 
@@ -35,6 +36,7 @@ class Fields:
         self.blocks: dict[str, Integers]
         self.nodal: list[str]
         self.elements: list[str]
+        demand_complete(path)
         self.times, self.nodes, self.blocks, self.nodal, self.elements = read_foreign(path, self._read_mesh)
 
     def at_nodes(self, name: str, step: int | None = -1) -> Floats:

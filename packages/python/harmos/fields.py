@@ -4,6 +4,7 @@ A result is RESULT.e with the parts and RESULT_interfaces.e beside it. Steps are
 """
 import dataclasses
 import difflib
+import re
 from collections.abc import Collection
 
 import numpy
@@ -11,6 +12,7 @@ import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
 from harmos.arrays import Floats
+from harmos.classic import demand_complete
 from harmos.foreign import read_foreign
 
 Grids = dict[str, vtk.vtkUnstructuredGrid]
@@ -32,6 +34,8 @@ STATES = ((0, (0.93, 0.95, 0.97)), (0.25, (0.45, 0.62, 0.78)), (0.5, (0.96, 0.52
 """Colours of contact states, as STATUS names them."""
 STATUS = "0 open, 1 stick, 2 slip, 3 bonded, 4 broken"
 """What the numbers of contact_status mean."""
+UNITS = re.compile(r' *<Parameter name="Units" type="string" value="(.*)"/>')
+"""The line of the effective input, as result files keep it, that declares the units."""
 SAFE = 5.0
 """Safeties from here on look alike."""
 
@@ -49,6 +53,7 @@ class Contents:
         element: variables of the elements of parts.
         surface: variables of interfaces.
         title: of the result.
+        units: length, force and time of all numbers, as the scene declares them; empty: it does not.
     """
 
     times: list[float]
@@ -56,6 +61,7 @@ class Contents:
     element: list[str]
     surface: list[str]
     title: str
+    units: str
 
 
 @dataclasses.dataclass
@@ -103,22 +109,32 @@ def _reader(path: str) -> vtk.vtkExodusIIReader:
     return reader
 
 
-def _contents(path: str) -> tuple[list[float], list[str], list[str], str, str]:
-    """Times, nodal and element variables, title and the program that wrote an Exodus file."""
+def _records(block: vtk.vtkDataSet, name: str) -> list[str]:
+    """The texts that a file keeps under a name, which VTK gives letter by letter; none where there are not any."""
+    records = block.GetFieldData().GetAbstractArray(name)
+    if records is None:
+        return []
+    letters, width = [records.GetValue(k) for k in range(records.GetNumberOfValues())], records.GetNumberOfComponents()
+    return ["".join(letters[start:start + width]).rstrip() for start in range(0, len(letters), width)]
+
+
+def _contents(path: str) -> tuple[list[float], list[str], list[str], str, str, str]:
+    """Times, nodal and element variables, title, the program that wrote an Exodus file, and the units it declares."""
     reader = _reader(path)
     times = reader.GetOutputInformation(0).Get(vtk.vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ()
     names = [[reader.GetObjectArrayName(kind, i) for i in range(reader.GetNumberOfObjectArrays(kind))]
              for kind in (reader.NODAL, reader.ELEM_BLOCK)]
     reader.Update()
     blocks = reader.GetOutput().GetBlock(0)
-    program = ""
+    program = units = ""
     for i in range(blocks.GetNumberOfBlocks()):
         if blocks.GetBlock(i) is None:
             continue
-        records = blocks.GetBlock(i).GetFieldData().GetAbstractArray("QA_Records")
-        if records is not None:
-            program = "".join(records.GetValue(k) for k in range(min(len("Harmos"), records.GetNumberOfValues())))
-    return list(times), names[0], names[1], reader.GetTitle() or "", program
+        program = next(iter(_records(blocks.GetBlock(i), "QA_Records")), program)
+        for line in _records(blocks.GetBlock(i), "Info_Records"):
+            declared = UNITS.fullmatch(line)
+            units = declared[1] if declared else units
+    return list(times), names[0], names[1], reader.GetTitle() or "", program, units
 
 
 def contents(path: str) -> Contents:
@@ -134,11 +150,12 @@ def contents(path: str) -> Contents:
             start = file.read(4)
         if not start.startswith((b"CDF", b"\x89HDF")):
             raise ValueError(f"{part} is not an Exodus file")
+        demand_complete(part)
         both.append(read_foreign(part, lambda: _contents(part)))
         if both[-1][4] != "Harmos" or "disp_" not in both[-1][1]:
             raise ValueError(f"{part} is not a result of Harmos")
-    (times, nodal, element, title, _), (_, surface, _, _, _) = both
-    return Contents(times, nodal, element, surface, title)
+    (times, nodal, element, title, _, units), (_, surface, *_) = both
+    return Contents(times, nodal, element, surface, title, units)
 
 
 def field(name: str, of: Contents) -> Field:

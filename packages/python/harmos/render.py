@@ -231,8 +231,9 @@ def picture(path: str, of: fields.Contents, field: fields.Field, step: int, scal
     largest = max(fields.values_of(grid, fields.Field("disp_", "nodes")).max() for grid in parts.values())
     factor = fields.visible_scale(fields.size_of(parts), largest) if scale is None else scale
     values = numpy.concatenate([fields.values_of(grid, field) for grid in coloured.values()] or [numpy.zeros(1)])
-    # Peaks at the edges of a contact would leave one colour for all the rest.
-    top = numpy.percentile(values, 90) if field.name == "contact_pressure" else values.max()
+    # Peaks at the edges of a contact would leave one colour for all the rest, of what is pressed.
+    pressed = values[values > 0.0]
+    top = numpy.percentile(pressed, 90) if field.name == "contact_pressure" and len(pressed) else values.max()
     table = table_of(field, field.limits(float(values.min()), float(top)))
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
@@ -253,7 +254,7 @@ def picture(path: str, of: fields.Contents, field: fields.Field, step: int, scal
     if field.name.startswith("safety_"):
         legend = f", least {values.min():.4g}"
     add_note(renderer, f"step {step} of {len(of.times) - 1}, time {of.times[step]:.4g}{legend}, "
-             f"displacements x {factor:g}", width)
+             f"displacements x {factor:g}" + (f", units {of.units}" if of.units else ""), width)
     return image_of(renderer, width, is_plane)
 
 

@@ -150,7 +150,13 @@ def model_of(path: str, of: fields.Contents, most: int, scale: float | None, wor
             "blocks": list(blocks.values())}
 
 
-def summary_of(path: str) -> str:
+def summary_of(path: str, of: fields.Contents) -> str:
+    """The units, where they are declared, and the three numbers that decide, where the record lies beside the result."""
+    units = [f"Units: {of.units}"] if of.units else []
+    return "".join(f"<div>{html.escape(line)}</div>" for line in [*decisive_lines(path), *units])
+
+
+def decisive_lines(path: str) -> list[str]:
     """The three numbers that decide, of the record beside the result; nothing without one."""
     try:
         record = json.loads(pathlib.Path(path.removesuffix(".e") + "_result.json").read_text(encoding="utf-8"))
@@ -163,8 +169,8 @@ def summary_of(path: str) -> str:
                 lines.append(f"least safety against {against} {safety['whole']:.4g} of {safety['interface']}, "
                              f"{safety['worst_point']['value']:.4g} at its worst point")
     except (OSError, ValueError, LookupError, TypeError):
-        return ""
-    return "".join(f"<div>{html.escape(line)}</div>" for line in lines)
+        return []
+    return lines
 
 
 def page(path: str, of: fields.Contents, most: int, scale: float | None, library: str) -> bytes:
@@ -173,7 +179,7 @@ def page(path: str, of: fields.Contents, most: int, scale: float | None, library
     model = json.dumps(model_of(path, of, most, scale, words)).replace("</", "<\\/")
     title = html.escape(of.title or pathlib.Path(path).stem)
     text = (FOLDER / "page.html").read_text(encoding="utf-8")
-    contents = {"TITLE": title, "SUMMARY": summary_of(path), "MODEL": model, "DATA": words.text(),
+    contents = {"TITLE": title, "SUMMARY": summary_of(path, of), "MODEL": model, "DATA": words.text(),
                 "VIEWER": (FOLDER / "viewer.js").read_text(encoding="utf-8"),
                 "VTK": library.replace("</script", "<\\/script")}
     return re.sub("@([A-Z]+)@", lambda found: contents[found[1]], text).encode()

@@ -3,7 +3,8 @@
 python3 -m harmos.vtu RESULT.e FOLDER [--step N]
 
 FOLDER/RESULT.pvd holds the parts, FOLDER/RESULT_interfaces.pvd the interfaces. All variables keep their names; the cell
-variable `block` counts the parts or interfaces, whose names stand in the field data `block_names`.
+variable `block` counts the parts or interfaces, whose names stand in the field data `block_names`; `units` are those that
+the scene declares.
 """
 import argparse
 import os
@@ -17,8 +18,8 @@ from harmos import fields
 from harmos.outputs import replace_file
 
 
-def joined(grids: fields.Grids) -> vtk.vtkUnstructuredGrid:
-    """All blocks as one grid, with their numbers and names."""
+def joined(grids: fields.Grids, units: str) -> vtk.vtkUnstructuredGrid:
+    """All blocks as one grid, with their numbers and names, and with the units unless they are empty."""
     together = vtk.vtkAppendFilter()
     names = vtk.vtkStringArray()
     names.SetName("block_names")
@@ -36,6 +37,11 @@ def joined(grids: fields.Grids) -> vtk.vtkUnstructuredGrid:
     together.Update()
     result = together.GetOutput()
     result.GetFieldData().AddArray(names)
+    if units:
+        declared = vtk.vtkStringArray()
+        declared.SetName("units")
+        declared.InsertNextValue(units)
+        result.GetFieldData().AddArray(declared)
     return result
 
 
@@ -70,7 +76,7 @@ def export(path: str, of: fields.Contents, folder: pathlib.Path, steps: list[int
         entries = []
         for step in steps:
             name = f"{stem}_{step:04d}.vtu"
-            write(joined(fields.read(half, step)), folder / name)
+            write(joined(fields.read(half, step), of.units), folder / name)
             entries.append(f'    <DataSet timestep="{of.times[step]:.17g}" file={quoteattr(name)}/>\n')
         lists.append(folder / f"{stem}.pvd")
         text = ('<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n  <Collection>\n' + "".join(entries) +

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include <harmos/base/Error.hpp>
 #include <harmos/input/EffectiveInput.hpp>
 #include <harmos/scene/SceneSpec.hpp>
@@ -68,6 +70,32 @@ TEST(Scene, AsksAboutMaterialsThatNoSolidHasInItsUnits) {
       << stiff[0];
   ASSERT_EQ(soft.size(), 1u);
   EXPECT_NE(soft[0].find("less than soft rubber has. It is a usual one in \"mm N s\", "), std::string::npos) << soft[0];
+}
+
+TEST(Scene, AsksAboutDensitiesThatNoSolidHasInItsUnits) {
+  std::string text = sampleScene();
+  const std::string poisson = "<Parameter name=\"Poisson's Ratio\"";
+  text.insert(text.find(poisson), R"(<Parameter name="Density" type="double" value="7.85e-9"/>)");
+  const auto warnings = [&](const std::string& units, const std::string& modulus, const std::string& density) {
+    return makeScene(
+               input::InputTree::fromText(text, "sample.xml"), "sample.xml",
+               {"Units=" + units, "Materials/steel/Young's Modulus=" + modulus, "Materials/steel/Density=" + density},
+               laws::builtInLaws())
+        .warnings;
+  };
+  for (const auto& [units, modulus, density] :
+       {std::tuple("mm N s", "210000", "7.85e-9"), std::tuple("m N s", "2.1e11", "7850"),
+        std::tuple("mm kN s", "210", "7.85e-12"), std::tuple("in lbf s", "3e7", "7.35e-4"),
+        std::tuple("um uN s", "210000", "7.85e-15"), std::tuple("cm N s", "2.1e7", "7.85e-5")}) {
+    EXPECT_TRUE(warnings(units, modulus, density).empty()) << units;
+  }
+  const auto heavy = warnings("mm N s", "210000", "7850");
+  ASSERT_EQ(heavy.size(), 1u);
+  EXPECT_NE(
+      heavy[0].find("Materials / steel / Density: in the units \"mm N s\" this is 7.85e+15 kg/m^3, more than osmium "
+                    "has. It is a usual one in \"m N s\": change the number or the units."),
+      std::string::npos)
+      << heavy[0];
 }
 
 TEST(Scene, SaysWhatItHoldsInVain) {
