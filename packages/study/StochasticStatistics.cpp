@@ -312,6 +312,7 @@ class Summariser {
 
 std::shared_ptr<const StochasticSummary> summarise(const Study& study, const results::StudyResults& results,
                                                    const ChaosStudy* chaos) {
+  if (study.responses.empty()) return nullptr;  // random fields alone are asked for
   Summariser summariser(study, results);
   switch (study.stochastic->method) {
     case Method::chaos:

@@ -99,6 +99,14 @@ shutil.rmtree(WORK, ignore_errors=True)
 WORK.mkdir(parents=True)
 # One lognormal spring costs next to nothing either way; five, of which Galerkin asks 59049 points, a hundred times.
 solve(write_chain(1), 1, "Galerkin")
+# Without responses there is nothing to summarise: the study ends all the same.
+for design in "Chaos", "Collocation":
+    mute = WORK / f"mute_{design}.xml"
+    mute.write_text(re.sub('<ParameterList name="Responses">.*?</ParameterList>\s*</ParameterList>', "",
+                           write_chain(1).read_text().replace('"Chaos"', f'"{design}"'), flags=re.DOTALL))
+    check("Responses" not in mute.read_text(), mute.read_text())
+    code, text, _ = harmos("study", mute)
+    check(code == 0, f"{design} without responses: {code}\n{text}")
 five = write_chain(5)
 solve(five, 5, "pseudo-spectral")
 # What is asked for is done; the forecast holds for it, too.

@@ -12,7 +12,7 @@ namespace harmos::study {
 
 /// What a study with random parameters comes to, once its configurations are done. `chaos` of a study of that type,
 /// else null; then collective over its communicator, and the answer of rank 0 of all counts, which knows all results.
-/// Null when configurations that an expansion or interpolation needs have no solution.
+/// Null without responses, and when configurations that an expansion or interpolation needs have no solution.
 std::shared_ptr<const results::StochasticSummary> summarise(const Study& study, const results::StudyResults& results,
                                                             const ChaosStudy* chaos);
 
