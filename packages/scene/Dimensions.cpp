@@ -44,13 +44,14 @@ class VectorChecker {
     return false;
   }
 
-  void direction(const Parameters& parameters, const std::string& entry) const {
+  /// One of displacements or tractions, which may leave the plane of the mesh where these do.
+  void directionOfMotion(const Parameters& parameters, const std::string& entry) const {
     const bool isAlongHoop = hasHoop_ && parameters.has(entry) && parameters.numbers(entry).size() == 3;
-    if (!isAlongHoop && !point(parameters, entry)) return;
-    const std::vector<double>& components = parameters.numbers(entry);
-    if (std::any_of(components.begin(), components.end(), [](double x) { return x != 0.0; })) return;
-    errors_.add(parameters.where(entry), "is not a direction.",
-                "Give numbers that are not all 0; the length does not matter.");
+    if (isAlongHoop || point(parameters, entry)) demandLength(parameters, entry);
+  }
+
+  void direction(const Parameters& parameters, const std::string& entry) const {
+    if (point(parameters, entry)) demandLength(parameters, entry);
   }
 
   void axis(const Parameters& parameters) const {
@@ -108,7 +109,7 @@ class VectorChecker {
 
   /// Of a law that knows directions of the surface.
   void axisOfFriction(const Parameters& law) const {
-    if (law.type() == "Orthotropic Friction") direction(law, "Axis");
+    if (law.type() == "Orthotropic Friction") directionOfMotion(law, "Axis");
   }
 
   void axisOfRotation(const Parameters& parameters) const {
@@ -121,6 +122,13 @@ class VectorChecker {
   }
 
  private:
+  void demandLength(const Parameters& parameters, const std::string& entry) const {
+    const std::vector<double>& components = parameters.numbers(entry);
+    if (std::any_of(components.begin(), components.end(), [](double x) { return x != 0.0; })) return;
+    errors_.add(parameters.where(entry), "is not a direction.",
+                "Give numbers that are not all 0; the length does not matter.");
+  }
+
   std::optional<int> dimension_;
   bool isAxisymmetric_, hasHoop_;  // the latter: displacements leave the plane
   input::ErrorList& errors_;
@@ -157,7 +165,7 @@ void checkDimensions(const Parameters& scene, std::optional<int> dimension, inpu
     vectors.axisOfRotation(load);
   }
   for (const Parameters& response : scene.lists("Responses")) {
-    vectors.direction(response, "Direction");
+    vectors.directionOfMotion(response, "Direction");
     vectors.axis(response);
     vectors.point(response, "Point");
     vectors.point(response, "Centre");
