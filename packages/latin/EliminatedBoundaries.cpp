@@ -40,7 +40,8 @@ bool haveOneStiffness(const std::vector<std::array<laws::AffineComponent, 3>>& c
 }  // namespace
 
 EliminatedBoundaries::EliminatedBoundaries(const assembly::Assembly& assembly,
-                                           const assembly::SearchDirection& searchDirection, Elimination which)
+                                           const assembly::SearchDirection& searchDirection, Elimination which,
+                                           const std::vector<ResistedMotions>& resisted)
     : assembly_(assembly),
       searchDirection_(searchDirection),
       steps_(assembly.times.size()),
@@ -48,7 +49,7 @@ EliminatedBoundaries::EliminatedBoundaries(const assembly::Assembly& assembly,
       bodies_(assembly.bodies.size()) {
   if (which == Elimination::none) return;
   choose(which);
-  keepBodiesHeld();
+  keepBodiesHeld(resisted);
   gather();
   update();
 }
@@ -95,11 +96,12 @@ void EliminatedBoundaries::choose(Elimination which) {
   }
 }
 
-void EliminatedBoundaries::keepBodiesHeld() {
+void EliminatedBoundaries::keepBodiesHeld(const std::vector<ResistedMotions>& resisted) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const std::vector<base::Vector3>& nodes = assembly_.bodies[b].nodes;
     base::Vector3 centre{};
     for (const base::Vector3& x : nodes) centre = centre + (1.0 / static_cast<double>(nodes.size())) * x;
+    centre = centreOfMotions(resisted[b], centre);
     double size = 0.0;
     for (const base::Vector3& x : nodes) size = std::max(size, base::distance(x, centre));
     base::Matrix gram(6, 6);
@@ -125,6 +127,9 @@ void EliminatedBoundaries::keepBodiesHeld() {
     }
     if (assembly_.dimension == 2) {
       for (const int unused : {2, 3, 4}) gram(unused, unused) = gram(0, 0) + gram(1, 1);
+    }
+    for (int i = 0; i < 6; ++i) {
+      if (resisted[b][i]) gram(i, i) += gram.normInf();
     }
     const std::vector<double> values = symmetricEigen(gram);
     if (values.front() > unheld * values.back()) continue;

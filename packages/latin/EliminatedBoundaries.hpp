@@ -6,6 +6,7 @@
 #include <harmos/assembly/Assembly.hpp>
 #include <harmos/assembly/SearchDirection.hpp>
 #include <harmos/base/Tensor3.hpp>
+#include <harmos/latin/ResistedMotions.hpp>
 #include <harmos/laws/AffineComponent.hpp>
 
 namespace harmos::latin {
@@ -39,9 +40,9 @@ class EliminatedBoundaries {
     bool isHeld = false;      ///< a direction is rigid
   };
 
-  /// Not collective; the same on every rank. Throws as update().
+  /// Not collective; the same on every rank. `resisted`: see resistedInPlane(). Throws as update().
   EliminatedBoundaries(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-                       Elimination which);
+                       Elimination which, const std::vector<ResistedMotions>& resisted);
 
   /// Reads the offsets of all laws anew. Throws base::Error (input) naming the boundaries when two of them hold a node
   /// at different places.
@@ -94,7 +95,7 @@ class EliminatedBoundaries {
 
   base::Vector3 axis(const assembly::Interface& interface, int pair, std::size_t component) const;
   void choose(Elimination which);
-  void keepBodiesHeld();
+  void keepBodiesHeld(const std::vector<ResistedMotions>& resisted);
   void gather();
   [[noreturn]] void refuse(int interfaceIndex, int pair, int step, double found) const;
 

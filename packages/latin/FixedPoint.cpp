@@ -21,9 +21,11 @@ FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& o
       options_(options),
       timers_(timers),
       searchDirection_(assembly, options.searchDirectionScale, *comm),
+      resisted_(resistedInPlane(assembly, *comm)),
       eliminated_(assembly, searchDirection_,
-                  options.formulation == Formulation::displacement ? options.elimination : Elimination::none),
-      heldMotions_(assembly, searchDirection_, eliminated_),
+                  options.formulation == Formulation::displacement ? options.elimination : Elimination::none,
+                  resisted_),
+      heldMotions_(assembly, searchDirection_, eliminated_, resisted_),
       layout_(assembly, searchDirection_, eliminated_, comm),
       metric_(layout_),
       reference_(assembly),
@@ -75,7 +77,7 @@ std::unique_ptr<LinearStage> FixedPoint::makeLinearStage() {
   }
   // Only the search directions of boundaries hold what the boundaries leave free to move.
   eliminated_.giveUp();
-  heldMotions_ = HeldMotions(assembly_, searchDirection_, eliminated_);
+  heldMotions_ = HeldMotions(assembly_, searchDirection_, eliminated_, resisted_);
   layout_ = TraceLayout(assembly_, searchDirection_, eliminated_, layout_.commPointer());
   metric_ = StateMetric(layout_);
   return make();
@@ -84,7 +86,7 @@ std::unique_ptr<LinearStage> FixedPoint::makeLinearStage() {
 void FixedPoint::rescale(double scale) {
   options_.searchDirectionScale = scale;
   searchDirection_ = assembly::SearchDirection(assembly_, scale, layout_.comm());
-  heldMotions_ = HeldMotions(assembly_, searchDirection_, eliminated_);
+  heldMotions_ = HeldMotions(assembly_, searchDirection_, eliminated_, resisted_);
   layout_ = TraceLayout(assembly_, searchDirection_, eliminated_, layout_.commPointer());
   metric_ = StateMetric(layout_);
   const long columns = linear_->columns();

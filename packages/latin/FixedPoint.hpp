@@ -156,6 +156,7 @@ class FixedPoint {
   StageOptions options_;
   base::Timers& timers_;
   assembly::SearchDirection searchDirection_;
+  std::vector<ResistedMotions> resisted_;  // in the plane
   EliminatedBoundaries eliminated_;
   HeldMotions heldMotions_;
   TraceLayout layout_;

@@ -54,7 +54,7 @@ double dot(const HeldMotions::Sixfold& a, const HeldMotions::Sixfold& b) {
 }  // namespace
 
 HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-                         const EliminatedBoundaries& eliminated) {
+                         const EliminatedBoundaries& eliminated, const std::vector<ResistedMotions>& resisted) {
   for (const auto& one : assembly.bodies) {
     Body body;
     base::Vector3 lower = one.nodes.front(), upper = one.nodes.front();
@@ -64,15 +64,18 @@ HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::Sea
         upper[c] = std::max(upper[c], x[c]);
       }
     }
-    body.centre = 0.5 * (lower + upper);
-    for (std::size_t c = 0; c < 3; ++c) body.extent = std::max(body.extent, upper[c] - lower[c]);
+    body.centre = centreOfMotions(resisted[bodies_.size()], 0.5 * (lower + upper));
+    for (std::size_t c = 0; c < 3; ++c) {
+      body.extent = std::max({body.extent, upper[c] - lower[c], upper[c] - body.centre[c], body.centre[c] - lower[c]});
+    }
     bodies_.push_back(std::move(body));
   }
   std::vector<base::Matrix> ofBoundaries(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     bodies_[b].stiffness.shape(motions, motions);
     ofBoundaries[b].shape(motions, motions);
-    bodies_[b].isHeld = !eliminated.nodes(static_cast<int>(b)).empty();
+    bodies_[b].isHeld = !eliminated.nodes(static_cast<int>(b)).empty() ||
+                        std::any_of(resisted[b].begin(), resisted[b].end(), [](bool one) { return one; });
   }
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     const assembly::Interface& interface = assembly.interfaces[i];
@@ -106,6 +109,11 @@ HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::Sea
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
     if (!body.isHeld) continue;
+    double k = 0.0;
+    for (int i = 0; i < 3; ++i) k = std::max(k, body.stiffness(i, i) + ofBoundaries[b](i, i) / rigid);
+    for (int i = 0; i < motions; ++i) {
+      if (resisted[b][i]) ofBoundaries[b](i, i) += rigid * k * (i < 3 ? 1.0 : body.extent * body.extent);
+    }
     // Rotations in the size of the body, so that all six are forces alike.
     const auto scale = [&](base::Matrix& a) {
       for (int i = 0; i < motions; ++i) {

@@ -8,23 +8,24 @@
 
 namespace harmos::latin {
 
-/// Which rigid motions of each body its eliminated boundaries hold.
+/// Which rigid motions of each body its eliminated boundaries hold, or its own stiffness around an axis.
 ///
 /// A motion is a translation and a rotation about the body's centre, a resultant a force and a moment about it, six
-/// numbers each. With G the stiffness of search directions (sum of h k) and of boundaries against motions, held motions
-/// are those in which the boundaries make up more than half of G; the others, V with V^T G V = 1, are free.
+/// numbers each. With G the stiffness of search directions (sum of h k), of boundaries and of the body itself against
+/// motions, held motions are those in which the latter two make up more than half of G; the others, V with V^T G V = 1,
+/// are free.
 class HeldMotions {
  public:
   /// Three components of translation [length] or force, three of rotation or moment.
   using Sixfold = std::array<double, 6>;
 
-  /// Not collective; the same on every rank.
+  /// Not collective; the same on every rank. `resisted`: see resistedInPlane().
   HeldMotions(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-              const EliminatedBoundaries& eliminated);
+              const EliminatedBoundaries& eliminated, const std::vector<ResistedMotions>& resisted);
 
-  /// Centre of a body's nodes' extent [length].
+  /// Centre of a body's nodes' extent [length], on the axis of a body that can turn about it alone.
   const base::Vector3& centre(int body) const { return bodies_[body].centre; }
-  /// Largest extent of a body [length].
+  /// Largest extent of a body, and no less than its reach from the centre along an axis [length].
   double extent(int body) const { return bodies_[body].extent; }
   /// What of a resultant works in the free motions: G V V^T r.
   Sixfold freePart(int body, const Sixfold& resultant) const;

@@ -90,7 +90,7 @@ double timeOf(const std::shared_ptr<const laws::InterfaceLaw>& law) {
   const assembly::Assembly& assembly = boxes.assembly();
   const auto comm = latin::self();
   const assembly::SearchDirection k(assembly, 1.0, *comm);
-  const latin::EliminatedBoundaries eliminated(assembly, k, latin::Elimination::none);
+  const latin::EliminatedBoundaries eliminated(assembly, k, latin::Elimination::none, {});
   const latin::TraceLayout layout(assembly, k, eliminated, comm);
   latin::PointwiseLocalStage local(assembly, k, layout, latin::Formulation::displacement);
   base::Matrix beta(layout.rows(), steps), traction(layout.rows(), steps);

@@ -1,24 +1,13 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
-#include <Teuchos_Comm.hpp>
-
 #include <harmos/assembly/Assembly.hpp>
+#include <harmos/latin/ResistedMotions.hpp>
 #include <harmos/statics/RigidAssembly.hpp>
 
 namespace harmos::latin {
-
-/// Which rigid motions of a body (translations, then rotations about any place; in the plane x, y and the turn) its own
-/// stiffness resists. Where it resists both translations across an axis of the coordinates, the rotation is that about
-/// this axis. None of a body of finite elements, but with axisymmetry; a host may have put springs to the ground into
-/// its matrix.
-using ResistedMotions = std::array<bool, 6>;
-
-/// Of every body of the assembly. Collective: the owner of a body knows its matrix.
-std::vector<ResistedMotions> resistedMotions(const assembly::Assembly& assembly, const Teuchos::Comm<int>& comm);
 
 /// The bodies of an assembly taken as rigid, at one load step.
 ///

@@ -44,7 +44,7 @@ class Anderson : public testing::Test {
   Anderson()
       : assembly_(twoChains(laws::makeLaw("Perfect"), clamp(), 3)),
         k_(assembly_, 1.0, *self()),
-        eliminated_(assembly_, k_, Elimination::none),
+        eliminated_(assembly_, k_, Elimination::none, {}),
         layout_(assembly_, k_, eliminated_, self()),
         metric_(layout_) {}
 

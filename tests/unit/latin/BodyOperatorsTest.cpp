@@ -53,7 +53,7 @@ struct Operators {
   explicit Operators(const assembly::Assembly& given)
       : assembly(given),
         k(assembly, 1.0, *self()),
-        eliminated(assembly, k, Elimination::affine),
+        eliminated(assembly, k, Elimination::affine, resistedInPlane(assembly, *self())),
         layout(assembly, k, eliminated, self()),
         bodies(assembly, k, layout, eliminated, {}, timers) {
     bodies.select(allSteps(steps));

@@ -67,7 +67,7 @@ struct Solved {
 
 std::vector<bool> eliminated(const assembly::Assembly& assembly, Elimination which = Elimination::affine) {
   const assembly::SearchDirection k(assembly, 1.0, *self());
-  const EliminatedBoundaries boundaries(assembly, k, which);
+  const EliminatedBoundaries boundaries(assembly, k, which, resistedInPlane(assembly, *self()));
   std::vector<bool> result;
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i)
     result.push_back(boundaries.contains(static_cast<int>(i)));

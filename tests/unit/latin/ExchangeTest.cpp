@@ -25,7 +25,7 @@ TEST(LocalStage, FindsTheSameOnSeveralRanks) {
     assembly::Assembly onOne = *assembly;
     onOne.owner.clear();
     const assembly::SearchDirection k(onOne, 1.0, *comm);
-    const EliminatedBoundaries eliminated(*assembly, k, Elimination::none);
+    const EliminatedBoundaries eliminated(*assembly, k, Elimination::none, {});
     const TraceLayout layout(*assembly, k, eliminated, comm);
     PointwiseLocalStage local(*assembly, k, layout, Formulation::displacement);
     local.select(allSteps(2));

@@ -21,7 +21,7 @@ struct Stage {
                  Formulation formulation = Formulation::displacement, const substructure::SolverOptions& options = {})
       : assembly(std::move(given)),
         k(assembly, 1.0, *self()),
-        eliminated(assembly, k, Elimination::none),
+        eliminated(assembly, k, Elimination::none, {}),
         layout(assembly, k, eliminated, self()),
         linear(assembly, k, layout, eliminated, formulation, withMacroProblem, options, timers),
         alpha(layout.rows(), steps),

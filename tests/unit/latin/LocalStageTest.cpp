@@ -24,7 +24,7 @@ struct Stage {
                  Formulation formulation = Formulation::displacement)
       : cubes(twoCubes(std::move(law), laws::makeLaw("Symmetry"), steps)),
         k(prepared(), 1.0, *self()),
-        eliminated(cubes.assembly(), k, Elimination::none),
+        eliminated(cubes.assembly(), k, Elimination::none, {}),
         layout(cubes.assembly(), k, eliminated, self()),
         local(cubes.assembly(), k, layout, formulation),
         beta(layout.rows(), steps),

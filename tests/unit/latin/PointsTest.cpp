@@ -105,7 +105,7 @@ TEST(Points, ThatAreNoNodesAreNotEliminated) {
   assembly::Assembly assembly = heldCubes(false);
   unselect(assembly.interfaces[1]);
   const assembly::SearchDirection k(assembly, 1.0, *self());
-  const EliminatedBoundaries eliminated(assembly, k, Elimination::affine);
+  const EliminatedBoundaries eliminated(assembly, k, Elimination::affine, resistedInPlane(assembly, *self()));
   EXPECT_TRUE(eliminated.contains(0));
   EXPECT_FALSE(eliminated.contains(1));
   EXPECT_TRUE(eliminated.contains(3));
@@ -118,7 +118,7 @@ TEST(Points, ActOnNodesByTheTransposedOperator) {
   assembly.interfaces[1].trace1 = {};
   assembly.interfaces[1].trace1.append({{3, 1.25}, {2, -0.25}});
   const assembly::SearchDirection k(assembly, 1.0, *self());
-  const EliminatedBoundaries eliminated(assembly, k, Elimination::affine);
+  const EliminatedBoundaries eliminated(assembly, k, Elimination::affine, resistedInPlane(assembly, *self()));
   const TraceLayout layout(assembly, k, eliminated, self());
   ASSERT_EQ(layout.nodes(), 5);  // one at both ends, and those of the joint
   base::Matrix traction(layout.rows(), 1);

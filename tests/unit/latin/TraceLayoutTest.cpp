@@ -17,7 +17,7 @@ TEST(TraceLayout, HasABlockOfRowsForEverySideOwnedHere) {
   const int second = comm->getSize() - 1;
   assembly.owner = {0, second};
   const assembly::SearchDirection k(assembly, 1.0, *comm);
-  const EliminatedBoundaries eliminated(assembly, k, Elimination::none);
+  const EliminatedBoundaries eliminated(assembly, k, Elimination::none, {});
   const TraceLayout layout(assembly, k, eliminated, comm);
   const bool ownsLeft = comm->getRank() == 0, ownsRight = comm->getRank() == second;
 

@@ -38,6 +38,8 @@ TEST(Axisymmetry, TubeUnderPressureIsInClosedForm) {
                                forceResponse("push", "inside", {1.0, 0.0}));
     const SolvedScene run(scene);
     ASSERT_TRUE(run.isCertified()) << run.result.reason;
+    // The hoops hold what the plates do not: both are boundaries without unknowns.
+    EXPECT_LE(run.result.iterations, 3) << elements.name();
     const double u = (1.0 + nu) * pressure * inner / (outer * outer - inner * inner) *
                      ((1.0 - 2.0 * nu) * inner * inner + outer * outer);
     const bool isQuadratic = elements.element != "Quad4";

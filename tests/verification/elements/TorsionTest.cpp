@@ -164,6 +164,22 @@ TEST(Torsion, RingSticksBelowTheTorqueOfItsFriction) {
   }
 }
 
+// A torque beyond the friction has no equilibrium, one below it has.
+TEST(Torsion, TorqueBeyondTheFrictionHasNoEquilibrium) {
+  for (const double share : {0.95, 1.05}) {
+    SceneInput scene = turnedRing(rings[1], mu);
+    const double traction = -share * slipTorque / (2.0 * pi * rim * rim * 1.0);
+    scene.add("Boundaries",
+              xmlList("rim", xmlText("Side Set", "outer_xmax") +
+                                 xmlList("Law", xmlText("Type", "Prescribed Traction") + xmlNumber("Z", traction) +
+                                                    xmlText("Z History", "pull"))));
+    scene.set("Solver/Accuracy=1e-4");
+    const SolvedScene run(scene);
+    EXPECT_EQ(run.result.outcome, share < 1.0 ? latin::Outcome::certified : latin::Outcome::noEquilibrium)
+        << share << ": " << run.result.reason;
+  }
+}
+
 // Two plates of no lateral contraction, pressed together and turned: T = 2/3 pi mu p (b^3 - a^3).
 TEST(Torsion, ClutchSlipsAtItsTorque) {
   constexpr double pressure = 50.0;
