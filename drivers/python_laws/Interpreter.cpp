@@ -30,6 +30,7 @@ void initialize() {
   config.install_signal_handlers = 0;
   config.parse_argv = 0;
   config.buffered_stdio = 0;  // nothing is written when the process ends
+  config.write_bytecode = 0;  // nor beside the files of others
   PyStatus status = PyConfig_SetBytesString(&config, &config.program_name, interpreter);
   if (PyStatus_Exception(status) == 0) status = Py_InitializeFromConfig(&config);
   PyConfig_Clear(&config);

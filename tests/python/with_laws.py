@@ -13,6 +13,7 @@ import harmos
 tests, work = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 shutil.rmtree(work, ignore_errors=True)
 work.mkdir(parents=True)
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # the program itself must leave nothing beside files of laws
 
 LAWS = '''
 import numpy
@@ -159,13 +160,20 @@ for name, content, words in (
         ("empty", "", "no class in it is derived from harmos.laws.Law"),
         ("taken", LAWS.replace("Creeping Spring", "Linear Elastic"), "\"Linear Elastic\" is registered already"),
         ("missing_module", "import no_such_module\n", "No module named 'no_such_module'"),
+        ("no_text", "\udcff = 1\n", "SyntaxError"),
         ("bad_kind", LAWS.replace('"Unused."', "5"), "an attribute of a law is of another type"),
         ("no_doc", LAWS.replace('    """A spring that creeps, and counts."""\n', ""), "it has no docstring")):
-    (work / f"{name}.py").write_text(content)
+    (work / f"{name}.py").write_text(content, errors="surrogateescape")
     code, text = messages(scene("wrong", spring, [f"{name}.py"]), "check")
     assert code == 2 and f"{name}.py\" cannot register its laws: " in text and words in text, text
 code, text = messages(scene("wrong", spring, ["nowhere.py"]), "check")
 assert code == 2 and "nowhere.py\" does not exist" in text, text
+(work / "folder.py").mkdir()
+os.mkfifo(work / "pipe.py")
+for name in ("folder.py", "pipe.py"):
+    code, text = messages(scene("wrong", spring, [str(work.absolute() / name)]), "check")
+    assert code == 2 and f"{name}\" cannot be loaded: it is no file" in text, text
+assert not (work / "__pycache__").exists()
 os.environ["HARMOS_PYTHON_LAWS"] = str(work / "nowhere.so")
 code, text = messages(creeping("wrong"), "check")
 assert code == 2 and "nowhere.so, which does not exist" in text and "pybind11-dev" in text, text
