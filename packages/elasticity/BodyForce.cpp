@@ -6,15 +6,28 @@
 
 namespace harmos::elasticity {
 
+namespace {
+
+/// The part as its stiffness sees it, cold.
+ElasticPart plainOf(const ElasticPart& part) {
+  return {part.mesh, part.piece, part.material, Formulation::fullIntegration, part.kinematics, part.thickness};
+}
+
+[[noreturn]] void refuseOutOfPlane(const std::string& part, double z) {
+  throw base::Error(
+      "The body force of part \"" + part + "\" has a z component of " + base::toText(z) + "; in 2-D it must be 0.",
+      base::ExitCode::input);
+}
+
+}  // namespace
+
 BodyForce::BodyForce(const ElasticPart& part)
     : name_(part.piece.name),
       components_(componentsOf(part.kinematics)),
       moments_(part.piece.nodes.size(), std::array<double, 4>{}),
       isOnAxis_(nodesOnAxis(part.mesh, part.piece, part.kinematics)) {
-  const ElasticPart plain{part.mesh,       part.piece,    part.material, Formulation::fullIntegration,
-                          part.kinematics, part.thickness};
   const base::Matrix rest(components_ * static_cast<int>(moments_.size()), 1);
-  forEachPoint(plain, PointSet::integration, rest, [&](const ElementPoint& point) {
+  forEachPoint(plainOf(part), PointSet::integration, rest, [&](const ElementPoint& point) {
     for (int a = 0; a < point.nodes; ++a) {
       std::array<double, 4>& moments = moments_[point.node[a]];
       const double weight = point.volume * point.value[a];
@@ -24,11 +37,27 @@ BodyForce::BodyForce(const ElasticPart& part)
   });
 }
 
+void BodyForce::addTo(base::Matrix& forces, const ElasticPart& part, const Field& b) {
+  const int components = componentsOf(part.kinematics);
+  const std::vector<bool> isOnAxis = nodesOnAxis(part.mesh, part.piece, part.kinematics);
+  const base::Matrix rest(forces.numRows(), 1);
+  forEachPoint(plainOf(part), PointSet::integration, rest, [&](const ElementPoint& point) {
+    for (int t = 0; t < forces.numCols(); ++t) {
+      const base::Vector3 here = b(t, point.position), force = point.volume * here;
+      if (components == 2 && here[2] != 0.0) refuseOutOfPlane(part.piece.name, here[2]);
+      for (int a = 0; a < point.nodes; ++a) {
+        const int node = point.node[a];
+        for (int c = 0; c < components; ++c) {
+          if (!isOnAxis[node] || isFreeOnAxis(c)) forces(components * node + c, t) += point.value[a] * force[c];
+        }
+      }
+    }
+  });
+}
+
 void BodyForce::addTo(double* forces, const AffineField& b) const {
   if (components_ == 2 && (b.constant[2] != 0.0 || b.slope[2][0] != 0.0 || b.slope[2][1] != 0.0)) {
-    throw base::Error("The body force of part \"" + name_ + "\" has a z component of " + base::toText(b.constant[2]) +
-                          "; in 2-D it must be 0.",
-                      base::ExitCode::input);
+    refuseOutOfPlane(name_, b.constant[2]);
   }
   for (std::size_t node = 0; node < moments_.size(); ++node) {
     const std::array<double, 4>& moments = moments_[node];

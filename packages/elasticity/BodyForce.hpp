@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,12 @@ class BodyForce {
   /// Adds the nodal forces [force] of b [force/volume] in the global axes to those of the part's dofs. Throws
   /// base::Error (input) when b leaves the plane where displacements do not.
   void addTo(double* forces, const AffineField& b) const;
+
+  /// The body force [force/volume] at a load step, counted from 0, and a place [length], in the global axes.
+  using Field = std::function<base::Vector3(int step, const base::Vector3& place)>;
+  /// Adds the nodal forces of any b at all load steps to `forces`, dofs x load steps; b is taken at the integration
+  /// points of the stiffness. Throws as the constructor and addTo(), and what `b` throws. Not collective.
+  static void addTo(base::Matrix& forces, const ElasticPart& part, const Field& b);
 
  private:
   std::string name_;

@@ -91,7 +91,7 @@ PartOptions optionsOf(const Parameters& part) {
       part.name(), part.where(), elasticity::formulationNamed(part.text("Formulation")), std::nullopt, {}};
   if (part.hasList("Body Force")) {
     const Parameters& force = part.list("Body Force");
-    options.bodyForce = {force.schedule("X"), force.schedule("Y"), force.schedule("Z")};
+    options.bodyForce = {input::Field(force, "X"), input::Field(force, "Y"), input::Field(force, "Z")};
   }
   return options;
 }

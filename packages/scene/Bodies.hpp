@@ -13,7 +13,7 @@
 #include <harmos/elasticity/Material.hpp>
 #include <harmos/elasticity/Stiffness.hpp>
 #include <harmos/input/ErrorList.hpp>
-#include <harmos/input/Schedule.hpp>
+#include <harmos/input/Field.hpp>
 #include <harmos/mesh/Depth.hpp>
 #include <harmos/mesh/Mesh.hpp>
 #include <harmos/mesh/Piece.hpp>
@@ -41,7 +41,7 @@ struct PartOptions {
   std::string name;
   std::string where;  // it stands, for messages
   elasticity::Formulation formulation = elasticity::Formulation::fullIntegration;
-  std::optional<std::array<input::Schedule, 3>> bodyForce;  // global components [force/volume]
+  std::optional<std::array<input::Field, 3>> bodyForce;  // global components [force/volume]
   std::string section;  // interface that divides the part along a plane; empty: none does
 };
 

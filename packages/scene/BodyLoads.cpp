@@ -1,9 +1,19 @@
 #include <harmos/scene/detail/BodyLoads.hpp>
 
+#include <algorithm>
+
 #include <harmos/elasticity/BodyForce.hpp>
 #include <harmos/elasticity/ThermalLoad.hpp>
 
 namespace harmos::scene {
+
+namespace {
+
+bool followsPlace(const input::Field& field) {
+  return field.looksAt("x") || field.looksAt("y") || field.looksAt("z");
+}
+
+}  // namespace
 
 BodyLoads::BodyLoads(const Scene& scene, elasticity::Kinematics kinematics, const Temperatures& temperatures,
                      input::ErrorList& errors)
@@ -22,20 +32,24 @@ std::vector<const VolumeLoad*> BodyLoads::loadsOn(const std::string& part) const
 }
 
 base::Matrix BodyLoads::of(const elasticity::ElasticPart& body,
-                           const std::optional<std::array<input::Schedule, 3>>& bodyForce) const {
+                           const std::optional<std::array<input::Field, 3>>& bodyForce) const {
   const int dofs = elasticity::componentsOf(body.kinematics) * static_cast<int>(body.piece.nodes.size());
   const int steps = static_cast<int>(scene_.times.size());
   const std::vector<const VolumeLoad*> loads = loadsOn(body.piece.part);
   base::Matrix forces;
   if (bodyForce || !loads.empty()) {
     forces.shape(dofs, steps);
+    const bool isUniform = !bodyForce || std::none_of(bodyForce->begin(), bodyForce->end(), followsPlace);
+    if (!isUniform) {
+      elasticity::BodyForce::addTo(forces, body, [&](int step, const base::Vector3& place) {
+        return base::Vector3{(*bodyForce)[0](step, place), (*bodyForce)[1](step, place), (*bodyForce)[2](step, place)};
+      });
+    }
     const elasticity::BodyForce integrals(body);
     const double density = body.material.density().value_or(0.0);
     for (int t = 0; t < steps; ++t) {
       elasticity::AffineField b;
-      if (bodyForce) {
-        for (std::size_t i = 0; i < 3; ++i) b.constant[i] = (*bodyForce)[i][t];
-      }
+      for (std::size_t i = 0; bodyForce && isUniform && i < 3; ++i) b.constant[i] = (*bodyForce)[i](t, {});
       for (const VolumeLoad* load : loads) b.add(density, load->acceleration(t));
       integrals.addTo(forces[t], b);
     }

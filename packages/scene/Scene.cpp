@@ -12,6 +12,7 @@
 #include <harmos/elasticity/Materials.hpp>
 #include <harmos/input/Check.hpp>
 #include <harmos/input/ErrorList.hpp>
+#include <harmos/input/Field.hpp>
 #include <harmos/laws/FaceLaw.hpp>
 #include <harmos/laws/FieldLaw.hpp>
 #include <harmos/scene/FaceNames.hpp>
@@ -84,6 +85,7 @@ class SceneChecker {
       if (part.integer("Pieces") > 1 && !scene_.cutLaw) {
         scene_.cutLaw = laws_.create(Parameters("cut").set("Type", std::string("Perfect")));
       }
+      checkBodyForce(part);
     }
     checkPartsOf("Loads", "Density", [](const elasticity::Material& m) { return m.density().has_value(); });
     checkPartsOf("Temperatures", "Thermal Expansion",
@@ -150,6 +152,14 @@ class SceneChecker {
       errors_.add(list.where(),
                   "the materials of its parts have no " + constant + ": " + base::joinNames(lacking) + ".",
                   "Add \"" + constant + "\" to them, or name the parts that have it in \"Parts\".");
+    }
+  }
+
+  void checkBodyForce(const Parameters& part) {
+    if (!part.hasList("Body Force")) return;
+    const Parameters& force = part.list("Body Force");
+    for (const char* component : {"X", "Y", "Z"}) {
+      errors_.collect(force.where(component), [&] { const input::Field readable(force, component); });
     }
   }
 

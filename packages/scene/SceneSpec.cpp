@@ -2,6 +2,7 @@
 
 #include <harmos/elasticity/Kinematics.hpp>
 #include <harmos/elasticity/Materials.hpp>
+#include <harmos/input/Field.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/Plugins.hpp>
@@ -52,6 +53,7 @@ void describePart(input::ParameterSpec& spec) {
   force.summary("Force per volume in global components.");
   for (const char* component : {"X", "Y", "Z"}) {
     force.number(component).unit("force/volume").defaultValue(0.0).varying().doc("Force along this axis.");
+    input::Field::describe(force, component);
   }
 }
 

@@ -9,7 +9,7 @@
 
 #include <harmos/base/Matrix.hpp>
 #include <harmos/elasticity/ElementPoints.hpp>
-#include <harmos/input/Schedule.hpp>
+#include <harmos/input/Field.hpp>
 #include <harmos/scene/Scene.hpp>
 #include <harmos/scene/Temperatures.hpp>
 #include <harmos/scene/detail/VolumeLoad.hpp>
@@ -25,10 +25,10 @@ class BodyLoads {
             input::ErrorList& errors);
 
   /// Forces [force] of a body, dofs x load steps; 0 x 0 where nothing acts on it. `bodyForce`: of its part,
-  /// global components [force/volume]. Throws base::Error (input) as
-  /// elasticity::forEachPoint(). Not collective.
+  /// global components [force/volume]. Throws base::Error (input) as elasticity::forEachPoint(), and for formulas that
+  /// have no value at a place. Not collective.
   base::Matrix of(const elasticity::ElasticPart& body,
-                  const std::optional<std::array<input::Schedule, 3>>& bodyForce) const;
+                  const std::optional<std::array<input::Field, 3>>& bodyForce) const;
 
  private:
   std::vector<const VolumeLoad*> loadsOn(const std::string& part) const;
