@@ -44,6 +44,61 @@ TEST(Bodies, RingsOfOtherRadiiAreNotEqual) {
   EXPECT_FALSE(isEqual());
 }
 
+/// The part "upper" of the sample, x and y in (0, 2), z in (1, 2), under a body force -3 ramp(t) along z times a
+/// formula.
+class UnderAFormula {
+ public:
+  explicit UnderAFormula(const std::string& formula)
+      : scene_(sample({"Parts/upper/Body Force/Z Formula=" + formula})),
+        mesh_(makeMesh(scene_.input.list("Mesh"), "")),
+        bodies_(makeBodies(scene_, mesh_, errors)) {
+    if (errors.count() > 0) return;
+    const Temperatures none(scene_, mesh_, errors);
+    const auto assembled =
+        assemble(scene_, mesh_, makeModel(scene_.input.list("Model"), mesh_), bodies_, none, {0, 0}, 0, errors);
+    loads_ = assembled[1].loads;
+  }
+
+  /// Integral of the force times x at the end of load step 5, where t = 3 and the ramp is 1; and without x.
+  double moment() const {
+    return sum([](const base::Vector3& place) { return place[0]; });
+  }
+  double resultant() const {
+    return sum([](const base::Vector3&) { return 1.0; });
+  }
+
+  input::ErrorList errors;
+
+ private:
+  template <class Weight>
+  double sum(const Weight& weight) const {
+    double total = 0.0;
+    const std::vector<int>& nodes = bodies_.pieces[1].nodes;
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+      total += weight(mesh_.nodes[nodes[node]]) * loads_(3 * static_cast<int>(node) + 2, 4);
+    }
+    return total;
+  }
+
+  Scene scene_;
+  mesh::Mesh mesh_;
+  Bodies bodies_;
+  base::Matrix loads_;
+};
+
+TEST(Bodies, ForcesFollowAFormulaOfPlaceAndTime) {
+  const UnderAFormula varied("(x + 2 * y * z) * t"), grown("t^2");
+  ASSERT_EQ(varied.errors.count(), 0);
+  EXPECT_NEAR(varied.resultant(), -3.0 * 3.0 * (4.0 + 12.0), 1e-12 * 144.0);
+  EXPECT_NEAR(varied.moment(), -3.0 * 3.0 * (16.0 / 3.0 + 12.0), 1e-12 * 144.0);
+  EXPECT_NEAR(grown.resultant(), -3.0 * 9.0 * 4.0, 1e-12 * 108.0);
+}
+
+TEST(Bodies, FormulasWithoutValueAreRefusedWithTheirPlace) {
+  const std::string message = UnderAFormula("sqrt(x - 1)").errors.message();
+  EXPECT_NE(message.find("Parts / upper / Body Force / Z Formula: "), std::string::npos) << message;
+}
+
 TEST(Bodies, LargestGoFirstToTheLeastBusyRank) {
   Bodies bodies;
   for (const std::size_t nodes : {10u, 100u, 60u, 50u}) {
