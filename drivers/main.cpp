@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <iostream>
 
 #include <unistd.h>
@@ -8,6 +7,7 @@
 #include <harmos/cli/CommandLine.hpp>
 
 #include "Interrupt.hpp"
+#include "OpenMpiSettings.hpp"
 
 extern "C" {
 // Present when the BLAS is OpenBLAS and when an OpenMP runtime is loaded.
@@ -23,27 +23,19 @@ void useOneThread() {
   if (omp_set_num_threads) omp_set_num_threads(1);
 }
 
-/// What Open MPI must not do, unless the user wants it to: its own handlers of SIGSEGV and others print stacks and may
-/// hang in a damaged heap for minutes, and it takes the short-lived processes that read files for a mistake. A process
-/// that mpirun has not started needs no folder for its session either, which fails where many start at once.
-void tameOpenMpi() {
-  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-  ::setenv("OMPI_MCA_opal_signal", "", 0);
-  ::setenv("OMPI_MCA_mpi_warn_on_fork", "0", 0);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   harmos::base::useFittingBlasKernels(argv);
   useOneThread();
-  tameOpenMpi();
+  OpenMpiSettings openMpi;
   catchInterrupts();
   // Kokkos and MPI get no arguments: Kokkos would answer --help itself.
   char* program[] = {argv[0], nullptr};
   char** programOnly = program;
   int one = 1;
   Tpetra::ScopeGuard scope(&one, &programOnly);
+  openMpi.takeBack();
   const auto communicator = Tpetra::getDefaultComm();
   return harmos::cli::runCommandLine({argv + 1, argv + argc},
                                      {communicator, std::cout, std::cerr, isatty(STDERR_FILENO) != 0, wasInterrupted});

@@ -13,6 +13,8 @@ mkdir -p "$work"
 . "$(dirname "$0")/../expect.sh"
 
 expect 0 '^harmos [0-9]*\.[0-9]*\.[0-9]*$' "$harmos" --version
+# Alone it starts no daemon of Open MPI, which would not be found there.
+expect 0 '^harmos ' env -u OMPI_MCA_ess_singleton_isolated OPAL_BINDIR="$work/nothing" "$harmos" --version
 expect 0 'Exit codes' "$harmos" --help
 expect 2 'Usage' "$harmos"
 for verb in run check doc mesh compare study report predict import picture show export trade; do

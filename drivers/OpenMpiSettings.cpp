@@ -1,0 +1,39 @@
+#include "OpenMpiSettings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+namespace {
+
+// Set by mpirun, by launchers that speak PMIx or PMI, and by Slurm, for every process that they start.
+constexpr std::array<const char*, 6> launched = {
+    "OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMIX_NAMESPACE", "PMI_RANK", "PMI_FD", "SLURM_PROCID"};
+
+// Without a daemon, or anything but itself to talk to.
+constexpr std::array<std::pair<const char*, const char*>, 3> alone = {
+    {{"OMPI_MCA_ess_singleton_isolated", "1"}, {"OMPI_MCA_pml", "ob1"}, {"OMPI_MCA_btl", "self"}}};
+
+bool isSet(const char* name) {
+  return std::getenv(name) != nullptr;
+}
+
+}  // namespace
+
+OpenMpiSettings::OpenMpiSettings() {
+  if (!isSet("OMPI_COMM_WORLD_SIZE")) ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+  ::setenv("OMPI_MCA_opal_signal", "", 0);
+  ::setenv("OMPI_MCA_mpi_warn_on_fork", "0", 0);
+  if (std::any_of(launched.begin(), launched.end(), isSet)) return;
+  for (const auto& [name, value] : alone) {
+    if (isSet(name)) continue;
+    ::setenv(name, value, 0);
+    own_.emplace_back(name);
+  }
+}
+
+void OpenMpiSettings::takeBack() {
+  for (const std::string& name : own_) ::unsetenv(name.c_str());
+  own_.clear();
+}

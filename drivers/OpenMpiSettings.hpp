@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// What Open MPI must not do when it starts, unless the user wants it to, as variables of the environment.
+///
+/// Its own handlers of SIGSEGV and others print stacks and may hang in a damaged heap for minutes, and it takes the
+/// short-lived processes that read files for a mistake. A process that mpirun has not started needs no folder for its
+/// session, which fails where many start at once. One that nothing has launched as one of several needs no daemon
+/// beside it, and no network: without them it starts in a quarter of the time. Other kinds of MPI do not know these
+/// variables.
+class OpenMpiSettings {
+ public:
+  /// Sets them, but those that are set already; to be called before MPI is initialised.
+  OpenMpiSettings();
+  /// To be called when MPI is initialised: takes away what was set for a process alone, which processes that it starts
+  /// would inherit, and those may be several.
+  void takeBack();
+
+ private:
+  std::vector<std::string> own_;  // names, set for a process alone
+};
