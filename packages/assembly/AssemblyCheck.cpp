@@ -6,6 +6,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/assembly/PathCheck.hpp>
 #include <harmos/assembly/detail/BodyCheck.hpp>
 #include <harmos/assembly/detail/InterfaceCheck.hpp>
 #include <harmos/base/Error.hpp>
@@ -106,6 +107,33 @@ void checkOwners(const Assembly& assembly, int ranks, Faults& faults) {
   }
 }
 
+void checkPath(const Assembly& assembly, Faults& faults) {
+  const PathControl& path = *assembly.path;
+  const int interfaces = static_cast<int>(assembly.interfaces.size());
+  if (path.loads.empty()) faults.add("path", "it has no loads");
+  if (path.shares.empty()) faults.add("path", "it controls nothing");
+  if (path.values.size() != assembly.times.size()) {
+    faults.add("path", "it has " + std::to_string(path.values.size()) + " values, but there are " +
+                           std::to_string(assembly.times.size()) + " load steps");
+  }
+  for (const int load : path.loads) {
+    const std::string fault =
+        load < 0 || load >= interfaces ? "there is no interface " + std::to_string(load) : faultOfLoad(assembly, load);
+    if (!fault.empty()) faults.add("path, load " + std::to_string(load), fault);
+  }
+  for (const PathControl::Share& share : path.shares) {
+    const std::string where = "path, share of interface " + std::to_string(share.interface);
+    if (share.interface < 0 || share.interface >= interfaces) {
+      faults.add(where, "there is no such interface");
+    } else if (assembly.interfaces[share.interface].sides() != 2) {
+      faults.add(where, "it has no jump, because it has one side");
+    } else if (static_cast<int>(share.weight.size()) != assembly.interfaces[share.interface].pairs()) {
+      faults.add(where, "it has " + std::to_string(share.weight.size()) + " weights, but the interface has " +
+                            std::to_string(assembly.interfaces[share.interface].pairs()) + " pairs");
+    }
+  }
+}
+
 }  // namespace
 
 const Assembly& demandValid(const Assembly& assembly, const Teuchos::Comm<int>& comm) {
@@ -121,6 +149,7 @@ const Assembly& demandValid(const Assembly& assembly, const Teuchos::Comm<int>& 
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     checkInterface(assembly, static_cast<int>(i), faults);
   }
+  if (assembly.path && faults.count() == 0) checkPath(assembly, faults);
   throwIfAny(faults, comm);
 
   const double mine = Fingerprint(assembly).value();

@@ -95,7 +95,7 @@ BodyOperators::BodyOperators(const assembly::Assembly& assembly, const assembly:
                              const substructure::SolverOptions& options, base::Timers& timers)
     : eliminated_(eliminated),
       dimension_(assembly.dimension),
-      cases_(assembly.steps()),
+      cases_(assembly.loadCases()),
       places_(assembly.bodies.size()),
       loads_(assembly.bodies.size()),
       held_(assembly.bodies.size()) {
@@ -182,17 +182,17 @@ void BodyOperators::fromGroup(const Place& place, const base::Matrix& group, bas
 }
 
 void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
-  const int steps = assembly.steps();
+  const int steps = assembly.steps(), cases = assembly.loadCases();
   std::vector<base::Matrix> loads(places_.size()), held(places_.size());
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     if (places_[b].group < 0) continue;
     const substructure::Substructure& body = assembly.bodies[b];
-    loads[b].shape(static_cast<int>(body.nodes.size()) * dimension_, steps);
-    if (body.loads.numRows() > 0) loads[b] += body.loads;
-    held[b].shape(loads[b].numRows(), steps);
+    loads[b].shape(static_cast<int>(body.nodes.size()) * dimension_, cases);
+    for (int t = 0; t < body.loads.numCols(); ++t) std::copy_n(body.loads[t], body.loads.numRows(), loads[b][t]);
+    held[b].shape(loads[b].numRows(), cases);
     const auto& nodes = eliminated_.nodes(static_cast<int>(b));
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      for (int t = 0; t < steps; ++t) {
+      for (int t = 0; t < cases; ++t) {
         base::Vector3 force = eliminated_.force(static_cast<int>(b), n, t);
         base::Vector3 place = eliminated_.held(static_cast<int>(b), n, t);
         if (reference_ != nullptr && !reference_->isEmpty()) {
@@ -208,15 +208,17 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
       }
     }
   }
-  for (const assembly::Interface& interface : assembly.interfaces) {
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const assembly::Interface& interface = assembly.interfaces[i];
     if (!interface.law->prescribesTraction() || places_[interface.body1].group < 0) continue;
     base::Matrix& sums = loads[interface.body1];
-    for (int t = 0; t < steps; ++t) {
+    const bool isScaled = assembly.path && assembly.path->scales(static_cast<int>(i));
+    for (int t = 0; t < (isScaled ? 1 : steps); ++t) {
       interface.trace1.addTransposed(dimension_, prescribedForces(interface, assembly.times, dimension_, t).data(),
-                                     sums[t]);
+                                     sums[isScaled ? steps : t]);
     }
   }
-  cases_ = steps;
+  cases_ = cases;
   setLoads(std::move(loads), std::move(held));
 }
 
@@ -291,6 +293,20 @@ void BodyOperators::addForces(const base::Matrix& forces, int first, int count) 
           for (int c = 0; c < dimension_; ++c) to[row + c] += weight * force[c];
         }
       }
+    }
+  }
+}
+
+void BodyOperators::keepUnit() {
+  for (auto& group : groups_) group->keepUnit();
+}
+
+void BodyOperators::addUnit(const std::vector<double>& factors) {
+  const int columns = static_cast<int>(steps_.size());
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    for (std::size_t m = 0; m < members_[g].size(); ++m) {
+      const int member = static_cast<int>(m);
+      for (int t = 0; t < columns; ++t) groups_[g]->addUnit(member * columns + t, member, factors[t]);
     }
   }
 }

@@ -40,7 +40,7 @@ class BodyOperators {
   /// must follow, and whenever they change.
   void setReference(const ReferenceMotions& reference) { reference_ = &reference; }
   /// Reads body forces, prescribed tractions and what eliminated boundaries prescribe anew; nothing else may have
-  /// changed.
+  /// changed. The load cases are the load steps and, where there is a PathControl, what it multiplies, by itself.
   void updateLoads(const assembly::Assembly& assembly);
   /// Puts other load cases in the place of the load steps, until updateLoads(): l [force] and g [length] of every body,
   /// dofs x cases; 0 x 0: of bodies that are not owned here. select() must follow.
@@ -61,6 +61,10 @@ class BodyOperators {
   void solve(const base::Matrix& forces, int first, int count, substructure::Precision precision);
   /// Prepares solves in single precision; returns the largest SubstructureSolver::singleError() of this rank.
   double prepareSingle();
+  /// Keeps the last solve, of one column, as the response to a load factor of 1. A change of the loads ends it.
+  void keepUnit();
+  /// Adds it to the last solve of all columns, times a load factor for each.
+  void addUnit(const std::vector<double>& factors);
   /// Adds nodal forces to those of the last solve of all columns which move no body: reactions follow, u stays.
   void addBalanced(const base::Matrix& forces);
   /// The linear part of it for one owned body and arbitrary columns, in the body's own numbering: S u = P r, u [length]
@@ -77,9 +81,9 @@ class BodyOperators {
   /// Largest component of the displacement of all owned bodies as last solved, in their representatives' axes; of a
   /// body that is solved on its trace, of the trace, and `share` of what its loads do to it when only k h holds it.
   double largestDisplacement(double share) const;
-  /// P (l - A g) of an owned body [force], dofs x load steps or cases: what moves it from outside.
+  /// P (l - A g) of an owned body [force], dofs x load cases: what moves it from outside.
   const base::Matrix& loads(int body) const { return loads_[body]; }
-  /// g of an owned body [length], dofs x load steps or cases; 0 x 0 when it is zero in all of them.
+  /// g of an owned body [length], dofs x load cases; 0 x 0 when it is zero in all of them.
   const base::Matrix& held(int body) const { return held_[body]; }
 
   /// Factored operators on this rank: congruent bodies count once.
@@ -114,7 +118,7 @@ class BodyOperators {
   const EliminatedBoundaries& eliminated_;
   const ReferenceMotions* reference_ = nullptr;
   int dimension_;
-  int cases_;               // load steps, or what is in their place
+  int cases_;               // load cases: load steps and what a PathControl multiplies, or what is in their place
   std::vector<int> steps_;  // load step or case of every column
   std::vector<Place> places_;
   std::vector<std::unique_ptr<OperatorGroup>> groups_;

@@ -52,7 +52,11 @@ Derivatives::Derivatives(FixedPoint& fixedPoint, const std::vector<std::shared_p
       responses_(responses),
       tolerance_(tolerance),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
-      tangent_(fixedPoint.metric(), fixedPoint.assembly(), lines_) {}
+      tangent_(fixedPoint.metric(), fixedPoint.assembly(), lines_) {
+  if (fixedPoint.assembly().path) {
+    throw base::Error("there are no derivatives where the size of loads is to be found", base::ExitCode::input);
+  }
+}
 
 Derivatives::~Derivatives() = default;
 

@@ -44,7 +44,7 @@ EliminatedBoundaries::EliminatedBoundaries(const assembly::Assembly& assembly,
                                            const std::vector<ResistedMotions>& resisted)
     : assembly_(assembly),
       searchDirection_(searchDirection),
-      steps_(assembly.times.size()),
+      cases_(static_cast<std::size_t>(assembly.loadCases())),
       boundaries_(assembly.interfaces.size()),
       bodies_(assembly.bodies.size()) {
   if (which == Elimination::none) return;
@@ -68,6 +68,23 @@ base::Vector3 EliminatedBoundaries::axis(const assembly::Interface& interface, i
   return axis;
 }
 
+std::vector<std::array<laws::AffineComponent, 3>> EliminatedBoundaries::componentsOf(int interfaceIndex) const {
+  const laws::InterfaceLaw& law = *assembly_.interfaces[interfaceIndex].law;
+  const double compliance = 1.0 / searchDirection_.of(interfaceIndex)[0];
+  std::vector<std::array<laws::AffineComponent, 3>> components;
+  for (int t = 0; t < assembly_.steps(); ++t) components.push_back(laws::affineComponents(law, t, compliance));
+  if (!assembly_.path) return components;
+  components.push_back(components.front());
+  const bool isScaled = assembly_.path->scales(interfaceIndex);
+  for (std::size_t t = 0; t < cases_; ++t) {
+    const bool isUnit = t + 1 == cases_;
+    for (laws::AffineComponent& component : components[t]) {
+      if (isScaled != isUnit) component.offset = 0.0;
+    }
+  }
+  return components;
+}
+
 void EliminatedBoundaries::choose(Elimination which) {
   std::vector<bool> isConsistent(assembly_.bodies.size(), false);
   for (const assembly::Interface& interface : assembly_.interfaces) {
@@ -84,10 +101,7 @@ void EliminatedBoundaries::choose(Elimination which) {
       continue;
     }
     Boundary& boundary = boundaries_[i];
-    const double compliance = 1.0 / searchDirection_.of(static_cast<int>(i))[0];
-    for (std::size_t t = 0; t < steps_; ++t) {
-      boundary.components.push_back(laws::affineComponents(law, static_cast<int>(t), compliance));
-    }
+    boundary.components = componentsOf(static_cast<int>(i));
     const auto& first = boundary.components[0];
     const bool hasSprings =
         std::any_of(first.begin(), first.end(), [](const auto& c) { return !isRigid(c) && c.stiffness != 0.0; });
@@ -195,14 +209,14 @@ void EliminatedBoundaries::gather() {
 
 void EliminatedBoundaries::update() {
   for (Body& body : bodies_) {
-    body.force.assign(body.nodes.size() * steps_, {});
-    body.held.assign(body.nodes.size() * steps_, {});
+    body.force.assign(body.nodes.size() * cases_, {});
+    body.held.assign(body.nodes.size() * cases_, {});
   }
   const auto visit = [&](const auto& action) {
     for (std::size_t i = 0; i < boundaries_.size(); ++i) {
       const assembly::Interface& interface = assembly_.interfaces[i];
       for (std::size_t p = 0; p < boundaries_[i].node.size(); ++p) {
-        for (std::size_t t = 0; t < steps_; ++t) {
+        for (std::size_t t = 0; t < cases_; ++t) {
           for (std::size_t c = 0; c < 3; ++c) {
             action(static_cast<int>(i), static_cast<int>(p), t, axis(interface, static_cast<int>(p), c),
                    boundaries_[i].components[t][c]);
@@ -213,12 +227,8 @@ void EliminatedBoundaries::update() {
   };
   for (std::size_t i = 0; i < boundaries_.size(); ++i) {
     if (!boundaries_[i].isEliminated) continue;
-    const double compliance = 1.0 / searchDirection_.of(static_cast<int>(i))[0];
     const std::array<laws::AffineComponent, 3> stiffness = boundaries_[i].components[0];
-    for (std::size_t t = 0; t < steps_; ++t) {
-      boundaries_[i].components[t] =
-          laws::affineComponents(*assembly_.interfaces[i].law, static_cast<int>(t), compliance);
-    }
+    boundaries_[i].components = componentsOf(static_cast<int>(i));
     if (haveOneStiffness(boundaries_[i].components, stiffness)) continue;
     throw base::Error("boundary \"" + assembly_.interfaces[i].name +
                       "\": the springs of its law have changed, but are part of the operators; make the solver with "
@@ -227,7 +237,7 @@ void EliminatedBoundaries::update() {
   visit([&](int i, int p, std::size_t t, const base::Vector3& a, const laws::AffineComponent& component) {
     const assembly::Interface& interface = assembly_.interfaces[i];
     Body& body = bodies_[interface.body1];
-    const std::size_t at = boundaries_[i].node[p] * steps_ + t;
+    const std::size_t at = boundaries_[i].node[p] * cases_ + t;
     // The ground is side 2, so the jump is -w.
     std::vector<base::Vector3>& sums = isRigid(component) ? body.held : body.force;
     const double sign = isRigid(component) ? -1.0 : 1.0;
@@ -235,8 +245,8 @@ void EliminatedBoundaries::update() {
   });
   for (Body& body : bodies_) {
     for (std::size_t n = 0; n < body.nodes.size(); ++n) {
-      for (std::size_t t = 0; t < steps_; ++t) {
-        body.held[n * steps_ + t] = base::product(body.nodes[n].inverse, body.held[n * steps_ + t]);
+      for (std::size_t t = 0; t < cases_; ++t) {
+        body.held[n * cases_ + t] = base::product(body.nodes[n].inverse, body.held[n * cases_ + t]);
       }
     }
   }

@@ -57,13 +57,14 @@ class EliminatedBoundaries {
   bool isEmpty() const { return isEmpty_; }
   /// The nodes of a body, ascending.
   const std::vector<Node>& nodes(int body) const { return bodies_[body].nodes; }
-  /// Sum of h c a [force] on one of the nodes of a body at a load step.
-  const base::Vector3& force(int body, std::size_t node, int step) const {
-    return bodies_[body].force[node * steps_ + static_cast<std::size_t>(step)];
+  /// Sum of h c a [force] on one of the nodes of a body in a load case: at a load step, what a PathControl multiplies
+  /// left out, or, after the load steps, that alone.
+  const base::Vector3& force(int body, std::size_t node, int loadCase) const {
+    return bodies_[body].force[node * cases_ + static_cast<std::size_t>(loadCase)];
   }
-  /// Displacement [length] to which one of the nodes of a body is held at a load step; 0 in the free directions.
-  const base::Vector3& held(int body, std::size_t node, int step) const {
-    return bodies_[body].held[node * steps_ + static_cast<std::size_t>(step)];
+  /// Displacement [length] to which one of the nodes of a body is held in a load case; 0 in the free directions.
+  const base::Vector3& held(int body, std::size_t node, int loadCase) const {
+    return bodies_[body].held[node * cases_ + static_cast<std::size_t>(loadCase)];
   }
   /// Traction f [stress] at a pair of an eliminated boundary, from the displacement w [length] of its node and the
   /// reaction [force] of all rigid directions there.
@@ -84,24 +85,26 @@ class EliminatedBoundaries {
  private:
   struct Boundary {
     bool isEliminated = false;
-    std::vector<std::array<laws::AffineComponent, 3>> components;  // per load step
+    std::vector<std::array<laws::AffineComponent, 3>> components;  // per load case
     std::vector<std::size_t> node;                                 // of each pair, in the nodes of the body
   };
   struct Body {
     std::vector<Node> nodes;
-    std::vector<base::Vector3> force;  // nodes x steps
-    std::vector<base::Vector3> held;   // nodes x steps
+    std::vector<base::Vector3> force;  // nodes x cases
+    std::vector<base::Vector3> held;   // nodes x cases
   };
 
   base::Vector3 axis(const assembly::Interface& interface, int pair, std::size_t component) const;
   void choose(Elimination which);
   void keepBodiesHeld(const std::vector<ResistedMotions>& resisted);
   void gather();
+  /// Those of the law of a boundary in all load cases.
+  std::vector<std::array<laws::AffineComponent, 3>> componentsOf(int interfaceIndex) const;
   [[noreturn]] void refuse(int interfaceIndex, int pair, int step, double found) const;
 
   const assembly::Assembly& assembly_;
   const assembly::SearchDirection& searchDirection_;
-  std::size_t steps_;
+  std::size_t cases_;
   bool isEmpty_ = true;
   std::vector<Boundary> boundaries_;
   std::vector<Body> bodies_;

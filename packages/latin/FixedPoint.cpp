@@ -58,11 +58,28 @@ FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& o
   share_ = std::make_unique<TractionShare>(assembly, searchDirection_, eliminated_);
 }
 
+void FixedPoint::demandFollowable() const {
+  if (!assembly_.path) return;
+  if (options_.formulation != Formulation::displacement) {
+    throw base::Error("loads whose size is to be found need the displacement form", base::ExitCode::input);
+  }
+  for (const int load : assembly_.path->loads) {
+    const assembly::Interface& interface = assembly_.interfaces[load];
+    if (interface.law->prescribesTraction() || eliminated_.contains(load)) continue;
+    throw base::Error(
+        "boundary \"" + interface.name +
+            "\" is a load whose size is to be found, but its displacement is met in the local stage; use the default "
+            "algorithm and a lumped interface mass, hold the assembly by other boundaries, or prescribe a traction",
+        base::ExitCode::input);
+  }
+}
+
 FixedPoint::~FixedPoint() = default;
 
 std::unique_ptr<LinearStage> FixedPoint::makeLinearStage() {
   const base::SoleThread inside;
   const auto make = [&] {
+    demandFollowable();
     auto stage = std::make_unique<LinearStage>(assembly_, searchDirection_, layout_, eliminated_, options_.formulation,
                                                options_.macroProblem, options_.solver, timers_);
     stage->setReference(reference_);

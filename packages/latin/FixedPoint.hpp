@@ -89,7 +89,9 @@ class FixedPoint {
   /// Makes of alpha, counted from the motions, what it is counted from zero; changes nothing else.
   void addReference(base::Matrix& alpha) const { addDifference(reference_, ReferenceMotions(assembly_), alpha); }
   /// Whether recentre() can be called.
-  bool canRecentre() const { return options_.formulation == Formulation::displacement && pointwise_ != nullptr; }
+  bool canRecentre() const {
+    return options_.formulation == Formulation::displacement && pointwise_ != nullptr && !assembly_.path;
+  }
   /// What displacements are counted from.
   const ReferenceMotions& reference() const { return reference_; }
 
@@ -149,6 +151,8 @@ class FixedPoint {
   void addDifference(const ReferenceMotions& rho1, const ReferenceMotions& rho2, base::Matrix& alpha) const;
   /// Adds tractions [stress] to the present iterate that the bodies do not feel.
   void addBalanced(const base::Matrix& tractions);
+  /// Throws base::Error (input) where a PathControl multiplies what the linear stage does not prescribe.
+  void demandFollowable() const;
   /// May give up the elimination, where boundaries leave the assembly free to move.
   std::unique_ptr<LinearStage> makeLinearStage();
 

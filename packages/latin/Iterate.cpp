@@ -58,7 +58,12 @@ std::vector<base::Vector3> Iterate::tractions(int interfaceIndex, int column) co
   const Fields& fields = valid();
   const assembly::Interface& interface = fields.assembly.interfaces[interfaceIndex];
   const int step = fields.steps[column];
-  if (interface.law->prescribesTraction()) return prescribedTractions(interface, fields.assembly.times, step);
+  if (interface.law->prescribesTraction()) {
+    std::vector<base::Vector3> given = prescribedTractions(interface, fields.assembly.times, step);
+    if (!fields.assembly.path || !fields.assembly.path->scales(interfaceIndex)) return given;
+    for (base::Vector3& f : given) f = loadFactors()[column] * f;
+    return given;
+  }
   std::vector<base::Vector3> tractions(interface.pairs());
   if (fields.eliminated.contains(interfaceIndex)) {
     for (int p = 0; p < interface.pairs(); ++p) {

@@ -79,6 +79,8 @@ class Iterate {
   /// f [stress] on side 1 of the pairs of an interface at one column, in global axes: of the linear stage, or what its
   /// boundary prescribes or answers. To be asked by the owner of body 1.
   std::vector<base::Vector3> tractions(int interfaceIndex, int column) const;
+  /// Load factor lambda [-] of every column; to be asked where there is a PathControl.
+  const std::vector<double>& loadFactors() const { return valid().linear->loadFactors(); }
   /// The fields of the eliminated boundaries on this rank, computed at the first call.
   const BoundaryFields& boundaryFields() const;
   /// States of the pairs of one interface, see LocalStage::states().

@@ -124,6 +124,9 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
   balance_.emplace(assembly_, fixedPoint_.layout().comm(), timers_);
   LatinResult result;
+  if (assembly_.path && options_.algorithm != Algorithm::accelerated) {
+    throw base::Error("loads whose size is to be found need the accelerated algorithm", base::ExitCode::input);
+  }
   if (options_.algorithm == Algorithm::accelerated && fixedPoint_.formulation() == Formulation::displacement) {
     march(result, start != nullptr ? March::Guess::state : March::Guess::extrapolation);
   } else {
@@ -219,7 +222,7 @@ double LatinSolver::firstTolerance() const {
 void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restarts) {
   March march(fixedPoint_, options_.memory, options_.accuracy, restarts);
   march.setNewton(*newton_);
-  march.setLoadBalance(*balance_);
+  if (!assembly_.path) march.setLoadBalance(*balance_);  // loads that are found have no balance before
   march.setStop([&] { return mustStop() || stages() >= stageLimit(); });
   march.setObserver([&](int step, int iterations, const Iterate& iterate) {
     state_ = &iterate;

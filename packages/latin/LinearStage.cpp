@@ -20,6 +20,10 @@ LinearStage::LinearStage(const assembly::Assembly& assembly, const assembly::Sea
     const auto running = timers_.start("factor");
     macro_ = std::make_unique<MacroProblem>(assembly, searchDirection, layout, operators_, options);
   }
+  if (assembly.path) {
+    loadFactor_ = std::make_unique<LoadFactor>(assembly, layout);
+    prepareLoadFactor();
+  }
 }
 
 void LinearStage::select(const std::vector<int>& steps) {
@@ -30,19 +34,31 @@ void LinearStage::select(const std::vector<int>& steps) {
   }
 }
 
+void LinearStage::prepareLoadFactor() {
+  const std::vector<int> steps = steps_;
+  select({assembly_.steps()});
+  solveSteps(traction_, 0, 1, substructure::Precision::exact);
+  operators_.keepUnit();
+  loadFactor_->setUnit(traction_, trace_);
+  if (!steps.empty()) select(steps);
+}
+
 void LinearStage::updateLoads() {
   operators_.updateLoads(assembly_);
   if (macro_) macro_->updateLoads(assembly_, operators_);
+  if (loadFactor_) prepareLoadFactor();
 }
 
 void LinearStage::perturb(unsigned seed, double times) {
   operators_.perturb(assembly_, seed, times);
   if (macro_) macro_->updateLoads(assembly_, operators_);
+  if (loadFactor_) prepareLoadFactor();
 }
 
 void LinearStage::unperturb() {
   operators_.unperturb(assembly_);
   if (macro_) macro_->updateLoads(assembly_, operators_);
+  if (loadFactor_) prepareLoadFactor();
 }
 
 void LinearStage::setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held) {
@@ -98,6 +114,10 @@ void LinearStage::solve(const base::Matrix& alpha, base::Matrix& beta, substruct
   const int steps = alpha.numCols();
   if (formulation_ == Formulation::displacement) {
     solveSteps(traction_, 0, steps, precision);
+    if (loadFactor_) {
+      loadFactor_->add(steps_, traction_, trace_);
+      operators_.addUnit(loadFactor_->factors());
+    }
   } else {
     for (int t = 0; t < steps; ++t) {
       if (t > 0) {

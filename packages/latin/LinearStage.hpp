@@ -7,6 +7,7 @@
 #include <harmos/base/Timers.hpp>
 #include <harmos/latin/BodyOperators.hpp>
 #include <harmos/latin/Formulation.hpp>
+#include <harmos/latin/LoadFactor.hpp>
 #include <harmos/latin/MacroProblem.hpp>
 
 namespace harmos::latin {
@@ -16,7 +17,8 @@ namespace harmos::latin {
 /// Displacement form, eq. (24): (K + k h) u = h alpha + l with alpha = f^ + k w^; all load steps in one block solve.
 /// Velocity form, eqs. (19)-(23) with k = k_v / dt, so that one factor serves every step size: the state is
 /// alpha = f^ + k dw^ with dw the displacement increment of the step, and (K + k h) u_t = h (alpha_t + k w_{t-1}) +
-/// l_t, step after step. K: [force/length], h: [area], k: [stress/length], l: loads of the body [force].
+/// l_t, step after step. A PathControl makes a share of l one more unknown, see LoadFactor; displacement form only. K:
+/// [force/length], h: [area], k: [stress/length], l: loads of the body [force].
 class LinearStage {
  public:
   /// Collective. Factors all operators. `assembly`, `layout`, `eliminated` and `timers` must outlive it. Throws
@@ -64,6 +66,9 @@ class LinearStage {
     return operators_.displacement(body, node, column);
   }
 
+  /// Load factor lambda [-] of every column of the last solve, where there is a PathControl.
+  const std::vector<double>& loadFactors() const { return loadFactor_->factors(); }
+
   /// Work so far: columns solved over the number of load steps, so that a solve of all load steps counts as one.
   int stages() const { return static_cast<int>((columnsSolved_ + assembly_.steps() - 1) / assembly_.steps()); }
   /// Goes on counting from what another stage has solved.
@@ -79,6 +84,8 @@ class LinearStage {
 
  private:
   void applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const;
+  /// Solves for the loads that a PathControl multiplies, by themselves. The fields of the last solve are lost.
+  void prepareLoadFactor();
   void solveSteps(base::Matrix& alpha, int first, int count, substructure::Precision precision);
 
   const assembly::Assembly& assembly_;
@@ -89,6 +96,7 @@ class LinearStage {
   base::Timers& timers_;
   BodyOperators operators_;
   std::unique_ptr<MacroProblem> macro_;
+  std::unique_ptr<LoadFactor> loadFactor_;  // null: all loads are given
   base::Matrix forces_;
   base::Matrix trace_;
   base::Matrix traction_;  // during a solve alpha with the correction of the macro problem

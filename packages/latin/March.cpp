@@ -113,15 +113,19 @@ bool March::solveSoftening(int step, const Iterate& iterate, const base::Matrix&
                            double target) {
   const int rows = state.numRows();
   base::Matrix beta(rows, 1), whole(rows, 1), before(rows, 1);
+  const double share = target / forceSize(iterate, false);
   beta.assign(iterate.beta());  // a copy: the field goes with the next solve
   whole.assign(state);
   if (newton_->solveWith(base::Matrix(rows, 1), whole, beta, target, mostSofteningSteps, mustStop_).isReached) {
     state.assign(whole);
     return true;
   }
+  // Parts add round-off to what they have come to already.
+  if (fixedPoint_.assembly().path && parts_[step] > 1) return false;
   if (step > 0) std::copy_n(alpha[step - 1], rows, before[0]);
+  const double least = fixedPoint_.assembly().path ? share * largestForce_ : target;
   const StepContinuation::Result result =
-      StepContinuation(fixedPoint_, *newton_).solve(step, before, state, target, mustStop_);
+      StepContinuation(fixedPoint_, *newton_).solve(step, before, state, least, share, mustStop_);
   if (result.isReached) parts_[step] = std::max(parts_[step], result.parts);
   share_ = result.share;
   return result.isReached;
@@ -145,7 +149,12 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   int iteration = 0, sinceLanding = 0, landings = 0, sinceHalved = 0, newtonTries = 0;
   double halved = std::numeric_limits<double>::infinity();
   bool isListening = false, isReached = false;
-  bool mayBeInParts = newton_ != nullptr && fixedPoint_.assembly().softens() && fixedPoint_.reference().isEmpty();
+  const bool isPath = fixedPoint_.assembly().path.has_value();
+  int softeningTries = 0;
+  if (newton_ != nullptr && fixedPoint_.assembly().softens() && fixedPoint_.reference().isEmpty()) {
+    // Loads that are found are wild at first, and so is the size of the forces that says what is near enough.
+    softeningTries = isPath ? maximumNewtonTries : 1;
+  }
   share_ = 1.0;
   End end = End::reached;
   const Iterate* iterate = nullptr;
@@ -181,12 +190,13 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       end = End::stopped;
       break;
     }
-    if (mayBeInParts) {
-      mayBeInParts = false;
+    if (softeningTries > 0) {
+      --softeningTries;
       if (solveSoftening(step, *iterate, alpha, state, newtonShare * tolerance * force)) {
         acceleration.restart();
         continue;
       }
+      softeningTries = 0;
       iterate = &fixedPoint_.apply(state, image);
     }
     const bool isStagnant = !fixedPoint_.assembly().isAffine() && stagnation.isFound(size, tolerance * force);
@@ -225,9 +235,10 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       imbalance.step = step;
       reason_ = describeLack(imbalance, fixedPoint_.assembly(), balance_ != nullptr && balance_->hasForces(step));
       end = End::noEquilibrium;
-      if (fixedPoint_.assembly().softens()) {
+      if (fixedPoint_.assembly().softens() || isPath) {
         // What was pushed on trial has broken joints that may have held.
-        reason_ += "; laws soften, so that an equilibrium may have been missed";
+        reason_ += std::string("; ") + (fixedPoint_.assembly().softens() ? "laws soften" : "loads are to be found") +
+                   ", so that an equilibrium may have been missed";
         end = End::unreached;
       }
       break;

@@ -196,6 +196,8 @@ void OperatorGroup::setLoads(const base::Matrix& loads, const base::Matrix& held
 void OperatorGroup::select(std::vector<int> loadColumns) {
   loadColumns_ = std::move(loadColumns);
   const int columns = static_cast<int>(loadColumns_.size());
+  unitOf_.assign(columns, 0);
+  unitFactors_.assign(columns, 0.0);
   forces_.shape(rows(), columns);
   solution_.shape(rows(), columns);
 }
@@ -206,7 +208,10 @@ void OperatorGroup::solve(const std::vector<int>& columns, substructure::Precisi
   hasWhole_ = false;
   hasReactions_ = false;
   base::Matrix right(rows(), count), part;
-  for (int j = 0; j < count; ++j) std::copy_n(forces_[columns[j]], rows(), right[j]);
+  for (int j = 0; j < count; ++j) {
+    std::copy_n(forces_[columns[j]], rows(), right[j]);
+    unitFactors_[columns[j]] = 0.0;
+  }
   project(right, true);
   for (int j = 0; j < count && !isTrace(); ++j) {
     const double* loads = loads_[loadColumns_[columns[j]]];
@@ -231,6 +236,32 @@ void OperatorGroup::solve(const std::vector<int>& columns, substructure::Precisi
   }
 }
 
+void OperatorGroup::keepUnit() {
+  unitColumns_ = loadColumns_;
+  unitForces_ = forces_;
+  unit_ = solution_;
+}
+
+void OperatorGroup::addUnit(int column, int member, double factor) {
+  for (int row = 0; row < rows(); ++row) {
+    forces_[column][row] += factor * unitForces_[member][row];
+    solution_[column][row] += factor * unit_[member][row];
+  }
+  unitOf_[column] = member;
+  unitFactors_[column] = factor;
+  hasWhole_ = false;
+  hasReactions_ = false;
+}
+
+void OperatorGroup::addLoad(const base::Matrix& field, int column, double* to) const {
+  const double* own = field[loadColumns_[column]];
+  for (int row = 0; row < field.numRows(); ++row) to[row] += own[row];
+  const double factor = unitFactors_[column];
+  if (factor == 0.0) return;
+  const double* unit = field[unitColumns_[unitOf_[column]]];
+  for (int row = 0; row < field.numRows(); ++row) to[row] += factor * unit[row];
+}
+
 const base::Matrix& OperatorGroup::wholeSolution() const {
   if (!isTrace()) return solution_;
   if (hasWhole_) return whole_;
@@ -239,14 +270,9 @@ const base::Matrix& OperatorGroup::wholeSolution() const {
     for (std::size_t row = 0; row < trace_.size(); ++row) right[j][trace_[row]] = forces_[j][row];
   }
   project(right, false);
-  for (int j = 0; j < right.numCols(); ++j) {
-    const double* loads = loads_[loadColumns_[j]];
-    for (int row = 0; row < dofs(); ++row) right[j][row] += loads[row];
-  }
+  for (int j = 0; j < right.numCols(); ++j) addLoad(loads_, j, right[j]);
   solver_.solve(right, whole_);
-  for (int j = 0; j < right.numCols() && held_.numCols() > 0; ++j) {
-    for (int row = 0; row < dofs(); ++row) whole_[j][row] += held_[loadColumns_[j]][row];
-  }
+  for (int j = 0; j < right.numCols() && held_.numCols() > 0; ++j) addLoad(held_, j, whole_[j]);
   hasWhole_ = true;
   return whole_;
 }
@@ -279,7 +305,9 @@ const base::Matrix& OperatorGroup::reactions() const {
   reactions_.shape(static_cast<int>(heldDofs_.size()), whole.numCols());
   for (int j = 0; j < whole.numCols(); ++j) {
     multiply(whole[j], heldDofs_, reactions_[j]);
-    for (std::size_t i = 0; i < heldDofs_.size(); ++i) reactions_[j][i] -= heldLoads_[loadColumns_[j]][i];
+    std::vector<double> loads(heldDofs_.size(), 0.0);
+    if (!heldDofs_.empty()) addLoad(heldLoads_, j, loads.data());
+    for (std::size_t i = 0; i < heldDofs_.size(); ++i) reactions_[j][i] -= loads[i];
     for (std::size_t i = 0; i < heldDofs_.size(); ++i) {
       const int row = rowOf(heldDofs_[i]);
       const bool isLoaded = !isTrace() || (row < rows() && trace_[row] == heldDofs_[i]);

@@ -6,8 +6,18 @@ namespace harmos::latin {
 namespace {
 
 constexpr double firstPart = 0.25;
+// Where loads are found, a state that does not fit the jump asks for loads many times as large, which would break
+// joints: the first part is so small that they bear that, and extrapolation does the rest.
+constexpr double firstPartOfPath = 1.0 / 65536.0;
+constexpr double leastPartOfPath = 1.0 / 262144.0;
 // Newton's steps of a part; one that took no more than a few lets the next part be longer.
 constexpr int mostSteps = 12;
+// A residual so many times above what the forces of its own state ask for is near enough; one that is not goes to so
+// little of itself at most.
+constexpr double nearEnough = 1.5;
+constexpr double smallestFall = 1e-3;
+// Residuals below this share of the state are round-off.
+constexpr double noise = 1e-13;
 constexpr double longer = 1.5;
 constexpr double shorter = 0.5;
 
@@ -18,8 +28,30 @@ void extrapolate(const base::Matrix& a, const base::Matrix& b, double ratio, bas
 
 }  // namespace
 
+double StepContinuation::forceOf(const base::Matrix& offset, const base::Matrix& state,
+                                 const base::Matrix& beta) const {
+  base::Matrix force(state.numRows(), 1);
+  for (int row = 0; row < state.numRows(); ++row) force(row, 0) = 0.5 * (state(row, 0) + beta(row, 0) + offset(row, 0));
+  return fixedPoint_.metric().norm(force);
+}
+
+bool StepContinuation::solvePart(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta, double target,
+                                 double share, const std::function<bool()>& mustStop) {
+  if (!fixedPoint_.assembly().path) {
+    return newton_.solveWith(offset, state, beta, target, mostSteps, mustStop).isReached;
+  }
+  // What is too large at first shrinks with the forces.
+  double asked = std::max(target, share * forceOf(offset, state, beta));
+  for (;;) {
+    if (!newton_.solveWith(offset, state, beta, asked, mostSteps, mustStop).isReached) return false;
+    const double needed = std::max(target, share * forceOf(offset, state, beta));
+    if (asked <= std::max(nearEnough * needed, noise * fixedPoint_.metric().norm(state))) return true;
+    asked = std::max(needed, smallestFall * asked);
+  }
+}
+
 StepContinuation::Result StepContinuation::solve(int step, const base::Matrix& before, base::Matrix& state,
-                                                 double target, const std::function<bool()>& mustStop) {
+                                                 double target, double share, const std::function<bool()>& mustStop) {
   const int rows = before.numRows();
   base::Matrix beta(rows, 1), loads(rows, 1), offset(rows, 1);
   // What the loads of this step add to those of the one before.
@@ -34,14 +66,16 @@ StepContinuation::Result StepContinuation::solve(int step, const base::Matrix& b
   base::Matrix fromState(before), fromBeta(beta);  // the last solution
   base::Matrix earlierState(before), earlierBeta(beta), tried(rows, 1), triedBeta(rows, 1);
   Result result;
-  double part = firstPart, lastPart = 0.0;
-  while (result.share < 1.0 && part >= leastPart && !(mustStop && mustStop())) {
+  const bool isPath = fixedPoint_.assembly().path.has_value();
+  const double least = isPath ? leastPartOfPath : leastPart;
+  double part = isPath && step == 0 ? firstPartOfPath : firstPart, lastPart = 0.0;
+  while (result.share < 1.0 && part >= least && !(mustStop && mustStop())) {
     const double length = std::min(part, 1.0 - result.share), end = result.share + length;
     const double ratio = lastPart > 0.0 ? length / lastPart : 0.0;
     extrapolate(fromState, earlierState, ratio, tried);
     extrapolate(fromBeta, earlierBeta, ratio, triedBeta);
     for (int row = 0; row < rows; ++row) offset(row, 0) = (end - 1.0) * loads(row, 0);
-    if (!newton_.solveWith(offset, tried, triedBeta, target, mostSteps, mustStop).isReached) {
+    if (!solvePart(offset, tried, triedBeta, target, share, mustStop)) {
       part = shorter * length;
       continue;
     }

@@ -33,11 +33,18 @@ class StepContinuation {
   /// Collective, `step` selected. From `before`, the solution of the load step before (0 of the first one), leaves in
   /// `state` that of this one, |R| <= target; or, where that cannot be reached, the last one on the way. `mustStop`,
   /// which may be empty, is asked on every rank. No iterate is valid afterwards. Throws base::Error as
-  /// LocalStage::solve().
-  Result solve(int step, const base::Matrix& before, base::Matrix& state, double target,
+  /// LocalStage::solve(). Where loads are found, and their size is not known before, it is `share` of |f^| at the end
+  /// of every part, but no less than `target`.
+  Result solve(int step, const base::Matrix& before, base::Matrix& state, double target, double share,
                const std::function<bool()>& mustStop);
 
  private:
+  /// One part, with `offset` added to beta. See solve() for the others.
+  bool solvePart(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta, double target, double share,
+                 const std::function<bool()>& mustStop);
+  /// |f^| of a solution.
+  double forceOf(const base::Matrix& offset, const base::Matrix& state, const base::Matrix& beta) const;
+
   FixedPoint& fixedPoint_;
   StepNewton& newton_;
 };

@@ -164,6 +164,10 @@ void checkDimensions(const Parameters& scene, std::optional<int> dimension, inpu
     vectors.point(load, "Point");
     vectors.axisOfRotation(load);
   }
+  if (scene.hasList("Path Following")) {
+    vectors.direction(scene.list("Path Following"), "Direction");
+    vectors.point(scene.list("Path Following"), "Point");
+  }
   for (const Parameters& response : scene.lists("Responses")) {
     vectors.directionOfMotion(response, "Direction");
     vectors.axis(response);

@@ -16,6 +16,7 @@
 #include <harmos/scene/detail/Contradictions.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
 #include <harmos/scene/detail/Fields.hpp>
+#include <harmos/scene/detail/PathFollowing.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
 
 namespace harmos::scene {
@@ -94,6 +95,7 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
       problem.responses.push_back(std::move(created));
     });
   }
+  if (errors.count() == 0) addPath(scene.input, assembly, problem.responses, errors);
   assembly.owner = distribute(problem.bodies, comm.getSize());
   assembly.bodies = assemble(scene, problem.mesh, problem.model, problem.bodies, *problem.temperatures, assembly.owner,
                              comm.getRank(), errors);

@@ -18,16 +18,17 @@ namespace harmos::scene {
 
 /// A scene made of numbers: mesh, bodies and interfaces, ready to be solved.
 struct Problem {
-  mesh::Mesh mesh;                                                // whole, on every rank
-  Model model;                                                    // kinematics and thickness
-  Bodies bodies;                                                  // geometry and materials, parallel to assembly.bodies
-  std::vector<mesh::InterfaceSurface> surfaces;                   // of interfaces, boundaries and cuts
-  std::vector<JoinedMeshes> joined;                               // interfaces whose meshes do not match
-  std::vector<std::vector<PairPlace>> places;                     // per surface and pair: where its unknowns are
-  std::shared_ptr<const Temperatures> temperatures;               // of the parts
-  assembly::Assembly assembly;                                    // what LATIN solves
-  std::vector<std::shared_ptr<const latin::Response>> responses;  // in the order of the list Responses
-  std::vector<std::string> warnings;                              // those of the scene, and what its mesh adds
+  mesh::Mesh mesh;                                   // whole, on every rank
+  Model model;                                       // kinematics and thickness
+  Bodies bodies;                                     // geometry and materials, parallel to assembly.bodies
+  std::vector<mesh::InterfaceSurface> surfaces;      // of interfaces, boundaries and cuts
+  std::vector<JoinedMeshes> joined;                  // interfaces whose meshes do not match
+  std::vector<std::vector<PairPlace>> places;        // per surface and pair: where its unknowns are
+  std::shared_ptr<const Temperatures> temperatures;  // of the parts
+  assembly::Assembly assembly;                       // what LATIN solves
+  std::vector<std::shared_ptr<const latin::Response>>
+      responses;                      // in the order of the list Responses; then the load factor
+  std::vector<std::string> warnings;  // those of the scene, and what its mesh adds
 };
 
 /// Reads the mesh and builds everything. Collective over comm, which is not kept; throws on all ranks or on none.

@@ -25,6 +25,7 @@
 #include <harmos/scene/detail/LawOutputs.hpp>
 #include <harmos/scene/detail/Names.hpp>
 #include <harmos/scene/detail/PartPairs.hpp>
+#include <harmos/scene/detail/PathFollowing.hpp>
 #include <harmos/scene/detail/Place.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
 #include <harmos/scene/detail/Units.hpp>
@@ -97,6 +98,7 @@ class SceneChecker {
     for (const Parameters& interface : input_.lists("Interfaces")) checkInterface(interface);
     for (const Parameters& boundary : input_.lists("Boundaries")) checkBoundary(boundary);
     for (const Parameters& response : input_.lists("Responses")) checkResponse(response);
+    checkPathFollowing(input_, latin::LatinOptions(input_.list("Solver")), errors_);
     const Parameters& solver = input_.list("Solver").list("Linear Solver");
     errors_.collect(solver.where("Name"), [&] { substructure::requireSolver(solver.text("Name")); });
     checkDimensions(input_, dimension(), errors_);
@@ -350,7 +352,7 @@ Scene makeScene(const input::InputTree& input, const std::string& path, const st
   for (std::string& sentence : implausibleNumbers(scene.input)) scene.warnings.push_back(std::move(sentence));
   const Parameters& solver = scene.input.list("Solver");
   scene.solver = latin::LatinOptions(solver);
-  scene.wantsMeshErrors = solver.flag("Mesh Error");
+  scene.wantsMeshErrors = solver.flag("Mesh Error") && !scene.input.hasList("Path Following");
   scene.output.nodalStress = scene.input.list("Output").flag("Nodal Stress");
   if (!scene.output.derivatives.empty() && scene.solver.stages.elimination == latin::Elimination::affine) {
     scene.solver.stages.elimination = latin::Elimination::rigid;  // springs of the ground may be parameters

@@ -26,7 +26,7 @@ struct Scene {
   input::Parameters input;  // all defaults filled in, histories attached
   latin::LatinOptions solver;
   bool hasConsistentMass = false;  // of interfaces, where they have faces
-  bool wantsMeshErrors = true;     // of every response, beside the error of the solver
+  bool wantsMeshErrors = true;     // of every response, beside the error of the solver; never with a path
   OutputChoice output;
   std::vector<double> times;  // end of each load step [time], ascending from above 0
   std::map<std::string, std::shared_ptr<const elasticity::Material>> materials;  // by name in the list Materials

@@ -257,6 +257,10 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
     const bool canDifferentiate = canEstimate && !scene.output.derivatives.empty();
     base::Matrix state;  // estimates end the fields
     if (canDifferentiate) state = latin::Derivatives::stateOf(solver.state());
+    if (problem.assembly.path && scene.input.list("Solver").flag("Mesh Error")) {
+      result.solution.remarks.emplace_back(
+          "the error of the mesh is not estimated where loads are found (Path Following)");
+    }
     if (scene.wantsMeshErrors && canEstimate) {
       const auto estimating = timers.start("mesh error");
       result.meshErrors = estimateMeshErrors(problem, solver.fixedPoint(), solver.state(), problem.responses, *comm);

@@ -9,6 +9,7 @@
 #include <harmos/scene/detail/Fields.hpp>
 #include <harmos/scene/detail/History.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
+#include <harmos/scene/detail/PathFollowing.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
 #include <harmos/scene/detail/TemperatureField.hpp>
 #include <harmos/scene/detail/Units.hpp>
@@ -158,6 +159,7 @@ input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
           "difference to the reference.")
       .choose(builtInTemperatures().forms());
   describeTemperature(temperatures);
+  describePathFollowing(spec.list("Path Following", false, true));
   describeStep(spec.namedLists("Steps", true));
   spec.namedLists("Histories")
       .summary("Factors over time that loads and law parameters follow.")

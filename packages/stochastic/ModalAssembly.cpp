@@ -21,6 +21,9 @@ Realisations constantLaws(const assembly::Assembly& assembly, const Projection& 
 
 assembly::Assembly modalAssembly(const assembly::Assembly& assembly,
                                  const std::shared_ptr<const Projection>& projection) {
+  if (assembly.path) {
+    throw base::Error("random interfaces need loads whose size is given", base::ExitCode::input);
+  }
   const int terms = projection->terms();
   assembly::Assembly modal = assembly;
   modal.times.clear();

@@ -98,6 +98,10 @@ class StudyReader {
     study_.parameters = reader.parameters();
     planned_ = reader.planned();
     demandUse(readFormulas());
+    if (isSceneRead_ && study_.scene.input.hasList("Path Following")) {
+      errors_.add(input_.where("Scene"), "the loads of this scene are found (Path Following), which studies do not do.",
+                  "Run its configurations one by one, or prescribe the loads.");
+    }
     if (isSceneRead_) {
       for (const Parameters& response : input_.lists("Responses")) readResponse(response);
     }

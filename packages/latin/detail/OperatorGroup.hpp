@@ -44,6 +44,10 @@ class OperatorGroup {
   void keepSolution() { hasReactions_ = false; }
   /// Solves these columns, by single ones when they are not all.
   void solve(const std::vector<int>& columns, substructure::Precision precision);
+  /// Keeps the last solve, of one column for each body, as a response that addUnit() adds. setLoads() ends it.
+  void keepUnit();
+  /// Adds the response of a body, counted from 0 in the group, times `factor` to a column of the last solve.
+  void addUnit(int column, int member, double factor);
   /// See SubstructureSolver::prepareSingle().
   double prepareSingle() { return solver_.prepareSingle(); }
   /// Rows of forces() of the last solve [length].
@@ -71,6 +75,8 @@ class OperatorGroup {
 
  private:
   bool isTrace() const { return !trace_.empty(); }
+  /// Adds to all rows of `to` what a field with the columns of loads() holds for a column, the kept response included.
+  void addLoad(const base::Matrix& field, int column, double* to) const;
   void project(base::Matrix& vectors, bool onTrace) const;
   void multiply(const double* u, const std::vector<int>& rows, double* result) const;
   const base::Matrix& reactions() const;
@@ -86,6 +92,10 @@ class OperatorGroup {
   base::Matrix loaded_;     // with a trace: S^-1 loads + g
   base::Matrix heldLoads_;  // l on held nodes
   std::vector<int> loadColumns_;
+  std::vector<int> unitColumns_;     // of loads(), one per body: those of the kept response
+  base::Matrix unitForces_, unit_;   // of it: f and the solution, one column per body
+  std::vector<int> unitOf_;          // body whose response was added to a column
+  std::vector<double> unitFactors_;  // how much of it
   base::Matrix forces_;
   base::Matrix solution_;
   mutable base::Matrix whole_;  // with a trace: all dofs, computed when asked for

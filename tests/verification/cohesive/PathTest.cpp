@@ -1,0 +1,164 @@
+// Paths on which loads are found (Path Following), against closed forms: joints that snap, cracks that run.
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include <harmos/base/Error.hpp>
+
+#include "SolvedScene.hpp"
+
+namespace harmos::verification {
+namespace {
+
+/// Two bars of length 10 and section 10, of Young's modulus E, and a bilinear glue between them.
+struct Bars {
+  double E = 1e4, K = 1e4, strength = 20.0, G = 0.03;
+
+  double onset() const { return strength / K; }
+  double end() const { return 2.0 * G / strength; }
+  /// Stress at an opening that has never been larger.
+  double stress(double opening) const {
+    if (opening <= onset()) return K * opening;
+    return opening < end() ? strength * (end() - opening) / (end() - onset()) : 0.0;
+  }
+  /// Displacement of the loaded end.
+  double displacement(double opening) const { return opening + 20.0 / E * stress(opening); }
+
+  /// The glue is opened to 1.17 times the opening at which it breaks.
+  SceneInput scene(int steps) const {
+    SceneInput input = SceneInput::fromFile("cohesive/snap.xml");
+    input.set(assignment("Materials/metal/Young's Modulus", E))
+        .set(assignment("Interfaces/glue/Law/Stiffness", K))
+        .set(assignment("Interfaces/glue/Law/Normal Strength", strength))
+        .set(assignment("Interfaces/glue/Law/Shear Strength", strength))
+        .set(assignment("Interfaces/glue/Law/Mode I Fracture Energy", G))
+        .set(assignment("Interfaces/glue/Law/Mode II Fracture Energy", 2.0 * G))
+        .set(assignment("Values/u", 1.0))
+        .set("Steps/pull/Increments=" + std::to_string(steps))
+        .remove("Boundaries/drive/Law/X History");
+    return input.add("Path Following", xmlText("Interface", "glue") + xmlNumber("Opening", opening(1, 1)) +
+                                           xmlText("Opening History", "ramp") +
+                                           "<Parameter name=\"Loads\" type=\"Array(string)\" value=\"{drive}\"/>");
+  }
+  double opening(int step, int steps) const { return 1.17 * end() * step / steps; }
+};
+
+std::string messageOf(const SceneInput& input) {
+  try {
+    const SolvedScene run(input);
+    return run.result.reason;
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+    return error.what();
+  }
+}
+
+// The bars spring back by more than the glue gives: u falls from 0.042 at the strength to 0.003 where it is broken. The
+// load factor is the displacement of the end, because 1 is prescribed.
+TEST(RanksPath, BrittleBarIsFollowedBack) {
+  const Bars bars;
+  const SolvedScene run(bars.scene(12));
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  double highest = 0.0;
+  for (int step = 0; step < run.steps(); ++step) {
+    const double opening = bars.opening(step + 1, run.steps());
+    EXPECT_NEAR(run.value("load_factor", step), bars.displacement(opening), 2e-4 * 0.042) << step;
+    EXPECT_NEAR(run.value("F", step), 10.0 * bars.stress(opening), 2e-4 * 200.0) << step;
+    highest = std::max(highest, run.value("load_factor", step));
+  }
+  EXPECT_GT(highest, 3.0 * run.value("load_factor"));
+  EXPECT_NEAR(run.value("spent"), 0.03 * 10.0, 1e-9);
+}
+
+// A traction as load has to fall to 0, and what is prescribed beside it stays: the glue bears both.
+TEST(RanksPath, TractionsAreScaledAndOtherLoadsStay) {
+  const Bars bars;
+  SceneInput scene = bars.scene(12);
+  scene.add("Boundaries/drive", xmlList("Law", xmlText("Type", "Prescribed Traction") + xmlNumber("X", 2.0)));
+  scene.add("Parts/b", xmlList("Body Force", xmlNumber("X", 0.3)));
+  scene.add("Responses", xmlList("pull", xmlText("Type", "Interface Force") + xmlText("Interface", "drive") +
+                                             xmlNumbers("Direction", {1.0, 0.0})));
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  for (int step = 0; step < run.steps(); ++step) {
+    const double stress = bars.stress(bars.opening(step + 1, run.steps()));
+    EXPECT_NEAR(run.value("load_factor", step), (stress - 3.0) / 2.0, 2e-4 * 10.0) << step;
+    EXPECT_NEAR(run.value("pull", step), 10.0 * (stress - 3.0), 2e-4 * 200.0) << step;
+  }
+}
+
+TEST(Path, RandomBarsFollowTheClosedForm) {
+  std::mt19937 random(7);  // its sequence is fixed by the standard, that of the distributions is not
+  const auto between = [&](double low, double high) { return low * std::pow(high / low, random() / 4294967296.0); };
+  for (int trial = 0; trial < 12; ++trial) {
+    Bars bars;
+    bars.E = between(1e3, 1e5);
+    bars.K = between(1e3, 1e6);
+    bars.strength = between(2.0, 50.0);
+    bars.G = 0.5 * bars.strength * bars.onset() * (1.0 + between(0.05, 20.0));
+    const int steps = 5 + trial;
+    const SolvedScene run(bars.scene(steps));
+    ASSERT_TRUE(run.isCertified()) << "trial " << trial << ": " << run.result.reason;
+    const double size = bars.displacement(bars.onset());
+    for (int step = 0; step < steps; ++step) {
+      const double expected = bars.displacement(bars.opening(step + 1, steps));
+      EXPECT_NEAR(run.value("load_factor", step), expected, 2e-4 * size) << "trial " << trial << ", step " << step;
+    }
+  }
+}
+
+// Dragged to and fro by a traction of unknown size, which a joint without softening bears as well: mu N either way.
+TEST(RanksPath, FrictionGivesTheForceOfAGivenSlip) {
+  SceneInput scene = SceneInput::fromFile("sliding_block/sliding_block.xml");
+  scene.add("Boundaries/push", xmlList("Law", xmlText("Type", "Prescribed Traction") + xmlNumber("X", 1.0)))
+      .add("Path Following", xmlText("Interface", "contact") + xmlNumber("Opening", 0.02) +
+                                 xmlText("Opening History", "to and fro") + xmlNumbers("Direction", {2.0, 0.0, 0.0}) +
+                                 "<Parameter name=\"Loads\" type=\"Array(string)\" value=\"{push}\"/>")
+      .remove("Responses/reaction");
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  for (const int step : {2, 6}) {
+    EXPECT_NEAR(std::abs(run.value("load_factor", step)) * 16.0 * 10.0, 0.2 * 7680.0, 1e-4 * 1536.0) << step;
+    EXPECT_NEAR(std::abs(run.value("friction", step)), 0.2 * 7680.0, 1e-4 * 1536.0) << step;
+  }
+  EXPECT_LT(run.value("load_factor", 2) * run.value("load_factor", 6), 0.0);
+}
+
+TEST(Path, LoadsThatDoNotMoveTheJointAreRefused) {
+  SceneInput scene = Bars().scene(4);
+  scene.add("Path Following", xmlNumbers("Direction", {0.0, 1.0}));
+  EXPECT_NE(messageOf(scene).find("the loads that are to be found do not move what is controlled"), std::string::npos)
+      << messageOf(scene);
+}
+
+// The beam of dcb.xml, of which the mean opening of the glue is given: force and opening of the ends follow beam theory
+// while the crack runs, P^2 = 2 (G E I)^(3/2) / (3 E I opening). With a strength of 20 too few elements lie in the
+// cohesive zone, and the crack snaps from point to point: displacements as loads are refused there.
+TEST(Path, CrackIsFollowedWhereItSnaps) {
+  constexpr double G = 0.3, EI = 7e4 * 8.0 / 12.0;
+  for (const double strength : {8.0, 20.0}) {
+    SceneInput scene = SceneInput::fromFile("cohesive/dcb.xml");
+    scene.set(assignment("Interfaces/bond/Law/Normal Strength", strength))
+        .remove("Boundaries/up/Law/Y History")
+        .remove("Boundaries/down/Law/Y History")
+        .add("Path Following", xmlText("Interface", "bond") + xmlNumber("Opening", 0.05) +
+                                   xmlText("Opening History", "ramp") +
+                                   "<Parameter name=\"Loads\" type=\"Array(string)\" value=\"{up, down}\"/>");
+    const SolvedScene run(scene);
+    ASSERT_TRUE(run.isCertified()) << strength << ": " << run.result.reason;
+    EXPECT_LE(run.result.linearStages, 40);  // it takes 12, of 40 load steps each
+    double back = 0.0;
+    for (int step = 0; step < run.steps(); ++step) {
+      if (step > 0) back = std::max(back, run.value("load_factor", step - 1) - run.value("load_factor", step));
+      const double opening = 4.0 * run.value("load_factor", step);
+      if (opening < 2.5) continue;
+      const double load = std::sqrt(2.0 * std::pow(G * EI, 1.5) / (3.0 * EI * opening));
+      EXPECT_NEAR(run.value("P", step), load, (strength < 10.0 ? 0.03 : 0.06) * load) << strength << ", " << opening;
+    }
+    EXPECT_GT(back, strength < 10.0 ? 0.0 : 0.005) << "the ends must close where the crack jumps";
+  }
+}
+
+}  // namespace
+}  // namespace harmos::verification
