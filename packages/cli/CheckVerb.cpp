@@ -2,6 +2,9 @@
 #include <iomanip>
 #include <ostream>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/cli/detail/StudyText.hpp>
@@ -9,6 +12,7 @@
 #include <harmos/cli/detail/Warnings.hpp>
 #include <harmos/scene/CostEstimate.hpp>
 #include <harmos/study/ChaosCost.hpp>
+#include <harmos/study/StudyCost.hpp>
 #include <harmos/study/StudyReader.hpp>
 
 namespace harmos::cli {
@@ -18,6 +22,12 @@ namespace {
 void printBytes(std::ostream& out, const char* what, double bytes) {
   out << "  " << std::left << std::setw(34) << what << std::right << std::setw(10) << std::fixed
       << std::setprecision(bytes < 1e8 ? 1 : 0) << bytes / 1e6 << " MB\n";
+}
+
+void printSeconds(std::ostream& out, const std::string& what, double seconds) {
+  out << "  " << std::left << std::setw(34) << what << std::right << std::setw(10) << std::fixed
+      << std::setprecision(seconds < 1.0 ? 3 : 2) << seconds << " s\n"
+      << std::defaultfloat;
 }
 
 /// For every interface of the assembly, how many pairs it has besides the first of their nodes, because of creases.
@@ -78,18 +88,28 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost) {
   if (cost.singleBytes > 0.0) printBytes(out, "the same in single precision, at most", cost.singleBytes);
   printBytes(out, "fields of the iteration", cost.fieldBytes);
   printBytes(out, "whole process at its peak", cost.processBytes);
-  out << "CPU time, roughly:\n"
-      << std::fixed << std::setprecision(2) << "  " << std::left << std::setw(34) << "factorisation" << std::right
-      << std::setw(10) << cost.factorSeconds << " s\n"
-      << "  " << std::left << std::setw(34) << "one linear stage" << std::right << std::setw(10) << cost.stageSeconds
-      << " s; a certified solution mostly takes 30 to 80\n"
-      << std::defaultfloat;
+  out << "CPU time, roughly:\n";
+  printSeconds(out, "start, reading, stiffness", cost.startSeconds);
+  printSeconds(out, "factorisation", cost.factorSeconds);
+  printSeconds(out, "one linear stage", cost.stageSeconds);
+  printSeconds(out, "error of the mesh, files", cost.resultSeconds);
+  std::ostringstream stages;
+  stages << std::fixed << std::setprecision(0) << "run of " << cost.stages << " linear stages";
+  printSeconds(out, stages.str(), cost.seconds());
 }
 
 void printExpansions(std::ostream& out, const study::ChaosChoice& choice, int ranks) {
   out << "Expansions: " << std::fixed << std::setprecision(0) << choice.cost.terms << " polynomials, "
       << (choice.cost.isGalerkin ? "Galerkin" : "pseudo-spectral") << " local stage " << choice.why << "\n";
   printBytes(out, ranks == 1 ? "memory in all" : "memory of every rank", choice.cost.bytesOf(ranks));
+}
+
+void printStudy(std::ostream& out, const study::Study& study, const study::StudyCost& cost) {
+  std::ostringstream what;
+  what << std::fixed << std::setprecision(0) << "study of " << cost.solves
+       << (study.isChaos() ? " expansions, " : " configurations, ") << cost.stages << " stages";
+  printSeconds(out, what.str(), cost.seconds);
+  if (study.isAdaptive()) out << "    with which it begins; those that are added are not counted\n";
 }
 
 /// `study`: whose scene it is, or null.
@@ -99,18 +119,25 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
   const scene::Problem problem = scene::makeProblem(scene, *environment.communicator, timers);
   latin::LatinOptions options = scene.solver;
   if (study && study->isChaos()) options.stages.solver.allowsSingle = false;  // nothing marches
-  const scene::CostEstimate cost = scene::estimateCost(problem, options, *environment.communicator);
+  const scene::CostEstimate cost =
+      scene::estimateCost(problem, options, scene::FactorSizes::fromOrder, *environment.communicator);
   const bool isShown = environment.isRoot() && !arguments.has("--quiet");
   if (isShown) {
     printProblem(environment.out, problem);
     printCost(environment.out, cost);
     printWarnings(environment.out, problem.warnings);
   }
+  scene::demandCapacity(cost, environment.communicator->getSize() * study::memoryPerRank(*environment.communicator));
   if (study && study->isChaos()) {
     const study::ChaosChoice choice = study::chooseLocalStage(*study, problem, *environment.communicator);
-    if (isShown) printExpansions(environment.out, choice, environment.communicator->getSize());
+    if (isShown) {
+      printExpansions(environment.out, choice, environment.communicator->getSize());
+      printStudy(environment.out, *study, study::estimateStudy(*study, cost, &choice.cost));
+    }
     study::demandMemory(*study, choice, *environment.communicator);
   }
+  if (study && !study->isChaos() && isShown)
+    printStudy(environment.out, *study, study::estimateStudy(*study, cost, nullptr));
   if (!environment.isRoot()) return 0;
   environment.out << scene.path << " is valid.\n";
   return 0;

@@ -10,12 +10,16 @@ namespace harmos::study {
 
 /// What the expansions of a study will take with one local stage, from sizes alone.
 struct ChaosCost {
-  bool isGalerkin = false;   ///< the local stage; else the pseudo-spectral one
-  double terms = 0.0;        // polynomials of the highest order that may be solved
-  double points = 0.0;       // of the tensor grid, at which laws are realised
-  double replicated = 0.0;   // bytes that every rank has: the program, and laws and polynomials at the points
-  double distributed = 0.0;  // bytes of all ranks together: bodies, and fields of all polynomials
-  double seconds = 0.0;      // CPU of all ranks together, of one solve
+  /// Iterations of a solve; of random glue to 1e-6: 55.
+  static constexpr double usualIterations = 55.0;
+
+  bool isGalerkin = false;    ///< the local stage; else the pseudo-spectral one
+  double terms = 0.0;         // polynomials of the highest order that may be solved
+  double points = 0.0;        // of the tensor grid, at which laws are realised
+  double replicated = 0.0;    // bytes that every rank has: the program, and laws and polynomials at the points
+  double distributed = 0.0;   // bytes of all ranks together: bodies, and fields of all polynomials
+  double seconds = 0.0;       // CPU of all ranks together, of one solve
+  double solveSeconds = 0.0;  // the same without factors
 
   /// Peak of the resident memory [byte] of one of so many ranks.
   double bytesOf(int ranks) const { return replicated + distributed / ranks; }
@@ -36,6 +40,9 @@ struct ChaosChoice {
 /// time of the pseudo-spectral stage and above a second, more memory than there is, or more points than are allowed.
 /// Collective over the communicator of the problem and the same on all ranks.
 ChaosChoice chooseLocalStage(const Study& study, const scene::Problem& problem, const Teuchos::Comm<int>& comm);
+
+/// Memory [byte] that one rank may have, the least of all, where ranks share a machine. Collective.
+double memoryPerRank(const Teuchos::Comm<int>& comm);
 
 /// Throws base::Error (input) with place and repair when it is more than the machine of any rank has free. Collective.
 void demandMemory(const Study& study, const ChaosChoice& choice, const Teuchos::Comm<int>& comm);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <harmos/scene/CostEstimate.hpp>
+#include <harmos/study/ChaosCost.hpp>
+#include <harmos/study/Study.hpp>
+
+namespace harmos::study {
+
+/// What a study will take, from sizes and measured rates.
+struct StudyCost {
+  double solves = 0.0;   ///< configurations, or expansions with every spread of their sweeps
+  double stages = 0.0;   ///< linear stages of one of them, all together over their number
+  double seconds = 0.0;  ///< CPU of the whole
+};
+
+/// `cost`: of the scene with the accuracy of the study. Of configurations that are listed already: an adaptive design
+/// adds more. `chaos`: the expansions of a study that solves for them, else null. Stages are fitted to studies of the
+/// bolted joint of 8 to 1296 configurations (34, 80, 52 and 3 stages each for 8, 27, 64 and 1296), where neighbours
+/// start the next one the better the closer they lie; of other scenes they are a guess.
+StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, const ChaosCost* chaos);
+
+}  // namespace harmos::study

@@ -1,0 +1,54 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <Tpetra_Core.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/scene/CostEstimate.hpp>
+
+namespace harmos::scene {
+namespace {
+
+std::string refusal(const CostEstimate& cost, double freeBytes) {
+  try {
+    demandCapacity(cost, freeBytes);
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CostEstimate, OfARunIsTheSumOfItsPhases) {
+  CostEstimate cost;
+  cost.startSeconds = 0.125;
+  cost.factorSeconds = 0.25;
+  cost.stageSeconds = 0.5;
+  cost.stages = 24.0;
+  cost.resultSeconds = 1.0;
+  EXPECT_DOUBLE_EQ(cost.seconds(), 0.125 + 0.25 + 12.0 + 1.0);
+}
+
+TEST(CostEstimate, RefusesFactorsBeyondTheNumbersOfSolvers) {
+  CostEstimate cost;
+  cost.largestBody = "block";
+  cost.largestFactor = 2147483647.0;
+  EXPECT_EQ(refusal(cost, 1e9), "");
+  cost.largestFactor *= 2.0;
+  const std::string said = refusal(cost, 1e9);
+  EXPECT_NE(said.find("part \"block\""), std::string::npos) << said;
+  // 2 x 2^(3/4) = 3.4: pieces have factors of a third of the limit, as entries grow with the unknowns to the 4/3.
+  EXPECT_NE(said.find("value=\"4\""), std::string::npos) << said;
+}
+
+TEST(CostEstimate, RefusesWhatWillNotFitByAMargin) {
+  CostEstimate cost;
+  cost.processBytes = 1.4e9;
+  EXPECT_EQ(refusal(cost, 1e9), "");
+  cost.processBytes = 1.6e9;
+  EXPECT_NE(refusal(cost, 1e9).find("1.6 GB, of which 1 GB are free"), std::string::npos) << refusal(cost, 1e9);
+}
+
+}  // namespace
+}  // namespace harmos::scene
