@@ -31,7 +31,8 @@ struct Interface {
   /// traction, int N dS, which on quadratic faces may be 0 or negative; in the frame, the length of int N n dS with its
   /// sign along n, so that a pressure acts along the normals of the faces.
   std::vector<double> area;
-  std::vector<double> gap;            ///< per pair: geometric opening (x2 - x1).n [length]; 0 on a boundary
+  /// Per pair: geometric opening (x2 - x1).n [length]; on a boundary 0, or TurnedLaw::distanceBeyondMean() of its law.
+  std::vector<double> gap;
   std::vector<mesh::MassEntry> mass;  ///< consistent interface mass [as area], both triangles; empty: lumped
   /// Laws of whole faces (CoupledLaw) take interfaces of one number together, the pieces of a face; -1: none besides.
   int face = -1;
