@@ -1,13 +1,12 @@
 #pragma once
 
-#include <harmos/parametric/StartRecord.hpp>
 #include <harmos/parametric/StudySolver.hpp>
 #include <harmos/results/ResultSink.hpp>
 
 namespace harmos::parametric {
 
-/// Solves a study by a certificate for each configuration, in the order given, each from the nearest state known where
-/// that has paid, and else or if need be from a cold start.
+/// Solves a study by a certificate for each configuration, in the order given, each from the nearest state known and
+/// then, if need be, from a cold start.
 class CertifiedSchedule {
  public:
   /// `solver` must outlive it.
@@ -19,10 +18,8 @@ class CertifiedSchedule {
  private:
   /// False when interrupted.
   bool solve(const design::Configuration& configuration, results::ConfigurationResult& result);
-  bool solveFromNearest(const design::Configuration& configuration, results::ConfigurationResult& result);
 
   StudySolver& solver_;
-  StartRecord record_;
 };
 
 }  // namespace harmos::parametric

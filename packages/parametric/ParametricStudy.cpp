@@ -3,7 +3,7 @@
 namespace harmos::parametric {
 namespace {
 
-constexpr int fewConfigurations = 30;
+constexpr int fewConfigurations = 10;
 // Inverting the traces costs about what so many configurations save.
 constexpr std::size_t manyConfigurations = 50;
 // A certificate marches with single load steps to this share of the forces, which is well above what six digits leave.

@@ -10,7 +10,7 @@ namespace harmos::parametric {
 ///
 /// A configuration changes laws only: friction, preload, stiffness of interfaces, prescribed displacements and
 /// tractions. The accuracy is that of the responses and of the field of interface forces; see CalibratedSchedule.
-/// Studies of fewer than 30 configurations, the velocity form and the algorithms of the literature get a certificate
+/// Studies of fewer than 10 configurations, the velocity form and the algorithms of the literature get a certificate
 /// for each configuration; see CertifiedSchedule. All calls are collective over the communicator.
 class ParametricStudy {
  public:

@@ -36,7 +36,7 @@ def main():
         chosen = accepted[::max(1, len(accepted) // options.count)][:options.count]
         points = study.points()
         exact = {response: numpy.array([]) for response in study.responses}
-        for start in range(0, len(chosen), 9):  # few are certified one by one
+        for start in range(0, len(chosen), 9):  # fewer than ten are certified one by one
             table = folder / f"points_{start}.csv"
             rows = [",".join(f"{value:.17g}" for value in points[row]) for row in chosen[start:start + 9]]
             table.write_text("\n".join([",".join(study.free)] + rows))
