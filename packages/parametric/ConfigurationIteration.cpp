@@ -64,7 +64,6 @@ void ConfigurationIteration::updateOffset() {
   std::vector<int> mine{here & 1, here & 2}, all(2);
   Teuchos::reduceAll(fixedPoint_.layout().comm(), Teuchos::REDUCE_MAX, 2, mine.data(), all.data());
   if (all[0] == 0) return;
-  gauge_.forgetLoads();
   offset_.shape(fixedPoint_.layout().rows(), fixedPoint_.assembly().steps());
   if (all[1] == 0) return;
   const latin::Iterate& unloaded = fixedPoint_.apply(offset_, image_);
@@ -141,7 +140,7 @@ bool ConfigurationIteration::meets(int step, const Indicators& target) {
   const bool isCold = isFirstMarch_ && starts_.empty();
   const double traction = isCold ? std::sqrt((traction_ * traction_ * step + sums[1]) / (step + 1.0)) : traction_;
   if (residual_ > target.force * traction) return false;
-  return force_ == 0.0 || gauge_.imbalance(step, columnTraction_) <= target.response * force_;
+  return force_ == 0.0 || gauge_.imbalance(column_, columnBeta_, columnTraction_) <= target.response * force_;
 }
 
 void ConfigurationIteration::findStart(int step, const Indicators& target) {

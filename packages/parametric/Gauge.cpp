@@ -70,8 +70,6 @@ Indicators Gauge::measure(const latin::Iterate& state, const base::Matrix& alpha
   }
   state.metric().sum(sums);
   const std::size_t ofBodies = bodies * steps;
-  const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(ofBodies);
-  balance_.assign(sums.begin(), middle);
   for (std::size_t i = 0; i < ofBodies; ++i) sums[ofBodies + i] -= sums[i];
   const double imbalance = largestVector(sums.data() + ofBodies, sums.data() + 2 * ofBodies);
 
@@ -89,14 +87,13 @@ Indicators Gauge::measure(const latin::Iterate& state, const base::Matrix& alpha
   return indicators;
 }
 
-double Gauge::imbalance(int step, const base::Matrix& hattedTraction) const {
-  if (balance_.empty()) return 0.0;
-  const std::size_t bodies = 3 * fixedPoint_.assembly().bodies.size();
-  std::vector<double> sums(bodies, 0.0);
-  addResultants(fixedPoint_.layout(), hattedTraction[0], bodyOf, sums.data());
+double Gauge::imbalance(const base::Matrix& alpha, const base::Matrix& beta, const base::Matrix& hattedTraction) const {
+  std::vector<double> difference(hattedTraction[0], hattedTraction[0] + hattedTraction.numRows());
+  for (std::size_t row = 0; row < difference.size(); ++row) difference[row] -= 0.5 * (alpha[0][row] + beta[0][row]);
+  std::vector<double> sums(3 * fixedPoint_.assembly().bodies.size(), 0.0);
+  addResultants(fixedPoint_.layout(), difference.data(), bodyOf, sums.data());
   fixedPoint_.metric().sum(sums);
-  for (std::size_t i = 0; i < bodies; ++i) sums[i] -= balance_[static_cast<std::size_t>(step) * bodies + i];
-  return largestVector(sums.data(), sums.data() + bodies);
+  return largestVector(sums.data(), sums.data() + sums.size());
 }
 
 }  // namespace harmos::parametric

@@ -21,18 +21,13 @@ class Gauge {
   Indicators measure(const latin::Iterate& state, const base::Matrix& alpha, const base::Matrix& image);
   /// What the response indicator was last measured by [force].
   double force() const { return force_; }
-  /// To be called when loads have changed: f balances others then.
-  void forgetLoads() { balance_.clear(); }
-
-  /// Collective. Largest imbalance of a body at one load step, one column, by what f balanced when all load steps were
-  /// measured last under the same loads; 0 when there is no such measurement. In
-  /// [force]; `hattedTraction` is f^ [stress].
-  double imbalance(int step, const base::Matrix& hattedTraction) const;
+  /// Collective. Largest resultant [force] of f^ - f on a body at one load step, one column each: `alpha`, its image
+  /// `beta` under the linear stage, of which f = (alpha + beta) / 2, and `hattedTraction` f^, all [stress].
+  double imbalance(const base::Matrix& alpha, const base::Matrix& beta, const base::Matrix& hattedTraction) const;
 
  private:
   const latin::FixedPoint& fixedPoint_;
   const std::vector<std::shared_ptr<const latin::Response>>& responses_;
-  std::vector<double> balance_;  // sum of h f: per load step, per body, per component
   double force_ = 0.0;
 };
 
