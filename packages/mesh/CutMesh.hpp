@@ -27,11 +27,11 @@ struct CutMesh {
     return integrateFace(mesh.dimension, pointsOf(mesh, face.nodes), depth, projection);
   }
 
-  const Mesh& mesh;
-  const std::vector<Piece>& pieces;
-  Depth depth;  ///< that of the faces
-  Elements elements;
-  PieceMap map;
+  const Mesh& mesh;                  ///< all of it
+  const std::vector<Piece>& pieces;  ///< into which its parts are cut
+  Depth depth;                       ///< that of the faces
+  Elements elements;                 ///< of the mesh, by number
+  PieceMap map;                      ///< to which pieces they belong
 };
 
 }  // namespace harmos::mesh

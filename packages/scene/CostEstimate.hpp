@@ -27,10 +27,10 @@ struct CostEstimate {
   double fieldBytes = 0.0;             // of the iteration, with its stored vectors
   double processBytes = 0.0;           // resident at the peak, of all processes together; see estimateCost()
   double startSeconds = 0.0;           // the program's start, reading, stiffness matrices
-  double factorSeconds = 0.0;
-  double stageSeconds = 0.0;   // one linear stage with what belongs to it: all load steps
-  double stages = 0.0;         // linear stages to a certificate, as scenes with such laws mostly take
-  double resultSeconds = 0.0;  // error of the mesh, files
+  double factorSeconds = 0.0;          // all factors
+  double stageSeconds = 0.0;           // one linear stage with what belongs to it: all load steps
+  double stages = 0.0;                 // linear stages to a certificate, as scenes with such laws mostly take
+  double resultSeconds = 0.0;          // error of the mesh, files
 
   /// A whole run [s].
   double seconds() const { return startSeconds + factorSeconds + stages * stageSeconds + resultSeconds; }

@@ -4,7 +4,7 @@ import unittest
 from harmos import fields
 
 CONTENTS = fields.Contents(times=[0.0, 1.0, 2.0], nodal=["disp_"], element=["stress_xx", "von_mises"],
-                           surface=["contact_pressure", "safety_slip", "disp_"], title="")
+                           surface=["contact_pressure", "safety_slip", "disp_"], title="", units="")
 
 
 class FieldTest(unittest.TestCase):
@@ -13,7 +13,7 @@ class FieldTest(unittest.TestCase):
     def test_short_names_stand_for_variables(self) -> None:
         """Stress at the nodes wins where there is one."""
         self.assertEqual(fields.field("von_mises", CONTENTS), fields.Field("von_mises", "elements"))
-        both = fields.Contents([0.0], ["disp_", "nodal_von_mises"], ["von_mises"], [], "")
+        both = fields.Contents([0.0], ["disp_", "nodal_von_mises"], ["von_mises"], [], "", "")
         self.assertEqual(fields.field("von_mises", both), fields.Field("nodal_von_mises", "nodes"))
         self.assertEqual(fields.field("pressure", CONTENTS), fields.Field("contact_pressure", "interfaces"))
         self.assertEqual(fields.field("stress_xx", CONTENTS), fields.Field("stress_xx", "elements"))

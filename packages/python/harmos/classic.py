@@ -46,7 +46,8 @@ class _Header:
             self._skip(self._count())
             lengths.append(self._count())
         self._skip_attributes()
-        end, first, record = 0, None, 0
+        end, record = 0, 0
+        first: int | None = None
         for _ in self._list():
             self._skip(self._count())
             dimensions = [self._count() for _ in range(self._count())]

@@ -409,6 +409,8 @@ TEST_P(Conformance, SolvesManyNodesAsOne) {
   nodes.time = nodes.duration = 1.0;
   const std::vector<base::Vector3> places(count, base::Vector3{1.0, 2.0, 3.0});
   nodes.position = places.data();
+  const std::vector<double> areas(count, 1.0);
+  nodes.area = areas.data();
   law->solve(0, nodes);
   for (std::size_t n = 0; n < count; ++n) {
     EXPECT_EQ(states[n].traction, single[n].traction);
@@ -503,7 +505,7 @@ TEST_P(Conformance, KnowsNoUnits) {
       const auto other = registry_.create(scaled(*spec_, parameters_, scale));
       const double length = std::ldexp(1.0, l), stress = std::ldexp(1.0, s);
       const double gap = uniform(random_, -1.0, 1.0);
-      Node node(*law, gap), otherNode(*other, length * gap);
+      Node node(*law, gap), otherNode(*other, length * gap, Node::axes, length * length);
       for (int step = 0; step < 6; ++step) {
         const LocalLine line = randomLine(random_, *law);
         const LocalState state = node.solve(line);

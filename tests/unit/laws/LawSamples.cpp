@@ -101,9 +101,10 @@ input::Parameters scaled(const input::ParameterSpec& spec, const input::Paramete
   return result;
 }
 
-Node::Node(const InterfaceLaw& law, double gap, const base::Frame& frame)
+Node::Node(const InterfaceLaw& law, double gap, const base::Frame& frame, double area)
     : law_(law),
       gap_(gap),
+      area_(area),
       frame_(frame),
       old_(static_cast<std::size_t>(law.historySize()), 0.0),
       new_(static_cast<std::size_t>(law.historySize()), std::numeric_limits<double>::quiet_NaN()) {}
@@ -113,8 +114,7 @@ LocalState Node::solve(const LocalLine& line, int step, double duration) {
   std::fill(new_.begin(), new_.end(), std::numeric_limits<double>::quiet_NaN());
   LocalState state;
   const base::Vector3 place{1.0, 2.0, 3.0};
-  const double area = 1.0;
-  NodeArrays nodes{1, &line, &gap_, old_.data(), new_.data(), &state, &place, &frame_, &area};
+  NodeArrays nodes{1, &line, &gap_, old_.data(), new_.data(), &state, &place, &frame_, &area_};
   nodes.duration = duration;
   nodes.time = (step + 1) * duration;
   law_.solve(step, nodes);

@@ -36,7 +36,9 @@ input::Parameters scaled(const input::ParameterSpec& spec, const input::Paramete
 /// One node of an interface, led from load step to load step.
 class Node {
  public:
-  explicit Node(const InterfaceLaw& law, double gap = 0.0, const base::Frame& frame = axes);
+  static constexpr base::Frame axes{{{{{1.0, 0.0, 0.0}}}, {{{0.0, 1.0, 0.0}}}, {{{0.0, 0.0, 1.0}}}}};
+
+  explicit Node(const InterfaceLaw& law, double gap = 0.0, const base::Frame& frame = axes, double area = 1.0);
   /// Meets a line; the load step goes on, so that other lines may follow. `duration` of the load step.
   LocalState solve(const LocalLine& line, int step = 0, double duration = 1.0);
   /// Ends the load step at the line that was met last.
@@ -45,10 +47,9 @@ class Node {
   const std::vector<double>& newHistory() const { return new_; }
 
  private:
-  static constexpr base::Frame axes{{{{{1.0, 0.0, 0.0}}}, {{{0.0, 1.0, 0.0}}}, {{{0.0, 0.0, 1.0}}}}};
-
   const InterfaceLaw& law_;
   double gap_;
+  double area_;
   base::Frame frame_;
   std::vector<double> old_, new_;
 };

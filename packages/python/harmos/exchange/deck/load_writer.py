@@ -140,8 +140,8 @@ class LoadWriter:
                 for node, value in values.items():
                     nodal[part, node].append((component, value, form))
         alike: dict[tuple[int, tuple[tuple[int, float, Points], ...]], list[int]] = collections.defaultdict(list)
-        for (part, node), entries in nodal.items():
-            alike[part, tuple(sorted(entries))].append(node)
+        for (part, node), of_node in nodal.items():
+            alike[part, tuple(sorted(of_node))].append(node)
         for (part, entries), nodes in alike.items():
             name = self._set_name("force")
             self._solids.mesh.node_sets[name] = numpy.array(sorted(nodes))
