@@ -10,8 +10,8 @@ namespace harmos::study {
 namespace {
 
 // Stages of a configuration over those of a run: certified by itself; with neighbours at a distance of h of the range
-// of its parameters, nearness h^steepness, within bounds, calibration included; where all laws are affine.
-constexpr double alone = 1.8, nearness = 60.0, steepness = 2.5, farthest = 4.2, nearest = 0.12, affine = 0.2;
+// of its parameters, nearness h, within bounds, calibration included; where all laws are affine.
+constexpr double alone = 1.8, nearness = 1.6, farthest = 1.0, nearest = 0.1, affine = 0.2;
 // Below so many configurations each is certified, see parametric::CertifiedSchedule.
 constexpr double fewConfigurations = 10.0;
 // Of a configuration besides: its scene is checked and its laws are made.
@@ -38,7 +38,7 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
   const double distance = std::pow(std::max(result.solves, 1.0), -1.0 / parameters);
   const double share = result.solves < fewConfigurations ? alone
                        : cost.isAffine                   ? affine
-                                       : std::clamp(nearness * std::pow(distance, steepness), nearest, farthest);
+                                                         : std::clamp(nearness * distance, nearest, farthest);
   result.stages = share * cost.stages;
   result.seconds = once + (groups - 1.0) * cost.factorSeconds +
                    result.solves * (configurationSeconds + result.stages * cost.stageSeconds);

@@ -10,6 +10,7 @@ import argparse
 import contextlib
 import ctypes
 import os
+import random
 import shutil
 import signal
 import subprocess
@@ -23,6 +24,8 @@ from vtk.util.numpy_support import vtk_to_numpy
 from harmos import fields
 from harmos.outputs import demand_distinct, replace_file
 
+DISPLAYS = range(100, 50000)
+"""Numbers of X servers, of which one is taken at random."""
 PALETTE = [(0.62, 0.68, 0.75), (0.75, 0.69, 0.60), (0.62, 0.72, 0.62), (0.74, 0.62, 0.62), (0.66, 0.62, 0.74)]
 """Colours of the parts, in turn."""
 
@@ -47,15 +50,20 @@ def display() -> Iterator[None]:
             raise OSError("there is no display, and no Xvfb: install the package xvfb")
         yield
         return
-    receiver, sender = os.pipe()
-    process = subprocess.Popen([server, "-displayfd", str(sender), "-screen", "0", "640x480x24", "-nolisten", "tcp"],
-                               pass_fds=[sender], stderr=subprocess.DEVNULL, preexec_fn=end_with_parent)
-    os.close(sender)
-    try:
+    # Of its own: a server that ends takes the socket of the next one of the same number with it.
+    for number in random.SystemRandom().sample(DISPLAYS, 3):
+        receiver, sender = os.pipe()
+        process = subprocess.Popen([server, f":{number}", "-displayfd", str(sender), "-screen", "0", "640x480x24",
+                                    "-nolisten", "tcp"],
+                                   pass_fds=[sender], stderr=subprocess.DEVNULL, preexec_fn=end_with_parent)
+        os.close(sender)
         with os.fdopen(receiver) as pipe:
-            number = pipe.readline().strip()
-        if not number:
-            raise OSError("Xvfb does not start")
+            if pipe.readline().strip():
+                break
+        process.wait()
+    else:
+        raise OSError("Xvfb does not start")
+    try:
         os.environ["DISPLAY"] = f":{number}"
         yield
     finally:
