@@ -15,8 +15,8 @@ struct StudyCost {
 
 /// `cost`: of the scene with the accuracy of the study. Of configurations that are listed already: an adaptive design
 /// adds more. `chaos`: the expansions of a study that solves for them, else null. Stages are fitted to studies of the
-/// bolted joint of 8 to 1296 configurations (34, 80, 52 and 3 stages each for 8, 27, 64 and 1296), where neighbours
-/// start the next one the better the closer they lie; of other scenes they are a guess.
+/// bolted joint of 8, 12 and 1296 configurations, of which a few calibrate the error estimate and the others start from
+/// neighbours; of other scenes they are a guess.
 StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, const ChaosCost* chaos);
 
 }  // namespace harmos::study
