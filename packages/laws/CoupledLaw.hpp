@@ -38,4 +38,8 @@ class CoupledLaw : public InterfaceLaw {
   bool isSmooth() const final { return true; }
 };
 
+inline bool isCoupled(const InterfaceLaw& law) {
+  return dynamic_cast<const CoupledLaw*>(&law) != nullptr;
+}
+
 }  // namespace harmos::laws

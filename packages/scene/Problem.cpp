@@ -18,6 +18,7 @@
 #include <harmos/scene/detail/Fields.hpp>
 #include <harmos/scene/detail/PathFollowing.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
+#include <harmos/scene/detail/Surfaces.hpp>
 
 namespace harmos::scene {
 

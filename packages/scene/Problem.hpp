@@ -12,6 +12,7 @@
 #include <harmos/mesh/InterfaceSurface.hpp>
 #include <harmos/scene/Bodies.hpp>
 #include <harmos/scene/Interfaces.hpp>
+#include <harmos/scene/JoinedMeshes.hpp>
 #include <harmos/scene/Scene.hpp>
 
 namespace harmos::scene {
