@@ -1,5 +1,5 @@
 #include <harmos/laws/detail/BuiltIn.hpp>
-#include <harmos/laws/detail/SpringTraction.hpp>
+#include <harmos/laws/detail/SpringLaw.hpp>
 
 namespace harmos::laws {
 namespace {
@@ -7,11 +7,9 @@ namespace {
 /// Linear elastic joint (glue): t_n = k_n delta_n, t_t = k_t delta_t.
 /// A layer of thickness e, modulus E and ratio nu has k_n = E/e, k_t = E / (2 (1 + nu) e).
 /// Source: Champaney, Blanze, Boucard (2004), section 4.2.
-struct LinearElastic {
+struct LinearElastic : SpringLaw {
   static constexpr const char* name = "Linear Elastic";
-  static constexpr int historySize = 0;
   static constexpr Sides sides = Sides::two;
-  static constexpr bool isAffine = true;
 
   static void describe(input::ParameterSpec& p) {
     p.summary("Linear elastic joint (glue): traction = stiffness times jump.")
@@ -33,21 +31,7 @@ struct LinearElastic {
         .doc("k_t; a glue layer has E / (2 (1 + nu) e).");
   }
 
-  explicit LinearElastic(const input::Parameters& p)
-      : normal(p.schedule("Normal Stiffness")), tangential(p.schedule("Tangential Stiffness")) {}
-
-  AdmissibleTractions admissibleTractions(int step) const {
-    return AdmissibleTractions::components(normal[step] > 0.0, tangential[step] > 0.0, tangential[step] > 0.0);
-  }
-
-  LocalState solve(const LocalLine& line, const NodeContext& at, const double*, double*) const {
-    return springTraction(line, normal[at.step], tangential[at.step]);
-  }
-
-  double storedEnergy(const PairStep& step) const { return springEnergy(step.jump, step.traction); }
-
-  input::Schedule normal;
-  input::Schedule tangential;
+  using SpringLaw::SpringLaw;
 };
 
 }  // namespace
