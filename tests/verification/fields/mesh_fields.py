@@ -6,11 +6,9 @@
 Two blocks on each other; the lower one is held, the upper one loaded. Exit code 1: a run with a variable differs from
 the one with the formula, or a field without sense is not refused with its reason.
 """
-import argparse
 import pathlib
 import subprocess
 import sys
-import tempfile
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -18,6 +16,7 @@ import netCDF4
 import numpy
 
 import harmos
+from cases import run_cases
 
 Place = Callable[[Any, Any, Any, float], Any]
 """Value of a variable at x, y, z and the time."""
@@ -144,7 +143,7 @@ class Cases:
     def __init__(self, runner: Runner) -> None:
         self.runner = runner
 
-    def compare(self, formula: str, value: Place, what: str, law: str = GLUE, number: str = NUMBER,
+    def _compare(self, formula: str, value: Place, what: str, law: str = GLUE, number: str = NUMBER,
                 entries: dict[str, Any] | None = None, launcher: tuple[str, ...] = (),
                 change: dict[str, Any] | None = None, file: dict[str, Any] | None = None,
                 **options: Any) -> Iterator[tuple[str, float, float]]:
@@ -156,35 +155,35 @@ class Cases:
         yield what, self.runner.difference(followed, expected, *launcher), SAME
 
     def linear(self) -> Iterator[tuple[str, float, float]]:
-        yield from self.compare("1 + x + y", lambda x, y, z, t: 1 + x + y, "glue")
-        yield from self.compare("1 + x * y", lambda x, y, z, t: 1 + x * y, "pressure", "Boundaries/load", "Pressure")
-        yield from self.compare("1 + x", lambda x, y, z, t: 1 + x, "plane", element="Quad4")
+        yield from self._compare("1 + x + y", lambda x, y, z, t: 1 + x + y, "glue")
+        yield from self._compare("1 + x * y", lambda x, y, z, t: 1 + x * y, "pressure", "Boundaries/load", "Pressure")
+        yield from self._compare("1 + x", lambda x, y, z, t: 1 + x, "plane", element="Quad4")
 
     def pieces(self) -> Iterator[tuple[str, float, float]]:
         cut = {"Parts/lower/Pieces": 3, "Parts/upper/Pieces": 2}
-        yield from self.compare("1 + x + y", lambda x, y, z, t: 1 + x + y, "cut parts", change=cut)
-        yield from self.compare("1 + x + y", lambda x, y, z, t: 1 + x + y, "two ranks", change=cut,
+        yield from self._compare("1 + x + y", lambda x, y, z, t: 1 + x + y, "cut parts", change=cut)
+        yield from self._compare("1 + x + y", lambda x, y, z, t: 1 + x + y, "two ranks", change=cut,
                                 launcher=("mpirun", "-np", "2"))
 
     def quadratic(self) -> Iterator[tuple[str, float, float]]:
-        yield from self.compare("1 + x^2", lambda x, y, z, t: 1 + x ** 2, "hexahedra", element="Hex20")
-        yield from self.compare("1 + x^2", lambda x, y, z, t: 1 + x ** 2, "tetrahedra", element="Tet10")
-        yield from self.compare("1 + x^2", lambda x, y, z, t: 1 + x ** 2, "plane", element="Quad8")
+        yield from self._compare("1 + x^2", lambda x, y, z, t: 1 + x ** 2, "hexahedra", element="Hex20")
+        yield from self._compare("1 + x^2", lambda x, y, z, t: 1 + x ** 2, "tetrahedra", element="Tet10")
+        yield from self._compare("1 + x^2", lambda x, y, z, t: 1 + x ** 2, "plane", element="Quad8")
 
     def not_matching(self) -> Iterator[tuple[str, float, float]]:
         for part in ("lower", "upper"):
-            yield from self.compare("1 + x - y / 3", lambda x, y, z, t: 1 + x - y / 3, f"map of {part}",
+            yield from self._compare("1 + x - y / 3", lambda x, y, z, t: 1 + x - y / 3, f"map of {part}",
                                     entries={"Part": part}, lower=[3.0, 3.0, 1.0])
-        yield from self.compare("1 + x - y / 3", lambda x, y, z, t: 1 + x - y / 3, "map of both", lower=[3.0, 3.0, 1.0])
+        yield from self._compare("1 + x - y / 3", lambda x, y, z, t: 1 + x - y / 3, "map of both", lower=[3.0, 3.0, 1.0])
 
     def one_part(self) -> Iterator[tuple[str, float, float]]:
-        yield from self.compare("1 + x", lambda x, y, z, t: (1 + x) * (z > 1.5), "top", "Boundaries/load", "Pressure",
+        yield from self._compare("1 + x", lambda x, y, z, t: (1 + x) * (z > 1.5), "top", "Boundaries/load", "Pressure",
                                 entries={"Part": "upper"})
 
     def elements(self) -> Iterator[tuple[str, float, float]]:
         constant: Place = lambda x, y, z, t: numpy.where(z < 1, 2.0, 7.0)
         for part, value in (("lower", 2), ("upper", 7)):
-            yield from self.compare(f"{value}", constant, f"those of {part}", entries={"Part": part},
+            yield from self._compare(f"{value}", constant, f"those of {part}", entries={"Part": part},
                                     file={"elements": True})
         # Inside of the surface the mean of four linear values is that of the node; at its edges half a cell is missing.
         followed = scene()
@@ -196,10 +195,10 @@ class Cases:
     def time(self) -> Iterator[tuple[str, float, float]]:
         times = (0.0, 1.0, 3.0)
         value: Place = lambda x, y, z, t: (1 + x) * (1 + t)
-        yield from self.compare("(1 + x) * (1 + t)", value, "followed", "Boundaries/load", "Pressure",
+        yield from self._compare("(1 + x) * (1 + t)", value, "followed", "Boundaries/load", "Pressure",
                                 entries={"Follows Time": True}, file={"times": times})
-        yield from self.compare("(1 + x) * 2", value, "chosen", entries={"Time Step": 2}, file={"times": times})
-        yield from self.compare("(1 + x) * 4", value, "the last", file={"times": times})
+        yield from self._compare("(1 + x) * 2", value, "chosen", entries={"Time Step": 2}, file={"times": times})
+        yield from self._compare("(1 + x) * 4", value, "the last", file={"times": times})
 
     def with_others(self) -> Iterator[tuple[str, float, float]]:
         """Beside a formula and a history, each multiplies."""
@@ -286,26 +285,5 @@ class Cases:
         yield reason(lone, 'there is no "Shear Limit" that it multiplies')
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--harmos", required=True)
-    parser.add_argument("--only", default="")
-    arguments = parser.parse_args()
-    failures = 0
-    for name in (name for name in vars(Cases) if not name.startswith("_") and name != "compare"):
-        if arguments.only not in name:
-            continue
-        with tempfile.TemporaryDirectory() as folder:
-            cases = Cases(Runner(str(pathlib.Path(arguments.harmos).resolve()), pathlib.Path(folder)))
-            try:
-                for what, found, limit in getattr(cases, name)():
-                    failures += int(found > limit)
-                    print(f"{'ok  ' if found <= limit else 'FAIL'} {name}: {what} {found:.2g}")
-            except RuntimeError as error:
-                failures += 1
-                print(f"FAIL {name}: {error}")
-    return min(failures, 1)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_cases(Cases, lambda program, folder: Cases(Runner(program, folder))))

@@ -6,17 +6,16 @@
 A block in the plane, 4 x 1, on a face that follows a random field. Exit code 1: a moment differs from its reference, or a
 field without sense is not refused with its reason.
 """
-import argparse
 import csv
 import math
 import pathlib
 import subprocess
 import sys
-import tempfile
 from collections.abc import Iterator
 from typing import Any
 
 import harmos
+from cases import run_cases
 
 LENGTH, VARIATION, ACCURACY = 4.0, 0.3, 1e-7
 Checks = Iterator[tuple[str, float, float]]
@@ -186,26 +185,5 @@ class Cases:
         yield reason(other, 'Did you mean "rough"?')
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--harmos", required=True)
-    parser.add_argument("--only", default="")
-    arguments = parser.parse_args()
-    failures = 0
-    for name in (name for name in vars(Cases) if not name.startswith("_")):
-        if arguments.only not in name:
-            continue
-        with tempfile.TemporaryDirectory() as folder:
-            cases = Cases(str(pathlib.Path(arguments.harmos).resolve()), pathlib.Path(folder))
-            try:
-                for what, found, limit in getattr(cases, name)():
-                    failures += int(found > limit)
-                    print(f"{'ok  ' if found <= limit else 'FAIL'} {name}: {what} {found:.2g}")
-            except RuntimeError as error:
-                failures += 1
-                print(f"FAIL {name}: {error}")
-    return min(failures, 1)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_cases(Cases, Cases))
