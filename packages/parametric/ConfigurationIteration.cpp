@@ -152,7 +152,6 @@ void ConfigurationIteration::findStart(int step, const Indicators& target) {
   if (meets(step, target)) return;
   if (!start_.hasTangents()) start_.differentiate();
   accelerations_[step].seed({start_.residualTangents()}, {start_.imageTangents()});
-  applyLaws();
 }
 
 void ConfigurationIteration::extrapolate(int step) {

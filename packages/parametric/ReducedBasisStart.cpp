@@ -18,8 +18,6 @@ constexpr int halvings = 3;
 constexpr int neighboursInTime = ReducedBasisStart::furtherColumns - 1;
 // A Gauss-Newton step that leaves more than this share of the residual was the last one.
 constexpr double worthwhile = 0.9;
-// Of the tangent, relative to beta: small enough not to leave the present status, large enough for the round-off.
-constexpr double difference = 1e-6;
 
 template <class A, class B>
 void subtract(const A* a, const B* b, int rows, double* result) {
@@ -31,6 +29,11 @@ void shape(base::Matrix& matrix, int rows, int columns) {
 }
 
 }  // namespace
+
+ReducedBasisStart::ReducedBasisStart(latin::FixedPoint& fixedPoint)
+    : fixedPoint_(fixedPoint),
+      lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
+      tangents_(fixedPoint.assembly(), lines_) {}
 
 double ReducedBasisStart::evaluate(const base::Matrix& alpha, const base::Matrix& beta, std::vector<double>& residual) {
   fixedPoint_.pointwiseStage().solveColumn(0, beta, hatted_);
@@ -92,7 +95,7 @@ void ReducedBasisStart::gather(int step) {
   const int inTime = std::min(neighboursInTime, steps - 1);
   const int states = static_cast<int>(order_.size());
   const int count = states + inTime + 1;
-  for (base::Matrix* matrix : {&columns_, &linear_, &residualTangents_, &imageTangents_}) shape(*matrix, rows, count);
+  for (base::Matrix* matrix : {&columns_, &linear_, &residualTangents_}) shape(*matrix, rows, count);
   const float* origin = states_->alpha(order_[0], step);
   const float* originLinear = states_->linear(order_[0], step);
   std::copy_n(origin, rows, columns_[0]);
@@ -136,38 +139,14 @@ void ReducedBasisStart::takeTrial(double length, const std::vector<double>& c) {
 
 void ReducedBasisStart::differentiate() {
   const std::vector<double>& scale = fixedPoint_.metric().scale();
-  const int rows = columns_.numRows();
-  const int count = columns_.numCols();
-  std::vector<double> squares(static_cast<std::size_t>(count) + 1, 0.0);
-  for (int j = 0; j <= count; ++j) {
-    const double* column = j < count ? linear_[j] : beta_[0];
-    double sum = 0.0;
-    for (int row = 0; row < rows; ++row) {
-      const double value = scale[row] * column[row];
-      sum += value * value;
-    }
-    squares[j] = sum;
-  }
-  fixedPoint_.metric().sum(squares);
-  const std::vector<double> here(hatted_[0], hatted_[0] + rows);
-  for (int j = 0; j < count; ++j) {
-    double* residual = residualTangents_[j];
-    double* image = imageTangents_[j];
-    const double square = squares[j];
-    const double length = square > 0.0 ? difference * std::sqrt(squares.back() / square) : 0.0;
-    if (!(length > 0.0)) {
-      std::fill(residual, residual + rows, 0.0);
-      std::fill(image, image + rows, 0.0);
-      continue;
-    }
-    for (int row = 0; row < rows; ++row) trialBeta_[0][row] = beta_[0][row] + length * linear_[j][row];
-    fixedPoint_.pointwiseStage().solveColumn(0, trialBeta_, hatted_);
-    for (int row = 0; row < rows; ++row) {
-      image[row] = 2.0 * (hatted_[0][row] - here[row]) / length - linear_[j][row];
-      residual[row] = scale[row] * (image[row] - columns_[j][row]);
+  fixedPoint_.pointwiseStage().differentiateColumn(0, tangents_);
+  tangents_.apply(linear_, imageTangents_);
+  for (int j = 0; j < columns_.numCols(); ++j) {
+    for (int row = 0; row < columns_.numRows(); ++row) {
+      imageTangents_[j][row] = 2.0 * imageTangents_[j][row] - linear_[j][row];
+      residualTangents_[j][row] = scale[row] * (imageTangents_[j][row] - columns_[j][row]);
     }
   }
-  std::copy_n(here.data(), rows, hatted_[0]);
   hasTangents_ = true;
 }
 

@@ -3,6 +3,8 @@
 #include <vector>
 
 #include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/InterfaceLines.hpp>
+#include <harmos/latin/PairTangents.hpp>
 #include <harmos/parametric/SolvedStates.hpp>
 
 namespace harmos::parametric {
@@ -13,15 +15,15 @@ namespace harmos::parametric {
 /// states, the differences of the others to it, its differences to its two neighbouring steps, and what the iteration
 /// added to the start of the step before. The image beta_t = Y c + b_t is known, so c minimises |T(alpha_t) - alpha_t|
 /// in the state metric with local stages only: Gauss-Newton with a line search from the c of the step before, the
-/// Jacobian by differences through the local stage, so that any law will do. For the displacement form. All calls are
-/// collective.
+/// Jacobian by the tangents of the pairs (latin::PairTangents), so that any law will do. For the displacement form. All
+/// calls are collective.
 class ReducedBasisStart {
  public:
   /// Columns of V at most, beyond one per state.
   static constexpr int furtherColumns = 3;
 
   /// `fixedPoint`, whose local stage is asked, must outlive it.
-  explicit ReducedBasisStart(latin::FixedPoint& fixedPoint) : fixedPoint_(fixedPoint) {}
+  explicit ReducedBasisStart(latin::FixedPoint& fixedPoint);
 
   /// Chooses at most `neighbours` states around the configuration whose laws are in the assembly. `offset`: b, the
   /// image of alpha = 0. `states` must not be empty, and all load steps be selected; both must stay as they are.
@@ -43,7 +45,7 @@ class ReducedBasisStart {
   const base::Matrix& beta() const { return beta_; }
   /// Whether find() needed the tangents; else differentiate() provides them.
   bool hasTangents() const { return hasTangents_; }
-  /// Collective. Computes the tangents at state(), with one local stage per column of V.
+  /// Collective. Computes the tangents at state(), right after the local stage has solved its beta().
   void differentiate();
   /// How residual (in the scale of the metric) and image change along the columns of V: what
   /// latin::AndersonAcceleration::seed() takes.
@@ -66,6 +68,8 @@ class ReducedBasisStart {
   void takeTrial(double length, const std::vector<double>& c);
 
   latin::FixedPoint& fixedPoint_;
+  latin::InterfaceLines lines_;
+  latin::PairTangents tangents_;
   const SolvedStates* states_ = nullptr;
   const base::Matrix* offset_ = nullptr;
   std::vector<int> order_;                    // positions of the states

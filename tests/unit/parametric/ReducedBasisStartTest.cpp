@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include <harmos/parametric/ConfigurationIteration.hpp>
@@ -136,6 +140,54 @@ TEST_F(Dragged, AreSolvedByAMarch) {
     stages[isWarm] = iteration.stages();
   }
   EXPECT_LT(stages[1], stages[0]);
+}
+
+// Tangents of the start are those of its image: a small step along each changes residual and image as they say.
+TEST_F(Dragged, HaveTangentsOfTheirImage) {
+  for (int id = 1; id <= 3; ++id) {
+    assembly_.interfaces[1].law = friction(0.1 * id);
+    solve(id, 0.1 * id);
+  }
+  assembly_.interfaces[1].law = friction(0.24);
+  ReducedBasisStart start(fixedPoint_);
+  const base::Matrix offset(zero());
+  start.begin(states_, {0.24}, 3, offset);
+  fixedPoint_.select({0});
+  start.find(0, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(start.hasTangents());
+  start.differentiate();
+  ASSERT_TRUE(start.hasTangents());
+  // The columns are the differences of the image less those of the residual, which is measured in the metric.
+  const int rows = start.state().numRows(), count = start.residualTangents().numCols();
+  const std::vector<double>& scale = fixedPoint_.metric().scale();
+  base::Matrix here(rows, 1), there(rows, 1), beta(start.beta());
+  const auto imageAt = [&](const base::Matrix& linear, base::Matrix& image) {
+    fixedPoint_.pointwiseStage().begin();
+    fixedPoint_.pointwiseStage().solveColumn(0, linear, image);
+    for (int row = 0; row < rows; ++row) image[0][row] = 2.0 * image[0][row] - linear[0][row];
+  };
+  imageAt(beta, here);
+  int moving = 0;
+  for (int j = 0; j < count; ++j) {
+    base::Matrix column(rows, 1), unused(rows, 1), unloaded(rows, 1);
+    double size = 0.0;
+    for (int row = 0; row < rows; ++row) {
+      column[0][row] = start.imageTangents()[j][row] - start.residualTangents()[j][row] / scale[row];
+      size = std::max(size, std::abs(column[0][row]));
+    }
+    if (size == 0.0) continue;
+    ++moving;
+    const double length = 1e-6 * start.state().normInf() / size;
+    column.scale(length);
+    const base::Matrix linear(fixedPoint_.apply(column, unused).beta());
+    for (int row = 0; row < rows; ++row) beta[0][row] = start.beta()[0][row] + linear[0][row];
+    imageAt(beta, there);
+    for (int row = 0; row < rows; ++row) {
+      EXPECT_NEAR((there[0][row] - here[0][row]) / length, start.imageTangents()[j][row], 1e-4 * size) << j;
+    }
+  }
+  EXPECT_GE(moving, 3);
+  fixedPoint_.selectAll();
 }
 
 // A gauge knows the imbalance of a load step alone.
