@@ -48,6 +48,8 @@ class LatinSolver {
   /// Collective. What all ranks make of it.
   bool mustStop() const;
 
+  /// Of the runs to come, in the place of that of the options: relative [-], > 0.
+  void setAccuracy(double accuracy) { options_.accuracy = accuracy; }
   /// Runs from alpha = 0, or from `start` (rows as in the layout), which may be alpha().
   LatinResult solve(const base::Matrix* start = nullptr);
   /// Fields of the delivered state, or to an observer those of the present one; until the next application of

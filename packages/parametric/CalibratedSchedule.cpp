@@ -12,22 +12,21 @@ namespace {
 
 constexpr int auditEvery = 100;
 constexpr int attemptsToCalibrate = 10;
-// An iteration that needs more than this many times the median number of stages has lost its way.
-constexpr int stagesOverMedian = 4;
-constexpr int leastLimit = 20;
-constexpr int coldLimit = 150;
+// When so many have led to none, there will be none.
+constexpr int attemptsAtFirst = 4;
 // A march that has met its target ends a little above or below it; one that was not enough goes so much further.
 constexpr double further = 0.7;
-// A tight stop: indicators below these shares of the accuracy, and change of what is promised by a march so much
-// further.
+// States on the way of a configuration that calibrates: each goes so much further, within so many linear stages.
+constexpr int statesOnWay = 2;
 constexpr double rung = 0.3;
-constexpr double tightForce = 0.01;
-constexpr double tightResponse = 0.05;
-constexpr double tightChange = 0.03;
-// An audit may end before, with an estimate below this share of the accuracy, which is added to the error that it
-// finds.
-constexpr double referenceShare = 0.2;
-constexpr int tightLimit = 100;
+constexpr int stagesToFirst = 150;
+constexpr int stagesToNext = 20;
+// Of the accuracy: what calibrates and audits is certified to this share, which is added to the errors it finds.
+constexpr double tightShare = 0.1;
+// A march from neighbours ends after so many linear stages, or those of a cold start.
+constexpr double stagesFromNeighbours = 20;
+// Of these a start can be made.
+constexpr int fewestStates = 3;
 
 constexpr int lastCalibration = 16;
 constexpr unsigned seedOfOrder = 20040601;
@@ -63,15 +62,8 @@ CalibratedSchedule::Purpose CalibratedSchedule::purposeOfNext() {
     ++attempts_;
     return Purpose::calibration;
   }
-  return number_ % auditEvery == auditEvery / 2 ? Purpose::audit : Purpose::result;
-}
-
-int CalibratedSchedule::stageLimit() const {
-  if (stagesOfAccepted_.empty()) return coldLimit;
-  std::vector<int> stages = stagesOfAccepted_;
-  const auto middle = stages.begin() + static_cast<std::ptrdiff_t>(stages.size() / 2);
-  std::nth_element(stages.begin(), middle, stages.end());
-  return std::max(leastLimit, stagesOverMedian * *middle);
+  if (number_ % auditEvery == auditEvery / 2) isAuditDue_ = true;
+  return isAuditDue_ ? Purpose::audit : Purpose::result;
 }
 
 void CalibratedSchedule::estimate(const Indicators& indicators, results::ConfigurationResult& result) const {
@@ -95,19 +87,12 @@ bool CalibratedSchedule::addRanges(results::ConfigurationResult& result) {
 }
 
 void CalibratedSchedule::deliver(results::ConfigurationResult& result) {
-  const bool isCertified = results::isCertified(result.status);
-  result.reason = isCertified ? "the error estimate of a certificate is below the accuracy asked for"
-                              : "the calibrated error estimate is below the accuracy asked for";
+  result.reason = "the calibrated error estimate is below the accuracy asked for";
   result.curves.clear();
   for (const auto& response : solver_.responses())
     result.curves.push_back(response->evaluate(solver_.iteration().state()));
   estimate(indicators_, result);
-  const bool isUnique = addRanges(result);
-  if (isCertified) {
-    result.status = isUnique ? results::Status::certified : results::Status::certifiedNotUnique;
-  } else {
-    result.status = isUnique ? results::Status::calibrated : results::Status::calibratedNotUnique;
-  }
+  result.status = addRanges(result) ? results::Status::calibrated : results::Status::calibratedNotUnique;
 }
 
 bool CalibratedSchedule::march(const Indicators& target, bool isToBeKept, results::ConfigurationResult& result) {
@@ -121,136 +106,136 @@ bool CalibratedSchedule::march(const Indicators& target, bool isToBeKept, result
   return true;
 }
 
-bool CalibratedSchedule::isTight() const {
-  const double accuracy = solver_.options().accuracy;
-  if (indicators_.force > tightForce * accuracy || indicators_.response > tightResponse * accuracy) return false;
-  const auto [response, force] = errorsAgainst(*snapshots_.back(), *snapshots_[snapshots_.size() - 2]);
-  return std::max(response, force) <= tightChange * accuracy;
-}
-
-bool CalibratedSchedule::tighten(Purpose purpose, results::ConfigurationResult& result) {
-  const std::size_t claimed = snapshots_.size() - 1;
-  const int before = solver_.iteration().stages();
-  Indicators target = indicators_;
-  do {
-    target = {rung * std::min(target.force, indicators_.force), rung * std::min(target.response, indicators_.response)};
-    if (!march(target, true, result)) return false;
-  } while (!isTight() && !(purpose == Purpose::audit && isReference()) &&
-           solver_.iteration().stages() - before < tightLimit);
-  if (isTight()) calibrate(purpose);
-  if (purpose != Purpose::audit) return true;
-  if (isTight() || isReference()) {
-    record(*snapshots_.back(), calibration_.estimate(indicators_), *snapshots_[claimed]);
-    return true;
+bool CalibratedSchedule::certifyTightly(results::ConfigurationResult& result) {
+  const base::Matrix start(solver_.iteration().alpha());
+  result.linearStages += solver_.iteration().stages();
+  try {
+    return solver_.certify(&start, result, tightShare);
+  } catch (const base::Error& error) {
+    result.status = results::Status::failed;
+    result.reason = error.what();
   }
-  return refer(*snapshots_[claimed], result);
-}
-
-bool CalibratedSchedule::isReference() const {
-  return calibration_.estimate(indicators_) <= referenceShare * solver_.options().accuracy;
-}
-
-void CalibratedSchedule::record(const latin::Snapshot& reference, double uncertainty, const latin::Snapshot& claimed) {
-  const auto [responseError, forceError] = errorsAgainst(reference, claimed);
-  const double error = (std::max(responseError, forceError) + uncertainty) / solver_.options().accuracy;
-  Trust& summary = solver_.summary();
-  ++summary.audits;
-  if (error > 1.0) ++summary.falseClaims;
-  summary.largestAudit = std::max(summary.largestAudit, error);
-}
-
-bool CalibratedSchedule::refer(const latin::Snapshot& claimed, results::ConfigurationResult& result) {
-  const base::Matrix tight(solver_.iteration().alpha());
-  const int stages = solver_.iteration().stages();
-  results::ConfigurationResult certified;
-  const int certificates = solver_.summary().certificates;
-  const bool goesOn = solver_.certify(&tight, certified);
-  solver_.summary().certificates = certificates;  // it is not what is delivered
-  if (!goesOn) return false;
-  if (results::isCertified(certified.status)) {
-    record(latin::Snapshot(solver_.certifiedState(), solver_.responses()), certified.errorEstimate, claimed);
-  } else {
-    ++solver_.summary().openAudits;
-  }
-  result.linearStages += stages + certified.linearStages;
-  indicators_ = solver_.iteration().beginAt(tight);
   return true;
 }
 
-void CalibratedSchedule::calibrate(Purpose purpose) {
+void CalibratedSchedule::learn(double uncertainty) {
+  const latin::Snapshot reference(solver_.certifiedState(), solver_.responses());
   std::vector<Calibration::Observation> run;
-  for (std::size_t i = 0; i + 1 < snapshots_.size(); ++i) {
-    const auto [responseError, forceError] = errorsAgainst(*snapshots_.back(), *snapshots_[i]);
-    run.push_back({way_[i], forceError, responseError});
+  for (std::size_t i = 0; i < snapshots_.size(); ++i) {
+    const auto [responseError, forceError] = errorsAgainst(reference, *snapshots_[i]);
+    run.push_back({way_[i], forceError + uncertainty, responseError + uncertainty});
   }
-  if (purpose == Purpose::calibration) ++solver_.summary().calibrations;
   if (calibration_.add(run)) ratioFell_ = true;
 }
 
-bool CalibratedSchedule::iterate(const design::Configuration& configuration, Purpose purpose,
-                                 const SolvedStates& states, results::ConfigurationResult& result) {
-  way_.clear();
-  snapshots_.clear();
+bool CalibratedSchedule::calibrate(const design::Configuration& configuration, results::ConfigurationResult& result) {
   ConfigurationIteration& iteration = solver_.iteration();
-  iteration.begin(states, configuration.values);
-  result.starts = iteration.starts();
-  result.status = results::Status::notConverged;
-  const int limit = result.starts.empty() ? coldLimit : stageLimit();
-  bool isAccepted = false;
-  Indicators target = calibration_.target();
-  while (!isAccepted && iteration.stages() < limit) {
-    if (!march(target, purpose != Purpose::result, result)) return false;
-    if (iteration.isLost()) break;
-    isAccepted = purpose == Purpose::calibration || calibration_.accepts(indicators_);
-    target = {further * target.force, further * target.response};
+  const bool isWarm =
+      solver_.states().count() >= fewestStates && record_.favoursWarm(solver_.states().distance(configuration.values));
+  // No conditional expression: it would copy the states, which must outlive the iteration.
+  if (isWarm) {
+    iteration.begin(solver_.states(), configuration.values);
+  } else {
+    iteration.begin(SolvedStates(1), configuration.values);
   }
-  if (isAccepted && purpose == Purpose::result && !result.starts.empty())
-    stagesOfAccepted_.push_back(iteration.stages());
-  const int before = calibration_.runs();
-  if (isAccepted && purpose != Purpose::result && !tighten(purpose, result)) return false;
-  result.linearStages += iteration.stages();
-  const bool hasCalibrated = calibration_.runs() > before;
-  if (!isAccepted || (!hasCalibrated && !calibration_.accepts(indicators_))) return true;
-  if (hasCalibrated && solver_.summary().certificates == 0 && purpose == Purpose::calibration) {
-    if (!confirm(result)) return false;
-    if (isContradicted_) {
-      result.status = results::Status::notConverged;
+  result.starts = iteration.starts();
+  iteration.setLimit(stagesToFirst);
+  Indicators target = calibration_.target();
+  for (int i = 0; i < statesOnWay; ++i) {
+    if (!march(target, true, result)) return false;
+    if (iteration.isLost()) {
+      result.linearStages += iteration.stages();
       return true;
     }
+    target = {rung * std::min(target.force, indicators_.force), rung * std::min(target.response, indicators_.response)};
+    iteration.setLimit(iteration.stages() + stagesToNext);
   }
+  if (!certifyTightly(result)) return false;
+  if (!results::isCertified(result.status)) return true;
+  learn(result.errorEstimate);
+  ++solver_.summary().calibrations;
+  solver_.rememberCertified(configuration, result);
+  return true;
+}
+
+bool CalibratedSchedule::audit(const design::Configuration& configuration, results::ConfigurationResult& result) {
+  isAuditDue_ = false;
+  const base::Matrix accepted(solver_.iteration().alpha());
+  const results::ConfigurationResult before = result;
+  if (!certifyTightly(result)) return false;
+  Trust& summary = solver_.summary();
+  if (!results::isCertified(result.status)) {
+    ++summary.openAudits;
+    const int stages = result.linearStages;
+    result = before;
+    indicators_ = solver_.iteration().beginAt(accepted);
+    result.linearStages = stages + solver_.iteration().stages();
+    deliver(result);
+    solver_.remember(configuration);
+    accepted_[configuration.id] = {configuration, result, indicators_};
+    return true;
+  }
+  const latin::Snapshot reference(solver_.certifiedState(), solver_.responses());
+  const auto [responseError, forceError] = errorsAgainst(reference, *snapshots_.back());
+  const double error = (std::max(responseError, forceError) + result.errorEstimate) / solver_.options().accuracy;
+  ++summary.audits;
+  if (error > 1.0) ++summary.falseClaims;
+  summary.largestAudit = std::max(summary.largestAudit, error);
+  learn(result.errorEstimate);
+  solver_.rememberCertified(configuration, result);
+  return true;
+}
+
+bool CalibratedSchedule::marchFromNeighbours(const design::Configuration& configuration, Purpose purpose,
+                                             results::ConfigurationResult& result) {
+  ConfigurationIteration& iteration = solver_.iteration();
+  iteration.begin(solver_.states(), configuration.values);
+  result.starts = iteration.starts();
+  const double limit = std::min(stagesFromNeighbours, record_.coldStages());
+  iteration.setLimit(limit);
+  bool isAccepted = false;
+  Indicators target = calibration_.target();
+  while (!isAccepted && !iteration.isLost() && iteration.stages() < limit) {
+    if (!march(target, purpose == Purpose::audit, result)) return false;
+    isAccepted = calibration_.accepts(indicators_);
+    target = {further * target.force, further * target.response};
+  }
+  if (isAccepted && purpose == Purpose::audit) return audit(configuration, result);
+  result.linearStages += iteration.stages();
+  if (!isAccepted) return true;
   deliver(result);
   solver_.remember(configuration);
   accepted_[configuration.id] = {configuration, result, indicators_};
   return true;
 }
 
-bool CalibratedSchedule::confirm(results::ConfigurationResult& result) {
-  const base::Matrix tight(solver_.iteration().alpha());
-  const latin::Snapshot claimed(solver_.iteration().state(), solver_.responses());
-  if (!solver_.certify(&tight, result)) return false;
-  const latin::Snapshot certified(solver_.certifiedState(), solver_.responses());
-  const auto [responseError, forceError] = errorsAgainst(certified, claimed);
-  isContradicted_ =
-      results::isCertified(result.status) && std::max(responseError, forceError) > solver_.options().accuracy;
-  indicators_ = solver_.iteration().beginAt(tight);
-  result.linearStages += solver_.iteration().stages();
+bool CalibratedSchedule::certifyAnew(const design::Configuration& configuration, results::ConfigurationResult& result) {
+  const int before = result.linearStages;
+  if (!solver_.certifyAnew(configuration, result)) return false;
+  if (results::isCertified(result.status)) record_.addCold(result.linearStages - before);
   return true;
 }
 
 bool CalibratedSchedule::attempt(const design::Configuration& configuration, Purpose purpose,
                                  results::ConfigurationResult& result) {
+  way_.clear();
+  snapshots_.clear();
+  result.status = results::Status::notConverged;
+  const double distance = solver_.states().distance(configuration.values);
+  const bool isWarm = purpose != Purpose::calibration && calibration_.runs() > 0 &&
+                      solver_.states().count() >= fewestStates && record_.favoursWarm(distance);
+  const int before = result.linearStages;
   try {
-    if (!iterate(configuration, purpose, solver_.states(), result)) return false;
-    // Where a load step came to no end, the march of a certificate knows better ways.
-    const bool mayHaveBeenTheStart = !result.starts.empty() && !solver_.iteration().isLost();
-    if (result.status == results::Status::notConverged && mayHaveBeenTheStart && !isContradicted_) {
-      if (!iterate(configuration, purpose, SolvedStates(1), result)) return false;
-    }
+    if (purpose == Purpose::calibration && !calibrate(configuration, result)) return false;
+    if (isWarm && !marchFromNeighbours(configuration, purpose, result)) return false;
   } catch (const base::Error& error) {
     result.status = results::Status::failed;
     result.reason = error.what();
   }
-  return results::isSolved(result.status) || solver_.certifyAnew(configuration, result);
+  if (!results::isSolved(result.status) && !certifyAnew(configuration, result)) return false;
+  const bool wasAudited = purpose == Purpose::audit && !isAuditDue_;
+  if (isWarm && !wasAudited) record_.addWarm(distance, result.linearStages - before);
+  return true;
 }
 
 bool CalibratedSchedule::solve(const design::Configuration& configuration, Purpose purpose, results::ResultSink& sink) {
@@ -301,7 +286,7 @@ std::vector<design::Configuration> CalibratedSchedule::run(const std::vector<des
   Trust& summary = solver_.summary();
   for (const std::size_t position : randomOrder(open.size())) {
     const design::Configuration& configuration = open[position];
-    if (isContradicted_) {
+    if (calibration_.runs() == 0 && attempts_ >= attemptsAtFirst) {
       left.push_back(configuration);
       continue;
     }

@@ -6,6 +6,7 @@
 
 #include <harmos/latin/Snapshot.hpp>
 #include <harmos/parametric/Calibration.hpp>
+#include <harmos/parametric/StartRecord.hpp>
 #include <harmos/parametric/StudySolver.hpp>
 #include <harmos/results/ResultSink.hpp>
 
@@ -13,16 +14,17 @@ namespace harmos::parametric {
 
 /// Solves a study in a random order until free indicators, calibrated in the same study, meet the accuracy.
 ///
-/// Numbers 1, 2, 4, 8 and 16 are iterated on to a tight stop and calibrate, the first of them is certified as well; so
+/// Numbers 1, 2, 4, 8 and 16 calibrate: after their marches they are certified, far more accurately than asked for. So
 /// are random ones after they were accepted, as audits. When a ratio falls, what it no longer covers is taken up again.
-/// An iteration that loses its way begins anew from a cold start, and then with a certificate.
+/// Configurations march from their neighbours where that has paid (StartRecord); the others, and those that lose their
+/// way, get a certificate.
 class CalibratedSchedule {
  public:
   /// `solver` must outlive it; its accuracy is what is met.
   explicit CalibratedSchedule(StudySolver& solver) : solver_(solver), calibration_(solver.options().accuracy) {}
 
   /// Collective. Leaves early when interrupted; what is in flight is not recorded. Returns the configurations that are
-  /// left because a certificate has contradicted the calibration: nothing can be said of them without one.
+  /// left because none could be had to calibrate: nothing can be said of them without a certificate.
   std::vector<design::Configuration> run(const std::vector<design::Configuration>& open, results::ResultSink& sink);
 
  private:
@@ -35,23 +37,20 @@ class CalibratedSchedule {
   enum class Purpose { result, audit, calibration };
 
   Purpose purposeOfNext();
-  int stageLimit() const;
   /// These return false when interrupted.
   bool solve(const design::Configuration& configuration, Purpose purpose, results::ResultSink& sink);
   bool attempt(const design::Configuration& configuration, Purpose purpose, results::ConfigurationResult& result);
-  bool iterate(const design::Configuration& configuration, Purpose purpose, const SolvedStates& states,
-               results::ConfigurationResult& result);
-  /// Iterates on from the present state, whose way so far is in `snapshots_`, to a tight stop and calibrates; audits.
-  bool tighten(Purpose purpose, results::ConfigurationResult& result);
-  bool isTight() const;
-  /// Whether the present state is good enough to audit with.
-  bool isReference() const;
-  void calibrate(Purpose purpose);
-  /// Audits with the solution of a certificate, where the iteration has come to no tight stop.
-  bool refer(const latin::Snapshot& claimed, results::ConfigurationResult& result);
-  void record(const latin::Snapshot& reference, double uncertainty, const latin::Snapshot& claimed);
-  /// Certifies the present tight state; what calibrates must not contradict a certificate.
-  bool confirm(results::ConfigurationResult& result);
+  /// From its neighbours, where that has paid, to an estimate that is accepted.
+  bool marchFromNeighbours(const design::Configuration& configuration, Purpose purpose,
+                           results::ConfigurationResult& result);
+  bool calibrate(const design::Configuration& configuration, results::ConfigurationResult& result);
+  /// Replaces the present state, which was accepted, by one that is certified more accurately; audits and calibrates.
+  bool audit(const design::Configuration& configuration, results::ConfigurationResult& result);
+  /// Certifies from the present state, far more accurately than asked for; what is thrown makes a failure.
+  bool certifyTightly(results::ConfigurationResult& result);
+  /// Calibrates with the way against the state certified last.
+  void learn(double uncertainty);
+  bool certifyAnew(const design::Configuration& configuration, results::ConfigurationResult& result);
   bool reopen(results::ResultSink& sink);
   bool march(const Indicators& target, bool isToBeKept, results::ConfigurationResult& result);
 
@@ -64,12 +63,12 @@ class CalibratedSchedule {
   Calibration calibration_;
   int number_ = 0;                    // of configurations that were new
   int attempts_ = 0;                  // to calibrate
-  bool isContradicted_ = false;       // by a certificate
   std::map<int, Accepted> accepted_;  // by id
-  std::vector<int> stagesOfAccepted_;
+  StartRecord record_;
+  bool isAuditDue_ = false;  // of the next configuration that is accepted
   bool ratioFell_ = false;
   Indicators indicators_;                                    // of the present state
-  std::vector<Indicators> way_;                              // of a run that calibrates: every state,
+  std::vector<Indicators> way_;                              // of what calibrates: every state,
   std::vector<std::unique_ptr<latin::Snapshot>> snapshots_;  // and what is promised there
 };
 

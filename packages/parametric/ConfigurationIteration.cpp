@@ -172,15 +172,21 @@ void ConfigurationIteration::extrapolate(int step) {
   applyLaws();
 }
 
+int ConfigurationIteration::iterationsLeft() const {
+  const double left = (limit_ - stages()) * alpha_.numCols();
+  return static_cast<int>(std::clamp(left, 0.0, static_cast<double>(latin::March::maximumIterations)));
+}
+
 bool ConfigurationIteration::iterate(int step, const Indicators& target) {
   latin::AndersonAcceleration& acceleration = accelerations_[step];
   const int rows = column_.numRows();
   base::Matrix change(rows, 1), unused(rows, 1);
   std::vector<double> residuals;  // since the last restart of the acceleration
   std::size_t back = iterationsToFall;
+  const int most = iterationsLeft();
   int iterations = 0;
   bool isThere = meets(step, target);
-  for (; !isThere && iterations < latin::March::maximumIterations; ++iterations) {
+  for (; !isThere && iterations < most; ++iterations) {
     residuals.push_back(residual_);
     if (residuals.size() > back && residual_ > slow * residuals[residuals.size() - 1 - back]) {
       acceleration.restart();

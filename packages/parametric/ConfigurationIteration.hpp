@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -29,14 +30,17 @@ class ConfigurationIteration {
   /// Asked on every rank before every load step; march() then goes on with the stage of all load steps at once.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
 
+  /// march() gives up after so many linear stages since begin(), see isLost(); they may end early within it.
+  void setLimit(double stages) { limit_ = stages; }
+
   /// Collective. Begins the configuration whose laws are in the assembly, cold when there are only few `states`, which
   /// must stay as they are. `values`: of all parameters of the study, in their order.
   void begin(const SolvedStates& states, const std::vector<double>& values);
   /// Collective. Goes on from a state found elsewhere, with a stage of all load steps.
   Indicators beginAt(const base::Matrix& alpha);
   /// Collective. Iterates every load step until its share of the indicators is at most `target`, or a limit of
-  /// iterations is reached, and then all of them once; the fields are those of state(). The first march since begin()
-  /// ends at a load step that comes to that limit: the iteration isLost(), and has no state.
+  /// iterations or that of setLimit() is reached, and then all of them once; the fields are those of state(). The first
+  /// march since begin() ends at a load step that comes to a limit: the iteration isLost(), and has no state.
   Indicators march(const Indicators& target);
   /// Whether begin() must be called before anything else is asked: there may be no equilibrium, or no way to it from
   /// this start.
@@ -72,6 +76,8 @@ class ConfigurationIteration {
   /// The image of column_ once beta_ is known.
   void applyLaws();
   bool meets(int step, const Indicators& target);
+  /// Solves of the present load step until a limit.
+  int iterationsLeft() const;
 
   latin::FixedPoint& fixedPoint_;
   int neighbours_;
@@ -96,6 +102,7 @@ class ConfigurationIteration {
   double residual_ = 0.0;  // |T(alpha) - alpha| of the present load step
   std::vector<int> starts_;
   int stagesBefore_ = 0;
+  double limit_ = std::numeric_limits<double>::infinity();  // of stages()
 };
 
 }  // namespace harmos::parametric

@@ -1,6 +1,7 @@
 #include <harmos/parametric/SolvedStates.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -62,6 +63,12 @@ void SolvedStates::dropOne() {
     }
   }
   states_.erase(states_.begin() + static_cast<std::ptrdiff_t>(closest));
+}
+
+double SolvedStates::distance(const std::vector<double>& values) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const State& state : states_) least = std::min(least, squaredDistance(values, state.values));
+  return std::sqrt(least);
 }
 
 std::vector<int> SolvedStates::nearest(const std::vector<double>& values, int count) const {

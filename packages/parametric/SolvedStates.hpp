@@ -29,6 +29,8 @@ class SolvedStates {
   int id(int state) const { return states_[state].id; }
   /// Positions of the states nearest to a configuration, the nearest first; ties in the order of adding.
   std::vector<int> nearest(const std::vector<double>& values, int count) const;
+  /// Distance [-] to the nearest state in the ranges of the parameters; infinite without states.
+  double distance(const std::vector<double>& values) const;
   /// alpha and A alpha [stress] of all load steps, into matrices that have their shape already.
   void copy(int state, base::Matrix& alpha, base::Matrix& linear) const;
   /// The rows of alpha [stress] at one load step; valid until the next add().

@@ -19,10 +19,10 @@ constexpr int neighboursWhenDemanding = 24;
 constexpr std::size_t memoryForStates = std::size_t{1} << 30;  // byte, all ranks alike
 constexpr std::size_t mostStates = 100000;
 
-results::Status statusOf(const latin::LatinResult& solution) {
-  switch (solution.outcome) {
+results::Status statusOf(latin::Outcome outcome, bool isUnique) {
+  switch (outcome) {
     case latin::Outcome::certified:
-      return solution.isUnique() ? results::Status::certified : results::Status::certifiedNotUnique;
+      return isUnique ? results::Status::certified : results::Status::certifiedNotUnique;
     case latin::Outcome::noEquilibrium:
       return results::Status::noEquilibrium;
     case latin::Outcome::iterationLimit:
@@ -87,14 +87,17 @@ bool StudySolver::install(const design::Configuration& configuration, results::C
   return true;
 }
 
-bool StudySolver::certify(const base::Matrix* start, results::ConfigurationResult& result) {
+bool StudySolver::certify(const base::Matrix* start, results::ConfigurationResult& result, double share) {
+  solver_.setAccuracy(share * options_.accuracy);
   const latin::LatinResult solution = solver_.solve(start);
-  result.status = statusOf(solution);
   result.reason = solution.reason;
+  bool isUnique = true;
   for (const auto& response : solution.responses) {
-    if (response.range.widest() >= 0)
-      result.reason += "; " + latin::describe(response.name, response.range, response.values);
+    if (!(response.range.width() > options_.accuracy * response.size)) continue;
+    isUnique = false;
+    result.reason += "; " + latin::describe(response.name, response.range, response.values);
   }
+  result.status = statusOf(solution.outcome, isUnique);
   result.iterations += solution.iterations;
   result.linearStages += solution.linearStages;
   result.errorEstimate = solution.errorEstimate;

@@ -43,9 +43,9 @@ class StudySolver {
 
   /// Empties the result and installs the laws; false, with the reason in the result, when they are inadmissible.
   bool install(const design::Configuration& configuration, results::ConfigurationResult& result);
-  /// Solves the configuration that is installed until corrections of its own bound its error, from `start` if it is not
-  /// null. Adds what it took to the result. False when interrupted.
-  bool certify(const base::Matrix* start, results::ConfigurationResult& result);
+  /// Solves the configuration that is installed until corrections of its own bound its error by `share` of the
+  /// accuracy, from `start` if it is not null. Adds what it took to the result. False when interrupted.
+  bool certify(const base::Matrix* start, results::ConfigurationResult& result, double share = 1.0);
   /// The same, from nothing that may mislead; what is thrown makes a failure. A solution is remembered.
   bool certifyAnew(const design::Configuration& configuration, results::ConfigurationResult& result);
   /// Stores what was iterated last for the starts of others, and shows it to the observer.

@@ -142,6 +142,19 @@ TEST_F(Dragged, AreSolvedByAMarch) {
   EXPECT_LT(stages[1], stages[0]);
 }
 
+// A march that is given too few linear stages comes to no end; given enough, it does.
+TEST_F(Dragged, AreGivenUpAtTheLimit) {
+  const std::vector<std::shared_ptr<const latin::Response>> none;
+  ConfigurationIteration iteration(fixedPoint_, none, 3, 10, 1e-6, substructure::Precision::exact, timers_);
+  for (const bool isEnough : {false, true}) {
+    iteration.begin(SolvedStates(1), {0.3});
+    iteration.setLimit(isEnough ? 100.0 : 2.0);
+    iteration.march({1e-6, 1e-6});
+    EXPECT_EQ(iteration.isLost(), !isEnough);
+    EXPECT_LE(iteration.stages(), isEnough ? 100 : 3);
+  }
+}
+
 // Tangents of the start are those of its image: a small step along each changes residual and image as they say.
 TEST_F(Dragged, HaveTangentsOfTheirImage) {
   for (int id = 1; id <= 3; ++id) {

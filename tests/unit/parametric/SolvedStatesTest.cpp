@@ -1,3 +1,5 @@
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include <harmos/parametric/SolvedStates.hpp>
@@ -31,6 +33,15 @@ TEST(SolvedStates, AreNearestInTheRangesOfTheParameters) {
   add(states, 4, {0.0, 40.0});
   EXPECT_EQ(ids(states, states.nearest({0.1, 20.0}, 3)), (std::vector<int>{1, 4, 3}));
   EXPECT_EQ(states.nearest({0.1, 20.0}, 9).size(), 4u);
+}
+
+TEST(SolvedStates, KnowTheDistanceToTheNearest) {
+  SolvedStates states(10);
+  EXPECT_EQ(states.distance({0.0, 0.0}), std::numeric_limits<double>::infinity());
+  states.widen({4.0, 100.0});
+  add(states, 1, {0.0, 0.0});
+  add(states, 2, {4.0, 0.0});
+  EXPECT_DOUBLE_EQ(states.distance({1.2, 40.0}), 0.5);
 }
 
 TEST(SolvedStates, ReturnWhatWasStored) {

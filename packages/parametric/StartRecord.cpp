@@ -1,0 +1,32 @@
+#include <harmos/parametric/StartRecord.hpp>
+
+namespace harmos::parametric {
+namespace {
+
+constexpr int fewTries = 2;
+constexpr int lastTries = 4;
+// Distances on a grid differ by round-off.
+constexpr double sameDistance = 1.0 + 1e-6;
+
+}  // namespace
+
+void StartRecord::addCold(int stages) {
+  coldSum_ += stages;
+  ++coldRuns_;
+}
+
+bool StartRecord::favoursWarm(double distance) {
+  int tries = 0, sum = 0;
+  for (auto one = warm_.rbegin(); one != warm_.rend() && tries < lastTries; ++one) {
+    if (one->distance > sameDistance * distance) continue;
+    sum += one->stages;
+    ++tries;
+  }
+  if (tries < fewTries || sum < coldStages() * tries) return true;
+  if (++refused_ < patience_) return false;
+  refused_ = 0;
+  patience_ *= 2;
+  return true;
+}
+
+}  // namespace harmos::parametric
