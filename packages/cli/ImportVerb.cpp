@@ -15,6 +15,7 @@ const std::vector<CommandOption>& options() {
       {"--hold", "SET", "side set or node set that is held; may be repeated", true},
       {"--load", "SET", "side set that gets a traction; may be repeated", true},
       {"--perfect", "INTERFACE", "interface that joins perfectly; may be repeated", true},
+      {"--preload", "PART=FORCE", "force to which a bolt of a drawing is tightened; may be repeated", true},
       {"--size", "SIZE", "of the elements of a drawing (default: a twentieth of its diagonal)"},
       {"--part-size", "PART=SIZE", "of those of one part of a drawing; may be repeated", true},
       {"--order", "1|2", "of the elements of a drawing (default: 1)"},

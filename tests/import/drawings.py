@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Drawings: from a STEP file to a certified result, and what is refused. drawings.py HARMOS WORK_DIR"""
+import csv
 import json
 import math
 import pathlib
@@ -48,8 +49,30 @@ class Drawings(unittest.TestCase):
         reaction = float((work / "a" / "run" / "joint_history.csv").read_text().splitlines()[-1].split(",")[2])
         self.assertAlmostEqual(reaction, -320.0, 4)
 
+    def test_bolts_are_tightened_by_force(self) -> None:
+        words = ["--units", "mm N s", "--size", 8, "--hold", "plate_face_5", "--load", "bracket_face_5", "--perfect", "plate_to_bolt_1",
+                 "--perfect", "plate_to_bolt_2", "--preload", "bolt_1=5000", "--preload", "bolt_2=6000"]
+        end = run("import", work / "joint.step", "--output", work / "p", *words)
+        self.assertEqual(end.returncode, 0, end.stderr)
+        # The shank is free in the hole of the bracket alone, from 0 to 8.
+        self.assertIn("bolt_1 is tightened to 5000 at (10, -10, 4): interface preload_bolt_1", end.stdout)
+        end = run("run", work / "p" / "joint.xml", "--output", work / "p" / "run", "--set", "Boundaries/bracket_face_5/Law/X=2",
+                  "--set", "Solver/Mesh Error=false")
+        self.assertEqual(end.returncode, 0, end.stdout + end.stderr)
+        with open(work / "p" / "run" / "joint_history.csv", newline="") as file:
+            start, tight, loaded = ({name: float(value) for name, value in row.items()} for row in csv.DictReader(file))
+        self.assertEqual(start["force_bolt_1"], 0.0)
+        self.assertAlmostEqual(tight["force_bolt_1"], 5000.0, delta=1.0)
+        self.assertAlmostEqual(tight["force_bolt_2"], 6000.0, delta=1.0)
+        self.assertAlmostEqual(tight["reaction_plate_face_5_x"], 0.0, delta=1e-3)
+        self.assertAlmostEqual(loaded["reaction_plate_face_5_x"], -640.0, delta=1e-3)
+        # The wall is pulled away: bolts that are locked take more.
+        self.assertGreater(loaded["force_bolt_1"], 5005.0)
+        self.assertLess(loaded["force_bolt_1"], 5300.0)
+
     def test_conformal_and_quadratic(self) -> None:
-        end = run("import", work / "joint.step", "--output", work / "b", "--size", 15, "--part-size", "bolt_1=8", "--conformal")
+        end = run("import", work / "joint.step", "--output", work / "b", "--size", 15, "--part-size", "bolt_1=8", "--conformal",
+                  "--preload", "bolt_1=5000")
         self.assertEqual(end.returncode, 0, end.stderr)
         end = run("check", work / "b" / "joint.xml")
         self.assertEqual(end.returncode, 0, end.stderr)
@@ -96,6 +119,11 @@ class Drawings(unittest.TestCase):
                             ((work / "joint.step", "--part-size", "nut=3"), "there is no part \"nut\"; there are: plate"),
                             ((work / "joint.step", "--part-size", "bolt_1"), "takes PART=SIZE"),
                             ((work / "joint.step", "--size", "15", "--hold", "none"), "--hold none: there are plate_face_1"),
+                            ((work / "joint.step", "--preload", "nut=5"), "there is no part \"nut\"; there are: plate"),
+                            ((work / "joint.step", "--preload", "bolt_1"), "takes PART=FORCE, a force above 0"),
+                            ((work / "joint.step", "--preload", "bolt_1=-5"), "takes PART=FORCE, a force above 0"),
+                            ((work / "joint.step", "--preload", "bolt_1=inf"), "takes PART=FORCE, a force above 0"),
+                            ((work / "joint.step", "--preload", "plate=5"), "--preload plate: "),
                             ((work / "joint.step", "--units", "mm"), "--units \"mm\": there are mm N s")):
             with self.subTest(said):
                 end = run("import", *words, "--output", work / "c")

@@ -1,10 +1,11 @@
 """Imports files of other programs; `harmos import` and the entry Mesh/File call it.
 
 python3 -m harmos.exchange import FILE --output DIR [--units "mm N s"] [--hold SET] [--load SET] [--perfect INTERFACE]
-       [--size SIZE] [--order 2] [--part-size PART=SIZE] [--conformal]
+       [--size SIZE] [--order 2] [--part-size PART=SIZE] [--conformal] [--preload PART=FORCE]
 python3 -m harmos.exchange convert FILE MESH.e
 """
 import argparse
+import math
 import os
 import pathlib
 import re
@@ -37,6 +38,7 @@ def main(words: "list[str] | None" = None) -> int:
     importing.add_argument("--order", type=int, choices=(1, 2), default=1)
     importing.add_argument("--part-size", action="append", default=[])
     importing.add_argument("--conformal", action="store_true")
+    importing.add_argument("--preload", action="append", default=[])
     importing.add_argument("--hold", action="append", default=[])
     importing.add_argument("--load", action="append", default=[])
     importing.add_argument("--perfect", action="append", default=[])
@@ -92,6 +94,9 @@ def _import(arguments: argparse.Namespace) -> None:
     if outputs[1].exists() and _was_changed(outputs[1]):
         raise Refused(f"{outputs[1]} is not as it was imported, and its changes would be lost. Rename it, or name another "
                       "folder by --output.")
+    if arguments.preload and suffix not in DRAWINGS:
+        raise Refused(f"--preload: {path} is no drawing that can be cut. Give the scene an interface with Part, Point, Normal and the "
+                      "law Pretension, along a layer of element faces.")
     scene = None
     if suffix in DECKS:
         from harmos.exchange.deck.imported import import_deck
@@ -103,7 +108,8 @@ def _import(arguments: argparse.Namespace) -> None:
         mesh = read_mesh(path, findings)
     if scene is None:
         findings.found.insert(0, mesh.text())
-        choices = Choices(arguments.hold, arguments.load, arguments.perfect)
+        choices = Choices(arguments.hold, arguments.load, arguments.perfect,
+                          _numbers_by_part("--preload", arguments.preload, "a force"))
         scene = starting_scene(mesh, f"{stem}.e", stem, units, bool(arguments.units), choices, findings)
     scene.items.insert(0, _heading(path, findings))
     folder.mkdir(parents=True, exist_ok=True)
@@ -115,18 +121,25 @@ def _import(arguments: argparse.Namespace) -> None:
 
 def _meshing(arguments: argparse.Namespace, units: UnitSystem) -> Meshing:
     """How to mesh a drawing, as the words say."""
-    sizes = {}
-    for word in arguments.part_size:
-        name, _, size = word.rpartition("=")
-        try:
-            sizes[name] = float(size)
-        except ValueError:
-            sizes[name] = 0.0
-        if not name or not sizes[name] > 0.0:
-            raise Refused(f"--part-size \"{word}\": it takes PART=SIZE, a size above 0.")
+    sizes = _numbers_by_part("--part-size", arguments.part_size, "a size")
     if not arguments.size >= 0.0:
         raise Refused(f"--size {arguments.size:g}: it must be above 0.")
-    return Meshing(arguments.size, arguments.order, sizes, arguments.conformal, units.length)
+    return Meshing(arguments.size, arguments.order, sizes, arguments.conformal,
+                   list(_numbers_by_part("--preload", arguments.preload, "a force")), arguments.perfect, units.length)
+
+
+def _numbers_by_part(option: str, words: list[str], what: str) -> dict[str, float]:
+    """What an option that takes PART=NUMBER says, numbers above 0."""
+    numbers = {}
+    for word in words:
+        name, _, number = word.rpartition("=")
+        try:
+            numbers[name] = float(number)
+        except ValueError:
+            numbers[name] = 0.0
+        if not name or not 0.0 < numbers[name] < math.inf:
+            raise Refused(f"{option} \"{word}\": it takes PART={what.split()[-1].upper()}, {what} above 0.")
+    return numbers
 
 
 def _heading(path: str, findings: Findings) -> Comment:

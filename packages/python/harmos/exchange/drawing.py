@@ -5,6 +5,7 @@ import pathlib
 import gmsh
 import numpy
 
+from harmos.exchange.bolt_section import divide, plane_across
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.gmsh_mesh import mesh_of_model, session
 from harmos.exchange.mesh import Mesh, clean_name, unused_name
@@ -47,14 +48,15 @@ def mesh_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
         if not solids:
             raise Refused(f"{path}: it holds no solids. Surfaces and curves have no volume to mesh.")
         parts = _names(solids)
-        unknown = sorted(set(meshing.part_sizes) - set(parts))
+        unknown = sorted({*meshing.part_sizes, *meshing.bolts} - set(parts))
         if unknown:
             raise Refused(f"{path}: there is no part \"{unknown[0]}\"; there are: {', '.join(parts)}.")
-        pieces = {name: [tag] for name, tag in parts.items()}
-        if meshing.conformal and len(solids) > 1:
-            pieces = _fragmented(parts)
-        else:
+        if not meshing.conformal:
             findings.undecided += _overlaps(parts)
+        planes = {bolt: plane_across(bolt, parts, _bonded(bolt, parts, meshing)) for bolt in meshing.bolts}
+        pieces = {name: divide(tag, planes[name]) if name in planes else [tag] for name, tag in parts.items()}
+        if meshing.conformal and len(solids) > 1:
+            pieces = _fragmented(pieces)
         _set_sizes(pieces, meshing)
         _name_groups(pieces)
         try:
@@ -65,6 +67,7 @@ def mesh_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
             said = [line for line in gmsh.logger.get() if line.startswith("Error")]
             raise Refused(f"{path}: Gmsh cannot mesh it: {said[0] if said else error}.\n  Try a smaller size.") from None
         mesh = mesh_of_model(path, findings)
+        mesh.planes = planes
     findings.found.insert(0, f"{len(parts)} solids: {', '.join(parts)}")
     if meshing.length != 1e-3 and pathlib.Path(path).suffix.lower() in (".step", ".stp"):
         findings.found.insert(1, f"lengths of the drawing are converted to units of {meshing.length:g} m, as was asked for")
@@ -116,14 +119,20 @@ def _names(solids: list[int]) -> dict[str, int]:
     return result
 
 
-def _fragmented(parts: dict[str, int]) -> dict[str, list[int]]:
-    tags = [(3, tag) for tag in parts.values()]
+def _bonded(bolt: str, parts: dict[str, int], meshing: Meshing) -> set[str]:
+    """The parts to which a bolt is joined perfectly."""
+    return {name for name in parts if {f"{name}_to_{bolt}", f"{bolt}_to_{name}"} & set(meshing.perfect)}
+
+
+def _fragmented(pieces: dict[str, list[int]]) -> dict[str, list[int]]:
+    owners = [name for name, tags in pieces.items() for _ in tags]
+    tags = [(3, tag) for tags in pieces.values() for tag in tags]
     _, made = gmsh.model.occ.fragment(tags[:1], tags[1:])
     gmsh.model.occ.synchronize()
     taken: set[int] = set()
-    result = {}
-    for name, pieces in zip(parts, made):
-        result[name] = [tag for _, tag in pieces if tag not in taken]
+    result: dict[str, list[int]] = {name: [] for name in pieces}
+    for name, become in zip(owners, made):
+        result[name] += [tag for _, tag in become if tag not in taken]
         taken |= set(result[name])
     return result
 

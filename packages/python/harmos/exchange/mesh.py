@@ -55,6 +55,18 @@ class Block:
     part: str = ""
 
 
+@dataclasses.dataclass(frozen=True)
+class Plane:
+    """A plane.
+
+    Attributes:
+        point: on it [length].
+        normal: of length 1.
+    """
+    point: tuple[float, ...]
+    normal: tuple[float, ...]
+
+
 @dataclasses.dataclass
 class Mesh:
     """A mesh; elements are counted from 0 through all blocks.
@@ -65,12 +77,14 @@ class Mesh:
         blocks: in the order of the file.
         side_sets: by name, rows of element and side.
         node_sets: by name, nodes.
+        planes: across parts, by their names, along which their elements have faces.
     """
     dimension: int
     nodes: Array
     blocks: list[Block]
     side_sets: dict[str, Array] = dataclasses.field(default_factory=dict)
     node_sets: dict[str, Array] = dataclasses.field(default_factory=dict)
+    planes: dict[str, Plane] = dataclasses.field(default_factory=dict)
 
     def first_elements(self) -> Array:
         """Number of the first element of every block, and at the end the number of all."""

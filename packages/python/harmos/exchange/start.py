@@ -8,6 +8,7 @@ from harmos.arrays import Array
 from harmos.exchange.contact import Contact, contacts, face_measures
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Mesh, codes, ended_name, faces_of, outer_faces, unused_name
+from harmos.exchange.preloads import LOADING, add_preloads
 from harmos.exchange.scene import SceneList, number_text
 from harmos.exchange.units import UnitSystem
 
@@ -32,10 +33,12 @@ class Choices:
         held: names of sets that are held in all directions.
         loaded: names of side sets that get a traction, 0 until a number stands there.
         perfect: names of interfaces that are joined perfectly.
+        preloads: forces of bolts, by the names of their parts.
     """
     held: list[str] = dataclasses.field(default_factory=list)
     loaded: list[str] = dataclasses.field(default_factory=list)
     perfect: list[str] = dataclasses.field(default_factory=list)
+    preloads: dict[str, float] = dataclasses.field(default_factory=dict)
 
     def demand_known(self, path: str, mesh: Mesh, scene: SceneList) -> None:
         """Refuses names that are not there.
@@ -69,6 +72,7 @@ def starting_scene(mesh: Mesh, mesh_file: str, title: str, units: UnitSystem, is
     touched = _add_interfaces(scene, mesh, choices, findings)
     choices.demand_known(title, mesh, scene)
     _add_boundaries(scene, mesh, touched, choices, findings)
+    add_preloads(scene, mesh, choices.preloads, findings)
     scene.child("Steps").child("load")
     return scene
 
@@ -161,6 +165,8 @@ def _add_boundaries(scene: SceneList, mesh: Mesh, touched: set[str], choices: Ch
                 law = boundaries.child(boundary_name).set(kind, name).child("Law").set("Type", "Prescribed Traction")
                 for axis in "XYZ"[:mesh.dimension]:
                     law.set(axis, 0.0)
+                    if choices.preloads:
+                        law.set(f"{axis} History", LOADING)
                 _add_mean_displacements(responses, name, mesh.dimension)
             else:
                 free.append(what)
