@@ -70,6 +70,27 @@ class Drawings(unittest.TestCase):
         self.assertGreater(loaded["force_bolt_1"], 5005.0)
         self.assertLess(loaded["force_bolt_1"], 5300.0)
 
+    def test_facets_of_fitted_faces_do_not_press(self) -> None:
+        import gmsh
+        gmsh.initialize(["fitted"], False)
+        gmsh.option.setNumber("General.Terminal", 0)
+        kernel = gmsh.model.occ
+        # A pin in a hole of the same radius; a block beside it that only touches; holes in a row that only follow each other.
+        plates = [kernel.addBox(-10, -10, height, 20, 20, 5) for height in (0, 5)]
+        for height, plate in zip((0, 5), plates):
+            kernel.cut([(3, plate)], [(3, kernel.addCylinder(0, 0, height, 0, 0, 5, 4))])
+        kernel.addCylinder(0, 0, -5, 0, 0, 10, 4)
+        kernel.synchronize()
+        gmsh.write(str(work / "pin.brep"))
+        gmsh.finalize()
+        end = run("import", work / "pin.brep", "--output", work / "f", "--size", 4)
+        self.assertEqual(end.returncode, 0, end.stderr)
+        scene = (work / "f" / "pin.xml").read_text()
+        names = re.findall(r'<ParameterList name="(solid_\d_to_solid_\d)">', scene)
+        self.assertEqual(len(names), 2, end.stdout)
+        closed = re.findall(r'<ParameterList name="(solid_\d_to_solid_\d)">(?:(?!</ParameterList>).)*name="Gap"', scene, re.DOTALL)
+        self.assertEqual(closed, ["solid_1_to_solid_3"])
+
     def test_conformal_and_quadratic(self) -> None:
         end = run("import", work / "joint.step", "--output", work / "b", "--size", 15, "--part-size", "bolt_1=8", "--conformal",
                   "--preload", "bolt_1=5000")

@@ -6,6 +6,7 @@ import gmsh
 import numpy
 
 from harmos.exchange.bolt_section import divide, plane_across
+from harmos.exchange.coincidence import fitted_pairs
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.gmsh_mesh import mesh_of_model, session
 from harmos.exchange.mesh import Mesh, clean_name, unused_name
@@ -53,6 +54,7 @@ def mesh_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
             raise Refused(f"{path}: there is no part \"{unknown[0]}\"; there are: {', '.join(parts)}.")
         if not meshing.conformal:
             findings.undecided += _overlaps(parts)
+        fitted = fitted_pairs(parts)
         planes = {bolt: plane_across(bolt, parts, _bonded(bolt, parts, meshing)) for bolt in meshing.bolts}
         pieces = {name: divide(tag, planes[name]) if name in planes else [tag] for name, tag in parts.items()}
         if meshing.conformal and len(solids) > 1:
@@ -67,7 +69,7 @@ def mesh_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
             said = [line for line in gmsh.logger.get() if line.startswith("Error")]
             raise Refused(f"{path}: Gmsh cannot mesh it: {said[0] if said else error}.\n  Try a smaller size.") from None
         mesh = mesh_of_model(path, findings)
-        mesh.planes = planes
+        mesh.planes, mesh.fitted = planes, fitted
     findings.found.insert(0, f"{len(parts)} solids: {', '.join(parts)}")
     if meshing.length != 1e-3 and pathlib.Path(path).suffix.lower() in (".step", ".stp"):
         findings.found.insert(1, f"lengths of the drawing are converted to units of {meshing.length:g} m, as was asked for")

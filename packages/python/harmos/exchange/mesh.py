@@ -78,6 +78,7 @@ class Mesh:
         side_sets: by name, rows of element and side.
         node_sets: by name, nodes.
         planes: across parts, by their names, along which their elements have faces.
+        fitted: parts whose curved faces lie in each other, where the facets of their meshes need not.
     """
     dimension: int
     nodes: Array
@@ -85,6 +86,7 @@ class Mesh:
     side_sets: dict[str, Array] = dataclasses.field(default_factory=dict)
     node_sets: dict[str, Array] = dataclasses.field(default_factory=dict)
     planes: dict[str, Plane] = dataclasses.field(default_factory=dict)
+    fitted: list[tuple[str, str]] = dataclasses.field(default_factory=list)
 
     def first_elements(self) -> Array:
         """Number of the first element of every block, and at the end the number of all."""

@@ -106,7 +106,10 @@ def _add_interfaces(scene: SceneList, mesh: Mesh, choices: Choices, findings: Fi
         interfaces.comment(f"{contact.parts[0]} and {contact.parts[1]} touch: {unit} {size}.",
                            *([] if is_perfect else [ASK + "friction is assumed; Perfect joins them, remove the list where "
                                                     "they do not meet."]))
-        law = interfaces.child(name).set("Side 1", sides[0]).set("Side 2", sides[1]).child("Law")
+        interface = interfaces.child(name).set("Side 1", sides[0]).set("Side 2", sides[1])
+        if not is_perfect and contact.parts in mesh.fitted:
+            interface.comment("Curved faces of both lie in each other in the drawing: gaps are those of facets.").set("Gap", "Closed")
+        law = interface.child("Law")
         if is_perfect:
             law.set("Type", "Perfect")
         else:
