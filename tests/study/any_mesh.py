@@ -15,19 +15,12 @@ import shutil
 import subprocess
 import sys
 
+from checks import check, finish
 from lists import entries, entry, law
 
 HARMOS, WORK = sys.argv[1], pathlib.Path(sys.argv[2])
 FORCE, MODULUS, STIFFNESS, SPREAD = 100.0, 1e4, 1000.0, 0.2
 LEVELS = {"mu": (0.2, 0.3, 0.4, 0.5), "press": (0.01, 0.02, 0.03)}
-failures = 0
-
-
-def check(holds, what):
-    global failures
-    if not holds:
-        print("FAILED:", what)
-        failures += 1
 
 
 def box(name, lower, upper, cells, element):
@@ -198,5 +191,4 @@ for pieces in 1, 3:
 study_of_friction("pressed_quadratic", "Quad8")
 random_glue("glued", ((5, 2), (3, 3)), "Quad4")
 random_glue("glued_quadratic", ((3, 2), (3, 3)), "Quad8")
-print("all as promised" if failures == 0 else f"{failures} failures")
-sys.exit(failures > 0)
+finish()

@@ -10,6 +10,8 @@ import shutil
 import subprocess
 import sys
 
+from checks import check, finish
+
 HARMOS, WORK = sys.argv[1], pathlib.Path(sys.argv[2])
 SCENE = pathlib.Path(__file__).resolve().parents[1] / "verification" / "bolt_diagram" / "bolt.xml"
 STIFFNESS = 420000.0 * 1680000.0 / (420000.0 + 1680000.0)
@@ -47,14 +49,6 @@ STUDY = """<ParameterList name="Harmos Study">
   </ParameterList>
 </ParameterList>
 """
-failures = 0
-
-
-def check(holds, what):
-    global failures
-    if not holds:
-        print("FAILED:", what)
-        failures += 1
 
 
 def near(value, expected, tolerance, what):
@@ -101,4 +95,4 @@ for pieces in (1, 8):
     for response, scale in (("F", 1.0), ("o", 1.0 / STIFFNESS)):
         near(moments(out)[response][0], mean * scale, 1e-5, f"mean of {response}, chaos, {pieces} pieces")
         near(moments(out)[response][1], deviation * scale, 1e-5, f"deviation of {response}, chaos, {pieces} pieces")
-sys.exit(failures > 0)
+finish()

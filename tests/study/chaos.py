@@ -16,6 +16,8 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy
 
+from checks import check, finish
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "packages" / "python"))
 from harmos import read_study
 
@@ -23,14 +25,6 @@ HARMOS, STUDY, WORK = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.
 NAME = STUDY.stem
 LOGNORMAL = [f"Parameters/E_{i}/Distribution/Type=Lognormal" for i in (1, 2)]
 NO_SWEEP = ["Sweep/d_1/Values={0.2}", "Sweep/d_2/Values={0.2}"]
-failures = 0
-
-
-def check(holds, what):
-    global failures
-    if not holds:
-        print("FAILED:", what)
-        failures += 1
 
 
 def near(value, expected, tolerance, what):
@@ -342,6 +336,4 @@ everything = (monte_carlo,) if sys.argv[4:] == ["monte_carlo"] else (
     random_history)
 for part in everything:
     part()
-if not failures:
-    print("all as promised")
-sys.exit(failures > 0)
+finish()

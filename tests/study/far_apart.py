@@ -12,19 +12,13 @@ import sys
 import h5py
 import numpy
 
+from checks import check, finish
+
 HARMOS, STUDY, WORK = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
 COARSE = ("Scene Overrides={Boundaries/loaded/Law/Type=Prescribed Displacement, Boundaries/loaded/Law/X=0.5, "
           "Mesh/Refinement=0.25}")
 ACCURACY = 1e-2
 GRID = [word for parameter in ("mu", "preload_1", "preload_2") for word in ("--set", f"Parameters/{parameter}/Count=3")]
-failures = 0
-
-
-def check(holds, what):
-    global failures
-    if not holds:
-        print("FAILED:", what)
-        failures += 1
 
 
 def solve(name, *words):
@@ -53,4 +47,4 @@ print(f"{len(stages)} configurations: {stages.mean():.1f} linear stages, {numpy.
       f"largest error {error:.1e}")
 check(error <= ACCURACY, f"error {error}")
 check(stages.mean() <= 0.75 * numpy.mean(alone), "cost")
-sys.exit(1 if failures else 0)
+finish()

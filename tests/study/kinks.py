@@ -17,6 +17,7 @@ import sys
 import numpy
 from scipy.stats import norm
 
+from checks import check, finish
 from lists import box, entries, entry, guided, law
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "packages" / "python"))
@@ -24,14 +25,6 @@ from harmos import read_study
 
 HARMOS, WORK = sys.argv[1], pathlib.Path(sys.argv[2])
 FORCE, MODULUS, WALL, SPREAD_OF_GAP, MEAN_SPRING, SPREAD_OF_SPRING = 100.0, 1e5, 3000.0, 0.02, 1000.0, 0.2
-failures = 0
-
-
-def check(holds, what):
-    global failures
-    if not holds:
-        print("FAILED:", what)
-        failures += 1
 
 
 def exact(gap, spring):
@@ -162,5 +155,4 @@ WORK.mkdir(parents=True)
 path = write()
 errors_are_honest(path)
 predictions_have_error_bars(path)
-print("all as promised" if failures == 0 else f"{failures} failures")
-sys.exit(failures > 0)
+finish()
