@@ -18,6 +18,12 @@ constexpr int halvings = 2;
 constexpr double worthwhile = 0.999;
 // Times the residual that the tangent predicts, from which on it is found anew.
 constexpr double misprediction = 2.0;
+// Of the residual that is gone for: errors of single precision that hardly change anything.
+constexpr double negligible = 0.1;
+// Ways over the residuals, at least, that are reckoned with before directions are known.
+constexpr double wayOfResidual = 100.0;
+// Times what the images have promised that the true residual may be.
+constexpr double promised = 1.25;
 // Linear stages, each of some load steps, in which the largest residual must fall to this share.
 constexpr std::size_t patience = 40;
 constexpr double slow = 0.8;
@@ -34,8 +40,10 @@ double scaledNorm(const StateMetric& metric, const double* a, const double* b) {
 
 }  // namespace
 
-CausalCorrection::CausalCorrection(FixedPoint& fixedPoint)
+CausalCorrection::CausalCorrection(FixedPoint& fixedPoint, substructure::Precision precision)
     : fixedPoint_(fixedPoint),
+      finest_(fixedPoint.assembly().softens() ? substructure::Precision::exact : precision),
+      allowed_(finest_),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
       steps_(static_cast<std::size_t>(fixedPoint.assembly().steps()),
              Step{TangentSpace(fixedPoint.metric(), fixedPoint.assembly(), lines_)}) {}
@@ -124,6 +132,15 @@ std::vector<int> CausalCorrection::unfinished() {
   return result;
 }
 
+substructure::Precision CausalCorrection::precision() {
+  if (allowed_ == substructure::Precision::exact) return allowed_;
+  // The image of a direction has this relative error, and a step goes along it as far as its residual asks for.
+  double way = longestWay();
+  for (const Step& step : steps_) way = std::max(way, wayOfResidual * step.residual);
+  return fixedPoint_.prepareSingle() * way <= negligible * target_ ? substructure::Precision::single
+                                                                   : substructure::Precision::exact;
+}
+
 bool CausalCorrection::extend(const std::vector<int>& steps) {
   const int rows = alpha_.numRows();
   std::vector<int> selected;
@@ -149,8 +166,10 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
     for (int row = 0; row < rows; ++row) shifted[i][row] = start_[t][row] + size * directions[i][row];
     lengths.push_back(size);
   }
+  const substructure::Precision used = precision();
+  isRough_ = isRough_ || used == substructure::Precision::single;
   fixedPoint_.select(selected);
-  fixedPoint_.solveLinear(shifted, image);
+  fixedPoint_.solveLinear(shifted, image, used);
   fixedPoint_.selectAll();
   for (int i = 0; i < count; ++i) {
     const int t = selected[i];
@@ -195,18 +214,10 @@ void CausalCorrection::start(const Iterate& iterate, const base::Matrix& alpha) 
   }
 }
 
-CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base::Matrix& alpha, double target,
-                                                   int stages) {
-  start(iterate, alpha);
-  const double before = largestResidual();
-  Result result;
-  if (before <= noise_) {
-    result.reduction = 0.0;
-    return result;
-  }
-  target_ = target * before;
+void CausalCorrection::approach(int stages) {
   // All load steps are met from the unloaded state again at the end, also when a law throws.
   const FixedPoint::AllStepsAtEnd restore(fixedPoint_);
+  first_ = 0;
   sweep(0);
   const int first = fixedPoint_.linearStage().stages();
   std::vector<double> residuals{largestResidual()};  // after every linear stage
@@ -215,6 +226,39 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
     sweep(left.front());
     residuals.push_back(largestResidual());
     if (residuals.size() > patience && residuals.back() > slow * residuals[residuals.size() - 1 - patience]) break;
+  }
+}
+
+const Iterate& CausalCorrection::verify(base::Matrix& image) {
+  const Iterate& iterate = fixedPoint_.apply(alpha_, image);
+  beta_.assign(iterate.beta());
+  for (int t = 0; t < alpha_.numCols(); ++t) {
+    steps_[t].residual = scaledNorm(fixedPoint_.metric(), image[t], alpha_[t]);
+  }
+  return iterate;
+}
+
+CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image,
+                                                   double target, int stages) {
+  start(iterate, alpha);
+  const double before = largestResidual();
+  Result result;
+  if (before <= noise_) {
+    result.reduction = 0.0;
+    return result;
+  }
+  target_ = target * before;
+  allowed_ = finest_;
+  const int first = fixedPoint_.linearStage().stages();
+  approach(stages);
+  if (isRough_) {
+    const double said = std::max(largestResidual(), target_);
+    result.iterate = &verify(image);
+    if (!(largestResidual() <= promised * said)) {
+      allowed_ = substructure::Precision::exact;
+      approach(stages - (fixedPoint_.linearStage().stages() - first));
+      result.iterate = &verify(image);
+    }
   }
   result.hidden = hidden();
   result.reduction = largestResidual() <= noise_ ? 0.0 : largestResidual() / before;

@@ -17,6 +17,10 @@ namespace harmos::latin {
 /// last from one correction to the next, since y depends on no state; the g = (I - J) v are found anew where a tangent
 /// no longer predicts the residual, without a solve. Norms are those of StateMetric. Displacement form, with the local
 /// stage PointwiseLocalStage.
+///
+/// Images y may be found in single precision, since they only say where to go: where any was, the way ends with an
+/// application of T in double precision, and what is said of the residual is what that has found. Where it is larger
+/// than the images promised, the correction goes on from there in double precision (iterative refinement).
 /// Source of the idea: recycling Krylov subspaces, Parks et al. (2006), doi:10.1137/040607277.
 class CausalCorrection {
  public:
@@ -26,16 +30,18 @@ class CausalCorrection {
     /// What the residual can hide: largest |R_t| / (s_t d), s_t the smallest singular value of I - J in the space of
     /// the step, d the longest way that a step was moved. Slow modes are all but absent from the residual.
     double hidden = 0.0;
+    /// That of the corrected state, valid as FixedPoint::apply() says; null where none was found.
+    const Iterate* iterate = nullptr;
   };
 
-  /// `fixedPoint` must outlive it.
-  explicit CausalCorrection(FixedPoint& fixedPoint);
+  /// `fixedPoint` must outlive it. `precision`: single, where images may be found so.
+  explicit CausalCorrection(FixedPoint& fixedPoint, substructure::Precision precision = substructure::Precision::exact);
 
   /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
   /// target x the largest |R| of the start and no more than half of the way can be hidden; or until `stages` linear
-  /// stages were spent, or the residuals no longer fall. No iterate is valid afterwards. Throws base::Error as
-  /// LocalStage::solve().
-  Result correct(const Iterate& iterate, base::Matrix& alpha, double target, int stages);
+  /// stages were spent, or the residuals no longer fall. No iterate is valid afterwards but that of the result, whose
+  /// image is in `image` [stress] then. Throws base::Error as LocalStage::solve().
+  Result correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, double target, int stages);
 
  private:
   struct Step {
@@ -61,10 +67,19 @@ class CausalCorrection {
   double longestWay() const;
   double largestResidual() const;
   double hidden() const;
+  /// Lets the spaces grow until all load steps have come to their end, or what is left says that they will not.
+  void approach(int stages);
+  /// Puts the true beta and residuals in the place of those that the images have given; returns the iterate.
+  const Iterate& verify(base::Matrix& image);
+  /// How exactly the images of the next directions are found.
+  substructure::Precision precision();
   /// New directions for some load steps; false when there are none.
   bool extend(const std::vector<int>& steps);
 
   FixedPoint& fixedPoint_;
+  substructure::Precision finest_;   // single: where that does no harm
+  substructure::Precision allowed_;  // now
+  bool isRough_ = false;             // some images were found in single precision
   InterfaceLines lines_;
   std::vector<Step> steps_;
   int first_ = 0;        // load step that the local stage begins at

@@ -106,21 +106,24 @@ double fieldGap(const Iterate& state) {
 Certificate::Certificate(FixedPoint& fixedPoint, StepNewton& newton,
                          const std::vector<std::shared_ptr<const Response>>& responses, double accuracy)
     : fixedPoint_(fixedPoint), responses_(responses), accuracy_(accuracy), stepNewton_(newton), newton_(fixedPoint) {
-  if (fixedPoint.formulation() == Formulation::displacement) causal_ = std::make_unique<CausalCorrection>(fixedPoint);
+  if (fixedPoint.formulation() == Formulation::displacement) {
+    causal_ = std::make_unique<CausalCorrection>(fixedPoint, substructure::Precision::single);
+  }
 }
 
 Certificate::~Certificate() = default;
 
-Certificate::Correction Certificate::correctCausally(const Iterate& iterate, const base::Matrix& alpha, int count,
-                                                     int stages) {
+Certificate::Correction Certificate::correctCausally(const Iterate& iterate, const base::Matrix& alpha,
+                                                     base::Matrix& image, int count, int stages) {
   Correction result;
   result.state = alpha;
   const double target = count == 0 ? firstTarget : laterTarget;
   const CausalCorrection::Result step =
-      causal_->correct(iterate, result.state, target, std::min(stages, maximumStages));
+      causal_->correct(iterate, result.state, image, target, std::min(stages, maximumStages));
   result.reduction = step.reduction;
   result.isReduced = step.reduction <= causalLimit * target;
   result.hidden = step.hidden;
+  result.iterate = step.iterate;
   if (!(step.reduction <= 1.0)) result.state = alpha;
   return result;
 }
@@ -207,7 +210,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, co
     const double gap = fieldGap(*iterate);
     const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
     if (stages < (kind == Kind::newton ? leastVectors : leastStages)) return result;
-    Correction step = kind == Kind::causal     ? correctCausally(*iterate, state, count, stages)
+    Correction step = kind == Kind::causal     ? correctCausally(*iterate, state, next, count, stages)
                       : kind == Kind::stepwise ? correctStepwise(*iterate, state, next, count, stageLimit - 2)
                                                : correctByNewton(*iterate, state, next, count, previous, stages);
     if (!step.isReduced) {

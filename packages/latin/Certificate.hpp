@@ -65,8 +65,9 @@ class Certificate {
   };
   Result attemptOnce(Kind kind, const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image,
                      int stageLimit);
-  /// Number `count` of this attempt.
-  Correction correctCausally(const Iterate& iterate, const base::Matrix& alpha, int count, int stages);
+  /// Number `count` of this attempt. May replace the image by that of the corrected state.
+  Correction correctCausally(const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image, int count,
+                             int stages);
   /// Replaces the image by that of the corrected state.
   Correction correctStepwise(const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image, int count,
                              int stageLimit);

@@ -116,6 +116,7 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
     copy(factor_->s, factor_->ssize, result->row);
     const auto* values = static_cast<const double*>(factor_->x);
     result->value.assign(values, values + factor_->xsize);
+    result->invertTriangles();
     return result;
   }
 

@@ -15,10 +15,10 @@ namespace {
 /// Two cubes joined by a law and loaded from above, with a fixed point that can be asked for residuals.
 struct Cubes {
   Cubes(const std::shared_ptr<const laws::InterfaceLaw>& joint, const std::shared_ptr<const laws::InterfaceLaw>& top,
-        int stepCount, bool isConsistent = false)
+        int stepCount, bool isConsistent = false, const StageOptions& options = {})
       : cubes(twoCubes(joint, top, stepCount, isConsistent)),
         steps(stepCount),
-        fixedPoint(cubes.assembly(), {}, self(), timers),
+        fixedPoint(cubes.assembly(), options, self(), timers),
         alpha(fixedPoint.layout().rows(), steps),
         image(alpha) {}
 
@@ -37,7 +37,7 @@ struct Cubes {
   }
   CausalCorrection::Result correct(CausalCorrection& correction, double target, int stages) {
     const Iterate& iterate = fixedPoint.apply(alpha, image);
-    return correction.correct(iterate, alpha, target, stages);
+    return correction.correct(iterate, alpha, image, target, stages);
   }
   /// A state near the solution.
   void march(double tolerance) {
@@ -57,10 +57,10 @@ Cubes glued() {
 }
 
 /// Partial slip that goes on, turns and comes back.
-Cubes rubbing(bool isConsistent = false) {
+Cubes rubbing(bool isConsistent = false, const StageOptions& options = {}) {
   return {laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}}),
           laws::makeLaw("Prescribed Traction", {{"X", 0.9}, {"Z", -4.0}}, {{"X", {0, 0.5, 1, 0.2, -0.8}}}), 5,
-          isConsistent};
+          isConsistent, options};
 }
 
 TEST(CausalCorrection, IsExactForAffineMaps) {
@@ -91,6 +91,29 @@ TEST(CausalCorrection, KnowsTheTrueResidual) {
   }
 }
 
+// Directions may be rough: what is said of the residual is what double precision finds.
+TEST(CausalCorrection, KnowsTheTrueResidualOfDirectionsInSinglePrecision) {
+  StageOptions options;
+  options.solver.invertTrace = true;
+  Cubes cubes = rubbing(false, options);
+  ASSERT_GT(cubes.fixedPoint.prepareSingle(), 1e-8);
+  cubes.march(1e-2);
+  CausalCorrection correction(cubes.fixedPoint, substructure::Precision::single);
+  for (const double target : {0.1, 0.3, 1e-3}) {
+    const double start = cubes.residual(cubes.alpha);
+    const CausalCorrection::Result result = cubes.correct(correction, target, 100);
+    // Double precision alone would leave the last application to the caller.
+    ASSERT_NE(result.iterate, nullptr);
+    EXPECT_LE(result.reduction, 1.25 * target);
+    EXPECT_LE(result.hidden, 0.7);
+    const double said = result.reduction * start;
+    cubes.image -= cubes.alpha;
+    const std::vector<double> squares = cubes.fixedPoint.metric().squaredNorms(cubes.image);
+    EXPECT_NEAR(std::sqrt(*std::max_element(squares.begin(), squares.end())), said, 1e-9 * said);
+    EXPECT_NEAR(cubes.residual(cubes.alpha), said, 1e-9 * said);
+  }
+}
+
 // The second time from the same place nothing is left to be solved.
 TEST(CausalCorrection, KeepsItsDirections) {
   Cubes cubes = glued();
@@ -101,7 +124,7 @@ TEST(CausalCorrection, KeepsItsDirections) {
     cubes.alpha.assign(start);
     const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
     const int before = cubes.fixedPoint.linearStage().stages();
-    EXPECT_LE(correction.correct(iterate, cubes.alpha, 1e-3, 100).reduction, 1e-3);
+    EXPECT_LE(correction.correct(iterate, cubes.alpha, cubes.image, 1e-3, 100).reduction, 1e-3);
     return cubes.fixedPoint.linearStage().stages() - before;
   };
   EXPECT_GT(stages(), 3);
@@ -122,7 +145,7 @@ TEST(CausalCorrection, SolvesOnlyTheLoadStepsThatAreLeft) {
     CausalCorrection fresh(cubes.fixedPoint);
     const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
     const long before = cubes.fixedPoint.linearStage().columns();
-    EXPECT_LE(fresh.correct(iterate, cubes.alpha, 0.1, 300).reduction, 0.1);
+    EXPECT_LE(fresh.correct(iterate, cubes.alpha, cubes.image, 0.1, 300).reduction, 0.1);
     return cubes.fixedPoint.linearStage().columns() - before;
   };
   const long both = columnsFrom(0);
@@ -150,7 +173,7 @@ TEST(CausalCorrection, StaysWithinItsStages) {
   const double before = cubes.residual(cubes.alpha);
   const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
   const int stages = cubes.fixedPoint.linearStage().stages();
-  const CausalCorrection::Result result = correction.correct(iterate, cubes.alpha, 1e-9, 3);
+  const CausalCorrection::Result result = correction.correct(iterate, cubes.alpha, cubes.image, 1e-9, 3);
   EXPECT_LE(cubes.fixedPoint.linearStage().stages() - stages, 3);
   EXPECT_GT(result.reduction, 1e-9);
   EXPECT_NEAR(cubes.residual(cubes.alpha), result.reduction * before, 1e-6 * before);
