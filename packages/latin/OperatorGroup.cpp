@@ -39,6 +39,13 @@ double signOf(unsigned seed, int row, int column) {
   return ((x ^ (x >> 31U)) & 1U) != 0U ? 1.0 : -1.0;
 }
 
+bool isZero(const base::Matrix& matrix) {
+  for (int j = 0; j < matrix.numCols(); ++j) {
+    if (!std::all_of(matrix[j], matrix[j] + matrix.numRows(), [](double value) { return value == 0.0; })) return false;
+  }
+  return true;
+}
+
 bool areEqual(const std::vector<substructure::BoundaryTerm::NodeTensor>& a,
               const std::vector<substructure::BoundaryTerm::NodeTensor>& b) {
   if (a.size() != b.size()) return false;
@@ -61,6 +68,9 @@ OperatorGroup::OperatorGroup(const Teuchos::RCP<const base::CrsMatrix>& stiffnes
   for (const substructure::BoundaryTerm::NodeTensor& held : term_.free) {
     for (int c = 0; c < term_.dimension; ++c) heldDofs_.push_back(held.node * term_.dimension + c);
   }
+  if (!options.invertTrace || !isTrace() || heldDofs_.empty()) return;
+  stencil_ = std::make_unique<HeldStencil>(substructure::viewOf(*stiffness_, "operator"), term_, trace_);
+  if (!stencil_->isWorthwhile()) stencil_.reset();
 }
 
 bool OperatorGroup::has(const substructure::BoundaryTerm& term) const {
@@ -167,9 +177,15 @@ void OperatorGroup::multiply(const double* u, const std::vector<int>& rows, doub
 }
 
 void OperatorGroup::setLoads(const base::Matrix& loads, const base::Matrix& held) {
+  const int columns = loads.numCols();
+  const bool areNone = isZero(loads);
+  const bool areKnown = areLoaded_ && loads_.numCols() == columns && held_ == held &&
+                        (areNone ? givenLoads_.numCols() == 0 : givenLoads_ == loads);
+  if (areKnown) return;
+  areLoaded_ = false;
+  givenLoads_ = areNone ? base::Matrix() : loads;
   loads_ = loads;
   held_ = held;
-  const int columns = loads.numCols();
   if (!heldDofs_.empty()) {
     heldLoads_.shape(static_cast<int>(heldDofs_.size()), columns);
     for (int j = 0; j < columns; ++j) {
@@ -187,10 +203,12 @@ void OperatorGroup::setLoads(const base::Matrix& loads, const base::Matrix& held
     }
   }
   project(loads_, false);
-  if (!isTrace()) return;
-  loaded_.shape(dofs(), columns);
-  if (loads_.normInf() > 0.0) solver_.solve(loads_, loaded_);
-  if (isHeldAway) loaded_ += held_;
+  if (isTrace()) {
+    loaded_.shape(dofs(), columns);
+    if (loads_.normInf() > 0.0) solver_.solve(loads_, loaded_);
+    if (isHeldAway) loaded_ += held_;
+  }
+  areLoaded_ = true;
 }
 
 void OperatorGroup::select(std::vector<int> loadColumns) {
@@ -205,7 +223,7 @@ void OperatorGroup::select(std::vector<int> loadColumns) {
 void OperatorGroup::solve(const std::vector<int>& columns, substructure::Precision precision) {
   const int count = static_cast<int>(columns.size());
   const bool isAll = count == forces_.numCols();
-  hasWhole_ = false;
+  hasWhole_ = hasStencil_ = false;
   hasReactions_ = false;
   base::Matrix right(rows(), count), part;
   for (int j = 0; j < count; ++j) {
@@ -249,7 +267,7 @@ void OperatorGroup::addUnit(int column, int member, double factor) {
   }
   unitOf_[column] = member;
   unitFactors_[column] = factor;
-  hasWhole_ = false;
+  hasWhole_ = hasStencil_ = false;
   hasReactions_ = false;
 }
 
@@ -279,8 +297,27 @@ const base::Matrix& OperatorGroup::wholeSolution() const {
 
 const double* OperatorGroup::displacement(int dof, int column) const {
   const auto row = std::lower_bound(trace_.begin(), trace_.end(), dof);
-  const bool isOnTrace = row != trace_.end() && *row == dof;
-  return isOnTrace ? solution_[column] + (row - trace_.begin()) : wholeSolution()[column] + dof;
+  if (row != trace_.end() && *row == dof) return solution_[column] + (row - trace_.begin());
+  const int place = stencilRow(dof);
+  return place < 0 ? wholeSolution()[column] + dof : stencilSolution()[column] + place;
+}
+
+int OperatorGroup::stencilRow(int dof) const {
+  return stencil_ && !hasWhole_ ? stencil_->rowOf(dof) : -1;
+}
+
+const base::Matrix& OperatorGroup::stencilSolution() const {
+  if (hasStencil_) return onStencil_;
+  stencil_->prepare(solver_, [this](base::Matrix& columns) { project(columns, false); });
+  stencil_->move(forces_, onStencil_);
+  std::vector<double> whole(static_cast<std::size_t>(dofs()));
+  for (int j = 0; j < onStencil_.numCols(); ++j) {
+    std::fill(whole.begin(), whole.end(), 0.0);
+    addLoad(loaded_, j, whole.data());
+    for (std::size_t i = 0; i < stencil_->dofs().size(); ++i) onStencil_[j][i] += whole[stencil_->dofs()[i]];
+  }
+  hasStencil_ = true;
+  return onStencil_;
 }
 
 void OperatorGroup::solveLinearly(base::Matrix& forces, base::Matrix& solution) const {
@@ -301,10 +338,13 @@ double OperatorGroup::largestDisplacement(double share) const {
 
 const base::Matrix& OperatorGroup::reactions() const {
   if (hasReactions_) return reactions_;
-  const base::Matrix& whole = wholeSolution();
-  reactions_.shape(static_cast<int>(heldDofs_.size()), whole.numCols());
-  for (int j = 0; j < whole.numCols(); ++j) {
-    multiply(whole[j], heldDofs_, reactions_[j]);
+  const bool isStencil = stencil_ && !hasWhole_;
+  const base::Matrix& u = isStencil ? stencilSolution() : wholeSolution();
+  std::vector<double> spread(isStencil ? static_cast<std::size_t>(dofs()) : 0, 0.0);
+  reactions_.shape(static_cast<int>(heldDofs_.size()), u.numCols());
+  for (int j = 0; j < u.numCols(); ++j) {
+    for (int i = 0; isStencil && i < u.numRows(); ++i) spread[stencil_->dofs()[i]] = u[j][i];
+    multiply(isStencil ? spread.data() : u[j], heldDofs_, reactions_[j]);
     std::vector<double> loads(heldDofs_.size(), 0.0);
     if (!heldDofs_.empty()) addLoad(heldLoads_, j, loads.data());
     for (std::size_t i = 0; i < heldDofs_.size(); ++i) reactions_[j][i] -= loads[i];

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
+#include <harmos/latin/detail/HeldStencil.hpp>
 #include <harmos/substructure/BoundaryTerm.hpp>
 #include <harmos/substructure/SubstructureSolver.hpp>
 
@@ -23,7 +25,7 @@ class OperatorGroup {
   /// Whether a body of the same stiffness has this operator, up to round-off.
   bool has(const substructure::BoundaryTerm& term) const;
 
-  /// Sets l [force] and g [length] (0 x 0: none), dofs x (bodies * steps).
+  /// Sets l [force] and g [length] (0 x 0: none), dofs x (bodies * steps). Costs nothing when they are those set last.
   void setLoads(const base::Matrix& loads, const base::Matrix& held);
   /// P (l - A g).
   const base::Matrix& loads() const { return loads_; }
@@ -80,6 +82,10 @@ class OperatorGroup {
   void project(base::Matrix& vectors, bool onTrace) const;
   void multiply(const double* u, const std::vector<int>& rows, double* result) const;
   const base::Matrix& reactions() const;
+  /// Where the stencil of held nodes has the displacement of a dof, or -1 when only the whole solution has it.
+  int stencilRow(int dof) const;
+  /// Displacements [length] of the stencil, one column for each of forces().
+  const base::Matrix& stencilSolution() const;
   std::vector<double> diagonal() const;
 
   Teuchos::RCP<const base::CrsMatrix> stiffness_;
@@ -87,6 +93,9 @@ class OperatorGroup {
   std::vector<int> trace_;  // dofs that interfaces load, ascending, when only these are solved; empty: all are
   substructure::SubstructureSolver solver_;
   std::vector<int> heldDofs_;
+  mutable std::unique_ptr<HeldStencil> stencil_;  // where traces are inverted: solves are many; null: not worthwhile
+  base::Matrix givenLoads_;                       // l as it was given; 0 x 0: none
+  bool areLoaded_ = false;                        // the following belong to it and to g
   base::Matrix loads_;
   base::Matrix held_;       // g; 0 x 0: none
   base::Matrix loaded_;     // with a trace: S^-1 loads + g
@@ -100,6 +109,8 @@ class OperatorGroup {
   base::Matrix solution_;
   mutable base::Matrix whole_;  // with a trace: all dofs, computed when asked for
   mutable bool hasWhole_ = false;
+  mutable base::Matrix onStencil_;  // computed when asked for
+  mutable bool hasStencil_ = false;
   mutable base::Matrix reactions_;  // computed when asked for
   mutable bool hasReactions_ = false;
 };

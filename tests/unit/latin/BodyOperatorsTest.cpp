@@ -50,12 +50,12 @@ BoxAssembly wedges(const Motion& motion, bool isShared, bool isConsistent = fals
 }
 
 struct Operators {
-  explicit Operators(const assembly::Assembly& given)
+  explicit Operators(const assembly::Assembly& given, const substructure::SolverOptions& options = {})
       : assembly(given),
         k(assembly, 1.0, *self()),
         eliminated(assembly, k, Elimination::affine, resistedInPlane(assembly, *self())),
         layout(assembly, k, eliminated, self()),
-        bodies(assembly, k, layout, eliminated, {}, timers) {
+        bodies(assembly, k, layout, eliminated, options, timers) {
     bodies.select(allSteps(steps));
   }
   assembly::Assembly assembly;
@@ -151,6 +151,54 @@ TEST(BodyOperators, SolveAPartOfTheColumns) {
 }
 
 // A pressure p on an area A pushes with p A, half of it at each load step asked for.
+/// A slender bar, clamped at one end, pushed at the other by a displacement, and with a contact along its side.
+BoxAssembly pushedBar(double push) {
+  BoxAssembly boxes({{"bar", {0, 0, 0}, {4, 1, 1}, {8, 2, 2}}}, steps);
+  boxes.hold("bar foot", "bar_xmin", clamp());
+  boxes.hold("bar side", "bar_ymax", laws::makeLaw("Unilateral Contact"));
+  boxes.hold("bar head", "bar_xmax", laws::makeLaw("Prescribed Displacement", {{"X", push}}, {{"X", {1, 2}}}));
+  boxes.assembly().bodies[0].loads.shape(3 * static_cast<int>(boxes.assembly().bodies[0].nodes.size()), steps);
+  randomize(boxes.assembly().bodies[0].loads, 5);
+  return boxes;
+}
+
+// Reactions and displacements of held nodes are the same whether they are taken from the whole solution or, where
+// traces are inverted, from what moves these nodes; also after other displacements were set, and with them given back.
+TEST(BodyOperators, MoveHeldNodesWithoutASolveOfTheWhole) {
+  substructure::SolverOptions inverting;
+  inverting.invertTrace = true;
+  Operators whole(pushedBar(0.01).assembly()), inverted(pushedBar(0.01).assembly(), inverting);
+  base::Matrix forces(whole.layout.rows(), steps);
+  randomize(forces);
+  for (const double push : {0.01, 0.03, 0.03, 0.01}) {
+    double largest = 0.0;
+    for (Operators* one : {&whole, &inverted}) {
+      one->assembly.interfaces[2].law = pushedBar(push).assembly().interfaces[2].law;
+      one->eliminated.update();
+      one->bodies.updateLoads(one->assembly);
+      one->bodies.solve(forces, 0, steps, substructure::Precision::exact);
+    }
+    const auto& held = whole.eliminated.nodes(0);
+    ASSERT_GT(held.size(), 0u);
+    for (int t = 0; t < steps; ++t) {
+      for (std::size_t n = 0; n < held.size(); ++n) {
+        const base::Vector3 r = whole.bodies.reaction(0, n, t);
+        for (const double value : r) largest = std::max(largest, std::abs(value));
+      }
+    }
+    EXPECT_GT(largest, 0.0);
+    for (int t = 0; t < steps; ++t) {
+      for (std::size_t n = 0; n < held.size(); ++n) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          EXPECT_NEAR(inverted.bodies.reaction(0, n, t)[c], whole.bodies.reaction(0, n, t)[c], 1e-9 * largest);
+          EXPECT_NEAR(inverted.bodies.displacement(0, held[n].node, t)[c],
+                      whole.bodies.displacement(0, held[n].node, t)[c], 1e-12);
+        }
+      }
+    }
+  }
+}
+
 TEST(BodyOperators, TurnPrescribedTractionsIntoLoads) {
   assembly::Assembly assembly = wedges(translated, false).assembly();
   const Operators operators(assembly);
