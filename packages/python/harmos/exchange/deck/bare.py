@@ -4,8 +4,8 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents, ElementTable
-from harmos.exchange.deck.loads import OUTPUT
 from harmos.exchange.deck.solids import Solids, is_solid
+from harmos.exchange.deck.steps import OUTPUT
 from harmos.exchange.findings import Findings
 from harmos.exchange.mesh import Mesh, demand_sound, oriented, unused_name, without_loose_nodes
 from harmos.exchange.sides import SideFinder, add_side_set

@@ -1,5 +1,6 @@
 """Values over the time of all steps, and the histories that a scene follows for them."""
 import dataclasses
+import typing
 
 from harmos.exchange.scene import SceneList
 
@@ -49,6 +50,40 @@ def followed(points: Points, span: Span, value: float, amplitude: "Points | None
     else:
         result.append((span.end, value))
     return tuple(result)
+
+
+_Key = typing.TypeVar("_Key")
+
+
+@dataclasses.dataclass(frozen=True)
+class Course:
+    """How what a card names comes about over a step.
+
+    Attributes:
+        span: the step.
+        amplitude: that multiplies it; None: it rises linearly.
+        at_once: it does not rise, but is there from the beginning.
+    """
+    span: Span
+    amplitude: "Points | None"
+    at_once: bool
+
+    def followed(self, points: Points, value: float) -> Points:
+        """Goes on to a value."""
+        return followed(points, self.span, value, self.amplitude, self.at_once)
+
+    def set(self, table: dict[_Key, Points], key: _Key, value: float) -> None:
+        """Goes on to a value, whatever the step has said before."""
+        table[key] = self.followed(self._before(table.get(key, UNLOADED)), value)
+
+    def add(self, table: dict[_Key, Points], key: _Key, value: float) -> None:
+        """Goes on to a value; what the step has said before is added to."""
+        points = table.get(key, UNLOADED)
+        said = points[-1][1] if points[-1][0] >= self.span.end else 0.0
+        table[key] = self.followed(self._before(points), said + value)
+
+    def _before(self, points: Points) -> Points:
+        return tuple(point for point in points if point[0] <= self.span.begin) or UNLOADED
 
 
 def peak(points: Points) -> float:

@@ -12,9 +12,9 @@ from harmos.exchange.deck.curves import Histories
 from harmos.exchange.deck.equations import Equations
 from harmos.exchange.deck.joints import Joints
 from harmos.exchange.deck.load_writer import LoadWriter
-from harmos.exchange.deck.loads import OUTPUT, LoadReader
 from harmos.exchange.deck.materials import Material, read_materials, write_material
 from harmos.exchange.deck.solids import KINEMATICS, Solids
+from harmos.exchange.deck.steps import OUTPUT, LoadReader
 from harmos.exchange.deck.volumes import VolumeWriter
 from harmos.exchange.findings import Findings
 from harmos.exchange.mesh import Mesh, clean_name, oriented, outer_faces, unused_name, without_loose_nodes
