@@ -27,8 +27,8 @@ MINOR = re.compile(r"^(\*FRICTION, stick slope|\*CONDUCTIVITY|\*SPECIFICHEAT|\*D
 
 OTHER_METHOD = {
     "cubef2f3": "CalculiX ties node by node, which is 2.5 % off its own cubef2f1 and cubef2f2",
-    "punch1": "ADJUST makes the middle of a ball flat, one element wide; Harmos takes gaps of quadratic faces as linear ones, which "
-              "at the edge of that element is off by 0.0007, as much as the punch moves",
+    "punch1": "ADJUST makes the middle of a ball flat, one element wide; the gap at the edge of that element is 0.0007, as much as "
+              "the punch moves, so that everything depends on how it is measured; which program is closer is not known",
     "punch2": "the same",
     "scheibe": "a rigid body turns by pi; linear in geometry that is pi times the arm",
 }
