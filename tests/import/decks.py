@@ -450,6 +450,31 @@ class Decks(unittest.TestCase):
         self.assertEqual(code, 0, said)
         self.assertIn("*KINEMATIC: of some components", said)
 
+    def test_springs_of_reference_nodes(self) -> None:
+        # A bar of stiffness 100 whose end is on a spring of 50 to the ground: it takes two thirds of a force.
+        surface = "*SURFACE,NAME=END\n10, S2\n*COUPLING,CONSTRAINT NAME=C,REF NODE=999,SURFACE=END\n*KINEMATIC\n1,3\n"
+        bar = self.bar("", "*CLOAD\n999,3,6.\n").replace(
+            "*SURFACE,NAME=CUT\n5, S2\n*PRE-TENSION SECTION,SURFACE=CUT,NODE=999\n", surface).replace("1,2,3,4,41,42,43,44", "1,2,3,4").replace(
+            "999,0,0,0", "998,0.5,0.5,15.\n999,0.5,0.5,12.").replace("TYPE=C3D8", "TYPE=C3D8I")
+        held = "*BOUNDARY\n998,1,3\n"
+        kinds = {"SPRING1": ("999", "3\n", ""), "SPRING2": ("999, 998", "3, 3\n", held), "SPRINGA": ("998, 999", "\n", held)}
+        for kind, (nodes, components, more) in kinds.items():
+            with self.subTest(kind):
+                spring = f"*ELEMENT,TYPE={kind},ELSET=S1\n90, {nodes}\n*SPRING,ELSET=S1\n{components}50.\n"
+                row = self.solved(bar.replace("*BOUNDARY\nENDS", spring + more + "*BOUNDARY\nENDS"))[-1]
+                self.assertAlmostEqual(row["reaction_held_xyz_z"], -4.0, 4)
+                code, said = self.imported(bar.replace("*BOUNDARY\nENDS", spring + more + "*BOUNDARY\nENDS"))
+                self.assertNotIn("left out:", said)
+        for spring, why in (("*ELEMENT,TYPE=SPRING2,ELSET=S1\n90, 999, 998\n*SPRING,ELSET=S1\n3, 3\n50.\n", "node 998 at its other end is"),
+                            ("*ELEMENT,TYPE=SPRINGA,ELSET=S1\n90, 41, 998\n*SPRING,ELSET=S1\n\n50.\n" + held, "reference node"),
+                            ("*ELEMENT,TYPE=SPRING1,ELSET=S1\n90, 999\n*SPRING,ELSET=S1,NONLINEAR\n3\n0.,0.\n1.,1.\n", "nonlinear"),
+                            ("*ELEMENT,TYPE=SPRING1,ELSET=S1\n90, 999\n", "there is no *SPRING for the set")):
+            with self.subTest(why):
+                code, said = self.imported(bar.replace("*BOUNDARY\nENDS", spring + "*BOUNDARY\nENDS"))
+                self.assertEqual(code, 0, said)
+                self.assertIn("1 springs are left out: ", said)
+                self.assertIn(why, said)
+
     def test_rotation(self) -> None:
         # A cube of mass 2 whose centre is 0.5 above a horizontal axis through its foot.
         turn = "*DLOAD\nCUBE, CENTRIF, 9., 0., 0., 0., 0., 2., 0.\n"

@@ -16,9 +16,10 @@ _TYPES = {"ENCASTRE": [1, 2, 3], "PINNED": [1, 2, 3], "XSYMM": [1], "YSYMM": [2]
 class Boundaries:
     """Reads *BOUNDARY."""
 
-    def __init__(self, acting: Acting, amplitudes: Amplitudes, joined: set[int]) -> None:
-        """Adds to what acts. `joined`: nodes (indices in the mesh) of equations, which may be held without belonging to a solid."""
-        self._acting, self._amplitudes = acting, amplitudes
+    def __init__(self, acting: Acting, amplitudes: Amplitudes, joined: set[int], ground: set[int]) -> None:
+        """Adds to what acts. `joined`: nodes (indices in the mesh) of equations, which may be held without belonging to a solid;
+        `ground`: ids of nodes where springs end, which are held by that."""
+        self._acting, self._amplitudes, self._ground = acting, amplitudes, ground
         self._holdable = numpy.union1d(acting.solids.used_nodes(), numpy.array(sorted(joined), dtype=numpy.int64))
         self._first: dict[tuple[int, int], tuple[str, float]] = {}
 
@@ -107,8 +108,8 @@ class Boundaries:
         at = numpy.minimum(numpy.searchsorted(known, ids), len(known) - 1)
         at = at[known[at] == ids]
         nodes = at[numpy.isin(at, self._holdable)]
-        left = len(ids) - len(nodes) - len(self._acting.tightening.nodes & set(ids.tolist()))
-        if left:
+        left = len(ids) - len(nodes) - len((self._acting.tightening.nodes | self._ground) & set(ids.tolist()))
+        if left > 0:
             self._acting.findings.leave_out(card.place_of(row), "*BOUNDARY", f"{left} of its nodes belong to no solid")
         for node in nodes.tolist():
             if node in self._acting.transforms.left_out:

@@ -37,6 +37,7 @@ class Coupling:
         nodes: index in the mesh, where it is nodes.
         held: curve by component from 0, rotations behind displacements.
         forces: the same of forces and moments.
+        springs: stiffness of springs to the ground, by the same.
     """
     card: Card
     name: str
@@ -46,6 +47,7 @@ class Coupling:
     nodes: Array
     held: dict[int, Points] = dataclasses.field(default_factory=dict)
     forces: dict[int, Points] = dataclasses.field(default_factory=dict)
+    springs: dict[int, float] = dataclasses.field(default_factory=dict)
 
 
 class Couplings:
@@ -188,7 +190,7 @@ class Couplings:
         """Adds a boundary for each; the names of the parts that they touch."""
         touched: set[str] = set()
         for coupling in self.all:
-            if not coupling.is_rigid and not coupling.held and not coupling.forces:
+            if not (coupling.is_rigid or coupling.held or coupling.forces or coupling.springs):
                 self._findings.leave_out(coupling.card.place, "*COUPLING, *DISTRIBUTING", "nothing acts on its node")
                 continue
             touched |= self._write(coupling, scene, histories)
@@ -223,9 +225,17 @@ class Couplings:
                 self._findings.leave_out(coupling.card.place, f"*{coupling.card.keyword}, rotation", f"{peak(points):g} is not small: all "
                                          "is linear in geometry, and displacements are this times the arm")
             histories.set(law, _HELD[component], points)
+        springs = {component: stiffness for component, stiffness in sorted(coupling.springs.items())
+                   if component in in_space and component not in held and stiffness > 0.0}
         for component, points in sorted(coupling.forces.items()):
             if component in in_space and component not in held and peak(points) != 0.0:
-                histories.set(law, _FORCES[component], points)
+                if component in springs:
+                    # K (F / K - u) is the force F and that of the spring.
+                    histories.set(law, _HELD[component], points, 1.0 / springs[component])
+                else:
+                    histories.set(law, _FORCES[component], points)
+        for component, stiffness in springs.items():
+            law.set(f"{_HELD[component]} Stiffness", stiffness)
         for component in held:
             axis = [float(component % 3 == each) for each in range(mesh.dimension)]
             response = scene.child("Responses").child(

@@ -14,6 +14,7 @@ from harmos.exchange.deck.joints import Joints
 from harmos.exchange.deck.load_writer import LoadWriter
 from harmos.exchange.deck.materials import Material, read_materials, write_material
 from harmos.exchange.deck.solids import KINEMATICS, Solids
+from harmos.exchange.deck.springs import Springs
 from harmos.exchange.deck.steps import OUTPUT, LoadReader
 from harmos.exchange.deck.volumes import VolumeWriter
 from harmos.exchange.findings import Findings
@@ -22,13 +23,13 @@ from harmos.exchange.scene import SceneList
 
 _KNOWN = {"HEADING", "NODE", "ELEMENT", "NSET", "ELSET", "SURFACE", "MATERIAL", "ELASTIC", "DENSITY", "SOLIDSECTION",
           "ORIENTATION", "TIE", "CONTACTPAIR", "SURFACEINTERACTION", "FRICTION", "SURFACEBEHAVIOR", "PRE-TENSIONSECTION",
-          "BOUNDARY", "COUPLING", "KINEMATIC", "DISTRIBUTING", "DISTRIBUTINGCOUPLING", "RIGIDBODY", "EQUATION", "AMPLITUDE", "TRANSFORM", "PREPRINT", "PLASTIC",
+          "BOUNDARY", "COUPLING", "KINEMATIC", "DISTRIBUTING", "DISTRIBUTINGCOUPLING", "RIGIDBODY", "EQUATION", "SPRING", "AMPLITUDE", "TRANSFORM", "PREPRINT", "PLASTIC",
           "CREEP", "EXPANSION", "CONDUCTIVITY",
           "SPECIFICHEAT", "HYPERELASTIC", "HYPERFOAM", "DAMPING", "CONTACTDAMPING", "GAPCONDUCTANCE", *OUTPUT}
 
 _EFFECTS = {
     "INITIALCONDITIONS": "initial temperatures, stresses or velocities are left out",
-    "BEAMSECTION": "beams are left out", "SHELLSECTION": "shells are left out", "SPRING": "springs are left out",
+    "BEAMSECTION": "beams are left out", "SHELLSECTION": "shells are left out",
     "DASHPOT": "dashpots are left out", "MASS": "masses are left out", "GAP": "gap elements are left out",
     "MEMBRANESECTION": "membranes are left out", "BEAMGENERALSECTION": "beams are left out",
 }
@@ -82,7 +83,8 @@ def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> Im
     names = _write_parts(scene, contents, solids, materials, findings)
     couplings = Couplings(contents, solids, findings)
     equations = Equations(contents, solids, findings)
-    loads = LoadReader(contents, solids, materials, couplings, equations.nodes(), findings).read()
+    springs = Springs(contents, couplings, findings)
+    loads = LoadReader(contents, solids, materials, couplings, equations.nodes(), springs.ground, findings).read()
     ties = equations.apply(loads.held)
     histories = Histories(scene)
     joints = Joints(contents, solids, scene, findings)

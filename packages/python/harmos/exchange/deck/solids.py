@@ -9,7 +9,7 @@ from scipy.sparse.csgraph import connected_components
 
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.deck.contents import Contents, ElementTable, Surface
+from harmos.exchange.deck.contents import SPRINGS, Contents, ElementTable, Surface
 from harmos.exchange.elements import MESHIO, TYPES, Order, to_exodus
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Block, Mesh, demand_sound, faces_of, outer_faces, unused_name
@@ -118,7 +118,7 @@ class Solids:
                 continue
             match = _SOLID.match(table.kind)
             kinds = _KINDS["C3D" if match and match[1] == "C3D" else "plane"]
-            if table.kind.startswith("DCOUP") and table.set.upper() in coupled:
+            if table.kind in SPRINGS or (table.kind.startswith("DCOUP") and table.set.upper() in coupled):
                 continue
             if not match or not is_solid(table.kind):
                 self._findings.leave_out(table.card.place, f"*ELEMENT, TYPE={table.kind}",

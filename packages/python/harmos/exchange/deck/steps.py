@@ -30,16 +30,16 @@ class LoadReader:
     """Follows the steps of a deck."""
 
     def __init__(self, contents: Contents, solids: Solids, materials: dict[str, Material], couplings: Couplings,
-                 joined: set[int], findings: Findings) -> None:
+                 joined: set[int], ground: set[int], findings: Findings) -> None:
         """Keeps all of them; what acts on reference nodes is added to the couplings. `joined`: nodes (indices in the mesh)
-        of equations, which may be held without belonging to a solid."""
+        of equations, which may be held without belonging to a solid; `ground`: ids of nodes where springs end."""
         self._contents, self._couplings, self._findings = contents, couplings, findings
         self._loads = Loads()
         self._refusals = Refusals()
         tightening = Tightening(contents, self._loads.preloads, findings)
         acting = Acting(contents, solids, couplings, Transforms(contents, solids, findings), tightening, self._loads, findings)
         amplitudes = Amplitudes(contents, findings)
-        self._boundaries = Boundaries(acting, amplitudes, joined)
+        self._boundaries = Boundaries(acting, amplitudes, joined, ground)
         self._nodal = NodalLoads(acting, amplitudes, materials)
         self._distributed = DistributedLoads(acting, amplitudes, materials)
         for card in contents.model:
