@@ -475,6 +475,14 @@ class Decks(unittest.TestCase):
                 self.assertIn("1 springs are left out: ", said)
                 self.assertIn(why, said)
 
+    def test_elements_that_calculix_makes_softer_are_told(self) -> None:
+        wedges = PLAIN.replace("TYPE=C3D8,ELSET=CUBE\n1, 1,2,3,4,5,6,7,8", "TYPE=C3D6,ELSET=CUBE\n1, 1,2,3,5,6,7\n2, 1,3,4,5,7,8")
+        code, said = self.imported(wedges)
+        self.assertEqual(code, 0, said)
+        self.assertIn("TYPE=C3D6: CalculiX integrates this wedge with 2 points", said)
+        # Under a constant stress it makes no difference.
+        self.assertAlmostEqual(self.solved(wedges)[-1]["reaction_held_xyz_z"], 10.0, 5)
+
     def test_rotation(self) -> None:
         # A cube of mass 2 whose centre is 0.5 above a horizontal axis through its foot.
         turn = "*DLOAD\nCUBE, CENTRIF, 9., 0., 0., 0., 0., 2., 0.\n"

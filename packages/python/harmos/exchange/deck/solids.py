@@ -21,6 +21,9 @@ _KINDS: dict[str, dict[int, str]] = {
     "plane": {3: "triangle", 4: "quad", 6: "triangle6", 8: "quad8"},
 }
 
+WEDGES = {"C3D6": 2, "C3D15": 9}
+"""Points with which CalculiX integrates wedges, fewer than their stiffness needs."""
+
 KINEMATICS = {"C3D": "3-D", "CPS": "Plane Stress", "CPE": "Plane Strain", "CAX": "Axisymmetric"}
 """What a family of elements computes."""
 
@@ -149,7 +152,10 @@ class Solids:
         if "R" in letters:
             self._findings.leave_out(table.card.place, f"TYPE={table.kind}", "reduced integration: elements are "
                                      "integrated fully, which changes displacements by a part of the mesh error")
-        if table.kind.startswith("CPS4"):
+        if table.kind in WEDGES:
+            self._findings.leave_out(table.card.place, f"TYPE={table.kind}", f"CalculiX integrates this wedge with {WEDGES[table.kind]} "
+                                     "points: here it is integrated fully, which makes coarse meshes stiffer")
+        if table.kind.startswith("CPS"):
             self._findings.leave_out(table.card.place, f"*ELEMENT, TYPE={table.kind}", "CalculiX makes a solid of each, "
                                      "whose stress across the plane is zero in the mean only: coarse meshes differ")
         if "H" in letters:
