@@ -80,13 +80,15 @@ void printProblem(std::ostream& out, const scene::Problem& problem) {
   out << assembly.steps() << " time steps, " << problem.responses.size() << " responses\n";
 }
 
-void printCost(std::ostream& out, const scene::CostEstimate& cost) {
+/// `stateBytes`: of solved configurations, beyond what one run takes.
+void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateBytes) {
   out << cost.unknowns << " displacement and " << cost.interfaceUnknowns << " interface unknowns\n"
       << "Memory, roughly:\n";
   printBytes(out, "stiffness matrices", cost.matrixBytes);
   printBytes(out, "factors", cost.factorBytes);
   if (cost.singleBytes > 0.0) printBytes(out, "the same in single precision, at most", cost.singleBytes);
   printBytes(out, "fields of the iteration", cost.fieldBytes);
+  if (stateBytes > 0.0) printBytes(out, "solved configurations", stateBytes);
   printBytes(out, "whole process at its peak", cost.processBytes);
   out << "CPU time, roughly:\n";
   printSeconds(out, "start, reading, stiffness", cost.startSeconds);
@@ -119,12 +121,15 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
   const scene::Problem problem = scene::makeProblem(scene, *environment.communicator, timers);
   latin::LatinOptions options = scene.solver;
   if (study && study->isChaos()) options.stages.solver.allowsSingle = false;  // nothing marches
-  const scene::CostEstimate cost =
+  scene::CostEstimate cost =
       scene::estimateCost(problem, options, scene::FactorSizes::fromOrder, *environment.communicator);
+  study::StudyCost ofStudy;
+  if (study && !study->isChaos()) ofStudy = study::estimateStudy(*study, cost, nullptr);
+  cost.processBytes += ofStudy.bytes;
   const bool isShown = environment.isRoot() && !arguments.has("--quiet");
   if (isShown) {
     printProblem(environment.out, problem);
-    printCost(environment.out, cost);
+    printCost(environment.out, cost, ofStudy.bytes);
     printWarnings(environment.out, problem.warnings);
   }
   scene::demandCapacity(cost, environment.communicator->getSize() * study::memoryPerRank(*environment.communicator));
@@ -136,8 +141,7 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
     }
     study::demandMemory(*study, choice, *environment.communicator);
   }
-  if (study && !study->isChaos() && isShown)
-    printStudy(environment.out, *study, study::estimateStudy(*study, cost, nullptr));
+  if (study && !study->isChaos() && isShown) printStudy(environment.out, *study, ofStudy);
   if (!environment.isRoot()) return 0;
   environment.out << scene.path << " is valid.\n";
   return 0;

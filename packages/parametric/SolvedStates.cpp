@@ -27,6 +27,7 @@ void unpack(const std::vector<float>& values, base::Matrix& matrix) {
 void SolvedStates::widen(const std::vector<double>& values) {
   if (lower_.empty()) lower_ = upper_ = values;
   for (std::size_t p = 0; p < values.size(); ++p) {
+    if (values[p] < lower_[p] || values[p] > upper_[p]) areGapsKnown_ = false;
     lower_[p] = std::min(lower_[p], values[p]);
     upper_[p] = std::max(upper_[p], values[p]);
   }
@@ -45,24 +46,41 @@ double SolvedStates::squaredDistance(const std::vector<double>& a, const std::ve
 void SolvedStates::add(int id, const std::vector<double>& values, const base::Matrix& alpha, const base::Matrix& linear,
                        double force) {
   const auto same = std::find_if(states_.begin(), states_.end(), [id](const State& state) { return state.id == id; });
-  if (same != states_.end()) states_.erase(same);
+  if (same != states_.end()) erase(static_cast<std::size_t>(same - states_.begin()));
   if (states_.size() == largest_) dropOne();
   states_.push_back({id, values, packed(alpha), packed(linear), force, alpha.numRows()});
+  if (areGapsKnown_) measureGap(states_.size() - 1);
+}
+
+void SolvedStates::measureGap(std::size_t state) {
+  State& one = states_[state];
+  one.gap = std::numeric_limits<double>::infinity();
+  one.closest = -1;
+  for (std::size_t j = 0; j < state; ++j) {
+    const double distance = squaredDistance(one.values, states_[j].values);
+    if (distance < one.gap) {
+      one.gap = distance;
+      one.closest = states_[j].id;
+    }
+  }
+}
+
+void SolvedStates::erase(std::size_t state) {
+  const int id = states_[state].id;
+  states_.erase(states_.begin() + static_cast<std::ptrdiff_t>(state));
+  for (std::size_t i = state; areGapsKnown_ && i < states_.size(); ++i) {
+    if (states_[i].closest == id) measureGap(i);
+  }
 }
 
 void SolvedStates::dropOne() {
-  std::size_t closest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const double distance = squaredDistance(states_[i].values, states_[j].values);
-      if (distance < least) {
-        least = distance;
-        closest = j;
-      }
-    }
-  }
-  states_.erase(states_.begin() + static_cast<std::ptrdiff_t>(closest));
+  for (std::size_t i = 0; !areGapsKnown_ && i < states_.size(); ++i) measureGap(i);
+  areGapsKnown_ = true;
+  const auto pair =
+      std::min_element(states_.begin(), states_.end(), [](const State& a, const State& b) { return a.gap < b.gap; });
+  const auto earlier =
+      std::find_if(states_.begin(), pair, [&](const State& state) { return state.id == pair->closest; });
+  erase(earlier == pair ? 0 : static_cast<std::size_t>(earlier - states_.begin()));
 }
 
 double SolvedStates::distance(const std::vector<double>& values) const {

@@ -17,6 +17,9 @@ class SolvedStates {
   /// `largest`: states kept, > 0; one more drives out one of the two that are closest to each other.
   explicit SolvedStates(int largest) : largest_(static_cast<std::size_t>(largest)) {}
 
+  /// Memory [byte] of a state of so many rows and load steps, in all.
+  static constexpr double bytesOf(double rows, double steps) { return 2.0 * sizeof(float) * rows * steps; }
+
   /// Parameters are measured by the range of what they are in a study: to be called for all its configurations.
   void widen(const std::vector<double>& values);
   /// alpha and A alpha [stress], rows x load steps. `force`: what the responses of this state are measured by [force].
@@ -47,6 +50,8 @@ class SolvedStates {
     std::vector<float> alpha, linear;
     double force;
     int rows;
+    double gap = 0.0;  // squared distance to the closest of those before it, the first of them,
+    int closest = -1;  // and its id; none: infinite, -1
   };
 
   const float* column(int state, int step, std::vector<float> State::*field) const {
@@ -56,10 +61,13 @@ class SolvedStates {
 
   double squaredDistance(const std::vector<double>& a, const std::vector<double>& b) const;
   void dropOne();
+  void measureGap(std::size_t state);
+  void erase(std::size_t state);
 
   std::vector<double> lower_, upper_;
   std::size_t largest_;
   std::vector<State> states_;
+  bool areGapsKnown_ = false;  // they are measured when states have to be dropped
 };
 
 }  // namespace harmos::parametric

@@ -16,8 +16,7 @@ namespace {
 constexpr double demanding = 5e-3;
 constexpr int neighbours = 12;
 constexpr int neighboursWhenDemanding = 24;
-constexpr std::size_t memoryForStates = std::size_t{1} << 30;  // byte, all ranks alike
-constexpr std::size_t mostStates = 100000;
+constexpr double mostStates = 100000;
 
 results::Status statusOf(latin::Outcome outcome, bool isUnique) {
   switch (outcome) {
@@ -34,8 +33,8 @@ results::Status statusOf(latin::Outcome outcome, bool isUnique) {
 }
 
 int statesThatFit(const latin::TraceLayout& layout, int steps) {
-  const std::size_t one = 2 * sizeof(float) * static_cast<std::size_t>(layout.rows()) * static_cast<std::size_t>(steps);
-  const int here = static_cast<int>(one == 0 ? mostStates : std::min(memoryForStates / one, mostStates));
+  const double one = SolvedStates::bytesOf(layout.rows(), steps);
+  const int here = static_cast<int>(std::min(StudySolver::memoryForStates / std::max(one, 1.0), mostStates));
   int everywhere = here;
   Teuchos::reduceAll(layout.comm(), Teuchos::REDUCE_MIN, here, Teuchos::outArg(everywhere));
   return std::max(everywhere, 1);

@@ -22,6 +22,8 @@ namespace harmos::parametric {
 /// states that were found. All calls are collective over the communicator.
 class StudySolver {
  public:
+  /// Memory [byte] that states may take on a rank, the same on all.
+  static constexpr double memoryForStates = 256.0 * 1024.0 * 1024.0;
   /// Puts the laws for these parameter values into the assembly; throws base::Error when they are inadmissible.
   using Install = std::function<void(const std::vector<double>& values)>;
   /// Told the fields of every solution, also of one that replaces an earlier one. Nobody needs them afterwards: it may
@@ -64,7 +66,7 @@ class StudySolver {
   const latin::Iterate& certifiedState() const { return solver_.state(); }
   /// How the configuration that is installed is iterated.
   ConfigurationIteration& iteration() { return iteration_; }
-  /// What remember() has stored: as many as fit into 1 GiB on every rank.
+  /// What remember() has stored: as many as fit into memoryForStates on every rank.
   SolvedStates& states() { return states_; }
   /// Where the schedules count.
   Trust& summary() { return summary_; }

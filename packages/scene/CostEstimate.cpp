@@ -119,6 +119,7 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
   const double unknowns = static_cast<double>(cost.unknowns);
   const double interfaceUnknowns = static_cast<double>(cost.interfaceUnknowns);
 
+  cost.steps = assembly.steps();
   const bool mayBeSingle = solver.stages.solver.allowsSingle && solver.algorithm == latin::Algorithm::accelerated &&
                            solver.stages.formulation == latin::Formulation::displacement;
   cost.matrixBytes = matrixEntryBytes * sum[matrixEntries];

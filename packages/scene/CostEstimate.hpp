@@ -18,6 +18,7 @@ enum class FactorSizes {
 struct CostEstimate {
   std::int64_t unknowns = 0;           // displacements of all bodies
   std::int64_t interfaceUnknowns = 0;  // components of all interface sides
+  int steps = 0;                       // load steps
   bool isAffine = false;               // all laws are
   double largestFactor = 0.0;          // entries of that of one body
   std::string largestBody;             // whose it is

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <harmos/parametric/StudySolver.hpp>
 #include <harmos/study/StudyGroup.hpp>
 
 namespace harmos::study {
@@ -33,6 +34,9 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
   const double groups =
       std::max(1.0, static_cast<double>(groupByOperators(study.parameters, study.configurations).size()));
   result.solves = static_cast<double>(study.configurations.size());
+  result.bytes = std::min(
+      result.solves * parametric::SolvedStates::bytesOf(static_cast<double>(cost.interfaceUnknowns), cost.steps),
+      parametric::StudySolver::memoryForStates);
   const double share = result.solves < fewConfigurations ? alone
                        : cost.isAffine                   ? affine
                                                          : calibrations / result.solves + amongOthers;

@@ -11,6 +11,7 @@ struct StudyCost {
   double solves = 0.0;   ///< configurations, or expansions with every spread of their sweeps
   double stages = 0.0;   ///< linear stages of one of them, all together over their number
   double seconds = 0.0;  ///< CPU of the whole
+  double bytes = 0.0;    ///< of solved states that the starts of others are made of, beyond what one run takes
 };
 
 /// `cost`: of the scene with the accuracy of the study. Of configurations that are listed already: an adaptive design
