@@ -94,7 +94,7 @@ class VectorChecker {
 
   /// Of a law that gives forces to nodes.
   void nodalForce(const Parameters& law) const {
-    if (law.type() != "Nodal Force" || dimension_ != 2 || !law.has("Z") || law.number("Z") == 0.0) return;
+    if (law.type() != "Nodal Force" || dimension_ != 2 || hasHoop_ || !law.has("Z") || law.number("Z") == 0.0) return;
     errors_.add(law.where("Z"), "it leaves the plane.", "Remove \"Z\".");
   }
 

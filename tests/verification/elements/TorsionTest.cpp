@@ -69,6 +69,36 @@ TEST(Torsion, ShaftTwistsByItsTorque) {
   }
 }
 
+// The force is that of the whole circle: it twists the shaft by what it has in moment.
+TEST(Torsion, ForceOnNodesTwists) {
+  constexpr double force = 1e-3, length = 2.0, radius = 0.5;
+  SceneInput scene = twisted({"Quad8", "Full Integration", 2}, {4, 8}, [](const base::Vector3& x) {
+    return base::Vector3{radius * x[0], length * x[1], 0.0};
+  });
+  scene.changeMesh([&](mesh::Mesh& mesh) {
+    mesh.nodeSets.push_back({"ring", 1, {}});
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+      if (base::distance(mesh.nodes[n], {radius, length, 0.0}) < 1e-9) {
+        mesh.nodeSets.back().node.push_back(static_cast<int>(n));
+      }
+    }
+  });
+  scene.add("Boundaries",
+            boundary("below", "body_ymin", "Prescribed Displacement", {{"Y", 0.0}, {"Z", 0.0}}) +
+                xmlList("ring", xmlText("Node Set", "ring") +
+                                    xmlList("Law", xmlText("Type", "Nodal Force") + xmlNumber("Z", force))));
+  scene.add("Responses", momentResponse("hold", "below") + forceResponse("given", "ring", {0.0, 0.0, 1.0}) +
+                             xmlList("w", xmlText("Type", "Point Displacement") + xmlNumbers("Point", {radius, 1.0}) +
+                                              xmlNumbers("Direction", {0.0, 0.0, 1.0})));
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  EXPECT_NEAR(run.value("given"), force, 1e-9 * force);
+  EXPECT_NEAR(run.value("hold"), force * radius, 1e-4 * force * radius);
+  // In the middle of the shaft, far from both ends.
+  const double polar = 0.5 * pi * std::pow(radius, 4);
+  EXPECT_NEAR(run.value("w"), force * radius * radius * 1.0 / (shearModulus * polar), 0.02 * run.value("w"));
+}
+
 // Foeppl: a cone between two spheres about its apex turns by psi = C / rho^3, which no torsion of rods has.
 TEST(Torsion, ConeIsInClosedForm) {
   constexpr double opening = 0.7, c = 1e-3;
