@@ -64,6 +64,11 @@ const FaceShape& FaceShape::of(int dimension, std::size_t nodes) {
 }
 
 FaceShape::Values FaceShape::values(const Parent& at) const {
+  if (!isQuadratic() && corners_ == 3) return {1.0 - at[0] - at[1], at[0], at[1]};
+  if (!isQuadratic() && corners_ == 4) {
+    const double low = 0.25 * (1.0 - at[1]), high = 0.25 * (1.0 + at[1]);
+    return {(1.0 - at[0]) * low, (1.0 + at[0]) * low, (1.0 + at[0]) * high, (1.0 - at[0]) * high};
+  }
   Values values;
   Gradients gradients;
   evaluate(at, values, gradients);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <harmos/mortar/detail/FaceShape.hpp>
@@ -21,8 +22,8 @@ class FlatFace {
   double distortion() const { return distortion_; }
   /// Mean length of its edges [length].
   double size() const { return size_; }
-  /// The parent coordinates of a place, by Newton's method where the face is no affine image. Where that does not
-  /// converge, far outside of a distorted face, those of the last step.
+  /// The parent coordinates of a place: in closed form where the corners alone tell where the face is, otherwise by
+  /// Newton's method. Where that does not converge, far outside of a distorted face, those of the last step.
   Parent parentOf(const Flat& place) const;
 
  private:
@@ -32,6 +33,8 @@ class FlatFace {
   };
   Image imageOf(const Parent& parent) const;
   Image cornerImageOf(const Parent& parent) const;
+  /// Of the image by the corners; nothing where no place of the parent has it. `arm`: from the origin.
+  std::optional<Parent> bilinearParentOf(const Flat& arm) const;
 
   const FaceShape& shape_;
   std::array<Flat, FaceShape::mostNodes> node_;   // their places

@@ -63,12 +63,15 @@ TEST(FlatFace, FindsTheParentOfAPlaceOnADistortedFace) {
     const FaceShape& shape = FaceShape::of(3, static_cast<std::size_t>(count));
     const FlatFace face(shape, points, nodes, plane);
     EXPECT_EQ(face.distortion() == 0.0, count == 3);
-    const Parent at = {0.3, 0.25};
-    base::Vector3 place{};
-    for (int j = 0; j < count; ++j) place = place + shape.values(at)[j] * points[j];
-    const Parent found = face.parentOf(plane.project(place));
-    EXPECT_NEAR(found[0], at[0], 1e-13) << count;
-    EXPECT_NEAR(found[1], at[1], 1e-13) << count;
+    // Inside, at corners, and a little outside.
+    for (const Parent at :
+         {Parent{0.3, 0.25}, Parent{0.0, 0.0}, Parent{-1.0, 1.0}, Parent{1.0, 1.0}, Parent{1.2, -0.4}}) {
+      base::Vector3 place{};
+      for (int j = 0; j < count; ++j) place = place + shape.values(at)[j] * points[j];
+      const Parent found = face.parentOf(plane.project(place));
+      EXPECT_NEAR(found[0], at[0], 1e-13) << count;
+      EXPECT_NEAR(found[1], at[1], 1e-13) << count;
+    }
   }
 }
 
