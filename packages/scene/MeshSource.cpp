@@ -2,9 +2,11 @@
 
 #include <filesystem>
 
+#include <harmos/base/Error.hpp>
 #include <harmos/files/MeshFile.hpp>
 #include <harmos/mesh/BoltedJoint.hpp>
 #include <harmos/mesh/Boxes.hpp>
+#include <harmos/mesh/CurvedFaces.hpp>
 #include <harmos/mesh/GluedAssembly.hpp>
 #include <harmos/mesh/Refinement.hpp>
 
@@ -79,8 +81,25 @@ mesh::Mesh givenMesh(const input::Parameters& source, const std::string& scenePa
 
 mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath) {
   mesh::Mesh mesh = givenMesh(source, scenePath);
-  for (int i = source.has("Refine") ? source.integer("Refine") : 0; i > 0; --i) mesh = mesh::refined(mesh);
-  if (source.has("Order") && source.integer("Order") == 2) mesh = mesh::raised(mesh);
+  std::vector<mesh::CurvedFaces> curved;
+  std::string faults;
+  for (const input::Parameters& surface : source.lists("Curved Surfaces")) {
+    using Kind = mesh::CurvedSurface::Kind;
+    const Kind kind = surface.text("Type") == "Sphere" ? Kind::sphere : Kind::cylinder;
+    try {
+      curved.push_back(mesh::curvedFaces(mesh, surface.name(), kind, surface.texts("Side Sets")));
+    } catch (const base::Error& error) {
+      faults += (faults.empty() ? "" : "\n  ") + std::string(error.what());
+    }
+  }
+  if (!faults.empty()) throw base::Error(faults, base::ExitCode::input);
+  const auto replace = [&](mesh::Mesh (*finer)(const mesh::Mesh&)) {
+    const int first = static_cast<int>(mesh.nodes.size());
+    mesh = finer(mesh);
+    mesh::moveOnto(curved, first, mesh);
+  };
+  for (int i = source.has("Refine") ? source.integer("Refine") : 0; i > 0; --i) replace(&mesh::refined);
+  if (source.has("Order") && source.integer("Order") == 2) replace(&mesh::raised);
   return mesh;
 }
 

@@ -33,10 +33,17 @@ void describeMesh(input::ParameterSpec& spec) {
   spec.texts("Unused Blocks").optional().doc("Element blocks that belong to no part.");
   spec.integer("Refine").optional().atLeast(0).atMost(8).doc(
       "How many times every element is split at the middles of its edges, in the plane into 4, in space into 8; sets "
-      "are "
-      "split with them, and no node moves.");
+      "are split with them, and no node of the mesh moves. New nodes are on edges as they are, or on Curved Surfaces.");
   spec.integer("Order").optional().atLeast(1).atMost(2).doc(
-      "2 makes linear elements quadratic: TRI6, QUAD8, TET10, WEDGE15, HEX20, with straight edges.");
+      "2 makes linear elements quadratic: TRI6, QUAD8, TET10, WEDGE15, HEX20, with straight edges but on Curved "
+      "Surfaces.");
+  input::ParameterSpec& surface = spec.namedLists("Curved Surfaces");
+  surface.summary(
+      "Surfaces that faces of the mesh stand for, such as the hole of a bolt: nodes that Refine and Order add there "
+      "lie "
+      "on them. Axis, centre and radius are those of the nodes.");
+  surface.texts("Side Sets").required().doc("Whose faces lie on it, of one part or of several.");
+  surface.text("Type").defaultValue("Cylinder").oneOf({"Cylinder", "Sphere"}).doc("In the plane both are circles.");
 }
 
 void describePart(input::ParameterSpec& spec) {

@@ -1,0 +1,129 @@
+#include <harmos/mesh/CurvedFaces.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
+#include <harmos/mesh/Elements.hpp>
+#include <harmos/mesh/Skin.hpp>
+
+namespace harmos::mesh {
+namespace {
+
+// Distance of nodes from their surface over its radius: more is another surface.
+constexpr double offSurface = 1e-3;
+// Distance over the radius that is none, for nodes on several surfaces, and how often they are moved from one to
+// another.
+constexpr double onSurface = 1e-12;
+constexpr int mostMoves = 200;
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+  throw base::Error("curved surface " + base::quoted(name) + ": " + what, base::ExitCode::input);
+}
+
+std::string textOf(const base::Vector3& place, int dimension) {
+  std::ostringstream text;
+  text << "(" << place[0] << ", " << place[1];
+  if (dimension == 3) text << ", " << place[2];
+  text << ")";
+  return text.str();
+}
+
+const SideSet& find(const Mesh& mesh, const std::string& name, const std::string& sideSet) {
+  const auto found =
+      std::find_if(mesh.sideSets.begin(), mesh.sideSets.end(), [&](const SideSet& set) { return set.name == sideSet; });
+  if (found == mesh.sideSets.end()) {
+    std::vector<std::string> known;
+    for (const SideSet& set : mesh.sideSets) known.push_back(set.name);
+    refuse(name,
+           "there is no side set " + base::quoted(sideSet) + ".\n  " + base::suggestName(sideSet, known, "Side sets"));
+  }
+  if (found->element.empty()) refuse(name, "side set " + base::quoted(sideSet) + " has no faces.");
+  return *found;
+}
+
+base::Vector3 normalOf(const Mesh& mesh, const std::vector<int>& nodes) {
+  const int corners = cornersOfFace(mesh.dimension, nodes.size());
+  base::Vector3 sum{};
+  for (int i = 1; i + 1 < corners; ++i) {
+    const base::Vector3& origin = mesh.nodes[nodes[0]];
+    sum = sum + base::cross(mesh.nodes[nodes[i]] - origin, mesh.nodes[nodes[i + 1]] - origin);
+  }
+  return sum;
+}
+
+}  // namespace
+
+CurvedFaces curvedFaces(const Mesh& mesh, const std::string& name, CurvedSurface::Kind kind,
+                        const std::vector<std::string>& sideSets) {
+  if (sideSets.empty()) refuse(name, "no side set is named.\n  Give the side sets whose faces lie on it.");
+  const Elements elements(mesh);
+  std::set<int> nodes;
+  std::vector<base::Vector3> normals;
+  for (const std::string& sideSet : sideSets) {
+    const SideSet& set = find(mesh, name, sideSet);
+    for (std::size_t i = 0; i < set.element.size(); ++i) {
+      const std::vector<int> face = elements.side(set.element[i], set.side[i]);
+      nodes.insert(face.begin(), face.end());
+      if (mesh.dimension == 3) normals.push_back(normalOf(mesh, face));
+    }
+  }
+  std::vector<base::Vector3> places;
+  for (const int node : nodes) places.push_back(mesh.nodes[node]);
+  CurvedFaces result{name, sideSets, {}};
+  try {
+    result.surface = mesh.dimension == 2                     ? CurvedSurface::circle(places)
+                     : kind == CurvedSurface::Kind::cylinder ? CurvedSurface::cylinder(places, normals)
+                                                             : CurvedSurface::sphere(places);
+  } catch (const base::Error& error) {
+    refuse(name, error.what());
+  }
+  const auto farther = [&](const base::Vector3& a, const base::Vector3& b) {
+    return result.surface.distance(a) < result.surface.distance(b);
+  };
+  const base::Vector3& worst = *std::max_element(places.begin(), places.end(), farther);
+  if (result.surface.distance(worst) > offSurface * result.surface.radius()) {
+    std::ostringstream text;
+    text << "the node at " << textOf(worst, mesh.dimension) << " lies " << result.surface.distance(worst)
+         << " off the surface that fits best, of radius " << result.surface.radius()
+         << ".\n  Name side sets of one surface only, and no faces beside it.";
+    refuse(name, text.str());
+  }
+  return result;
+}
+
+void moveOnto(const std::vector<CurvedFaces>& faces, int first, Mesh& mesh) {
+  const Elements elements(mesh);
+  std::map<int, std::set<std::size_t>> surfacesOf;  // per new node
+  for (std::size_t s = 0; s < faces.size(); ++s) {
+    for (const std::string& sideSet : faces[s].sideSets) {
+      const SideSet& set = find(mesh, faces[s].name, sideSet);
+      for (std::size_t i = 0; i < set.element.size(); ++i) {
+        for (const int node : elements.side(set.element[i], set.side[i])) {
+          if (node >= first) surfacesOf[node].insert(s);
+        }
+      }
+    }
+  }
+  for (const auto& [node, surfaces] : surfacesOf) {
+    base::Vector3& place = mesh.nodes[node];
+    const base::Vector3 before = place;
+    const auto isOff = [&](std::size_t s) {
+      return faces[s].surface.distance(place) > onSurface * faces[s].surface.radius();
+    };
+    int moves = 0;
+    do {
+      for (const std::size_t s : surfaces) place = faces[s].surface.nearest(place);
+    } while (std::any_of(surfaces.begin(), surfaces.end(), isOff) && ++moves < mostMoves);
+    if (moves == mostMoves) {
+      refuse(faces[*surfaces.begin()].name, "it does not meet curved surface " +
+                                                base::quoted(faces[*surfaces.rbegin()].name) + " near the node at " +
+                                                textOf(before, mesh.dimension) + ", which lies on both.");
+    }
+  }
+}
+
+}  // namespace harmos::mesh
