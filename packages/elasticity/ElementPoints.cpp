@@ -78,6 +78,9 @@ void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& 
     const mesh::ElementType type = group.block->type;
     const mesh::ReferenceElement rule = mesh::referenceElement(ruleOf(points, type));
     const bool isLinear = mesh::linearType(type) == type;
+    // Around a hoop even these strain by u_x / x.
+    const bool isConstant =
+        (type == mesh::ElementType::tri3 || type == mesh::ElementType::tet4) && !isAxisymmetric(part.kinematics);
     ElementStrain strain(type, part.formulation, part.kinematics, c, rule.place);
     const int nodes = group.nodesPerElement();
     std::vector<base::Vector3> places(nodes);
@@ -108,6 +111,10 @@ void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& 
         for (int a = 0; a < nodes; ++a) point.position = point.position + point.value[a] * places[a];
         const double across = dimensionOf(part.kinematics) == 2 ? depth.at(point.position) : 1.0;
         point.volume = across * rule.weight[p] * strain.determinant(p);
+        if (isConstant && p > 0) {
+          visit(point);
+          continue;
+        }
         if (temperatures > 0) {
           temperaturesAt(*part.temperature, point, isLinear ? mean.data() : point.value, temperature);
         }

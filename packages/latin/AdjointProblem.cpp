@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <Teuchos_CommHelpers.hpp>
+
 #include <harmos/latin/CorrectionSpace.hpp>
 
 namespace harmos::latin {
@@ -49,7 +51,8 @@ struct AdjointProblem::Column {
 AdjointProblem::AdjointProblem(FixedPoint& fixedPoint, const Iterate& state, int step)
     : fixedPoint_(fixedPoint),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
-      tangents_(fixedPoint.assembly(), lines_) {
+      tangents_(fixedPoint.assembly(), lines_),
+      kept_(keptJumps(fixedPoint.assembly(), step)) {
   PointwiseLocalStage& local = fixedPoint.pointwiseStage();
   base::Matrix traction(state.beta().numRows(), state.beta().numCols());
   local.begin();
@@ -102,10 +105,10 @@ base::Matrix AdjointProblem::meet(const base::Matrix& beta) const {
   return result;
 }
 
-base::Matrix AdjointProblem::jumpsOf(const std::vector<ResponseGradient>& gradients) {
+base::Matrix AdjointProblem::jumpsOf(const std::vector<ResponseGradient>& gradients) const {
   const TraceLayout& layout = fixedPoint_.layout();
   const int cases = static_cast<int>(gradients.size());
-  base::Matrix y(layout.rows(), cases), result(layout.rows(), cases);
+  base::Matrix y(layout.rows(), cases);
   for (int column = 0; column < cases; ++column) {
     for (const ResponseGradient::PairShare& share : gradients[column].pairs) {
       const int begin = layout.begin(share.interface, 0);
@@ -117,8 +120,32 @@ base::Matrix AdjointProblem::jumpsOf(const std::vector<ResponseGradient>& gradie
       }
     }
   }
-  tangents_.apply(y, result);
-  result.scale(-2.0);
+  return y;
+}
+
+base::Matrix AdjointProblem::ofKept(const base::Matrix& beta) const {
+  const TraceLayout& layout = fixedPoint_.layout();
+  const assembly::Assembly& assembly = fixedPoint_.assembly();
+  const int columns = beta.numCols();
+  base::Matrix result(static_cast<int>(kept_.size()), columns);
+  if (kept_.empty()) return result;
+  base::Matrix traction;
+  tangents_.apply(beta, traction);
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
+    for (const ResponseGradient::PairShare& share : kept_[k].force.pairs) {
+      const int begin = layout.begin(share.interface, 0);
+      if (begin < 0) continue;
+      const double h = assembly.interfaces[share.interface].area[share.pair];
+      for (int column = 0; column < columns; ++column) {
+        for (int c = 0; c < layout.dimension(); ++c) {
+          result(static_cast<int>(k), column) +=
+              h * share.weight[c] * traction[column][begin + share.pair * layout.dimension() + c];
+        }
+      }
+    }
+  }
+  const base::Matrix mine(result);
+  Teuchos::reduceAll(layout.comm(), Teuchos::REDUCE_SUM, mine.numRows() * columns, mine.values(), result.values());
   return result;
 }
 
@@ -165,7 +192,11 @@ std::vector<AdjointProblem::Adjoint> AdjointProblem::solve(const std::vector<Res
   base::Matrix alpha(rows, cases), beta(rows, cases);
   fixedPoint_.solveLinear(alpha, beta);
   base::Matrix start = meet(beta);
-  start += jumpsOf(gradients);
+  const base::Matrix jumps = jumpsOf(gradients);
+  base::Matrix ofJumps;
+  tangents_.apply(jumps, ofJumps);
+  ofJumps.scale(-2.0);
+  start += ofJumps;
   std::vector<Column> columns(cases);
   for (int j = 0; j < cases; ++j) {
     Column& column = columns[j];
@@ -229,11 +260,16 @@ std::vector<AdjointProblem::Adjoint> AdjointProblem::solve(const std::vector<Res
   std::iota(all.begin(), all.end(), 0);
   fixedPoint_.select(all);
   fixedPoint_.solveLinear(alpha, beta);
+  base::Matrix withoutJumps(jumps);
+  withoutJumps.scale(-1.0);
+  withoutJumps += beta;
+  const base::Matrix kept = ofKept(withoutJumps);
   std::vector<Adjoint> result(cases);
   const assembly::Assembly& assembly = fixedPoint_.assembly();
   for (int j = 0; j < cases; ++j) {
     result[j].displacement.resize(assembly.bodies.size());
     result[j].hidden = columns[j].hidden;
+    for (int k = 0; k < kept.numRows(); ++k) result[j].ofKept.push_back(kept(k, j));
     for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
       if (!fixedPoint_.layout().owns(static_cast<int>(b))) continue;
       for (std::size_t node = 0; node < assembly.bodies[b].nodes.size(); ++node) {

@@ -5,6 +5,7 @@
 #include <harmos/base/Matrix.hpp>
 #include <harmos/latin/CorrectionSpace.hpp>
 #include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/KeptJump.hpp>
 #include <harmos/latin/PairTangents.hpp>
 #include <harmos/latin/Response.hpp>
 
@@ -28,6 +29,9 @@ class AdjointProblem {
     std::vector<std::vector<double>> displacement;
     /// What the remaining residual can hide at most, over z in the metric of states; see NewtonCorrection::Result.
     double hidden = 0.0;
+    /// dJ/dq of what laws keep (keptJumps()) [unit of J per length], in that order; it is exact where q has been found
+    /// in an earlier load step, all else being the same.
+    std::vector<double> ofKept;
   };
 
   /// Collective. Finds the tangents at a load step, from 0, of a state of all of them; `state` stays valid.
@@ -38,6 +42,8 @@ class AdjointProblem {
   /// the space, which a few directions do not show: there are a dozen of them before it counts. Directions are solved
   /// in single precision where its error is far below `hidden`. Ends the validity of all iterates.
   std::vector<Adjoint> solve(const std::vector<ResponseGradient>& gradients, double hidden, int maximumDirections);
+  /// What laws keep from earlier load steps.
+  const std::vector<KeptJump>& kept() const { return kept_; }
 
  private:
   struct Column;
@@ -49,12 +55,15 @@ class AdjointProblem {
   void setLoads(const std::vector<ResponseGradient>& gradients);
   /// 2 f - beta of columns whose beta is given, without the jumps a.
   base::Matrix meet(const base::Matrix& beta) const;
-  /// What the jumps a add to it.
-  base::Matrix jumpsOf(const std::vector<ResponseGradient>& gradients);
+  /// Fields of the linear stage whose free jumps are a.
+  base::Matrix jumpsOf(const std::vector<ResponseGradient>& gradients) const;
+  /// Collective. dJ/dq: kept jumps x columns of the fields of the linear stage, the jumps a taken off.
+  base::Matrix ofKept(const base::Matrix& beta) const;
 
   FixedPoint& fixedPoint_;
   InterfaceLines lines_;
   PairTangents tangents_;
+  std::vector<KeptJump> kept_;
   double directionError_ = 0.0;  // relative, of the linear stage for directions
 };
 

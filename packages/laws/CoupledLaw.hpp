@@ -24,6 +24,11 @@ class CoupledLaw : public InterfaceLaw {
   /// history, and of the states sets the tractions only.
   virtual void solveTangent(int step, const NodeArrays& nodes, const double* sums) const = 0;
 
+  /// The load step, from 0, since whose end the law keeps the mean jump of its face along the normal, as a bolt does
+  /// that was tightened by force and then locked: at `step` the tractions follow from the jumps less that one. -1:
+  /// none.
+  virtual int keepsJumpSince(int /*step*/) const { return -1; }
+
   /// Of a face that these points are all of.
   void solve(int step, const NodeArrays& nodes) const final {
     std::vector<double> all(static_cast<std::size_t>(sums()), 0.0);

@@ -36,6 +36,7 @@ class Pretension final : public CoupledLaw {
   bool dissipates() const override { return false; }
   Creases creases() const override { return Creases::refuse; }
   int sums() const override { return 2; }
+  int keepsJumpSince(int step) const override { return locking_.lockedSince(step); }
 
   void addToSums(int, const NodeArrays& nodes, double* sums) const override {
     for (int p = 0; p < nodes.count; ++p) {

@@ -90,9 +90,11 @@ class Recovered {
 }  // namespace
 
 PartResidual dualWeightedResidual(const elasticity::ElasticPart& part, const base::Matrix& displacements,
-                                  const std::vector<bool>& boundary, const std::vector<KnownFace>& faces,
-                                  const std::vector<bool>& skipped) {
-  const int columns = displacements.numCols(), responses = columns - 1;
+                                  const std::vector<AdjointField>& adjoints, const std::vector<bool>& boundary,
+                                  const std::vector<KnownFace>& faces, const std::vector<bool>& skipped) {
+  const int solutions = displacements.numCols() - static_cast<int>(adjoints.size());
+  int responses = 0;
+  for (const AdjointField& adjoint : adjoints) responses = std::max(responses, adjoint.response + 1);
   const StressRecovery recovery(part, boundary, displacements);
   base::Matrix corrected(recovery.stress());
   correctTractions(faces, skipped, elasticity::componentsOf(part.kinematics), corrected);
@@ -103,6 +105,7 @@ PartResidual dualWeightedResidual(const elasticity::ElasticPart& part, const bas
     list->assign(responses, 0.0);
   }
   std::vector<double> ofElement(responses, 0.0), workOfElement(responses, 0.0);
+  std::vector<std::array<double, 6>> ofRaw(solutions), ofError(solutions), strain(solutions);
   Recovered uncorrected(recovery.stress()), best(corrected);
   int element = -1;
   const auto close = [&] {
@@ -114,26 +117,30 @@ PartResidual dualWeightedResidual(const elasticity::ElasticPart& part, const bas
       ofElement[j] = workOfElement[j] = 0.0;
     }
   };
-  elasticity::forEachPoint(
-      part, elasticity::PointSet::squares, displacements, [&](const elasticity::ElementPoint& point) {
-        if (point.element != element) {
-          close();
-          element = point.element;
-          uncorrected.gather(point);
-          best.gather(point);
-        }
-        const double *rawError = uncorrected.difference(point), *error = best.difference(point);
-        const std::array<double, 6> ofRaw = compliance.times(rawError), ofError = compliance.times(error),
-                                    strain = compliance.times(point.stress);
-        for (int j = 0; j < responses; ++j) {
-          const int at = 6 * (j + 1);
-          ofElement[j] += point.volume * product(ofError, error + at);
-          workOfElement[j] += point.volume * product(strain, point.stress + at);
-          result.uncorrected[j] += point.volume * product(ofRaw, rawError + at);
-        }
-        result.errorEnergy += point.volume * product(ofError, error);
-        result.energy += point.volume * product(strain, point.stress);
-      });
+  elasticity::forEachPoint(part, elasticity::PointSet::squares, displacements,
+                           [&](const elasticity::ElementPoint& point) {
+                             if (point.element != element) {
+                               close();
+                               element = point.element;
+                               uncorrected.gather(point);
+                               best.gather(point);
+                             }
+                             const double *rawError = uncorrected.difference(point), *error = best.difference(point);
+                             for (int s = 0; s < solutions; ++s) {
+                               ofRaw[s] = compliance.times(rawError + 6 * s);
+                               ofError[s] = compliance.times(error + 6 * s);
+                               strain[s] = compliance.times(point.stress + 6 * s);
+                             }
+                             int at = 6 * solutions;
+                             for (const auto& [s, j] : adjoints) {
+                               ofElement[j] += point.volume * product(ofError[s], error + at);
+                               workOfElement[j] += point.volume * product(strain[s], point.stress + at);
+                               result.uncorrected[j] += point.volume * product(ofRaw[s], rawError + at);
+                               at += 6;
+                             }
+                             result.errorEnergy += point.volume * product(ofError[0], error);
+                             result.energy += point.volume * product(strain[0], point.stress);
+                           });
   close();
   return result;
 }

@@ -12,7 +12,7 @@ struct MeshErrorRecord {
   double relative = 0.0;           // |change| over the converged value
   std::string word;                // estimated, uncertain, near sliding, too coarse, locks
   std::vector<std::string> parts;  // whose elements bring most of it
-  std::string reason = {};         // of the word "near sliding", else empty
+  std::string reason = {};         // of the word "near sliding", or why parts lock; else empty
 };
 
 /// Such an error below this share is not told from nothing.

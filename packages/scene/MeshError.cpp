@@ -8,19 +8,16 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
-#include <harmos/latin/AdjointProblem.hpp>
 #include <harmos/latin/Snapshot.hpp>
-#include <harmos/recovery/DualWeightedResidual.hpp>
 #include <harmos/recovery/Resummation.hpp>
+#include <harmos/scene/detail/AdjointFields.hpp>
 #include <harmos/scene/detail/NearSliding.hpp>
 #include <harmos/scene/detail/PartFields.hpp>
+#include <harmos/scene/detail/VolumetricLocking.hpp>
 
 namespace harmos::scene {
 namespace {
 
-// Share of an adjoint that its residual may hide, and directions that all of them may take together.
-constexpr double hiddenInAdjoint = 0.02;
-constexpr int largestNumberOfDirections = 160;
 // Value over the size of a response, below which theta means nothing.
 constexpr double smallValue = 0.1;
 // |dJ| over the sum of |dJ_E|: less is what is left of cancellation. dJ without known tractions over dJ with them.
@@ -31,29 +28,26 @@ constexpr double coarse = 0.5;
 // Of the sum of |dJ_E|: a part that brings more is named.
 constexpr double named = 0.2;
 constexpr std::size_t namesAtMost = 3;
+// Relative error from which on parts that lock are told of.
+constexpr double visible = 0.05;
 using results::negligibleMeshError;
 
-using Fields = std::vector<std::vector<double>>;  // per body
-
-Fields displacementsOf(const Problem& problem, const latin::Iterate& state, int step) {
-  const assembly::Assembly& assembly = state.assembly();
-  Fields result(assembly.bodies.size());
-  for (const PartPieces& part : partPieces(problem.mesh, problem.bodies.pieces)) {
-    for (const int b : part.bodies) {
-      if (!state.layout().owns(b)) continue;
-      for (std::size_t node = 0; node < assembly.bodies[b].nodes.size(); ++node) {
-        const base::Vector3 u = strainingDisplacement(state, part, b, static_cast<int>(node), step);
-        result[b].insert(result[b].end(), u.begin(), u.begin() + assembly.dimension);
-      }
-    }
-  }
+base::Matrix columnsOf(const base::Matrix& all, const std::vector<int>& columns) {
+  base::Matrix result(all.numRows(), all.numRows() > 0 ? static_cast<int>(columns.size()) : 0);
+  for (int j = 0; j < result.numCols(); ++j) std::copy_n(all[columns[j]], all.numRows(), result[j]);
   return result;
 }
 
-base::Matrix columnOf(const base::Matrix& all, int column) {
-  base::Matrix result(all.numRows(), all.numRows() > 0 ? 1 : 0);
-  if (all.numRows() > 0) std::copy_n(all[column], all.numRows(), result[0]);
-  return result;
+/// Of the parts that bring most of an error, those that lock because they are nearly incompressible, and what helps.
+std::string lockingOf(const Problem& problem, const std::vector<WholePart>& parts, const ResponseMeshError& error) {
+  std::string text;
+  for (const std::string& name : error.parts) {
+    const auto part =
+        std::find_if(parts.begin(), parts.end(), [&](const WholePart& candidate) { return candidate.name == name; });
+    const std::string remedy = lockingRemedy(problem, part->bodies.front());
+    if (!remedy.empty()) text += (text.empty() ? "" : "; ") + name + " " + remedy;
+  }
+  return text;
 }
 
 /// What the parts say of one response, a number each.
@@ -122,37 +116,30 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
                               const Teuchos::Comm<int>& comm) {
   const int step = problem.assembly.steps() - 1;
   const latin::Snapshot values(state, responses);
-  std::vector<Fields> fields{displacementsOf(problem, state, step)};
   std::vector<latin::ResponseGradient> gradients;
   std::vector<std::size_t> linear;
+  bool hasDisplacements = false;
   for (std::size_t i = 0; i < responses.size(); ++i) {
+    if (values.isSmall(i)) continue;  // of what counts as zero no error is told
     auto gradient = responses[i]->gradient(problem.assembly);
     if (!gradient) continue;
     gradients.push_back(std::move(*gradient));
     linear.push_back(i);
+    hasDisplacements = hasDisplacements || responses[i]->quantity() == latin::Quantity::displacement;
   }
   const std::size_t asked = linear.size();
   const std::vector<NearSliding> sliding =
-      asked > 0 ? findNearSliding(state, step) : std::vector<NearSliding>();  // they serve displacements only
+      hasDisplacements ? findNearSliding(state, step) : std::vector<NearSliding>();  // they serve displacements only
   for (const NearSliding& interface : sliding) gradients.push_back(interface.gradient);
-  std::vector<bool> isHidden(gradients.size(), false);
-  if (!gradients.empty()) {
-    latin::AdjointProblem adjoint(fixedPoint, state, step);
-    auto adjoints = adjoint.solve(gradients, hiddenInAdjoint, largestNumberOfDirections);
-    for (std::size_t j = 0; j < adjoints.size(); ++j) {
-      isHidden[j] = adjoints[j].hidden > hiddenInAdjoint;
-      fields.push_back(std::move(adjoints[j].displacement));
-    }
-  }
-
-  const std::vector<WholePart> parts = wholeParts(problem, fields, gradients, step, comm);
+  const AdjointFields found = adjointFields(problem, fixedPoint, state, step, gradients);
+  const std::vector<WholePart> parts = wholeParts(problem, found.fields, found.steps, gradients, comm);
   const std::size_t count = gradients.size(), width = 5 * count + 2;
   std::vector<double> mine(width * parts.size(), 0.0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (static_cast<int>(p) % comm.getSize() != comm.getRank()) continue;
     const WholePart& part = parts[p];
     const auto body = static_cast<std::size_t>(part.bodies.front());
-    const base::Matrix temperature = columnOf(problem.temperatures->of(part.piece), step);
+    const base::Matrix temperature = columnsOf(problem.temperatures->of(part.piece), found.steps);
     const elasticity::ElasticPart elastic{problem.mesh,
                                           part.piece,
                                           *problem.bodies.materials[body],
@@ -160,8 +147,8 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
                                           problem.model.kinematics,
                                           problem.model.thickness,
                                           temperature.numRows() > 0 ? &temperature : nullptr};
-    const recovery::PartResidual residual =
-        recovery::dualWeightedResidual(elastic, part.displacements, part.boundary, part.faces, part.skipped);
+    const recovery::PartResidual residual = recovery::dualWeightedResidual(elastic, part.displacements, found.adjoints,
+                                                                           part.boundary, part.faces, part.skipped);
     double* to = mine.data() + width * p;
     for (const auto* list :
          {&residual.change, &residual.absolute, &residual.uncorrected, &residual.work, &residual.absoluteWork}) {
@@ -183,14 +170,14 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
       shares.absolute.push_back(of[count + j]);
       shares.uncorrected.push_back(of[2 * count + j]);
     }
-    return judge(name, value, size, isHidden[j], parts, shares);
+    return judge(name, value, size, found.isHidden[j], parts, shares);
   };
   MeshErrors result;
   for (std::size_t j = 0; j < asked; ++j) {
     const std::size_t i = linear[j];
-    if (values.isSmall(i)) continue;
     result.responses.push_back(judged(j, responses[i]->name(), values.responses()[i][step], values.size(i)));
     ResponseMeshError& error = result.responses.back();
+    if (error.relative >= visible) error.locking = lockingOf(problem, parts, error);
     if (responses[i]->quantity() != latin::Quantity::displacement || error.relative < negligibleMeshError) continue;
     for (std::size_t k = 0; k < sliding.size() && error.reason.empty(); ++k) {
       const NearSliding& interface = sliding[k];
@@ -208,7 +195,8 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
 }
 
 results::MeshErrorRecord recordOf(const ResponseMeshError& error) {
-  return {error.response, error.change, error.relative, textOf(error.word), error.parts, error.reason};
+  return {error.response,     error.change, error.relative,
+          textOf(error.word), error.parts,  error.reason.empty() ? error.locking : error.reason};
 }
 
 std::string describe(const ResponseMeshError& error, double value) {
@@ -234,6 +222,7 @@ std::string describe(const ResponseMeshError& error, double value) {
     text << separator << part;
     separator = ", ";
   }
+  if (!error.locking.empty()) text << "; " << error.locking;
   return text.str();
 }
 

@@ -33,6 +33,7 @@ struct ResponseMeshError {
   MeshErrorWord word = MeshErrorWord::estimated;  ///< what it is worth
   std::vector<std::string> parts = {};            ///< whose elements bring most of it, the worst first
   std::string reason = {};                        ///< of the word nearSliding, for the user
+  std::string locking = {};                       ///< of these parts, which lock, and what helps, for the user
 };
 
 /// What the stress of a part that its mesh does not show.

@@ -92,13 +92,15 @@ base::Vector3 areaVector(const Problem& problem, const std::vector<int>& nodes) 
 /// What tractions are known of the surface of a part.
 class Surface {
  public:
-  Surface(const Problem& problem, int step, std::size_t columns, WholePart& part)
-      : problem_(problem), columns_(columns), part_(part), touches_(touchesOf(problem, part)) {
+  /// `steps`: load steps of the first columns.
+  Surface(const Problem& problem, const std::vector<int>& steps, std::size_t columns, WholePart& part)
+      : problem_(problem), steps_(steps.size()), columns_(columns), part_(part), touches_(touchesOf(problem, part)) {
     for (std::size_t i = 0; i < problem.assembly.interfaces.size(); ++i) {
       const assembly::Interface& interface = problem.assembly.interfaces[i];
-      if (interface.law->prescribesTraction()) {
-        prescribed_[interface.name][static_cast<int>(i)] =
-            latin::prescribedTractions(interface, problem.assembly.times, step);
+      if (!interface.law->prescribesTraction()) continue;
+      std::vector<std::vector<base::Vector3>>& tractions = prescribed_[interface.name][static_cast<int>(i)];
+      for (const int step : steps) {
+        tractions.push_back(latin::prescribedTractions(interface, problem.assembly.times, step));
       }
     }
     part.boundary.assign(part.piece.nodes.size(), false);
@@ -141,7 +143,7 @@ class Surface {
     const double size = base::norm(vector);
     if (size == 0.0) return;  // on the axis
     known.normal = (1.0 / size) * vector;
-    std::vector<base::Vector3> traction(known.node.size(), base::Vector3{});
+    std::vector<base::Vector3> traction(known.node.size() * steps_, base::Vector3{});
     bool isLoaded = false;
     for (const std::string& interface : interfacesOf(known.node)) {
       const auto tractions = prescribed_.find(interface);
@@ -150,14 +152,17 @@ class Surface {
     }
     if (isLoaded) {
       known.traction.resize(known.node.size() * columns_, base::Vector3{});
-      for (std::size_t a = 0; a < traction.size(); ++a) known.traction[a * columns_] = traction[a];
+      for (std::size_t a = 0; a < known.node.size(); ++a) {
+        std::copy_n(traction.begin() + static_cast<std::ptrdiff_t>(a * steps_), steps_,
+                    known.traction.begin() + static_cast<std::ptrdiff_t>(a * columns_));
+      }
     }
     part_.faces.push_back(std::move(known));
     areas_.push_back(size);
   }
 
-  /// Tractions of the points of an interface: of each of its pieces, by position in the assembly.
-  using Tractions = std::map<int, std::vector<base::Vector3>>;
+  /// Tractions of the points of an interface at each step: of each of its pieces, by position in the assembly.
+  using Tractions = std::map<int, std::vector<std::vector<base::Vector3>>>;
 
   /// Names of the interfaces that feel all nodes of a face: where parts are cut, the pieces of one may share them.
   std::vector<std::string> interfacesOf(const std::vector<int>& nodes) const {
@@ -183,7 +188,10 @@ class Surface {
         if (found == tractions.end()) continue;
         const base::Frame& frame = problem_.assembly.interfaces[touch.interface].frame[touch.point];
         if (base::dot(frame[0], face.normal) < sameNormal) continue;
-        traction[a] = traction[a] + found->second[touch.point];
+        for (std::size_t s = 0; s < steps_; ++s) {
+          base::Vector3& sum = traction[a * steps_ + s];
+          sum = sum + found->second[s][touch.point];
+        }
         isFound = true;
         break;
       }
@@ -192,7 +200,7 @@ class Surface {
   }
 
   const Problem& problem_;
-  std::size_t columns_;
+  std::size_t steps_, columns_;
   WholePart& part_;
   std::vector<std::vector<Touch>> touches_;
   std::map<std::string, Tractions> prescribed_;  // by name of the interface
@@ -202,14 +210,14 @@ class Surface {
 }  // namespace
 
 std::vector<WholePart> wholeParts(const Problem& problem, const std::vector<std::vector<std::vector<double>>>& fields,
-                                  const std::vector<latin::ResponseGradient>& loads, int step,
+                                  const std::vector<int>& steps, const std::vector<latin::ResponseGradient>& loads,
                                   const Teuchos::Comm<int>& comm) {
   std::vector<WholePart> parts;
   for (PartPieces& each : partPieces(problem.mesh, problem.bodies.pieces)) {
     WholePart& part = parts.emplace_back();
     static_cast<PartPieces&>(part) = std::move(each);
     fillDisplacements(problem, fields, comm, part);
-    Surface surface(problem, step, fields.size(), part);
+    Surface surface(problem, steps, fields.size(), part);
     for (std::size_t j = 0; j < loads.size(); ++j) {
       std::map<int, base::Vector3> weights;
       for (const latin::ResponseGradient::NodeShare& share : loads[j].nodes) {
@@ -217,7 +225,7 @@ std::vector<WholePart> wholeParts(const Problem& problem, const std::vector<std:
         base::Vector3& sum = weights[mesh::localNode(part.piece, problem.bodies.pieces[share.body].nodes[share.node])];
         sum = sum + share.weight;
       }
-      if (!weights.empty()) surface.load(j + 1, weights);
+      if (!weights.empty()) surface.load(steps.size() + j, weights);
     }
   }
   return parts;

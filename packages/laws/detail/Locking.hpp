@@ -26,6 +26,12 @@ class Locking {
 
   /// At a load step, counted from 0.
   bool isLocked(int step) const { return !isLocked_.empty() && isLocked_[static_cast<std::size_t>(step)]; }
+  /// The last load step that tightened what is locked at `step`; -1: it is not locked.
+  int lockedSince(int step) const {
+    if (!isLocked(step)) return -1;
+    while (isLocked(step)) --step;  // the first one is never locked
+    return step;
+  }
 
  private:
   std::vector<bool> isLocked_;  // per load step; empty: never

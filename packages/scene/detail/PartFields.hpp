@@ -20,10 +20,10 @@ struct WholePart : PartPieces {
 };
 
 /// The parts of a problem, complete on every rank. `fields`: a column for each, and for each body its displacements
-/// (empty: of bodies of other ranks). `loads`: the forces on nodes of the columns from the second on, those of the
-/// first are the prescribed tractions of load step `step`. Collective.
+/// (empty: of bodies of other ranks). The first are solutions, at `steps`, with the prescribed tractions of these load
+/// steps; `loads`: the forces on nodes of the first columns behind them. Collective.
 std::vector<WholePart> wholeParts(const Problem& problem, const std::vector<std::vector<std::vector<double>>>& fields,
-                                  const std::vector<latin::ResponseGradient>& loads, int step,
+                                  const std::vector<int>& steps, const std::vector<latin::ResponseGradient>& loads,
                                   const Teuchos::Comm<int>& comm);
 
 }  // namespace harmos::scene

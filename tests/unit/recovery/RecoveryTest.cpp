@@ -81,7 +81,7 @@ TEST_P(Recovery, KeepsConstantStress) {
     for (int m = 0; m < 6; ++m) EXPECT_NEAR(first[6 * node + m], first[m], 1e-10);
   }
   const PartResidual residual =
-      dualWeightedResidual(box.part(), u, box.boundary, {}, std::vector<bool>(box.piece.nodes.size(), false));
+      dualWeightedResidual(box.part(), u, {}, box.boundary, {}, std::vector<bool>(box.piece.nodes.size(), false));
   EXPECT_LT(residual.errorEnergy, 1e-20);
   EXPECT_GT(residual.energy, 1e-4);
 }
@@ -124,12 +124,30 @@ TEST(Recovery, OfTheSolutionItselfIsTheEnergyOfTheError) {
   });
   base::Matrix both(u.numRows(), 2);
   for (int column = 0; column < 2; ++column) std::copy_n(u[0], u.numRows(), both[column]);
-  const PartResidual residual =
-      dualWeightedResidual(box.part(), both, box.boundary, {}, std::vector<bool>(box.piece.nodes.size(), false));
+  const PartResidual residual = dualWeightedResidual(box.part(), both, {{0, 0}}, box.boundary, {},
+                                                     std::vector<bool>(box.piece.nodes.size(), false));
   EXPECT_GT(residual.errorEnergy, 0.0);
   EXPECT_NEAR(residual.change[0], residual.errorEnergy, 1e-12 * residual.errorEnergy);
   EXPECT_NEAR(residual.absolute[0], residual.errorEnergy, 1e-12 * residual.errorEnergy);
   EXPECT_NEAR(residual.uncorrected[0], residual.errorEnergy, 1e-12 * residual.errorEnergy);
+}
+
+// A response may have an adjoint for each of several solutions: here the same field, once as it is and once half as
+// large.
+TEST(Recovery, AddsWhatSolutionsBringToOneResponse) {
+  const Box box(ElementType::hex8, {2, 3, 2});
+  const base::Matrix u = box.displaced([](const base::Vector3& x) {
+    return base::Vector3{1e-3 * x[0] * x[1], 5e-4 * x[1] * x[2], -1e-3 * x[0] * x[0]};
+  });
+  base::Matrix fields(u.numRows(), 5);
+  for (int column = 0; column < 5; ++column) {
+    for (int row = 0; row < u.numRows(); ++row) fields(row, column) = (column == 1 ? 0.5 : 1.0) * u(row, 0);
+  }
+  const PartResidual residual = dualWeightedResidual(box.part(), fields, {{0, 0}, {1, 1}, {1, 0}}, box.boundary, {},
+                                                     std::vector<bool>(box.piece.nodes.size(), false));
+  EXPECT_NEAR(residual.change[0], 1.5 * residual.errorEnergy, 1e-12 * residual.errorEnergy);
+  EXPECT_NEAR(residual.change[1], 0.5 * residual.errorEnergy, 1e-12 * residual.errorEnergy);
+  EXPECT_NEAR(residual.work[0], 1.5 * residual.energy, 1e-12 * residual.energy);
 }
 
 }  // namespace
