@@ -29,6 +29,7 @@ class LapJoint:
             gmsh.option.setNumber("Mesh.MeshSizeMax", size)
             gmsh.option.setNumber("Mesh.MeshSizeMin", size)
             gmsh.option.setNumber("Mesh.ElementOrder", order)
+            gmsh.option.setNumber("Mesh.HighOrderOptimize", 2)  # or elements at the shank are folded where they are large
             gmsh.option.setNumber("Mesh.RandomSeed", 1)
             gmsh.model.mesh.generate(3)
             tags, places, _ = gmsh.model.mesh.getNodes()
