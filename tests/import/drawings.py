@@ -56,6 +56,7 @@ class Drawings(unittest.TestCase):
         self.assertEqual(end.returncode, 0, end.stderr)
         # The shank is free in the hole of the bracket alone, from 0 to 8.
         self.assertIn("bolt_1 is tightened to 5000 at (10, -10, 4): interface preload_bolt_1", end.stdout)
+        self.assertNotIn("nothing holds", end.stdout)
         end = run("run", work / "p" / "joint.xml", "--output", work / "p" / "run", "--set", "Boundaries/bracket_face_5/Law/X=2",
                   "--set", "Solver/Mesh Error=false")
         self.assertEqual(end.returncode, 0, end.stdout + end.stderr)
@@ -69,6 +70,24 @@ class Drawings(unittest.TestCase):
         # The wall is pulled away: bolts that are locked take more.
         self.assertGreater(loaded["force_bolt_1"], 5005.0)
         self.assertLess(loaded["force_bolt_1"], 5300.0)
+
+    def test_bolts_that_nothing_holds_are_told(self) -> None:
+        import gmsh
+        gmsh.initialize(["loose"], False)
+        gmsh.option.setNumber("General.Terminal", 0)
+        kernel = gmsh.model.occ
+        # The head lies on the cover; the thread is 1 too thin for its hole.
+        block, cover = kernel.addBox(-20, -20, -20, 40, 40, 20), kernel.addBox(-20, -20, 0, 40, 40, 10)
+        kernel.cut([(3, block)], [(3, kernel.addCylinder(0, 0, -16, 0, 0, 16, 6))])
+        kernel.cut([(3, cover)], [(3, kernel.addCylinder(0, 0, 0, 0, 0, 10, 6))])
+        kernel.fuse([(3, kernel.addCylinder(0, 0, -14, 0, 0, 24, 5))], [(3, kernel.addCylinder(0, 0, 10, 0, 0, 6, 9))])
+        kernel.synchronize()
+        gmsh.write(str(work / "loose.brep"))
+        gmsh.finalize()
+        end = run("import", work / "loose.brep", "--output", work / "l", "--size", 6, "--preload", "solid_3=1000")
+        self.assertEqual(end.returncode, 0, end.stderr)
+        self.assertIn("solid_3: nothing holds it beyond its cut, along (0, 0, -1)", end.stdout)
+        self.assertNotIn("along (0, 0, 1)", end.stdout)
 
     def test_facets_of_fitted_faces_do_not_press(self) -> None:
         import gmsh

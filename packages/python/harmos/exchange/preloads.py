@@ -1,7 +1,12 @@
 """Bolts that are tightened by a force before the loads act, in a starting scene."""
+from collections.abc import Iterable
+
+import numpy
+
+from harmos.exchange.contact import face_measures
 from harmos.exchange.findings import Findings
-from harmos.exchange.mesh import Mesh, unused_name
-from harmos.exchange.scene import SceneList, number_text
+from harmos.exchange.mesh import Mesh, codes, outer_faces, unused_name
+from harmos.exchange.scene import Entry, SceneList, number_text
 
 LOADING = "loading"
 """The history of what acts after tightening."""
@@ -22,8 +27,26 @@ def add_preloads(scene: SceneList, mesh: Mesh, forces: dict[str, float], finding
         interface.child("Law").set("Type", "Pretension").set("Force", force).set("Locked From", 1.0)
         responses = scene.child("Responses")
         responses.child(f"force_{bolt}").set("Type", "Bolt Force").set("Interface", name)
-        at = ", ".join(number_text(float(f"{each:.4g}") + 0.0) for each in plane.point)
-        findings.found.append(f"{bolt} is tightened to {force:g} at ({at}): interface {name}")
+        findings.found.append(f"{bolt} is tightened to {force:g} at {_text(plane.point)}: interface {name}")
+        for sense in _free_ends(scene, mesh, bolt):
+            findings.undecided.append(f"{bolt}: nothing holds it beyond its cut, along {_text([sense * each for each in plane.normal])}: "
+                                      "its head or thread touches no part there, and without that no preload is in equilibrium")
     if LOADING in scene.child("Boundaries").text():
         scene.child("Histories").child(LOADING).set("Type", "Table").set("Times", [0.0, 1.0, 2.0]).set("Values", [0.0, 0.0, 1.0])
     scene.child("Steps").comment("Bolts are tightened first; then they are locked, and the loads rise.").child("tighten")
+
+
+def _free_ends(scene: SceneList, mesh: Mesh, bolt: str) -> list[float]:
+    """On which sides of its plane no interface or boundary has a face of a part: 1 along the normal, -1 against it."""
+    used = {str(item.value) for kind in ("Interfaces", "Boundaries") for each in scene.child(kind).items if isinstance(each, SceneList)
+            for item in each.items if isinstance(item, Entry) and item.name in ("Side 1", "Side 2", "Side Set")}
+    rows = numpy.concatenate([numpy.zeros((0, 2), dtype=numpy.int64), *(mesh.side_sets[name] for name in used)])
+    rows = rows[numpy.isin(mesh.block_of(rows[:, 0]), mesh.parts()[bolt])]
+    faces = outer_faces(mesh)
+    _, centre, _, _ = face_measures(mesh, faces.chosen(numpy.isin(*codes(faces.rows(), rows))))
+    along = (centre - numpy.array(mesh.planes[bolt].point)) @ numpy.array(mesh.planes[bolt].normal)
+    return [sense for sense in (1.0, -1.0) if not (sense * along > 0.0).any()]
+
+
+def _text(vector: Iterable[float]) -> str:
+    return "(" + ", ".join(number_text(float(f"{each:.4g}") + 0.0) for each in vector) + ")"
