@@ -22,7 +22,8 @@ import netCDF4
 import numpy
 from scipy.spatial import cKDTree
 
-MINOR = re.compile(r"^(\*FRICTION, stick slope|\*CONDUCTIVITY|\*SPECIFICHEAT|\*DAMPING|TYPE=\w+R|TYPE=C3D6|TYPE=C3D15)$")
+MINOR = re.compile(r"^(\*FRICTION, stick slope|\*CONDUCTIVITY|\*SPECIFICHEAT|\*DAMPING|TYPE=\w+R|TYPE=C3D6|TYPE=C3D15|"
+                   r"\*ELEMENT, TYPE=CPS[68]R?)$")
 """What is left out without effect on the displacements that are compared."""
 
 OTHER_METHOD = {
