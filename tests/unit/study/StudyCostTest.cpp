@@ -1,0 +1,36 @@
+#include <gtest/gtest.h>
+
+#include <harmos/parametric/StudySolver.hpp>
+#include <harmos/study/StudyCost.hpp>
+
+namespace harmos::study {
+namespace {
+
+/// What a study of so many configurations would take, of a scene whose solved states have 1 MiB each.
+StudyCost costOf(int configurations) {
+  Study study;
+  for (int i = 0; i < configurations; ++i) study.configurations.push_back({i + 1, {}});
+  scene::CostEstimate cost;
+  cost.interfaceUnknowns = 16384;
+  cost.steps = 8;
+  cost.stages = 10.0;
+  cost.stageSeconds = 0.1;
+  return estimateStudy(study, cost, nullptr);
+}
+
+TEST(StudyCost, CountsSolvedStatesUntilTheirMemoryIsFull) {
+  EXPECT_DOUBLE_EQ(costOf(20).bytes, 20.0 * 1048576.0);
+  EXPECT_DOUBLE_EQ(costOf(1000).bytes, parametric::StudySolver::memoryForStates);
+}
+
+// Calibrations are paid once, and a configuration among others is cheaper than one alone.
+TEST(StudyCost, FallsWithTheNumberOfConfigurations) {
+  const StudyCost few = costOf(5), some = costOf(50), many = costOf(1000);
+  EXPECT_GT(few.stages, some.stages);
+  EXPECT_GT(some.stages, many.stages);
+  EXPECT_GT(some.seconds, few.seconds);
+  EXPECT_GT(many.seconds, some.seconds);
+}
+
+}  // namespace
+}  // namespace harmos::study
