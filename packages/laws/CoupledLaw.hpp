@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <harmos/laws/InterfaceLaw.hpp>
@@ -28,6 +29,9 @@ class CoupledLaw : public InterfaceLaw {
   /// that was tightened by force and then locked: at `step` the tractions follow from the jumps less that one. -1:
   /// none.
   virtual int keepsJumpSince(int /*step*/) const { return -1; }
+  /// The force [force] along the normal over the whole face, positive in tension, that the law brings about at a load
+  /// step, counted from 0, whatever the jumps; nothing: the jumps decide.
+  virtual std::optional<double> normalForce(int /*step*/) const { return std::nullopt; }
 
   /// Of a face that these points are all of.
   void solve(int step, const NodeArrays& nodes) const final {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include <harmos/laws/CoupledLaw.hpp>
 #include <harmos/laws/detail/BuiltIn.hpp>
@@ -37,6 +38,9 @@ class Pretension final : public CoupledLaw {
   Creases creases() const override { return Creases::refuse; }
   int sums() const override { return 2; }
   int keepsJumpSince(int step) const override { return locking_.lockedSince(step); }
+  std::optional<double> normalForce(int step) const override {
+    return locking_.isLocked(step) ? std::nullopt : std::optional<double>(force_[step]);
+  }
 
   void addToSums(int, const NodeArrays& nodes, double* sums) const override {
     for (int p = 0; p < nodes.count; ++p) {

@@ -84,10 +84,14 @@ class Drawings(unittest.TestCase):
         kernel.synchronize()
         gmsh.write(str(work / "loose.brep"))
         gmsh.finalize()
-        end = run("import", work / "loose.brep", "--output", work / "l", "--size", 6, "--preload", "solid_3=1000")
+        end = run("import", work / "loose.brep", "--output", work / "l", "--size", 6, "--hold", "solid_1_face_5",
+                  "--preload", "solid_3=1000")
         self.assertEqual(end.returncode, 0, end.stderr)
         self.assertIn("solid_3: nothing holds it beyond its cut, along (0, 0, -1)", end.stdout)
         self.assertNotIn("along (0, 0, 1)", end.stdout)
+        end = run("run", work / "l" / "loose.xml", "--output", work / "l" / "run")
+        self.assertEqual(end.returncode, 4, end.stdout + end.stderr)
+        self.assertIn("no forces that the interface laws admit balance the loads of load step 1", end.stdout + end.stderr)
 
     def test_facets_of_fitted_faces_do_not_press(self) -> None:
         import gmsh
