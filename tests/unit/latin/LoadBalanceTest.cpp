@@ -66,6 +66,20 @@ TEST(LoadBalance, IsSureWithoutFriction) {
   EXPECT_TRUE(answers(laws::makeLaw("Perfect"), push(3.0, 2.0)).isSure);
 }
 
+// A bolt that is tightened pulls at both sides with its force, and bears everything else.
+TEST(LoadBalance, CountsForcesOfBolts) {
+  const Law bolt = laws::makeLaw("Pretension", {{"Force", 2.0}});
+  const Answers lifted = answers(bolt, push(0.0, 0.0));
+  EXPECT_NE(lifted.contradiction.find("unbalanced force (0, 0, -2)"), std::string::npos) << lifted.contradiction;
+  EXPECT_FALSE(lifted.hasForces);
+  const Answers pulled = answers(bolt, push(0.0, 2.0));
+  EXPECT_EQ(pulled.contradiction, "");
+  EXPECT_TRUE(pulled.isSure);
+  // With shear and the moment that it makes.
+  EXPECT_EQ(answers(bolt, push(0.5, 2.0)).contradiction, "");
+  EXPECT_NE(answers(bolt, push(0.5, 1.9)).contradiction, "");
+}
+
 TEST(LoadBalance, NamesPartLoadStepAndMotion) {
   const Answers lifted = answers(friction(0.5), push(0.0, 2.0));
   for (const char* part : {"load step 1", "unbalanced force (0, 0, ", "along (0, 0, 1), leaving"})
