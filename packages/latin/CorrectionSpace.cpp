@@ -13,13 +13,32 @@ namespace {
 
 // Share of a residual outside of the space below which it is round-off.
 constexpr double roundOff = 1e-9;
-// Singular values below this share of the largest one are those of round-off.
+// Singular values below this share of the largest one are those of round-off; below this share of 2, if the largest is
+// larger: I - J has none above it where loads are given. Where they are found (PathControl) single ones are many times
+// as large and would hide others.
 constexpr double singular = 1e-7;
+constexpr double ordinary = 2.0;
 
 base::Matrix dense(const std::vector<std::vector<double>>& triangle, int size) {
   base::Matrix matrix(size, size);
   for (int j = 0; j < size; ++j) std::copy_n(triangle[j].begin(), j + 1, matrix[j]);
   return matrix;
+}
+
+/// Of a square matrix, in descending order.
+std::vector<double> singularValues(base::Matrix matrix) {
+  const int size = matrix.numRows();
+  std::vector<double> values(size), work(static_cast<std::size_t>(64 * (size + 1)));
+  double unused = 0.0;
+  int info = 0;
+  Teuchos::LAPACK<int, double>().GESVD('N', 'N', size, size, matrix.values(), matrix.stride(), values.data(), &unused,
+                                       1, &unused, 1, work.data(), static_cast<int>(work.size()), &unused, &info);
+  return values;
+}
+
+/// The share of the largest singular value below which they are those of round-off.
+double negligibleShare(const std::vector<double>& values) {
+  return singular * std::min(1.0, ordinary / values.front());
 }
 
 }  // namespace
@@ -108,16 +127,10 @@ void CorrectionSpace::append(const double* g) {
 
 void CorrectionSpace::findSingularValues() const {
   if (hasSingularValues_) return;
-  base::Matrix matrix = dense(triangle_, known_);
-  std::vector<double> values(known_), work(static_cast<std::size_t>(64 * (known_ + 1)));
-  double unused = 0.0;
-  int info = 0;
-  Teuchos::LAPACK<int, double>().GESVD('N', 'N', known_, known_, matrix.values(), matrix.stride(), values.data(),
-                                       &unused, 1, &unused, 1, work.data(), static_cast<int>(work.size()), &unused,
-                                       &info);
-  isSingular_ = values.back() <= singular * values.front();
-  const auto last =
-      std::find_if(values.rbegin(), values.rend(), [&](double value) { return value > singular * values.front(); });
+  const std::vector<double> values = singularValues(dense(triangle_, known_));
+  const double least = negligibleShare(values) * values.front();
+  isSingular_ = values.back() <= least;
+  const auto last = std::find_if(values.rbegin(), values.rend(), [&](double value) { return value > least; });
   smallest_ = last == values.rend() ? 0.0 : std::min(1.0, *last);
   hasSingularValues_ = true;
 }
@@ -138,11 +151,12 @@ CorrectionSpace::LeastSquares CorrectionSpace::solve(const double* residual) con
     return result;
   }
   const std::vector<double> right = result.c;
-  std::vector<double> values(size_), work(static_cast<std::size_t>(64 * (size_ + 1)));
+  std::vector<double> values = singularValues(matrix), work(static_cast<std::size_t>(64 * (size_ + 1)));
+  const double least = negligibleShare(values);
   int rank = 0;
   double unused = 0.0;
-  lapack.GELSS(size_, size_, 1, matrix.values(), matrix.stride(), result.c.data(), size_, values.data(), singular,
-               &rank, work.data(), static_cast<int>(work.size()), &unused, &info);
+  lapack.GELSS(size_, size_, 1, matrix.values(), matrix.stride(), result.c.data(), size_, values.data(), least, &rank,
+               work.data(), static_cast<int>(work.size()), &unused, &info);
   double inside = 0.0;
   for (int i = 0; i < size_; ++i) {
     double rest = right[i];

@@ -97,6 +97,19 @@ TEST(CorrectionSpace, LeavesOutWhatIsSingular) {
   EXPECT_NEAR(space.smallestSingularValue(), 1.0, 1e-10);
 }
 
+// Where loads are found, one direction may ask for many times the loads that others do.
+TEST(CorrectionSpace, KeepsWhatIsSmallBesideWhatIsLarge) {
+  const Metric m;
+  const CorrectionSpace space = scaledSpace(m, {2e4, 1e-4});
+  std::vector<double> residual(m.rows);
+  for (int row = 0; row < m.rows; ++row) residual[row] = space.direction(0)[row] + space.direction(1)[row];
+  const CorrectionSpace::LeastSquares found = space.solve(residual.data());
+  EXPECT_NEAR(found.c[0], 5e-5, 1e-10);
+  EXPECT_NEAR(found.c[1], 1e4, 1e-3);
+  EXPECT_NEAR(found.left, 0.0, 1e-8);
+  EXPECT_NEAR(space.smallestSingularValue(), 1e-4, 1e-10);
+}
+
 TEST(CorrectionSpace, TakesANewTangent) {
   const Metric m;
   CorrectionSpace space = scaledSpace(m, {1.0, 1.0});
