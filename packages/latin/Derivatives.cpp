@@ -261,7 +261,7 @@ base::Matrix Derivatives::stateOf(const Iterate& solution) {
 
 std::vector<Derivatives::Result> Derivatives::compute(const base::Matrix& state,
                                                       const std::vector<ModelParameter>& parameters) {
-  const base::SoleThread inside;
+  const base::SoleThread inside(fixedPoint_.layout().comm().getSize());
   const int rows = fixedPoint_.layout().rows(), steps = fixedPoint_.assembly().steps();
   std::vector<Result> results(parameters.size());
   for (Result& result : results) result.dalpha.shape(rows, steps);

@@ -74,10 +74,13 @@ void FixedPoint::demandFollowable() const {
   }
 }
 
-FixedPoint::~FixedPoint() = default;
+FixedPoint::~FixedPoint() {
+  const base::SoleThread inside;  // others on no other rank wait for what is dropped
+  linear_.reset();
+}
 
 std::unique_ptr<LinearStage> FixedPoint::makeLinearStage() {
-  const base::SoleThread inside;
+  const base::SoleThread inside(layout_.comm().getSize());
   const auto make = [&] {
     demandFollowable();
     auto stage = std::make_unique<LinearStage>(assembly_, searchDirection_, layout_, eliminated_, options_.formulation,

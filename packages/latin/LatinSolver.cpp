@@ -106,7 +106,7 @@ bool LatinSolver::hasDiverged(const base::Matrix& state) {
 }
 
 LatinResult LatinSolver::solve(const base::Matrix* start) {
-  const base::SoleThread inside;
+  const base::SoleThread inside(fixedPoint_.layout().comm().getSize());
   fixedPoint_.uncentre(alpha_);
   if (start != &alpha_) {
     alpha_.putScalar(0.0);

@@ -8,6 +8,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/SoleThread.hpp>
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/mesh/InterfaceFinder.hpp>
 #include <harmos/scene/Interfaces.hpp>
@@ -41,6 +42,7 @@ void throwTogether(const input::ErrorList& errors, const Teuchos::Comm<int>& com
 }  // namespace
 
 Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Timers& timers) {
+  const base::SoleThread inside(comm.getSize());
   input::ErrorList errors;
   Problem problem;
   {

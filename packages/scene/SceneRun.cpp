@@ -13,6 +13,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
+#include <harmos/base/SoleThread.hpp>
 #include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/HistoryFile.hpp>
 #include <harmos/files/OutputGuard.hpp>
@@ -205,6 +206,7 @@ int exitCodeOf(latin::Outcome outcome) {
 
 SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry& laws,
                         const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  const base::SoleThread inside(comm->getSize());  // libraries of files are made for one thread, too
   base::Timers timers;
   const input::InputTree tree = request.input ? *request.input : input::InputTree::fromFile(request.scene);
   const Scene scene = makeScene(tree, request.scene, request.overrides, laws);

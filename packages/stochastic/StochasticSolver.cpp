@@ -126,7 +126,7 @@ StochasticSolver::End StochasticSolver::run(double tolerance, bool isFresh) {
 }
 
 StochasticResult StochasticSolver::solve(const base::Matrix* start) {
-  const base::SoleThread inside;
+  const base::SoleThread inside(fixedPoint_.layout().comm().getSize());
   if (start != &alpha_) {
     alpha_.putScalar(0.0);
     if (start != nullptr) alpha_.assign(*start);

@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/SoleThread.hpp>
 #include <harmos/files/OutputGuard.hpp>
 #include <harmos/scene/SceneRun.hpp>
 #include <harmos/study/StudyReader.hpp>
@@ -30,6 +31,7 @@ int exitCodeOf(const results::StudyResults& results) {
 
 StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry& laws,
                         const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  const base::SoleThread inside(comm->getSize());  // libraries of files are made for one thread, too
   base::Timers timers;
   StudyRunResult run{std::make_unique<const Study>(
                          makeStudy(request.input ? *request.input : input::InputTree::fromFile(request.study),

@@ -1,8 +1,9 @@
+#include <atomic>
 #include <fstream>
 #include <functional>
-#include <set>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,6 +11,7 @@
 #include <Tpetra_Core.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/SoleThread.hpp>
 #include <harmos/latin/LatinSolver.hpp>
 #include <harmos/laws/PointwiseLaw.hpp>
 
@@ -42,6 +44,24 @@ struct Broken {
     for (std::size_t c = 0; c < 3; ++c) state.traction[c] = line.freeJump[c] / (1.0 + line.compliance);
     return state;
   }
+};
+
+/// Linear glue that counts how many threads are at work in it.
+struct Counting {
+  static constexpr const char* name = "Counting";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::two;
+  Counting(std::atomic<int>& now, std::atomic<int>& highest) : inside(now), most(highest) {}
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext&, const double*, double*) const {
+    const int here = ++inside;
+    if (here > most) most = here;
+    std::this_thread::yield();
+    laws::LocalState state;
+    for (std::size_t c = 0; c < 3; ++c) state.traction[c] = line.freeJump[c] / (1.0 + line.compliance);
+    --inside;
+    return state;
+  }
+  std::atomic<int>&inside, &most;
 };
 
 /// Memory of this process in pages.
@@ -94,21 +114,6 @@ TEST(Host, CanUseSolversByTurns) {
   EXPECT_EQ(one.solve().outcome, first.outcome);
 }
 
-/// A law during which others may be asked.
-struct Waiting {
-  static constexpr const char* name = "Waiting";
-  static constexpr int historySize = 0;
-  static constexpr laws::Sides sides = laws::Sides::two;
-  explicit Waiting(const std::function<void()>& action) : meanwhile(action) {}
-  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext&, const double*, double*) const {
-    meanwhile();
-    laws::LocalState state;
-    for (std::size_t c = 0; c < 3; ++c) state.traction[c] = line.freeJump[c] / (1.0 + line.compliance);
-    return state;
-  }
-  std::function<void()> meanwhile;
-};
-
 /// What another thread is told that does this; empty: nothing.
 std::string toldElsewhere(const std::function<void()>& action) {
   std::string message;
@@ -122,25 +127,40 @@ std::string toldElsewhere(const std::function<void()>& action) {
   return message;
 }
 
-// Trilinos counts references without locks.
-TEST(Host, RefusesASecondThreadWhileOneIsInside) {
+// Ranks whose threads wait for each other in another order would wait for ever.
+TEST(Host, RefusesASecondThreadOnSeveralRanks) {
+  const base::SoleThread inside;
+  const std::string message = toldElsewhere([] { const base::SoleThread other(2); });
+  EXPECT_NE(message.find("second thread asks a solver of Harmos on several ranks while another one is inside"),
+            std::string::npos);
+  EXPECT_NE(message.find("take turns"), std::string::npos);
+  const base::SoleThread again(2);  // the same thread
+}
+
+// Trilinos counts references without locks: threads that know nothing of each other wait for their turn.
+TEST(Host, ThreadsWaitForTheirTurn) {
   const assembly::Assembly assembly = sample();
-  base::Timers timers;
-  LatinSolver idle(assembly, {}, self(), timers);
-  std::set<std::string> told;
-  assembly::Assembly waits = sample();
-  waits.interfaces[1].law = std::make_shared<laws::PointwiseLaw<Waiting>>([&] {
-    if (told.size() > 1) return;
-    told.insert(toldElsewhere([&] { idle.solve(); }));
-    told.insert("and " + toldElsewhere([&] { LatinSolver(assembly, {}, self(), timers); }));
-  });
-  LatinSolver working(waits, {}, self(), timers);
-  working.solve();
-  ASSERT_EQ(told.size(), 2U);
-  for (const std::string& message : told) {
-    EXPECT_NE(message.find("second thread asks a solver of Harmos while another one is inside"), std::string::npos);
-    EXPECT_NE(message.find("take turns"), std::string::npos);
+  const double expected = displacement(assembly, self());
+  std::atomic<int> inside{0}, most{0}, right{0};
+  assembly::Assembly counting = sample();
+  counting.interfaces[1].law = std::make_shared<laws::PointwiseLaw<Counting>>(inside, most);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([&] {
+      for (int run = 0; run < 5; ++run) {
+        const auto comm = [] {
+          const base::SoleThread meanwhile;
+          return self();
+        }();
+        base::Timers timers;
+        LatinSolver(counting, {}, comm, timers).solve();
+        if (displacement(assembly, comm) == expected) ++right;
+      }
+    });
   }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(right, 20);
+  EXPECT_EQ(most, 1);
 }
 
 // Taking turns is no harm; nor is a thread that has failed inside.
