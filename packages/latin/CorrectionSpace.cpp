@@ -25,9 +25,9 @@ base::Matrix dense(const std::vector<std::vector<double>>& triangle, int size) {
   return matrix;
 }
 
-/// Of a square matrix, in descending order.
-std::vector<double> singularValues(base::Matrix matrix) {
-  const int size = matrix.numRows();
+/// Of a triangle by columns, in descending order.
+std::vector<double> singularValues(const std::vector<std::vector<double>>& triangle, int size) {
+  base::Matrix matrix = dense(triangle, size);
   std::vector<double> values(size), work(static_cast<std::size_t>(64 * (size + 1)));
   double unused = 0.0;
   int info = 0;
@@ -127,7 +127,7 @@ void CorrectionSpace::append(const double* g) {
 
 void CorrectionSpace::findSingularValues() const {
   if (hasSingularValues_) return;
-  const std::vector<double> values = singularValues(dense(triangle_, known_));
+  const std::vector<double> values = singularValues(triangle_, known_);
   const double least = negligibleShare(values) * values.front();
   isSingular_ = values.back() <= least;
   const auto last = std::find_if(values.rbegin(), values.rend(), [&](double value) { return value > least; });
@@ -151,7 +151,7 @@ CorrectionSpace::LeastSquares CorrectionSpace::solve(const double* residual) con
     return result;
   }
   const std::vector<double> right = result.c;
-  std::vector<double> values = singularValues(matrix), work(static_cast<std::size_t>(64 * (size_ + 1)));
+  std::vector<double> values = singularValues(triangle_, size_), work(static_cast<std::size_t>(64 * (size_ + 1)));
   const double least = negligibleShare(values);
   int rank = 0;
   double unused = 0.0;
