@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -31,6 +32,10 @@ constexpr std::size_t mostNames = 4;
 constexpr double takesPart = 1e-3;
 // Of an inverse iteration, whose result is wanted to a factor of two.
 constexpr int softnessIterations = 8;
+// Columns of X that are solved together.
+constexpr int columnsAtOnce = 48;
+// X is kept on loaded rows where they are so few of all; else loads that change cost a solve.
+constexpr std::size_t rowsPerKept = 4;
 
 /// y = k h x for one side, k taken at the row.
 Matrix weighted(const assembly::Interface& interface, int dimension, const std::vector<double>& k, const Matrix& x) {
@@ -98,6 +103,21 @@ Matrix orthonormal(const assembly::Interface& interface, int dimension, const st
   return modes;
 }
 
+/// The rows, ascending, at which any column is not zero.
+std::vector<int> loadedRows(const Matrix& loads) {
+  std::vector<bool> isLoaded(static_cast<std::size_t>(loads.numRows()), false);
+  for (int t = 0; t < loads.numCols(); ++t) {
+    for (int row = 0; row < loads.numRows(); ++row) {
+      if (loads[t][row] != 0.0) isLoaded[row] = true;
+    }
+  }
+  std::vector<int> rows;
+  for (std::size_t row = 0; row < isLoaded.size(); ++row) {
+    if (isLoaded[row]) rows.push_back(static_cast<int>(row));
+  }
+  return rows;
+}
+
 }  // namespace
 
 MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
@@ -112,7 +132,7 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
     auto& local = localBody[at.body];
     if (local < 0) {
       local = static_cast<int>(bodies_.size());
-      bodies_.push_back({at.body, {}, {}, {}});
+      bodies_.push_back({at.body, {}, {}, {}, {}});
     }
     const auto i = static_cast<std::size_t>(at.interface);
     Block block{at.begin, local, firstMode_[i], &modes_[i], {}, {}, {}};
@@ -129,45 +149,17 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
 
   std::vector<Matrix> contributions;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    Body& body = bodies_[b];
-    std::vector<std::size_t> mine;
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      if (blocks_[i].body == static_cast<int>(b)) mine.push_back(i);
-    }
-    const int count = static_cast<int>(body.unknowns.size());
-    Matrix right(operators.loads(body.body).numRows(), count);
-    int column = 0;
-    for (std::size_t i : mine) {
-      const TraceLayout::Block& at = layout.blocks()[i];
-      for (int m = 0; m < blocks_[i].force.numCols(); ++m, ++column) {
-        assembly.interfaces[at.interface].trace(at.side).addTransposed(dimension, blocks_[i].force[m], right[column]);
-      }
-    }
-    body.response = count > 0 ? operators.solveBody(body.body, right) : right;
-    const Matrix& response = body.response;
-
+    respond(assembly, operators, static_cast<int>(b));
+    const int count = static_cast<int>(bodies_[b].unknowns.size());
     Matrix contribution(count, count);
-    column = 0;
-    for (std::size_t i : mine) {
-      const TraceLayout::Block& at = layout.blocks()[i];
-      Block& block = blocks_[i];
-      // Not the rows of `force`: a Teuchos matrix without columns, as that of a boundary, loses its rows when copied.
-      block.reaction.shape(at.pairs * dimension, count);
-      for (int j = 0; j < count; ++j) {
-        assembly.interfaces[at.interface].trace(at.side).addProduct(dimension, response[j], block.reaction[j]);
-        for (int row = 0; row < block.reaction.numRows(); ++row) block.reaction(row, j) = -block.reaction(row, j);
-      }
+    int column = 0;
+    for (const Block& block : blocks_) {
       const int modes = block.force.numCols();
+      if (block.body != static_cast<int>(b) || modes == 0) continue;
+      Matrix rows(modes, count);
+      rows.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, block.force, block.reaction, 0.0);
       for (int m = 0; m < modes; ++m) {
-        for (int row = 0; row < block.reaction.numRows(); ++row)
-          block.reaction(row, column + m) += (*block.shape)(row, m);
-      }
-      if (modes > 0) {
-        Matrix rows(modes, count);
-        rows.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, block.force, block.reaction, 0.0);
-        for (int m = 0; m < modes; ++m) {
-          for (int j = 0; j < count; ++j) contribution(column + m, j) = rows(m, j);
-        }
+        for (int j = 0; j < count; ++j) contribution(column + m, j) = rows(m, j);
       }
       column += modes;
     }
@@ -176,6 +168,62 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
   updateLoads(assembly, operators);
   factor(assembly, options, contributions);
   softness_ = findSoftness();
+}
+
+void MacroProblem::respond(const assembly::Assembly& assembly, const BodyOperators& operators, int local) {
+  Body& body = bodies_[local];
+  const int dimension = layout_.dimension();
+  const int count = static_cast<int>(body.unknowns.size());
+  std::vector<std::size_t> mine;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (blocks_[i].body == local) mine.push_back(i);
+  }
+  for (const std::size_t i : mine) blocks_[i].reaction.shape(layout_.blocks()[i].pairs * dimension, count);
+  const Matrix& loads = operators.loads(body.body);
+  if (count == 0) return;
+  body.loaded = loadedRows(loads);
+  if (rowsPerKept * body.loaded.size() > static_cast<std::size_t>(loads.numRows())) body.loaded.clear();
+  body.response.shape(static_cast<int>(body.loaded.size()), count);
+  int first = 0;  // column of the next interface
+  for (std::size_t next = 0; next < mine.size();) {
+    // A part may touch hundreds of interfaces: not all of X at once.
+    std::size_t end = next;
+    int columns = 0;
+    for (; end < mine.size() && columns < columnsAtOnce; ++end) columns += blocks_[mine[end]].force.numCols();
+    Matrix right(loads.numRows(), columns);
+    for (int column = 0; next < end; ++next) {
+      const TraceLayout::Block& at = layout_.blocks()[mine[next]];
+      const Block& block = blocks_[mine[next]];
+      for (int m = 0; m < block.force.numCols(); ++m, ++column) {
+        assembly.interfaces[at.interface].trace(at.side).addTransposed(dimension, block.force[m], right[column]);
+        for (int row = 0; row < block.force.numRows(); ++row)
+          blocks_[mine[next]].reaction(row, first + column) = (*block.shape)(row, m);
+      }
+    }
+    if (columns == 0) continue;
+    const Matrix response = operators.solveBody(body.body, right);
+    for (const std::size_t i : mine) {
+      const TraceLayout::Block& at = layout_.blocks()[i];
+      std::vector<double> trace(static_cast<std::size_t>(blocks_[i].reaction.numRows()));
+      for (int j = 0; j < columns; ++j) {
+        std::fill(trace.begin(), trace.end(), 0.0);
+        assembly.interfaces[at.interface].trace(at.side).addProduct(dimension, response[j], trace.data());
+        for (std::size_t row = 0; row < trace.size(); ++row) blocks_[i].reaction[first + j][row] -= trace[row];
+      }
+    }
+    for (int j = 0; j < columns; ++j) {
+      for (std::size_t row = 0; row < body.loaded.size(); ++row)
+        body.response[first + j][row] = response[j][body.loaded[row]];
+    }
+    first += columns;
+  }
+}
+
+Matrix MacroProblem::displacementOf(const Body& body, const BodyOperators& operators) {
+  const Matrix& loads = operators.loads(body.body);
+  const std::vector<int> rows = loadedRows(loads);
+  if (std::includes(body.loaded.begin(), body.loaded.end(), rows.begin(), rows.end())) return {};
+  return operators.solveBody(body.body, loads);
 }
 
 double MacroProblem::findSoftness() const {
@@ -194,12 +242,18 @@ double MacroProblem::findSoftness() const {
 }
 
 void MacroProblem::updateLoads(const assembly::Assembly& assembly, const BodyOperators& operators) {
+  std::vector<Matrix> displacements;
   for (Body& body : bodies_) {
     const Matrix& loads = operators.loads(body.body);
     const int count = static_cast<int>(body.unknowns.size());
     body.loads.shape(count, loads.numCols());
-    if (count == 0) continue;
-    body.loads.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, body.response, loads, 0.0);
+    displacements.push_back(count > 0 ? displacementOf(body, operators) : Matrix());
+    if (count == 0 || displacements.back().numCols() > 0 || body.loaded.empty()) continue;
+    Matrix kept(static_cast<int>(body.loaded.size()), loads.numCols());
+    for (int t = 0; t < loads.numCols(); ++t) {
+      for (std::size_t row = 0; row < body.loaded.size(); ++row) kept[t][row] = loads[t][body.loaded[row]];
+    }
+    body.loads.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, body.response, kept, 0.0);
   }
   std::vector<int> first(bodies_.size(), 0);  // of the unknowns of the next block
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
@@ -208,14 +262,15 @@ void MacroProblem::updateLoads(const assembly::Assembly& assembly, const BodyOpe
     // Without unknowns there are no rows to multiply.
     if (block.force.numCols() == 0) continue;
     Matrix& sums = bodies_[block.body].loads;
-    const Matrix& held = operators.held(at.body);
     std::vector<double> trace(block.force.numRows());
-    for (int t = 0; t < held.numCols(); ++t) {
-      std::fill(trace.begin(), trace.end(), 0.0);
-      assembly.interfaces[at.interface].trace(at.side).addProduct(layout_.dimension(), held[t], trace.data());
-      for (int m = 0; m < block.force.numCols(); ++m) {
-        for (std::size_t row = 0; row < trace.size(); ++row) {
-          sums(first[block.body] + m, t) += block.force[m][row] * trace[row];
+    for (const Matrix* places : {&operators.held(at.body), &std::as_const(displacements[block.body])}) {
+      for (int t = 0; t < places->numCols(); ++t) {
+        std::fill(trace.begin(), trace.end(), 0.0);
+        assembly.interfaces[at.interface].trace(at.side).addProduct(layout_.dimension(), (*places)[t], trace.data());
+        for (int m = 0; m < block.force.numCols(); ++m) {
+          for (std::size_t row = 0; row < trace.size(); ++row) {
+            sums(first[block.body] + m, t) += block.force[m][row] * trace[row];
+          }
         }
       }
     }

@@ -51,12 +51,18 @@ class MacroProblem {
   };
   struct Body {
     int body;
-    std::vector<int> unknowns;  // global numbers of the coarse unknowns of its interfaces
-    base::Matrix response;      // X, dofs x unknowns
-    base::Matrix loads;         // X^T l + (B^T h k P)^T g, unknowns x steps
+    std::vector<int> unknowns;     // global numbers of the coarse unknowns of its interfaces
+    std::vector<int> loaded = {};  // rows of X that are kept: those where loads have acted when they were found
+    base::Matrix response;         // X, these rows x unknowns
+    base::Matrix loads;            // X^T l + (B^T h k P)^T g, unknowns x steps
   };
 
   void buildModes(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection);
+  /// Finds the reactions of the blocks of a body, and of X what updateLoads() needs.
+  void respond(const assembly::Assembly& assembly, const BodyOperators& operators, int local);
+  /// S^-1 l, from which X^T l follows as well, where loads act on other rows than those kept, else nothing; one column
+  /// for every load case.
+  static base::Matrix displacementOf(const Body& body, const BodyOperators& operators);
   double findSoftness() const;
   void factor(const assembly::Assembly& assembly, const substructure::SolverOptions& options,
               const std::vector<base::Matrix>& contributions);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
+#include <harmos/substructure/LowerTriangle.hpp>
 
 namespace harmos::substructure {
 
@@ -11,7 +12,7 @@ namespace harmos::substructure {
 /// and P the permutation `order`.
 struct TraceFactor {
   std::vector<int> order;  ///< position in the trace of each row of L
-  base::Matrix lower;      ///< L, square; zero above the diagonal
+  LowerTriangle lower;     ///< L
 
   /// x = B A^-1 B^T b [length], column by column, b [force], rows in the order of the trace; different objects. x is
   /// reshaped when it does not have the shape of b, whose rows are not checked.

@@ -13,8 +13,11 @@ extern "C" void ssymv_(const char* uplo, const int* n, const float* alpha, const
 namespace harmos::substructure {
 
 TraceInverse::TraceInverse(const TraceFactor& factor) {
-  const int rows = factor.lower.numRows();
-  base::Matrix inverse(factor.lower);
+  const int rows = factor.lower.rows();
+  base::Matrix inverse(rows, rows);
+  for (int j = 0; j < rows; ++j) {
+    for (int i = j; i < rows; ++i) inverse(i, j) = factor.lower(i, j);
+  }
   int info = 0;
   Teuchos::LAPACK<int, double>().POTRI('L', rows, inverse.values(), inverse.stride(), &info);
   if (info != 0) throw base::Error("A trace is singular.");

@@ -85,7 +85,7 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
       result->order.push_back(at);
     }
     const auto count = static_cast<int>(trace_.size());
-    result->lower.shape(count, count);
+    result->lower = LowerTriangle(count);
     for (std::size_t super = 0; super < factor_->nsuper; ++super) {
       const int height = firstIndex[super + 1] - firstIndex[super];
       for (int j = firstColumn[super]; j < firstColumn[super + 1]; ++j) {

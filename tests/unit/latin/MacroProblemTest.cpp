@@ -109,5 +109,35 @@ TEST(MacroProblem, TakesBodiesWithoutBoundariesAndWithoutInterfaces) {
   EXPECT_EQ(FixedPoint(alone.assembly(), {}, self(), timers).linearStage().macroUnknowns(), 0);
 }
 
+// Responses are kept where loads have acted at first only.
+TEST(MacroProblem, TakesLoadsThatActElsewhereThanAtFirst) {
+  BoxAssembly cubes = twoCubes(laws::makeLaw("Perfect"), laws::makeLaw("Prescribed Traction", {{"Z", 1.0}}));
+  const assembly::Assembly& assembly = cubes.assembly();
+  base::Timers timers;
+  FixedPoint fixedPoint(assembly, {}, self(), timers);
+  const TraceLayout& layout = fixedPoint.layout();
+  std::vector<base::Matrix> loads, held;
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+    loads.emplace_back(3 * static_cast<int>(assembly.bodies[b].nodes.size()), 1);
+    held.push_back(loads.back());
+    randomize(loads.back(), static_cast<unsigned>(b));
+  }
+  fixedPoint.setLoads(loads, held);
+  base::Matrix alpha(layout.rows(), 1), beta(alpha);
+  fixedPoint.solveLinear(alpha, beta);
+  base::Vector3 sum{}, size{};
+  for (int side = 0; side < 2; ++side) {
+    for (int row = 0; row < 3 * assembly.interfaces[1].pairs(); ++row) {
+      const double traction = fixedPoint.linearStage().traction()[0][layout.begin(1, side) + row];
+      sum[row % 3] += assembly.interfaces[1].area[row / 3] * traction;
+      size[row % 3] += assembly.interfaces[1].area[row / 3] * std::abs(traction);
+    }
+  }
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_GT(size[c], 0.1);
+    EXPECT_NEAR(sum[c], 0.0, 1e-11);
+  }
+}
+
 }  // namespace
 }  // namespace harmos::latin
