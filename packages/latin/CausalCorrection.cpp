@@ -45,14 +45,15 @@ CausalCorrection::CausalCorrection(FixedPoint& fixedPoint, substructure::Precisi
       finest_(fixedPoint.assembly().softens() ? substructure::Precision::exact : precision),
       allowed_(finest_),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
-      steps_(static_cast<std::size_t>(fixedPoint.assembly().steps()),
-             Step{TangentSpace(fixedPoint.metric(), fixedPoint.assembly(), lines_)}) {}
+      steps_(static_cast<std::size_t>(fixedPoint.assembly().steps()), Step{TangentSpace(fixedPoint, lines_)}) {}
 
 double CausalCorrection::evaluate(int step) {
   fixedPoint_.pointwiseStage().solveColumn(step, beta_, traction_);
   for (int row = 0; row < alpha_.numRows(); ++row) {
     residual_[step][row] = 2.0 * traction_[step][row] - beta_[step][row] - alpha_[step][row];
   }
+  base::Matrix column(Teuchos::View, residual_[step], residual_.stride(), residual_.numRows(), 1);
+  fixedPoint_.linearStage().unfelt().remove(column);
   return scaledNorm(fixedPoint_.metric(), residual_[step], nullptr);
 }
 

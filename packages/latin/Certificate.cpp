@@ -134,6 +134,7 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
   const auto largestDistance = [&](const base::Matrix& a, const base::Matrix& b) {
     base::Matrix difference(a);
     difference -= b;
+    fixedPoint_.linearStage().unfelt().remove(difference);
     return std::sqrt(largest(metric.squaredNorms(difference)));
   };
   Correction result;

@@ -52,7 +52,7 @@ Derivatives::Derivatives(FixedPoint& fixedPoint, const std::vector<std::shared_p
       responses_(responses),
       tolerance_(tolerance),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
-      tangent_(fixedPoint.metric(), fixedPoint.assembly(), lines_) {
+      tangent_(fixedPoint, lines_) {
   if (fixedPoint.assembly().path) {
     throw base::Error("there are no derivatives where the size of loads is to be found", base::ExitCode::input);
   }
@@ -205,11 +205,14 @@ void Derivatives::march(PairDerivatives& pairs, std::vector<Result>& results) {
     std::vector<double> size(columns, 0.0);
     for (int round = 0;; ++round) {
       pairs.apply(dbeta, traction);
-      bool isDone = true;
       for (int j = 0; j < columns; ++j) {
         for (int row = 0; row < rows; ++row) {
           residual[j][row] = 2.0 * traction[j][row] - dbeta[j][row] - dalpha[j][row];
         }
+      }
+      fixedPoint_.linearStage().unfelt().remove(residual);
+      bool isDone = true;
+      for (int j = 0; j < columns; ++j) {
         const double left = norm(metric, residual[j]);
         if (round == 0) size[j] = left;
         const double relative = size[j] > 0.0 ? left / size[j] : 0.0;

@@ -15,10 +15,13 @@ LinearStage::LinearStage(const assembly::Assembly& assembly, const assembly::Sea
       layout_(layout),
       formulation_(formulation),
       timers_(timers),
-      operators_(assembly, searchDirection, layout, eliminated, options, timers) {
+      operators_(assembly, searchDirection, layout, eliminated, options, timers),
+      unfelt_(layout) {
   if (withMacroProblem) {
     const auto running = timers_.start("factor");
     macro_ = std::make_unique<MacroProblem>(assembly, searchDirection, layout, operators_, options);
+    if (formulation == Formulation::displacement)
+      unfelt_ = UnfeltStates(assembly, searchDirection, layout, macro_->modes());
   }
   if (assembly.path) {
     loadFactor_ = std::make_unique<LoadFactor>(assembly, layout);

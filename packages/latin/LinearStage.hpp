@@ -9,6 +9,7 @@
 #include <harmos/latin/Formulation.hpp>
 #include <harmos/latin/LoadFactor.hpp>
 #include <harmos/latin/MacroProblem.hpp>
+#include <harmos/latin/UnfeltStates.hpp>
 
 namespace harmos::latin {
 
@@ -79,6 +80,8 @@ class LinearStage {
   const BodyOperators& operators() const { return operators_; }
   /// Unknowns of the macro problem; 0 without one.
   int macroUnknowns() const { return macro_ ? macro_->unknowns() : 0; }
+  /// What it does not feel of alpha: nothing without a macro problem.
+  const UnfeltStates& unfelt() const { return unfelt_; }
   /// Of the macro problem, see MacroProblem::softness(); 1 without one.
   double softness() const { return macro_ ? macro_->softness() : 1.0; }
 
@@ -96,6 +99,7 @@ class LinearStage {
   base::Timers& timers_;
   BodyOperators operators_;
   std::unique_ptr<MacroProblem> macro_;
+  UnfeltStates unfelt_;
   std::unique_ptr<LoadFactor> loadFactor_;  // null: all loads are given
   base::Matrix forces_;
   base::Matrix trace_;

@@ -36,6 +36,8 @@ class MacroProblem {
   /// that are not in balance move the softest chain of bodies than they move one; 1 without unknowns.
   double softness() const { return softness_; }
 
+  /// P of every interface, rows of one side x modes [length], P^T h k P = 1.
+  const std::vector<base::Matrix>& modes() const { return modes_; }
   /// Coarse unknowns of all interfaces, the same on every rank.
   int unknowns() const { return unknowns_; }
 

@@ -136,6 +136,26 @@ substructure::Precision March::precision() {
   return fixedPoint_.prepareSingle() <= harmless_ ? substructure::Precision::single : substructure::Precision::exact;
 }
 
+double March::residual(const base::Matrix& state, const base::Matrix& image) {
+  const UnfeltStates& unfelt = fixedPoint_.linearStage().unfelt();
+  if (unfelt.isEmpty()) return fixedPoint_.metric().distance(image, state);
+  felt_ = state;
+  feltImage_ = image;
+  unfelt.remove(felt_);
+  unfelt.remove(feltImage_);
+  return fixedPoint_.metric().distance(feltImage_, felt_);
+}
+
+void March::accelerate(AndersonAcceleration& acceleration, base::Matrix& state, const base::Matrix& image) {
+  if (fixedPoint_.linearStage().unfelt().isEmpty()) {
+    acceleration.advance(state, image);
+    return;
+  }
+  acceleration.advance(felt_, feltImage_);
+  // What T does not feel is that of the image, so that tractions and displacements can be read from the state.
+  for (int row = 0; row < state.numRows(); ++row) state(row, 0) = felt_(row, 0) + image(row, 0) - feltImage_(row, 0);
+}
+
 March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance) {
   const StateMetric& metric = fixedPoint_.metric();
   AndersonAcceleration& acceleration = accelerations_[step];
@@ -166,7 +186,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
     iterate = &fixedPoint_.apply(state, image, used);
     ++iteration;
     ++sinceLanding;
-    const double size = metric.distance(image, state);
+    const double size = residual(state, image);
     const double force = forceSize(*iterate, iteration % iterationsPerReaction == 0);
     const double whole = metric.norm(image);
     harmless_ = whole > 0.0 ? std::min(negligible * size, tolerance * force) / whole : 0.0;
@@ -245,7 +265,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
     }
     if (sinceLanding == iterationsBeforeListening) isListening = largestImbalance(*iterate).relative > flying;
     if (!isListening) {
-      acceleration.advance(state, image);
+      accelerate(acceleration, state, image);
       continue;
     }
     for (int row = 0; row < state.numRows(); ++row) state(row, 0) = relaxSafely(state(row, 0), image(row, 0));

@@ -83,6 +83,10 @@ class March {
   /// anywhere, which leaves in `state` the best place to go on from.
   bool solveSoftening(int step, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& state, double target);
   End iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance);
+  /// |image - state| of what T feels of both, which is kept for accelerate().
+  double residual(const base::Matrix& state, const base::Matrix& image);
+  /// The next state, of one whose residual() was asked for last.
+  void accelerate(AndersonAcceleration& acceleration, base::Matrix& state, const base::Matrix& image);
   /// How exactly T is to be found next.
   substructure::Precision precision();
   /// Size of f^ [force length, square root], at least that of the steps before; with the reactions of eliminated
@@ -107,7 +111,8 @@ class March {
   double largestForce_ = 0.0;
   int stepsReached_ = 0;
   std::vector<int> parts_;
-  double share_ = 1.0;  // of the present load step, that could be solved in parts
+  base::Matrix felt_, feltImage_;  // of a state and its image, see UnfeltStates
+  double share_ = 1.0;             // of the present load step, that could be solved in parts
   /// Error of T over the size of the state that would change nothing, from the last residual and what is gone for; 0:
   /// nothing is known of it.
   double harmless_ = 0.0;

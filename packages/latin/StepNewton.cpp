@@ -44,6 +44,7 @@ double StepNewton::evaluate() {
   for (int row = 0; row < alpha_.numRows(); ++row) {
     residual_[0][row] = 2.0 * traction_[0][row] - beta[0][row] - alpha_[0][row];
   }
+  fixedPoint_.linearStage().unfelt().remove(residual_);
   return fixedPoint_.metric().norm(residual_);
 }
 
@@ -160,7 +161,7 @@ StepNewton::Result StepNewton::solveWith(const base::Matrix& offset, base::Matri
 }
 
 void StepNewton::forget() {
-  tangent_.emplace(fixedPoint_.metric(), fixedPoint_.assembly(), lines_);
+  tangent_.emplace(fixedPoint_, lines_);
   scale_ = fixedPoint_.searchDirectionScale();
 }
 

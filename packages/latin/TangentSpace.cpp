@@ -14,8 +14,9 @@ void TangentSpace::append(int first) {
   for (int j = 0; j < count; ++j) {
     const double* v = space_.direction(first + j);
     for (int row = 0; row < rows; ++row) g[j][row] = v[row] + y[j][row] - 2.0 * g[j][row];
-    space_.append(g[j]);
   }
+  fixedPoint_.linearStage().unfelt().remove(g);
+  for (int j = 0; j < count; ++j) space_.append(g[j]);
 }
 
 void TangentSpace::differentiate(int column, PointwiseLocalStage& local) {
@@ -35,7 +36,9 @@ bool TangentSpace::continueKrylov(std::vector<double>& v) const {
   base::Matrix y(rows, 1), moved(rows, 1);
   std::copy_n(space_.image(space_.size() - 1), rows, y[0]);
   tangents_.apply(y, moved);
-  for (int row = 0; row < rows; ++row) v[row] = 2.0 * moved[0][row] - y[0][row];
+  for (int row = 0; row < rows; ++row) y[0][row] = 2.0 * moved[0][row] - y[0][row];
+  fixedPoint_.linearStage().unfelt().remove(y);
+  std::copy_n(y[0], rows, v.begin());
   return space_.makeIndependent(v.data());
 }
 
@@ -44,7 +47,9 @@ void TangentSpace::subtract(const std::vector<double>& c, std::vector<double>& r
   base::Matrix v(rows, 1), y(rows, 1), moved(rows, 1);
   space_.move(c, 1.0, v[0], y[0]);
   tangents_.apply(y, moved);
-  for (int row = 0; row < rows; ++row) residual[row] -= v[0][row] + y[0][row] - 2.0 * moved[0][row];
+  for (int row = 0; row < rows; ++row) v[0][row] += y[0][row] - 2.0 * moved[0][row];
+  fixedPoint_.linearStage().unfelt().remove(v);
+  for (int row = 0; row < rows; ++row) residual[row] -= v[0][row];
 }
 
 }  // namespace harmos::latin

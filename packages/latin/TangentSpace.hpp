@@ -3,18 +3,19 @@
 #include <vector>
 
 #include <harmos/latin/CorrectionSpace.hpp>
+#include <harmos/latin/FixedPoint.hpp>
 #include <harmos/latin/PairTangents.hpp>
 #include <harmos/latin/PointwiseLocalStage.hpp>
 
 namespace harmos::latin {
 
 /// A CorrectionSpace with the tangent J of T at one state, which gives the g = (I - J) v = v + y - 2 D y of its
-/// directions: products, for which no linear stage is needed.
+/// directions: products, for which no linear stage is needed, and without what T does not feel (UnfeltStates).
 class TangentSpace {
  public:
   /// All arguments, of which the buffers of `lines` are used, must outlive it.
-  TangentSpace(const StateMetric& metric, const assembly::Assembly& assembly, InterfaceLines& lines)
-      : space_(metric), tangents_(assembly, lines) {}
+  TangentSpace(const FixedPoint& fixedPoint, InterfaceLines& lines)
+      : fixedPoint_(fixedPoint), space_(fixedPoint.metric()), tangents_(fixedPoint.assembly(), lines) {}
 
   /// The directions and what is known of them.
   const CorrectionSpace& space() const { return space_; }
@@ -33,6 +34,7 @@ class TangentSpace {
  private:
   void append(int first);
 
+  const FixedPoint& fixedPoint_;
   CorrectionSpace space_;
   PairTangents tangents_;
 };

@@ -188,11 +188,10 @@ TEST(LatinSolver, StopsWhenAsked) {
   const assembly::Assembly assembly = twoChains(laws::makeLaw("Perfect"), pull(1.0, {1}), 1);
   base::Timers timers;
   LatinSolver solver(assembly, accurate(), self(), timers);
-  int calls = 0;
-  solver.setInterrupt([&] { return ++calls >= 3; });
+  solver.setInterrupt([] { return true; });  // bars need but two iterations
   const LatinResult result = solver.solve();
   EXPECT_EQ(result.outcome, Outcome::interrupted);
-  EXPECT_LE(result.iterations, 4);
+  EXPECT_LE(result.iterations, 2);
   EXPECT_TRUE(std::isnan(result.errorEstimate));
 }
 
