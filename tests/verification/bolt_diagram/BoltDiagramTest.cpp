@@ -26,7 +26,7 @@ TEST(BoltDiagram, FollowsTheSprings) {
 }
 
 // The cuts through the head are as stiff as it is: what they move as a whole outweighed all forces, and the march did
-// not end within a thousand linear stages.
+// not end within four hundred linear stages.
 TEST(BoltDiagram, FollowsTheSpringsWhateverItsPartsAreCutInto) {
   for (const int pieces : {3, 4, 8}) {
     SceneInput scene = SceneInput::fromFile("bolt_diagram/bolt.xml");
