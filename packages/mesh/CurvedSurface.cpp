@@ -80,7 +80,7 @@ Round round(const Vectors& places, const Vectors& directions) {
     }
     a(i, count) = 1.0;
   }
-  const std::vector<double> x = leastSquares(std::move(a), std::move(b));
+  const std::vector<double> x = leastSquares(a, std::move(b));
   base::Vector3 centre = middle;
   double square = x[count];
   for (int d = 0; d < count; ++d) {
@@ -167,7 +167,7 @@ CurvedSurface CurvedSurface::cylinder(const std::vector<base::Vector3>& places,
       a(i, 4) = 1.0;
       b[i] = (length - surface.radius_) / size;
     }
-    const std::vector<double> x = leastSquares(std::move(a), std::move(b));
+    const std::vector<double> x = leastSquares(a, std::move(b));
     base::Vector3 axis = surface.axis_ + x[2] * e[0] + x[3] * e[1];
     surface.axis_ = (1.0 / base::norm(axis)) * axis;
     if (std::abs(x[2]) + std::abs(x[3]) < standstill) break;

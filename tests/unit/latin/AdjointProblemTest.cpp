@@ -144,6 +144,82 @@ TEST(AdjointProblem, DoesNotStopBeforeSlowModesShow) {
 }
 
 // The solver is as it was: another run gives the same numbers.
+/// Two cubes between a wall and springs, drawn together by a force in the first load step, and locked.
+BoxAssembly tightened() {
+  input::Parameters parameters("law");
+  parameters.set("Type", std::string("Pretension")).set("Force", 2.0).set("Locked From", 1.0);
+  parameters.attach(std::make_shared<input::Histories>(std::vector<double>{1.0, 2.0, 3.0}));
+  return twoCubes(laws::builtInLaws().create(parameters),
+                  laws::makeLaw("Elastic Foundation", {{"Normal Stiffness", 500.0}, {"Tangential Stiffness", 300.0}}),
+                  steps);
+}
+
+/// Its responses at the last load step under additional nodal forces at some load steps.
+std::vector<double> solveTightened(const std::vector<base::Matrix>& loads, const std::vector<int>& at) {
+  BoxAssembly cubes = tightened();
+  for (std::size_t b = 0; b < loads.size(); ++b) {
+    base::Matrix& all = cubes.assembly().bodies[b].loads;
+    all.shape(loads[b].numRows(), steps);
+    for (const int step : at) std::copy_n(loads[b][0], loads[b].numRows(), all[step]);
+  }
+  base::Timers timers;
+  LatinOptions options;
+  options.accuracy = 1e-8;
+  LatinSolver solver(cubes.assembly(), options, self(), timers);
+  for (const auto& response : responses(cubes.assembly())) solver.addResponse(response);
+  const LatinResult result = solver.solve();
+  std::vector<double> values;
+  for (const ResponseResult& response : result.responses) values.push_back(response.values.back());
+  return values;
+}
+
+// Forces while a bolt is tightened change what it keeps, and so all that follows: by the jump kept, and by nothing
+// else.
+TEST(AdjointProblem, SaysWhatLockedBoltsKeep) {
+  BoxAssembly cubes = tightened();
+  base::Timers timers;
+  LatinOptions options;
+  options.accuracy = 1e-8;
+  LatinSolver solver(cubes.assembly(), options, self(), timers);
+  ASSERT_EQ(solver.solve().outcome, Outcome::certified);
+  std::vector<ResponseGradient> gradients;
+  for (const auto& response : responses(cubes.assembly())) {
+    gradients.push_back(response->gradient(cubes.assembly()).value());
+  }
+  AdjointProblem last(solver.fixedPoint(), solver.state(), steps - 1), first(solver.fixedPoint(), solver.state(), 0);
+  EXPECT_TRUE(first.kept().empty());
+  ASSERT_EQ(last.kept().size(), 1U);
+  EXPECT_EQ(last.kept()[0].step, 0);
+  const auto adjoints = last.solve(gradients, 1e-8, 300);
+  const auto ofJump = first.solve({last.kept()[0].gradient}, 1e-8, 300);
+
+  std::vector<base::Matrix> loads, against;
+  for (const auto& body : cubes.assembly().bodies) {
+    loads.emplace_back(3 * static_cast<int>(body.nodes.size()), 1);
+    randomize(loads.back(), static_cast<unsigned>(loads.size()));
+    against.push_back(loads.back());
+    against.back().scale(-1.0);
+  }
+  const auto change = [&](const auto& adjoint) {
+    double sum = 0.0;
+    for (std::size_t b = 0; b < loads.size(); ++b) {
+      for (int i = 0; i < loads[b].numRows(); ++i) sum += adjoint.displacement[b][i] * loads[b](i, 0);
+    }
+    return sum;
+  };
+  const auto more = solveTightened(loads, {0}), less = solveTightened(against, {0});
+  const auto always = solveTightened(loads, {0, steps - 1}), never = solveTightened(against, {0, steps - 1});
+  for (std::size_t j = 0; j < gradients.size(); ++j) {
+    const double kept = adjoints[j].ofKept[0] * change(ofJump[0]), atOnce = change(adjoints[j]);
+    const double tolerance = 1e-4 * (std::abs(kept) + std::abs(atOnce));
+    EXPECT_NEAR(0.5 * (more[j] - less[j]), kept, tolerance) << "response " << j;
+    EXPECT_NEAR(0.5 * (always[j] - never[j]), kept + atOnce, tolerance) << "response " << j;
+    if (j < 2) {  // along the axis of the bolt
+      EXPECT_GT(std::abs(kept), 5e-4 * std::abs(atOnce));
+    }
+  }
+}
+
 TEST(AdjointProblem, LeavesTheSolverAsItWas) {
   BoxAssembly cubes = rubbing();
   base::Timers timers;
