@@ -7,6 +7,7 @@
 #include <Tpetra_Core.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/mesh/Elements.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/Problem.hpp>
 
