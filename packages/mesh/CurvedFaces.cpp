@@ -1,9 +1,13 @@
 #include <harmos/mesh/CurvedFaces.hpp>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
@@ -93,6 +97,49 @@ CurvedFaces curvedFaces(const Mesh& mesh, const std::string& name, CurvedSurface
     refuse(name, text.str());
   }
   return result;
+}
+
+int straightBeside(const Mesh& mesh, const std::vector<CurvedFaces>& faces) {
+  const Elements elements(mesh);
+  std::set<std::pair<int, int>> named;  // element and side
+  std::vector<std::array<base::Vector3, 2>> boxes;
+  for (const CurvedFaces& curved : faces) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::array<base::Vector3, 2> box{{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}};
+    for (const std::string& sideSet : curved.sideSets) {
+      const SideSet& set = find(mesh, curved.name, sideSet);
+      for (std::size_t i = 0; i < set.element.size(); ++i) {
+        named.insert({set.element[i], set.side[i]});
+        for (const base::Vector3& place : pointsOf(mesh, elements.side(set.element[i], set.side[i]))) {
+          for (int axis = 0; axis < 3; ++axis) {
+            box[0][axis] = std::min(box[0][axis], place[axis] - offSurface * curved.surface.radius());
+            box[1][axis] = std::max(box[1][axis], place[axis] + offSurface * curved.surface.radius());
+          }
+        }
+      }
+    }
+    boxes.push_back(box);
+  }
+  std::vector<int> all(static_cast<std::size_t>(elements.count()));
+  std::iota(all.begin(), all.end(), 0);
+  int count = 0;
+  for (const Face& face : skin(elements, all)) {
+    if (named.count({face.element, face.side}) > 0) continue;
+    const std::vector<base::Vector3> places = pointsOf(mesh, face.nodes);
+    for (std::size_t s = 0; s < faces.size(); ++s) {
+      const CurvedSurface& surface = faces[s].surface;
+      const auto isOn = [&](const base::Vector3& place) {
+        for (int axis = 0; axis < 3; ++axis) {
+          if (place[axis] < boxes[s][0][axis] || place[axis] > boxes[s][1][axis]) return false;
+        }
+        return surface.distance(place) <= offSurface * surface.radius();
+      };
+      if (!std::all_of(places.begin(), places.end(), isOn)) continue;
+      ++count;
+      break;
+    }
+  }
+  return count;
 }
 
 void moveOnto(const std::vector<CurvedFaces>& faces, int first, Mesh& mesh) {

@@ -21,6 +21,10 @@ struct CurvedFaces {
 CurvedFaces curvedFaces(const Mesh& mesh, const std::string& name, CurvedSurface::Kind kind,
                         const std::vector<std::string>& sideSets);
 
+/// How many faces on the skin of a mesh lie on curved surfaces, in the box around their nodes, and are not among
+/// those: they stay straight where new nodes come, and gaps or overlaps open to curved ones that they touch.
+int straightBeside(const Mesh& mesh, const std::vector<CurvedFaces>& faces);
+
 /// Moves the nodes from number `first` on that lie on faces of curved surfaces onto these, those on the rim of several
 /// onto all of them. Throws base::Error (input) where surfaces do not meet there.
 void moveOnto(const std::vector<CurvedFaces>& faces, int first, Mesh& mesh);

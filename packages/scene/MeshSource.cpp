@@ -79,7 +79,7 @@ mesh::Mesh givenMesh(const input::Parameters& source, const std::string& scenePa
 
 }  // namespace
 
-mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath) {
+mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath, std::vector<std::string>* warnings) {
   mesh::Mesh mesh = givenMesh(source, scenePath);
   std::vector<mesh::CurvedFaces> curved;
   std::string faults;
@@ -98,8 +98,17 @@ mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePat
     mesh = finer(mesh);
     mesh::moveOnto(curved, first, mesh);
   };
-  for (int i = source.has("Refine") ? source.integer("Refine") : 0; i > 0; --i) replace(&mesh::refined);
-  if (source.has("Order") && source.integer("Order") == 2) replace(&mesh::raised);
+  const int refinements = source.has("Refine") ? source.integer("Refine") : 0;
+  const bool isRaised = source.has("Order") && source.integer("Order") == 2;
+  const int straight = refinements > 0 || isRaised ? mesh::straightBeside(mesh, curved) : 0;
+  if (straight > 0 && warnings != nullptr) {
+    warnings->push_back(
+        std::to_string(straight) +
+        " faces lie on Curved Surfaces but are in none of their side sets: they stay straight, and gaps "
+        "or overlaps open to faces that are curved. Name side sets of both parts that touch there.");
+  }
+  for (int i = refinements; i > 0; --i) replace(&mesh::refined);
+  if (isRaised) replace(&mesh::raised);
   return mesh;
 }
 

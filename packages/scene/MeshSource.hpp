@@ -25,6 +25,8 @@ std::optional<std::string> meshFile(const input::Parameters& source, const std::
 
 /// Reads or generates the mesh; `scenePath` as for meshFile().
 /// Throws base::Error (input) when the file cannot be used. Not collective: every rank that calls it reads the file.
-mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath);
+/// `warnings`, if it is not null, gets what a user should know of the mesh.
+mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath,
+                    std::vector<std::string>* warnings = nullptr);
 
 }  // namespace harmos::scene

@@ -48,7 +48,7 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   {
     const auto reading = timers.start("read");
     const input::Parameters& source = scene.input.list("Mesh");
-    errors.collect(source.where(), [&] { problem.mesh = makeMesh(source, scene.path); });
+    errors.collect(source.where(), [&] { problem.mesh = makeMesh(source, scene.path, &problem.warnings); });
     throwTogether(errors, comm);
     checkDimensions(scene.input, problem.mesh.dimension, errors);
     throwTogether(errors, comm);
@@ -103,7 +103,7 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   assembly.bodies = assemble(scene, problem.mesh, problem.model, problem.bodies, *problem.temperatures, assembly.owner,
                              comm.getRank(), errors);
   throwTogether(errors, comm);
-  problem.warnings = scene.warnings;
+  problem.warnings.insert(problem.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
   for (const JoinedMeshes& joined : problem.joined) {
     for (std::string& warning : joined.warnings()) problem.warnings.push_back(std::move(warning));
   }

@@ -127,6 +127,26 @@ TEST(CurvedFaces, MeetAtARim) {
   expectOn(hole.surface, bore, fine, "box_xmin");
 }
 
+// A bush in the tube, meshed otherwise: of its faces those that touch the tube's are told of where only the tube's are
+// named, and none of the others.
+TEST(CurvedFaces, TellOfFacesThatStayStraight) {
+  Box outside, inside;
+  outside.name = "tube";
+  inside.name = "bush";
+  outside.element = inside.element = ElementType::hex8;
+  inside.lower = {-1.0, 0.0, 0.0};
+  inside.upper = {0.0, 1.0, 1.0};
+  outside.upper = {1.0, 1.0, 1.0};
+  outside.cells = {1, 4, 2};
+  inside.cells = {2, 3, 1};
+  Mesh mesh = boxes({outside, inside});
+  for (base::Vector3& x : mesh.nodes) x = tube(x);
+  EXPECT_EQ(straightBeside(mesh, {curvedFaces(mesh, "in", Kind::cylinder, {"tube_xmin"})}), 3);
+  EXPECT_GT(straightBeside(mesh, {curvedFaces(mesh, "in", Kind::cylinder, {"bush_xmax"})}), 0);
+  EXPECT_EQ(straightBeside(mesh, {curvedFaces(mesh, "in", Kind::cylinder, {"tube_xmin", "bush_xmax"})}), 0);
+  EXPECT_EQ(straightBeside(mesh, {curvedFaces(mesh, "out", Kind::cylinder, {"tube_xmax"})}), 0);
+}
+
 TEST(CurvedFaces, AreRefusedByName) {
   const Mesh mesh = box(ElementType::hex8, {2, 2, 2}, tube);
   const auto with = [&](const std::vector<std::string>& sets, Kind kind = Kind::cylinder) {
