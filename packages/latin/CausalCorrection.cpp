@@ -24,6 +24,10 @@ constexpr double negligible = 0.1;
 constexpr double wayOfResidual = 100.0;
 // Times what the images have promised that the true residual may be.
 constexpr double promised = 1.25;
+// Times the error that is gone for, that the way may tell before the correction goes on; least share of the reduction
+// that it then goes to.
+constexpr double nearEnough = 1.5;
+constexpr double furthest = 0.1;
 // Linear stages, each of some load steps, in which the largest residual must fall to this share.
 constexpr std::size_t patience = 40;
 constexpr double slow = 0.8;
@@ -230,6 +234,32 @@ void CausalCorrection::approach(int stages) {
   }
 }
 
+double CausalCorrection::distanceFromStart() const {
+  const StateMetric& metric = fixedPoint_.metric();
+  const auto steps = static_cast<std::size_t>(alpha_.numCols());
+  std::vector<double> sums(4 * steps, 0.0);  // per load step: squares of f and k w, and of their differences
+  for (std::size_t t = 0; t < steps; ++t) {
+    const auto column = static_cast<int>(t);
+    const double *a = alpha_[column], *b = beta_[column], *a0 = start_[column], *b0 = startImage_[column];
+    for (std::size_t row = 0; row < metric.scale().size(); ++row) {
+      const double square = metric.scale()[row] * metric.scale()[row];
+      const double da = a[row] - a0[row], db = b[row] - b0[row];
+      sums[4 * t] += square * (a[row] + b[row]) * (a[row] + b[row]);
+      sums[4 * t + 1] += square * (a[row] - b[row]) * (a[row] - b[row]);
+      sums[4 * t + 2] += square * (da + db) * (da + db);
+      sums[4 * t + 3] += square * (da - db) * (da - db);
+    }
+  }
+  metric.sum(sums);
+  std::vector<double> largest(4, 0.0);
+  for (std::size_t i = 0; i < sums.size(); ++i) largest[i % 4] = std::max(largest[i % 4], sums[i]);
+  double distance = 0.0;
+  for (int field = 0; field < 2; ++field) {
+    if (largest[field] > 0.0) distance = std::max(distance, std::sqrt(largest[field + 2] / largest[field]));
+  }
+  return distance;
+}
+
 const Iterate& CausalCorrection::verify(base::Matrix& image) {
   const Iterate& iterate = fixedPoint_.apply(alpha_, image);
   beta_.assign(iterate.beta());
@@ -240,7 +270,7 @@ const Iterate& CausalCorrection::verify(base::Matrix& image) {
 }
 
 CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image,
-                                                   double target, int stages) {
+                                                   const Goal& goal, int stages) {
   start(iterate, alpha);
   const double before = largestResidual();
   Result result;
@@ -248,10 +278,16 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
     result.reduction = 0.0;
     return result;
   }
-  target_ = target * before;
+  target_ = goal.reduction * before;
   allowed_ = finest_;
   const int first = fixedPoint_.linearStage().stages();
   approach(stages);
+  // What is left of the way when the residual has fallen as much as it did.
+  const double distance = distanceFromStart();
+  if (goal.reduction * distance > nearEnough * goal.error) {
+    target_ = std::max(furthest * goal.reduction, goal.error / distance) * before;
+    approach(stages - (fixedPoint_.linearStage().stages() - first));
+  }
   if (isRough_) {
     const double said = std::max(largestResidual(), target_);
     result.iterate = &verify(image);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <harmos/latin/FixedPoint.hpp>
@@ -37,11 +38,18 @@ class CausalCorrection {
   /// `fixedPoint` must outlive it. `precision`: single, where images may be found so.
   explicit CausalCorrection(FixedPoint& fixedPoint, substructure::Precision precision = substructure::Precision::exact);
 
+  /// Where a correction ends.
+  struct Goal {
+    double reduction;  ///< largest |R_t| over that before
+    /// Of the fields of the result, relative [-]: where the way tells a larger one, the correction goes further.
+    double error = std::numeric_limits<double>::infinity();
+  };
+
   /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
-  /// target x the largest |R| of the start and no more than half of the way can be hidden; or until `stages` linear
+  /// reduction x the largest |R| of the start and no more than half of the way can be hidden; or until `stages` linear
   /// stages were spent, or the residuals no longer fall. No iterate is valid afterwards but that of the result, whose
   /// image is in `image` [stress] then. Throws base::Error as LocalStage::solve().
-  Result correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, double target, int stages);
+  Result correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, const Goal& goal, int stages);
 
  private:
   struct Step {
@@ -67,6 +75,8 @@ class CausalCorrection {
   double longestWay() const;
   double largestResidual() const;
   double hidden() const;
+  /// Collective. Distance of the fields f and k w from those of the start, the larger one, relative [-].
+  double distanceFromStart() const;
   /// Lets the spaces grow until all load steps have come to their end, or what is left says that they will not.
   void approach(int stages);
   /// Puts the true beta and residuals in the place of those that the images have given; returns the iterate.

@@ -18,6 +18,8 @@ namespace {
 constexpr double firstTarget = 0.1;
 constexpr double laterTarget = 0.3;
 constexpr double causalLimit = 2.0;
+// Of the accuracy: error that the first correction goes for, so that the second one can show that it is small enough.
+constexpr double shareOfAccuracy = 0.33;
 constexpr int maximumStages = 40;
 constexpr int leastStages = 1;  // that must be affordable, with those that follow
 // Times that a stepwise correction goes on to a tenth of the residual when too much can be hidden in it.
@@ -117,11 +119,12 @@ Certificate::Correction Certificate::correctCausally(const Iterate& iterate, con
                                                      base::Matrix& image, int count, int stages) {
   Correction result;
   result.state = alpha;
-  const double target = count == 0 ? firstTarget : laterTarget;
+  CausalCorrection::Goal goal{laterTarget};
+  if (count == 0) goal = {firstTarget, shareOfAccuracy * accuracy_};
   const CausalCorrection::Result step =
-      causal_->correct(iterate, result.state, image, target, std::min(stages, maximumStages));
+      causal_->correct(iterate, result.state, image, goal, std::min(stages, maximumStages));
   result.reduction = step.reduction;
-  result.isReduced = step.reduction <= causalLimit * target;
+  result.isReduced = step.reduction <= causalLimit * goal.reduction;
   result.hidden = step.hidden;
   result.iterate = step.iterate;
   if (!(step.reduction <= 1.0)) result.state = alpha;

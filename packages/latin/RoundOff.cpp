@@ -84,7 +84,7 @@ RoundOff::Estimate RoundOff::estimate(const Iterate& iterate, const base::Matrix
       factor *= afterOneStage;
     } else if (fixedPoint_.canRecentre()) {
       base::Matrix state(alpha);
-      CausalCorrection(fixedPoint_).correct(*moved, state, image, target, maximumStages);
+      CausalCorrection(fixedPoint_).correct(*moved, state, image, {target}, maximumStages);
       errors = before.distance(Snapshot(fixedPoint_.apply(state, image), responses_));
     }
     result.errors.resize(errors.size(), 0.0);

@@ -37,7 +37,7 @@ struct Cubes {
   }
   CausalCorrection::Result correct(CausalCorrection& correction, double target, int stages) {
     const Iterate& iterate = fixedPoint.apply(alpha, image);
-    return correction.correct(iterate, alpha, image, target, stages);
+    return correction.correct(iterate, alpha, image, {target}, stages);
   }
   /// A state near the solution.
   void march(double tolerance) {
@@ -114,6 +114,19 @@ TEST(CausalCorrection, KnowsTheTrueResidualOfDirectionsInSinglePrecision) {
   }
 }
 
+// A way that was long tells an error that is too large; a hundredth of the residual is the end of it.
+TEST(CausalCorrection, GoesFurtherWhereItsWayTellsALargerError) {
+  const auto reductionFor = [](double error) {
+    Cubes cubes = rubbing();
+    cubes.march(1e-1);
+    CausalCorrection correction(cubes.fixedPoint);
+    const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
+    return correction.correct(iterate, cubes.alpha, cubes.image, {0.1, error}, 100).reduction;
+  };
+  EXPECT_GT(reductionFor(1.0), 0.01);
+  EXPECT_LE(reductionFor(1e-9), 0.01);
+}
+
 // The second time from the same place nothing is left to be solved.
 TEST(CausalCorrection, KeepsItsDirections) {
   Cubes cubes = glued();
@@ -124,7 +137,7 @@ TEST(CausalCorrection, KeepsItsDirections) {
     cubes.alpha.assign(start);
     const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
     const int before = cubes.fixedPoint.linearStage().stages();
-    EXPECT_LE(correction.correct(iterate, cubes.alpha, cubes.image, 1e-3, 100).reduction, 1e-3);
+    EXPECT_LE(correction.correct(iterate, cubes.alpha, cubes.image, {1e-3}, 100).reduction, 1e-3);
     return cubes.fixedPoint.linearStage().stages() - before;
   };
   EXPECT_GT(stages(), 3);
@@ -145,7 +158,7 @@ TEST(CausalCorrection, SolvesOnlyTheLoadStepsThatAreLeft) {
     CausalCorrection fresh(cubes.fixedPoint);
     const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
     const long before = cubes.fixedPoint.linearStage().columns();
-    EXPECT_LE(fresh.correct(iterate, cubes.alpha, cubes.image, 0.1, 300).reduction, 0.1);
+    EXPECT_LE(fresh.correct(iterate, cubes.alpha, cubes.image, {0.1}, 300).reduction, 0.1);
     return cubes.fixedPoint.linearStage().columns() - before;
   };
   const long both = columnsFrom(0);
@@ -173,7 +186,7 @@ TEST(CausalCorrection, StaysWithinItsStages) {
   const double before = cubes.residual(cubes.alpha);
   const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
   const int stages = cubes.fixedPoint.linearStage().stages();
-  const CausalCorrection::Result result = correction.correct(iterate, cubes.alpha, cubes.image, 1e-9, 3);
+  const CausalCorrection::Result result = correction.correct(iterate, cubes.alpha, cubes.image, {1e-9}, 3);
   EXPECT_LE(cubes.fixedPoint.linearStage().stages() - stages, 3);
   EXPECT_GT(result.reduction, 1e-9);
   EXPECT_NEAR(cubes.residual(cubes.alpha), result.reduction * before, 1e-6 * before);
