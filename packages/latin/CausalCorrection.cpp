@@ -263,8 +263,11 @@ double CausalCorrection::distanceFromStart() const {
 const Iterate& CausalCorrection::verify(base::Matrix& image) {
   const Iterate& iterate = fixedPoint_.apply(alpha_, image);
   beta_.assign(iterate.beta());
+  base::Matrix residual(image);
+  residual -= alpha_;
+  fixedPoint_.linearStage().unfelt().remove(residual);
   for (int t = 0; t < alpha_.numCols(); ++t) {
-    steps_[t].residual = scaledNorm(fixedPoint_.metric(), image[t], alpha_[t]);
+    steps_[t].residual = scaledNorm(fixedPoint_.metric(), residual[t], nullptr);
   }
   return iterate;
 }
@@ -294,7 +297,7 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
     if (!(largestResidual() <= promised * said)) {
       allowed_ = substructure::Precision::exact;
       approach(stages - (fixedPoint_.linearStage().stages() - first));
-      result.iterate = &verify(image);
+      result.iterate = nullptr;
     }
   }
   result.hidden = hidden();
