@@ -11,7 +11,6 @@
 #include <harmos/assembly/AssemblyCheck.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
-#include <harmos/base/SoleThread.hpp>
 #include <harmos/base/Vector3.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/detail/RoundOff.hpp>
@@ -75,6 +74,11 @@ double customaryIndicator(const Iterate& state) {
 
 LatinSolver::LatinSolver(const assembly::Assembly& assembly, const LatinOptions& options,
                          const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers)
+    : LatinSolver(base::SoleThread(comm->getSize()), assembly, options, comm, timers) {}
+
+LatinSolver::LatinSolver(const base::SoleThread& /*inside*/, const assembly::Assembly& assembly,
+                         const LatinOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+                         base::Timers& timers)
     : assembly_(assembly::demandValid(assembly, *comm)),
       options_(options),
       timers_(timers),

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <harmos/base/SoleThread.hpp>
 #include <harmos/latin/Certificate.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/latin/LatinResult.hpp>
@@ -64,6 +65,9 @@ class LatinSolver {
   const base::Matrix& alpha() const { return fixedPoint_.reference().isEmpty() ? alpha_ : whole_; }
 
  private:
+  /// While a thread is inside.
+  LatinSolver(const base::SoleThread& inside, const assembly::Assembly& assembly, const LatinOptions& options,
+              const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
   bool settled(int iteration, const Iterate& iterate, double tolerance, double& change);
   /// Collective. The first image that it sees is the measure of all others.
   bool hasDiverged(const base::Matrix& image);

@@ -8,7 +8,6 @@
 
 #include <harmos/assembly/AssemblyCheck.hpp>
 #include <harmos/base/Error.hpp>
-#include <harmos/base/SoleThread.hpp>
 #include <harmos/stochastic/detail/ModalAssembly.hpp>
 
 namespace harmos::stochastic {
@@ -28,6 +27,11 @@ latin::StageOptions withoutElimination(latin::StageOptions options) {
 StochasticSolver::StochasticSolver(const assembly::Assembly& assembly, std::shared_ptr<const Projection> projection,
                                    const StochasticOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                                    base::Timers& timers)
+    : StochasticSolver(base::SoleThread(comm->getSize()), assembly, std::move(projection), options, comm, timers) {}
+
+StochasticSolver::StochasticSolver(const base::SoleThread& /*inside*/, const assembly::Assembly& assembly,
+                                   std::shared_ptr<const Projection> projection, const StochasticOptions& options,
+                                   const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers)
     : assembly_(assembly::demandValid(assembly, *comm)),
       projection_(std::move(projection)),
       options_(options),

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include <harmos/base/SoleThread.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/LatinSolver.hpp>
 #include <harmos/stochastic/ChaosLocalStage.hpp>
@@ -63,6 +64,10 @@ class StochasticSolver {
   ResponseSampler sampler() const { return {assembly_, state(), projection_, responses_}; }
 
  private:
+  /// While a thread is inside.
+  StochasticSolver(const base::SoleThread& inside, const assembly::Assembly& assembly,
+                   std::shared_ptr<const Projection> projection, const StochasticOptions& options,
+                   const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
   enum class End { reached, stalled, stopped, interrupted };
 
   void select(int first, int count);
