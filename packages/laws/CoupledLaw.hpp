@@ -47,6 +47,7 @@ class CoupledLaw : public InterfaceLaw {
   bool isSmooth() const final { return true; }
 };
 
+/// Whether a law is one.
 inline bool isCoupled(const InterfaceLaw& law) {
   return dynamic_cast<const CoupledLaw*>(&law) != nullptr;
 }
