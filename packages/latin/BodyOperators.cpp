@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include <harmos/latin/PrescribedForces.hpp>
+#include <harmos/latin/detail/BodyTerm.hpp>
 #include <harmos/latin/detail/OperatorGroup.hpp>
 
 namespace harmos::latin {
@@ -20,74 +20,6 @@ void addRotated(const base::Frame& q, bool transposed, int dimension, const doub
   for (int c = 0; c < dimension; ++c) to[c] += y[c];
 }
 
-/// Neighbouring points feel the same nodes. Of entries that are sorted.
-void addUpRepeated(std::vector<substructure::BoundaryTerm::NodeEntry>& entries) {
-  std::size_t kept = 0;
-  for (std::size_t i = 1; i < entries.size(); ++i) {
-    if (entries[i].row == entries[kept].row && entries[i].column == entries[kept].column) {
-      entries[kept].value += entries[i].value;
-    } else {
-      entries[++kept] = entries[i];
-    }
-  }
-  if (!entries.empty()) entries.resize(kept + 1);
-}
-
-/// What interfaces and boundaries make of a body's operator, in the numbering of its representative (toMaster empty:
-/// its own) and, where its axes are others, in these.
-substructure::BoundaryTerm boundaryTerm(const assembly::Assembly& assembly,
-                                        const assembly::SearchDirection& searchDirection,
-                                        const EliminatedBoundaries& eliminated, int body,
-                                        const std::vector<int>& toMaster, const base::Frame* rotation) {
-  const int dimension = assembly.dimension;
-  substructure::BoundaryTerm term;
-  term.dimension = dimension;
-  term.diagonal.assign(assembly.bodies[body].nodes.size() * static_cast<std::size_t>(dimension), 0.0);
-  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    const assembly::Interface& interface = assembly.interfaces[i];
-    if (interface.law->prescribesTraction() || eliminated.contains(static_cast<int>(i))) continue;
-    const std::vector<double>& k = searchDirection.of(static_cast<int>(i));
-    for (int side = 0; side < interface.sides(); ++side) {
-      if (interface.body(side) != body) continue;
-      const mesh::TraceOperator& trace = interface.trace(side);
-      const auto numberOf = [&](int node) { return toMaster.empty() ? node : toMaster[node]; };
-      const auto add = [&](int p, int q, double value) {
-        for (const auto& [row, rowWeight] : trace.row(p)) {
-          for (const auto& [column, columnWeight] : trace.row(q)) {
-            term.entries.push_back({numberOf(row), numberOf(column), rowWeight * columnWeight * value});
-          }
-        }
-      };
-      for (const mesh::MassEntry& entry : interface.mass) add(entry.row, entry.column, k[entry.row] * entry.value);
-      for (int p = 0; p < interface.pairs() && interface.mass.empty(); ++p) {
-        if (!trace.isSelection()) {
-          add(p, p, k[p] * interface.area[p]);
-          continue;
-        }
-        for (int c = 0; c < dimension; ++c) {
-          const int dof = numberOf(trace.node(p)) * dimension + c;
-          term.diagonal[dof] += k[p] * interface.area[p];
-        }
-      }
-    }
-  }
-  // Congruent bodies list their interfaces' nodes in other orders.
-  std::sort(term.entries.begin(), term.entries.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.row, a.column, a.value) < std::tie(b.row, b.column, b.value);
-  });
-  addUpRepeated(term.entries);
-  for (const EliminatedBoundaries::Node& node : eliminated.nodes(body)) {
-    const int number = toMaster.empty() ? node.node : toMaster[node.node];
-    const auto turned = [&](const base::Tensor3& a) { return rotation ? base::turnedBack(*rotation, a) : a; };
-    if (base::distance(node.springs, {}) > 0.0) term.springs.push_back({number, turned(node.springs)});
-    if (node.isHeld) term.free.push_back({number, turned(node.free)});
-  }
-  for (auto* tensors : {&term.springs, &term.free}) {
-    std::sort(tensors->begin(), tensors->end(), [](const auto& a, const auto& b) { return a.node < b.node; });
-  }
-  return term;
-}
-
 }  // namespace
 
 BodyOperators::BodyOperators(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
@@ -97,7 +29,6 @@ BodyOperators::BodyOperators(const assembly::Assembly& assembly, const assembly:
       dimension_(assembly.dimension),
       cases_(assembly.loadCases()),
       places_(assembly.bodies.size()),
-      loads_(assembly.bodies.size()),
       held_(assembly.bodies.size()) {
   const auto running = timers.start("factor");
   std::vector<int> masters;
@@ -115,8 +46,8 @@ BodyOperators::BodyOperators(const assembly::Assembly& assembly, const assembly:
         place.toMaster[body.congruence->node[a]] = static_cast<int>(a);
       }
     }
-    substructure::BoundaryTerm term = boundaryTerm(assembly, searchDirection, eliminated, static_cast<int>(b),
-                                                   place.toMaster, place.rotates ? &place.rotation : nullptr);
+    substructure::BoundaryTerm term = bodyTerm(assembly, searchDirection, eliminated, static_cast<int>(b),
+                                               place.toMaster, place.rotates ? &place.rotation : nullptr);
     for (std::size_t g = 0; g < groups_.size() && place.group < 0; ++g) {
       if (masters[g] == master && groups_[g]->has(term)) place.group = static_cast<int>(g);
     }
@@ -219,13 +150,12 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
     }
   }
   cases_ = cases;
-  setLoads(std::move(loads), std::move(held));
+  setLoads(loads, std::move(held));
 }
 
-void BodyOperators::setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held) {
-  loads_ = std::move(loads);
+void BodyOperators::setLoads(const std::vector<base::Matrix>& loads, std::vector<base::Matrix> held) {
   held_ = std::move(held);
-  for (const base::Matrix& one : loads_) {
+  for (const base::Matrix& one : loads) {
     if (one.numRows() > 0) cases_ = one.numCols();
   }
   for (base::Matrix& one : held_) {
@@ -235,15 +165,22 @@ void BodyOperators::setLoads(std::vector<base::Matrix> loads, std::vector<base::
     const int columns = static_cast<int>(members_[g].size()) * cases_;
     base::Matrix sums(groups_[g]->dofs(), columns), places;
     for (const int body : members_[g]) {
-      toGroup(places_[body], loads_[body], sums);
+      toGroup(places_[body], loads[body], sums);
       if (held_[body].numCols() == 0) continue;
       if (places.numCols() == 0) places.shape(groups_[g]->dofs(), columns);
       toGroup(places_[body], held_[body], places);
     }
     if (!perturbations_.empty()) sums += perturbations_[g];
     groups_[g]->setLoads(sums, places);
-    for (const int body : members_[g]) fromGroup(places_[body], groups_[g]->loads(), loads_[body]);
   }
+}
+
+base::Matrix BodyOperators::loads(int body) const {
+  const Place& place = places_[body];
+  if (place.group < 0) return {};
+  base::Matrix own(groups_[place.group]->dofs(), cases_);
+  fromGroup(place, groups_[place.group]->loads(), own);
+  return own;
 }
 
 void BodyOperators::select(const std::vector<int>& steps) {

@@ -44,7 +44,7 @@ class BodyOperators {
   void updateLoads(const assembly::Assembly& assembly);
   /// Puts other load cases in the place of the load steps, until updateLoads(): l [force] and g [length] of every body,
   /// dofs x cases; 0 x 0: of bodies that are not owned here. select() must follow.
-  void setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held);
+  void setLoads(const std::vector<base::Matrix>& loads, std::vector<base::Matrix> held);
   /// Loads all bodies besides with forces like those that round-off leaves in their equations at the last solve, in
   /// which all load steps were selected, `times` as large; signs by `seed`. Congruent bodies have the same signs.
   void perturb(const assembly::Assembly& assembly, unsigned seed, double times);
@@ -82,7 +82,7 @@ class BodyOperators {
   /// body that is solved on its trace, of the trace, and `share` of what its loads do to it when only k h holds it.
   double largestDisplacement(double share) const;
   /// P (l - A g) of an owned body [force], dofs x load cases: what moves it from outside.
-  const base::Matrix& loads(int body) const { return loads_[body]; }
+  base::Matrix loads(int body) const;
   /// g of an owned body [length], dofs x load cases; 0 x 0 when it is zero in all of them.
   const base::Matrix& held(int body) const { return held_[body]; }
 
@@ -126,7 +126,6 @@ class BodyOperators {
   std::vector<BlockMap> blocks_;
   std::vector<base::Matrix> perturbations_;  // of each group; empty: none
   std::vector<double> perturbation_;
-  std::vector<base::Matrix> loads_;
   std::vector<base::Matrix> held_;
 };
 

@@ -92,13 +92,20 @@ bool CorrectionSpace::makeIndependent(double* v) const {
   return true;
 }
 
+void CorrectionSpace::makeRoom(std::vector<double>& columns) const {
+  const std::size_t wanted = columns.size() + at(1);
+  if (columns.capacity() < wanted) columns.reserve(std::max(wanted, columns.size() + columns.size() / 4));
+}
+
 void CorrectionSpace::add(const double* v, const double* y) {
+  for (std::vector<double>* columns : {&directions_, &images_}) makeRoom(*columns);
   directions_.insert(directions_.end(), v, v + rows());
   images_.insert(images_.end(), y, y + rows());
   ++size_;
 }
 
 void CorrectionSpace::add(const double* v) {
+  for (std::vector<double>* columns : {&directions_, &images_}) makeRoom(*columns);
   directions_.insert(directions_.end(), v, v + rows());
   images_.resize(directions_.size(), 0.0);
   ++size_;
@@ -118,6 +125,7 @@ void CorrectionSpace::append(const double* g) {
     for (double& value : x) value /= length;
   }
   orthonormal_.resize(at(known_));
+  makeRoom(orthonormal_);
   orthonormal_.insert(orthonormal_.end(), x.begin(), x.end());
   triangle_.resize(known_);
   triangle_.push_back(std::move(column));

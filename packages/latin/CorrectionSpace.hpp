@@ -63,6 +63,8 @@ class CorrectionSpace {
 
  private:
   std::size_t at(int column) const { return static_cast<std::size_t>(rows()) * static_cast<std::size_t>(column); }
+  /// For one more column, and no more than a few: there is a space for every load step.
+  void makeRoom(std::vector<double>& columns) const;
   /// Removes from x, scaled, what the leading `count` columns of Q hold, twice, and returns the sum of both
   /// coefficients.
   std::vector<double> project(int count, std::vector<double>& x) const;

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/assembly/AssemblyCheck.hpp>
 #include <harmos/base/Error.hpp>
-#include <harmos/base/Names.hpp>
-#include <harmos/base/Vector3.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
+#include <harmos/latin/detail/ResultRemarks.hpp>
 #include <harmos/latin/detail/RoundOff.hpp>
 #include <harmos/latin/detail/UnheldParts.hpp>
 
@@ -43,9 +41,6 @@ constexpr double shareOfFirstTry = 0.5;
 constexpr double shareOfLaterTry = 0.27;
 // Each takes what the one before has left of the motions of bodies.
 constexpr int maximumRecentrings = 3;
-
-// Interfaces that a remark names.
-constexpr std::size_t mostNames = 6;
 
 // A state this many times larger than the first one was extrapolated beyond all measure: the digits of the forces are
 // lost in k w, and everything finite would look small beside it.
@@ -348,54 +343,6 @@ void LatinSolver::iterate(LatinResult& result) {
   }
 }
 
-void LatinSolver::addIndeterminacy(LatinResult& result) {
-  const Indeterminacy found = fixedPoint_.indeterminacy(responses_, options_.accuracy);
-  for (std::size_t i = 0; i < responses_.size(); ++i) {
-    const ResponseRange& range = found.responses[i];
-    ResponseResult& response = result.responses[i];
-    if (!(range.width() > options_.accuracy * response.size)) continue;
-    response.range = range;
-    result.remarks.push_back(describe(response.name, range, response.values));
-  }
-  if (found.pressures.empty()) return;
-  std::vector<std::string> names;
-  for (const std::string& name : found.pressures) names.push_back(base::quoted(name));
-  result.remarks.push_back("pressures are not determined where pairs of " + base::joinNames(names, mostNames) +
-                           " meet at one node, and their friction with them: there may be other solutions, with other "
-                           "displacements");
-}
-
-void LatinSolver::addSoftening(LatinResult& result) const {
-  if (!assembly_.softens()) return;
-  const auto nameAll = [&](const std::vector<int>& interfaces) {
-    std::vector<std::string> names;
-    for (const int i : interfaces) {
-      std::string name = base::quoted(assembly_.interfaces[i].name);
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
-    }
-    return base::joinNames(names, mostNames);
-  };
-  std::vector<int> soft;
-  for (std::size_t i = 0; i < assembly_.interfaces.size(); ++i) {
-    if (assembly_.interfaces[i].law->lowestSlope() < 0.0) soft.push_back(static_cast<int>(i));
-  }
-  if (result.outcome == Outcome::certified) {
-    result.remarks.push_back("the laws of " + nameAll(soft) +
-                             " soften, so that there may be other solutions: this is the one that the load history "
-                             "has led to, load step after load step");
-  }
-  std::vector<std::string> steps;
-  for (std::size_t t = 0; t < result.parts.size(); ++t) {
-    if (result.parts[t] > 1) steps.push_back(std::to_string(t + 1) + " in " + std::to_string(result.parts[t]));
-  }
-  if (!steps.empty())
-    result.remarks.push_back("load steps were followed in parts: " + base::joinNames(steps, mostNames));
-  const std::vector<int>& held = fixedPoint_.searchDirection().heldBySoftening();
-  if (!isSofter() || held.empty()) return;
-  result.remarks.push_back("the search direction went down to a tenth, but on " + nameAll(held) +
-                           " no further than the softening of the law allows");
-}
-
 void LatinSolver::deliver(LatinResult& result) {
   state_ = &fixedPoint_.apply(alpha_, image_);
   fixedPoint_.shareTractions(alpha_, image_, options_.accuracy);
@@ -420,9 +367,9 @@ void LatinSolver::deliver(LatinResult& result) {
   if (result.outcome == Outcome::certified) {
     const auto running = timers_.start("statics");
     result.remarks = describeUnheldParts(*state_);
-    addIndeterminacy(result);
+    addIndeterminacy(fixedPoint_, responses_, options_.accuracy, result);
   }
-  addSoftening(result);
+  addSoftening(fixedPoint_, isSofter(), result);
   if (result.outcome != Outcome::iterationLimit || !result.reason.empty()) return;
   const Imbalance imbalance = largestImbalance(*state_);
   result.reason = "iteration limit of " + std::to_string(options_.maximumIterations) + " linear stages; worst " +

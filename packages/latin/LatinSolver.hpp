@@ -72,10 +72,6 @@ class LatinSolver {
   /// Collective. The first image that it sees is the measure of all others.
   bool hasDiverged(const base::Matrix& image);
   void deliver(LatinResult& result);
-  /// What the problem does not determine: ranges of responses, with a remark on each.
-  void addIndeterminacy(LatinResult& result);
-  /// Remarks on laws that soften: that other solutions may exist, and how this one was reached.
-  void addSoftening(LatinResult& result) const;
   /// Load step after load step; where restarts of the march lead nowhere, from the beginning with fewer of them.
   void march(LatinResult& result, March::Guess guess);
   /// Collective. The residual that the first march goes to, over the size of the forces.

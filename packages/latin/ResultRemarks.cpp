@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <harmos/base/Names.hpp>
+#include <harmos/latin/detail/ResultRemarks.hpp>
+
+namespace harmos::latin {
+namespace {
+
+// Interfaces that a remark names.
+constexpr std::size_t mostNames = 6;
+
+}  // namespace
+
+void addIndeterminacy(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses,
+                      double accuracy, LatinResult& result) {
+  const Indeterminacy found = fixedPoint.indeterminacy(responses, accuracy);
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    const ResponseRange& range = found.responses[i];
+    ResponseResult& response = result.responses[i];
+    if (!(range.width() > accuracy * response.size)) continue;
+    response.range = range;
+    result.remarks.push_back(describe(response.name, range, response.values));
+  }
+  if (found.pressures.empty()) return;
+  std::vector<std::string> names;
+  for (const std::string& name : found.pressures) names.push_back(base::quoted(name));
+  result.remarks.push_back("pressures are not determined where pairs of " + base::joinNames(names, mostNames) +
+                           " meet at one node, and their friction with them: there may be other solutions, with other "
+                           "displacements");
+}
+
+void addSoftening(const FixedPoint& fixedPoint, bool isSofter, LatinResult& result) {
+  const assembly::Assembly& assembly = fixedPoint.assembly();
+  if (!assembly.softens()) return;
+  const auto nameAll = [&](const std::vector<int>& interfaces) {
+    std::vector<std::string> names;
+    for (const int i : interfaces) {
+      std::string name = base::quoted(assembly.interfaces[i].name);
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+    }
+    return base::joinNames(names, mostNames);
+  };
+  std::vector<int> soft;
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    if (assembly.interfaces[i].law->lowestSlope() < 0.0) soft.push_back(static_cast<int>(i));
+  }
+  if (result.outcome == Outcome::certified) {
+    result.remarks.push_back("the laws of " + nameAll(soft) +
+                             " soften, so that there may be other solutions: this is the one that the load history "
+                             "has led to, load step after load step");
+  }
+  std::vector<std::string> steps;
+  for (std::size_t t = 0; t < result.parts.size(); ++t) {
+    if (result.parts[t] > 1) steps.push_back(std::to_string(t + 1) + " in " + std::to_string(result.parts[t]));
+  }
+  if (!steps.empty())
+    result.remarks.push_back("load steps were followed in parts: " + base::joinNames(steps, mostNames));
+  const std::vector<int>& held = fixedPoint.searchDirection().heldBySoftening();
+  if (!isSofter || held.empty()) return;
+  result.remarks.push_back("the search direction went down to a tenth, but on " + nameAll(held) +
+                           " no further than the softening of the law allows");
+}
+
+}  // namespace harmos::latin

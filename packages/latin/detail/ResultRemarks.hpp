@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/LatinResult.hpp>
+
+namespace harmos::latin {
+
+/// What the problem does not determine: ranges of responses wider than `accuracy` times their size, with a remark on
+/// each, and interfaces whose pressures have none. Collective. The last iterate of `fixedPoint` is what is looked at.
+void addIndeterminacy(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses,
+                      double accuracy, LatinResult& result);
+
+/// Remarks on laws that soften: that other solutions may exist, and how this one was reached. `isSofter`: restarts have
+/// made the search direction softer than the options want it.
+void addSoftening(const FixedPoint& fixedPoint, bool isSofter, LatinResult& result);
+
+}  // namespace harmos::latin
