@@ -88,6 +88,7 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateB
   printBytes(out, "factors", cost.factorBytes);
   if (cost.singleBytes > 0.0) printBytes(out, "the same in single precision, at most", cost.singleBytes);
   printBytes(out, "fields of the iteration", cost.fieldBytes);
+  if (cost.inverseBytes > 0.0) printBytes(out, "inverted traces", cost.inverseBytes);
   if (stateBytes > 0.0) printBytes(out, "solved configurations", stateBytes);
   printBytes(out, "whole process at its peak", cost.processBytes);
   out << "CPU time, roughly:\n";
@@ -119,7 +120,7 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
                const CommandEnvironment& environment) {
   base::Timers timers;
   const scene::Problem problem = scene::makeProblem(scene, *environment.communicator, timers);
-  latin::LatinOptions options = scene.solver;
+  latin::LatinOptions options = study != nullptr && !study->isChaos() ? study::solverOptions(*study) : scene.solver;
   if (study && study->isChaos()) options.stages.solver.allowsSingle = false;  // nothing marches
   scene::CostEstimate cost =
       scene::estimateCost(problem, options, scene::FactorSizes::fromOrder, *environment.communicator);

@@ -24,8 +24,6 @@ constexpr double entryBytes = 8.0, singleEntryBytes = 4.0, matrixEntryBytes = 12
 constexpr double entriesInSpace = 25.0, growthInSpace = 4.0 / 3.0, entriesInPlane = 8.0;
 // Of operations per unknown beside the square of the mean length of a column of the factor.
 constexpr double unevenColumns = 1.5;
-// Entries of the square of a trace that are worth as much as one of the factor, see SolverFactory.
-constexpr double entriesOfTraceFactor = 2.0;
 // Of a load step as most are: differences in its march, directions in its certificate, and fields of both stages.
 constexpr int differences = 15, directions = 12, fields = 20;
 constexpr int storedStates = latin::AndersonAcceleration::statesPerDifference * differences +
@@ -62,11 +60,13 @@ substructure::FactorSize sizeOf(const substructure::Substructure& body, FactorSi
   return size;
 }
 
-/// Unknowns of every body that interfaces and boundaries touch.
+/// Unknowns of every body that interfaces touch, and boundaries that are not eliminated: those with affine laws, as a
+/// rule.
 std::vector<double> traces(const assembly::Assembly& assembly) {
   std::vector<std::set<int>> nodes(assembly.bodies.size());
   for (const assembly::Interface& interface : assembly.interfaces) {
     if (interface.law->prescribesTraction()) continue;
+    if (interface.sides() == 1 && interface.mass.empty() && interface.law->isAffine()) continue;
     for (int side = 0; side < interface.sides(); ++side) {
       for (int p = 0; p < interface.pairs(); ++p) {
         for (const auto& [node, weight] : interface.trace(side).row(p)) nodes[interface.body(side)].insert(node);
@@ -82,33 +82,39 @@ std::vector<double> traces(const assembly::Assembly& assembly) {
 
 CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& solver, FactorSizes sizes,
                           const Teuchos::Comm<int>& comm) {
-  enum Sum { matrixEntries, factorEntries, operations, readEntries, sums };
+  enum Sum { matrixEntries, factorEntries, operations, readEntries, invertedEntries, sums };
   CostEstimate cost;
   const assembly::Assembly& assembly = problem.assembly;
   const double steps = assembly.steps();
   const std::vector<double> trace = traces(assembly);
   std::array<double, sums> mine{}, sum{};
   std::vector<substructure::FactorSize> known(assembly.bodies.size());
+  const auto isDense = [&](std::size_t b, std::size_t master) {
+    return trace[b] * trace[b] <= solver.stages.solver.denseTraceWorth() * known[master].nonzeros;
+  };
+  std::vector<bool> isCounted(assembly.bodies.size(), false);
   std::vector<double> mineOfBody(assembly.bodies.size(), 0.0), ofBody(assembly.bodies.size(), 0.0);
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     const substructure::Substructure& body = assembly.bodies[b];
     cost.unknowns += static_cast<std::int64_t>(body.nodes.size()) * assembly.dimension;
     if (assembly.ownerOf(static_cast<int>(b)) != comm.getRank()) continue;
-    if (!body.stiffness.is_null()) {
-      known[b] = sizeOf(body, sizes);
-      mine[matrixEntries] += static_cast<double>(body.stiffness->getGlobalNumEntries());
-      mine[factorEntries] += known[b].nonzeros;
-      mineOfBody[b] = known[b].nonzeros;
-      mine[operations] += known[b].operations;
-    } else if (body.congruence) {
-      known[b] = known[body.congruence->representative];
+    // Congruent bodies share a factor on every rank that has one of them.
+    const std::size_t master = body.congruence ? static_cast<std::size_t>(body.congruence->representative) : b;
+    if (!isCounted[master]) {
+      isCounted[master] = true;
+      const substructure::Substructure& factored = assembly.bodies[master];
+      known[master] = sizeOf(factored, sizes);
+      mine[matrixEntries] += static_cast<double>(factored.stiffness->getGlobalNumEntries());
+      mine[factorEntries] += known[master].nonzeros;
+      mineOfBody[master] = known[master].nonzeros;
+      mine[operations] += known[master].operations;
+      if (solver.stages.solver.invertTrace && isDense(b, master)) mine[invertedEntries] += trace[b] * trace[b];
     }
     // Each entry of a sparse factor is read twice, the triangle of a trace too.
-    const double square = trace[b] * trace[b];
-    mine[readEntries] += square <= entriesOfTraceFactor * known[b].nonzeros ? square : 2.0 * known[b].nonzeros;
+    mine[readEntries] += isDense(b, master) ? trace[b] * trace[b] : 2.0 * known[master].nonzeros;
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(sums), mine.data(), sum.data());
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(ofBody.size()), mineOfBody.data(), ofBody.data());
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, static_cast<int>(ofBody.size()), mineOfBody.data(), ofBody.data());
   const auto largest = std::max_element(ofBody.begin(), ofBody.end());
   if (largest != ofBody.end()) {
     cost.largestFactor = *largest;
@@ -125,10 +131,11 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
   cost.matrixBytes = matrixEntryBytes * sum[matrixEntries];
   cost.factorBytes = entryBytes * sum[factorEntries];
   cost.singleBytes = mayBeSingle ? singleEntryBytes * sum[factorEntries] : 0.0;
+  cost.inverseBytes = (entryBytes + singleEntryBytes) * sum[invertedEntries];
   cost.fieldBytes = entryBytes * storedStates * interfaceUnknowns * steps;
   cost.processBytes = programBytes * comm.getSize() + matrixCopies * cost.matrixBytes +
                       factorCopies * (cost.factorBytes + cost.singleBytes) +
-                      readCopies * entryBytes * sum[readEntries] + fieldShare * cost.fieldBytes +
+                      readCopies * entryBytes * sum[readEntries] + cost.inverseBytes + fieldShare * cost.fieldBytes +
                       entryBytes * displacementFields * unknowns * steps + bytesPerNode * unknowns / assembly.dimension;
 
   cost.startSeconds = programSeconds * comm.getSize() + assemblySeconds * sum[matrixEntries];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <harmos/parametric/ParametricStudy.hpp>
 #include <harmos/parametric/StudySolver.hpp>
 #include <harmos/study/StudyGroup.hpp>
 
@@ -18,6 +19,10 @@ constexpr double fewConfigurations = 10.0;
 constexpr double configurationSeconds = 3e-3;
 
 }  // namespace
+
+latin::LatinOptions solverOptions(const Study& study) {
+  return parametric::optionsForStudy(study.scene.solver, study.configurations.size());
+}
 
 StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, const ChaosCost* chaos) {
   StudyCost result;

@@ -14,6 +14,9 @@ struct StudyCost {
   double bytes = 0.0;    ///< of solved states that the starts of others are made of, beyond what one run takes
 };
 
+/// The options that the configurations of a study which does not solve for expansions are solved with.
+latin::LatinOptions solverOptions(const Study& study);
+
 /// `cost`: of the scene with the accuracy of the study. Of configurations that are listed already: an adaptive design
 /// adds more. `chaos`: the expansions of a study that solves for them, else null. Stages are fitted to studies of the
 /// bolted joint of 8, 12 and 1296 configurations, of which a few calibrate the error estimate and the others start from

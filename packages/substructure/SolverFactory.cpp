@@ -23,12 +23,10 @@ constexpr const char* defaultSolver = "cholmod";
 constexpr const char* defaultSolver = "tacho";
 #endif
 
-#ifdef HARMOS_CHOLMOD
 // Entries of the square of the trace that are worth as much as one of the sparse factor. A triangular solve reads every
 // entry of a factor twice, in double precision; the inverse half of its entries once in single precision.
 constexpr double entriesOfTraceFactor = 2.0;
 constexpr double entriesOfTraceInverse = 8.0;
-#endif
 
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -41,6 +39,10 @@ SolverOptions::SolverOptions() : name(defaultSolver) {}
 
 SolverOptions::SolverOptions(const input::Parameters& given)
     : name(given.text("Name")), allowsSingle(given.text("Precision") == "Automatic") {}
+
+double SolverOptions::denseTraceWorth() const {
+  return invertTrace ? entriesOfTraceInverse : entriesOfTraceFactor;
+}
 
 void SolverOptions::describe(input::ParameterSpec& spec) {
   spec.summary("Direct solver that factors every substructure once.");
@@ -89,8 +91,8 @@ Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teucho
   Teuchos::RCP<DirectSolver> solver;
 #ifdef HARMOS_CHOLMOD
   if (name == "cholmod") {
-    const double entries = options.invertTrace ? entriesOfTraceInverse : entriesOfTraceFactor;
-    solver = Teuchos::rcp(new Cholmod<base::CrsMatrix, base::MultiVector>(matrix, none, none, trace, entries));
+    solver = Teuchos::rcp(
+        new Cholmod<base::CrsMatrix, base::MultiVector>(matrix, none, none, trace, options.denseTraceWorth()));
   }
 #endif
   if (name == "tacho") {

@@ -23,6 +23,9 @@ struct SolverOptions {
   explicit SolverOptions(std::string solverName) : name(std::move(solverName)) {}
   /// From a list that was checked against describe().
   explicit SolverOptions(const input::Parameters& given);
+  /// Entries of the square of a trace that are worth as much as one of the sparse factor: where it has no more of them,
+  /// a part's trace is kept dense.
+  double denseTraceWorth() const;
   /// Declares the entries of the list Linear Solver.
   static void describe(input::ParameterSpec& spec);
 

@@ -7,6 +7,8 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/scene/CostEstimate.hpp>
 
+#include "Sample.hpp"
+
 namespace harmos::scene {
 namespace {
 
@@ -48,6 +50,22 @@ TEST(CostEstimate, RefusesWhatWillNotFitByAMargin) {
   EXPECT_EQ(refusal(cost, 1e9), "");
   cost.processBytes = 1.6e9;
   EXPECT_NE(refusal(cost, 1e9).find("1.6 GB, of which 1 GB are free"), std::string::npos) << refusal(cost, 1e9);
+}
+
+// Of two equal boxes one matrix is factored on each rank; its trace are the nine nodes of the joint, for what is held
+// or pressed has no unknowns there.
+TEST(CostEstimate, CountsTracesInBothPrecisionsWhereTheyAreInverted) {
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  const Scene scene = sample();
+  const Problem problem = makeProblem(scene, *comm, timers);
+  latin::LatinOptions options = scene.solver;
+  const CostEstimate plain = estimateCost(problem, options, FactorSizes::fromOrder, *comm);
+  options.stages.solver.invertTrace = true;
+  const CostEstimate inverted = estimateCost(problem, options, FactorSizes::fromOrder, *comm);
+  EXPECT_EQ(plain.inverseBytes, 0.0);
+  EXPECT_EQ(inverted.inverseBytes, (8.0 + 4.0) * 27.0 * 27.0 * comm->getSize());
+  EXPECT_GE(inverted.processBytes, plain.processBytes + inverted.inverseBytes);
 }
 
 }  // namespace
