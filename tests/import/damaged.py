@@ -52,6 +52,7 @@ class Damaged(unittest.TestCase):
         cells = [("tetra", block.connectivity) for block in cls.mesh.blocks]
         meshio.write(work / "grid.vtu", meshio.Mesh(cls.mesh.nodes, cells))
         meshio.write(work / "salome.med", meshio.Mesh(cls.mesh.nodes, [("tetra", cls.mesh.blocks[0].connectivity)]))
+        write_gmsh(work / "universal.unv", cls.mesh)
         shutil.copy(work / "Tet4.e", work / "exodus.e")
 
     def imported(self, path: pathlib.Path) -> tuple[int, str]:
@@ -70,7 +71,7 @@ class Damaged(unittest.TestCase):
 
     def sound_files(self) -> list[pathlib.Path]:
         return [work / name for name in ("text2.msh", "binary2.msh", "text4.msh", "binary4.msh", "grid.vtu",
-                                         "salome.med", "exodus.e")]
+                                         "salome.med", "universal.unv", "exodus.e")]
 
     def test_truncated(self) -> None:
         for path in self.sound_files():

@@ -3,9 +3,6 @@
 
 decks.py HARMOS WORK_DIR; HARMOS_FUZZ_SEED goes before seed 1, HARMOS_FUZZ_CASES before 60 cases.
 """
-import contextlib
-import csv
-import io
 import os
 import pathlib
 import random
@@ -18,68 +15,14 @@ import unittest
 import netCDF4
 import numpy
 
-from harmos.exchange.__main__ import main
+from deck_case import CUBE, HELD, PLAIN, STEEL, STEP, DeckCase, harmos, work
 
-harmos = sys.argv[1]
-work = pathlib.Path(sys.argv[2])
 chance = random.Random(int(os.environ.get("HARMOS_FUZZ_SEED") or 1))
 cases = int(os.environ.get("HARMOS_FUZZ_CASES") or 60)
 blocks = (pathlib.Path(__file__).parent / "pressed_blocks.inp").read_text()
 
-CUBE = """*NODE,NSET=ALL
-1, 0, 0, 0
-2, 1, 0, 0
-3, 1, 1, 0
-4, 0, 1, 0
-5, 0, 0, 1
-6, 1, 0, 1
-7, 1, 1, 1
-8, 0, 1, 1
-*ELEMENT,TYPE=C3D8,ELSET=CUBE
-1, 1,2,3,4,5,6,7,8
-"""
-STEEL = """*MATERIAL,NAME=STEEL
-*ELASTIC
-1000., 0.
-*DENSITY
-2.
-*SOLID SECTION,ELSET=CUBE,MATERIAL=STEEL
-"""
-HELD = "*BOUNDARY\n1,1,3\n2,1,3\n3,1,3\n4,1,3\n"
-STEP = "*STEP\n*STATIC\n{}*END STEP\n"
-PLAIN = CUBE + STEEL + HELD + STEP.format("*DLOAD\nCUBE, P2, 10.\n")
 
-
-class Decks(unittest.TestCase):
-    def setUp(self) -> None:
-        shutil.rmtree(work, ignore_errors=True)
-        work.mkdir(parents=True)
-
-    def imported(self, text: str, name: str = "deck") -> tuple[int, str]:
-        """Exit code and what is printed."""
-        (work / f"{name}.inp").write_text(text)
-        said = io.StringIO()
-        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
-            code = main(["import", "--output", str(work / "out"), str(work / f"{name}.inp")])
-        return code, said.getvalue()
-
-    def solved(self, text: str, *words: str) -> list[dict[str, float]]:
-        """The history of all responses."""
-        code, said = self.imported(text)
-        self.assertEqual(code, 0, said)
-        result = subprocess.run([harmos, "run", str(work / "out" / "deck.xml"), "--output", str(work / "run"), "--set",
-                                 "Solver/Accuracy=1e-6", *words], capture_output=True, text=True)
-        self.assertEqual(result.returncode, 0, result.stderr + result.stdout)
-        with open(work / "run" / "deck_history.csv", encoding="utf-8") as file:
-            return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
-
-    def demand_refused(self, text: str, *words: str) -> None:
-        code, said = self.imported(text)
-        self.assertEqual(code, 2, said)
-        for word in words:
-            self.assertIn(word, said)
-        self.assertFalse((work / "out").exists())
-
+class Decks(DeckCase):
     def test_pressure_gravity_and_force(self) -> None:
         self.assertAlmostEqual(self.solved(PLAIN)[-1]["reaction_held_xyz_z"], 10.0, 4)
         gravity = CUBE + STEEL + HELD + STEP.format("*DLOAD\nCUBE, GRAV, 9.81, 0., 0., -2.\n")
@@ -115,6 +58,20 @@ class Decks(unittest.TestCase):
         self.assertIn("*AMPLITUDE SAW: is no table", said)
         shutil.rmtree(work / "out")
         self.demand_refused(text.format(",SHIFTX=x", ""), "\"X\" is no number")
+
+    def test_weights_of_several_steps(self) -> None:
+        weight = STEP.format("*DLOAD{}\nCUBE, GRAV, 9.81, 0., 0., -1.\n")
+        text = CUBE + STEEL + HELD + weight.format("")
+        history = self.solved(text + STEP.format("*DLOAD,OP=NEW\nCUBE, P2, 1.\n"))
+        self.assertAlmostEqual(history[1]["reaction_held_xyz_z"], 19.62, 3)
+        self.assertAlmostEqual(history[2]["reaction_held_xyz_z"], 1.0, 3)
+        # As CalculiX does: of one direction those of a step add up, and those of a later one replace them; others stay.
+        for more, x, z in (("0., 0., -3.", 0.0, 4.0), ("1., 0., 0.", -4.0, 19.62)):
+            row = self.solved(text + STEP.format(f"*DLOAD\nCUBE, GRAV, 2., {more}\n"))[-1]
+            self.assertAlmostEqual(row["reaction_held_xyz_x"], x, 3)
+            self.assertAlmostEqual(row["reaction_held_xyz_z"], z, 3)
+        row = self.solved(CUBE + STEEL + HELD + STEP.format("*DLOAD\nCUBE, GRAV, 9., 0., 0., -1.\nCUBE, GRAV, 2., 0., 0., -1.\n"))[-1]
+        self.assertAlmostEqual(row["reaction_held_xyz_z"], 22.0, 3)
 
     def test_boundaries_that_are_said_anew(self) -> None:
         pull = "*BOUNDARY\n5,3,3,0.01\n6,3,3,0.01\n7,3,3,0.01\n8,3,3,0.01\n"
@@ -683,4 +640,5 @@ class Decks(unittest.TestCase):
         self.assertLess(seconds[1], 12.0 * max(seconds[0], 0.05))
 
 
-unittest.main(argv=[sys.argv[0]])
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])

@@ -10,6 +10,7 @@ import sys
 import unittest
 from collections.abc import Callable
 
+import h5py
 import meshio
 import numpy
 
@@ -79,11 +80,45 @@ class RoundTrips(unittest.TestCase):
                 self.demand_equal(mesh, self.imported(path))
 
     def test_unv(self) -> None:
-        for element in ("Tet4", "Hex8", "Tet10"):
+        for element in ("Tet4", "Hex8", "Wedge6", "Tet10", "Hex20", "Wedge15"):
             mesh = boxes_mesh(harmos, work, element)
-            write_gmsh(work / f"{element}.unv", mesh)
+            path = work / f"{element}.unv"
+            write_gmsh(path, mesh)
             with self.subTest(element):
-                self.demand_equal(mesh, self.imported(work / f"{element}.unv"))
+                self.demand_equal(mesh, self.imported(path))
+            # Salome writes groups so, and those of nodes as nodes.
+            text = path.read_text().replace("\n  2477\n", "\n  2467\n")
+            end = text.rindex("    -1\n")
+            group = [9, 0, 0, 0, 0, 0, 0, 3], "top corners", [7, 1, 0, 0, 7, 2, 0, 0], [7, 3, 0, 0]
+            more = "".join((each if isinstance(each, str) else "".join(f"{number:10d}" for number in each)) + "\n" for each in group)
+            path.write_text(text[:end] + more + text[end:])
+            mesh.node_sets["top_corners"] = numpy.arange(3)
+            with self.subTest(element, kind="2467"):
+                self.demand_equal(mesh, self.imported(path))
+
+    def test_groups_of_elements_that_a_unv_does_not_hold(self) -> None:
+        mesh = boxes_mesh(harmos, work, "Hex8")
+        mesh.node_sets["line"] = numpy.arange(3)
+        write_gmsh(work / "points.unv", mesh)  # which leaves out elements of a point, but not the group of them
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            self.assertEqual(main(["import", "--output", str(work / "points"), str(work / "points.unv")]), 0)
+        self.assertIn("points.unv: group \"line\": 3 of its members are not in the file", said.getvalue())
+
+    def test_wrong_unv(self) -> None:
+        write_gmsh(work / "sound.unv", boxes_mesh(harmos, work, "Hex8"))
+        lines = (work / "sound.unv").read_text().splitlines(keepends=True)
+        at = lines.index("  2412\n") + 1
+        for wrong, words in ((lines[:at], f"unv:{at - 1}: this data set does not end"),
+                             ([*lines[:at], "1 2\n", *lines[at + 1:]], f"unv:{at + 2}: this is no line of data set 2412"),
+                             ([*lines[:at + 1], lines[at + 1].replace(" 1", "99", 1), *lines[at + 2:]], "which is not there")):
+            with self.subTest(words):
+                (work / "wrong.unv").write_text("".join(wrong))
+                said = io.StringIO()
+                with contextlib.redirect_stderr(said):
+                    self.assertEqual(main(["import", "--output", str(work / "wrong"), str(work / "wrong.unv")]), 2)
+                self.assertIn(words, said.getvalue())
+                self.assertFalse((work / "wrong").exists())
 
     def test_decks_without_sections(self) -> None:
         for element in ("Hex8", "Tet10", "Wedge6", "Wedge15", "Hex20", "Tri6", "Quad4"):
@@ -151,6 +186,35 @@ class RoundTrips(unittest.TestCase):
         back = self.imported(work / "groups.med")
         self.demand_equal(mesh, back, sets=False)
         self.assertEqual(len(back.side_sets["fixed"]), len(bottom))
+        # Where no volume is in a group, Salome writes no families of volumes.
+        with h5py.File(work / "groups.med", "r+") as file:
+            (step,) = file["ENS_MAA/mesh"].values()
+            del step["MAI/HE8/FAM"]
+            file["FAS/mesh/ELEME"].create_group("without groups").attrs["NUM"] = -7
+        back = self.imported(work / "groups.med")
+        self.assertEqual([(block.name, len(block.connectivity)) for block in back.blocks], [("part", 2 * count)])
+        self.assertEqual(len(back.side_sets["fixed"]), len(bottom))
+
+    def test_elements_of_med(self) -> None:
+        turned = {"Hex8": [0, 3, 2, 1, 4, 7, 6, 5], "Tet10": [0, 2, 1, 3, 6, 5, 4, 7, 9, 8], "Wedge15": []}
+        for element, names in (("Hex8", ("hexahedron", "HE8")), ("Tet10", ("tetra10", "T10")), ("Wedge15", ("wedge15", "P15"))):
+            mesh = boxes_mesh(harmos, work, element)
+            kind, order = MESHIO[names[0]]
+            rows = numpy.concatenate([block.connectivity for block in mesh.blocks])[:, numpy.argsort(permutation(kind, order))]
+            if turned[element]:  # as Salome does
+                rows = rows[:, turned[element]]
+            with h5py.File(work / f"{element}.med", "w") as file:
+                nodes = file.create_dataset("ENS_MAA/mesh/step/NOE/COO", data=mesh.nodes.T.reshape(-1))
+                nodes.attrs["NBR"] = len(mesh.nodes)
+                table = file.create_dataset(f"ENS_MAA/mesh/step/MAI/{names[1]}/NOD", data=rows.T.reshape(-1) + 1)
+                table.attrs["NBR"] = len(rows)
+            with self.subTest(element):
+                back = self.imported(work / f"{element}.med")
+                (block,) = back.blocks
+                self.assertEqual(block.type.name, kind)
+                for node, spot in enumerate(block.type.order):
+                    middle = back.nodes[block.connectivity[:, sorted(spot)]].mean(axis=1)
+                    self.assertLess(numpy.abs(back.nodes[block.connectivity[:, node]] - middle).max(), 1e-12)
 
     def test_long_names_stay_different(self) -> None:
         mesh = boxes_mesh(harmos, work, "Hex8")

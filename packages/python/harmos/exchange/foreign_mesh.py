@@ -1,5 +1,6 @@
-"""Meshes that meshio reads: MED of Salome (.med) and unstructured grids of VTK (.vtu)."""
+"""Meshes that meshio reads, unstructured grids of VTK (.vtu, .vtk), and others in its terms."""
 import collections
+import dataclasses
 
 import meshio
 import numpy
@@ -13,8 +14,42 @@ from harmos.exchange.sides import SideFinder, add_side_set
 _FLAT = {"vertex": 0, "line": 1, "line3": 1, "triangle": 2, "triangle6": 2, "quad": 2, "quad8": 2, "quad9": 2}
 
 
+@dataclasses.dataclass
+class Cells:
+    """Elements of one type.
+
+    Attributes:
+        type: in the words of meshio.
+        data: nodes, a row per element, in its order.
+    """
+    type: str
+    data: Array
+
+
+@dataclasses.dataclass
+class Source:
+    """A mesh as meshio has it.
+
+    Attributes:
+        points: a row per node.
+        cells: tables of elements.
+        cell_data: arrays by name, one per table.
+        point_data: arrays by name.
+        field_data: number and dimension of physical groups, by name.
+        cell_tags: names of groups of each family of elements.
+        point_tags: the same of nodes.
+    """
+    points: Array
+    cells: list[Cells]
+    cell_data: dict[str, list[Array]]
+    point_data: dict[str, Array]
+    field_data: dict[str, Array] = dataclasses.field(default_factory=dict)
+    cell_tags: dict[int, list[str]] = dataclasses.field(default_factory=dict)
+    point_tags: dict[int, list[str]] = dataclasses.field(default_factory=dict)
+
+
 def read_meshio(path: str, findings: Findings) -> Mesh:
-    """Reads a mesh; groups of MED become blocks, side sets and node sets, cells of .vtu one block per type, or per value
+    """Reads a mesh; cells become one block per type, or per value
     of the cells' whole numbers "part", "material" or "gmsh:physical".
 
     Raises:
@@ -25,6 +60,16 @@ def read_meshio(path: str, findings: Findings) -> Mesh:
     except (Exception, SystemExit) as error:  # meshio raises anything on damaged files, and ends the process on some
         raise Refused(f"{path}: meshio cannot read it: {type(error).__name__}: {error}. It is damaged, no mesh, or of a kind that "
                       "meshio has not.\n  Write it as text, as .vtu or as .msh.") from None
+    return mesh_of(path, Source(source.points, source.cells, source.cell_data, source.point_data, source.field_data,
+                                getattr(source, "cell_tags", {}), getattr(source, "point_tags", {})), findings)
+
+
+def mesh_of(path: str, source: Source, findings: Findings) -> Mesh:
+    """What meshio has read as a mesh of Harmos.
+
+    Raises:
+        Refused: as above.
+    """
     nodes = numpy.zeros((len(source.points), 3))
     nodes[:, :source.points.shape[1]] = source.points
     if not len(nodes) or not numpy.isfinite(nodes).all():
@@ -44,9 +89,9 @@ def read_meshio(path: str, findings: Findings) -> Mesh:
     return mesh
 
 
-def _group_names(source: meshio.Mesh, index: int, name: str) -> list[tuple[str, Array]]:
+def _group_names(source: Source, index: int, name: str) -> list[tuple[str, Array]]:
     """Names of the groups of the cells of a table, and which cells are in each."""
-    families = getattr(source, "cell_tags", {})
+    families = source.cell_tags
     data = source.cell_data
     if "cell_tags" in data:
         values = numpy.asarray(data["cell_tags"][index])
@@ -63,9 +108,10 @@ def _group_names(source: meshio.Mesh, index: int, name: str) -> list[tuple[str, 
     return []
 
 
-def _read_cells(path: str, source: meshio.Mesh, mesh: Mesh, findings: Findings) -> None:
+def _read_cells(path: str, source: Source, mesh: Mesh, findings: Findings) -> None:
     parts: dict[str, dict[str, list[Array]]] = {}
     surfaces: dict[str, list[Array]] = {}
+    held: dict[str, list[Array]] = collections.defaultdict(list)
     unknown = collections.Counter[str]()
     for index, cells in enumerate(source.cells):
         table = numpy.asarray(cells.data, dtype=numpy.int64)
@@ -90,6 +136,8 @@ def _read_cells(path: str, source: meshio.Mesh, mesh: Mesh, findings: Findings) 
                 corners = {"triangle": 3, "quad": 4, "line": 2}[cells.type.rstrip("0123456789")]
                 rows[:, :corners] = table[inside][:, :corners]
                 surfaces.setdefault(group, []).append(rows)
+            else:
+                held[group].append(table[inside].reshape(-1))
         if not fills and _FLAT[cells.type] == mesh.dimension - 1 and not grouped.all():
             findings.found.append(f"{int((~grouped).sum())} cells {cells.type} are in no group, and no side set")
         if fills and left.any():
@@ -113,10 +161,10 @@ def _read_cells(path: str, source: meshio.Mesh, mesh: Mesh, findings: Findings) 
     if twice:
         findings.found.append(f"{twice} elements are there twice, and count once")
     if mesh.blocks:
-        _read_sets(path, source, mesh, surfaces, findings)
+        _read_sets(path, source, mesh, surfaces, held, findings)
 
 
-def _read_sets(path: str, source: meshio.Mesh, mesh: Mesh, surfaces: dict[str, list[Array]],
+def _read_sets(path: str, source: Source, mesh: Mesh, surfaces: dict[str, list[Array]], held: dict[str, list[Array]],
                findings: Findings) -> None:
     finder = SideFinder(mesh)
     for name, rows in surfaces.items():
@@ -127,10 +175,9 @@ def _read_sets(path: str, source: meshio.Mesh, mesh: Mesh, surfaces: dict[str, l
             add_side_set(mesh, unused_name(name, mesh.side_sets), sides)
     if "point_tags" in source.point_data:
         family_of = numpy.asarray(source.point_data["point_tags"])
-        groups = collections.defaultdict(list)
-        for family, names in getattr(source, "point_tags", {}).items():
+        for family, names in source.point_tags.items():
             for name in names:
-                groups[name].append(numpy.flatnonzero(family_of == family))
-        for name, held in groups.items():
-            taken = {**mesh.side_sets, **mesh.node_sets}
-            mesh.node_sets[unused_name(name, taken)] = numpy.concatenate(held)
+                held[name].append(numpy.flatnonzero(family_of == family))
+    for name, nodes in held.items():
+        taken = {**mesh.side_sets, **mesh.node_sets}
+        mesh.node_sets[unused_name(name, taken)] = numpy.unique(numpy.concatenate(nodes))

@@ -1,4 +1,4 @@
-"""Meshes of Gmsh (.msh 2.2, 4.0, 4.1, ASCII and binary) and I-DEAS (.unv), read and written by Gmsh's library."""
+"""Meshes of Gmsh (.msh 2.2, 4.0, 4.1, ASCII and binary), read and written by Gmsh's library."""
 import collections
 import contextlib
 import pathlib
@@ -33,8 +33,7 @@ def read_gmsh(path: str, findings: Findings) -> Mesh:
     Raises:
         Refused: the file is damaged, or has elements that Harmos has not.
     """
-    if pathlib.Path(path).suffix.lower() == ".msh":
-        _demand_sections(path)
+    _demand_sections(path)
     with session():
         gmsh.logger.start()
         try:
@@ -106,8 +105,6 @@ def mesh_of_model(path: str, findings: Findings) -> Mesh:
 
 def _empty_groups(path: str) -> list[str]:
     """Names of a .msh file that belong to no group that Gmsh has read."""
-    if pathlib.Path(path).suffix.lower() != ".msh":
-        return []
     section = re.search(rb"^\$PhysicalNames\s*$(.*?)^\$EndPhysicalNames", pathlib.Path(path).read_bytes(), re.MULTILINE | re.DOTALL)
     named = re.findall(rb'^\s*(\d+)\s+(-?\d+)\s+"(.*)"\s*$', section.group(1), re.MULTILINE) if section else []
     there = set(gmsh.model.getPhysicalGroups())

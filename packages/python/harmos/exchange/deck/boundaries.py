@@ -81,6 +81,8 @@ class Boundaries:
             return _TYPES[named], 0.0
         first = int(card.number(named, row))
         last = int(card.number(words[2], row)) if len(words) > 2 and words[2] else first
+        if not 1 <= first <= last:
+            raise Refused(f"{card.place_of(row)}: *BOUNDARY of components {first} to {last}; they count from 1, the first one first.")
         return list(range(first, last + 1)), card.number(words[3], row) if len(words) > 3 else 0.0
 
     def _keep(self, card: Card, row: int, ids: Array, components: list[int]) -> None:

@@ -1,12 +1,20 @@
 """Cards of a deck: keywords with parameters and the lines of data below them, includes followed."""
+import codecs
 import dataclasses
 import os
 import pathlib
+import re
 
 import numpy
 
 from harmos.arrays import Array
 from harmos.exchange.findings import Refused
+
+LARGEST_ID = 2**31 - 1
+"""Of nodes and elements: more than Abaqus and CalculiX take."""
+
+LISTS = ("NODE", "ELEMENT", "NSET", "ELSET", "SURFACE", "AMPLITUDE", "EQUATION", "BOUNDARY", "CLOAD", "DLOAD", "DSLOAD")
+"""Keywords whose lines may stand in a file of their own; INPUT of others names results."""
 
 
 @dataclasses.dataclass
@@ -18,8 +26,9 @@ class Card:
         parameters: values by name in capitals; those of switches are empty.
         file: that it stands in.
         line: of the keyword, counted from 1.
-        data: lines below it, without comments and empty ones.
+        data: lines below it, or in the file that its INPUT names, without comments and empty ones.
         first: lines of the data in the file, as many.
+        data_file: that the data stand in; empty: that of the keyword.
     """
     keyword: str
     parameters: dict[str, str]
@@ -27,6 +36,7 @@ class Card:
     line: int
     data: list[str]
     first: list[int]
+    data_file: str = ""
 
     @property
     def place(self) -> str:
@@ -35,7 +45,7 @@ class Card:
 
     def place_of(self, row: int) -> str:
         """FILE:LINE of a line of data; of the keyword when there is none."""
-        return f"{self.file}:{self.first[row]}" if row < len(self.first) else self.place
+        return f"{self.data_file or self.file}:{self.first[row]}" if row < len(self.first) else self.place
 
     def get(self, name: str) -> str:
         """The value of a parameter in capitals; empty when it is not given."""
@@ -43,7 +53,7 @@ class Card:
 
     def rows(self) -> list[list[str]]:
         """The words of each line of data."""
-        return [[word.strip() for word in line.split(",")] for line in self.data]
+        return [[_bare(word) for word in line.split(",")] for line in self.data]
 
     def number(self, word: str, row: int) -> float:
         """A number of a line of data; an empty word is 0.
@@ -77,6 +87,18 @@ class Card:
             result[row, :len(given)] = [self.number(word, row) for word in given]
         return result
 
+    def ids(self, numbers: Array) -> Array:
+        """Numbers of nodes or elements as whole ones.
+
+        Raises:
+            Refused: one of them is none, or below 0, or larger than LARGEST_ID.
+        """
+        wrong = numpy.flatnonzero((numbers != numpy.floor(numbers)) | (numbers < 0) | (numbers > LARGEST_ID))
+        if len(wrong):
+            row = int(wrong[0]) if len(numbers) == len(self.data) else len(self.first)
+            raise Refused(f"{self.place_of(row)}: *{self.keyword}: {numbers[wrong[0]]:.12g} is no number of a node or an element.")
+        return numbers.astype(numpy.int64)
+
     def flat(self) -> Array:
         """All numbers of all lines in a row, lines that end in a comma continued.
 
@@ -99,6 +121,11 @@ def _numbers(text: str) -> "Array | None":
     return result if numpy.isfinite(result).all() else None
 
 
+def _bare(word: str) -> str:
+    """A word without blanks and quotes around it."""
+    return word.strip().strip("\"").strip()
+
+
 def read_cards(path: str) -> list[Card]:
     """All cards of a deck and of the files that it includes.
 
@@ -108,18 +135,31 @@ def read_cards(path: str) -> list[Card]:
     return _read(path, [], path)
 
 
+def _lines(path: str, asked: str) -> list[str]:
+    """Lines of a file of text, blanks before asterisks left out."""
+    try:
+        content = pathlib.Path(path).read_bytes()
+    except OSError as error:
+        raise Refused(f"{asked}: cannot read \"{path}\": {error.strerror}.") from None
+    is_wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    if b"\0" in content[:100000] and not is_wide:
+        raise Refused(f"{path}: this is no deck: it holds bytes that are no text.")
+    try:
+        text = content.decode("utf-16" if is_wide else "utf-8-sig")
+    except UnicodeDecodeError:
+        if is_wide:
+            raise Refused(f"{path}: this is no deck: it begins as UTF-16, and does not go on so.") from None
+        text = content.decode("latin-1")
+    text = text.replace("\r\n", "\n").replace("\r", "\n")
+    return re.sub(r"^[ \t]+(?=\*)", "", text, flags=re.MULTILINE).split("\n")
+
+
 def _read(path: str, open_files: list[str], asked: str) -> list[Card]:
     real = os.path.realpath(path)
     if real in open_files:
         raise Refused(f"{asked}: the file \"{path}\" includes itself, by way of "
                       f"{' and '.join(pathlib.Path(each).name for each in open_files)}.")
-    try:
-        content = pathlib.Path(path).read_bytes()
-    except OSError as error:
-        raise Refused(f"{asked}: cannot read \"{path}\": {error.strerror}.") from None
-    if b"\0" in content[:100000]:
-        raise Refused(f"{path}: this is no deck: it holds bytes that are no text.")
-    lines = content.decode("latin-1").replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    lines = _lines(path, asked)
     starts = [number for number, line in enumerate(lines) if line[:1] == "*" and line[:2] != "**"]
     for number, line in enumerate(lines[:starts[0]] if starts else lines):
         if line.strip() and not line.startswith("**"):
@@ -134,14 +174,36 @@ def _read(path: str, open_files: list[str], asked: str) -> list[Card]:
             heading += lines[below].strip()
             below += 1
         card = _card(path, start + 1, heading, lines, below, end)
-        if card.keyword != "INCLUDE":
-            cards.append(card)
-            continue
-        name = card.parameters.get("INPUT", "").strip("\"'")
-        if not name:
+        name = card.parameters.get("INPUT", "").strip("'")
+        if card.keyword == "INCLUDE" and not name:
             raise Refused(f"{card.place}: *INCLUDE without INPUT=FILE.")
-        cards += _read(os.path.join(os.path.dirname(path), name), [*open_files, real], card.place)
+        other = os.path.join(os.path.dirname(path), name)
+        if card.keyword == "INCLUDE":
+            cards += _read(other, [*open_files, real], card.place)
+            continue
+        if name and card.keyword in LISTS:
+            _take_data(card, other)
+        cards.append(card)
     return cards
+
+
+def _take_data(card: Card, path: str) -> None:
+    """The lines that stand in a file of their own, instead of below the keyword."""
+    if card.data:
+        raise Refused(f"{card.place}: *{card.keyword} has an INPUT file and lines of its own; put them on two cards.")
+    lines = _lines(path, card.place)
+    below = [number for number, line in enumerate(lines) if line[:1] == "*" and line[:2] != "**"]
+    if below:
+        raise Refused(f"{path}:{below[0] + 1}: a keyword, in a file of data that {card.place} names; take *INCLUDE for such files.")
+    card.data, card.first = _data(lines, 0, len(lines))
+    card.data_file = path
+
+
+def _data(lines: list[str], below: int, end: int) -> tuple[list[str], list[int]]:
+    """Lines without comments and empty ones, and their numbers."""
+    first = [number + 1 for number in range(below, end)
+             if lines[number][:2] != "**" and lines[number].strip()]
+    return lines[below:end] if len(first) == end - below else [lines[number - 1] for number in first], first
 
 
 def _card(path: str, line: int, heading: str, lines: list[str], below: int, end: int) -> Card:
@@ -150,8 +212,5 @@ def _card(path: str, line: int, heading: str, lines: list[str], below: int, end:
     for word in words[1:]:
         name, _, value = word.partition("=")
         if name.strip():
-            parameters[name.replace(" ", "").upper()] = value.strip()
-    first = [number + 1 for number in range(below, end)
-             if lines[number][:2] != "**" and lines[number].strip()]
-    data = lines[below:end] if len(first) == end - below else [lines[number - 1] for number in first]
-    return Card("".join(words[0].split()).upper(), parameters, path, line, data, first)
+            parameters[name.replace(" ", "").upper()] = _bare(value)
+    return Card("".join(words[0].split()).upper(), parameters, path, line, *_data(lines, below, end))

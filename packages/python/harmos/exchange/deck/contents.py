@@ -5,11 +5,15 @@ import math
 import numpy
 
 from harmos.arrays import Array
-from harmos.exchange.deck.cards import Card
+from harmos.exchange.deck.cards import LARGEST_ID, Card
+from harmos.exchange.deck.kinds import nodes_of_kind
 from harmos.exchange.findings import Findings, Refusals, Refused, names_there
 
-INSTANCE_OFFSET = 100_000_000
+INSTANCE_OFFSET = 10_000_000_000
 """Between the numbers of nodes and elements of one instance and the next; those of the assembly come before."""
+
+LARGEST_RANGE = 50_000_000
+"""Numbers that a range may have: ten times the nodes of the largest mesh that fits into the memory of this import."""
 
 
 @dataclasses.dataclass
@@ -100,6 +104,7 @@ class Contents:
         self._refusals = Refusals()
         self._read(cards)
         self._refusals.raise_if_any()
+        self._demand_single_elements()
         self._gather_nodes()
 
     def written(self, name: str) -> str:
@@ -174,7 +179,7 @@ class Contents:
                 self._written.setdefault(scope.prefix + card.get(parameter), scope.prefix + card.parameters[parameter])
         if card.keyword == "NODE" and card.data:
             table = card.table(4)
-            ids = table[:, 0].astype(numpy.int64) + scope.offset
+            ids = card.ids(table[:, 0]) + scope.offset
             at = table[:, 1:4]
             if card.get("SYSTEM") == "C":
                 angle = numpy.radians(at[:, 1])
@@ -191,7 +196,7 @@ class Contents:
             if not name:
                 raise Refused(f"{card.place}: *{card.keyword} without a name: {card.keyword}=NAME.")
             inside = self._scope(card, scope)
-            for ids in self._listed(card, sets, inside):
+            for ids in self._of_elements(card, inside) if card.get("ELSET") and card.keyword == "NSET" else self._listed(card, sets, inside):
                 self._add(sets, name, scope, ids)
             sets.setdefault(scope.prefix + name, [])
         elif card.keyword == "SURFACE":
@@ -217,7 +222,7 @@ class Contents:
         kind = card.get("TYPE")
         if not kind:
             raise Refused(f"{card.place}: *ELEMENT without TYPE.")
-        flat = card.flat().astype(numpy.int64)
+        flat = card.ids(card.flat())
         width = nodes_of_kind(kind)
         if width == 0:
             rows = [[word for word in words if word] for words in card.rows()]
@@ -227,7 +232,7 @@ class Contents:
                                  for row, words in enumerate(rows)], dtype=numpy.int64).reshape(len(rows), width)
         else:
             if len(flat) % (width + 1):
-                flat = self._one_per_line(card, width)
+                flat = card.ids(self._one_per_line(card, width))
             if len(flat) % (width + 1):
                 raise Refused(f"{card.place}: *ELEMENT of type {kind}: {len(flat)} numbers are no multiple of "
                               f"{width + 1}, an element with its {width} nodes; the deck is truncated or damaged.")
@@ -243,11 +248,10 @@ class Contents:
         CalculiX: those of the type count. All numbers, where lines are shorter."""
         rows = [[word for word in words if word] for words in card.rows()]
         if min(map(len, rows)) <= width:
-            return card.flat().astype(numpy.int64)
+            return card.flat()
         self._findings.leave_out(card.place, f"*ELEMENT, TYPE={card.get('TYPE')}, more than {width} nodes",
                                  "the further numbers of its lines")
-        return numpy.array([int(card.number(word, row)) for row, words in enumerate(rows) for word in words[:width + 1]],
-                           dtype=numpy.int64)
+        return numpy.array([card.number(word, row) for row, words in enumerate(rows) for word in words[:width + 1]])
 
     def _listed(self, card: Card, sets: dict[str, list[Array]], scope: Scope) -> list[Array]:
         """Ids that the data of a set name, by numbers, ranges and other sets."""
@@ -255,7 +259,7 @@ class Contents:
             return [self._range(card, row, words) + scope.offset for row, words in enumerate(card.rows())]
         flat = _numbers_or_none(card)
         if flat is not None:
-            return [flat + scope.offset]
+            return [card.ids(flat) + scope.offset]
         result: list[Array] = []
         for row, words in enumerate(card.rows()):
             for word in words:
@@ -263,12 +267,21 @@ class Contents:
                     result.append(self.ids(word, sets, scope, card, row))
         return result
 
+    def _of_elements(self, card: Card, scope: Scope) -> list[Array]:
+        """Ids of the nodes of an element set, which a node set may name instead of nodes."""
+        held = self.ids(card.get("ELSET"), self.element_sets, scope, card, len(card.first))
+        return [numpy.unique(table.nodes[numpy.isin(table.ids, held)]) for table in self.elements]
+
     @staticmethod
     def _range(card: Card, row: int, words: list[str]) -> Array:
         numbers = [int(card.number(word, row)) for word in words if word]
-        if len(numbers) not in (2, 3) or (len(numbers) == 3 and numbers[2] == 0):
-            raise Refused(f"{card.place_of(row)}: GENERATE takes first, last and increment.")
-        return numpy.arange(numbers[0], numbers[1] + 1, numbers[2] if len(numbers) == 3 else 1)
+        if len(numbers) not in (2, 3) or min(numbers) < 0 or numbers[1] > LARGEST_ID or (len(numbers) == 3 and numbers[2] == 0):
+            raise Refused(f"{card.place_of(row)}: GENERATE takes first, last and increment, whole numbers up to {LARGEST_ID}.")
+        result = range(numbers[0], numbers[1] + 1, numbers[2] if len(numbers) == 3 else 1)
+        if not 0 < len(result) <= LARGEST_RANGE:
+            raise Refused(f"{card.place_of(row)}: GENERATE from {numbers[0]} to {numbers[1]}: "
+                          f"{'the last is below the first' if not result else f'more than {LARGEST_RANGE} numbers'}.")
+        return numpy.arange(result.start, result.stop, result.step)
 
     def ids(self, word: str, sets: dict[str, list[Array]], scope: Scope, card: Card, row: int) -> Array:
         """What a word stands for: a number, a set, or one of an instance, INSTANCE.NAME.
@@ -277,17 +290,28 @@ class Contents:
             Refused: there is no such set.
         """
         name = word.strip().strip("\"").upper()
-        if name.lstrip("+").isdigit():
+        if name.lstrip("+").isdecimal():
             return numpy.array([int(name) + scope.offset])
         for candidate in (scope.prefix + name, name):
             if candidate in sets:
                 found = sets[candidate]
                 return numpy.concatenate(found) if found else numpy.zeros(0, dtype=numpy.int64)
         instance, _, inside = name.partition(".")
-        if instance in self._instances and inside.isdigit():
+        if instance in self._instances and inside.isdecimal():
             return numpy.array([int(inside) + self._instances[instance].offset])
         raise Refused(f"{card.place_of(row)}: *{card.keyword}: there is no set \"{word}\" above this line. "
                       f"{names_there(word, sets)}")
+
+    def single_node(self, card: Card, parameter: str) -> int:
+        """The id of the node that a parameter names, by its number or by a set that holds it alone.
+
+        Raises:
+            Refused: there is no such set, or it holds more.
+        """
+        ids = numpy.unique(self.ids(card.get(parameter), self.node_sets, Scope(), card, len(card.first)))
+        if len(ids) != 1:
+            raise Refused(f"{card.place}: *{card.keyword}: the set \"{card.get(parameter)}\" holds {len(ids)} nodes; one is wanted.")
+        return int(ids[0])
 
     def _take_surface(self, card: Card, scope: Scope) -> None:
         name = scope.prefix + card.get("NAME")
@@ -312,42 +336,36 @@ class Contents:
             rows.append((self.ids(words[0], sets, inside, card, row), label))
         self.surfaces[name] = Surface(kind == "NODE", rows, card)
 
+    def _demand_single_elements(self) -> None:
+        """Refuses an element that is given twice: its nodes, and what refers to it, would be open."""
+        if not self.elements:
+            return
+        ids = numpy.concatenate([table.ids for table in self.elements])
+        first = numpy.zeros(len(ids), dtype=bool)
+        first[numpy.unique(ids, return_index=True)[1]] = True
+        if first.all():
+            return
+        twice = ids[numpy.flatnonzero(~first)[0]]
+        one, *others = [table for table in self.elements for each in table.ids if each == twice]
+        raise Refused(f"{others[0].card.place}: element {twice % INSTANCE_OFFSET} is also at {one.card.place}; number one of them anew.")
+
     def _gather_nodes(self) -> None:
         if not self._nodes:
             return
         ids = numpy.concatenate([ids for ids, _ in self._nodes])
         at = numpy.concatenate([at for _, at in self._nodes])
-        # Of a node that is given twice, the last counts.
-        last = len(ids) - 1 - numpy.unique(ids[::-1], return_index=True)[1]
-        self.node_ids, self.coordinates = ids[last], at[last]
-
-
-SPRINGS = ("SPRING1", "SPRING2", "SPRINGA")
-"""Springs to the ground along one component, between equal components of two nodes, along the line between two nodes."""
-
-_OTHER_KINDS = {"B31": 2, "B31R": 2, "B32": 3, "B32R": 3, "T2D2": 2, "T3D2": 2, "SPRINGA": 2, "SPRING2": 2,
-                "SPRING1": 1, "DASHPOTA": 2, "GAPUNI": 2, "MASS": 1, "D": 3, "DCOUP3D": 1, "S3": 3, "S4": 4, "S4R": 4,
-                "S6": 6, "S8": 8, "S8R": 8, "M3D3": 3, "M3D4": 4, "M3D4R": 4, "M3D6": 6, "M3D8": 8, "M3D8R": 8, "M3D9": 9, "T3D3": 3}
-
-
-def nodes_of_kind(kind: str) -> int:
-    """How many nodes an element has by the number in its type; 0 when that is not known."""
-    if kind in _OTHER_KINDS:
-        return _OTHER_KINDS[kind]
-    for family in ("C3D", "DC3D", "F3D", "CPS", "CPE", "CAX", "CPEG", "SC"):
-        if kind.startswith(family):
-            digits = ""
-            for letter in kind[len(family):]:
-                if not letter.isdigit():
-                    break
-                digits += letter
-            return int(digits or 0)
-    return 0
+        # Of a node that is given twice, the last counts, as in CalculiX.
+        self.node_ids, of = numpy.unique(ids[::-1], return_index=True)
+        self.coordinates = at[::-1][of]
+        moved = numpy.unique(ids[(self.coordinates[numpy.searchsorted(self.node_ids, ids)] != at).any(axis=1)])
+        if len(moved):
+            self._findings.found.append(f"{len(moved)} nodes are given twice, at different places; the last one counts: "
+                                        f"{', '.join(str(each % INSTANCE_OFFSET) for each in moved[:5])}{', ...' if len(moved) > 5 else ''}")
 
 
 def _numbers_or_none(card: Card) -> "Array | None":
     try:
-        return card.flat().astype(numpy.int64)
+        return card.flat()
     except Refused:
         return None
 

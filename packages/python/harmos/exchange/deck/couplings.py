@@ -169,10 +169,10 @@ class Couplings:
         return bool(spread[self._solids.mesh.dimension - 2] > ON_ONE_LINE * max(float(numpy.abs(at).max()), 1e-300))
 
     def _id(self, card: Card, parameter: str) -> int:
-        word = card.get(parameter)
-        if not word.isdigit() or int(word) not in self._contents.node_ids:
-            raise Refused(f"{card.place}: *{card.keyword}: there is no node \"{word}\" for its reference.")
-        return int(word)
+        node = self._contents.single_node(card, parameter)
+        if node not in self._contents.node_ids:
+            raise Refused(f"{card.place}: *{card.keyword}: there is no node \"{card.get(parameter)}\" for its reference.")
+        return node
 
     def _point(self, node: int) -> list[float]:
         at = int(numpy.flatnonzero(self._contents.node_ids == node)[0])

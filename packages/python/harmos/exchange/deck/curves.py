@@ -2,6 +2,8 @@
 import dataclasses
 import typing
 
+import numpy
+
 from harmos.exchange.scene import SceneList
 
 Points = tuple[tuple[float, float], ...]
@@ -84,6 +86,16 @@ class Course:
 
     def _before(self, points: Points) -> Points:
         return tuple(point for point in points if point[0] <= self.span.begin) or UNLOADED
+
+
+def summed(shares: list[tuple[Points, float]]) -> Points:
+    """Curves times factors, added up."""
+    times = sorted({time for points, _ in shares for time, _ in points}) or [0.0]
+    value = numpy.zeros(len(times))
+    for points, factor in shares:
+        table = numpy.array(points)
+        value += factor * numpy.interp(times, table[:, 0], table[:, 1])
+    return tuple(zip(times, value.tolist()))
 
 
 def peak(points: Points) -> float:

@@ -40,7 +40,7 @@ class DistributedLoads:
             elif card.keyword == "DLOAD" and label == "CENTRIF":
                 self._centrifugal(card, row, words, course)
                 continue
-            elif card.keyword == "DLOAD" and label[:1] == "P" and label[1:].isdigit():
+            elif card.keyword == "DLOAD" and label[:1] == "P" and label[1:].isdecimal():
                 ids = self._acting.elements(words[0], card, row)
                 sides = self._acting.solids.sides(ids, label, card.place_of(row))
                 if len(sides) < len(ids):
@@ -59,10 +59,8 @@ class DistributedLoads:
             raise Refused(f"{card.place_of(row)}: GRAV takes an acceleration and a direction.")
         direction = numpy.array(numbers[1:]) / max(float(numpy.linalg.norm(numbers[1:])), 1e-300)
         for part, density in self._loaded_parts(card, row, words):
-            for component in range(self._acting.solids.mesh.dimension):
-                value = density * numbers[0] * float(direction[component])
-                if value != 0.0:
-                    course.set(self._acting.loads.body_forces, (part, component), value)
+            # As in CalculiX: of one direction, a later step replaces; others add up.
+            course.add(self._acting.loads.body_forces, (part, tuple(float(x) for x in direction)), density * numbers[0])
 
     def _centrifugal(self, card: Card, row: int, words: list[str], course: Course) -> None:
         numbers = [card.number(word, row) for word in words[2:9]]

@@ -15,9 +15,9 @@ from harmos.exchange.deck.load_writer import LoadWriter
 from harmos.exchange.deck.materials import Material, read_materials, write_material
 from harmos.exchange.deck.solids import KINEMATICS, Solids
 from harmos.exchange.deck.springs import Springs
-from harmos.exchange.deck.steps import OUTPUT, LoadReader
+from harmos.exchange.deck.steps import OUTPUT, UNKNOWN, LoadReader
 from harmos.exchange.deck.volumes import VolumeWriter
-from harmos.exchange.findings import Findings
+from harmos.exchange.findings import Findings, Refused, names_there
 from harmos.exchange.mesh import Mesh, clean_name, oriented, outer_faces, unused_name, without_loose_nodes
 from harmos.exchange.scene import SceneList
 
@@ -31,6 +31,8 @@ _EFFECTS = {
     "INITIALCONDITIONS": "initial temperatures, stresses or velocities are left out",
     "BEAMSECTION": "beams are left out", "SHELLSECTION": "shells are left out",
     "DASHPOT": "dashpots are left out", "MASS": "masses are left out", "GAP": "gap elements are left out",
+    **dict.fromkeys(("NGEN", "NFILL", "NCOPY"), "the nodes that it would make are missing"),
+    **dict.fromkeys(("ELGEN", "ELCOPY"), "the elements that it would make are missing"),
     "MEMBRANESECTION": "membranes are left out", "BEAMGENERALSECTION": "beams are left out",
 }
 
@@ -72,7 +74,7 @@ def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> Im
             if card.keyword == "MPC":
                 _list_constraints(card, findings)
             else:
-                findings.leave_out(card.place, f"*{card.keyword}", _EFFECTS.get(card.keyword, "without effect on the scene"))
+                findings.leave_out(card.place, f"*{card.keyword}", _EFFECTS.get(card.keyword, UNKNOWN))
     materials = read_materials(contents.model, findings)
     solids = Solids(contents, findings, path)
     scene = SceneList("Harmos").set("Title", _title(contents, path))
@@ -117,7 +119,7 @@ def _list_constraints(card: Card, findings: Findings) -> None:
     """Each type of a *MPC card once, with what it would change."""
     kinds: dict[str, int] = {}
     for row, words in enumerate(card.rows()):
-        if words[0] and not words[0].lstrip("+-").isdigit():
+        if words[0] and not words[0].lstrip("+-").isdecimal():
             kinds.setdefault(words[0].upper(), row)
     for kind, row in kinds.items():
         findings.leave_out(card.place_of(row), f"*MPC {kind}", _CONSTRAINTS.get(kind, "nodes that it ties move as they like"))
@@ -128,7 +130,7 @@ def _list_constraints(card: Card, findings: Findings) -> None:
 def _title(contents: Contents, path: str) -> str:
     for card in contents.model:
         if card.keyword == "HEADING" and card.data:
-            return card.data[0].strip()[:79]
+            return "".join(letter if letter.isprintable() else " " for letter in card.data[0]).strip()[:79]
     return pathlib.Path(path).stem
 
 
@@ -157,7 +159,10 @@ def _write_parts(scene: SceneList, contents: Contents, solids: Solids, materials
         section = solids.sections[solids.section_of_part[part]]
         key = section.material, section.orientation
         if key not in names:
-            material = materials.get(section.material) or Material(section.card, section.material or "material", {})
+            if section.material and section.material not in materials:
+                raise Refused(f"{section.card.place}: there is no *MATERIAL \"{section.card.parameters['MATERIAL']}\". "
+                              f"{names_there(section.material, materials)}")
+            material = materials.get(section.material) or Material(section.card, "material", {})
             names[key] = unused_name(material.name, set(names.values()))
             axes = _axes(orientations.get(section.orientation), section.orientation, material, findings)
             write_material(material, names[key], axes, scene, findings)

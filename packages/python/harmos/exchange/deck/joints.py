@@ -156,8 +156,7 @@ class Joints:
 
     def _pretension(self, card: Card, histories: Histories, preloads: dict[int, Preload]) -> None:
         surface = self._contents.surfaces.get(card.get("SURFACE"))
-        node = int(card.number(card.get("NODE") or "0", 0)) if card.get("NODE").isdigit() else 0
-        if surface is None or not node:
+        if surface is None or not card.get("NODE"):
             self._findings.leave_out(card.place, "*PRE-TENSION SECTION", "preload of beams, or without a surface and a node")
             return
         rows = self._solids.surface(surface)
@@ -174,7 +173,7 @@ class Joints:
         own, other = owners.pop(), others.pop()
         name = unused_name(f"preload_{clean_name(card.parameters['SURFACE'])}".lower(),
                            set(self._scene.child("Interfaces").names()))
-        preload = preloads.get(node, Preload())
+        preload = preloads.get(self._contents.single_node(card, "NODE"), Preload())
         points = preload.points
         if self._points_inwards(card, rows):
             points = tuple((time, -value) for time, value in points)

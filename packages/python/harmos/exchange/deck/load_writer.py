@@ -5,7 +5,7 @@ import numpy
 
 from harmos.arrays import Array
 from harmos.exchange.deck.areas import nodal_areas
-from harmos.exchange.deck.curves import Histories, Points, peak, shape
+from harmos.exchange.deck.curves import Histories, Points, peak, shape, summed
 from harmos.exchange.deck.loads import Loads
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.deck.transforms import Axes
@@ -39,9 +39,13 @@ class LoadWriter:
 
     def write(self, loads: Loads) -> None:
         """All of them."""
-        for (part, component), points in loads.body_forces.items():
+        for part in dict.fromkeys(part for part, _ in loads.body_forces):
             force = self._scene.child("Parts").child(part).child("Body Force")
-            self._histories.set(force, "XYZ"[component], points)
+            for component in range(self._solids.mesh.dimension):
+                shares = [(points, direction[component]) for (of, direction), points in loads.body_forces.items() if of == part]
+                points = summed([share for share in shares if share[1]])
+                if peak(points):
+                    self._histories.set(force, "XYZ"[component], points)
         self._write_held(loads.held, loads.axes)
         self._write_pressures(loads.pressures)
         self._write_forces(loads.forces)

@@ -31,7 +31,7 @@ class Loads:
         axes: of nodes whose held components are no global ones.
         forces: curve of a force, by the same.
         pressures: curve of a pressure, by element and side.
-        body_forces: curves of the acceleration times density [force/volume], by part and component.
+        body_forces: curves of the acceleration times density [force/volume], by part and direction, of length 1.
         rotations: curve of the squared angular velocity, by part, point and axis.
         temperatures: curve of the temperature, by node; the first value is that without strain.
         preloads: of bolts, by the id of the reference node.
@@ -41,7 +41,7 @@ class Loads:
     axes: dict[int, Axes] = dataclasses.field(default_factory=dict)
     forces: dict[tuple[int, int], Points] = dataclasses.field(default_factory=dict)
     pressures: dict[tuple[int, int], Points] = dataclasses.field(default_factory=dict)
-    body_forces: dict[tuple[str, int], Points] = dataclasses.field(default_factory=dict)
+    body_forces: dict[tuple[str, tuple[float, ...]], Points] = dataclasses.field(default_factory=dict)
     rotations: dict[Turn, Points] = dataclasses.field(default_factory=dict)
     temperatures: dict[int, Points] = dataclasses.field(default_factory=dict)
     preloads: dict[int, Preload] = dataclasses.field(default_factory=dict)

@@ -9,7 +9,8 @@ from scipy.sparse.csgraph import connected_components
 
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.deck.contents import SPRINGS, Contents, ElementTable, Surface
+from harmos.exchange.deck.contents import Contents, ElementTable, Surface
+from harmos.exchange.deck.kinds import SPRINGS
 from harmos.exchange.elements import MESHIO, TYPES, Order, to_exodus
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Block, Mesh, demand_sound, faces_of, outer_faces, unused_name
@@ -62,7 +63,7 @@ def side_of(type_name: str, label: str) -> int:
     """The side in Exodus of a face such as S3 or P3; -1 where there is none."""
     digits = label.lstrip("SP")
     faces = FACES[type_name.rstrip("0123456789")]
-    if not digits.isdigit() or not 1 <= int(digits) <= len(faces):
+    if not digits.isdecimal() or not 1 <= int(digits) <= len(faces):
         return -1
     wanted = {int(corner) for corner in faces[int(digits) - 1]}
     return [set(side) for side in TYPES[type_name].sides].index(wanted)
@@ -218,7 +219,11 @@ class Solids:
         order = numpy.argsort(ids, kind="stable")
         for number, members in enumerate(self._section_ids):
             at = numpy.minimum(numpy.searchsorted(ids[order], members), len(ids) - 1)
-            result[order[at[ids[order][at] == members]]] = number
+            own = order[at[ids[order][at] == members]]
+            for earlier in numpy.unique(result[own][result[own] >= 0]).tolist():
+                self._findings.leave_out(self.sections[earlier].card.place, "*SOLID SECTION", f"{int((result[own] == earlier).sum())} of its "
+                                         f"elements have the section of {self.sections[number].card.place}, which counts")
+            result[own] = number
         return result
 
     def _cut_faces(self) -> list[tuple[int, str]]:

@@ -3,8 +3,9 @@ import numpy
 
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.deck.contents import SPRINGS, Contents, ElementTable, Scope
+from harmos.exchange.deck.contents import Contents, ElementTable, Scope
 from harmos.exchange.deck.couplings import Couplings
+from harmos.exchange.deck.kinds import SPRINGS
 from harmos.exchange.findings import Findings, Refused
 
 ALONG = 1e-3
@@ -39,13 +40,13 @@ class Springs:
         for card in [*self._contents.model, *(card for step in self._contents.steps for card in step.cards)]:
             for row, words in enumerate(card.rows() if card.keyword == "BOUNDARY" else []):
                 word = words[0].strip()
-                if not word.isdigit() and word.upper() not in self._contents.node_sets:
+                if not word.isdecimal() and word.upper() not in self._contents.node_sets:
                     continue
                 ids = self._contents.ids(word, self._contents.node_sets, Scope(), card, row).tolist()
                 named = words[1].upper() if len(words) > 1 else ""
                 if named in ("ENCASTRE", "PINNED"):
                     components = {1, 2, 3}
-                elif named.isdigit():
+                elif named.isdecimal():
                     last = words[2] if len(words) > 2 and words[2] else named
                     components = set(range(int(named), int(card.number(last, row)) + 1))
                 else:

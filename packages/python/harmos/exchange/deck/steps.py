@@ -1,4 +1,6 @@
 """Boundaries and loads of a deck over its steps."""
+import typing
+
 import numpy
 
 from harmos.exchange.deck.acting import Acting
@@ -25,6 +27,9 @@ OUTPUT = ("NODEPRINT", "ELPRINT", "NODEFILE", "ELFILE", "CONTACTPRINT", "CONTACT
           "MONITOR", "ENERGYPRINT", "CONTROLS", "FILEFORMAT")
 """What asks for output or steers iterations."""
 
+UNKNOWN = "the scene is as it would be without it"
+"""What is told of a keyword of which Harmos does not know what it would change."""
+
 
 class LoadReader:
     """Follows the steps of a deck."""
@@ -36,8 +41,8 @@ class LoadReader:
         self._contents, self._couplings, self._findings = contents, couplings, findings
         self._loads = Loads()
         self._refusals = Refusals()
-        tightening = Tightening(contents, self._loads.preloads, findings)
-        acting = Acting(contents, solids, couplings, Transforms(contents, solids, findings), tightening, self._loads, findings)
+        self._tightening = Tightening(contents, self._loads.preloads, findings)
+        acting = Acting(contents, solids, couplings, Transforms(contents, solids, findings), self._tightening, self._loads, findings)
         amplitudes = Amplitudes(contents, findings)
         self._boundaries = Boundaries(acting, amplitudes, joined, ground)
         self._nodal = NodalLoads(acting, amplitudes, materials)
@@ -100,28 +105,30 @@ class LoadReader:
                 elif card.keyword == "TEMPERATURE":
                     self._nodal.read_temperatures(card, span, at_once)
                 elif card.keyword not in OUTPUT and card is not static:
-                    self._findings.leave_out(card.place, f"*{card.keyword}", "without effect on the scene")
+                    self._findings.leave_out(card.place, f"*{card.keyword}", UNKNOWN)
         return span.end
 
     def _free(self, step: Step, span: Span) -> None:
         """What OP=NEW takes away."""
-        kinds: dict[str, list[dict[tuple[int, int], Points]]] = {
-            "CLOAD": [self._loads.forces], "DLOAD": [self._loads.pressures], "DSLOAD": [self._loads.pressures],
-            "BOUNDARY": [self._loads.held]}
-        for keyword, tables in kinds.items():
-            new = [card for card in step.cards if card.keyword == keyword and card.get("OP") == "NEW"]
-            if keyword == "CLOAD" and new:
-                for coupling in self._couplings.all:
-                    for component, points in coupling.forces.items():
-                        coupling.forces[component] = followed(points, span, 0.0, None, False)
-            if keyword == "DLOAD" and new:
-                for turn, points in self._loads.rotations.items():
-                    self._loads.rotations[turn] = followed(points, span, 0.0, None, False)
-            if not new or not any(tables):
-                continue
-            if keyword == "BOUNDARY":
-                self._boundaries.list_released(new[0], step)
-                continue
-            for table in tables:
-                for key, points in table.items():
-                    table[key] = followed(points, span, 0.0, None, False)
+        new = {card.keyword: card for card in step.cards if card.get("OP") == "NEW"}
+        loads = self._loads
+        if "CLOAD" in new:
+            _release(loads.forces, span)
+            for coupling in self._couplings.all:
+                _release(coupling.forces, span)
+            self._tightening.release(span)
+        if "DLOAD" in new or "DSLOAD" in new:
+            _release(loads.pressures, span)
+            _release(loads.body_forces, span)
+            _release(loads.rotations, span)
+        if "BOUNDARY" in new and loads.held:
+            self._boundaries.list_released(new["BOUNDARY"], step)
+
+
+_Key = typing.TypeVar("_Key")
+
+
+def _release(table: dict[_Key, Points], span: Span) -> None:
+    """Lets all curves go to 0 over a step."""
+    for key, points in table.items():
+        table[key] = followed(points, span, 0.0, None, False)

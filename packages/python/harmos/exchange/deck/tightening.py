@@ -3,7 +3,7 @@ import dataclasses
 
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents
-from harmos.exchange.deck.curves import UNLOADED, Course
+from harmos.exchange.deck.curves import UNLOADED, Course, Span, followed
 from harmos.exchange.deck.loads import Preload
 from harmos.exchange.findings import Findings
 
@@ -17,8 +17,8 @@ class Tightening:
 
     def __init__(self, contents: Contents, preloads: dict[int, Preload], findings: Findings) -> None:
         """Adds to the preloads, by the ids of the reference nodes."""
-        self.nodes = {int(card.get("NODE")) for card in contents.model
-                      if card.keyword == "PRE-TENSIONSECTION" and card.get("NODE").isdigit()}
+        self.nodes = {contents.single_node(card, "NODE") for card in contents.model
+                      if card.keyword == "PRE-TENSIONSECTION" and card.get("NODE")}
         self._preloads, self._findings = preloads, findings
 
     def draw(self, node: int, card: Card, row: int, course: Course, value: float) -> None:
@@ -41,3 +41,9 @@ class Tightening:
                                      f"{value:g}, after the bolt was locked or drawn together: it keeps that")
             return
         self._preloads[node] = Preload(course.followed(preload.points, value), True)
+
+    def release(self, span: Span) -> None:
+        """Lets the forces of bolts that are not locked go to 0 over a step."""
+        for node, preload in self._preloads.items():
+            if preload.is_force and preload.locked is None:
+                self._preloads[node] = dataclasses.replace(preload, points=followed(preload.points, span, 0.0, None, False))
