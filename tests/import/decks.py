@@ -188,6 +188,28 @@ class Decks(DeckCase):
         shutil.rmtree(work / "out")
         self.demand_refused(self.stack("", down, "*CONTACT PAIR,INTERACTION=CC,ADJUST=NONE\n"), "ADJUST=NONE", "distance or a node set")
 
+    def test_adjust_of_curved_faces(self) -> None:
+        # A quadratic face whose middle nodes ADJUST moves down to the other dips into it by 0.002 between them and the edge that
+        # touches: that is no interference.
+        bottom, top = [(0, 0, 1), (1, 0, 1.016), (1, 1, 1.016), (0, 1, 1)], [(0, 0, 2), (1, 0, 2), (1, 1, 2), (0, 1, 2)]
+
+        def middle(one: tuple[float, ...], other: tuple[float, ...]) -> tuple[float, ...]:
+            return tuple((a + b) / 2 for a, b in zip(one, other))
+
+        corners = [*bottom, *top]
+        edges = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]
+        nodes = corners + [(*middle(corners[a], corners[b])[:2], 1.004) if (a, b) in ((0, 1), (2, 3)) else middle(corners[a], corners[b])
+                           for a, b in edges]
+        rows = "".join(f"{number + 9}, {x}, {y}, {z}\n" for number, (x, y, z) in enumerate(nodes))
+        numbers = ", ".join(str(number + 9) for number in range(20))
+        text = (CUBE + f"*NODE\n{rows}*ELEMENT,TYPE=C3D20,ELSET=CUBE\n2, {numbers}\n" + STEEL + HELD
+                + "*NSET,NSET=TOP\n13,14,15,16,21,22,23,24\n*BOUNDARY\nTOP,1,3\n*SURFACE,NAME=S\n2, S1\n*SURFACE,NAME=M\n1, S2\n"
+                + "*NSET,NSET=SOME\n17,19\n*SURFACE INTERACTION,NAME=CC\n*CONTACT PAIR,INTERACTION=CC,ADJUST={}\nS, M\n" + STEP.format(""))
+        for adjust in ("0.005", "SOME"):
+            with self.subTest(adjust):
+                self.assertAlmostEqual(self.solved(text.replace("{}", adjust))[-1]["reaction_held_xyz_z"], 0.0, 9)
+        self.assertIn("ADJUST: 2 nodes of S moved onto M", self.imported(text.replace("{}", "SOME"))[1])
+
     def test_friction_with_a_slope_of_sticking(self) -> None:
         # Pressed by 2.5, then pushed aside: the cubes shear by 2 F / G, G = 500, and bend, and the contact gives F / slope.
         behavior = "*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=LINEAR\n500.\n*FRICTION\n0.4, 100.\n"

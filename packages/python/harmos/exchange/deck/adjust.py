@@ -17,15 +17,15 @@ _FACETS: dict[tuple[int, bool], list[tuple[int, ...]]] = {(3, False): [(0, 1, 2)
            (4, True): [(0, 4, 7), (4, 1, 5), (5, 2, 6), (6, 3, 7), (4, 5, 6), (4, 6, 7)]}
 
 
-def move_onto(mesh: Mesh, slave: Array, master: Array, reach: float, chosen: "Array | None") -> int:
+def move_onto(mesh: Mesh, slave: Array, master: Array, reach: float, chosen: "Array | None") -> Array:
     """Moves nodes of the sides `slave` along the normal of the nearest facet of `master` onto it: those with a gap of at
-    most `reach` [length], overlapping ones as well, or those in `chosen`, whatever their gap. How many were moved."""
+    most `reach` [length], overlapping ones as well, or those in `chosen`, whatever their gap. How far each of those was moved that were [length]."""
     corners, normals = _facets(mesh, master)
     nodes = _nodes(mesh, slave)
     if chosen is not None:
         nodes = nodes[numpy.isin(nodes, chosen)]
     if not len(nodes) or not len(corners):
-        return 0
+        return numpy.zeros(0)
     at = mesh.nodes[nodes]
     size = numpy.linalg.norm(corners - numpy.roll(corners, 1, axis=1), axis=2).max(axis=1)
     count = min(NEIGHBOURS, len(corners))
@@ -41,7 +41,8 @@ def move_onto(mesh: Mesh, slave: Array, master: Array, reach: float, chosen: "Ar
         shift[better] = -gap[better, None] * normals[of][better]
     moved = numpy.isfinite(best) & (best > 1e-12 * float(size.max()))
     mesh.nodes[nodes[moved]] += shift[moved]
-    return int(moved.sum())
+    result: Array = best[moved]
+    return result
 
 
 def _is_above(at: Array, corners: Array, normal: Array, size: Array) -> Array:

@@ -22,6 +22,10 @@ from harmos.exchange.sides import split_by_part
 TIE_REACH = 0.1
 """Distance up to which tied surfaces are joined, over the longest edge of both: that of the program."""
 
+DIP = 1.5
+"""Overlap of faces whose middle nodes ADJUST moves, over that distance: 4/3 in the mean that contact sees where a parabola of height h
+loses its h/4 in the middle."""
+
 
 class Joints:
     """Writes the interfaces of a scene.
@@ -58,7 +62,7 @@ class Joints:
         if "CYCLICSYMMETRY" in card.parameters:
             self._findings.leave_out(card.place, "*TIE, CYCLIC SYMMETRY", "a sector is not joined to its copies: its cuts are free")
             return
-        self._pairs(card, "tie", lambda law: law.set("Type", "Perfect"))
+        self._pairs(card, "tie", lambda interface: interface.child("Law").set("Type", "Perfect"))
 
     def _equal_motions(self, tie: Tie) -> None:
         if frozenset(tie.parts) in self.joined:
@@ -73,13 +77,20 @@ class Joints:
 
     def _contact(self, card: Card) -> None:
         interaction = self._interactions.find(card)
-        if "ADJUST" in card.parameters:
-            self._adjust(card)
-        if self._pairs(card, "contact", interaction.write):
+        closed = self._adjust(card) if "ADJUST" in card.parameters else 0.0
+
+        def write(interface: SceneList) -> None:
+            if closed > 0.0:
+                interface.comment("Between nodes that ADJUST has moved, curved faces would lie in the others.")
+                interface.set("Gap", "Closed").set("Closed Within", closed)
+            interaction.write(interface.child("Law"))
+
+        if self._pairs(card, "contact", write):
             self.has_contact |= interaction.may_open
 
-    def _adjust(self, card: Card) -> None:
-        """Moves the nodes of slave surfaces onto their masters, up to a gap or of a node set."""
+    def _adjust(self, card: Card) -> float:
+        """Moves the nodes of slave surfaces onto their masters, up to a gap or of a node set; the gap up to which the surfaces count as
+        closed then, 0 where no node was moved."""
         word = card.get("ADJUST")
         sets = self._contents.node_sets
         chosen = self._solids.nodes(numpy.unique(numpy.concatenate(sets[word]))) if sets.get(word) else None
@@ -90,6 +101,7 @@ class Joints:
             except ValueError:
                 raise Refused(f"{card.place}: *CONTACT PAIR, ADJUST={word}: it takes a distance or a node set. "
                               f"{names_there(word, sets)}") from None
+        farthest = 0.0
         for row, words in enumerate(card.rows()):
             if len(words) < 2 or not words[1]:
                 continue
@@ -97,9 +109,11 @@ class Joints:
             if not len(slave) or not len(master):
                 continue
             moved = move_onto(self._solids.mesh, slave, master, reach, chosen)
-            self._findings.found.append(f"{card.place_of(row)}: ADJUST: {moved} nodes of {words[0]} moved onto {words[1]}")
+            farthest = max(farthest, float(moved.max(initial=0.0)))
+            self._findings.found.append(f"{card.place_of(row)}: ADJUST: {len(moved)} nodes of {words[0]} moved onto {words[1]}")
+        return max(reach, DIP * farthest) if farthest > 0.0 else 0.0
 
-    def _pairs(self, card: Card, word: str, write_law: Callable[[SceneList], object]) -> int:
+    def _pairs(self, card: Card, word: str, write: Callable[[SceneList], object]) -> int:
         """An interface for each line with two surfaces and each pair of parts on them; how many."""
         count = 0
         for row, words in enumerate(card.rows()):
@@ -129,7 +143,7 @@ class Joints:
                 interface = self._scene.child("Interfaces").child(name)
                 for side, (given, faces) in enumerate(((words[0], rows), (words[1], other_rows)), 1):
                     interface.set(f"Side {side}", self.add_side_set(given, faces))
-                write_law(interface.child("Law"))
+                write(interface)
                 self.joined.add(frozenset([part, other_part]))
                 self._findings.found.append(f"{card.place_of(row)}: {word} of {words[0]} and {words[1]}: interface {name}")
                 count += 1
