@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Draws an angle bracket on a plate, held by two bolts, as a STEP file [mm]: bolted_bracket.py FILE.step
+"""Draws an angle bracket on a plate, held by two bolts, as a STEP file [mm]: bolted_bracket.py FILE.step [HOLE]
 
-The bolts, of diameter 8, have their threads in the plate and 9 mm holes in the bracket.
+The bolts, of diameter 8, have their threads in the plate and holes in the bracket, of diameter 9 unless HOLE says otherwise.
 """
 import pathlib
 import re
@@ -10,7 +10,7 @@ import sys
 import gmsh
 
 
-def draw() -> dict[str, int]:
+def draw(hole_diameter: float) -> dict[str, int]:
     """The solids by name."""
     kernel = gmsh.model.occ
     plate = kernel.addBox(-40, -30, -15, 80, 60, 15)
@@ -18,7 +18,7 @@ def draw() -> dict[str, int]:
     bracket = kernel.fuse([(3, foot)], [(3, wall)])[0][0][1]
     result = {}
     for number, y in ((1, -10), (2, 10)):
-        hole = kernel.addCylinder(10, y, 0, 0, 0, 8, 4.5)
+        hole = kernel.addCylinder(10, y, 0, 0, 0, 8, hole_diameter / 2)
         bracket = kernel.cut([(3, bracket)], [(3, hole)])[0][0][1]
         thread = kernel.addCylinder(10, y, -12, 0, 0, 12, 4)
         plate = kernel.cut([(3, plate)], [(3, thread)])[0][0][1]
@@ -30,7 +30,7 @@ def draw() -> dict[str, int]:
 def main() -> None:
     gmsh.initialize()
     gmsh.option.setNumber("General.Terminal", 0)
-    solids = draw()
+    solids = draw(float(sys.argv[2]) if len(sys.argv) > 2 else 9.0)
     gmsh.model.occ.synchronize()
     gmsh.write(sys.argv[1])
     gmsh.finalize()

@@ -31,7 +31,6 @@ OTHER_METHOD = {
     **dict.fromkeys(("beamcontact", "contact4", "cubespring", "plate", "punch1", "punch2"),
                     "surfaces that do not match, one to three elements wide: halved elements (Mesh/Refine=1) move what is compared by "
                     "more than the difference"),
-    "scheibe": "a rigid body turns by pi; linear in geometry that is pi times the arm",
 }
 """Decks of which CalculiX's own solution is not what Harmos is held against, and why."""
 

@@ -71,6 +71,25 @@ class Drawings(unittest.TestCase):
         self.assertGreater(loaded["force_bolt_1"], 5005.0)
         self.assertLess(loaded["force_bolt_1"], 5300.0)
 
+    def test_bolts_in_fitted_holes(self) -> None:
+        subprocess.run([pathlib.Path(__file__).parent / "bolted_bracket.py", work / "fitted.step", "8"], check=True, stdout=subprocess.DEVNULL)
+        words = ["--units", "mm N s", "--size", 8, "--hold", "plate_face_5", "--load", "bracket_face_5", "--perfect", "plate_to_bolt_1",
+                 "--perfect", "plate_to_bolt_2", "--preload", "bolt_1=8000", "--preload", "bolt_2=8000"]
+        for order in (1, 2):
+            with self.subTest(order=order):
+                end = run("import", work / "fitted.step", "--output", work / "fit", *words, "--order", order, "--part-size", "bracket=14",
+                          "--part-size", "plate=20")
+                self.assertEqual(end.returncode, 0, end.stderr)
+                self.assertRegex(end.stdout, r"bracket_to_bolt_1: \d+ curved faces at the edge of flat ones")
+                end = run("check", work / "fit" / "fitted.xml")
+                self.assertEqual(end.returncode, 0, end.stderr)
+        # At the edge under the head, friction and the pressure of the shank had held one motion twice: no run came to an end.
+        end = run("import", work / "fitted.step", "--output", work / "fit", *words)
+        self.assertEqual(end.returncode, 0, end.stderr)
+        end = run("run", work / "fit" / "fitted.xml", "--output", work / "fit" / "run", "--set", "Values/friction=0.2",
+                  "--set", "Boundaries/bracket_face_5/Law/X=2", "--set", "Solver/Mesh Error=false")
+        self.assertEqual(end.returncode, 0, end.stdout + end.stderr)
+
     def test_bolts_that_nothing_holds_are_told(self) -> None:
         import gmsh
         gmsh.initialize(["loose"], False)

@@ -6,6 +6,7 @@ import numpy
 
 from harmos.arrays import Array
 from harmos.exchange.contact import Contact, contacts, face_measures
+from harmos.exchange.edges import without_curved_edges
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Mesh, codes, ended_name, faces_of, outer_faces, unused_name
 from harmos.exchange.preloads import LOADING, add_preloads
@@ -99,15 +100,18 @@ def _add_interfaces(scene: SceneList, mesh: Mesh, choices: Choices, findings: Fi
     interfaces = scene.child("Interfaces")
     unit = "length" if mesh.dimension == 2 else "area"
     for contact in contacts(mesh):
-        sides = _sides_of(mesh, contact)
         name = unused_name(f"{contact.parts[0]}_to_{contact.parts[1]}", set(interfaces.names()))
         size = " and ".join(dict.fromkeys(f"{area:.4g}" for area in contact.areas))
         is_perfect = name in choices.perfect
+        is_fitted = not is_perfect and contact.parts in mesh.fitted
+        if is_fitted:
+            contact = _at_edges(mesh, contact, name, findings)
+        sides = _sides_of(mesh, contact)
         interfaces.comment(f"{contact.parts[0]} and {contact.parts[1]} touch: {unit} {size}.",
                            *([] if is_perfect else [ASK + "friction is assumed; Perfect joins them, remove the list where "
                                                     "they do not meet."]))
         interface = interfaces.child(name).set("Side 1", sides[0]).set("Side 2", sides[1])
-        if not is_perfect and contact.parts in mesh.fitted:
+        if is_fitted:
             interface.comment("Curved faces of both lie in each other in the drawing: gaps are those of facets.").set("Gap", "Closed")
         law = interface.child("Law")
         if is_perfect:
@@ -120,6 +124,16 @@ def _add_interfaces(scene: SceneList, mesh: Mesh, choices: Choices, findings: Fi
         scene.child("Values").comment(ASK + "of all interfaces.").set("friction", 0.15)
         findings.undecided.append("interfaces: friction 0.15 is assumed wherever parts touch")
     return touched
+
+
+def _at_edges(mesh: Mesh, contact: Contact, name: str, findings: Findings) -> Contact:
+    """Without curved faces at edges of flat ones, and at the planes that cut bolts."""
+    one, other = (without_curved_edges(mesh, rows, mesh.planes.get(part)) for part, rows in zip(contact.parts, contact.rows))
+    left = sum(map(len, contact.rows)) - len(one) - len(other)
+    if left:
+        findings.found.append(f"{name}: {left} curved faces at the edge of flat ones, or at the cut of a bolt, are left out: what they and "
+                              "the others hold there is the same motion")
+    return dataclasses.replace(contact, rows=(one, other))
 
 
 def _sides_of(mesh: Mesh, contact: Contact) -> list[str]:
