@@ -26,13 +26,14 @@ BodyForce::BodyForce(const ElasticPart& part)
       components_(componentsOf(part.kinematics)),
       moments_(part.piece.nodes.size(), std::array<double, 4>{}),
       isOnAxis_(nodesOnAxis(part.mesh, part.piece, part.kinematics)) {
-  const base::Matrix rest(components_ * static_cast<int>(moments_.size()), 1);
-  forEachPoint(plainOf(part), PointSet::integration, rest, [&](const ElementPoint& point) {
-    for (int a = 0; a < point.nodes; ++a) {
-      std::array<double, 4>& moments = moments_[point.node[a]];
-      const double weight = point.volume * point.value[a];
-      moments[0] += weight;
-      for (std::size_t i = 0; i < 3; ++i) moments[i + 1] += weight * point.position[i];
+  visitElements(plainOf(part), PointSet::integration, [&](const ElementPoints& at) {
+    for (int p = 0; p < at.points; ++p) {
+      for (int a = 0; a < at.nodes; ++a) {
+        std::array<double, 4>& moments = moments_[at.node[a]];
+        const double weight = at.volume[p] * at.value[p * at.nodes + a];
+        moments[0] += weight;
+        for (std::size_t i = 0; i < 3; ++i) moments[i + 1] += weight * at.position[p][i];
+      }
     }
   });
 }
@@ -40,17 +41,20 @@ BodyForce::BodyForce(const ElasticPart& part)
 void BodyForce::addTo(base::Matrix& forces, const ElasticPart& part, const Field& b) {
   const int components = componentsOf(part.kinematics);
   const std::vector<bool> isOnAxis = nodesOnAxis(part.mesh, part.piece, part.kinematics);
-  const base::Matrix rest(forces.numRows(), 1);
-  forEachPoint(plainOf(part), PointSet::integration, rest, [&](const ElementPoint& point) {
-    for (int t = 0; t < forces.numCols(); ++t) {
-      const base::Vector3 here = b(t, point.position), force = point.volume * here;
-      if (components == 2 && here[2] != 0.0) refuseOutOfPlane(part.piece.name, here[2]);
-      for (int a = 0; a < point.nodes; ++a) {
-        const int node = point.node[a];
-        for (int c = 0; c < components; ++c) {
-          if (!isOnAxis[node] || isFreeOnAxis(c)) forces(components * node + c, t) += point.value[a] * force[c];
-        }
+  const auto add = [&](const ElementPoints& at, int p, int t) {
+    const base::Vector3 here = b(t, at.position[p]), force = at.volume[p] * here;
+    if (components == 2 && here[2] != 0.0) refuseOutOfPlane(part.piece.name, here[2]);
+    for (int a = 0; a < at.nodes; ++a) {
+      const int node = at.node[a];
+      for (int c = 0; c < components; ++c) {
+        if (isOnAxis[node] && !isFreeOnAxis(c)) continue;
+        forces(components * node + c, t) += at.value[p * at.nodes + a] * force[c];
       }
+    }
+  };
+  visitElements(plainOf(part), PointSet::integration, [&](const ElementPoints& at) {
+    for (int p = 0; p < at.points; ++p) {
+      for (int t = 0; t < forces.numCols(); ++t) add(at, p, t);
     }
   });
 }

@@ -26,7 +26,7 @@ struct AffineField {
 /// Turns body forces of a part into nodal forces, f_a = int N_a b(x) dV, N_a the shape function of node a.
 class BodyForce {
  public:
-  /// Integrates over the part once, which it does not refer to later. Throws base::Error as forEachPoint(), and for
+  /// Integrates over the part once, which it does not refer to later. Throws base::Error as visitElements(), and for
   /// negative radii. Not collective.
   explicit BodyForce(const ElasticPart& part);
 

@@ -36,24 +36,28 @@ enum class PointSet {
   integration  ///< the same in distorted elements too
 };
 
-/// A point of an element of a part; the arrays belong to the caller of the visitor, during the call only.
-struct ElementPoint {
-  int element = 0;                        ///< position in Piece::elements
-  int nodes = 0;                          ///< of the element
-  const int* node = nullptr;              ///< their local numbers in the piece
-  const double* value = nullptr;          ///< shape functions N_a [-]
-  base::Vector3 position{};               ///< [length]
-  double volume = 0.0;                    ///< weight times Jacobian [length^3; in the plane times thickness]
-  const ElementStrain* strain = nullptr;  ///< of the element
-  int number = 0;                         ///< of the point in the element
-  const double* temperature = nullptr;    ///< of every column of ElasticPart::temperature [temperature]
-  const double* stress = nullptr;  ///< [stress] of every column, six components each in the order of elementStress()
+/// The points of an element of a part; the arrays belong to the caller of the visitor, during the call only.
+struct ElementPoints {
+  int element = 0;                          ///< position in Piece::elements
+  int nodes = 0;                            ///< of the element
+  const int* node = nullptr;                ///< their local numbers in the piece
+  int points = 0;                           ///< how many
+  const double* value = nullptr;            ///< shape functions N_a [-]: points x nodes
+  const base::Vector3* position = nullptr;  ///< of every point [length]
+  const double* volume = nullptr;           ///< weight times Jacobian [length^3; in the plane times thickness]
+  bool isConstant = false;                  ///< the stress is the same at all points
+  const ElementStrain* strain = nullptr;    ///< of the element
+  const double* temperature = nullptr;      ///< points x columns of ElasticPart::temperature [temperature]
+  std::function<const double*()> stress;    ///< finds the [stress]: points x six components x columns
 };
 
-/// Visits the points of all elements in their order, with the stress of the displacements there (dofs x columns
-/// [length]) and of the temperature, as the formulation has it. In linear elements, whose strain is hardly more than
-/// constant, the temperature is the mean over the element. Throws base::Error as elementStress(). Not collective.
-void forEachPoint(const ElasticPart& part, PointSet points, const base::Matrix& displacements,
-                  const std::function<void(const ElementPoint&)>& visit);
+/// Visits the elements in their order, with what is known at their points. Their stress, in the order of components of
+/// elementStress(), is found where the visitor asks for it: that of displacements, dofs x columns [length], and of the
+/// temperature, as the formulation has it. In linear elements, whose strain is hardly more than constant, the
+/// temperature is the mean over the element. Throws base::Error as elementStress(). Not collective.
+void visitElements(const ElasticPart& part, PointSet points, const base::Matrix& displacements,
+                   const std::function<void(const ElementPoints&)>& visit);
+/// The same of a part at rest.
+void visitElements(const ElasticPart& part, PointSet points, const std::function<void(const ElementPoints&)>& visit);
 
 }  // namespace harmos::elasticity

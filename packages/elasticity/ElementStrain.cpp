@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 #include <Teuchos_LAPACK.hpp>
 
@@ -42,6 +41,7 @@ ElementStrain::ElementStrain(mesh::ElementType type, Formulation formulation, Ki
     : basis_(type, formulation, kinematics),
       operators_(kinematics),
       formulation_(formulation),
+      isAffine_(type == mesh::ElementType::tri3 || type == mesh::ElementType::tet4),
       dimension_(mesh::dimensionOf(type)),
       components_(operators_.components),
       shape_(mesh::shapeFunctions(type, places)),
@@ -56,14 +56,20 @@ ElementStrain::ElementStrain(mesh::ElementType type, Formulation formulation, Ki
   }
 }
 
-bool ElementStrain::set(const std::vector<base::Vector3>& nodes, const base::Matrix& displacements) {
-  const base::Vector3* corners[ElementIntegrals::maximumFunctions];
-  for (std::size_t a = 0; a < nodes.size(); ++a) corners[a] = &nodes[a];
-  if (!integrate(basis_, corners, basis_.modes > 0, integrals_)) return false;
+bool ElementStrain::integrateOver(bool withProduct) {
+  const base::Vector3* places[ElementIntegrals::maximumFunctions];
+  for (std::size_t a = 0; a < nodes_.size(); ++a) places[a] = &nodes_[a];
+  return integrate(basis_, places, withProduct, integrals_);
+}
+
+bool ElementStrain::set(const std::vector<base::Vector3>& nodes) {
+  nodes_ = nodes;
+  if (!integrateOver(false)) return false;
   const Mapping centre = basis_.modes > 0 ? mappingAt(basis_.atCentre, 0, nodes) : Mapping{};
+  Mapping mapping;
   for (std::size_t p = 0; p < places_.size(); ++p) {
     const int point = static_cast<int>(p);
-    const Mapping mapping = mappingAt(shape_, point, nodes);
+    if (p == 0 || !isAffine_) mapping = mappingAt(shape_, point, nodes);
     determinant_[p] = mapping.determinant;
     double* gradient = gradient_.data() + p * static_cast<std::size_t>(basis_.functions() * operators_.gradients);
     const double* local = shape_.gradient.data() + static_cast<std::ptrdiff_t>(point) * shape_.nodes * dimension_;
@@ -84,16 +90,24 @@ bool ElementStrain::set(const std::vector<base::Vector3>& nodes, const base::Mat
       std::copy_n(g.begin(), dimension_, gradient + operators_.gradients * (shape_.nodes + m));
     }
   }
-  values_.shape(components_ * basis_.functions(), displacements.numCols());
-  for (int j = 0; j < displacements.numCols(); ++j) {
-    std::copy_n(displacements[j], displacements.numRows(), values_[j]);
-  }
-  if (basis_.modes > 0) findModes();
   return true;
+}
+
+void ElementStrain::displace(const base::Matrix& displacements) {
+  const int columns = displacements.numRows();
+  if (values_.numRows() != columns) values_.shape(columns, components_ * basis_.functions());
+  std::copy_n(displacements.values(), columns * displacements.numCols(), values_.values());
+  if (basis_.modes > 0) findModes();
+  if (formulation_ != Formulation::bBar) return;
+  std::vector<double> mean(6 * static_cast<std::size_t>(columns), 0.0);
+  addStrain(integrals_.gradient.data(), 1.0 / integrals_.volume, mean.data());
+  meanVolume_.assign(columns, 0.0);
+  for (int j = 0; j < columns; ++j) meanVolume_[j] = mean[j] + mean[columns + j] + mean[2 * columns + j];
 }
 
 /// No force acts on the modes: K_mm alpha = -K_mu u.
 void ElementStrain::findModes() {
+  integrateOver(true);
   const int gradients = operators_.gradients, entries = gradients * basis_.functions();
   const int size = components_ * basis_.modes, first = components_ * shape_.nodes;
   const auto stiffness = [&](int row, int column) {  // of functions a <= b
@@ -106,19 +120,22 @@ void ElementStrain::findModes() {
     }
     return sum;
   };
-  base::Matrix matrix(size, size), right(size, values_.numCols());
+  const int columns = values_.numRows();
+  base::Matrix matrix(size, size), right(size, columns);
   for (int column = 0; column < size; ++column) {
     for (int row = 0; row <= column; ++row) matrix(row, column) = stiffness(first + row, first + column);
     for (int node = 0; node < first; ++node) {
       const double k = stiffness(node, first + column);
-      for (int j = 0; j < values_.numCols(); ++j) right(column, j) -= k * values_(node, j);
+      for (int j = 0; j < columns; ++j) right(column, j) -= k * values_(j, node);
     }
   }
   int info = 0;
   Teuchos::LAPACK<int, double>().POSV('U', size, right.numCols(), matrix.values(), matrix.stride(), right.values(),
                                       right.stride(), &info);
   if (info != 0) throw base::Error("the incompatible modes of an element are not resisted");
-  for (int j = 0; j < values_.numCols(); ++j) std::copy_n(right[j], size, values_[j] + first);
+  for (int row = 0; row < size; ++row) {
+    for (int j = 0; j < columns; ++j) values_(j, first + row) = right(row, j);
+  }
 }
 
 void ElementStrain::addForces(int point, const Strain& stress, double volume, double* forces) const {
@@ -132,28 +149,28 @@ void ElementStrain::addForces(int point, const Strain& stress, double volume, do
   }
 }
 
-std::array<double, 6> ElementStrain::strain(int point, int column) const {
-  const int functions = basis_.functions(), gradients = operators_.gradients;
-  const double* gradient = gradient_.data() + static_cast<std::ptrdiff_t>(point) * functions * gradients;
-  double h[3][3] = {}, mean[3][3] = {};  // component i times gradient k
-  const bool isMean = formulation_ == Formulation::bBar;
-  for (int f = 0; f < functions; ++f) {
-    for (int i = 0; i < components_; ++i) {
-      const double u = values_(components_ * f + i, column);
-      for (int k = 0; k < gradients; ++k) h[i][k] += u * gradient[gradients * f + k];
-      for (int k = 0; k < gradients && isMean; ++k) {
-        mean[i][k] += u * integrals_.gradient[gradients * f + k] / integrals_.volume;
-      }
+void ElementStrain::addStrain(const double* gradient, double factor, double* strain) const {
+  const int columns = values_.numRows();
+  for (int f = 0; f < basis_.functions(); ++f) {
+    for (const StrainOperator::Term& term : operators_.terms) {
+      const double g = factor * term.sign * gradient[operators_.gradients * f + term.gradient];
+      const double* from = values_[components_ * f + term.component];
+      double* to = strain + term.strain * static_cast<std::size_t>(columns);
+      for (int j = 0; j < columns; ++j) to[j] += g * from[j];
     }
   }
-  std::array<double, 6> strain = operators_.strain(h);
-  if (isMean) {
-    const std::array<double, 6> meanStrain = operators_.strain(mean);
-    double change = 0.0;
-    for (std::size_t m = 0; m < 3; ++m) change += (meanStrain[m] - strain[m]) / 3.0;
-    for (std::size_t m = 0; m < 3; ++m) strain[m] += change;
+}
+
+void ElementStrain::findStrain(int point, double* strain) const {
+  const int columns = values_.numRows();
+  std::fill_n(strain, 6 * columns, 0.0);
+  addStrain(gradient_.data() + static_cast<std::ptrdiff_t>(point) * basis_.functions() * operators_.gradients, 1.0,
+            strain);
+  if (formulation_ != Formulation::bBar) return;
+  for (int j = 0; j < columns; ++j) {
+    const double change = (meanVolume_[j] - strain[j] - strain[columns + j] - strain[2 * columns + j]) / 3.0;
+    for (int m = 0; m < 3; ++m) strain[m * columns + j] += change;
   }
-  return strain;
 }
 
 }  // namespace harmos::elasticity

@@ -13,14 +13,16 @@ base::Matrix thermalForces(const ElasticPart& part) {
   base::Matrix forces(components * static_cast<int>(part.piece.nodes.size()), columns);
   const Strain hot = thermalStress(part.material, part.kinematics);
   std::vector<double> unit;
-  const base::Matrix rest(forces.numRows(), 1);
-  forEachPoint(part, PointSet::stiffness, rest, [&](const ElementPoint& point) {
-    unit.assign(static_cast<std::size_t>(components) * static_cast<std::size_t>(point.nodes), 0.0);
-    point.strain->addForces(point.number, hot, point.volume, unit.data());
-    for (int j = 0; j < columns; ++j) {
-      for (int a = 0; a < point.nodes; ++a) {
-        for (int c = 0; c < components; ++c) {
-          forces(components * point.node[a] + c, j) += point.temperature[j] * unit[components * a + c];
+  visitElements(part, PointSet::stiffness, [&](const ElementPoints& at) {
+    for (int p = 0; p < at.points; ++p) {
+      unit.assign(static_cast<std::size_t>(components) * static_cast<std::size_t>(at.nodes), 0.0);
+      at.strain->addForces(p, hot, at.volume[p], unit.data());
+      for (int j = 0; j < columns; ++j) {
+        const double degrees = at.temperature[p * columns + j];
+        for (int a = 0; a < at.nodes; ++a) {
+          for (int c = 0; c < components; ++c) {
+            forces(components * at.node[a] + c, j) += degrees * unit[components * a + c];
+          }
         }
       }
     }

@@ -160,18 +160,12 @@ bool AdjointProblem::isTaken(const CorrectionSpace& space, int first, const std:
 }
 
 bool AdjointProblem::isLeft(const CorrectionSpace& space, double hidden, Column& column) const {
-  const StateMetric& metric = fixedPoint_.metric();
-  const int rows = fixedPoint_.layout().rows();
   const CorrectionSpace::LeastSquares fit = space.solve(column.start.data());
   column.c = fit.c;
-  std::vector<double> solution(rows, 0.0);
-  base::Matrix image(rows, 1);
-  space.move(fit.c, 1.0, solution.data(), image[0]);
-  const base::Matrix answer = meet(image);
-  for (int row = 0; row < rows; ++row) {
-    column.residual[row] = column.start[row] - solution[row] + answer[0][row];
-  }
-  const double seen = space.smallestSingularValue() * norm(metric, solution);
+  column.residual = space.rest(column.start.data(), fit.c);
+  // Directions are orthonormal: so long is what they make of c.
+  const double length = std::sqrt(std::inner_product(fit.c.begin(), fit.c.end(), fit.c.begin(), 0.0));
+  const double seen = space.smallestSingularValue() * length;
   column.hidden = seen > 0.0 ? fit.left / seen : 1.0;
   const double least = std::max(converged, leftBySingle * directionError_);
   const bool isTooSoon = space.size() < fewestDirections && fit.left > least * column.size;

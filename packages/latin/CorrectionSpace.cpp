@@ -175,6 +175,19 @@ CorrectionSpace::LeastSquares CorrectionSpace::solve(const double* residual) con
   return result;
 }
 
+std::vector<double> CorrectionSpace::rest(const double* residual, const std::vector<double>& c) const {
+  std::vector<double> inBasis(size_, 0.0), x = scaled(residual);
+  for (int j = 0; j < size_; ++j) {
+    for (int i = 0; i <= j; ++i) inBasis[i] += triangle_[j][i] * c[j];
+  }
+  if (size_ > 0) {
+    Teuchos::BLAS<int, double>().GEMV(Teuchos::NO_TRANS, rows(), size_, -1.0, orthonormal_.data(), rows(),
+                                      inBasis.data(), 1, 1.0, x.data(), 1);
+  }
+  for (std::size_t row = 0; row < x.size(); ++row) x[row] /= metric_->scale()[row];
+  return x;
+}
+
 double CorrectionSpace::smallestSingularValue() const {
   if (known_ == 0) return 1.0;
   findSingularValues();

@@ -51,6 +51,8 @@ class CorrectionSpace {
   };
   /// min |r - G c|, without directions along which G is singular but for round-off.
   LeastSquares solve(const double* residual) const;
+  /// r - G c [stress]. Not collective.
+  std::vector<double> rest(const double* residual, const std::vector<double>& c) const;
   /// Of G: a lower bound of |(I - J) v| over |v| in the space; 1 without directions. Not collective.
   double smallestSingularValue() const;
 

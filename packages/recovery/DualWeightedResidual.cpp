@@ -1,89 +1,108 @@
 #include <harmos/recovery/DualWeightedResidual.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
+#include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/recovery/StressRecovery.hpp>
+#include <harmos/recovery/detail/StressSamples.hpp>
 
 namespace harmos::recovery {
 namespace {
 
-/// C^-1 [1/stress] on the components of stress that work in the kinematics.
-class Compliance {
+/// A root R of the compliance, R^T R = C^-1 [1/stress], on the components of stress that work in the kinematics: with
+/// it a : C^-1 : b is the scalar product of R a and R b.
+class ComplianceRoot {
  public:
-  Compliance(const elasticity::Material& material, elasticity::Kinematics kinematics)
-      : components_(elasticity::workingComponents(kinematics)) {
+  ComplianceRoot(const elasticity::Material& material, elasticity::Kinematics kinematics, int columns)
+      : components_(elasticity::workingComponents(kinematics)), columns_(columns) {
     const elasticity::ElasticityMatrix c = elasticity::reduced(material.elasticity(), kinematics);
-    const int size = static_cast<int>(components_.size());
-    inverse_.shape(size, size);
-    for (int i = 0; i < size; ++i) {
-      for (int j = 0; j < size; ++j) inverse_(i, j) = c[components_[i]][components_[j]];
+    root_.shape(rows(), rows());
+    for (int i = 0; i < rows(); ++i) {
+      for (int j = 0; j <= i; ++j) root_(i, j) = c[components_[i]][components_[j]];
     }
+    // C = L L^T, so that R = L^-1.
     int info = 0;
     const Teuchos::LAPACK<int, double> lapack;
-    lapack.POTRF('U', size, inverse_.values(), inverse_.stride(), &info);
-    if (info == 0) lapack.POTRI('U', size, inverse_.values(), inverse_.stride(), &info);
+    lapack.POTRF('L', rows(), root_.values(), root_.stride(), &info);
+    if (info == 0) lapack.TRTRI('L', 'N', rows(), root_.values(), root_.stride(), &info);
     if (info != 0) throw base::Error("the elasticity of a material is not positive");
-    for (int i = 0; i < size; ++i) {
-      for (int j = 0; j < i; ++j) inverse_(i, j) = inverse_(j, i);
-    }
   }
 
-  /// C^-1 : a of six components each; 0 where none works.
-  std::array<double, 6> times(const double* a) const {
-    std::array<double, 6> result{};
-    for (std::size_t i = 0; i < components_.size(); ++i) {
-      for (std::size_t j = 0; j < components_.size(); ++j) {
-        result[components_[i]] += inverse_(static_cast<int>(i), static_cast<int>(j)) * a[components_[j]];
+  /// Of R.
+  int rows() const { return static_cast<int>(components_.size()); }
+  /// R a of all columns, six components x columns: rows() x columns.
+  void multiply(const double* a, double* result) const {
+    std::fill_n(result, rows() * columns_, 0.0);
+    for (int i = 0; i < rows(); ++i) {
+      double* to = result + static_cast<std::ptrdiff_t>(i) * columns_;
+      for (int j = 0; j <= i; ++j) {
+        const double factor = root_(i, j);
+        if (factor == 0.0) continue;
+        const double* from = a + components_[j] * static_cast<std::size_t>(columns_);
+        for (int k = 0; k < columns_; ++k) to[k] += factor * from[k];
       }
     }
+  }
+  /// The same of all nodes, a column each.
+  base::Matrix multiply(const base::Matrix& a) const {
+    base::Matrix result(rows() * columns_, a.numCols());
+    for (int node = 0; node < a.numCols(); ++node) multiply(a[node], result[node]);
     return result;
   }
 
  private:
   std::vector<std::size_t> components_;
-  base::Matrix inverse_;
+  int columns_;
+  base::Matrix root_;  // lower triangle
 };
 
-double product(const std::array<double, 6>& strain, const double* stress) {
-  return std::inner_product(strain.begin(), strain.end(), stress, 0.0);
-}
-
-/// Nodal stresses at the points of an element, sigma* - sigma.
-class Recovered {
+/// Products of fields over one element: int a : C^-1 : b dV of all columns and the solutions, which come first.
+class ElementProducts {
  public:
-  explicit Recovered(const base::Matrix& nodal) : nodal_(nodal), size_(6 * nodal.numCols()) {}
+  ElementProducts(int columns, int solutions, int rows)
+      : solutions_(solutions), rows_(rows), sum_(columns, solutions) {}
 
-  /// Looks at the nodes of the element of a point: those of one column after the other lie apart.
-  void gather(const elasticity::ElementPoint& point) {
-    atNodes_.resize(static_cast<std::size_t>(point.nodes) * size_);
-    for (int a = 0; a < point.nodes; ++a) {
-      double* to = atNodes_.data() + a * size_;
-      for (int column = 0; column < nodal_.numCols(); ++column) {
-        to = std::copy_n(nodal_[column] + 6 * point.node[a], 6, to);
-      }
+  /// `roots`: R a, points x rows x columns.
+  const base::Matrix& find(const elasticity::ElementPoints& at, const double* roots) {
+    const int columns = sum_.numRows(), count = at.points * rows_;
+    weighted_.resize(static_cast<std::size_t>(count) * static_cast<std::size_t>(solutions_));
+    for (int i = 0; i < count; ++i) {
+      for (int s = 0; s < solutions_; ++s)
+        weighted_[i * solutions_ + s] = at.volume[i / rows_] * roots[i * columns + s];
     }
+    Teuchos::BLAS<int, double>().GEMM(Teuchos::NO_TRANS, Teuchos::TRANS, columns, solutions_, count, 1.0, roots,
+                                      columns, weighted_.data(), solutions_, 0.0, sum_.values(), sum_.stride());
+    return sum_;
   }
 
-  /// Six components of every column, at a point of that element.
-  const double* difference(const elasticity::ElementPoint& point) {
-    difference_.assign(size_, 0.0);
-    for (int a = 0; a < point.nodes; ++a) {
-      const double* from = atNodes_.data() + a * size_;
-      for (int i = 0; i < size_; ++i) difference_[i] += point.value[a] * from[i];
-    }
-    for (int i = 0; i < size_; ++i) difference_[i] -= point.stress[i];
+ private:
+  int solutions_, rows_;
+  std::vector<double> weighted_;
+  base::Matrix sum_;
+};
+
+/// R (sigma* - sigma) at the points of elements: points x rows x columns.
+class Difference {
+ public:
+  Difference(const base::Matrix& nodal) : nodal_(nodal), width_(nodal.numRows()) {}
+
+  /// `roots`: R sigma there.
+  const double* find(const elasticity::ElementPoints& at, const std::vector<double>& roots) {
+    atNodes_.resize(static_cast<std::size_t>(at.nodes) * static_cast<std::size_t>(width_));
+    for (int a = 0; a < at.nodes; ++a) std::copy_n(nodal_[at.node[a]], width_, atNodes_.data() + a * width_);
+    difference_ = roots;
+    Teuchos::BLAS<int, double>().GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, width_, at.points, at.nodes, 1.0,
+                                      atNodes_.data(), width_, at.value, at.nodes, -1.0, difference_.data(), width_);
     return difference_.data();
   }
 
  private:
   const base::Matrix& nodal_;
-  int size_;
+  int width_;
   std::vector<double> atNodes_, difference_;
 };
 
@@ -92,56 +111,58 @@ class Recovered {
 PartResidual dualWeightedResidual(const elasticity::ElasticPart& part, const base::Matrix& displacements,
                                   const std::vector<AdjointField>& adjoints, const std::vector<bool>& boundary,
                                   const std::vector<KnownFace>& faces, const std::vector<bool>& skipped) {
-  const int solutions = displacements.numCols() - static_cast<int>(adjoints.size());
+  const int columns = displacements.numCols(), solutions = columns - static_cast<int>(adjoints.size());
   int responses = 0;
   for (const AdjointField& adjoint : adjoints) responses = std::max(responses, adjoint.response + 1);
-  const StressRecovery recovery(part, boundary, displacements);
-  base::Matrix corrected(recovery.stress());
-  correctTractions(faces, skipped, elasticity::componentsOf(part.kinematics), corrected);
-  const Compliance compliance(part.material, part.kinematics);
+  const ComplianceRoot root(part.material, part.kinematics, columns);
+  const StressSamples samples(part, displacements);
+  base::Matrix nodal = StressRecovery(part, boundary, samples).stress();
+  const base::Matrix uncorrected = root.multiply(nodal);
+  const std::vector<bool> isCorrected =
+      correctTractions(faces, skipped, elasticity::componentsOf(part.kinematics), nodal);
+  const base::Matrix corrected = root.multiply(nodal);
 
   PartResidual result;
   for (auto* list : {&result.change, &result.absolute, &result.uncorrected, &result.work, &result.absoluteWork}) {
     list->assign(responses, 0.0);
   }
-  std::vector<double> ofElement(responses, 0.0), workOfElement(responses, 0.0);
-  std::vector<std::array<double, 6>> ofRaw(solutions), ofError(solutions), strain(solutions);
-  Recovered uncorrected(recovery.stress()), best(corrected);
-  int element = -1;
-  const auto close = [&] {
-    for (int j = 0; j < responses; ++j) {
-      result.change[j] += ofElement[j];
-      result.absolute[j] += std::abs(ofElement[j]);
-      result.work[j] += workOfElement[j];
-      result.absoluteWork[j] += std::abs(workOfElement[j]);
-      ofElement[j] = workOfElement[j] = 0.0;
+  ElementProducts products(columns, solutions, root.rows());
+  Difference raw(uncorrected), best(corrected);
+  std::vector<double> roots, ofElement(responses);
+  // Adds up the adjoints of each response, and hands on what the element brings to it.
+  const auto add = [&](const base::Matrix& product, auto&& to) {
+    std::fill(ofElement.begin(), ofElement.end(), 0.0);
+    for (std::size_t i = 0; i < adjoints.size(); ++i) {
+      ofElement[adjoints[i].response] += product(solutions + static_cast<int>(i), adjoints[i].solution);
     }
+    for (int j = 0; j < responses; ++j) to(j, ofElement[j]);
   };
-  elasticity::forEachPoint(part, elasticity::PointSet::squares, displacements,
-                           [&](const elasticity::ElementPoint& point) {
-                             if (point.element != element) {
-                               close();
-                               element = point.element;
-                               uncorrected.gather(point);
-                               best.gather(point);
-                             }
-                             const double *rawError = uncorrected.difference(point), *error = best.difference(point);
-                             for (int s = 0; s < solutions; ++s) {
-                               ofRaw[s] = compliance.times(rawError + 6 * s);
-                               ofError[s] = compliance.times(error + 6 * s);
-                               strain[s] = compliance.times(point.stress + 6 * s);
-                             }
-                             int at = 6 * solutions;
-                             for (const auto& [s, j] : adjoints) {
-                               ofElement[j] += point.volume * product(ofError[s], error + at);
-                               workOfElement[j] += point.volume * product(strain[s], point.stress + at);
-                               result.uncorrected[j] += point.volume * product(ofRaw[s], rawError + at);
-                               at += 6;
-                             }
-                             result.errorEnergy += point.volume * product(ofError[0], error);
-                             result.energy += point.volume * product(strain[0], point.stress);
-                           });
-  close();
+  elasticity::visitElements(
+      part, elasticity::PointSet::squares, displacements, [&](const elasticity::ElementPoints& at) {
+        // The same points, or any.
+        const bool isSampled = at.isConstant || samples.of(at.element) == at.points;
+        const double* stress = isSampled ? samples.at(samples.first[at.element]) : at.stress();
+        const std::size_t width = static_cast<std::size_t>(root.rows()) * static_cast<std::size_t>(columns);
+        roots.resize(width * at.points);
+        for (int p = 0; p < at.points; ++p) {
+          root.multiply(at.isConstant ? stress : stress + samples.width * p, roots.data() + width * p);
+        }
+        const base::Matrix& ofStress = products.find(at, roots.data());
+        result.energy += ofStress(0, 0);
+        add(ofStress, [&](int j, double work) {
+          result.work[j] += work;
+          result.absoluteWork[j] += std::abs(work);
+        });
+        const base::Matrix& ofError = products.find(at, best.find(at, roots));
+        result.errorEnergy += ofError(0, 0);
+        add(ofError, [&](int j, double change) {
+          result.change[j] += change;
+          result.absolute[j] += std::abs(change);
+        });
+        const bool isSame = std::none_of(at.node, at.node + at.nodes, [&](int node) { return isCorrected[node]; });
+        add(isSame ? ofError : products.find(at, raw.find(at, roots)),
+            [&](int j, double change) { result.uncorrected[j] += change; });
+      });
   return result;
 }
 

@@ -1,13 +1,16 @@
 #include <harmos/recovery/StressRecovery.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 
+#include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/mesh/Elements.hpp>
+#include <harmos/recovery/detail/StressSamples.hpp>
 
 namespace harmos::recovery {
 namespace {
@@ -15,44 +18,19 @@ namespace {
 // Singular value of a fit, over the largest, below which its points say nothing.
 constexpr double undetermined = 1e-3;
 
-/// What the elements say at their sampling points.
-struct Samples {
-  std::vector<std::size_t> first;  // of each element, and the end
-  std::vector<base::Vector3> position;
-  std::vector<double> volume;
-  std::vector<double> stress;  // 6 x columns of each point
-};
-
-Samples sample(const elasticity::ElasticPart& part, const base::Matrix& displacements) {
-  Samples samples;
-  const std::size_t width = 6 * static_cast<std::size_t>(displacements.numCols());
-  elasticity::forEachPoint(part, elasticity::PointSet::sampling, displacements,
-                           [&](const elasticity::ElementPoint& point) {
-                             while (samples.first.size() <= static_cast<std::size_t>(point.element)) {
-                               samples.first.push_back(samples.position.size());
-                             }
-                             samples.position.push_back(point.position);
-                             samples.volume.push_back(point.volume);
-                             samples.stress.insert(samples.stress.end(), point.stress, point.stress + width);
-                           });
-  samples.first.push_back(samples.position.size());
-  return samples;
-}
-
 /// Which elements of a part a node belongs to, and which nodes an element has.
 class Neighbourhood {
  public:
-  explicit Neighbourhood(const elasticity::ElasticPart& part) : elements_(part.mesh), part_(part), first_(1, 0) {
-    ofNode_.resize(part.piece.nodes.size());
-    wasFound_.assign(part.piece.elements.size(), false);
-    for (std::size_t e = 0; e < part.piece.elements.size(); ++e) {
-      const int number = part.piece.elements[e];
-      const int* nodes = elements_.nodes(number);
-      for (int a = 0; a < mesh::nodesPerElement(elements_.type(number)); ++a) {
-        nodes_.push_back(mesh::localNode(part.piece, nodes[a]));
-        ofNode_[nodes_.back()].push_back(static_cast<int>(e));
+  Neighbourhood(const elasticity::ElasticPart& part, const StressSamples& samples)
+      : elements_(part.mesh),
+        part_(part),
+        samples_(samples),
+        ofNode_(part.piece.nodes.size()),
+        wasFound_(part.piece.elements.size(), false) {
+    for (std::size_t e = 0; e < wasFound_.size(); ++e) {
+      for (std::size_t k = samples.firstNode[e]; k < samples.firstNode[e + 1]; ++k) {
+        ofNode_[samples.node[k]].push_back(static_cast<int>(e));
       }
-      first_.push_back(nodes_.size());
     }
   }
 
@@ -62,8 +40,8 @@ class Neighbourhood {
   std::vector<int> widened(const std::vector<int>& elements) {
     std::vector<int> result;
     for (const int element : elements) {
-      for (std::size_t k = first_[element]; k < first_[element + 1]; ++k) {
-        for (const int neighbour : ofNode_[nodes_[k]]) {
+      for (std::size_t k = samples_.firstNode[element]; k < samples_.firstNode[element + 1]; ++k) {
+        for (const int neighbour : ofNode_[samples_.node[k]]) {
           if (wasFound_[neighbour]) continue;
           wasFound_[neighbour] = true;
           result.push_back(neighbour);
@@ -78,8 +56,7 @@ class Neighbourhood {
  private:
   mesh::Elements elements_;
   const elasticity::ElasticPart& part_;
-  std::vector<std::size_t> first_;  // in nodes_ of each element, and the end
-  std::vector<int> nodes_;          // of the piece
+  const StressSamples& samples_;
   std::vector<std::vector<int>> ofNode_;
   std::vector<bool> wasFound_;  // per element, during widened()
 };
@@ -104,82 +81,130 @@ std::vector<int> patchOf(Neighbourhood& neighbourhood, int node, bool isOnBounda
   return isTooSmall ? neighbourhood.widened(own) : own;
 }
 
-/// Appends the monomials of x up to the given order, 1 first.
-void appendMonomials(const base::Vector3& x, int dimension, bool isQuadratic, std::vector<double>& to) {
-  to.push_back(1.0);
-  for (int i = 0; i < dimension; ++i) to.push_back(x[i]);
+/// The monomials of x up to the given order, 1 first; returns how many.
+int monomials(const base::Vector3& x, int dimension, bool isQuadratic, double* to) {
+  int count = 0;
+  to[count++] = 1.0;
+  for (int i = 0; i < dimension; ++i) to[count++] = x[i];
   for (int i = 0; i < dimension && isQuadratic; ++i) {
-    for (int j = i; j < dimension; ++j) to.push_back(x[i] * x[j]);
+    for (int j = i; j < dimension; ++j) to[count++] = x[i] * x[j];
   }
+  return count;
 }
 
-/// What each sample counts in the value at the node of the polynomial fitted to the samples of these elements.
-struct Fit {
-  std::vector<std::size_t> point;
-  std::vector<double> weight;
-};
+double sizeOf(const base::Matrix& matrix) {
+  double sum = 0.0;
+  for (int i = 0; i < matrix.numRows(); ++i) {
+    for (int j = 0; j <= i; ++j) sum += (i == j ? 1.0 : 2.0) * matrix(j, i) * matrix(j, i);
+  }
+  return std::sqrt(sum);
+}
 
-Fit fit(const Samples& samples, const std::vector<int>& patch, const base::Vector3& node, int dimension,
-        bool isQuadratic) {
-  Fit result;
-  double size = 0.0;
-  for (const int element : patch) {
-    for (std::size_t p = samples.first[element]; p < samples.first[element + 1]; ++p) {
-      result.point.push_back(p);
-      size = std::max(size, base::distance(samples.position[p], node));
-    }
-  }
-  std::vector<double> rows;  // monomials of each point, one point after the other
-  for (const std::size_t p : result.point) {
-    appendMonomials((1.0 / size) * (samples.position[p] - node), dimension, isQuadratic, rows);
-  }
-  const int unknowns = static_cast<int>(rows.size() / result.point.size());
-  base::Matrix gram(unknowns, unknowns);
-  for (std::size_t s = 0; s < result.point.size(); ++s) {
-    const double volume = samples.volume[result.point[s]];
-    const double* row = rows.data() + s * unknowns;
-    for (int i = 0; i < unknowns; ++i) {
-      for (int j = 0; j <= i; ++j) gram[i][j] += volume * row[i] * row[j];
-    }
-  }
-  std::vector<double> values(unknowns), work(64 * static_cast<std::size_t>(unknowns));
+/// The first row of the inverse of a symmetric matrix, whose upper triangle is given; of its pseudo-inverse where
+/// singular values of the fit have to be dropped.
+std::vector<double> firstOfInverse(const base::Matrix& gram) {
+  const int size = gram.numRows();
+  const Teuchos::LAPACK<int, double> lapack;
+  std::vector<double> first(size, 0.0);
   int info = 0;
-  Teuchos::LAPACK<int, double>().SYEV('V', 'U', unknowns, gram.values(), gram.stride(), values.data(), work.data(),
-                                      static_cast<int>(work.size()), &info);
+  base::Matrix inverse(gram);
+  lapack.POTRF('U', size, inverse.values(), inverse.stride(), &info);
+  if (info == 0) lapack.POTRI('U', size, inverse.values(), inverse.stride(), &info);
+  // No less than the quotient of the largest and the smallest eigenvalue.
+  if (info == 0 && sizeOf(gram) * sizeOf(inverse) * undetermined * undetermined < 1.0) {
+    for (int i = 0; i < size; ++i) first[i] = inverse(0, i);
+    return first;
+  }
+  base::Matrix vectors(gram);
+  std::vector<double> values(size), work(64 * static_cast<std::size_t>(size));
+  lapack.SYEV('V', 'U', size, vectors.values(), vectors.stride(), values.data(), work.data(),
+              static_cast<int>(work.size()), &info);
   if (info != 0) throw base::Error("LAPACK's SYEV failed with " + std::to_string(info) + " in the recovery of stress.");
-  std::vector<double> first(unknowns, 0.0);  // of the inverse, the row of the constant
-  for (int k = 0; k < unknowns; ++k) {
+  for (int k = 0; k < size; ++k) {
     if (values[k] < undetermined * undetermined * values.back()) continue;
-    for (int i = 0; i < unknowns; ++i) first[i] += gram(i, k) * gram(0, k) / values[k];
+    for (int i = 0; i < size; ++i) first[i] += vectors(i, k) * vectors(0, k) / values[k];
   }
-  for (std::size_t s = 0; s < result.point.size(); ++s) {
-    result.weight.push_back(samples.volume[result.point[s]] *
-                            std::inner_product(first.begin(), first.end(), rows.begin() + s * unknowns, 0.0));
-  }
-  return result;
+  return first;
 }
+
+/// Fits polynomials to samples.
+class Fit {
+ public:
+  Fit(const StressSamples& samples, int dimension) : samples_(samples), dimension_(dimension) {}
+
+  /// Adds to `stress`, as wide as a sample, the value at a place of the polynomial fitted to those of these elements.
+  void evaluate(const std::vector<int>& patch, const base::Vector3& place, bool isQuadratic, double* stress) {
+    look(patch, place, isQuadratic);
+    const Teuchos::BLAS<int, double> blas;
+    const int width = static_cast<int>(samples_.width);
+    // Those that follow one another at once.
+    for (std::size_t begin = 0, end = 0; begin < sample_.size(); begin = end) {
+      for (end = begin + 1; end < sample_.size() && sample_[end] == sample_[end - 1] + 1;) ++end;
+      blas.GEMV(Teuchos::NO_TRANS, width, static_cast<int>(end - begin), 1.0, samples_.at(sample_[begin]), width,
+                weight_.data() + begin, 1, 1.0, stress, 1);
+    }
+  }
+
+ private:
+  static constexpr int mostMonomials = 10;
+
+  /// What each sample counts in the value.
+  void look(const std::vector<int>& patch, const base::Vector3& place, bool isQuadratic) {
+    sample_.clear();
+    double size = 0.0;
+    for (const int element : patch) {
+      for (std::size_t s = samples_.first[element]; s < samples_.first[element + 1]; ++s) {
+        sample_.push_back(s);
+        const base::Vector3 x = samples_.position[s] - place;
+        size = std::max(size, base::dot(x, x));
+      }
+    }
+    const double scale = 1.0 / std::sqrt(size);
+    rows_.resize(mostMonomials * sample_.size());
+    double sums[mostMonomials][mostMonomials] = {};
+    int unknowns = 0;
+    for (std::size_t s = 0; s < sample_.size(); ++s) {
+      double* row = rows_.data() + mostMonomials * s;
+      unknowns = monomials(scale * (samples_.position[sample_[s]] - place), dimension_, isQuadratic, row);
+      for (int i = 0; i < unknowns; ++i) {
+        const double weighted = samples_.volume[sample_[s]] * row[i];
+        for (int j = 0; j <= i; ++j) sums[i][j] += weighted * row[j];
+      }
+    }
+    base::Matrix gram(unknowns, unknowns);
+    for (int i = 0; i < unknowns; ++i) std::copy_n(sums[i], i + 1, gram[i]);
+    const std::vector<double> first = firstOfInverse(gram);
+    weight_.resize(sample_.size());
+    for (std::size_t s = 0; s < sample_.size(); ++s) {
+      weight_[s] = samples_.volume[sample_[s]] *
+                   std::inner_product(first.begin(), first.end(), rows_.begin() + mostMonomials * s, 0.0);
+    }
+  }
+
+  const StressSamples& samples_;
+  int dimension_;
+  std::vector<std::size_t> sample_;
+  std::vector<double> weight_;  // of each of these
+  std::vector<double> rows_;    // their monomials
+};
 
 }  // namespace
 
 StressRecovery::StressRecovery(const elasticity::ElasticPart& part, const std::vector<bool>& boundary,
-                               const base::Matrix& displacements) {
-  const int columns = displacements.numCols();
+                               const base::Matrix& displacements)
+    : StressRecovery(part, boundary, StressSamples(part, displacements)) {}
+
+StressRecovery::StressRecovery(const elasticity::ElasticPart& part, const std::vector<bool>& boundary,
+                               const StressSamples& samples) {
   const int nodes = static_cast<int>(part.piece.nodes.size());
-  const Samples samples = sample(part, displacements);
-  Neighbourhood neighbourhood(part);
-  stress_.shape(6 * nodes, columns);
-  std::vector<double> sum(6 * static_cast<std::size_t>(columns));
+  Neighbourhood neighbourhood(part, samples);
+  Fit fit(samples, part.mesh.dimension);
+  stress_.shape(static_cast<int>(samples.width), nodes);
   for (int node = 0; node < nodes; ++node) {
     const std::vector<int> patch = patchOf(neighbourhood, node, boundary[node]);
     if (patch.empty()) continue;
     const bool isQuadratic = mesh::isQuadratic(neighbourhood.type(patch.front()));
-    const Fit weights = fit(samples, patch, part.mesh.nodes[part.piece.nodes[node]], part.mesh.dimension, isQuadratic);
-    std::fill(sum.begin(), sum.end(), 0.0);
-    for (std::size_t s = 0; s < weights.point.size(); ++s) {
-      const double* stress = samples.stress.data() + weights.point[s] * sum.size();
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weights.weight[s] * stress[i];
-    }
-    for (int column = 0; column < columns; ++column) std::copy_n(&sum[6 * column], 6, stress_[column] + 6 * node);
+    fit.evaluate(patch, part.mesh.nodes[part.piece.nodes[node]], isQuadratic, stress_[node]);
   }
 }
 

@@ -8,6 +8,8 @@
 /// Stresses recovered from those of finite elements, and what they tell of the error of the mesh.
 namespace harmos::recovery {
 
+struct StressSamples;
+
 /// Stress at the nodes of a part, recovered from its elements by one linear map for all displacements.
 ///
 /// Around every node a polynomial of the order of the elements is fitted by least squares to the stress at the sampling
@@ -18,11 +20,13 @@ namespace harmos::recovery {
 class StressRecovery {
  public:
   /// Recovers from displacements, dofs x columns [length]. `boundary`: whether each node of the part lies on its
-  /// surface. Throws base::Error as forEachPoint(), and when LAPACK fails. Not collective; keeps no reference.
+  /// surface. Throws base::Error as visitElements(), and when LAPACK fails. Not collective; keeps no reference.
   StressRecovery(const elasticity::ElasticPart& part, const std::vector<bool>& boundary,
                  const base::Matrix& displacements);
+  /// The same from what was sampled before.
+  StressRecovery(const elasticity::ElasticPart& part, const std::vector<bool>& boundary, const StressSamples& samples);
 
-  /// Components of a node in a row of six as elementStress() has them: (6 nodes) x columns [stress].
+  /// A column for every node: (six components as elementStress() has them x columns) x nodes [stress].
   const base::Matrix& stress() const { return stress_; }
 
  private:

@@ -20,9 +20,9 @@ struct KnownFace {
 ///
 /// Faces at a node whose normals differ by less than 37 degrees share the mean normal; where the tractions of such
 /// faces differ, as at the rim of a load, nothing is asked of the node there. `skipped`: nodes of the part of which
-/// nothing is asked at all. stress: (6 nodes) x columns [stress], components xx, yy, zz, xy, yz, zx. Throws base::Error
-/// when LAPACK fails. Not collective.
-void correctTractions(const std::vector<KnownFace>& faces, const std::vector<bool>& skipped, int dimension,
-                      base::Matrix& stress);
+/// nothing is asked at all. stress: (components xx, yy, zz, xy, yz, zx x columns) x nodes [stress]. Returns whether
+/// anything was asked of each node. Throws base::Error when LAPACK fails. Not collective.
+std::vector<bool> correctTractions(const std::vector<KnownFace>& faces, const std::vector<bool>& skipped, int dimension,
+                                   base::Matrix& stress);
 
 }  // namespace harmos::recovery

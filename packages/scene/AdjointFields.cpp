@@ -4,8 +4,6 @@
 #include <functional>
 #include <map>
 
-#include <harmos/scene/detail/PartFields.hpp>
-
 namespace harmos::scene {
 namespace {
 
@@ -15,10 +13,10 @@ constexpr int largestNumberOfDirections = 160;
 
 using Column = AdjointFields::Column;
 
-Column displacementsOf(const Problem& problem, const latin::Iterate& state, int step) {
+Column displacementsOf(const std::vector<PartPieces>& parts, const latin::Iterate& state, int step) {
   const assembly::Assembly& assembly = state.assembly();
   Column result(assembly.bodies.size());
-  for (const PartPieces& part : partPieces(problem.mesh, problem.bodies.pieces)) {
+  for (const PartPieces& part : parts) {
     for (const int b : part.bodies) {
       if (!state.layout().owns(b)) continue;
       for (std::size_t node = 0; node < assembly.bodies[b].nodes.size(); ++node) {
@@ -62,19 +60,20 @@ struct Demand {
 
 }  // namespace
 
-AdjointFields adjointFields(const Problem& problem, latin::FixedPoint& fixedPoint, const latin::Iterate& state,
-                            int step, const std::vector<latin::ResponseGradient>& gradients) {
+AdjointFields adjointFields(const std::vector<PartPieces>& parts, latin::FixedPoint& fixedPoint,
+                            const latin::Iterate& state, int step,
+                            const std::vector<latin::ResponseGradient>& gradients) {
   const std::size_t responses = gradients.size();
   AdjointFields result;
   result.steps = {step};
-  result.fields = {displacementsOf(problem, state, step)};
+  result.fields = {displacementsOf(parts, state, step)};
   result.isHidden.assign(responses, false);
   if (gradients.empty()) return result;
   Problems problems = problemsOf(fixedPoint, state, step);
   for (const auto& each : problems) {
     if (each.first == step) continue;
     result.steps.push_back(each.first);
-    result.fields.push_back(displacementsOf(problem, state, each.first));
+    result.fields.push_back(displacementsOf(parts, state, each.first));
   }
 
   std::map<int, std::vector<Demand>> demands;  // by load step

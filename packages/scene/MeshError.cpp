@@ -131,8 +131,10 @@ MeshErrors estimateMeshErrors(const Problem& problem, latin::FixedPoint& fixedPo
   const std::vector<NearSliding> sliding =
       hasDisplacements ? findNearSliding(state, step) : std::vector<NearSliding>();  // they serve displacements only
   for (const NearSliding& interface : sliding) gradients.push_back(interface.gradient);
-  const AdjointFields found = adjointFields(problem, fixedPoint, state, step, gradients);
-  const std::vector<WholePart> parts = wholeParts(problem, found.fields, found.steps, gradients, comm);
+  std::vector<PartPieces> pieces = partPieces(problem.mesh, problem.bodies.pieces);
+  const AdjointFields found = adjointFields(pieces, fixedPoint, state, step, gradients);
+  const std::vector<WholePart> parts =
+      wholeParts(problem, std::move(pieces), found.fields, found.steps, gradients, comm);
   const std::size_t count = gradients.size(), width = 5 * count + 2;
   std::vector<double> mine(width * parts.size(), 0.0);
   for (std::size_t p = 0; p < parts.size(); ++p) {

@@ -209,11 +209,12 @@ class Surface {
 
 }  // namespace
 
-std::vector<WholePart> wholeParts(const Problem& problem, const std::vector<std::vector<std::vector<double>>>& fields,
+std::vector<WholePart> wholeParts(const Problem& problem, std::vector<PartPieces> pieces,
+                                  const std::vector<std::vector<std::vector<double>>>& fields,
                                   const std::vector<int>& steps, const std::vector<latin::ResponseGradient>& loads,
                                   const Teuchos::Comm<int>& comm) {
   std::vector<WholePart> parts;
-  for (PartPieces& each : partPieces(problem.mesh, problem.bodies.pieces)) {
+  for (PartPieces& each : pieces) {
     WholePart& part = parts.emplace_back();
     static_cast<PartPieces&>(part) = std::move(each);
     fillDisplacements(problem, fields, comm, part);

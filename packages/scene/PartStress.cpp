@@ -99,7 +99,14 @@ base::Matrix PartStress::recover(const latin::Iterate& state, int first, int cou
                                         model_.kinematics,
                                         model_.thickness,
                                         temperature.numRows() > 0 ? &temperature : nullptr};
-  return recovery::StressRecovery(elastic, boundary_, displacements).stress();
+  const recovery::StressRecovery recovered(elastic, boundary_, displacements);
+  base::Matrix result(6 * static_cast<int>(mesh_.nodes.size()), count);
+  for (int node = 0; node < recovered.stress().numCols(); ++node) {
+    for (int m = 0; m < 6; ++m) {
+      for (int j = 0; j < count; ++j) result(6 * node + m, j) = recovered.stress()(m * count + j, node);
+    }
+  }
+  return result;
 }
 
 }  // namespace harmos::scene

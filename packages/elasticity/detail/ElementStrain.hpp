@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -21,9 +20,10 @@ class ElementStrain {
   ElementStrain(mesh::ElementType type, Formulation formulation, Kinematics kinematics, const ElasticityMatrix& c,
                 const std::vector<base::Vector3>& places);
 
-  /// Looks at an element with these nodes [length], displaced by `displacements`, (components x nodes) x columns
-  /// [length]. False when it is turned inside out.
-  bool set(const std::vector<base::Vector3>& nodes, const base::Matrix& displacements);
+  /// Looks at an element with these nodes [length]. False when it is turned inside out.
+  bool set(const std::vector<base::Vector3>& nodes);
+  /// Displaces them, columns x (components x nodes) [length].
+  void displace(const base::Matrix& displacements);
 
   /// Shape functions N_a of the nodes at a point.
   const double* values(int point) const {
@@ -40,15 +40,19 @@ class ElementStrain {
   /// Adds volume B^t stress [force] to the forces of the nodes, components x nodes: what a stress at a point asks of
   /// them, B as in full integration.
   void addForces(int point, const Strain& stress, double volume, double* forces) const;
-  /// Strain at a point, components xx, yy, zz, xy, yz, zx, shear doubled.
-  std::array<double, 6> strain(int point, int column) const;
+  /// Strain of all columns at a point: components xx, yy, zz, xy, yz, zx, shear doubled, x columns.
+  void findStrain(int point, double* strain) const;
 
  private:
+  bool integrateOver(bool withProduct);
   void findModes();
+  /// Adds the strain that these gradients of the functions make of the displacements.
+  void addStrain(const double* gradient, double factor, double* strain) const;
 
   ElementBasis basis_;
   StrainOperator operators_;
   Formulation formulation_;
+  bool isAffine_;              // one Jacobian at all points
   double c_[3][3][3][3] = {};  // of components i, j and gradients k, l
   int dimension_;              // of the mesh
   int components_;             // of a displacement
@@ -57,7 +61,9 @@ class ElementStrain {
   ElementIntegrals integrals_;
   std::vector<double> determinant_;
   std::vector<double> gradient_;  // points x functions x gradients
-  base::Matrix values_;           // of nodes and modes, (components x functions) x columns
+  std::vector<base::Vector3> nodes_;
+  base::Matrix values_;             // of nodes and modes, columns x (components x functions)
+  std::vector<double> meanVolume_;  // strain of the volume in the mean over the element, of every column
 };
 
 }  // namespace harmos::elasticity

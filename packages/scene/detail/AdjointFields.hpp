@@ -4,7 +4,7 @@
 
 #include <harmos/latin/AdjointProblem.hpp>
 #include <harmos/recovery/DualWeightedResidual.hpp>
-#include <harmos/scene/Problem.hpp>
+#include <harmos/scene/detail/PartPieces.hpp>
 
 namespace harmos::scene {
 
@@ -25,8 +25,9 @@ struct AdjointFields {
 /// on the mesh as the solution did then. With q such a jump, the change of J is that at `step` plus dJ/dq times that of
 /// q, so that every load step whose jumps are kept is a solution of its own, with one more adjoint for each response
 /// that depends on them. Without that, a bolt tightened by force would seem to lose its force on a finer mesh, as if
-/// its overlap had been given. Collective; ends the validity of the state.
-AdjointFields adjointFields(const Problem& problem, latin::FixedPoint& fixedPoint, const latin::Iterate& state,
-                            int step, const std::vector<latin::ResponseGradient>& gradients);
+/// its overlap had been given. `parts`: all (partPieces()). Collective; ends the validity of the state.
+AdjointFields adjointFields(const std::vector<PartPieces>& parts, latin::FixedPoint& fixedPoint,
+                            const latin::Iterate& state, int step,
+                            const std::vector<latin::ResponseGradient>& gradients);
 
 }  // namespace harmos::scene

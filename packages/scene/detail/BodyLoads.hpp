@@ -25,7 +25,7 @@ class BodyLoads {
             input::ErrorList& errors);
 
   /// Forces [force] of a body, dofs x load steps; 0 x 0 where nothing acts on it. `bodyForce`: of its part,
-  /// global components [force/volume]. Throws base::Error (input) as elasticity::forEachPoint(), and for formulas that
+  /// global components [force/volume]. Throws base::Error (input) as elasticity::visitElements(), and for formulas that
   /// have no value at a place. Not collective.
   base::Matrix of(const elasticity::ElasticPart& body,
                   const std::optional<std::array<input::Field, 3>>& bodyForce) const;

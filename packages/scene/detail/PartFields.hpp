@@ -19,10 +19,11 @@ struct WholePart : PartPieces {
   std::vector<recovery::KnownFace> faces;  ///< of the surface, where tractions are known in all columns
 };
 
-/// The parts of a problem, complete on every rank. `fields`: a column for each, and for each body its displacements
-/// (empty: of bodies of other ranks). The first are solutions, at `steps`, with the prescribed tractions of these load
-/// steps; `loads`: the forces on nodes of the first columns behind them. Collective.
-std::vector<WholePart> wholeParts(const Problem& problem, const std::vector<std::vector<std::vector<double>>>& fields,
+/// The parts of a problem (partPieces()), complete on every rank. `fields`: a column for each, and for each body its
+/// displacements (empty: of bodies of other ranks). The first are solutions, at `steps`, with the prescribed tractions
+/// of these load steps; `loads`: the forces on nodes of the first columns behind them. Collective.
+std::vector<WholePart> wholeParts(const Problem& problem, std::vector<PartPieces> pieces,
+                                  const std::vector<std::vector<std::vector<double>>>& fields,
                                   const std::vector<int>& steps, const std::vector<latin::ResponseGradient>& loads,
                                   const Teuchos::Comm<int>& comm);
 

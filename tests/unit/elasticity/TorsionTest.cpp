@@ -65,9 +65,12 @@ TEST_P(EveryHalfPlane, shaftStoresTheEnergyOfItsTwist) {
   EXPECT_NEAR(work(product(*stiffness, u), u), exact, tolerance * exact);
   if (GetParam().type == mesh::ElementType::tri3) return;
   const ElasticPart part{patch.mesh, patch.piece, material, GetParam().formulation, torsion};
-  forEachPoint(part, PointSet::stiffness, u, [&](const ElementPoint& point) {
-    for (const std::size_t m : {0U, 1U, 2U, 3U, 5U}) EXPECT_NEAR(point.stress[m], 0.0, 1e-12);
-    EXPECT_NEAR(point.stress[4], -shear * theta * point.position[0], 1e-12);
+  visitElements(part, PointSet::stiffness, u, [&](const ElementPoints& at) {
+    const double* stress = at.stress();
+    for (int p = 0; p < at.points; ++p, stress += 6) {
+      for (const std::size_t m : {0U, 1U, 2U, 3U, 5U}) EXPECT_NEAR(stress[m], 0.0, 1e-12);
+      EXPECT_NEAR(stress[4], -shear * theta * at.position[p][0], 1e-12);
+    }
   });
   const base::Matrix mean = elementStress(patch.mesh, patch.piece, material, torsion, u);
   for (int e = 0; e < static_cast<int>(patch.piece.elements.size()); ++e) EXPECT_LT(mean(6 * e + 4, 0), 0.0);

@@ -10,17 +10,18 @@ namespace {
 constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
 
 base::Vector3 tractionOf(const base::Matrix& stress, int node, int column, const base::Vector3& n) {
+  const int columns = stress.numRows() / 6;
   base::Vector3 t{};
   for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) t[i] += stress[column][6 * node + component[i][k]] * n[k];
+    for (int k = 0; k < 3; ++k) t[i] += stress(columns * component[i][k] + column, node) * n[k];
   }
   return t;
 }
 
 base::Matrix someStress(int nodes, int columns) {
-  base::Matrix stress(6 * nodes, columns);
-  for (int j = 0; j < columns; ++j) {
-    for (int row = 0; row < stress.numRows(); ++row) stress(row, j) = std::sin(3.0 * row + 7.0 * j);
+  base::Matrix stress(6 * columns, nodes);
+  for (int node = 0; node < nodes; ++node) {
+    for (int row = 0; row < stress.numRows(); ++row) stress(row, node) = std::sin(3.0 * row + 7.0 * node);
   }
   return stress;
 }
@@ -33,7 +34,7 @@ TEST(TractionCorrection, MeetsTheTractionOfAFaceInAllColumns) {
   correctTractions({face}, {false, false}, 3, stress);
   EXPECT_LT(base::distance(tractionOf(stress, 0, 0, n), {1.0, 2.0, 3.0}), 1e-12);
   EXPECT_LT(base::norm(tractionOf(stress, 0, 1, n)), 1e-12);
-  for (int m = 6; m < 12; ++m) EXPECT_EQ(stress(m, 0), before(m, 0));  // the other node
+  for (int row = 0; row < 12; ++row) EXPECT_EQ(stress(row, 1), before(row, 1));  // the other node
 }
 
 // The smallest change of a stress tensor that makes sigma n = 0 takes t n + n t - (t.n) n n away.
