@@ -42,7 +42,7 @@ void BodyForce::addTo(base::Matrix& forces, const ElasticPart& part, const Field
   const int components = componentsOf(part.kinematics);
   const std::vector<bool> isOnAxis = nodesOnAxis(part.mesh, part.piece, part.kinematics);
   const auto add = [&](const ElementPoints& at, int p, int t) {
-    const base::Vector3 here = b(t, at.position[p]), force = at.volume[p] * here;
+    const base::Vector3 here = b(t, at, p), force = at.volume[p] * here;
     if (components == 2 && here[2] != 0.0) refuseOutOfPlane(part.piece.name, here[2]);
     for (int a = 0; a < at.nodes; ++a) {
       const int node = at.node[a];

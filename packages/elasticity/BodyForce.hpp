@@ -34,8 +34,8 @@ class BodyForce {
   /// base::Error (input) when b leaves the plane where displacements do not.
   void addTo(double* forces, const AffineField& b) const;
 
-  /// The body force [force/volume] at a load step, counted from 0, and a place [length], in the global axes.
-  using Field = std::function<base::Vector3(int step, const base::Vector3& place)>;
+  /// The body force [force/volume] at a load step and a point of an element, both counted from 0, in the global axes.
+  using Field = std::function<base::Vector3(int step, const ElementPoints& at, int point)>;
   /// Adds the nodal forces of any b at all load steps to `forces`, dofs x load steps; b is taken at the integration
   /// points of the stiffness. Throws as the constructor and addTo(), and what `b` throws. Not collective.
   static void addTo(base::Matrix& forces, const ElasticPart& part, const Field& b);

@@ -91,7 +91,11 @@ PartOptions optionsOf(const Parameters& part) {
       part.name(), part.where(), elasticity::formulationNamed(part.text("Formulation")), std::nullopt, {}};
   if (part.hasList("Body Force")) {
     const Parameters& force = part.list("Body Force");
-    options.bodyForce = {input::Field(force, "X"), input::Field(force, "Y"), input::Field(force, "Z")};
+    options.bodyForce.emplace();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string name(1, "XYZ"[i]), field = name + " Field";
+      (*options.bodyForce)[i] = {input::Field(force, name), force.has(field) ? force.text(field) : ""};
+    }
   }
   return options;
 }
@@ -216,8 +220,9 @@ std::vector<int> distribute(const Bodies& bodies, int ranks) {
 
 std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh::Mesh& mesh, const Model& model,
                                                  const Bodies& bodies, const Temperatures& temperatures,
-                                                 const std::vector<int>& owner, int rank, input::ErrorList& errors) {
-  const BodyLoads loads(scene, model.kinematics, temperatures, errors);
+                                                 const laws::SpatialFields& fields, const std::vector<int>& owner,
+                                                 int rank, input::ErrorList& errors) {
+  const BodyLoads loads(scene, model.kinematics, temperatures, fields, errors);
   std::vector<substructure::Substructure> assembled(bodies.pieces.size());
   const auto congruences = findCongruences(bodies, mesh, model.kinematics);
   std::vector<bool> needsStiffness(assembled.size(), false);

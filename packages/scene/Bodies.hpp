@@ -13,10 +13,11 @@
 #include <harmos/elasticity/Material.hpp>
 #include <harmos/elasticity/Stiffness.hpp>
 #include <harmos/input/ErrorList.hpp>
-#include <harmos/input/Field.hpp>
+#include <harmos/laws/SpatialField.hpp>
 #include <harmos/mesh/Depth.hpp>
 #include <harmos/mesh/Mesh.hpp>
 #include <harmos/mesh/Piece.hpp>
+#include <harmos/scene/BodyForceComponent.hpp>
 #include <harmos/scene/Scene.hpp>
 #include <harmos/scene/Temperatures.hpp>
 #include <harmos/substructure/Substructure.hpp>
@@ -41,7 +42,7 @@ struct PartOptions {
   std::string name;
   std::string where;  // it stands, for messages
   elasticity::Formulation formulation = elasticity::Formulation::fullIntegration;
-  std::optional<std::array<input::Field, 3>> bodyForce;  // global components [force/volume]
+  std::optional<std::array<BodyForceComponent, 3>> bodyForce;  // global components
   std::string section;  // interface that divides the part along a plane; empty: none does
 };
 
@@ -76,11 +77,13 @@ std::vector<int> distribute(const Bodies& bodies, int ranks);
 
 /// Stiffness and loads of the bodies that this rank owns; of congruent bodies the stiffness of what they equal. Reports
 /// elements that cannot be used to `errors`, on the ranks that own them, and loads that have no meaning on all.
+/// `fields`: those that body forces may name.
 ///
 /// Every rank gets all bodies, in their order, with names and nodes; the rest is empty where it has no use. Stiffness
 /// is in [force/length], loads are nodal forces [force], degrees of freedom x load steps. Not collective.
 std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh::Mesh& mesh, const Model& model,
                                                  const Bodies& bodies, const Temperatures& temperatures,
-                                                 const std::vector<int>& owner, int rank, input::ErrorList& errors);
+                                                 const laws::SpatialFields& fields, const std::vector<int>& owner,
+                                                 int rank, input::ErrorList& errors);
 
 }  // namespace harmos::scene

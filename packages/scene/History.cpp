@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <functional>
 
+#include <harmos/base/Error.hpp>
+#include <harmos/input/Formula.hpp>
+
 namespace harmos::scene {
 
 namespace {
@@ -17,21 +20,37 @@ double interpolate(const std::vector<double>& times, const std::vector<double>& 
   return values[i - 1] + fraction * (values[i] - values[i - 1]);
 }
 
+/// A formula in t at every time; 0 at those after an error.
+std::vector<double> valuesOf(const input::Parameters& history, const std::vector<double>& times,
+                             input::ErrorList& errors) {
+  std::vector<double> values;
+  errors.collect(history.where("Formula"), [&] {
+    const input::Formula formula(history.text("Formula"), {"t"},
+                                 {"time", "Known is", "\"sin(2 * _pi * t)\" or \"t < 1 ? t : 1\""});
+    for (const double time : times) values.push_back(formula.evaluate({time}));
+  });
+  values.resize(times.size(), 0.0);
+  return values;
+}
+
 }  // namespace
 
 std::vector<input::ParameterSpec> historyForms() {
-  input::ParameterSpec table("Table"), ramp("Ramp");
+  input::ParameterSpec table("Table"), ramp("Ramp"), formula("Formula");
   table.summary("Piecewise linear in time, constant before the first and after the last point.");
   table.numbers("Times").unit("time").doc("Increasing.");
   table.numbers("Values").unit("-").doc("Factor at each of the times.");
   ramp.summary("0 until Start, then linear to 1 at End, 1 afterwards.");
   ramp.number("Start").unit("time").defaultValue(0.0).doc("Where the factor begins to grow.");
   ramp.number("End").unit("time").required().doc("Where the factor reaches 1; after Start.");
-  return {table, ramp};
+  formula.summary("A formula in the time at the end of every time step.");
+  formula.text("Formula").example("sin(2 * _pi * t)").required().doc("Of t [time], in the syntax of muParser.");
+  return {table, ramp, formula};
 }
 
 std::vector<double> historyFactors(const input::Parameters& history, const std::vector<double>& times,
                                    input::ErrorList& errors) {
+  if (history.type() == "Formula") return valuesOf(history, times, errors);
   std::vector<double> at, values;
   if (history.type() == "Ramp") {
     at = {history.number("Start"), history.number("End")};

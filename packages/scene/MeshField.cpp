@@ -50,7 +50,8 @@ input::ParameterSpec MeshField::form() {
       "of its faces are used; of elements it is the mean of those whose faces meet there.");
   spec.text("Variable").required().doc("Its name; of nodes, if they have one of this name, else of elements.");
   spec.text("Part").optional().doc(
-      "Name of the part whose nodes or elements are meant; absent: all, which must agree where they meet.");
+      "Name of the part whose nodes or elements are meant on faces; absent: all, which must agree where they meet. "
+      "Inside of parts their own are.");
   spec.integer("Time Step").optional().atLeast(1).doc("Of the file, counted from 1; absent: the last.");
   spec.flag("Follows Time")
       .defaultValue(false)
@@ -163,8 +164,28 @@ double MeshField::valueOn(const Found& faces, const Between& step) const {
   return sum / static_cast<double>(elements.size());
 }
 
+const MeshField::Between& MeshField::between(int step) const {
+  return steps_.size() == 1 ? steps_.front() : steps_[static_cast<std::size_t>(step)];
+}
+
+double MeshField::inside(int step, const laws::InnerPoint& point) const {
+  double value = 0.0;
+  if (variable_.isNodal) {
+    for (int a = 0; a < point.nodes; ++a) {
+      value += point.weight[a] * valueOf(static_cast<std::size_t>(point.node[a]), between(step));
+    }
+  } else {
+    value = valueOf(static_cast<std::size_t>(point.element), between(step));
+  }
+  if (!std::isfinite(value)) {
+    refuse(where_, "the variable is no number in element " + std::to_string(point.element + 1) + ".",
+           "Give one there.");
+  }
+  return value;
+}
+
 double MeshField::at(int step, const base::Vector3& place) const {
-  const Between& between = steps_.size() == 1 ? steps_.front() : steps_[static_cast<std::size_t>(step)];
+  const Between& between = this->between(step);
   std::vector<Found> found;
   double nearest = std::numeric_limits<double>::infinity(), size = 0.0, reach = nearest;
   for (const Body& body : bodies_) {

@@ -100,8 +100,8 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   }
   if (errors.count() == 0) addPath(scene.input, assembly, problem.responses, errors);
   assembly.owner = distribute(problem.bodies, comm.getSize());
-  assembly.bodies = assemble(scene, problem.mesh, problem.model, problem.bodies, *problem.temperatures, assembly.owner,
-                             comm.getRank(), errors);
+  assembly.bodies = assemble(scene, problem.mesh, problem.model, problem.bodies, *problem.temperatures, *fields,
+                             assembly.owner, comm.getRank(), errors);
   throwTogether(errors, comm);
   problem.warnings.insert(problem.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
   for (const JoinedMeshes& joined : problem.joined) {

@@ -162,6 +162,17 @@ class SceneChecker {
     const Parameters& force = part.list("Body Force");
     for (const char* component : {"X", "Y", "Z"}) {
       errors_.collect(force.where(component), [&] { const input::Field readable(force, component); });
+      checkFieldInside(force, std::string(component) + " Field");
+    }
+  }
+
+  void checkFieldInside(const Parameters& force, const std::string& entry) {
+    const auto& fields = input_.lists("Fields");
+    knownName(force, entry, namesOf(fields), "Fields");
+    for (const Parameters& field : fields) {
+      if (!force.has(entry) || force.text(entry) != field.name() || field.type() != "Random") continue;
+      errors_.add(force.where(entry), base::quoted(field.name()) + " is random, and known on interfaces only.",
+                  "Take a field of Type = Mesh Variable.");
     }
   }
 

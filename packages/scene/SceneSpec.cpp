@@ -62,6 +62,10 @@ void describePart(input::ParameterSpec& spec) {
   for (const char* component : {"X", "Y", "Z"}) {
     force.number(component).unit("force/volume").defaultValue(0.0).varying().doc("Force along this axis.");
     input::Field::describe(force, component);
+    force.text(std::string(component) + " Field")
+        .optional()
+        .doc(std::string("Name of the entry of Fields, a variable of the mesh, that multiplies ") + component +
+             "; absent: none.");
   }
 }
 
@@ -172,7 +176,7 @@ input::ParameterSpec sceneSpec(const laws::LawRegistry& laws) {
       .summary("Factors over time that loads and law parameters follow.")
       .choose(historyForms());
   spec.namedLists("Fields")
-      .summary("Factors over the faces of parts that numbers of laws follow, by \"NUMBER Field\".")
+      .summary("Factors over parts and their faces that numbers of laws and body forces follow, by \"NUMBER Field\".")
       .choose(fieldForms());
   input::ParameterSpec& solver = spec.list("Solver");
   latin::LatinOptions::describe(solver);

@@ -44,6 +44,7 @@ void addNamed(const std::string& kind, const input::Parameters& list, Names& nam
 /// When a history changes for the first time; the constant ones never do, but say so.
 double beginOf(const input::Parameters& history) {
   if (history.type() == "Ramp") return history.number("Start");
+  if (history.type() == "Formula") return 0.0;
   const auto& times = history.numbers("Times");
   return times.size() > 1 ? times.front() : 0.0;
 }

@@ -10,9 +10,10 @@
 
 namespace harmos::scene {
 
-/// A variable that the file of the mesh has at its nodes or in its elements, on the faces of parts.
+/// A variable that the file of the mesh has at its nodes or in its elements, on the faces of parts and inside of them.
 ///
-/// Between nodes it follows the shape functions of the face; of elements it is the mean of those whose faces meet at
+/// Inside of an element it follows its shape functions, or is that of the element. On faces,
+/// between nodes it follows the shape functions of the face; of elements it is the mean of those whose faces meet at
 /// the place. Where several parts meet they must agree, unless one is named.
 class MeshField final : public laws::SpatialField {
  public:
@@ -24,6 +25,7 @@ class MeshField final : public laws::SpatialField {
 
   bool varies() const override { return steps_.size() > 1; }
   double at(int step, const base::Vector3& place) const override;
+  double inside(int step, const laws::InnerPoint& point) const override;
 
  private:
   /// A load step between two time steps of the file.
@@ -38,6 +40,7 @@ class MeshField final : public laws::SpatialField {
   };
   void follow(const input::Parameters& list, const std::vector<double>& times);
   void arrangeElements(const input::Parameters& list, const mesh::Mesh& mesh);
+  const Between& between(int step) const;
   double valueOn(const std::vector<mortar::NearestFaces::Found>& faces, const Between& step) const;
   double valueOf(std::size_t entity, const Between& step) const;
 

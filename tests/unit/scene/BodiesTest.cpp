@@ -55,7 +55,7 @@ class UnderAFormula {
     if (errors.count() > 0) return;
     const Temperatures none(scene_, mesh_, errors);
     const auto assembled =
-        assemble(scene_, mesh_, makeModel(scene_.input.list("Model"), mesh_), bodies_, none, {0, 0}, 0, errors);
+        assemble(scene_, mesh_, makeModel(scene_.input.list("Model"), mesh_), bodies_, none, {}, {0, 0}, 0, errors);
     loads_ = assembled[1].loads;
   }
 

@@ -26,5 +26,19 @@ TEST(History, RampGrowsFromStartToEnd) {
   EXPECT_EQ(errors.count(), 1);
 }
 
+TEST(History, FormulaIsTakenAtEveryTime) {
+  input::Parameters wave("wave");
+  wave.set("Type", std::string("Formula")).set("Formula", std::string("t < 2 ? t^2 : 4 - t"));
+  input::ErrorList errors;
+  EXPECT_EQ(historyFactors(wave, {0, 1, 1.5, 2, 5}, errors), (std::vector<double>{0, 1, 2.25, 2, -1}));
+  EXPECT_EQ(errors.count(), 0);
+  wave.set("Formula", std::string("sqrt(1 - t)"));  // has no value at 2
+  EXPECT_EQ(historyFactors(wave, {0, 1, 2}, errors).size(), 3U);
+  EXPECT_EQ(errors.count(), 1);
+  wave.set("Formula", std::string("2 * x"));
+  historyFactors(wave, {0, 1, 2}, errors);
+  EXPECT_EQ(errors.count(), 2);
+}
+
 }  // namespace
 }  // namespace harmos::scene

@@ -128,6 +128,14 @@ def with_field(base: harmos.Scene, law: str, number: str, name: str, **entries: 
     return base
 
 
+def dragged(**options: Any) -> harmos.Scene:
+    """The blocks under a body force along x of the upper one, which follows a history."""
+    wanted = scene(**options)
+    wanted["Parts/upper/Body Force"] = {"X": 0.4, "X History": "swing", "Y": -0.1}
+    wanted["Histories"] = {"swing": {"Type": "Formula", "Formula": "sin(t)"}}
+    return wanted
+
+
 GLUE, NUMBER = "Interfaces/joint", "Normal Stiffness"
 
 
@@ -191,6 +199,30 @@ class Cases:
         with_field(followed, "Boundaries/load", "Pressure", "map")
         expected = by_formula("x < 0.5 ? 1.5 : x > 3.5 ? 4.5 : 1 + x", "Boundaries/load", "Pressure")
         yield "linear", self.runner.difference(followed, expected), SAME
+
+    def _drag(self, formula: str, value: Place, what: str, entries: dict[str, Any] | None = None,
+              file: dict[str, Any] | None = None, change: dict[str, Any] | None = None, launcher: tuple[str, ...] = (),
+              **options: Any) -> Iterator[tuple[str, float, float]]:
+        followed, expected = dragged(**options), dragged(**options)
+        self.runner.on_file(followed, "map", value, **(file or {}))
+        followed["Parts/upper/Body Force/X Field"] = "map"
+        followed["Fields"] = {"map": {"Type": "Mesh Variable", "Variable": "map", **(entries or {})}}
+        expected["Parts/upper/Body Force/X Formula"] = formula
+        for path, entry in (change or {}).items():
+            followed[path] = entry
+        yield what, self.runner.difference(followed, expected, *launcher), SAME
+
+    def inside(self) -> Iterator[tuple[str, float, float]]:
+        """Body forces, inside of elements."""
+        yield from self._drag("1 + x * y - z", lambda x, y, z, t: 1 + x * y - z, "hexahedra")
+        yield from self._drag("1 + x - z", lambda x, y, z, t: 1 + x - z, "pieces on two ranks",
+                              change={"Parts/upper/Pieces": 3}, launcher=("mpirun", "-np", "2"))
+        yield from self._drag("1 + x^2", lambda x, y, z, t: 1 + x ** 2, "quadratic", element="Tet10")
+        yield from self._drag("1 + x", lambda x, y, z, t: 1 + x, "plane", element="Quad4")
+        yield from self._drag("x < 1 ? 0.5 : x < 2 ? 1.5 : x < 3 ? 2.5 : 3.5", lambda x, y, z, t: x, "of elements",
+                              file={"elements": True})
+        yield from self._drag("(1 + x) * (1 + t)", lambda x, y, z, t: (1 + x) * (1 + t), "in time",
+                              entries={"Follows Time": True}, file={"times": (0.0, 1.0, 3.0)})
 
     def time(self) -> Iterator[tuple[str, float, float]]:
         times = (0.0, 1.0, 3.0)
