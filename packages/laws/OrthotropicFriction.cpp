@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 
+#include <harmos/base/Numerals.hpp>
+#include <harmos/laws/LawFailure.hpp>
 #include <harmos/laws/detail/BuiltIn.hpp>
 #include <harmos/laws/detail/ContactTraction.hpp>
 #include <harmos/laws/detail/SlidingLaw.hpp>
@@ -10,6 +12,8 @@ namespace harmos::laws {
 namespace {
 
 constexpr int mostSteps = 100;
+// Of a direction, along the surface: less is round-off of a normal.
+constexpr double leastShare = 1e-6;
 
 /// The point of the ellipse with the semi-axes a, b > 0 that is nearest to (x, y) outside: where x = t + lambda t/a^2.
 ///
@@ -83,7 +87,7 @@ struct OrthotropicFriction : SlidingLaw {
     const Tangential trial = (1.0 / line.compliance) * (Tangential::of(line.freeJump) - oldSlip);
     const double a = -friction[0] * normal, b = -friction[1] * normal;
     // Along the axes of friction.
-    const Tangential along = axisOnSurface(at.frame());
+    const Tangential along = axisOnSurface(at);
     const Tangential turned{dot(along, trial), along.t1 * trial.t2 - along.t2 * trial.t1};
     const double reach = std::hypot(turned.t1 / a, turned.t2 / b);
     Tangential traction = trial;
@@ -96,11 +100,16 @@ struct OrthotropicFriction : SlidingLaw {
     return {{normal, traction.t1, traction.t2}, reach >= 1.0 - atTheLimit ? Status::slip : Status::stick};
   }
 
-  /// Unit vector of axis 1; where the axis is a normal, t1.
-  Tangential axisOnSurface(const base::Frame& frame) const {
-    const Tangential projected{base::dot(frame[1], axis), base::dot(frame[2], axis)};
+  /// Unit vector of axis 1. Throws LawFailure where the axis is a normal.
+  Tangential axisOnSurface(const NodeContext& at) const {
+    const Tangential projected{base::dot(at.frame()[1], axis), base::dot(at.frame()[2], axis)};
     const double length = projected.norm();
-    return length > 0.0 ? (1.0 / length) * projected : Tangential{1.0, 0.0};
+    if (length > leastShare * base::norm(axis)) return (1.0 / length) * projected;
+    const base::Vector3 place = at.position();
+    throw LawFailure("has its Axis along the normal of the surface at (" + base::toText(place[0]) + ", " +
+                         base::toText(place[1]) + ", " + base::toText(place[2]) +
+                         "), where it is no axis of friction; give one along the surface",
+                     base::ExitCode::input);
   }
 
   std::array<double, 2> friction;

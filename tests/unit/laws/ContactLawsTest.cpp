@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/laws/LawFailure.hpp>
 
 #include "LawSamples.hpp"
 
@@ -137,6 +138,18 @@ TEST(AdhesiveFriction, AttractsUpToItsRange) {
   EXPECT_NEAR(Node(*law).solve({{h * 1.0, 9.0, 0.0}, h}).traction[1], 0.3, roundOff);
   EXPECT_NEAR(Node(*law).solve({{0.0, 9.0, 0.0}, h}).traction[1], 0.6, roundOff);
   EXPECT_NEAR(Node(*law).solve({{-h * 4.0, 9.0, 0.0}, h}).traction[1], 0.6 + 0.5 * 4.0, roundOff);
+}
+
+TEST(OrthotropicFriction, RefusesAnAxisAlongTheNormal) {
+  const auto law =
+      make("Orthotropic Friction", {{"Friction Coefficient 1", 0.2}, {"Friction Coefficient 2", 0.5}, {"Gap", 0.0}},
+           {{"Axis", {2.0, 1e-9, 0.0}}});  // n of the sample's frame, but for round-off
+  try {
+    Node(*law).solve({{-1.0, 0.1, 0.2}, 0.5});
+    FAIL() << "an axis was found";
+  } catch (const LawFailure& failure) {
+    EXPECT_EQ(failure.code(), base::ExitCode::input) << failure.what();
+  }
 }
 
 // Sliding across the axes is Coulomb's; between them along the normal of the ellipse.
