@@ -54,6 +54,25 @@ void extrapolate(const base::Matrix& alpha, int step, const std::vector<double>&
   }
 }
 
+double March::growth(int step) const {
+  if (step == 0) return 0.0;
+  const std::vector<double>& values = fixedPoint_.assembly().path->values;
+  const double last = values[step - 1] - (step > 1 ? values[step - 2] : 0.0);
+  return last != 0.0 ? (values[step] - values[step - 1]) / last : 0.0;
+}
+
+void March::predict(const base::Matrix& alpha, int step, double* state) const {
+  if (!fixedPoint_.assembly().path) {
+    extrapolate(alpha, step, fixedPoint_.assembly().times, state);
+    return;
+  }
+  const double times = growth(step);
+  for (int row = 0; row < alpha.numRows(); ++row) {
+    const double last = step > 0 ? alpha[step - 1][row] : 0.0, earlier = step > 1 ? alpha[step - 2][row] : 0.0;
+    state[row] = last + times * (last - earlier);
+  }
+}
+
 March::March(FixedPoint& fixedPoint, int memory, double accuracy, int restarts)
     : fixedPoint_(fixedPoint),
       accuracy_(accuracy),
@@ -124,8 +143,11 @@ bool March::solveSoftening(int step, const Iterate& iterate, const base::Matrix&
   if (fixedPoint_.assembly().path && parts_[step] > 1) return false;
   if (step > 0) std::copy_n(alpha[step - 1], rows, before[0]);
   const double least = fixedPoint_.assembly().path ? share * largestForce_ : target;
+  StepContinuation::Way way{base::Matrix(rows, 1)};
+  if (fixedPoint_.assembly().path) way.times = growth(step);
+  if (step > 1) std::copy_n(alpha[step - 2], rows, way.from[0]);
   const StepContinuation::Result result =
-      StepContinuation(fixedPoint_, *newton_).solve(step, before, state, least, share, mustStop_);
+      StepContinuation(fixedPoint_, *newton_).solve(step, before, way, state, least, share, mustStop_);
   if (result.isReached) parts_[step] = std::max(parts_[step], result.parts);
   share_ = result.share;
   return result.isReached;
@@ -277,6 +299,11 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
               (share_ < 1.0 ? ": it could be followed through " + base::toText(std::round(1e3 * share_) / 10.0) +
                                   " % of the load step, where the joint snaps"
                             : "");
+    if (isPath) {
+      reason_ +=
+          "; control what the loads open most, such as the mouth of a crack, go on in smaller load steps, or let "
+          "the Scale of the Search Direction be 0.1 or 0.01, as slender parts need it";
+    }
   }
   state.assign(image);
   std::copy_n(iterate->hattedTraction()[0], state.numRows(), tractions_[step]);
@@ -303,7 +330,7 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
     }
     if (end == End::reached) {
       if (guess == Guess::extrapolation) {
-        extrapolate(alpha, t, fixedPoint_.assembly().times, state[0]);
+        predict(alpha, t, state[0]);
       } else {
         std::copy_n(alpha[t], rows, state[0]);
       }

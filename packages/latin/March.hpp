@@ -75,6 +75,11 @@ class March {
   const std::vector<int>& parts() const { return parts_; }
 
  private:
+  /// How many times as far the state of a path is expected to go in a load step as in the one before: what is
+  /// controlled says it, and it was 0 at the unloaded start. 0: nothing is known.
+  double growth(int step) const;
+  /// A load step from those before it: linear in time, or along a path in what is controlled.
+  void predict(const base::Matrix& alpha, int step, double* state) const;
   /// Whether there is Newton's method, and it has not failed too often.
   bool mayTryNewton() const;
   /// Tries it for a state whose iterate is given; false where it leads nowhere.

@@ -28,10 +28,12 @@ void extrapolate(const base::Matrix& a, const base::Matrix& b, double ratio, bas
 
 }  // namespace
 
-double StepContinuation::forceOf(const base::Matrix& offset, const base::Matrix& state,
-                                 const base::Matrix& beta) const {
-  base::Matrix force(state.numRows(), 1);
-  for (int row = 0; row < state.numRows(); ++row) force(row, 0) = 0.5 * (state(row, 0) + beta(row, 0) + offset(row, 0));
+double StepContinuation::forceOf(const base::Matrix& offset, const base::Matrix& beta) const {
+  base::Matrix shifted(beta), force(beta.numRows(), 1);
+  shifted += offset;
+  // Not half of alpha + beta: motions that T does not feel are in alpha alone.
+  fixedPoint_.pointwiseStage().begin();
+  fixedPoint_.pointwiseStage().solveColumn(0, shifted, force);
   return fixedPoint_.metric().norm(force);
 }
 
@@ -41,17 +43,18 @@ bool StepContinuation::solvePart(const base::Matrix& offset, base::Matrix& state
     return newton_.solveWith(offset, state, beta, target, mostSteps, mustStop).isReached;
   }
   // What is too large at first shrinks with the forces.
-  double asked = std::max(target, share * forceOf(offset, state, beta));
+  double asked = std::max(target, share * forceOf(offset, beta));
   for (;;) {
     if (!newton_.solveWith(offset, state, beta, asked, mostSteps, mustStop).isReached) return false;
-    const double needed = std::max(target, share * forceOf(offset, state, beta));
+    const double needed = std::max(target, share * forceOf(offset, beta));
     if (asked <= std::max(nearEnough * needed, noise * fixedPoint_.metric().norm(state))) return true;
     asked = std::max(needed, smallestFall * asked);
   }
 }
 
-StepContinuation::Result StepContinuation::solve(int step, const base::Matrix& before, base::Matrix& state,
-                                                 double target, double share, const std::function<bool()>& mustStop) {
+StepContinuation::Result StepContinuation::solve(int step, const base::Matrix& before, const Way& way,
+                                                 base::Matrix& state, double target, double share,
+                                                 const std::function<bool()>& mustStop) {
   const int rows = before.numRows();
   base::Matrix beta(rows, 1), loads(rows, 1), offset(rows, 1);
   // What the loads of this step add to those of the one before.
@@ -65,13 +68,19 @@ StepContinuation::Result StepContinuation::solve(int step, const base::Matrix& b
 
   base::Matrix fromState(before), fromBeta(beta);  // the last solution
   base::Matrix earlierState(before), earlierBeta(beta), tried(rows, 1), triedBeta(rows, 1);
+  double lastPart = 0.0;
+  if (way.times != 0.0) {
+    earlierState.assign(way.from);
+    fixedPoint_.solveLinear(way.from, earlierBeta);
+    lastPart = 1.0 / way.times;
+  }
   Result result;
   const bool isPath = fixedPoint_.assembly().path.has_value();
   const double least = isPath ? leastPartOfPath : leastPart;
-  double part = isPath && step == 0 ? firstPartOfPath : firstPart, lastPart = 0.0;
+  double part = isPath && step == 0 ? firstPartOfPath : firstPart;
   while (result.share < 1.0 && part >= least && !(mustStop && mustStop())) {
     const double length = std::min(part, 1.0 - result.share), end = result.share + length;
-    const double ratio = lastPart > 0.0 ? length / lastPart : 0.0;
+    const double ratio = lastPart != 0.0 ? length / lastPart : 0.0;
     extrapolate(fromState, earlierState, ratio, tried);
     extrapolate(fromBeta, earlierBeta, ratio, triedBeta);
     for (int row = 0; row < rows; ++row) offset(row, 0) = (end - 1.0) * loads(row, 0);

@@ -30,20 +30,26 @@ class StepContinuation {
   /// Both must outlive it.
   StepContinuation(FixedPoint& fixedPoint, StepNewton& newton) : fixedPoint_(fixedPoint), newton_(newton) {}
 
+  /// A state that the way to `before` came from, and how many times as far this load step is expected to go.
+  struct Way {
+    base::Matrix from;   ///< one column
+    double times = 0.0;  ///< 0: nothing is expected, and `from` is not looked at
+  };
+
   /// Collective, `step` selected. From `before`, the solution of the load step before (0 of the first one), leaves in
   /// `state` that of this one, |R| <= target; or, where that cannot be reached, the last one on the way. `mustStop`,
   /// which may be empty, is asked on every rank. No iterate is valid afterwards. Throws base::Error as
   /// LocalStage::solve(). Where loads are found, and their size is not known before, it is `share` of |f^| at the end
   /// of every part, but no less than `target`.
-  Result solve(int step, const base::Matrix& before, base::Matrix& state, double target, double share,
+  Result solve(int step, const base::Matrix& before, const Way& way, base::Matrix& state, double target, double share,
                const std::function<bool()>& mustStop);
 
  private:
   /// One part, with `offset` added to beta. See solve() for the others.
   bool solvePart(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta, double target, double share,
                  const std::function<bool()>& mustStop);
-  /// |f^| of a solution.
-  double forceOf(const base::Matrix& offset, const base::Matrix& state, const base::Matrix& beta) const;
+  /// |f^| of a state.
+  double forceOf(const base::Matrix& offset, const base::Matrix& beta) const;
 
   FixedPoint& fixedPoint_;
   StepNewton& newton_;

@@ -155,7 +155,11 @@ StepNewton::Result StepNewton::solveWith(const base::Matrix& offset, base::Matri
   if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale() || space().size() >= maximumDirections) forget();
   offset_.assign(offset[0], offset[0] + offset.numRows());
   shifted_.shape(offset.numRows(), 1);
-  const Result result = attempt(state, beta, target, steps, shortPatience, mustStop);
+  Result result = attempt(state, beta, target, steps, shortPatience, mustStop);
+  if (!result.isReached && space().size() >= maximumDirections && !(mustStop && mustStop())) {
+    forget();  // many of them are those of other states
+    result = attempt(state, beta, target, steps, shortPatience, mustStop);
+  }
   if (result.isReached) beta.assign(beta_);
   return result;
 }

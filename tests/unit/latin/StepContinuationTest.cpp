@@ -46,7 +46,7 @@ TEST(StepContinuation, LeadsAcrossThePeakWhereThePathGoesOn) {
   const int rows = glue.fixedPoint.layout().rows();
   base::Matrix state(rows, 1);
   const StepContinuation::Result result =
-      StepContinuation(glue.fixedPoint, glue.newton).solve(0, base::Matrix(rows, 1), state, target, 0.0, {});
+      StepContinuation(glue.fixedPoint, glue.newton).solve(0, base::Matrix(rows, 1), {}, state, target, 0.0, {});
   EXPECT_TRUE(result.isReached);
   EXPECT_EQ(result.share, 1.0);
   EXPECT_NEAR(glue.traction(state), fallingTraction(3.0, 0.25), 1e-8);
@@ -59,7 +59,7 @@ TEST(StepContinuation, EndsWhereTheGlueSnaps) {
   const int rows = glue.fixedPoint.layout().rows();
   base::Matrix state(rows, 1);
   const StepContinuation::Result result =
-      StepContinuation(glue.fixedPoint, glue.newton).solve(0, base::Matrix(rows, 1), state, target, 0.0, {});
+      StepContinuation(glue.fixedPoint, glue.newton).solve(0, base::Matrix(rows, 1), {}, state, target, 0.0, {});
   EXPECT_FALSE(result.isReached);
   EXPECT_GE(result.parts, 2);
   EXPECT_NEAR(result.share, 0.5, 2.0 * StepContinuation::leastPart);
@@ -72,7 +72,7 @@ TEST(StepContinuation, StopsWhenAsked) {
   const int rows = glue.fixedPoint.layout().rows();
   base::Matrix state(rows, 1);
   EXPECT_FALSE(StepContinuation(glue.fixedPoint, glue.newton)
-                   .solve(0, base::Matrix(rows, 1), state, target, 0.0, [] { return true; })
+                   .solve(0, base::Matrix(rows, 1), {}, state, target, 0.0, [] { return true; })
                    .isReached);
 }
 

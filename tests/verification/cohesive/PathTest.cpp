@@ -1,6 +1,7 @@
 // Paths on which loads are found (Path Following), against closed forms: joints that snap, cracks that run.
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +89,45 @@ TEST(RanksPath, TractionsAreScaledAndOtherLoadsStay) {
   }
 }
 
+// Back to the origin with the damage that has been done, and up again, under a load that stays.
+TEST(RanksPath, UnloadsAndLoadsAgainUnderAPreload) {
+  const Bars bars;
+  const std::vector<double> openings{0.0005, 0.001, 0.0022, 0.0005, 0.0022, 0.0026, 0.0001, 0.0029, 0.0035};
+  const auto steps = static_cast<int>(openings.size());
+  std::vector<double> times{0.0}, values{0.0};
+  for (int step = 0; step < steps; ++step) {
+    times.push_back((step + 1.0) / steps);
+    values.push_back(openings[step] / bars.opening(1, 1));
+  }
+  SceneInput scene = bars.scene(steps);
+  scene.add("Boundaries/drive", xmlList("Law", xmlText("Type", "Prescribed Traction") + xmlNumber("X", 2.0)))
+      .add("Parts/b", xmlList("Body Force", xmlNumber("X", 0.3)))
+      .add("Histories",
+           xmlList("zigzag", xmlText("Type", "Table") + xmlNumbers("Times", times) + xmlNumbers("Values", values)))
+      .set("Path Following/Opening History=zigzag");
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  double widest = 0.0;
+  for (int step = 0; step < steps; ++step) {
+    widest = std::max(widest, openings[step]);
+    const double stress = bars.stress(widest) * openings[step] / widest;
+    EXPECT_NEAR(run.value("F", step), 10.0 * stress, 2e-4 * 200.0) << step;
+    EXPECT_NEAR(run.value("load_factor", step), (stress - 3.0) / 2.0, 2e-4 * 10.0) << step;
+  }
+}
+
+// Sides that touch do not come closer, whatever the load.
+TEST(Path, OpeningsThatNothingCanHaveAreRefused) {
+  SceneInput scene = Bars().scene(4);
+  scene
+      .add("Histories", xmlList("through", xmlText("Type", "Table") + xmlNumbers("Times", {0.0, 0.5, 1.0}) +
+                                               xmlNumbers("Values", {0.0, 0.5, -0.5})))
+      .set("Path Following/Opening History=through");
+  const SolvedScene run(scene);
+  EXPECT_FALSE(run.isCertified());
+  EXPECT_EQ(run.result.solvedSteps, 2);
+}
+
 TEST(Path, RandomBarsFollowTheClosedForm) {
   std::mt19937 random(7);  // its sequence is fixed by the standard, that of the distributions is not
   const auto between = [&](double low, double high) { return low * std::pow(high / low, random() / 4294967296.0); };
@@ -147,7 +187,7 @@ TEST(Path, CrackIsFollowedWhereItSnaps) {
                                    "<Parameter name=\"Loads\" type=\"Array(string)\" value=\"{up, down}\"/>");
     const SolvedScene run(scene);
     ASSERT_TRUE(run.isCertified()) << strength << ": " << run.result.reason;
-    EXPECT_LE(run.result.linearStages, 40);  // it takes 12, of 40 load steps each
+    EXPECT_LE(run.result.linearStages, 40);  // it takes 16, of 40 load steps each
     double back = 0.0;
     for (int step = 0; step < run.steps(); ++step) {
       if (step > 0) back = std::max(back, run.value("load_factor", step - 1) - run.value("load_factor", step));
@@ -158,6 +198,44 @@ TEST(Path, CrackIsFollowedWhereItSnaps) {
     }
     EXPECT_GT(back, strength < 10.0 ? 0.0 : 0.005) << "the ends must close where the crack jumps";
   }
+}
+
+/// Mixed-mode bending by a force P in the middle and one of `lift` P at the end: a crack of length a between arms of
+/// height h, half of the span L, by beam theory. The arms are opened by m P, m = lift - 1/4, and bent by P:
+/// G_I = 12 a^2 m^2 P^2 / (E h^3), G_II = 9 a^2 P^2 / (16 E h^3); opening 2 m P a^3 / (3 E I) (Reeder, Crews 1990).
+struct MixedModeBending {
+  double lift;
+
+  static constexpr double E = 7e4, h = 3.0, L = 70.0, EI = E * h * h * h / 12.0;
+  double m() const { return lift - 0.25; }
+  double share() const { return 9.0 / 16.0 / (9.0 / 16.0 + 12.0 * m() * m()); }  // of mode II
+  /// Benzeggagh, Kenane.
+  double energy() const { return 0.3 + 0.5 * share() * share(); }
+  /// P a while the crack runs.
+  double moment() const { return std::sqrt(energy() * E * h * h * h / (12.0 * m() * m() + 9.0 / 16.0)); }
+  double forceAt(double opening) const { return std::sqrt(2.0 * m() * std::pow(moment(), 3) / (3.0 * EI * opening)); }
+  /// What a lever that makes these forces of one does at its end, in terms of its own force: goes back for short
+  /// cracks.
+  double lever(double end, double middle) const { return (lift * end - middle) / (1.0 - lift); }
+};
+
+// Forces alone would break the glue at once, and the end of the lever goes back while the crack runs. Half of the
+// energy is that of shear.
+TEST(Path, MixedModeBending) {
+  const MixedModeBending beam{0.4665};
+  const SolvedScene run(SceneInput::fromFile("cohesive/mmb.xml"));
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  EXPECT_LE(run.result.linearStages, 160);  // it takes 102, of 40 load steps each
+  double back = 0.0, highest = 0.0;
+  for (int step = 0; step < run.steps(); ++step) {
+    const double force = run.value("P", step), end = run.value("end", step);
+    const double lever = beam.lever(end, run.value("mid", step));
+    if (step < 25) back = std::max(back, highest - lever);
+    highest = std::max(highest, lever);
+    if (step < 16) continue;  // the crack runs from here on
+    EXPECT_NEAR(force, beam.forceAt(end), 0.035 * force) << "step " << step;
+  }
+  EXPECT_GT(back, 0.01);
 }
 
 }  // namespace
