@@ -26,6 +26,15 @@ cmp -s first.png pressure.png && { echo "FAILED: two steps look alike"; failures
 expect 0 'drawn_twice.png' "$harmos" picture "$name.e" --field pressure --width 400 --output drawn_twice.png
 cmp pressure.png drawn_twice.png || failures=$((failures + 1))
 
+# What is not certified says so: on the picture, which is another one without the record, and on the page below.
+mkdir doubted
+expect 3 'not converged' "$harmos" run "$scene" --output doubted --set 'Solver/Maximum Iterations=1'
+expect 0 'with.png' "$harmos" picture "doubted/$name.e" --output doubted/with.png
+mv "doubted/${name}_result.json" doubted/record
+expect 0 'without.png' "$harmos" picture "doubted/$name.e" --output doubted/without.png
+cmp -s doubted/with.png doubted/without.png && { echo "FAILED: nothing tells that it is not certified"; failures=$((failures + 1)); }
+mv doubted/record "doubted/${name}_result.json"
+
 # refused PATTERN COMMAND...: it ends with 2, and no file of the folder has changed.
 refused() {
   local pattern=$1 before
@@ -81,6 +90,9 @@ refused "${name}_interfaces.e" "$harmos" show "damaged/$name.e" --output new
 if [ -f "$(dirname "$(readlink -f "$harmos")")/../share/harmos/vtk.js" ]; then
   expect 0 page.html "$harmos" show "$name.e" --output page.html
   [ "$(stat -c %s page.html)" -lt 10000000 ] || { echo "FAILED: the page is too large"; failures=$((failures + 1)); }
+  expect 0 doubted.html "$harmos" show "doubted/$name.e" --output doubted.html
+  grep -q '<div>not converged, error not estimated</div>' doubted.html || { echo "FAILED: the page keeps that it is not certified"; failures=$((failures + 1)); }
+  grep -q '<div>certified, error estimate' page.html || { echo "FAILED: the page does not say that it is certified"; failures=$((failures + 1)); }
   grep -q '<div>Units: mm N s</div>' page.html || { echo "FAILED: the page has no units"; failures=$((failures + 1)); }
   grep -qE '<(script|link|img)[^>]* (src|href)=' page.html &&
     { echo "FAILED: the page loads something"; failures=$((failures + 1)); }

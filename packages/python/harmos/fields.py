@@ -4,8 +4,11 @@ A result is RESULT.e with the parts and RESULT_interfaces.e beside it. Steps are
 """
 import dataclasses
 import difflib
+import json
+import pathlib
 import re
 from collections.abc import Collection
+from typing import Any
 
 import numpy
 import vtk
@@ -107,6 +110,22 @@ def _reader(path: str) -> vtk.vtkExodusIIReader:
     for i in range(reader.GetNumberOfElementBlockArrays()):
         reader.SetElementBlockArrayStatus(reader.GetElementBlockArrayName(i), 1)
     return reader
+
+
+def record_of(path: str) -> dict[str, Any]:
+    """The record beside a result; empty without one."""
+    try:
+        record = json.loads(pathlib.Path(path.removesuffix(".e") + "_result.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return record if isinstance(record, dict) else {}
+
+
+def verdict(record: dict[str, Any]) -> str:
+    """What a record says of the accuracy: whether the run is certified, and how large its error is."""
+    error = record.get("error_estimate")
+    told = f"error estimate {error:.2g}" if isinstance(error, float) else "error not estimated"
+    return f"{record.get('status', 'of unknown accuracy')}, {told}"
 
 
 def _records(block: vtk.vtkDataSet, name: str) -> list[str]:

@@ -262,8 +262,14 @@ def picture(path: str, of: fields.Contents, field: fields.Field, step: int, scal
     if field.name.startswith("safety_"):
         legend = f", least {values.min():.4g}"
     add_note(renderer, f"step {step} of {len(of.times) - 1}, time {of.times[step]:.4g}{legend}, "
-             f"displacements x {factor:g}" + (f", units {of.units}" if of.units else ""), width)
+             f"displacements x {factor:g}" + (f", units {of.units}" if of.units else "") + doubts(path), width)
     return image_of(renderer, width, is_plane)
+
+
+def doubts(path: str) -> str:
+    """What a picture of a result that is not certified says of it, as its record beside it does."""
+    record = fields.record_of(path)
+    return f", {fields.verdict(record)}" if record and record.get("status") != "certified" else ""
 
 
 def main(words: list[str] | None = None) -> int:

@@ -157,19 +157,19 @@ def summary_of(path: str, of: fields.Contents) -> str:
 
 
 def decisive_lines(path: str) -> list[str]:
-    """The three numbers that decide, of the record beside the result; nothing without one."""
+    """What the record beside the result says of its accuracy, and the three numbers that decide; nothing without one."""
+    record = fields.record_of(path)
+    lines = [fields.verdict(record)] if record else []
     try:
-        record = json.loads(pathlib.Path(path.removesuffix(".e") + "_result.json").read_text(encoding="utf-8"))
         last = record["last_step"]
-        lines = [f"{record['status']}, error estimate {record['error_estimate']:.2g}"]
         if last["largest_von_mises"]:
             lines.append("largest von Mises stress {value:.4g} in {part}".format(**last["largest_von_mises"]))
         for against in ("slip", "gaping"):
             if safety := last[f"least_safety_against_{against}"]:
                 lines.append(f"least safety against {against} {safety['whole']:.4g} of {safety['interface']}, "
                              f"{safety['worst_point']['value']:.4g} at its worst point")
-    except (OSError, ValueError, LookupError, TypeError):
-        return []
+    except (ValueError, LookupError, TypeError):
+        pass
     return lines
 
 
