@@ -4,30 +4,15 @@
 #include <Tpetra_Core.hpp>
 
 #include <harmos/base/BlasKernels.hpp>
+#include <harmos/base/OneThread.hpp>
 #include <harmos/cli/CommandLine.hpp>
 
 #include "Interrupt.hpp"
 #include "OpenMpiSettings.hpp"
 
-extern "C" {
-// Present when the BLAS is OpenBLAS and when an OpenMP runtime is loaded.
-__attribute__((weak)) void openblas_set_num_threads(int);
-__attribute__((weak)) void omp_set_num_threads(int);
-}
-
-namespace {
-
-// BLAS threads on the small blocks of a substructure cost more than they give; ranks are the way to use more cores.
-void useOneThread() {
-  if (openblas_set_num_threads) openblas_set_num_threads(1);
-  if (omp_set_num_threads) omp_set_num_threads(1);
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   harmos::base::useFittingBlasKernels(argv);
-  useOneThread();
+  harmos::base::useOneThread();
   OpenMpiSettings openMpi;
   catchInterrupts();
   // Kokkos and MPI get no arguments: Kokkos would answer --help itself.
