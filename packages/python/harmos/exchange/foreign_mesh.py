@@ -2,7 +2,6 @@
 import collections
 import dataclasses
 
-import meshio
 import numpy
 
 from harmos.arrays import Array
@@ -49,12 +48,12 @@ class Source:
 
 
 def read_meshio(path: str, findings: Findings) -> Mesh:
-    """Reads a mesh; cells become one block per type, or per value
-    of the cells' whole numbers "part", "material" or "gmsh:physical".
+    """Reads a mesh; cells become one block per type, or per value of the cells' whole numbers "part", "material" or "gmsh:physical".
 
     Raises:
         Refused: the file is damaged, or has elements that Harmos has not.
     """
+    import meshio  # which what has been read otherwise does not need
     try:
         source = meshio.read(path)
     except (Exception, SystemExit) as error:  # meshio raises anything on damaged files, and ends the process on some

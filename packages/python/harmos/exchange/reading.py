@@ -10,7 +10,7 @@ from harmos.foreign import read_foreign
 
 READERS: dict[str, tuple[str, str, str]] = {
     ".msh": ("harmos.exchange.gmsh_mesh", "read_gmsh", "python3-gmsh"),
-    ".unv": ("harmos.exchange.universal", "read_universal", "python3-meshio"),
+    ".unv": ("harmos.exchange.universal", "read_universal", "python3-numpy"),
     ".med": ("harmos.exchange.salome", "read_salome", "python3-h5py"),
     ".e": ("harmos.exchange.exodus", "read_exodus", "python3-netcdf4"),
     ".exo": ("harmos.exchange.exodus", "read_exodus", "python3-netcdf4"),

@@ -1,4 +1,4 @@
-"""Meshes of Salome (.med): HDF5 files, whose layout is told in https://docs.salome-platform.org, MED file.
+"""Meshes of Salome (.med): HDF5 files, whose layout is told in https://docs.salome-platform.org/latest/dev/MEDCoupling/developer/med-file.html.
 
 meshio reads them as well, but not where some tables of elements have no families, or elements are WEDGE15 or HEX27.
 """

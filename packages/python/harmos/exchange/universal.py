@@ -1,6 +1,6 @@
 """Universal files of I-DEAS (.unv), as Salome, NX, Gmsh and others write them: nodes, elements and groups.
 
-The data sets of the format: https://www.ceas3.uc.edu/sdrluff/view.php, 2411, 2412 and 2467 there.
+The format: University of Cincinnati, Structural Dynamics Research Laboratory, "Universal File Formats", data sets 2411, 2412 and 2467.
 """
 import collections
 import pathlib
