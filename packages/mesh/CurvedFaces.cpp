@@ -75,12 +75,16 @@ CurvedFaces curvedFaces(const Mesh& mesh, const std::string& name, CurvedSurface
       if (mesh.dimension == 3) normals.push_back(normalOf(mesh, face));
     }
   }
+  if (mesh.dimension == 2 && kind == CurvedSurface::Kind::cone) {
+    refuse(name, "a cone is straight in the plane.\n  Leave it out, or give Type = Cylinder for a circle.");
+  }
   std::vector<base::Vector3> places;
   for (const int node : nodes) places.push_back(mesh.nodes[node]);
   CurvedFaces result{name, sideSets, {}};
   try {
     result.surface = mesh.dimension == 2                     ? CurvedSurface::circle(places)
                      : kind == CurvedSurface::Kind::cylinder ? CurvedSurface::cylinder(places, normals)
+                     : kind == CurvedSurface::Kind::cone     ? CurvedSurface::cone(places, normals)
                                                              : CurvedSurface::sphere(places);
   } catch (const base::Error& error) {
     refuse(name, error.what());

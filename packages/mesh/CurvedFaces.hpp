@@ -15,9 +15,9 @@ struct CurvedFaces {
   CurvedSurface surface;              ///< that their nodes lie on
 };
 
-/// The surface of this kind that the nodes of side sets lie on. In the plane all are circles. Throws base::Error
-/// (input) naming side sets that the mesh does not have or that have no faces, and where nodes lie off the surface by
-/// more than a thousandth of its radius: with the place and the distance.
+/// The surface of this kind that the nodes of side sets lie on. In the plane all are circles, and no cones. Throws
+/// base::Error (input) naming side sets that the mesh does not have or that have no faces, and where nodes lie off the
+/// surface by more than a thousandth of its radius: with the place and the distance.
 CurvedFaces curvedFaces(const Mesh& mesh, const std::string& name, CurvedSurface::Kind kind,
                         const std::vector<std::string>& sideSets);
 

@@ -104,14 +104,21 @@ Vectors across(const base::Vector3& axis) {
   return {first, base::cross(axis, first)};
 }
 
+/// Of those that have a direction.
+Vectors unitVectors(const Vectors& vectors) {
+  Vectors result;
+  for (const base::Vector3& v : vectors) {
+    if (base::norm(v) > 0.0) result.push_back((1.0 / base::norm(v)) * v);
+  }
+  return result;
+}
+
 /// The direction that is most nearly normal to all of these.
 base::Vector3 normalTo(const Vectors& normals) {
   base::Matrix sums(3, 3);
   for (const base::Vector3& n : normals) {
-    const double size = base::norm(n);
-    if (!(size > 0.0)) continue;
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) sums(i, j) += n[i] * n[j] / (size * size);
+      for (int j = 0; j < 3; ++j) sums(i, j) += n[i] * n[j];
     }
   }
   std::array<double, 3> values{};
@@ -146,7 +153,7 @@ CurvedSurface CurvedSurface::sphere(const std::vector<base::Vector3>& places) {
 CurvedSurface CurvedSurface::cylinder(const std::vector<base::Vector3>& places,
                                       const std::vector<base::Vector3>& normals) {
   CurvedSurface surface;
-  surface.axis_ = normalTo(normals);
+  surface.axis_ = normalTo(unitVectors(normals));
   // Gauss-Newton on the distances; normals of facets are nearly right to begin with.
   for (int step = 0; step < mostSteps; ++step) {
     const Vectors e = across(surface.axis_);
@@ -178,6 +185,49 @@ CurvedSurface CurvedSurface::cylinder(const std::vector<base::Vector3>& places,
   return surface;
 }
 
+CurvedSurface CurvedSurface::cone(const std::vector<base::Vector3>& places, const std::vector<base::Vector3>& normals) {
+  // Normals of one angle to the axis end in a plane across it.
+  Vectors differences = unitVectors(normals);
+  if (differences.empty()) refuse();
+  const base::Vector3 mean = middleOf(differences);
+  for (base::Vector3& n : differences) n = n - mean;
+  CurvedSurface surface;
+  surface.axis_ = normalTo(differences);
+  surface.centre_ = round(places, across(surface.axis_)).centre;
+  const double size = sizeOf(places, surface.centre_);
+  // Gauss-Newton on radius less R + slope z, from a circle.
+  const int rows = static_cast<int>(places.size());
+  for (int step = 0; step < mostSteps; ++step) {
+    const Vectors e = across(surface.axis_);
+    base::Matrix a(rows, 6);
+    std::vector<double> b(places.size());
+    for (int i = 0; i < rows; ++i) {
+      const base::Vector3 arm = surface.arm(places[i]);
+      const double length = base::norm(arm), along = base::dot(places[i] - surface.centre_, surface.axis_);
+      if (!(length > 0.0)) refuse();
+      for (int d = 0; d < 2; ++d) {
+        const double share = base::dot(arm, e[d]) / length;
+        a(i, d) = share;
+        a(i, 2 + d) = share * (along + surface.slope_ * length) / size;
+      }
+      a(i, 4) = 1.0;
+      a(i, 5) = along / size;
+      b[i] = (length - surface.radius_ - surface.slope_ * along) / size;
+    }
+    const std::vector<double> x = leastSquares(a, std::move(b));
+    surface.centre_ = surface.centre_ + (size * x[0]) * e[0] + (size * x[1]) * e[1];
+    surface.radius_ += size * x[4];
+    surface.slope_ += x[5];
+    const base::Vector3 axis = surface.axis_ + x[2] * e[0] + x[3] * e[1];
+    surface.axis_ = (1.0 / base::norm(axis)) * axis;
+    double moved = 0.0;
+    for (const double change : x) moved += std::abs(change);
+    if (moved < standstill) break;
+  }
+  if (!(surface.radius_ > 0.0)) refuse();
+  return surface;
+}
+
 base::Vector3 CurvedSurface::arm(const base::Vector3& place) const {
   const base::Vector3 from = place - centre_;
   return from - base::dot(from, axis_) * axis_;
@@ -185,8 +235,8 @@ base::Vector3 CurvedSurface::arm(const base::Vector3& place) const {
 
 base::Vector3 CurvedSurface::nearest(const base::Vector3& place) const {
   const base::Vector3 from = arm(place);
-  const double length = base::norm(from);
-  return length > 0.0 ? place + (radius_ / length - 1.0) * from : place;
+  const double length = base::norm(from), radius = radius_ + slope_ * base::dot(place - centre_, axis_);
+  return length > 0.0 ? place + (radius / length - 1.0) * from : place;
 }
 
 }  // namespace harmos::mesh

@@ -85,7 +85,8 @@ mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePat
   std::string faults;
   for (const input::Parameters& surface : source.lists("Curved Surfaces")) {
     using Kind = mesh::CurvedSurface::Kind;
-    const Kind kind = surface.text("Type") == "Sphere" ? Kind::sphere : Kind::cylinder;
+    const std::string type = surface.text("Type");
+    const Kind kind = type == "Sphere" ? Kind::sphere : type == "Cone" ? Kind::cone : Kind::cylinder;
     try {
       curved.push_back(mesh::curvedFaces(mesh, surface.name(), kind, surface.texts("Side Sets")));
     } catch (const base::Error& error) {

@@ -43,7 +43,10 @@ void describeMesh(input::ParameterSpec& spec) {
       "lie "
       "on them. Axis, centre and radius are those of the nodes.");
   surface.texts("Side Sets").required().doc("Whose faces lie on it, of one part or of several.");
-  surface.text("Type").defaultValue("Cylinder").oneOf({"Cylinder", "Sphere"}).doc("In the plane both are circles.");
+  surface.text("Type")
+      .defaultValue("Cylinder")
+      .oneOf({"Cylinder", "Cone", "Sphere"})
+      .doc("In the plane cylinders and spheres are circles.");
 }
 
 void describePart(input::ParameterSpec& spec) {

@@ -112,6 +112,35 @@ TEST(CurvedFaces, TakeNewNodesOfASphereAndOfACircle) {
   expectOn(hole.surface, inner, finer, "box_xmin");
 }
 
+// Part of a countersink about an axis that is none of the coordinates'; its ends stay in their planes.
+TEST(CurvedFaces, TakeNewNodesOfACone) {
+  constexpr double slope = 0.8;
+  for (const ElementType type : {ElementType::hex8, ElementType::tet4}) {
+    for (const int levels : {1, 3}) {
+      const Mesh coarse = box(type, {2, 3, levels}, [](const base::Vector3& x) {
+        const double r = inner + x[0] + slope * x[2], angle = 2.0 * x[1], c = std::cos(0.7), s = std::sin(0.7);
+        const base::Vector3 at{r * std::cos(angle), r * std::sin(angle), x[2]};
+        return origin + base::Vector3{at[0], c * at[1] - s * at[2], s * at[1] + c * at[2]};
+      });
+      const CurvedFaces wall = curvedFaces(coarse, "sink", Kind::cone, {"box_xmin"});
+      Mesh fine = refined(coarse);
+      moveOnto({wall}, static_cast<int>(coarse.nodes.size()), fine);
+      const base::Vector3 axis{0.0, -std::sin(0.7), std::cos(0.7)};
+      const std::set<int> below = nodesOf(fine, "box_zmin");
+      for (const int node : nodesOf(fine, "box_xmin")) {
+        const base::Vector3 x = fine.nodes[node] - origin;
+        const double along = base::dot(x, axis);
+        EXPECT_NEAR(base::norm(x - along * axis), inner + slope * along, 1e-11);
+        if (below.count(node) == 0) continue;
+        EXPECT_NEAR(along, 0.0, 1e-12);
+      }
+    }
+  }
+  const Mesh ring = box(ElementType::quad4, {1, 3, 0}, tube);
+  EXPECT_NE(refusal([&] { curvedFaces(ring, "sink", Kind::cone, {"box_xmin"}); }).find("straight in the plane"),
+            std::string::npos);
+}
+
 // On the rim of a ball that a bore cuts, nodes belong to both.
 TEST(CurvedFaces, MeetAtARim) {
   constexpr double ball = 3.0, bore = 1.0;
