@@ -22,12 +22,13 @@ KeptJump keptBy(const assembly::Assembly& assembly, const std::vector<int>& inte
   KeptJump kept{step, {}, {}};
   for (const int i : interfaces) {
     const assembly::Interface& interface = assembly.interfaces[i];
+    const auto& law = dynamic_cast<const laws::CoupledLaw&>(*interface.law);
     for (int p = 0; p < interface.pairs(); ++p) {
-      const base::Vector3& normal = interface.frame[p][0];
-      const double share = interface.area[p] / area;
-      addSide(interface, 0, p, -share * normal, kept.gradient);
-      if (interface.sides() == 2) addSide(interface, 1, p, share * normal, kept.gradient);
-      kept.force.pairs.push_back({i, p, normal});
+      const auto share = law.keptShare(interface.position[p], interface.frame[p][0], area);
+      const base::Vector3 weight = interface.area[p] * share.ofJump;
+      addSide(interface, 0, p, -1.0 * weight, kept.gradient);
+      if (interface.sides() == 2) addSide(interface, 1, p, weight, kept.gradient);
+      kept.force.pairs.push_back({i, p, share.ofForce});
     }
   }
   return kept;

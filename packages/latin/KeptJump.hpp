@@ -6,13 +6,12 @@
 
 namespace harmos::latin {
 
-/// The mean jump q along the normal [length] that a law over a whole face keeps since an earlier load step, as a bolt
-/// does that was tightened by force (laws::CoupledLaw::keepsJumpSince()): what that step makes of q, later ones depend
-/// on.
+/// The mean jump q [length] that a law over a whole face keeps since an earlier load step, as a bolt does that was
+/// tightened by force (laws::CoupledLaw::keepsJumpSince()): what that step makes of q, later ones depend on.
 struct KeptJump {
   int step;                   ///< from 0: at whose end it was found
   ResponseGradient gradient;  ///< of q with respect to the displacements of that step
-  ResponseGradient force;     ///< of the resultant of the tractions along the normal, on the pairs of the face
+  ResponseGradient force;     ///< of the resultant of the tractions along the jump, on the pairs of the face
 };
 
 /// What the laws of an assembly keep at a load step, from 0. Not collective: the same on all ranks.

@@ -25,10 +25,20 @@ class CoupledLaw : public InterfaceLaw {
   /// history, and of the states sets the tractions only.
   virtual void solveTangent(int step, const NodeArrays& nodes, const double* sums) const = 0;
 
-  /// The load step, from 0, since whose end the law keeps the mean jump of its face along the normal, as a bolt does
-  /// that was tightened by force and then locked: at `step` the tractions follow from the jumps less that one. -1:
-  /// none.
+  /// The load step, from 0, since whose end the law keeps a mean jump of its face, along the normal if keptShare() does
+  /// not say otherwise, as a bolt does that was tightened by force and then locked: at `step` the tractions follow from
+  /// the jumps less that one. -1: none.
   virtual int keepsJumpSince(int /*step*/) const { return -1; }
+  /// What that jump is made of at a point, and what depends on it.
+  struct KeptShare {
+    base::Vector3 ofJump{};  ///< v [1/area]: the jump is the sum of h v.delta, delta = -w at an outer boundary
+    base::Vector3
+        ofForce{};  ///< e [-]: a response J depends on it by dJ/dq = sum of h e.t, t the tractions of its adjoint
+  };
+  /// Of a point with its place and normal; `area`: of all points together.
+  virtual KeptShare keptShare(const base::Vector3& /*place*/, const base::Vector3& normal, double area) const {
+    return {(1.0 / area) * normal, normal};
+  }
   /// The force [force] along the normal over the whole face, positive in tension, that the law brings about at a load
   /// step, counted from 0, whatever the jumps; nothing: the jumps decide.
   virtual std::optional<double> normalForce(int /*step*/) const { return std::nullopt; }

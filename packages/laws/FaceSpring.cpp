@@ -95,6 +95,11 @@ class FaceSpring final : public CoupledLaw, public FaceLaw {
   Sides sides() const override { return Sides::two; }
   bool dissipates() const override { return false; }
   int sums() const override { return FaceJoint::numberOfSums; }
+  int keepsJumpSince(int step) const override { return force_ ? locking_.lockedSince(step) : -1; }
+  /// The elongation, that of face 2 less that of face 1; both have the force along the axis.
+  KeptShare keptShare(const base::Vector3& place, const base::Vector3&, double) const override {
+    return {-1.0 * joint_->vectors(place)[0], (isOther_ ? -0.5 : 0.5) * axes_[0]};
+  }
 
   std::shared_ptr<const InterfaceLaw> on(std::shared_ptr<const FaceMotions> face) const override {
     auto bound = std::make_shared<FaceSpring>(*this);

@@ -43,11 +43,10 @@ class FaceJoint {
   Six motions(const double* sums, const Six& c) const;
   /// Writes the tractions of some points.
   void meet(const NodeArrays& nodes, const Six& c) const;
-
- private:
   /// The vectors v_i or phi_i at a place.
   std::array<base::Vector3, 6> vectors(const base::Vector3& place) const;
 
+ private:
   Kind kind_;
   FaceMotions face_;
   double sign_;
