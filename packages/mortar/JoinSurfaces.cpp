@@ -45,6 +45,16 @@ constexpr double roundOff = 1e-13;  // gap over the coordinates of the interface
   throw base::Error(message.str(), base::ExitCode::input);
 }
 
+[[noreturn]] void refuseHardlyCovered(const std::string& where, const std::array<const Side*, 2>& sides, int mortar,
+                                      std::size_t faces) {
+  throw base::Error(where + ": " + sides[1 - mortar]->name + " covers so little of " + std::to_string(faces) +
+                        (faces == 1 ? " face of " : " faces of ") + sides[mortar]->name +
+                        " that none of their corners can be a point. Put the points on the other side, Points On = "
+                        "Side " +
+                        std::to_string(2 - mortar) + ", or mesh " + sides[mortar]->name + " finer there.",
+                    base::ExitCode::input);
+}
+
 /// Share of the area of the other side's covered faces that is not covered.
 double uncoveredShare(const SideCells& other, const std::set<int>& faces, double covered, int dimension,
                       const mesh::Depth& depth) {
@@ -125,7 +135,7 @@ JoinedSurface joinSurfaces(const std::string& where, const mesh::Mesh& mesh, con
 
   PointBuilder builder(sides[mortar]->faces, couplings, options.creaseAngle);
   JoinedSurface surface = builder.build();
-  if (surface.node.empty()) refuseDistantSides(where, mesh, sides, facing, options.reach);
+  if (surface.node.empty()) refuseHardlyCovered(where, sides, mortar, couplings.size());
   addFrames(mesh.dimension, mortar, surface);
   if (const int held = builder.leaveOut(findDoublyHeld(surface, options.held)); held > 0) {
     surface = builder.build();

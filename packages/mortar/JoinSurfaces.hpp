@@ -26,9 +26,9 @@ enum class GapTreatment { geometric, closed, closedWithin };
 
 /// How two sides are joined.
 struct JoinOptions {
-  /// The side (0 or 1) whose corner nodes are the points; none: one that is more than ten times softer, else that with
-  /// the finer mesh; if they are equally fine, of the softer part; if these are equal, with the smaller surface; else
-  /// side 1.
+  /// The side (0 or 1) whose corner nodes are the points; none: one that covers less than nine tenths of the
+  /// faces of the other; else one that is more than three times softer; else that with the coarser mesh; if they are
+  /// equally fine, of the softer part; if these are equal, with the smaller surface; else side 1.
   std::optional<int> pointsOn;
   GapTreatment gap = GapTreatment::geometric;
   double within = 0.0;         // up to which gaps and overlaps are closed, with closedWithin [length]

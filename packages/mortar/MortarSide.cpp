@@ -10,7 +10,9 @@ namespace {
 constexpr double equal = 1e-2;  // relative difference of two sizes that is none
 // How many times softer a side is that carries the points whatever the meshes: the nodes of a rigid one cannot give
 // way, and pressures on them oscillate where the other mesh is coarser.
-constexpr double soft = 10.0;
+constexpr double soft = 3.0;
+// Share of the faces of a side that the other one covers at most, below which it would be held up by corners beside it.
+constexpr double leastCovered = 0.9;
 
 /// -1 if the first is clearly smaller, 1 if the second is, 0 if none.
 int smaller(const std::array<double, 2>& size) {
@@ -22,8 +24,6 @@ int smaller(const std::array<double, 2>& size) {
 
 int chooseMortarSide(int dimension, const std::array<const std::vector<Cell>*, 2>& cells,
                      const std::vector<std::pair<int, int>>& pairs, const std::array<double, 2>& stiffness) {
-  if (stiffness[0] > soft * stiffness[1]) return 1;
-  if (stiffness[1] > soft * stiffness[0]) return 0;
   std::array<double, 2> faceSize{}, area{};
   for (int side = 0; side < 2; ++side) {
     std::vector<bool> isFacing(cells[side]->size(), false);
@@ -38,7 +38,13 @@ int chooseMortarSide(int dimension, const std::array<const std::vector<Cell>*, 2
     if (faces.empty()) continue;
     faceSize[side] = std::pow(area[side] / static_cast<double>(faces.size()), dimension == 3 ? 0.5 : 1.0);
   }
-  for (const auto& size : {faceSize, stiffness, area}) {
+  for (int side = 0; side < 2; ++side) {
+    if (area[side] < leastCovered * area[1 - side]) return side;
+  }
+  if (stiffness[0] > soft * stiffness[1]) return 1;
+  if (stiffness[1] > soft * stiffness[0]) return 0;
+  if (const int which = smaller(faceSize)) return which < 0 ? 1 : 0;
+  for (const auto& size : {stiffness, area}) {
     if (const int which = smaller(size)) return which < 0 ? 0 : 1;
   }
   return 0;

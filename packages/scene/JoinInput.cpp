@@ -16,9 +16,10 @@ void describeJoining(input::ParameterSpec& spec) {
       .defaultValue("Automatic")
       .oneOf({"Automatic", sideNames[0], sideNames[1]})
       .doc(
-          "Where meshes do not match: the side whose corner nodes carry the tractions. Automatic: a part "
-          "more than ten times softer, else the finer mesh, else the softer part, else the smaller surface. Naming one "
-          "joins matching meshes in this way, too.");
+          "Where meshes do not match: the side whose corner nodes carry the tractions. Automatic: one that covers less "
+          "than nine tenths of the other's faces, else a part more than three times softer, else the coarser mesh, "
+          "else "
+          "the softer part, else the smaller surface. Naming one joins matching meshes in this way, too.");
   spec.text("Gap")
       .defaultValue("Geometric")
       .oneOf({"Geometric", "Closed"})

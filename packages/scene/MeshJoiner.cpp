@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <optional>
 #include <set>
 #include <sstream>
 
@@ -76,27 +75,20 @@ std::vector<mesh::InterfaceSurface> MeshJoiner::join(const std::string& name1, c
                                                      std::vector<JoinedMeshes>& reports, KeptTogether& crossed) const {
   demandTwoParts(side1, side2);
   const mortar::Side one{name1, side1, stiffnessOf(side1)}, two{name2, side2, stiffnessOf(side2)};
-  mortar::JoinOptions options = options_;
-  mortar::PieceSurfaces divided;
-  std::optional<std::array<int, 2>> first;  // points that cuts cross, per side, at the first attempt
-  // Cuts may cross the side with the points: where they cross the other one, the other choice may do.
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    const auto joined = mortar::joinSurfaces("Interface \"" + name_ + "\"", mesh_, one, two, options);
-    divided = mortar::divideByPieces(name_, joined, one, two, bodies_.pieces, finder_.pieces());
-    if (divided.crossed[0] + divided.crossed[1] == 0) {
-      reports.push_back(
-          {name_, joined.pointsOn, static_cast<int>(joined.area.size()), joined.report, isOfSideSets_, hasGaps_});
-      return divided.surfaces;
-    }
-    if (!first) first = divided.crossed;
-    if (options.pointsOn) break;
-    options.pointsOn = 1 - joined.pointsOn;
+  const auto joined = mortar::joinSurfaces("Interface \"" + name_ + "\"", mesh_, one, two, options_);
+  const mortar::PieceSurfaces divided =
+      mortar::divideByPieces(name_, joined, one, two, bodies_.pieces, finder_.pieces());
+  if (divided.crossed[0] + divided.crossed[1] == 0) {
+    reports.push_back(
+        {name_, joined.pointsOn, static_cast<int>(joined.area.size()), joined.report, isOfSideSets_, hasGaps_});
+    return divided.surfaces;
   }
-  const bool isNew1 = (*first)[0] > 0 && keepTogether(side1, crossed);
-  const bool isNew2 = (*first)[1] > 0 && keepTogether(side2, crossed);
+  // The points stay where they are: what an interface is shall not depend on cuts.
+  const bool isNew1 = divided.crossed[0] > 0 && keepTogether(side1, crossed);
+  const bool isNew2 = divided.crossed[1] > 0 && keepTogether(side2, crossed);
   if (isNew1 || isNew2) return {};
   const int side = divided.crossed[0] > 0 ? 0 : 1;
-  const bool isWithPoints = options.pointsOn == side;
+  const bool isWithPoints = joined.pointsOn == side;
   const base::Vector3& place = divided.firstCrossed;
   std::ostringstream message;
   message << "Interface \"" << name_ << "\": its meshes do not match, and cuts of " << (side == 0 ? name1 : name2)

@@ -310,46 +310,51 @@ base::Vector3 cylinder(double a, double b) {
 
 /// Facets of two meshes of one cylinder gape and overlap by the sagitta of the coarser one, quadratic ones hardly.
 TEST(JoinSurfaces, MeasuresTheGapsBetweenFacetsOfACylinder) {
-  const auto join = [](int kind, int cells, GapTreatment gap, double within) {
+  int pointsOn = 1;
+  const auto join = [&pointsOn](int kind, int cells, GapTreatment gap, double within) {
     mesh::Mesh mesh;
     const Side inner = meshGrid(mesh, "pin", {kind, cells, 2, cylinder, false, true});
     const Side outer = meshGrid(mesh, "hole", {kind, 2 * cells, 3, cylinder, true, true});
     JoinOptions options;
     options.gap = gap;
     options.within = within;
+    options.pointsOn = pointsOn;
     JoinedSurface surface = joinSurfaces("test", mesh, inner, outer, options);
     expectSound(surface);
-    EXPECT_EQ(surface.pointsOn, 1);
     for (std::size_t p = 0; p < surface.node.size(); ++p) {
       const base::Vector3& x = surface.place[p];
       EXPECT_GT(dot(surface.frame[p][0], {x[0], x[1], 0.0}), 0.97);  // from the pin to the hole
     }
     return surface.report;
   };
-  for (const int kind : {3, 4}) {
-    for (const int cells : {4, 8, 16}) {
-      const double sagitta = 1.0 - std::cos(0.25 * std::acos(-1.0) / cells);
-      const JoinReport report = join(kind, cells, GapTreatment::geometric, 0.0);
-      EXPECT_GT(report.largestGap, 0.5 * sagitta);
-      EXPECT_LT(report.largestGap, 1.1 * sagitta);
-      EXPECT_LT(report.largestOverlap, 0.2 * sagitta);
-      EXPECT_GT(report.rigidMotion, 0.2 * sagitta);
-      EXPECT_LT(report.uncovered[0], 0.02);
-      EXPECT_EQ(report.closed, 0);
-      const JoinReport closed = join(kind, cells, GapTreatment::closed, 0.0);
-      EXPECT_GT(closed.closed, 0);
-      EXPECT_EQ(closed.largestClosed, std::max(report.largestGap, report.largestOverlap));
-      EXPECT_EQ(closed.largestGap, report.largestGap);
-      const JoinReport within = join(kind, cells, GapTreatment::closedWithin, 0.5 * report.largestGap);
-      EXPECT_LE(within.largestClosed, 0.5 * report.largestGap);
-      EXPECT_LT(within.closed, closed.closed);
+  for (const int side : {0, 1}) {
+    pointsOn = side;
+    for (const int kind : {3, 4}) {
+      for (const int cells : {4, 8, 16}) {
+        const double sagitta = 1.0 - std::cos(0.25 * std::acos(-1.0) / cells);
+        const JoinReport report = join(kind, cells, GapTreatment::geometric, 0.0);
+        // On the coarser side it is the mean over the facets around a point.
+        EXPECT_GT(report.largestGap, (pointsOn == 1 ? 0.5 : 0.4) * sagitta);
+        EXPECT_LT(report.largestGap, (pointsOn == 1 ? 1.1 : 0.7) * sagitta);
+        EXPECT_LT(report.largestOverlap, 0.2 * sagitta);
+        EXPECT_GT(report.rigidMotion, (pointsOn == 1 ? 0.2 : 0.1) * sagitta);
+        EXPECT_LT(report.uncovered[0], 0.02);
+        EXPECT_EQ(report.closed, 0);
+        const JoinReport closed = join(kind, cells, GapTreatment::closed, 0.0);
+        EXPECT_GT(closed.closed, 0);
+        EXPECT_EQ(closed.largestClosed, std::max(report.largestGap, report.largestOverlap));
+        EXPECT_EQ(closed.largestGap, report.largestGap);
+        const JoinReport within = join(kind, cells, GapTreatment::closedWithin, 0.5 * report.largestGap);
+        EXPECT_LE(within.largestClosed, 0.5 * report.largestGap);
+        EXPECT_LT(within.closed, closed.closed);
+      }
     }
-  }
-  for (const int kind : {6, 8, 9}) {
-    const double coarse = join(kind, 4, GapTreatment::geometric, 0.0).largestGap;
-    const double fine = join(kind, 8, GapTreatment::geometric, 0.0).largestGap;
-    EXPECT_LT(coarse, 1e-3);
-    EXPECT_LT(fine, coarse / 8.0);
+    for (const int kind : {6, 8, 9}) {
+      const double coarse = join(kind, 4, GapTreatment::geometric, 0.0).largestGap;
+      const double fine = join(kind, 8, GapTreatment::geometric, 0.0).largestGap;
+      EXPECT_LT(coarse, 1e-3);
+      EXPECT_LT(fine, coarse / 8.0);
+    }
   }
 }
 
@@ -393,15 +398,15 @@ TEST(JoinSurfaces, DividesPointsAtCreases) {
   for (const base::Frame& frame : surface.frame) EXPECT_NEAR(std::max(-frame[0][0], frame[0][2]), 1.0, 1e-12);
 }
 
-TEST(JoinSurfaces, TakesThePointsOfAMuchSofterBodyThenOfTheFinerMeshThenOfTheSofterBodyThenOfTheSmallerSurface) {
+TEST(JoinSurfaces, TakesThePointsOfAMuchSofterBodyThenOfTheCoarserMeshThenOfTheSofterBodyThenOfTheSmallerSurface) {
   struct Case {
     int cells1, cells2;
     double stiffness1, stiffness2, width1, width2;
     int expected;
   };
   for (const Case& c :
-       {Case{4, 5, 1.0, 2.0, 1.0, 1.0, 1}, Case{4, 5, 1.0, 20.0, 1.0, 1.0, 0}, Case{5, 4, 20.0, 1.0, 1.0, 1.0, 1},
-        Case{5, 4, 2.0, 1.0, 1.0, 1.0, 0}, Case{4, 4, 1.0, 2.0, 1.0, 1.0, 0}, Case{4, 4, 2.0, 1.0, 1.0, 1.0, 1},
+       {Case{4, 5, 2.0, 1.0, 1.0, 1.0, 0}, Case{4, 5, 4.0, 1.0, 1.0, 1.0, 1}, Case{5, 4, 1.0, 4.0, 1.0, 1.0, 0},
+        Case{5, 4, 1.0, 2.0, 1.0, 1.0, 1}, Case{4, 4, 1.0, 2.0, 1.0, 1.0, 0}, Case{4, 4, 2.0, 1.0, 1.0, 1.0, 1},
         Case{4, 2, 1.0, 1.0, 1.0, 0.5, 1}, Case{2, 4, 1.0, 1.0, 0.5, 1.0, 0}, Case{4, 4, 1.0, 1.0, 1.0, 1.0, 0}}) {
     mesh::Mesh mesh;
     Side side1 = meshGrid(mesh, "one", {4, c.cells1, 4, rectangle(0.0, 0.0, c.width1, 1.0)});
@@ -409,6 +414,9 @@ TEST(JoinSurfaces, TakesThePointsOfAMuchSofterBodyThenOfTheFinerMeshThenOfTheSof
     side1.stiffness = c.stiffness1;
     side2.stiffness = c.stiffness2;
     EXPECT_EQ(joinSurfaces("test", mesh, side1, side2).pointsOn, c.expected);
+    // The same side when it is named first.
+    const bool isTie = c.cells1 == c.cells2 && c.stiffness1 == c.stiffness2;
+    EXPECT_EQ(joinSurfaces("test", mesh, side2, side1).pointsOn, isTie ? 0 : 1 - c.expected);
   }
 }
 
@@ -458,6 +466,24 @@ TEST(JoinSurfaces, RefusesSidesThatCannotBeJoined) {
   EXPECT_NE(messageOf(mesh, side1, near, options).find("within a distance of 0.05"), std::string::npos);
   options.reach.distance = 4.0;
   EXPECT_EQ(messageOf(mesh, side1, far, options), "");
+}
+
+// A small part in the middle of one large face, whose corners it is far from.
+TEST(JoinSurfaces, TakesThePointsOfASmallPartOnALargeFace) {
+  mesh::Mesh mesh;
+  const Side large = meshGrid(mesh, "side set \"a\"", {4, 1, 1, plane()});
+  Side small = meshGrid(mesh, "side set \"b\"", {4, 2, 2, rectangle(0.45, 0.45, 0.55, 0.55), true});
+  for (const double stiffness : {0.01, 1.0, 100.0}) {
+    small.stiffness = stiffness;
+    EXPECT_EQ(joinSurfaces("test", mesh, large, small).pointsOn, 1);
+    EXPECT_EQ(joinSurfaces("test", mesh, small, large).pointsOn, 0);
+  }
+  JoinOptions options;
+  options.pointsOn = 0;
+  EXPECT_EQ(
+      messageOf(mesh, large, small, options),
+      "Interface \"seam\": side set \"b\" covers so little of 1 face of side set \"a\" that none of their corners "
+      "can be a point. Put the points on the other side, Points On = Side 2, or mesh side set \"a\" finer there.");
 }
 
 }  // namespace

@@ -117,6 +117,13 @@ TEST(NonMatching, CarriesAPressureUniformlyOverPartlyCoveredFaces) {
   }
 }
 
+/// Corners of a face that a block covers in part only would hold it up beside itself; with half of the shear it stands.
+TEST(NonMatching, HoldsABlockUpNowhereButBelowIt) {
+  SceneInput scene = SceneInput::fromFile("nonmatching/tipping.xml");
+  EXPECT_EQ(SolvedScene(scene).result.outcome, latin::Outcome::noEquilibrium);
+  EXPECT_TRUE(SolvedScene(scene.set("Boundaries/top/Law/X=0.35")).isCertified());
+}
+
 /// A matching mesh that is joined on the points of one side is the same interface.
 TEST(NonMatching, GivesTheResultsOfPairsWhereMeshesMatch) {
   SceneInput scene = SceneInput::fromFile("contact_patch/plane.xml");
