@@ -226,6 +226,8 @@ bool CalibratedSchedule::attempt(const design::Configuration& configuration, Pur
                       solver_.states().count() >= fewestStates && record_.favoursWarm(distance);
   const int before = result.linearStages;
   try {
+    const bool mayLack = purpose == Purpose::calibration || solver_.isNearLack(configuration);
+    if (mayLack && solver_.lacksEquilibrium(configuration, result)) return true;
     if (purpose == Purpose::calibration && !calibrate(configuration, result)) return false;
     if (isWarm && !marchFromNeighbours(configuration, purpose, result)) return false;
   } catch (const base::Error& error) {

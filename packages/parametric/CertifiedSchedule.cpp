@@ -9,6 +9,7 @@ bool CertifiedSchedule::solve(const design::Configuration& configuration, result
   const std::vector<int> nearest = solver_.states().nearest(configuration.values, 1);
   if (!nearest.empty()) {
     try {
+      if (solver_.lacksEquilibrium(configuration, result)) return true;
       const latin::FixedPoint& fixedPoint = solver_.fixedPoint();
       base::Matrix start(fixedPoint.layout().rows(), fixedPoint.assembly().steps()), unused(start);
       solver_.states().copy(nearest[0], start, unused);

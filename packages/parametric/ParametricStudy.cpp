@@ -20,7 +20,7 @@ ParametricStudy::ParametricStudy(assembly::Assembly& assembly, Install install,
       certified_(solver_) {}
 
 void ParametricStudy::run(const std::vector<design::Configuration>& open, results::ResultSink& sink) {
-  for (const design::Configuration& configuration : open) solver_.states().widen(configuration.values);
+  for (const design::Configuration& configuration : open) solver_.widen(configuration.values);
   const latin::LatinOptions& options = solver_.options();
   const bool isCertified = static_cast<int>(open.size()) + solver_.states().count() < fewConfigurations ||
                            options.stages.formulation == latin::Formulation::velocity ||

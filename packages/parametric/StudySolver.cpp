@@ -7,6 +7,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/latin/LoadBalance.hpp>
 #include <harmos/results/StatusName.hpp>
 
 namespace harmos::parametric {
@@ -60,13 +61,15 @@ StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
     : install_(std::move(install)),
       responses_(std::move(responses)),
       options_(forReplacedLaws(options)),
+      timers_(timers),
       solver_(assembly, options_, comm, timers),
       fixedPoint_(solver_.fixedPoint()),
       iteration_(fixedPoint_, responses_, options.accuracy < demanding ? neighboursWhenDemanding : neighbours,
                  options.memory, options.accuracy,
                  options.stages.solver.invertTrace ? substructure::Precision::single : substructure::Precision::exact,
                  timers),
-      states_(statesThatFit(fixedPoint_.layout(), assembly.steps())) {
+      states_(statesThatFit(fixedPoint_.layout(), assembly.steps())),
+      lacking_(static_cast<int>(mostStates)) {
   for (const auto& response : responses_) solver_.addResponse(response);
   iteration_.setStop([this] { return mustStop(); });
 }
@@ -84,6 +87,31 @@ bool StudySolver::install(const design::Configuration& configuration, results::C
   }
   fixedPoint_.updateLaws();
   return true;
+}
+
+void StudySolver::widen(const std::vector<double>& values) {
+  states_.widen(values);
+  lacking_.widen(values);
+}
+
+bool StudySolver::lacksEquilibrium(const design::Configuration& configuration, results::ConfigurationResult& result) {
+  const assembly::Assembly& assembly = fixedPoint_.assembly();
+  if (assembly.path) return false;  // loads that are found have no balance before
+  latin::LoadBalance balance(assembly, fixedPoint_.layout().comm(), timers_);
+  // The last ones first: they have most to bear.
+  for (int t = assembly.steps() - 1; t >= 0; --t) {
+    const std::optional<std::string>& contradiction = balance.contradiction(t);
+    if (!contradiction) continue;
+    result.status = results::Status::noEquilibrium;
+    result.reason = *contradiction;
+    lacking_.add(configuration.id, configuration.values, {}, {});
+    return true;
+  }
+  return false;
+}
+
+bool StudySolver::isNearLack(const design::Configuration& configuration) const {
+  return lacking_.distance(configuration.values) < states_.distance(configuration.values);
 }
 
 bool StudySolver::certify(const base::Matrix* start, results::ConfigurationResult& result, double share) {
@@ -113,6 +141,7 @@ bool StudySolver::certify(const base::Matrix* start, results::ConfigurationResul
 bool StudySolver::certifyAnew(const design::Configuration& configuration, results::ConfigurationResult& result) {
   try {
     result.starts.clear();
+    if (lacksEquilibrium(configuration, result)) return true;
     if (!certify(nullptr, result)) return false;
     if (results::isCertified(result.status)) rememberCertified(configuration, result);
   } catch (const base::Error& error) {

@@ -45,6 +45,13 @@ class StudySolver {
 
   /// Empties the result and installs the laws; false, with the reason in the result, when they are inadmissible.
   bool install(const design::Configuration& configuration, results::ConfigurationResult& result);
+  /// Parameters are measured by the range of what they are in a study: to be called for all its configurations.
+  void widen(const std::vector<double>& values);
+  /// Asks rigid statics of all load steps, without any iteration, whether the configuration that is installed has for
+  /// certain no equilibrium; true, with the reason in the result, where it has none. Collective.
+  bool lacksEquilibrium(const design::Configuration& configuration, results::ConfigurationResult& result);
+  /// Whether one of those that lacksEquilibrium() has found is nearer than any that is solved.
+  bool isNearLack(const design::Configuration& configuration) const;
   /// Solves the configuration that is installed until corrections of its own bound its error by `share` of the
   /// accuracy, from `start` if it is not null. Adds what it took to the result. False when interrupted.
   bool certify(const base::Matrix* start, results::ConfigurationResult& result, double share = 1.0);
@@ -77,10 +84,12 @@ class StudySolver {
   Install install_;
   std::vector<std::shared_ptr<const latin::Response>> responses_;
   latin::LatinOptions options_;
+  base::Timers& timers_;
   latin::LatinSolver solver_;
   latin::FixedPoint& fixedPoint_;
   ConfigurationIteration iteration_;
   SolvedStates states_;
+  SolvedStates lacking_;  // without fields
   Observer observer_;
   Trust summary_;
 };

@@ -5,6 +5,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/parametric/ParametricStudy.hpp>
+#include <harmos/results/StatusName.hpp>
 
 #include "../latin/Chains.hpp"
 
@@ -227,6 +228,32 @@ TEST(ParametricStudy, GoesOnAfterALawThatFails) {
         << result.reason;
     const std::vector<double> exact = JenkinsStudy::exact(configurations[result.id - 1].values[0]);
     for (std::size_t t = 0; t < exact.size(); ++t) EXPECT_NEAR(result.curves[0][t], exact[t], 1e-3);
+  }
+}
+
+// Rigid statics says so: no load step is solved, not even those before the one that lacks forces.
+TEST(ParametricStudy, SpendsNoStagesOnWhatHasNoEquilibrium) {
+  const auto load = [](double shear) {
+    return laws::makeLaw("Prescribed Traction", {{"X", -1.0}, {"Y", shear}}, {{"Y", {0.0, 0.5, 1.0}}});
+  };
+  for (const int count : {4, 12}) {
+    Chains chains(latin::twoChains(JenkinsStudy::friction(0.3), load(0.2), 3), 1e-4);
+    std::vector<double> shears;
+    for (int i = 0; i < count; ++i) shears.push_back(0.6 * (i + 0.5) / count);
+    const Results results = chains.run(row(shears), [&](const auto& values) { chains.setLaw(2, load(values[0])); });
+    ASSERT_EQ(results.all.size(), shears.size());
+    int marched = 0;
+    for (const results::ConfigurationResult& result : results.all) {
+      if (shears[static_cast<std::size_t>(result.id - 1)] < 0.3) {
+        EXPECT_TRUE(results::isSolved(result.status)) << result.reason;
+        continue;
+      }
+      EXPECT_EQ(result.status, results::Status::noEquilibrium) << result.reason;
+      marched += result.linearStages > 0 ? 1 : 0;
+      EXPECT_NE(result.reason.find("load step 3"), std::string::npos) << result.reason;
+    }
+    // From neighbours that are solved, where none without an equilibrium is nearer.
+    EXPECT_LE(marched, count == 4 ? 0 : 1);
   }
 }
 
