@@ -10,7 +10,7 @@ namespace harmos::latin {
 namespace {
 
 // Share of the way that the residual may hide.
-constexpr double allowedToHide = 0.5;
+constexpr double allowedToHide = 0.7;
 // Gauss-Newton steps of a load step after each linear stage.
 constexpr int gaussNewtonSteps = 3;
 constexpr int halvings = 2;
@@ -24,9 +24,10 @@ constexpr double negligible = 0.1;
 constexpr double wayOfResidual = 100.0;
 // Times what the images have promised that the true residual may be.
 constexpr double promised = 1.25;
-// Times the error that is gone for, that the way may tell before the correction goes on; least share of the reduction
-// that it then goes to.
+// Times the error that is gone for, that the way of a load step may tell before the correction goes on; share of that
+// error that each load step then goes for, and least share of the reduction that it goes to.
 constexpr double nearEnough = 1.5;
+constexpr double shareOfError = 0.5;
 constexpr double furthest = 0.1;
 // Linear stages, each of some load steps, in which the largest residual must fall to this share.
 constexpr std::size_t patience = 40;
@@ -85,7 +86,7 @@ bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& d
 void CausalCorrection::reduce(int step) {
   Step& here = steps_[step];
   here.residual = evaluate(step);
-  const double enough = here.isLeft ? noise_ : target_;
+  const double enough = here.isLeft ? noise_ : here.weight * target_;
   for (int i = 0; i < gaussNewtonSteps && here.tangent.space().size() > 0 && here.residual > enough; ++i) {
     const bool isFresh = here.isStale;
     if (isFresh) {
@@ -130,8 +131,8 @@ std::vector<int> CausalCorrection::unfinished() {
   for (std::size_t t = 0; t < steps_.size(); ++t) {
     Step& step = steps_[t];
     step.isLeft =
-        step.residual > noise_ &&
-        (step.residual > target_ || step.residual > allowedToHide * step.tangent.space().smallestSingularValue() * way);
+        step.residual > noise_ && (step.residual > step.weight * target_ ||
+                                   step.residual > allowedToHide * step.tangent.space().smallestSingularValue() * way);
     if (step.isLeft) result.push_back(static_cast<int>(t));
   }
   return result;
@@ -140,10 +141,13 @@ std::vector<int> CausalCorrection::unfinished() {
 substructure::Precision CausalCorrection::precision() {
   if (allowed_ == substructure::Precision::exact) return allowed_;
   // The image of a direction has this relative error, and a step goes along it as far as its residual asks for.
-  double way = longestWay();
-  for (const Step& step : steps_) way = std::max(way, wayOfResidual * step.residual);
-  return fixedPoint_.prepareSingle() * way <= negligible * target_ ? substructure::Precision::single
-                                                                   : substructure::Precision::exact;
+  double way = longestWay(), least = 1.0;
+  for (const Step& step : steps_) {
+    way = std::max(way, wayOfResidual * step.residual);
+    least = std::min(least, step.weight);
+  }
+  return fixedPoint_.prepareSingle() * way <= negligible * least * target_ ? substructure::Precision::single
+                                                                           : substructure::Precision::exact;
 }
 
 bool CausalCorrection::extend(const std::vector<int>& steps) {
@@ -186,7 +190,7 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
 
 double CausalCorrection::largestResidual() const {
   double largest = 0.0;
-  for (const Step& step : steps_) largest = std::max(largest, step.residual);
+  for (const Step& step : steps_) largest = std::max(largest, step.residual / step.weight);
   return largest;
 }
 
@@ -234,7 +238,7 @@ void CausalCorrection::approach(int stages) {
   }
 }
 
-double CausalCorrection::distanceFromStart() const {
+std::vector<double> CausalCorrection::distancesFromStart() const {
   const StateMetric& metric = fixedPoint_.metric();
   const auto steps = static_cast<std::size_t>(alpha_.numCols());
   std::vector<double> sums(4 * steps, 0.0);  // per load step: squares of f and k w, and of their differences
@@ -251,13 +255,28 @@ double CausalCorrection::distanceFromStart() const {
     }
   }
   metric.sum(sums);
-  std::vector<double> largest(4, 0.0);
-  for (std::size_t i = 0; i < sums.size(); ++i) largest[i % 4] = std::max(largest[i % 4], sums[i]);
-  double distance = 0.0;
-  for (int field = 0; field < 2; ++field) {
-    if (largest[field] > 0.0) distance = std::max(distance, std::sqrt(largest[field + 2] / largest[field]));
+  double force = 0.0, displacement = 0.0;
+  for (std::size_t t = 0; t < steps; ++t) {
+    force = std::max(force, sums[4 * t]);
+    displacement = std::max(displacement, sums[4 * t + 1]);
   }
-  return distance;
+  std::vector<double> distances(steps, 0.0);
+  for (std::size_t t = 0; t < steps; ++t) {
+    if (force > 0.0) distances[t] = std::sqrt(sums[4 * t + 2] / force);
+    if (displacement > 0.0) distances[t] = std::max(distances[t], std::sqrt(sums[4 * t + 3] / displacement));
+  }
+  return distances;
+}
+
+bool CausalCorrection::sharpen(const Goal& goal) {
+  // What is left of the ways when the residuals have fallen as much as they did.
+  std::vector<double> left = distancesFromStart();
+  for (double& error : left) error *= goal.reduction;
+  if (!(*std::max_element(left.begin(), left.end()) > nearEnough * goal.error)) return false;
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    if (left[t] > 0.0) steps_[t].weight *= std::clamp(shareOfError * goal.error / left[t], furthest, 1.0);
+  }
+  return true;
 }
 
 const Iterate& CausalCorrection::verify(base::Matrix& image) {
@@ -281,15 +300,21 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
     result.reduction = 0.0;
     return result;
   }
-  target_ = goal.reduction * before;
   allowed_ = finest_;
   const int first = fixedPoint_.linearStage().stages();
-  approach(stages);
-  // What is left of the way when the residual has fallen as much as it did.
-  const double distance = distanceFromStart();
-  if (goal.reduction * distance > nearEnough * goal.error) {
-    target_ = std::max(furthest * goal.reduction, goal.error / distance) * before;
+  const auto approachTo = [&](double reduction) {
+    target_ = reduction * before;
     approach(stages - (fixedPoint_.linearStage().stages() - first));
+  };
+  std::vector<double> weights;
+  for (const Step& step : steps_) weights.push_back(step.weight);
+  if (goal.roughly > goal.reduction) approachTo(goal.roughly);
+  const std::vector<double> distances = distancesFromStart();
+  const bool isEnough =
+      goal.roughly > goal.reduction && *std::max_element(distances.begin(), distances.end()) <= goal.near;
+  if (!isEnough) {
+    approachTo(goal.reduction);
+    if (sharpen(goal)) approachTo(goal.reduction);
   }
   if (isRough_) {
     const double said = std::max(largestResidual(), target_);
@@ -301,7 +326,11 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
     }
   }
   result.hidden = hidden();
-  result.reduction = largestResidual() <= noise_ ? 0.0 : largestResidual() / before;
+  double left = 0.0;
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    if (steps_[t].residual > noise_) left = std::max(left, steps_[t].residual / weights[t]);
+  }
+  result.reduction = left / before;
   alpha.assign(alpha_);
   return result;
 }

@@ -27,7 +27,7 @@ class CausalCorrection {
  public:
   /// What a correction has come to.
   struct Result {
-    double reduction = 1.0;  ///< largest |R_t| over the load steps t, over that before
+    double reduction = 1.0;  ///< largest |R_t| over the load steps t, over that before, both as weighed then
     /// What the residual can hide: largest |R_t| / (s_t d), s_t the smallest singular value of I - J in the space of
     /// the step, d the longest way that a step was moved. Slow modes are all but absent from the residual.
     double hidden = 0.0;
@@ -41,14 +41,18 @@ class CausalCorrection {
   /// Where a correction ends.
   struct Goal {
     double reduction;  ///< largest |R_t| over that before
-    /// Of the fields of the result, relative [-]: where the way tells a larger one, the correction goes further.
+    /// Of the fields of the result, relative [-]: where the way of a load step tells a larger one, each goes as far as
+    /// its own way asks for, in later corrections, too.
     double error = std::numeric_limits<double>::infinity();
+    /// As `reduction`, larger than it: enough where no load step has moved its fields by more than `near`.
+    double roughly = 0.0;
+    double near = 0.0;  ///< relative to the largest fields [-]
   };
 
   /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
-  /// reduction x the largest |R| of the start and no more than half of the way can be hidden; or until `stages` linear
-  /// stages were spent, or the residuals no longer fall. No iterate is valid afterwards but that of the result, whose
-  /// image is in `image` [stress] then. Throws base::Error as LocalStage::solve().
+  /// reduction x the largest |R| of the start, both as weighed, and no more than 0.7 of the way can be hidden; or
+  /// until `stages` linear stages were spent, or the residuals no longer fall. No iterate is valid afterwards but that
+  /// of the result, whose image is in `image` [stress] then. Throws base::Error as LocalStage::solve().
   Result correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, const Goal& goal, int stages);
 
  private:
@@ -58,6 +62,7 @@ class CausalCorrection {
     double residual = 0.0;  // |R|
     double moved = 0.0;     // |alpha - start|
     bool isLeft = true;     // has not come to the target
+    double weight = 1.0;    // of the target: its share of this load step, small where small residuals mean long ways
   };
 
   void start(const Iterate& iterate, const base::Matrix& alpha);
@@ -73,10 +78,14 @@ class CausalCorrection {
   /// The load steps that have not come to their end.
   std::vector<int> unfinished();
   double longestWay() const;
+  /// Over the weights.
   double largestResidual() const;
   double hidden() const;
-  /// Collective. Distance of the fields f and k w from those of the start, the larger one, relative [-].
-  double distanceFromStart() const;
+  /// Collective. Distances of the fields f and k w of the load steps from those of the start, the larger one, relative
+  /// to the largest f and k w of all [-].
+  std::vector<double> distancesFromStart() const;
+  /// Collective. Less weight for load steps that would leave more than goal.error; whether there are any.
+  bool sharpen(const Goal& goal);
   /// Lets the spaces grow until all load steps have come to their end, or what is left says that they will not.
   void approach(int stages);
   /// Puts the true beta and residuals in the place of those that the images have given; returns the iterate.
@@ -93,7 +102,7 @@ class CausalCorrection {
   InterfaceLines lines_;
   std::vector<Step> steps_;
   int first_ = 0;        // load step that the local stage begins at
-  double target_ = 0.0;  // |R| of every load step at the end
+  double target_ = 0.0;  // |R| of every load step at the end, over its weight
   double noise_ = 0.0;   // residuals below this one are round-off
   base::Matrix start_;   // alpha and beta at the beginning
   base::Matrix startImage_;

@@ -18,6 +18,9 @@ namespace {
 constexpr double firstTarget = 0.1;
 constexpr double laterTarget = 0.3;
 constexpr double causalLimit = 2.0;
+// Of a later correction whose way tells an error below this share of the accuracy.
+constexpr double roughTarget = 0.5;
+constexpr double safeShare = 0.9;
 // Of the accuracy: error that the first correction goes for, so that the second one can show that it is small enough.
 constexpr double shareOfAccuracy = 0.33;
 constexpr int maximumStages = 40;
@@ -66,6 +69,11 @@ bool isThrown(FixedPoint& fixedPoint, const Iterate& iterate, const base::Matrix
   const double size = fixedPoint.metric().norm(image);
   fixedPoint.apply(alpha, image);
   return fixedPoint.metric().norm(alpha) > thrownSize * size;
+}
+
+/// What a correction leaves of the residual, it leaves of the error, and has not found.
+double leastContractionAfter(double reduction) {
+  return std::max(leastContraction, 1.0 - (1.0 - leastContraction) * (1.0 - reduction) / (1.0 - laterTarget));
 }
 
 double largest(const std::vector<double>& values) {
@@ -120,7 +128,12 @@ Certificate::Correction Certificate::correctCausally(const Iterate& iterate, con
   Correction result;
   result.state = alpha;
   CausalCorrection::Goal goal{laterTarget};
-  if (count == 0) goal = {firstTarget, shareOfAccuracy * accuracy_};
+  if (count == 0) {
+    goal = {firstTarget, shareOfAccuracy * accuracy_};
+  } else {
+    goal.roughly = roughTarget;
+    goal.near = safeShare * (1.0 - leastContractionAfter(roughTarget)) * accuracy_;
+  }
   const CausalCorrection::Result step =
       causal_->correct(iterate, result.state, image, goal, std::min(stages, maximumStages));
   result.reduction = step.reduction;
@@ -232,8 +245,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, co
       result.contraction = error == 0.0 ? 0.0 : error / previous;
       const bool grew = result.contraction > 1.0 && error > settledShare * accuracy_;
       if (grew && kind == Kind::newton) return result;
-      // The correction leaves a share of the residual, and so of the error.
-      const double left = kind == Kind::newton ? step.reduction : std::max(leastContraction, step.reduction);
+      const double left = kind == Kind::newton ? step.reduction : leastContractionAfter(step.reduction);
       const double kappa = std::clamp(result.contraction, left, steadyContraction);
       for (double& e : errors) e /= 1.0 - kappa;
       result.conclusive = !grew;

@@ -84,7 +84,7 @@ TEST(CausalCorrection, KnowsTheTrueResidual) {
       const double start = cubes.residual(cubes.alpha);
       const CausalCorrection::Result result = cubes.correct(correction, target, 100);
       EXPECT_LE(result.reduction, target);
-      EXPECT_LE(result.hidden, 0.5);
+      EXPECT_LE(result.hidden, 0.7);
       EXPECT_NEAR(cubes.residual(cubes.alpha), result.reduction * start, 1e-6 * start);
     }
     EXPECT_LT(cubes.residual(cubes.alpha), 4e-6 * before);
@@ -105,7 +105,7 @@ TEST(CausalCorrection, KnowsTheTrueResidualOfDirectionsInSinglePrecision) {
     // Double precision alone would leave the last application to the caller.
     ASSERT_NE(result.iterate, nullptr);
     EXPECT_LE(result.reduction, 1.25 * target);
-    EXPECT_LE(result.hidden, 0.7);
+    EXPECT_LE(result.hidden, 0.9);
     const double said = result.reduction * start;
     cubes.image -= cubes.alpha;
     const std::vector<double> squares = cubes.fixedPoint.metric().squaredNorms(cubes.image);
@@ -125,6 +125,23 @@ TEST(CausalCorrection, GoesFurtherWhereItsWayTellsALargerError) {
   };
   EXPECT_GT(reductionFor(1.0), 0.01);
   EXPECT_LE(reductionFor(1e-9), 0.01);
+}
+
+// Small ways tell small errors early.
+TEST(CausalCorrection, EndsEarlierWhereItHasMovedLittle) {
+  const auto reductionFor = [](double near) {
+    Cubes cubes = rubbing();
+    cubes.march(1e-1);
+    CausalCorrection correction(cubes.fixedPoint);
+    const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
+    CausalCorrection::Goal goal{1e-4};
+    goal.roughly = 0.1;
+    goal.near = near;
+    return correction.correct(iterate, cubes.alpha, cubes.image, goal, 100).reduction;
+  };
+  EXPECT_LE(reductionFor(1.0), 0.1);
+  EXPECT_GT(reductionFor(1.0), 1e-3);
+  EXPECT_LE(reductionFor(1e-9), 1e-4);
 }
 
 // The second time from the same place nothing is left to be solved.
