@@ -10,7 +10,7 @@ namespace harmos::latin {
 namespace {
 
 // Share of the way that the residual may hide.
-constexpr double allowedToHide = 0.7;
+constexpr double allowedToHide = 0.5;
 // Gauss-Newton steps of a load step after each linear stage.
 constexpr int gaussNewtonSteps = 3;
 constexpr int halvings = 2;

@@ -50,7 +50,7 @@ class CausalCorrection {
   };
 
   /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
-  /// reduction x the largest |R| of the start, both as weighed, and no more than 0.7 of the way can be hidden; or
+  /// reduction x the largest |R| of the start, both as weighed, and no more than half of the way can be hidden; or
   /// until `stages` linear stages were spent, or the residuals no longer fall. No iterate is valid afterwards but that
   /// of the result, whose image is in `image` [stress] then. Throws base::Error as LocalStage::solve().
   Result correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, const Goal& goal, int stages);
