@@ -13,9 +13,9 @@ constexpr double roughAccuracy = 5e-4;
 
 ParametricStudy::ParametricStudy(assembly::Assembly& assembly, Install install,
                                  std::vector<std::shared_ptr<const latin::Response>> responses,
-                                 const latin::LatinOptions& options, Teuchos::RCP<const Teuchos::Comm<int>> comm,
+                                 const latin::LatinOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                                  base::Timers& timers)
-    : solver_(assembly, std::move(install), std::move(responses), options, std::move(comm), timers),
+    : solver_(assembly, std::move(install), std::move(responses), options, comm, timers),
       calibrated_(solver_),
       certified_(solver_) {}
 

@@ -21,7 +21,7 @@ class ParametricStudy {
   /// latin::LatinSolver.
   ParametricStudy(assembly::Assembly& assembly, Install install,
                   std::vector<std::shared_ptr<const latin::Response>> responses, const latin::LatinOptions& options,
-                  Teuchos::RCP<const Teuchos::Comm<int>> comm, base::Timers& timers);
+                  const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
 
   /// Asked on every rank between iterations; when it is true on any rank, run() leaves at once and what is in flight is
   /// not recorded.
