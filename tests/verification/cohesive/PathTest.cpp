@@ -201,12 +201,12 @@ TEST(Path, CrackIsFollowedWhereItSnaps) {
 }
 
 /// Mixed-mode bending by a force P in the middle and one of `lift` P at the end: a crack of length a between arms of
-/// height h, half of the span L, by beam theory. The arms are opened by m P, m = lift - 1/4, and bent by P:
+/// height h, by beam theory. The arms are opened by m P, m = lift - 1/4, and bent by P:
 /// G_I = 12 a^2 m^2 P^2 / (E h^3), G_II = 9 a^2 P^2 / (16 E h^3); opening 2 m P a^3 / (3 E I) (Reeder, Crews 1990).
 struct MixedModeBending {
   double lift;
 
-  static constexpr double E = 7e4, h = 3.0, L = 70.0, EI = E * h * h * h / 12.0;
+  static constexpr double E = 7e4, h = 3.0, EI = E * h * h * h / 12.0;
   double m() const { return lift - 0.25; }
   double share() const { return 9.0 / 16.0 / (9.0 / 16.0 + 12.0 * m() * m()); }  // of mode II
   /// Benzeggagh, Kenane.
