@@ -17,11 +17,12 @@ constexpr double nothing = 1e-10;
 constexpr double nothingFromReference = 1e-12;
 // Of k w: what forces are measured by where there are none.
 constexpr double cancellation = 1e-7;
-// Of the loads on the volume of bodies, which balance each other where temperatures expand a body freely.
+// Of the loads, which balance each other where temperatures expand a body freely, or pressures squeeze it.
 constexpr double cancellationOfLoads = 1e-7;
 
-/// Sums of |nodal forces| on the bodies of this rank, per load step.
-std::vector<double> volumeLoads(const Iterate& state) {
+/// Sums of |nodal forces| on the volumes of the bodies of this rank and of |prescribed tractions| on their faces, per
+/// load step.
+std::vector<double> sumsOfLoads(const Iterate& state) {
   const assembly::Assembly& assembly = state.assembly();
   std::vector<double> sums(assembly.steps(), 0.0);
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
@@ -29,6 +30,14 @@ std::vector<double> volumeLoads(const Iterate& state) {
     if (!state.layout().owns(static_cast<int>(b))) continue;
     for (int t = 0; t < loads.numCols(); ++t) {
       for (int dof = 0; dof < loads.numRows(); ++dof) sums[t] += std::abs(loads(dof, t));
+    }
+  }
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const assembly::Interface& interface = assembly.interfaces[i];
+    if (!interface.law->prescribesTraction() || !state.layout().owns(interface.body1)) continue;
+    for (int t = 0; t < assembly.steps(); ++t) {
+      const std::vector<base::Vector3> tractions = state.tractions(static_cast<int>(i), t);
+      for (int p = 0; p < interface.pairs(); ++p) sums[t] += interface.area[p] * norm(tractions[p]);
     }
   }
   return sums;
@@ -80,7 +89,7 @@ NaturalSizes::NaturalSizes(const Iterate& state) {
     add(boundaries.traction, boundaries.trace, boundaries.area, boundaries.stiffness,
         std::vector<bool>(boundaries.area.size(), false));
   }
-  std::vector<double> loads = volumeLoads(state);
+  std::vector<double> loads = sumsOfLoads(state);
   for (auto* sums : {&forces, &springs, &squaredSprings, &total, &loads}) state.metric().sum(*sums);
 
   base::Vector3 lower, upper;
