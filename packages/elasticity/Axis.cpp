@@ -5,14 +5,9 @@
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/mesh/Depth.hpp>
 
 namespace harmos::elasticity {
-namespace {
-
-// Of the largest radius of a part: coordinates that are 0 but for rounding.
-constexpr double onAxis = 1e-9;
-
-}  // namespace
 
 std::vector<bool> nodesOnAxis(const mesh::Mesh& mesh, const mesh::Piece& piece, Kinematics kinematics) {
   std::vector<bool> isOnAxis(piece.nodes.size(), false);
@@ -23,7 +18,7 @@ std::vector<bool> nodesOnAxis(const mesh::Mesh& mesh, const mesh::Piece& piece, 
   for (std::size_t local = 0; local < piece.nodes.size(); ++local) {
     const int node = piece.nodes[local];
     const double radius = mesh.nodes[node][0];
-    isOnAxis[local] = std::abs(radius) <= onAxis * largest;
+    isOnAxis[local] = std::abs(radius) <= mesh::Depth::onAxis * largest;
     if (isOnAxis[local] || radius > 0.0) continue;
     ++count;
     if (worst < 0 || radius < mesh.nodes[worst][0]) worst = node;

@@ -24,6 +24,9 @@ class Depth {
   /// Whether it is a circumference.
   bool isRevolved() const { return isRevolved_; }
 
+  /// Up to which share of the largest radius nodes lie on the axis: coordinates that are 0 but for rounding.
+  static constexpr double onAxis = 1e-9;
+
  private:
   double thickness_;
   bool isRevolved_ = false;

@@ -99,15 +99,12 @@ void lump(FaceIntegrals& face, const std::vector<base::Vector3>& squares) {
   }
 }
 
-// Of the largest radius of a face: radii that are 0 but for rounding.
-constexpr double onAxis = 1e-9;
-
 /// Around a node on the axis forces along the radius cancel, and it does not move there.
 void removeRadialFlux(FaceIntegrals& face, const std::vector<base::Vector3>& nodes) {
   double largest = 0.0;
   for (const base::Vector3& x : nodes) largest = std::max(largest, std::abs(x[0]));
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (std::abs(nodes[i][0]) <= onAxis * largest) face.weight[i].flux[0] = 0.0;
+    if (std::abs(nodes[i][0]) <= Depth::onAxis * largest) face.weight[i].flux[0] = 0.0;
   }
 }
 

@@ -1,6 +1,7 @@
 #include <harmos/mesh/InterfaceFinder.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -32,6 +33,15 @@ constexpr double mostFolded = 1e-6;
 std::string interfaceNamed(const std::string& name) {
   return "Interface \"" + name + "\"";
 }
+
+/// Up to which nodes lie on the axis of axisymmetry, where faces have no area; negative: there is none.
+double radiusOfAxis(const CutMesh& parts) {
+  if (!parts.depth.isRevolved()) return -1.0;
+  double largest = 0.0;
+  for (const base::Vector3& node : parts.mesh.nodes) largest = std::max(largest, std::abs(node[0]));
+  return Depth::onAxis * largest;
+}
+
 std::string boundaryNamed(const std::string& name) {
   return "Boundary \"" + name + "\"";
 }
@@ -240,8 +250,12 @@ std::vector<InterfaceSurface> InterfaceFinder::cuts() const {
 std::vector<InterfaceSurface> InterfaceFinder::onFaces(const std::string& name, const std::vector<Face>& faces,
                                                        double creaseAngle) const {
   SurfaceBuilders builders(parts_.mesh, parts_.pieces, creaseAngle);
-  for (const Face& face : faces)
+  const double axis = radiusOfAxis(parts_);
+  for (const Face& face : faces) {
+    const auto isOnAxis = [&](int node) { return std::abs(parts_.mesh.nodes[node][0]) <= axis; };
+    if (std::all_of(face.nodes.begin(), face.nodes.end(), isOnAxis)) continue;
     builders.addFace(parts_.map.of(face.element), -1, face.nodes, {}, parts_.integrate(face));
+  }
   return builders.build(name);
 }
 
@@ -280,8 +294,10 @@ std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name
   const NodalWeights weights(parts_.mesh, parts_.elements, parts_.map, pieces, {nodes.begin(), nodes.end()},
                              parts_.depth);
   SurfaceBuilders builders(parts_.mesh, parts_.pieces, oneNormal);
+  const double axis = radiusOfAxis(parts_);
   for (const int node : nodes) {
     for (const auto& [piece, weight] : weights.at(node)) {
+      if (std::abs(parts_.mesh.nodes[node][0]) <= axis && weight.area == 0.0) continue;
       builders.addNode(piece, -1, node, -1, weight);
     }
   }

@@ -74,7 +74,8 @@ class InterfaceFinder {
   /// single nodes where no chain of faces ties pieces that share one. A scene gives them the law Perfect.
   std::vector<InterfaceSurface> cuts() const;
 
-  /// Outer boundary on a side set: one surface per piece that has faces in it, normals out of the part.
+  /// Outer boundary on a side set: one surface per piece that has faces in it, normals out of the part. Faces on the
+  /// axis of axisymmetry have no area and are left out, as are nodes there that only such faces share.
   std::vector<InterfaceSurface> onSideSet(const std::string& name, const std::string& sideSet,
                                           double creaseAngle = oneNormal) const;
 

@@ -18,6 +18,7 @@
 #include <harmos/mortar/GroundSurfaces.hpp>
 #include <harmos/scene/FaceNames.hpp>
 #include <harmos/scene/TurnedPlaces.hpp>
+#include <harmos/scene/detail/AxisBoundaries.hpp>
 #include <harmos/scene/detail/CancelledNormal.hpp>
 #include <harmos/scene/detail/HeldByBoundaries.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
@@ -300,6 +301,8 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
         for (const char* entry : {"Side Set", "Side 1", "Side 2"}) {
           if (list.has(entry)) finder.demandSurface("\"" + list.name() + "\"", list.text(entry));
         }
+        if (elasticity::isAxisymmetric(model.kinematics) && std::string(kind) == "Boundaries")
+          demandNothingAlongAxis(list, law, steps, mesh, pieces, finder, found);
         checkNormals(law, found);
         checkAxes(law, model, mesh, steps, pieces, found);
         checkFace(law, model, mesh.dimension, found);

@@ -100,6 +100,91 @@ TEST(Axisymmetry, SphereUnderPressureIsInClosedForm) {
   }
 }
 
+/// A shaft of radius 1 and length 2 that is pulled by `pressure` along the axis, its foot on a frictionless plate.
+SceneInput pulledShaft(const Elements& elements) {
+  SceneInput scene = revolved(elements, {3, 4}, [](const base::Vector3& x) {
+    return base::Vector3{x[0], 2.0 * x[1], 0.0};
+  });
+  return scene.add("Boundaries", boundary("end", "body_ymax", "Pressure", {{"Pressure", -pressure}}));
+}
+
+void expectPulled(SceneInput scene, const std::string& what) {
+  scene.add("Responses",
+            meanDisplacement("u", "body_ymax", {0.0, 1.0}) + meanDisplacement("r", "body_xmax", {1.0, 0.0}));
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << what << ": " << run.result.reason;
+  EXPECT_NEAR(run.value("u"), 2.0 * pressure, 1e-9 * pressure) << what;
+  EXPECT_NEAR(run.value("r"), -nu * pressure, 1e-9 * pressure) << what;
+}
+
+/// Adds the node set "axis" of the nodes with x = 0 and y <= `up`.
+void nameNodesOnAxis(SceneInput& scene, double up) {
+  scene.changeMesh([up](mesh::Mesh& mesh) {
+    mesh.nodeSets.push_back({"axis", 1, {}});
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+      if (mesh.nodes[n][0] == 0.0 && mesh.nodes[n][1] <= up) mesh.nodeSets.back().node.push_back(static_cast<int>(n));
+    }
+  });
+}
+
+// Faces on the axis have no area: what says there what is so anyway is left out.
+TEST(Axisymmetry, BoundaryOnTheAxisChangesNothing) {
+  const std::string foot = boundary("foot", "body_ymin", "Symmetry");
+  for (const Elements& elements : planeElements) {
+    for (const std::string& axis :
+         {boundary("axis", "body_xmin", "Symmetry"),
+          boundary("axis", "body_xmin", "Prescribed Displacement", {{"X", 0.0}}),
+          boundary("axis", "body_xmin", "Pressure", {{"Pressure", 3.0}}),
+          xmlList("axis", xmlText("Node Set", "axis") +
+                              xmlList("Law", xmlText("Type", "Prescribed Displacement") + xmlNumber("X", 0.0)))}) {
+      SceneInput scene = pulledShaft(elements);
+      nameNodesOnAxis(scene, 2.0);
+      scene.add("Boundaries", foot + axis);
+      scene.add("Responses", forceResponse("force", "axis", {1.0, 0.0}) + forceResponse("along", "axis", {0.0, 1.0}));
+      expectPulled(scene, elements.name() + axis);
+    }
+  }
+}
+
+TEST(Axisymmetry, BoundaryOnTheAxisMayTwist) {
+  SceneInput scene = pulledShaft(planeElements[1]);
+  scene.set("Model/Kinematics=Axisymmetric With Torsion");
+  scene.add("Boundaries", boundary("foot", "body_ymin", "Prescribed Displacement", {{"Y", 0.0}, {"Z", 0.0}}) +
+                              boundary("axis", "body_xmin", "Prescribed Displacement", {{"X", 0.0}, {"Z", 0.0}}));
+  expectPulled(scene, "with torsion");
+}
+
+// Its corner has an area, though a small one.
+TEST(Axisymmetry, ShaftStandsOnOneNodeOfTheAxis) {
+  for (const Elements& elements : planeElements) {
+    SceneInput scene = pulledShaft(elements);
+    nameNodesOnAxis(scene, 0.0);
+    scene.add("Boundaries",
+              boundary("other end", "body_ymin", "Pressure", {{"Pressure", -pressure}}) +
+                  xmlList("pin", xmlText("Node Set", "axis") +
+                                     xmlList("Law", xmlText("Type", "Prescribed Displacement") + xmlNumber("Y", 0.0))));
+    expectPulled(scene, elements.name());
+  }
+}
+
+TEST(Axisymmetry, RefusesToHoldTheAxisAlongItself) {
+  for (const auto& [law, words] : std::vector<std::pair<std::string, std::string>>{
+           {boundary("axis", "body_xmin", "Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}}),
+            "holds along the axis nodes on the axis of axisymmetry, the lowest at y = 0,"},
+           {boundary("axis", "body_xmin", "Prescribed Displacement", {{"X", 0.1}}),
+            "moves nodes on the axis of axisymmetry, the lowest at y = 0,"}}) {
+    SceneInput scene = pulledShaft(planeElements[1]);
+    scene.add("Boundaries", boundary("foot", "body_ymin", "Symmetry") + law);
+    try {
+      const SolvedScene run(scene);
+      FAIL() << "no error";
+    } catch (const base::Error& error) {
+      EXPECT_EQ(error.code(), base::ExitCode::input);
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(Axisymmetry, WeightIsThatOfTheWholeCircle) {
   SceneInput scene = revolved({"Quad4", "Full Integration", 2}, {3, 3}, [](const base::Vector3& x) {
     return base::Vector3{0.5 * x[0], x[1], 0.0};
