@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -13,6 +14,7 @@
 #include <harmos/mortar/detail/FacingCells.hpp>
 #include <harmos/mortar/detail/MortarSide.hpp>
 #include <harmos/mortar/detail/PointBuilder.hpp>
+#include <harmos/mortar/detail/Sagitta.hpp>
 
 namespace harmos::mortar {
 namespace {
@@ -53,6 +55,19 @@ constexpr double roundOff = 1e-13;  // gap over the coordinates of the interface
                         "Side " +
                         std::to_string(2 - mortar) + ", or mesh " + sides[mortar]->name + " finer there.",
                     base::ExitCode::input);
+}
+
+/// Of the joined faces of both sides, in sum.
+double sagittaOfBoth(const std::array<SideCells, 2>& cells, const std::array<std::set<int>, 2>& joined,
+                     double creaseAngle) {
+  double sum = 0.0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    std::vector<Cell> ofJoined;
+    std::copy_if(cells[side].cells.begin(), cells[side].cells.end(), std::back_inserter(ofJoined),
+                 [&](const Cell& cell) { return joined[side].count(cell.face) > 0; });
+    sum += sagittaOf(ofJoined, creaseAngle);
+  }
+  return sum;
 }
 
 /// Share of the area of the other side's covered faces that is not covered.
@@ -97,7 +112,11 @@ void place(const mesh::Mesh& mesh, JoinedSurface& surface) {
   for (double& gap : surface.gap) {
     if (std::abs(gap) <= roundOff * (norm(lower) + norm(upper))) gap = 0.0;
     surface.report.largestGap = std::max(surface.report.largestGap, gap);
-    surface.report.largestOverlap = std::max(surface.report.largestOverlap, -gap);
+  }
+  for (std::size_t p = 0; p < surface.gap.size(); ++p) {
+    if (-surface.gap[p] <= surface.report.largestOverlap) continue;
+    surface.report.largestOverlap = -surface.gap[p];
+    surface.report.overlapPlace = surface.place[p];
   }
 }
 
@@ -157,6 +176,7 @@ JoinedSurface joinSurfaces(const std::string& where, const mesh::Mesh& mesh, con
   const BeyondReach beyond = findBeyondReach(mesh.dimension, {&cells[0].cells, &cells[1].cells}, joined, options.reach);
   report.beyondReach = beyond.faces;
   report.nearestBeyond = beyond.nearest;
+  report.sagitta = sagittaOfBoth(cells, joined, options.creaseAngle);
   report.uncovered[1] = uncoveredShare(cells[1 - mortar], opposite, covered, mesh.dimension, options.depth);
   report.faces = {static_cast<int>(couplings.size()), static_cast<int>(opposite.size())};
   if (mortar == 1) {

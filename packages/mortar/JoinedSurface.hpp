@@ -20,8 +20,12 @@ struct JoinReport {
   double spacing = 0.0;              // of the points, in the mean [length]
   double largestGap = 0.0;           // of a point, before gaps were closed [length], >= 0
   double largestOverlap = 0.0;       // likewise, of points that overlap [length], >= 0
-  int closed = 0;                    // points whose gap or overlap was closed
-  double largestClosed = 0.0;        // of these [length]
+  base::Vector3 overlapPlace{};      // of that point [length]
+  /// How far the faces of both sides lie from the curved surfaces that they stand for, in sum [length]: what gaps and
+  /// overlaps they alone can make.
+  double sagitta = 0.0;
+  int closed = 0;              // points whose gap or overlap was closed
+  double largestClosed = 0.0;  // of these [length]
   /// Largest distance of the two places of a point over the diameter of all points [-]: the work that is done when both
   /// sides turn together, per angle, traction, area and diameter.
   double rigidMotion = 0.0;

@@ -1,5 +1,6 @@
 #include <harmos/scene/JoinedMeshes.hpp>
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -12,6 +13,8 @@ constexpr double unfelt = 1e-6;
 constexpr double roundOff = 1e-9;
 // Overlap over the spacing of the points: facets of curved faces overlap by less.
 constexpr double muchOverlap = 0.1;
+// Gaps and overlaps over the distance of facets from their curved surface: what is not for it, and what it explains.
+constexpr double hardlyCurved = 0.01, facetsAlone = 1.2;
 
 }  // namespace
 
@@ -56,9 +59,20 @@ std::vector<std::string> JoinedMeshes::warnings() const {
     all.push_back(out.str());
     out.str("");
   }
-  if (hasGaps && report.closed == 0 && report.largestOverlap > muchOverlap * report.spacing) {
-    out << "interface \"" << interface << "\": the parts overlap by up to " << report.largestOverlap
-        << ", which presses them apart as an interference does. With Gap = Closed it does not count.";
+  if (!hasGaps || report.closed > 0) return all;
+  const double largest = std::max(report.largestGap, report.largestOverlap);
+  if (report.largestOverlap > muchOverlap * report.spacing) {
+    const base::Vector3& at = report.overlapPlace;
+    out << "interface \"" << interface << "\": the parts overlap by up to " << report.largestOverlap << " at (" << at[0]
+        << ", " << at[1] << ", " << at[2]
+        << "), which presses them apart as an interference does. With Gap = Closed it does not count.";
+    all.push_back(out.str());
+  } else if (largest > hardlyCurved * report.sagitta && largest <= facetsAlone * report.sagitta) {
+    out << "interface \"" << interface << "\": its faces are facets that lie up to " << report.sagitta
+        << " off the curved surfaces they stand for; that alone can make gaps of up to " << report.largestGap
+        << " and overlaps of up to " << report.largestOverlap
+        << ", which the law counts. With Gap = Closed they do not count, with Closed Within = " << largest
+        << " larger ones do.";
     all.push_back(out.str());
   }
   return all;
