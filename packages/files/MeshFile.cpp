@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/files/AtomicFile.hpp>
@@ -38,7 +39,8 @@ std::string temporaryFolder() {
 
 }  // namespace
 
-mesh::Mesh readMesh(const std::string& path, const std::vector<std::string>& unused) {
+mesh::Mesh readMesh(const std::string& path, const std::vector<std::string>& unused,
+                    std::vector<std::string>* warnings) {
   if (!isConverted(path)) return readExodus(path, unused);
   const Unfinished folder(temporaryFolder());
   const std::string exodus = (fs::path(folder.path()) / "mesh.e").string();
@@ -50,6 +52,9 @@ mesh::Mesh readMesh(const std::string& path, const std::vector<std::string>& unu
     throw base::Error("Cannot read the mesh file \"" + path + "\":\n  " + reason,
                       isInput ? base::ExitCode::input : base::ExitCode::failure);
   }
+  std::istringstream lines(end.errorOutput);
+  for (std::string line; warnings != nullptr && std::getline(lines, line);)
+    warnings->push_back("Mesh file \"" + path + "\": " + line + ".");
   return readExodus(exodus, unused);
 }
 

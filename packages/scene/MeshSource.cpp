@@ -68,19 +68,20 @@ std::optional<std::string> meshFile(const input::Parameters& source, const std::
 
 namespace {
 
-mesh::Mesh givenMesh(const input::Parameters& source, const std::string& scenePath) {
+mesh::Mesh givenMesh(const input::Parameters& source, const std::string& scenePath,
+                     std::vector<std::string>* warnings) {
   for (const Source& generator : generators()) {
     if (generator.form.name() == source.type()) return generator.make(source);
   }
   const bool hasUnused = source.has("Unused Blocks");
   return files::readMesh(*meshFile(source, scenePath),
-                         hasUnused ? source.texts("Unused Blocks") : std::vector<std::string>{});
+                         hasUnused ? source.texts("Unused Blocks") : std::vector<std::string>{}, warnings);
 }
 
 }  // namespace
 
 mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePath, std::vector<std::string>* warnings) {
-  mesh::Mesh mesh = givenMesh(source, scenePath);
+  mesh::Mesh mesh = givenMesh(source, scenePath, warnings);
   std::vector<mesh::CurvedFaces> curved;
   std::string faults;
   for (const input::Parameters& surface : source.lists("Curved Surfaces")) {

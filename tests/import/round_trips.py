@@ -158,6 +158,28 @@ class RoundTrips(unittest.TestCase):
                        check=True)
         self.demand_equal(mesh, read_exodus(str(work / "back.e"), Findings()))
 
+    def test_mesh_file_tells_what_is_otherwise(self) -> None:
+        mesh = boxes_mesh(harmos, work, "Hex8")
+        mesh.node_sets["line"] = numpy.arange(3)
+        write_gmsh(work / "direct.msh", mesh)
+        text = (work / "direct.msh").read_text(encoding="latin-1")
+        name = next(iter(mesh.side_sets))
+        self.assertIn('"line"', text)
+        held = "".join(f"""<ParameterList name="foot of {block.name}">
+            <Parameter name="Side Set" type="string" value="{block.name}_zmin"/><ParameterList name="Law">
+            <Parameter name="Type" type="string" value="Symmetry"/></ParameterList></ParameterList>""" for block in mesh.blocks)
+        (work / "direct.msh").write_text(text.replace('"line"', f'"{name}"'), encoding="latin-1")
+        scene = (work / "Hex8.xml").read_text()
+        begin, end = scene.index('<ParameterList name="Mesh">'), scene.index('<ParameterList name="Materials">')
+        (work / "direct.xml").write_text(f"""{scene[:begin]}<ParameterList name="Mesh">
+          <Parameter name="Type" type="string" value="Exodus"/>
+          <Parameter name="File" type="string" value="direct.msh"/></ParameterList>{scene[end:]}""".replace(
+            '<ParameterList name="Steps">', f"""<ParameterList name="Boundaries">{held}</ParameterList>
+            <ParameterList name="Steps">"""))
+        said = " ".join(subprocess.run([harmos, "check", str(work / "direct.xml")], check=False, capture_output=True,
+                                       encoding="utf-8").stdout.split())
+        self.assertIn(f'the nodes of group "{name}" are the node set {name}_2 here: a set of that name is there already', said)
+
     def test_vtk(self) -> None:
         of_name = {name: (kind, order) for kind, (name, order) in MESHIO.items()}
         for element in ("Hex20", "Hex27", "Tet10", "Quad9"):

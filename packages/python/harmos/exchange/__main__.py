@@ -70,6 +70,8 @@ def _convert(path: str, mesh_path: str) -> None:
         raise Refused(f"{path}: a drawing is no mesh. Run \"harmos import {path} --output DIR\" and take the mesh it makes.")
     else:
         mesh = read_mesh(path, findings)
+        for each in findings.found + [f"{left.keyword}: {left.effect}" for left in findings.left_out]:
+            print(" ".join(each.split()), file=sys.stderr)  # the caller warns of every line
     _write_mesh(mesh_path, mesh)
 
 

@@ -8,7 +8,7 @@ from harmos.arrays import Array
 from harmos.exchange.elements import MESHIO, TYPES, to_exodus
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Block, Mesh, clean_name, oriented, unused_name, without_loose_nodes, without_twins
-from harmos.exchange.sides import SideFinder, add_side_set
+from harmos.exchange.sides import SideFinder, add_node_set, add_side_set
 
 _FLAT = {"vertex": 0, "line": 1, "line3": 1, "triangle": 2, "triangle6": 2, "quad": 2, "quad8": 2, "quad9": 2}
 
@@ -178,5 +178,4 @@ def _read_sets(path: str, source: Source, mesh: Mesh, surfaces: dict[str, list[A
             for name in names:
                 held[name].append(numpy.flatnonzero(family_of == family))
     for name, nodes in held.items():
-        taken = {**mesh.side_sets, **mesh.node_sets}
-        mesh.node_sets[unused_name(name, taken)] = numpy.unique(numpy.concatenate(nodes))
+        add_node_set(mesh, name, numpy.concatenate(nodes), findings)

@@ -12,7 +12,7 @@ from harmos.arrays import Array
 from harmos.exchange.elements import GMSH, TYPES, to_exodus
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Block, Mesh, oriented, unused_name, without_loose_nodes, without_twins
-from harmos.exchange.sides import SideFinder, add_side_set
+from harmos.exchange.sides import SideFinder, add_node_set, add_side_set
 
 
 @contextlib.contextmanager
@@ -193,5 +193,4 @@ def _read_sets(path: str, mesh: Mesh, number: Array, findings: Findings) -> None
         for name, entities in _groups(dimension, findings).items():
             held = [table.reshape(-1) for table in _elements(path, dimension, entities, number).values()]
             if held:
-                taken = {**mesh.side_sets, **mesh.node_sets}
-                mesh.node_sets[unused_name(name, taken)] = numpy.unique(numpy.concatenate(held))
+                add_node_set(mesh, name, numpy.concatenate(held), findings)

@@ -2,7 +2,8 @@
 import numpy
 
 from harmos.arrays import Array
-from harmos.exchange.mesh import Faces, Mesh, codes, faces_of
+from harmos.exchange.findings import Findings
+from harmos.exchange.mesh import Faces, Mesh, clean_name, codes, faces_of, unused_name
 
 
 class SideFinder:
@@ -40,6 +41,14 @@ def add_side_set(mesh: Mesh, name: str, rows: Array) -> list[str]:
     for each, piece in named.items():
         mesh.side_sets[each] = piece
     return list(named)
+
+
+def add_node_set(mesh: Mesh, name: str, nodes: Array, findings: Findings) -> None:
+    """Adds nodes, each once, to the node sets; tells of another name where a set has this one already."""
+    own = unused_name(name, {**mesh.side_sets, **mesh.node_sets})
+    if own != clean_name(name):
+        findings.found.append(f"the nodes of group \"{name}\" are the node set {own} here: a set of that name is there already")
+    mesh.node_sets[own] = numpy.unique(nodes)
 
 
 def _has_twins(mesh: Mesh, rows: Array) -> bool:
