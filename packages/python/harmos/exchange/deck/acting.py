@@ -8,7 +8,7 @@ from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents, Scope
 from harmos.exchange.deck.couplings import Couplings
 from harmos.exchange.deck.loads import Loads
-from harmos.exchange.deck.solids import Solids
+from harmos.exchange.deck.solids import Solids, is_solid
 from harmos.exchange.deck.tightening import Tightening
 from harmos.exchange.deck.transforms import Transforms
 from harmos.exchange.findings import Findings
@@ -40,7 +40,9 @@ class Acting:
         return self.contents.ids(word, self.contents.node_sets, Scope(), card, row)
 
     def elements(self, word: str, card: Card, row: int) -> Array:
-        """Ids of an element or of an element set."""
+        """Ids of an element or of an element set; of all solids where the line names none."""
+        if not word:
+            return numpy.concatenate([table.ids for table in self.contents.elements if is_solid(table.kind)])
         return self.contents.ids(word, self.contents.element_sets, Scope(), card, row)
 
     def divided(self, ids: Array) -> tuple[Array, list[int]]:

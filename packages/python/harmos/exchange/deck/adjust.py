@@ -20,12 +20,49 @@ _FACETS: dict[tuple[int, bool], list[tuple[int, ...]]] = {(3, False): [(0, 1, 2)
 def move_onto(mesh: Mesh, slave: Array, master: Array, reach: float, chosen: "Array | None") -> Array:
     """Moves nodes of the sides `slave` along the normal of the nearest facet of `master` onto it: those with a gap of at
     most `reach` [length], overlapping ones as well, or those in `chosen`, whatever their gap. How far each of those was moved that were [length]."""
-    corners, normals = _facets(mesh, master)
     nodes = _nodes(mesh, slave)
     if chosen is not None:
         nodes = nodes[numpy.isin(nodes, chosen)]
+    best, shift = _gaps(mesh, nodes, master, None if chosen is not None else reach)
+    moved = numpy.isfinite(best) & (best > 1e-12 * float(numpy.ptp(mesh.nodes, axis=0).max()))
+    mesh.nodes[nodes[moved]] += shift[moved]
+    result: Array = best[moved]
+    return result
+
+
+def gaps_of_faces(mesh: Mesh, slave: Array, master: Array) -> Array:
+    """How far the farthest node of each of the sides `slave` that lies above a facet of `master` is from it [length]; infinite where none
+    does."""
+    nodes = _nodes(mesh, slave)
+    best, _ = _gaps(mesh, nodes, master, None)
+    gap = numpy.full(len(mesh.nodes), numpy.inf)
+    gap[nodes] = best
+    farthest: Array = numpy.full(len(slave), numpy.inf)
+    first, blocks = mesh.first_elements(), mesh.block_of(slave[:, 0])
+    for block in numpy.unique(blocks).tolist():
+        for side in numpy.unique(slave[blocks == block, 1]).tolist():
+            which = numpy.flatnonzero((blocks == block) & (slave[:, 1] == side))
+            own = gap[mesh.blocks[block].connectivity[slave[which, 0] - first[block]][:, _columns(mesh, block, side)[0]]]
+            is_above = numpy.isfinite(own)
+            farthest[which] = numpy.where(is_above.any(axis=1), numpy.where(is_above, own, 0.0).max(axis=1), numpy.inf)
+    return farthest
+
+
+def longest_edge(mesh: Mesh, rows: Array) -> float:
+    """Of sides [length]."""
+    result = 0.0
+    for nodes, _, corners, _ in tables_of_sides(mesh, rows):
+        at = mesh.nodes[nodes[:, :corners]]
+        result = max(result, float(numpy.linalg.norm(at - numpy.roll(at, 1, axis=1), axis=2).max(initial=0.0)))
+    return result
+
+
+def _gaps(mesh: Mesh, nodes: Array, master: Array, reach: "float | None") -> tuple[Array, Array]:
+    """Distances of nodes from the nearest facets of `master` that they lie above, infinite where there is none, and the ways
+    there. `reach`: of gaps, overlaps of any size count as well; None: distances up to the size of a facet."""
+    corners, normals = _facets(mesh, master)
     if not len(nodes) or not len(corners):
-        return numpy.zeros(0)
+        return numpy.full(len(nodes), numpy.inf), numpy.zeros((len(nodes), 3))
     at = mesh.nodes[nodes]
     size = numpy.linalg.norm(corners - numpy.roll(corners, 1, axis=1), axis=2).max(axis=1)
     count = min(NEIGHBOURS, len(corners))
@@ -35,14 +72,11 @@ def move_onto(mesh: Mesh, slave: Array, master: Array, reach: float, chosen: "Ar
     for column in range(count):
         of = near[:, column]
         gap = numpy.einsum("ij,ij->i", at - corners[of][:, 0], normals[of])
-        is_near = (gap <= reach) & (gap >= -size[of]) if chosen is None else numpy.abs(gap) <= size[of]
+        is_near = (gap <= reach) & (gap >= -size[of]) if reach is not None else numpy.abs(gap) <= size[of]
         better = is_near & _is_above(at, corners[of], normals[of], size[of]) & (numpy.abs(gap) < best)
         best[better] = numpy.abs(gap[better])
         shift[better] = -gap[better, None] * normals[of][better]
-    moved = numpy.isfinite(best) & (best > 1e-12 * float(size.max()))
-    mesh.nodes[nodes[moved]] += shift[moved]
-    result: Array = best[moved]
-    return result
+    return best, shift
 
 
 def _is_above(at: Array, corners: Array, normal: Array, size: Array) -> Array:

@@ -16,6 +16,14 @@ class Amplitudes:
         self._amplitudes = {card.get("NAME"): card for card in contents.model if card.keyword == "AMPLITUDE"}
         self._findings = findings
 
+    def goes_on(self, card: Card, span: Span) -> bool:
+        """Whether a card names an amplitude of the time of all steps that changes behind this one."""
+        definition = self._amplitudes.get(card.get("AMPLITUDE"))
+        if definition is None or not definition.get("TIME").startswith("TOTAL"):
+            return False
+        points = self.of(card, span)
+        return points is not None and points[-1][0] > span.end - span.begin
+
     def of(self, card: Card, span: Span) -> "Points | None":
         """Times from the beginning of the step and factors, for what stands on a card; None: it names no amplitude.
 
@@ -35,6 +43,9 @@ class Amplitudes:
         if len(numbers) % 2:
             raise Refused(f"{definition.place}: *AMPLITUDE takes pairs of time and value.")
         begin = span.begin if definition.get("TIME").startswith("TOTAL") else 0.0
+        if definition.get("VALUE") not in ("", "RELATIVE"):
+            self._findings.leave_out(definition.place, f"*AMPLITUDE {name}, VALUE={definition.get('VALUE')}", "its values multiply what refers "
+                                     "to it")
         later, more = (definition.number(definition.get(each), 0) for each in ("SHIFTX", "SHIFTY"))
         later += card.number(card.get("TIMEDELAY"), 0) - begin
         return tuple((float(time) + later, float(value) + more) for time, value in numbers.reshape(-1, 2))

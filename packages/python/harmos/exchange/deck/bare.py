@@ -39,6 +39,7 @@ def read_bare(contents: Contents, findings: Findings, path: str) -> Mesh:
     solids = Solids(contents, findings, path, False)
     _add_surfaces(contents, solids, findings)
     _add_flat_sets(contents, solids, others, on_cards, findings)
+    _tell_sets_that_are_no_parts(contents, solids, on_cards, findings)
     for name, found in contents.node_sets.items():
         nodes = solids.nodes(numpy.unique(numpy.concatenate(found))) if found else numpy.zeros(0, dtype=numpy.int64)
         if len(nodes):
@@ -61,7 +62,7 @@ def _add_sections(contents: Contents, tables: list[ElementTable], on_cards: set[
     rest."""
     whole = numpy.unique(numpy.concatenate([table.ids for table in tables] or [numpy.zeros(0, dtype=numpy.int64)]))
     left = whole
-    sets = {name: numpy.unique(numpy.concatenate(found)) for name, found in contents.element_sets.items() if found}
+    sets = {name: numpy.intersect1d(numpy.concatenate(found), whole) for name, found in contents.element_sets.items() if found}
     own = sorted((name for name in sets if name not in on_cards), key=lambda name: len(sets[name]))
     for name in [*own, *(name for name in sets if name in on_cards)]:
         members = sets[name]
@@ -114,13 +115,29 @@ def _add_flat_sets(contents: Contents, solids: Solids, tables: list[ElementTable
                 marked.append(at)
         sides, lost = finder.find(numpy.array(rows, dtype=numpy.int64)) if rows else (numpy.zeros((0, 2), dtype=int), 0)
         if lost:
-            findings.leave_out(tables[0].card.file, f"*ELSET {contents.written(name)}",
+            findings.leave_out(contents.set_places.get(name, tables[0].card.file), f"*ELSET {contents.written(name)}",
                                f"{lost} of its flat elements are sides of no solid")
         if len(sides):
             add_side_set(mesh, _free(mesh, contents.written(name)), sides)
         if marked and name not in on_cards:
             nodes = numpy.unique(numpy.concatenate(marked))
             mesh.node_sets[_free(mesh, contents.written(name))] = nodes[numpy.isin(nodes, solids.used_nodes())]
+
+
+def _tell_sets_that_are_no_parts(contents: Contents, solids: Solids, on_cards: set[str], findings: Findings) -> None:
+    """Lists element sets whose solids belong to parts of other names."""
+    mesh = solids.mesh
+    names, part_of_block = list(mesh.parts()), numpy.asarray(mesh.part_of_block())
+    own = {card.get("ELSET") for card in contents.model if card.keyword == "SOLIDSECTION"}
+    for name, place in contents.set_places.items():
+        found = contents.element_sets.get(name)
+        elements = solids.elements(numpy.unique(numpy.concatenate(found))) if found else numpy.zeros(0, dtype=numpy.int64)
+        parts = [names[part] for part in numpy.unique(part_of_block[mesh.block_of(elements)])] if len(elements) else []
+        if name in own or not parts or (name in on_cards and len(parts) == 1):
+            continue
+        listed = ", ".join(parts[:4]) + (f" and {len(parts) - 4} more" if len(parts) > 4 else "")
+        findings.leave_out(place, f"*ELSET {contents.written(name)}", f"{len(elements)} solids in it make no part of their own: they belong to "
+                           f"{listed}")
 
 
 def _indices(contents: Contents, ids: Array) -> Array:

@@ -64,12 +64,18 @@ class Boundaries:
     def list_released(self, new: Card, step: Step) -> None:
         """OP=NEW of boundaries: lists what the step does not hold again, which stays held in the scene."""
         again: set[tuple[int, int]] = set()
+        driven: set[tuple[int, int]] = set()
         for card in step.cards:
             for row, words in enumerate(card.rows() if card.keyword == "BOUNDARY" else []):
                 components, _ = self._components(card, row, words)
-                for node in self._acting.solids.nodes(self._acting.nodes(words[0], card, row)).tolist():
+                ids, coupled = self._acting.divided(self._acting.nodes(words[0], card, row))
+                driven.update((node, component) for node in coupled for component in components)
+                for node in self._acting.solids.nodes(ids).tolist():
                     again.update((node, self._degree(node, component)[0]) for component in components if 1 <= component <= 3)
         released = {node for node, along in self._acting.loads.held if (node, along) not in again}
+        for node, (coupling, first) in self._acting.couplings.at_node.items():
+            if any((node, component - first + 1) not in driven for component in coupling.held if component >= first):
+                released.add(-node)
         if released:
             self._acting.findings.leave_out(new.place, "*BOUNDARY, OP=NEW", f"{len(released)} nodes are released from here on: they stay held")
 

@@ -132,7 +132,7 @@ def read_cards(path: str) -> list[Card]:
     Raises:
         Refused: files are missing, or include themselves; data stand above the first keyword.
     """
-    return _read(path, [], path)
+    return _read(path, [], path, os.path.dirname(path))
 
 
 def _lines(path: str, asked: str) -> list[str]:
@@ -154,7 +154,13 @@ def _lines(path: str, asked: str) -> list[str]:
     return re.sub(r"^[ \t]+(?=\*)", "", text, flags=re.MULTILINE).split("\n")
 
 
-def _read(path: str, open_files: list[str], asked: str) -> list[Card]:
+def _found(name: str, folder: str, path: str) -> str:
+    """A file that `path` names: as Abaqus and CalculiX look for it, seen from the folder of the deck, else from that of the file."""
+    beside = os.path.join(folder, name)
+    return beside if os.path.exists(beside) else os.path.join(os.path.dirname(path), name)
+
+
+def _read(path: str, open_files: list[str], asked: str, folder: str) -> list[Card]:
     real = os.path.realpath(path)
     if real in open_files:
         raise Refused(f"{asked}: the file \"{path}\" includes itself, by way of "
@@ -177,9 +183,9 @@ def _read(path: str, open_files: list[str], asked: str) -> list[Card]:
         name = card.parameters.get("INPUT", "").strip("'")
         if card.keyword == "INCLUDE" and not name:
             raise Refused(f"{card.place}: *INCLUDE without INPUT=FILE.")
-        other = os.path.join(os.path.dirname(path), name)
+        other = _found(name, folder, path)
         if card.keyword == "INCLUDE":
-            cards += _read(other, [*open_files, real], card.place)
+            cards += _read(other, [*open_files, real], card.place, folder)
             continue
         if name and card.keyword in LISTS:
             _take_data(card, other)

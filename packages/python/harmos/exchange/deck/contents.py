@@ -1,12 +1,12 @@
 """What a deck holds, names resolved: nodes, elements, sets, surfaces, physics, steps."""
 import dataclasses
-import math
 
 import numpy
 
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import LARGEST_ID, Card
 from harmos.exchange.deck.kinds import nodes_of_kind
+from harmos.exchange.deck.placement import Placement, rectangular
 from harmos.exchange.findings import Findings, Refusals, Refused, names_there
 
 INSTANCE_OFFSET = 10_000_000_000
@@ -81,6 +81,7 @@ class Contents:
         elements: as they stand.
         node_sets: ids by name in capitals.
         element_sets: the same.
+        set_places: FILE:LINE where element sets that are not internal first stand, by name.
         surfaces: by name.
         model: cards of physics before the first step, in their order.
         steps: in their order.
@@ -93,6 +94,7 @@ class Contents:
         self.elements: list[ElementTable] = []
         self.node_sets: dict[str, list[Array]] = {}
         self.element_sets: dict[str, list[Array]] = {}
+        self.set_places: dict[str, str] = {}
         self.surfaces: dict[str, Surface] = {}
         self._written: dict[str, str] = {}
         self.model: list[Card] = []
@@ -158,33 +160,29 @@ class Contents:
         scope = Scope(f"{name}.", INSTANCE_OFFSET * (1 + len(self._instances)))
         self._instances[name] = scope
         before = len(self._nodes)
+        placement = Placement(card)
+        axes = {each.get("NAME") for each in part if each.keyword == "ORIENTATION"}
         for each in [*part, *own]:
+            if each.keyword in ("ORIENTATION", "TRANSFORM"):
+                each = placement.axes(each)
             if not self._take(each, scope):
-                self.model.append(dataclasses.replace(each, parameters=_scoped(each, scope)))
-        move = card.table(7) if card.data else numpy.zeros((0, 7))
-        if len(move) > 2:
-            raise Refused(f"{card.place}: *INSTANCE takes a translation and a rotation, two lines.")
+                self.model.append(dataclasses.replace(each, parameters=_scoped(each, scope, axes)))
         for number in range(before, len(self._nodes)):
             ids, at = self._nodes[number]
-            if len(move) > 0:
-                at = at + move[0, :3]
-            if len(move) > 1:
-                at = _rotated(at, move[1, :3], move[1, 3:6], math.radians(float(move[1, 6])))
-            self._nodes[number] = ids, at
+            self._nodes[number] = ids, placement.points(at)
 
     def _take(self, card: Card, scope: Scope) -> bool:
         """Takes what is geometry; whether it was."""
         for parameter in ("NSET", "ELSET", "NAME"):
             if card.keyword in ("NODE", "ELEMENT", "NSET", "ELSET", "SURFACE") and card.get(parameter):
                 self._written.setdefault(scope.prefix + card.get(parameter), scope.prefix + card.parameters[parameter])
+        if card.keyword in ("ELEMENT", "ELSET") and card.get("ELSET") and "INTERNAL" not in card.parameters:
+            self.set_places.setdefault(scope.prefix + card.get("ELSET"), card.place)
         if card.keyword == "NODE" and card.data:
             table = card.table(4)
             ids = card.ids(table[:, 0]) + scope.offset
             at = table[:, 1:4]
-            if card.get("SYSTEM") == "C":
-                angle = numpy.radians(at[:, 1])
-                at = numpy.column_stack([at[:, 0] * numpy.cos(angle), at[:, 0] * numpy.sin(angle), at[:, 2]])
-            self._nodes.append((ids, at))
+            self._nodes.append((ids, rectangular(card, at)))
             self._add(self.node_sets, card.get("NSET"), scope, ids)
         elif card.keyword == "NODE":
             pass
@@ -328,6 +326,9 @@ class Contents:
                 return
         elif known is not None:
             raise Refused(f"{card.place}: the surface \"{name}\" is also at {known.card.place}; rename one.")
+        if card.get("COMBINE"):
+            self._combine(card, name)
+            return
         rows: list[tuple[Array, str]] = []
         sets = self.node_sets if kind == "NODE" else self.element_sets
         inside = self._scope(card, scope)
@@ -335,6 +336,26 @@ class Contents:
             label = words[1].upper() if kind == "ELEMENT" and len(words) > 1 else ""
             rows.append((self.ids(words[0], sets, inside, card, row), label))
         self.surfaces[name] = Surface(kind == "NODE", rows, card)
+
+    def _combine(self, card: Card, name: str) -> None:
+        """The union of surfaces; other combinations are listed."""
+        if card.get("COMBINE") != "UNION":
+            self._findings.leave_out(card.place, f"*SURFACE, COMBINE={card.get('COMBINE')}", "what refers to this surface is left out")
+            return
+        rows: list[tuple[Array, str]] = []
+        kinds = set()
+        for row, words in enumerate(card.rows()):
+            for word in words:
+                one = self.surfaces.get(word.upper())
+                if word and one is None:
+                    raise Refused(f"{card.place_of(row)}: *SURFACE: there is no surface \"{word}\" above this line. "
+                                  f"{names_there(word, self.surfaces)}")
+                if one is not None:
+                    kinds.add(one.of_nodes)
+                    rows += one.rows
+        if len(kinds) != 1:
+            raise Refused(f"{card.place}: *SURFACE, COMBINE=UNION takes surfaces of one kind, of faces or of nodes.")
+        self.surfaces[name] = Surface(kinds.pop(), rows, card)
 
     def _demand_single_elements(self) -> None:
         """Refuses an element that is given twice: its nodes, and what refers to it, would be open."""
@@ -370,16 +391,10 @@ def _numbers_or_none(card: Card) -> "Array | None":
         return None
 
 
-def _scoped(card: Card, scope: Scope) -> dict[str, str]:
-    """Parameters with names of sets as the deck knows them."""
-    return {name: scope.prefix + value if name in ("ELSET", "NSET", "SURFACE") and value else value
-            for name, value in card.parameters.items()}
+def _scoped(card: Card, scope: Scope, axes: set[str]) -> dict[str, str]:
+    """Parameters with names of sets, and of axes of the part, as the deck knows them."""
+    def is_scoped(name: str, value: str) -> bool:
+        return name in ("ELSET", "NSET", "SURFACE") or (
+            value.upper() in axes and (name == "ORIENTATION" or (card.keyword == "ORIENTATION" and name == "NAME")))
 
-
-def _rotated(at: Array, one: Array, other: Array, angle: float) -> Array:
-    """Points turned about the line through two points (Rodrigues)."""
-    axis = (other - one) / max(float(numpy.linalg.norm(other - one)), 1e-300)
-    arm = at - one
-    result: Array = one + arm * math.cos(angle) + numpy.cross(axis, arm) * math.sin(angle) + numpy.outer(
-        arm @ axis, axis) * (1 - math.cos(angle))
-    return result
+    return {name: scope.prefix + value if value and is_scoped(name, value) else value for name, value in card.parameters.items()}

@@ -80,6 +80,10 @@ class Couplings:
         if kind is None or kind.keyword not in ("KINEMATIC", "DISTRIBUTING"):
             raise Refused(f"{card.place}: *COUPLING is followed by *KINEMATIC or *DISTRIBUTING.")
         is_rigid = kind.keyword == "KINEMATIC"
+        if not is_rigid and not {1, 2, 3} <= self._components(kind):
+            self._findings.leave_out(kind.place, "*DISTRIBUTING", "of some components only: all of them are joined to the mean motion")
+        if kind.get("WEIGHTINGMETHOD") not in ("", "UNIFORM"):
+            self._findings.leave_out(kind.place, f"*DISTRIBUTING, WEIGHTINGMETHOD={kind.get('WEIGHTINGMETHOD')}", "all of the surface counts alike")
         if is_rigid and not {1, 2, 3} <= self._components(kind):
             self._findings.leave_out(card.place, "*COUPLING, *KINEMATIC", "of some components only: the face is free")
             return
@@ -96,7 +100,7 @@ class Couplings:
                            numpy.zeros(0, dtype=numpy.int64)), node, None)
 
     def _components(self, kind: Card) -> set[int]:
-        """Those that a line of *KINEMATIC names; all, without lines."""
+        """Those that lines of *KINEMATIC or *DISTRIBUTING name; all, without lines."""
         if not kind.data:
             return {1, 2, 3}
         result: set[int] = set()

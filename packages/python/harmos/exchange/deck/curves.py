@@ -9,6 +9,9 @@ from harmos.exchange.scene import SceneList
 Points = tuple[tuple[float, float], ...]
 """Times and values, piecewise linear."""
 
+ONSET = 1e-6
+"""Share of a step within which what does not rise is there."""
+
 UNLOADED: Points = ((0.0, 0.0),)
 """Before anything is said."""
 
@@ -32,22 +35,18 @@ def followed(points: Points, span: Span, value: float, amplitude: "Points | None
     if span.begin > result[-1][0]:
         result.append((span.begin, last))
     if amplitude is not None:
-        for time, factor in amplitude:
-            at = span.begin + time
-            if at <= result[-1][0]:
-                if time <= 0.0 and span.begin == 0.0:
-                    result[-1] = (0.0, value * factor)
-                continue
-            if at >= span.end:
-                before = result[-1]
-                share = (span.end - before[0]) / (at - before[0])
-                result.append((span.end, before[1] + share * (value * factor - before[1])))
-                break
-            result.append((at, value * factor))
-        if result[-1][0] < span.end:
-            result.append((span.end, result[-1][1]))
+        times, factors = [time for time, _ in amplitude], [factor for _, factor in amplitude]
+
+        def at(time: float) -> float:
+            return value * float(numpy.interp(time, times, factors))
+
+        duration = span.end - span.begin
+        if at(0.0) != last:
+            result.append((span.begin + ONSET * duration, at(0.0)))
+        result += [(span.begin + time, value * factor) for time, factor in amplitude if ONSET * duration < time < duration]
+        result.append((span.end, at(duration)))
     elif at_once:
-        step = 1e-6 * (span.end - span.begin)
+        step = ONSET * (span.end - span.begin)
         result += [(span.begin + step, value), (span.end, value)]
     else:
         result.append((span.end, value))

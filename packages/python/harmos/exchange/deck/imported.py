@@ -12,10 +12,12 @@ from harmos.exchange.deck.curves import Histories
 from harmos.exchange.deck.equations import Equations
 from harmos.exchange.deck.joints import Joints
 from harmos.exchange.deck.load_writer import LoadWriter
-from harmos.exchange.deck.materials import Material, read_materials, write_material
+from harmos.exchange.deck.materials import Material, has_axes, read_materials, write_material
+from harmos.exchange.deck.orientations import Orientations
+from harmos.exchange.deck.parameters import UNKNOWN, list_unread
 from harmos.exchange.deck.solids import KINEMATICS, Solids
 from harmos.exchange.deck.springs import Springs
-from harmos.exchange.deck.steps import OUTPUT, UNKNOWN, LoadReader
+from harmos.exchange.deck.steps import OUTPUT, LoadReader
 from harmos.exchange.deck.volumes import VolumeWriter
 from harmos.exchange.findings import Findings, Refused, names_there
 from harmos.exchange.mesh import Mesh, clean_name, oriented, outer_faces, unused_name, without_loose_nodes
@@ -66,9 +68,11 @@ def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> Im
     Raises:
         Refused: the deck is damaged, contradicts itself, or holds no solids.
     """
-    contents = Contents(read_cards(path), findings)
+    cards = read_cards(path)
+    contents = Contents(cards, findings)
     if is_bare(contents):
         return ImportedDeck(read_bare(contents, findings, path), None)
+    list_unread(cards, findings)
     for card in contents.model:
         if card.keyword not in _KNOWN and (card.keyword, card.get("TYPE")) != ("INITIALCONDITIONS", "TEMPERATURE"):
             if card.keyword == "MPC":
@@ -153,7 +157,7 @@ def _write_model(scene: SceneList, solids: Solids, findings: Findings) -> float:
 def _write_parts(scene: SceneList, contents: Contents, solids: Solids, materials: dict[str, Material],
                  findings: Findings) -> dict[str, str]:
     """The name of the material of each part."""
-    orientations = {card.get("NAME"): card for card in contents.model if card.keyword == "ORIENTATION"}
+    orientations = Orientations(contents.model, findings)
     names: dict[tuple[str, str], str] = {}
     for part, blocks in solids.mesh.parts().items():
         section = solids.sections[solids.section_of_part[part]]
@@ -164,7 +168,7 @@ def _write_parts(scene: SceneList, contents: Contents, solids: Solids, materials
                               f"{names_there(section.material, materials)}")
             material = materials.get(section.material) or Material(section.card, "material", {})
             names[key] = unused_name(material.name, set(names.values()))
-            axes = _axes(orientations.get(section.orientation), section.orientation, material, findings)
+            axes = orientations.axes(section.orientation, section.card) if has_axes(material) else None
             write_material(material, names[key], axes, scene, findings)
         entry = scene.child("Parts").child(part)
         own = [solids.mesh.blocks[block].name for block in blocks]
@@ -175,18 +179,6 @@ def _write_parts(scene: SceneList, contents: Contents, solids: Solids, materials
             entry.set("Formulation", "Incompatible Modes")
     return {part: names[solids.sections[number].material, solids.sections[number].orientation]
             for part, number in solids.section_of_part.items()}
-
-
-def _axes(card: "Card | None", name: str, material: Material,
-          findings: Findings) -> "tuple[list[float], list[float]] | None":
-    if card is None or not name or "Young's Modulus" in material.entries:
-        return None
-    if card.get("SYSTEM") in ("C", "CYLINDRICAL", "S", "Z RECTANGULAR"):
-        findings.leave_out(card.place, f"*ORIENTATION, SYSTEM={card.get('SYSTEM')}",
-                           "axes that turn from point to point: the global ones are taken")
-        return None
-    numbers = card.table(6, 6)[0]
-    return [float(x) for x in numbers[:3]], [float(x) for x in numbers[3:6]]
 
 
 def _write_steps(scene: SceneList, steps: list[tuple[str, float, int]], is_followed: bool, findings: Findings) -> None:

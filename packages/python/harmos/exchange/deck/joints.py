@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy
 
 from harmos.arrays import Array
-from harmos.exchange.deck.adjust import move_onto
+from harmos.exchange.deck.adjust import gaps_of_faces, longest_edge, move_onto
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents
 from harmos.exchange.deck.curves import Histories
@@ -21,6 +21,12 @@ from harmos.exchange.sides import split_by_part
 
 TIE_REACH = 0.1
 """Distance up to which tied surfaces are joined, over the longest edge of both: that of the program."""
+
+SAME = 1e-6
+"""Distance over the size of the mesh that is none: decks have six digits."""
+
+SEARCH = 1.1
+"""Distance within which faces are looked for, over the largest of those that a deck ties: facets lie farther than their nodes."""
 
 DIP = 1.5
 """Overlap of faces whose middle nodes ADJUST moves, over that distance: 4/3 in the mean that contact sees where a parabola of height h
@@ -76,6 +82,9 @@ class Joints:
         self._findings.found.append(f"{tie.card.place}: equations tie {tie.parts[0]} to {tie.parts[1]}: interface {name}")
 
     def _contact(self, card: Card) -> None:
+        if "TIED" in card.parameters:
+            self._tie(card)
+            return
         interaction = self._interactions.find(card)
         closed = self._adjust(card) if "ADJUST" in card.parameters else 0.0
 
@@ -121,9 +130,16 @@ class Joints:
                 self._findings.leave_out(card.place_of(row), f"*{card.keyword}", "contact of a surface with itself")
                 continue
             slave, master = (self._surface(each, card, row) for each in words[:2])
+            reach, beyond = (TIE_REACH if word == "tie" else 1.0), 0.0
+            if word == "tie" and card.get("POSITIONTOLERANCE") and len(slave) and len(master):
+                slave, gap = self._tied(slave, master, card, words)
+                if not len(slave):
+                    continue
+                longest = max(longest_edge(self._solids.mesh, each) for each in (slave, master))
+                beyond = SEARCH * gap if SEARCH * gap > reach * longest else 0.0
+                reach = max(reach, beyond / longest)
             pieces = list(itertools.product(split_by_part(self._solids.mesh, slave).items(),
                                             split_by_part(self._solids.mesh, master).items()))
-            reach = TIE_REACH if word == "tie" else 1.0
             mesh = self._solids.mesh
             near, why = [], "contact of a part with itself, or of surfaces that no solid has"
             for (part, rows), (other_part, other_rows) in pieces:
@@ -143,11 +159,31 @@ class Joints:
                 interface = self._scene.child("Interfaces").child(name)
                 for side, (given, faces) in enumerate(((words[0], rows), (words[1], other_rows)), 1):
                     interface.set(f"Side {side}", self.add_side_set(given, faces))
+                if beyond > 0.0:
+                    interface.set("Search Distance", beyond)
                 write(interface)
                 self.joined.add(frozenset([part, other_part]))
                 self._findings.found.append(f"{card.place_of(row)}: {word} of {words[0]} and {words[1]}: interface {name}")
                 count += 1
         return count
+
+    def _tied(self, slave: Array, master: Array, card: Card, words: list[str]) -> tuple[Array, float]:
+        """The faces of a slave surface that the deck ties, whose nodes are moved onto the master unless ADJUST forbids it; and how far
+        they lie from it then."""
+        mesh = self._solids.mesh
+        tolerance = card.number(card.get("POSITIONTOLERANCE"), len(card.first))
+        gap = gaps_of_faces(mesh, slave, master)
+        near = gap <= max(tolerance, SAME * float(numpy.ptp(mesh.nodes, axis=0).max()))
+        if not near.all():
+            self._findings.found.append(f"{card.place}: {int((~near).sum())} of {len(near)} faces of {words[0]} lie beside {words[1]} or farther "
+                                        f"from it than {tolerance:g}: they are not tied, as in the deck")
+        if not near.any() or card.get("ADJUST") == "NO":
+            return slave[near], float(gap[near].max(initial=0.0))
+        moved = move_onto(mesh, slave[near], master, tolerance, None)
+        if len(moved):
+            self._findings.found.append(f"{card.place}: {len(moved)} nodes of {words[0]} moved onto {words[1]}, as without ADJUST=NO, by up to "
+                                        f"{float(moved.max()):.3g}")
+        return slave[near], 0.0
 
     def add_side_set(self, name: str, rows: Array) -> str:
         """The name of the side set with these faces, which is made unless there is one."""

@@ -48,7 +48,7 @@ class LoadWriter:
                     self._histories.set(force, "XYZ"[component], points)
         self._write_held(loads.held, loads.axes)
         self._write_pressures(loads.pressures)
-        self._write_forces(loads.forces)
+        self._write_forces(loads.global_forces())
 
     def _boundary(self, name: str) -> "tuple[str, SceneList]":
         boundaries = self._scene.child("Boundaries")

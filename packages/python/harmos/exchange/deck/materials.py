@@ -16,6 +16,10 @@ _EFFECTS = {
 }
 
 
+_KINDS = ("ISO", "ISOTROPIC", "ENGINEERINGCONSTANTS", "ENGINEERING CONSTANTS", "ORTHO", "ORTHOTROPIC")
+"""Of elasticity, that Harmos has."""
+
+
 @dataclasses.dataclass
 class Material:
     """A material.
@@ -32,6 +36,11 @@ class Material:
     entries: dict[str, float]
     density: float = 0.0
     expansion: dict[str, float] = dataclasses.field(default_factory=dict)
+
+
+def has_axes(material: Material) -> bool:
+    """Whether it differs from direction to direction, so that orientations count."""
+    return bool(material.entries) and "Young's Modulus" not in material.entries
 
 
 def read_materials(cards: list[Card], findings: Findings) -> dict[str, Material]:
@@ -66,11 +75,12 @@ def _take(card: Card, result: dict[str, Material], findings: Findings) -> None:
 def _elastic(card: Card, findings: Findings) -> dict[str, float]:
     kind = card.get("TYPE") or "ISO"
     numbers = card.flat()
+    own = 2 if kind in ("ISO", "ISOTROPIC") else 9
+    if kind in _KINDS and (len(card.data) > 1 if own == 2 else len(numbers) > own + 1):
+        findings.leave_out(card.place, "*ELASTIC", "moduli that depend on temperature: the first ones are taken")
     if kind in ("ISO", "ISOTROPIC"):
         if len(numbers) < 2:
             raise Refused(f"{card.place}: *ELASTIC takes Young's modulus and Poisson's ratio.")
-        if len(card.data) > 1:
-            findings.leave_out(card.place, "*ELASTIC", "moduli that depend on temperature: the first line is taken")
         return {"Young's Modulus": float(numbers[0]), "Poisson's Ratio": float(numbers[1])}
     if kind in ("ENGINEERINGCONSTANTS", "ENGINEERING CONSTANTS") and len(numbers) >= 9:
         names = ["Young's Modulus 1", "Young's Modulus 2", "Young's Modulus 3", "Poisson's Ratio 12",

@@ -1,10 +1,8 @@
 """Forces and temperatures of nodes of a deck."""
-import numpy
-
 from harmos.exchange.deck.acting import Acting
 from harmos.exchange.deck.amplitudes import Amplitudes
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.deck.curves import UNLOADED, Course, Span
+from harmos.exchange.deck.curves import Course, Span
 from harmos.exchange.deck.materials import Material
 from harmos.exchange.findings import Refused
 
@@ -53,8 +51,7 @@ class NodalLoads:
                     course.add(self._acting.loads.forces, (node, component - 1), value)
                     continue
                 direction = axes.at(self._acting.solids.mesh.nodes[node], self._acting.transforms.size)[component - 1]
-                for along in numpy.flatnonzero(numpy.abs(direction) > 1e-12).tolist():
-                    course.add(self._acting.loads.forces, (node, along), value * float(direction[along]))
+                course.add(self._acting.loads.turned_forces, (node, component - 1, tuple(map(float, direction))), value)
 
     def read_temperatures(self, card: Card, span: "Span | None", at_once: bool) -> None:
         """Temperatures of nodes; without a span the initial ones, at which there is no strain.
@@ -78,5 +75,4 @@ class NodalLoads:
                 if course is None:
                     self._acting.loads.temperatures[node] = ((0.0, value),)
                 else:
-                    points = self._acting.loads.temperatures.get(node, UNLOADED)
-                    self._acting.loads.temperatures[node] = course.followed(points, value)
+                    course.set(self._acting.loads.temperatures, node, value)

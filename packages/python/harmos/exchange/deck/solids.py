@@ -143,7 +143,7 @@ class Solids:
                 row = int(numpy.flatnonzero(wrong.any(axis=1))[0])
                 raise Refused(f"{table.card.place}: element {table.ids[row]} of this card refers to node "
                               f"{table.nodes[row][wrong[row]][0]}, which is nowhere in the deck.")
-            result.append((name, order, "I" in match[3], table.set, table.ids, at))
+            result.append((name, order, "I" in match[3] and name in ("HEX8", "QUAD4"), table.set, table.ids, at))
         if not result:
             raise Refused(f"{self._path}: the deck holds no solid elements that Harmos has.\n"
                           + "\n".join(f"  left out: {each}" for each in self._findings.left_out))
@@ -159,6 +159,9 @@ class Solids:
         if table.kind.startswith("CPS"):
             self._findings.leave_out(table.card.place, f"*ELEMENT, TYPE={table.kind}", "CalculiX makes a solid of each, "
                                      "whose stress across the plane is zero in the mean only: coarse meshes differ")
+        if table.kind in ("C3D10M", "C3D10HS", "C3D10I") or letters.strip("RHIM"):
+            self._findings.leave_out(table.card.place, f"TYPE={table.kind}", f"{table.kind.removesuffix(letters)} with displacements alone is "
+                                     "taken: coarse meshes, and fields besides displacements, differ")
         if "H" in letters:
             self._findings.leave_out(table.card.place, f"TYPE={table.kind}", "hybrid elements: pressure is no "
                                      "unknown; use the formulation B-Bar where Poisson's ratio is above 0.45")

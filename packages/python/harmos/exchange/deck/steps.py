@@ -14,6 +14,7 @@ from harmos.exchange.deck.distributed import DistributedLoads
 from harmos.exchange.deck.loads import Loads
 from harmos.exchange.deck.materials import Material
 from harmos.exchange.deck.nodal_loads import NodalLoads
+from harmos.exchange.deck.parameters import UNKNOWN
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.deck.tightening import Tightening
 from harmos.exchange.deck.transforms import Transforms
@@ -27,10 +28,6 @@ OUTPUT = ("NODEPRINT", "ELPRINT", "NODEFILE", "ELFILE", "CONTACTPRINT", "CONTACT
           "MONITOR", "ENERGYPRINT", "CONTROLS", "FILEFORMAT")
 """What asks for output or steers iterations."""
 
-UNKNOWN = "the scene is as it would be without it"
-"""What is told of a keyword of which Harmos does not know what it would change."""
-
-
 class LoadReader:
     """Follows the steps of a deck."""
 
@@ -43,7 +40,7 @@ class LoadReader:
         self._refusals = Refusals()
         self._tightening = Tightening(contents, self._loads.preloads, findings)
         acting = Acting(contents, solids, couplings, Transforms(contents, solids, findings), self._tightening, self._loads, findings)
-        amplitudes = Amplitudes(contents, findings)
+        self._amplitudes = amplitudes = Amplitudes(contents, findings)
         self._boundaries = Boundaries(acting, amplitudes, joined, ground)
         self._nodal = NodalLoads(acting, amplitudes, materials)
         self._distributed = DistributedLoads(acting, amplitudes, materials)
@@ -93,6 +90,7 @@ class LoadReader:
         if "PERTURBATION" in step.card.parameters:
             self._findings.leave_out(step.card.place, "*STEP, PERTURBATION", "the step goes on from the one before")
         at_once = step.card.get("AMPLITUDE") == "STEP"
+        self._tell_what_ends(step, span)
         self._free(step, span)
         for card in step.cards:
             with self._refusals.collect():
@@ -108,12 +106,22 @@ class LoadReader:
                     self._findings.leave_out(card.place, f"*{card.keyword}", UNKNOWN)
         return span.end
 
+    def _tell_what_ends(self, step: Step, span: Span) -> None:
+        """Lists amplitudes of the time of all steps that would go on in later ones."""
+        if step is self._contents.steps[-1]:
+            return
+        for card in step.cards:
+            if card.get("AMPLITUDE") and self._amplitudes.goes_on(card, span):
+                self._findings.leave_out(card.place, f"*{card.keyword}, AMPLITUDE={card.get('AMPLITUDE')}", "its total time goes on behind "
+                                         "this step: from there on what it multiplies stays as it is")
+
     def _free(self, step: Step, span: Span) -> None:
         """What OP=NEW takes away."""
         new = {card.keyword: card for card in step.cards if card.get("OP") == "NEW"}
         loads = self._loads
         if "CLOAD" in new:
             _release(loads.forces, span)
+            _release(loads.turned_forces, span)
             for coupling in self._couplings.all:
                 _release(coupling.forces, span)
             self._tightening.release(span)
@@ -121,7 +129,10 @@ class LoadReader:
             _release(loads.pressures, span)
             _release(loads.body_forces, span)
             _release(loads.rotations, span)
-        if "BOUNDARY" in new and loads.held:
+        if "TEMPERATURE" in new:
+            for node, points in loads.temperatures.items():
+                loads.temperatures[node] = followed(points, span, points[0][1], None, False)
+        if "BOUNDARY" in new:
             self._boundaries.list_released(new["BOUNDARY"], step)
 
 
