@@ -7,8 +7,8 @@
 
 #include <harmos/base/Names.hpp>
 #include <harmos/latin/PrescribedForces.hpp>
-#include <harmos/latin/detail/NormalForces.hpp>
 #include <harmos/latin/detail/RigidParts.hpp>
+#include <harmos/latin/detail/TighteningForces.hpp>
 #include <harmos/statics/Balance.hpp>
 #include <harmos/statics/MotionText.hpp>
 
@@ -94,7 +94,7 @@ Loads loadsOn(const assembly::Assembly& assembly, const RigidParts& parts, const
 bool hasSameLaws(const assembly::Assembly& assembly, int a, int b) {
   return std::all_of(assembly.interfaces.begin(), assembly.interfaces.end(), [&](const assembly::Interface& one) {
     if (one.law->prescribesTraction()) return true;
-    if (bringsNormalForce(one, a) != bringsNormalForce(one, b)) return false;
+    if (isTightened(one, a) != isTightened(one, b)) return false;
     const auto atA = one.law->admissibleTractions(a), atB = one.law->admissibleTractions(b);
     if (!atA || !atB) return !atA && !atB;
     return atA->lower == atB->lower && atA->upper == atB->upper && atA->friction == atB->friction;
@@ -149,10 +149,10 @@ LoadBalance::LoadBalance(const assembly::Assembly& assembly, const Teuchos::Comm
     }
   }
   for (std::size_t t = 0; t < steps; ++t) {
-    addNormalForces(assembly, static_cast<int>(t),
-                    [&](std::size_t body, const base::Vector3& x, const base::Vector3& force) {
-                      if (assembly.ownerOf(static_cast<int>(body)) == comm.getRank()) add(body, t, x, force.data());
-                    });
+    addTighteningForces(assembly, static_cast<int>(t),
+                        [&](std::size_t body, const base::Vector3& x, const base::Vector3& force) {
+                          if (assembly.ownerOf(static_cast<int>(body)) == comm.getRank()) add(body, t, x, force.data());
+                        });
   }
   // One rank knows a body, so that the sums are the same to the last digit however many there are.
   sums_.resize(mine.size());
@@ -202,7 +202,7 @@ const std::optional<std::string>& LoadBalance::contradiction(int step) {
   const RigidParts parts(assembly_, resisted_, step, RigidParts::Unknown::carriesAll);
   const Loads loads = loadsOn(assembly_, parts, sumsAt(step), steps_.size() * sumsPerStep);
   statics::RigidAssembly rigid = parts.rigid();
-  slideAlongNormals(assembly_, step, rigid);
+  slideAlongForces(assembly_, step, rigid);
   const statics::Balance balance = findBalance(rigid, loads.wrenches, loads.scale, statics::Friction::full);
   if (!balance.isKnown || balance.residual <= left) return answer.contradiction;
   const auto sizeOf = [&](std::size_t b) {

@@ -39,9 +39,10 @@ class CoupledLaw : public InterfaceLaw {
   virtual KeptShare keptShare(const base::Vector3& /*place*/, const base::Vector3& normal, double area) const {
     return {(1.0 / area) * normal, normal};
   }
-  /// The force [force] along the normal over the whole face, positive in tension, that the law brings about at a load
-  /// step, counted from 0, whatever the jumps; nothing: the jumps decide.
-  virtual std::optional<double> normalForce(int /*step*/) const { return std::nullopt; }
+  /// The force F [force], positive in tension, that the law brings about at a load step, counted from 0, whatever the
+  /// jumps, as a bolt that is being tightened does: of keptShare(), F v is the traction that it gives (on side 1) and e
+  /// is along it. Nothing: the jumps decide.
+  virtual std::optional<double> tighteningForce(int /*step*/) const { return std::nullopt; }
 
   /// Of a face that these points are all of.
   void solve(int step, const NodeArrays& nodes) const final {

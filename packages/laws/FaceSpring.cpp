@@ -96,6 +96,9 @@ class FaceSpring final : public CoupledLaw, public FaceLaw {
   bool dissipates() const override { return false; }
   int sums() const override { return FaceJoint::numberOfSums; }
   int keepsJumpSince(int step) const override { return force_ ? locking_.lockedSince(step) : -1; }
+  std::optional<double> tighteningForce(int step) const override {
+    return force_ && !locking_.isLocked(step) ? std::optional<double>((*force_)[step]) : std::nullopt;
+  }
   /// The elongation, that of face 2 less that of face 1; both have the force along the axis.
   KeptShare keptShare(const base::Vector3& place, const base::Vector3&, double) const override {
     return {-1.0 * joint_->vectors(place)[0], (isOther_ ? -0.5 : 0.5) * axes_[0]};

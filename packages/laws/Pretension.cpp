@@ -38,7 +38,7 @@ class Pretension final : public CoupledLaw {
   Creases creases() const override { return Creases::refuse; }
   int sums() const override { return 2; }
   int keepsJumpSince(int step) const override { return locking_.lockedSince(step); }
-  std::optional<double> normalForce(int step) const override {
+  std::optional<double> tighteningForce(int step) const override {
     return locking_.isLocked(step) ? std::nullopt : std::optional<double>(force_[step]);
   }
 

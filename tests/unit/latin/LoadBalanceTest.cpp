@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <harmos/latin/LoadBalance.hpp>
+#include <harmos/laws/FaceLaw.hpp>
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
@@ -78,6 +79,46 @@ TEST(LoadBalance, CountsForcesOfBolts) {
   // With shear and the moment that it makes.
   EXPECT_EQ(answers(bolt, push(0.5, 2.0)).contradiction, "");
   EXPECT_NE(answers(bolt, push(0.5, 1.9)).contradiction, "");
+}
+
+/// Two cubes of one element, one above the other at a distance, the lower one clamped at its bottom; their faces are
+/// pulled together by a bolt of force 2 along z, and the upper one by `top`.
+BoxAssembly boltedCubes(double distance, const Law& top) {
+  BoxAssembly cubes({{"lower", {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}, {1, 1, 1}},
+                     {"upper", {0.0, 0.0, 1.0 + distance}, {1.0, 1.0, 2.0 + distance}, {1, 1, 1}}});
+  cubes.hold("bottom", "lower_zmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}));
+  cubes.hold("top", "upper_zmax", top);
+  if (distance == 0.0) cubes.join("contact", "lower_zmax", "upper_zmin", contact());
+  input::Parameters spring("law");
+  spring.set("Type", std::string("Face Spring")).set("Point", std::vector<double>{0.5, 0.5, 1.0 + 0.5 * distance});
+  spring.set("Axis", std::vector<double>{0, 0, 1}).set("Force", 2.0);
+  Law law = laws::builtInLaws().create(spring);
+  for (const char* face : {"lower_zmax", "upper_zmin"}) {
+    cubes.hold(face, face, law);
+    assembly::Interface& interface = cubes.assembly().interfaces.back();
+    std::vector<std::pair<base::Vector3, double>> points;
+    for (int p = 0; p < interface.pairs(); ++p) points.emplace_back(interface.position[p], interface.area[p]);
+    const auto& ofFace = dynamic_cast<const laws::FaceLaw&>(*law);
+    interface.law = ofFace.on(std::make_shared<laws::FaceMotions>(*laws::FaceMotions::of(points, 3)));
+    interface.face = 0;
+    law = ofFace.onOtherFace();
+  }
+  return cubes;
+}
+
+// A bolt between two faces that are apart does the same.
+TEST(LoadBalance, CountsForcesOfBoltsBetweenFaces) {
+  BoxAssembly pulled = boltedCubes(0.5, push(0.0, 0.0));
+  const Answers nothing(pulled.assembly());
+  EXPECT_NE(nothing.contradiction.find("unbalanced force (0, 0, -2)"), std::string::npos) << nothing.contradiction;
+  EXPECT_FALSE(nothing.hasForces);
+  BoxAssembly lifted = boltedCubes(0.5, push(0.0, 2.0));
+  EXPECT_EQ(Answers(lifted.assembly()).contradiction, "");
+  BoxAssembly pressed = boltedCubes(0.0, push(0.0, 0.0));
+  EXPECT_EQ(Answers(pressed.assembly()).contradiction, "");
+  EXPECT_TRUE(Answers(pressed.assembly()).isSure);
+  BoxAssembly open = boltedCubes(0.0, push(0.0, 3.0));
+  EXPECT_NE(Answers(open.assembly()).contradiction, "");
 }
 
 TEST(LoadBalance, NamesPartLoadStepAndMotion) {
