@@ -177,6 +177,10 @@ class Meaning(DeckCase):
         self.demand_told(CUBE + shell + second + "*ELSET,ELSET=HALF\n1,\n*ELSET,ELSET=ALL\n1, 3\n",
                          "deck.inp:\\d+: \\*ELSET ALL: 2 solids in it make no part of their own: they belong to ")
 
+    def test_letters_with_accents(self) -> None:
+        scene = self.demand_told(CUBE.replace("ELSET=CUBE", "ELSET=St\u00fctze gro\u00df"))
+        self.assertIn('ParameterList name="Stutze_gross"', scene)
+
     def test_includes_are_looked_for_beside_the_deck(self) -> None:
         (work / "parts").mkdir()
         (work / "parts" / "all.inc").write_text("*INCLUDE,INPUT=parts/cube.inc\n*INCLUDE,INPUT=steel.inc\n")

@@ -1,6 +1,7 @@
 """A mesh with blocks, side sets and node sets, as Harmos reads it."""
 import dataclasses
 import re
+import unicodedata
 from collections.abc import Container
 
 import numpy
@@ -17,8 +18,9 @@ LONGEST_NAME = 64
 
 
 def clean_name(name: str) -> str:
-    """A name that may stand in a scene and in every format."""
-    cleaned = FORBIDDEN.sub("_", name.strip()).strip("_")
+    """A name that may stand in a scene and in every format; letters lose their accents."""
+    parted = unicodedata.normalize("NFKD", name.strip().replace("\u00df", "ss"))
+    cleaned = FORBIDDEN.sub("_", "".join(letter for letter in parted if not unicodedata.combining(letter))).strip("_")
     return cleaned[:LONGEST_NAME] or "unnamed"
 
 
