@@ -178,7 +178,8 @@ class Drawings(unittest.TestCase):
         content = (work / "joint.step").read_bytes()
         (work / "cut.step").write_bytes(content[:len(content) // 2])
         (work / "garbage.brep").write_bytes(bytes(range(256)) * 20)
-        for words, said in (((work / "cut.step",), "cut.step"), ((work / "garbage.brep",), "garbage.brep"),
+        (work / "cut.brep").write_text("DBRep_DrawableShape\n\nCASCADE Topology V1\nTShapes 3\nVe\n*\n")
+        for words, said in (((work / "cut.step",), "cut.step"), ((work / "cut.brep",), "cut.brep: the file is truncated: 1 of 3 shapes"), ((work / "garbage.brep",), "garbage.brep"),
                             ((work / "joint.step", "--part-size", "nut=3"), "there is no part \"nut\"; there are: plate"),
                             ((work / "joint.step", "--part-size", "bolt_1"), "takes PART=SIZE"),
                             ((work / "joint.step", "--size", "15", "--hold", "none"), "--hold none: there are plate_face_1"),

@@ -1,6 +1,7 @@
 """Drawings (STEP, BREP), meshed by Gmsh: solids become parts with their names, faces side sets."""
 import itertools
 import pathlib
+import re
 
 import gmsh
 import numpy
@@ -35,6 +36,7 @@ def mesh_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
     Raises:
         Refused: the file is damaged, holds no solids, or cannot be meshed.
     """
+    _demand_whole_shapes(path)
     with session():
         gmsh.option.setNumber("Geometry.OCCImportLabels", 1)
         gmsh.option.setString("Geometry.OCCTargetUnit", UNITS[meshing.length])
@@ -76,6 +78,19 @@ def mesh_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
     if flat:
         findings.leave_out(path, "surfaces and curves", f"{flat} that belong to no solid")
     return mesh
+
+
+def _demand_whole_shapes(path: str) -> None:
+    """Refuses BREP files in text that end before their last shape: on some of them Open CASCADE never ends."""
+    content = pathlib.Path(path).read_bytes()
+    begins = re.search(rb"CASCADE Topology V\d", content[:4096])
+    if not begins:
+        return
+    table = re.search(rb"^TShapes (\d+)", content, re.MULTILINE)
+    count = content[table.end():].count(b"*") if table else 0
+    if table is None or count < int(table[1]):
+        told = f"{count} of {int(table[1])} shapes are there" if table else "its shapes are missing"
+        raise Refused(f"{path}: the file is truncated: {told}.")
 
 
 def _remove_loose() -> int:
