@@ -10,7 +10,8 @@
 #include <harmos/cli/detail/StudyText.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/cli/detail/Warnings.hpp>
-#include <harmos/scene/CostEstimate.hpp>
+#include <harmos/scene/MemoryPerRank.hpp>
+#include <harmos/scene/ProblemCost.hpp>
 #include <harmos/study/ChaosCost.hpp>
 #include <harmos/study/StudyCost.hpp>
 #include <harmos/study/StudyReader.hpp>
@@ -77,6 +78,7 @@ void printProblem(std::ostream& out, const scene::Problem& problem) {
   }
   if (!problem.joined.empty()) out << "Joined meshes that do not match:\n";
   for (const scene::JoinedMeshes& joined : problem.joined) out << joined.text();
+  if (!problem.cuts.empty()) out << "Large parts: " << problem.cuts << "\n";
   out << assembly.steps() << " time steps, " << problem.responses.size() << " responses\n";
 }
 
@@ -119,7 +121,8 @@ void printStudy(std::ostream& out, const study::Study& study, const study::Study
 int checkScene(const scene::Scene& scene, const study::Study* study, const Arguments& arguments,
                const CommandEnvironment& environment) {
   base::Timers timers;
-  const scene::Problem problem = scene::makeProblem(scene, *environment.communicator, timers);
+  const scene::Problem problem = scene::makeProblem(
+      scene, *environment.communicator, timers, study == nullptr ? scene::Cutting::automatic : scene::Cutting::asGiven);
   latin::LatinOptions options = study != nullptr && !study->isChaos() ? study::solverOptions(*study) : scene.solver;
   if (study && study->isChaos()) options.stages.solver.allowsSingle = false;  // nothing marches
   scene::CostEstimate cost =
@@ -133,7 +136,7 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
     printCost(environment.out, cost, ofStudy.bytes);
     printWarnings(environment.out, problem.warnings);
   }
-  scene::demandCapacity(cost, environment.communicator->getSize() * study::memoryPerRank(*environment.communicator));
+  scene::demandCapacity(cost, environment.communicator->getSize() * scene::memoryPerRank(*environment.communicator));
   if (study && study->isChaos()) {
     const study::ChaosChoice choice = study::chooseLocalStage(*study, problem, *environment.communicator);
     if (isShown) {

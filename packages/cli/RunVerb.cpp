@@ -55,6 +55,7 @@ void printDecision(std::ostream& out, const files::SolutionRecord& solution) {
 void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
   const auto& record = result.record;
   printWarnings(out, record.warnings);
+  if (!record.cuts.empty()) out << record.cuts << "\n";
   out << record.status << ": " << record.reason << "\n" << std::setprecision(3);
   for (const std::string& remark : record.remarks) out << "remark: " << remark << "\n";
   printEstimate(out, record.errorEstimate);

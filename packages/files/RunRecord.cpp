@@ -74,6 +74,7 @@ std::string toJson(const RunRecord& record) {
                {"cpu_seconds", record.cpuSeconds},
                {"phases", phases},
                {"warnings", record.warnings},
+               {"cuts", record.cuts},
                {"peak_memory_bytes", record.peakMemory}};
   if (!record.earlier.empty()) json[earlierRun] = Json::parse(record.earlier, nullptr, false);
   // Text from the user may not be UTF-8; replacing what is not is better than failing after the solution.

@@ -45,6 +45,7 @@ struct RunRecord {
   /// From when the scene had been read, on rank 0 [s].
   double wallSeconds = 0.0, cpuSeconds = 0.0;  // of the whole process on rank 0, all threads [s]
   std::vector<std::string> warnings;           // about the input, a sentence each
+  std::string cuts;                            // of parts into pieces that the input leaves open, a sentence; or empty
   std::size_t peakMemory = 0;                  // largest of the ranks [byte]
   /// While there are no results of this run: the JSON of the record of that run whose results still lie beside it;
   /// empty when there are none.

@@ -139,6 +139,17 @@ Parameters& Parameters::addNamed(const std::string& listName, Parameters child) 
   return *this;
 }
 
+Parameters& Parameters::setInNamed(const std::string& listName, const std::string& child, const std::string& name,
+                                   Value value) {
+  for (Sublist& sublist : sublists_) {
+    if (sublist.name != listName || !sublist.isNamed) continue;
+    for (Parameters& list : sublist.lists) {
+      if (list.name() == child) list.set(name, std::move(value));
+    }
+  }
+  return *this;
+}
+
 void Parameters::attach(const std::shared_ptr<const Histories>& histories) {
   histories_ = histories;
   for (Sublist& sublist : sublists_) {

@@ -106,6 +106,9 @@ class Parameters {
   Parameters& setList(const std::string& name, Parameters list);
   /// Adds a child to the user-named lists of `listName`, which must not be a sublist of fixed name.
   Parameters& addNamed(const std::string& listName, Parameters child);
+  /// Adds an entry, or replaces it, in the child of this name of the user-named lists of `listName`; nothing
+  /// happens when there is none.
+  Parameters& setInNamed(const std::string& listName, const std::string& child, const std::string& name, Value value);
   /// Gives this list and all below it the histories that schedule() looks up; shared, and replacing those before.
   void attach(const std::shared_ptr<const Histories>& histories);
 

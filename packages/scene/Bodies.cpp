@@ -144,26 +144,28 @@ mesh::Depth depthOf(const Model& model) {
   return elasticity::isAxisymmetric(model.kinematics) ? mesh::Depth::revolved() : mesh::Depth(model.thickness);
 }
 
-Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors, const KeptTogether& together) {
+Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors, const KeptTogether& together,
+                  const std::map<std::string, int>& pieces) {
   checkBlocks(scene, mesh, errors);
   Bodies bodies;
   if (errors.count() > 0) return bodies;
   for (const Parameters& input : scene.input.lists("Parts")) {
     errors.collect(input.where(), [&] {
+      const auto chosen = pieces.find(input.name());
+      const int count = input.has("Pieces") ? input.integer("Pieces") : chosen != pieces.end() ? chosen->second : 1;
       PartOptions options = optionsOf(input);
       const mesh::Piece part = mesh::makePiece(mesh, input.name(), blocksOf(input));
-      std::vector<mesh::Piece> pieces;
+      std::vector<mesh::Piece> made;
       const auto entry = together.find(input.name());
       const std::vector<std::vector<int>> kept =
           entry == together.end() ? std::vector<std::vector<int>>{} : entry->second;
       if (const Parameters* section = sectionOf(scene, input.name())) {
         options.section = section->name();
-        errors.collect(section->where(),
-                       [&] { pieces = dividedPart(mesh, part, *section, input.integer("Pieces"), kept); });
+        errors.collect(section->where(), [&] { made = dividedPart(mesh, part, *section, count, kept); });
       } else {
-        pieces = mesh::cutPart(mesh, part, input.integer("Pieces"), kept);
+        made = mesh::cutPart(mesh, part, count, kept);
       }
-      for (mesh::Piece& piece : pieces) {
+      for (mesh::Piece& piece : made) {
         bodies.pieces.push_back(std::move(piece));
         bodies.parts.push_back(options);
         bodies.materials.push_back(scene.materials.at(input.text("Material")));

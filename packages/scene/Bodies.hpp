@@ -60,9 +60,10 @@ struct Bodies {
 
 /// Cuts the parts of the scene into pieces, those that an interface divides along a plane at least into its two sides,
 /// the one behind the plane first. Reports blocks that do not exist, belong to two parts or to none, and parts that
-/// cannot be cut, to `errors`; after errors in blocks there are no bodies. Every rank makes all of them.
+/// cannot be cut, to `errors`; after errors in blocks there are no bodies. Every rank makes all of them. `pieces`: how
+/// many, by name of the part, where the scene does not say; else one.
 Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& errors,
-                  const KeptTogether& together = {});
+                  const KeptTogether& together = {}, const std::map<std::string, int>& pieces = {});
 
 /// For every body the earlier one that it equals up to a rigid motion or mirror image, elasticity and all; null: none.
 /// That one equals none itself. Bodies with materials of two names are never equal; a turned one is equal only when it

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -12,7 +14,9 @@
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/mesh/InterfaceFinder.hpp>
 #include <harmos/scene/Interfaces.hpp>
+#include <harmos/scene/MemoryPerRank.hpp>
 #include <harmos/scene/MeshSource.hpp>
+#include <harmos/scene/detail/AutomaticPieces.hpp>
 #include <harmos/scene/detail/CohesiveZones.hpp>
 #include <harmos/scene/detail/Contradictions.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
@@ -39,30 +43,21 @@ void throwTogether(const input::ErrorList& errors, const Teuchos::Comm<int>& com
   throw base::Error(text, base::ExitCode::input);
 }
 
-}  // namespace
-
-Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Timers& timers) {
-  const base::SoleThread inside(comm.getSize());
-  input::ErrorList errors;
-  Problem problem;
-  {
-    const auto reading = timers.start("read");
-    const input::Parameters& source = scene.input.list("Mesh");
-    errors.collect(source.where(), [&] { problem.mesh = makeMesh(source, scene.path, &problem.warnings); });
-    throwTogether(errors, comm);
-    checkDimensions(scene.input, problem.mesh.dimension, errors);
-    throwTogether(errors, comm);
-  }
-  const auto assembling = timers.start("assemble");
-  problem.model = makeModel(scene.input.list("Model"), problem.mesh);
+/// Bodies, interfaces and responses of a problem whose mesh is known; parts in so many `pieces`, or else as the scene
+/// says. Reports errors as makeProblem() throws them; those in blocks, sets and fields it throws on all ranks.
+std::shared_ptr<const laws::SpatialFields> joinParts(const Scene& scene, const std::map<std::string, int>& pieces,
+                                                     const Teuchos::Comm<int>& comm, Problem& problem,
+                                                     input::ErrorList& errors) {
   Surfaces found;
   std::optional<mesh::InterfaceFinder> finder;
+  problem.bodies = {};
+  problem.responses.clear();
   do {  // again while pieces divide what points of joined meshes see
     KeptTogether together = std::move(problem.bodies.together);
     for (auto& [part, lists] : found.crossed) {
       std::move(lists.begin(), lists.end(), std::back_inserter(together[part]));
     }
-    problem.bodies = makeBodies(scene, problem.mesh, errors, together);
+    problem.bodies = makeBodies(scene, problem.mesh, errors, together, pieces);
     problem.bodies.together = std::move(together);
     throwTogether(errors, comm);
     finder.emplace(problem.mesh, problem.bodies.pieces, depthOf(problem.model));
@@ -71,12 +66,13 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
   problem.surfaces = std::move(found.all);
   problem.joined = std::move(found.joined);
   assembly::Assembly& assembly = problem.assembly;
+  assembly = {};
   assembly.dimension = elasticity::componentsOf(problem.model.kinematics);
   assembly.times = scene.times;
   const int before = errors.count();
   const FieldContext fieldContext{problem.mesh, problem.bodies.pieces, problem.surfaces, scene.input, scene.path,
                                   scene.times};
-  const auto fields =
+  auto fields =
       std::make_shared<const laws::SpatialFields>(makeFields(scene.input.lists("Fields"), fieldContext, errors));
   if (errors.count() > before) throwTogether(errors, comm);  // else laws would miss them
   Interfaces made = makeInterfaces(scene, problem.mesh.dimension, problem.bodies.pieces, problem.surfaces,
@@ -99,6 +95,49 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
     });
   }
   if (errors.count() == 0) addPath(scene.input, assembly, problem.responses, errors);
+  return fields;
+}
+
+/// The same with large parts in pieces where that pays; as the scene says where it does not, or cannot be done.
+std::shared_ptr<const laws::SpatialFields> joinCutParts(const Scene& scene, const Teuchos::Comm<int>& comm,
+                                                        Problem& problem, input::ErrorList& errors) {
+  auto fields = joinParts(scene, {}, comm, problem, errors);
+  if (errors.count() > 0) return fields;
+  PieceChoice choice = choosePieces(scene, problem.mesh, problem.bodies, problem.assembly.interfaces,
+                                    problem.assembly.dimension, comm.getSize(), comm.getSize() * memoryPerRank(comm));
+  if (choice.pieces.empty()) return fields;
+  try {
+    input::ErrorList ofCuts;
+    fields = joinParts(scene, choice.pieces, comm, problem, ofCuts);
+    throwTogether(ofCuts, comm);
+  } catch (const base::Error& error) {
+    if (error.code() != base::ExitCode::input) throw;
+    return joinParts(scene, {}, comm, problem, errors);
+  }
+  problem.pieces = std::move(choice.pieces);
+  problem.cuts = std::move(choice.text);
+  return fields;
+}
+
+}  // namespace
+
+Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Timers& timers, Cutting cutting) {
+  const base::SoleThread inside(comm.getSize());
+  input::ErrorList errors;
+  Problem problem;
+  {
+    const auto reading = timers.start("read");
+    const input::Parameters& source = scene.input.list("Mesh");
+    errors.collect(source.where(), [&] { problem.mesh = makeMesh(source, scene.path, &problem.warnings); });
+    throwTogether(errors, comm);
+    checkDimensions(scene.input, problem.mesh.dimension, errors);
+    throwTogether(errors, comm);
+  }
+  const auto assembling = timers.start("assemble");
+  problem.model = makeModel(scene.input.list("Model"), problem.mesh);
+  const auto fields = cutting == Cutting::automatic ? joinCutParts(scene, comm, problem, errors)
+                                                    : joinParts(scene, {}, comm, problem, errors);
+  assembly::Assembly& assembly = problem.assembly;
   assembly.owner = distribute(problem.bodies, comm.getSize());
   assembly.bodies = assemble(scene, problem.mesh, problem.model, problem.bodies, *problem.temperatures, *fields,
                              assembly.owner, comm.getRank(), errors);

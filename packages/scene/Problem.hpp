@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,12 +31,24 @@ struct Problem {
   std::vector<std::shared_ptr<const latin::Response>>
       responses;                      // in the order of the list Responses; then the load factor
   std::vector<std::string> warnings;  // those of the scene, and what its mesh adds
+  std::map<std::string, int> pieces;  // of parts that were cut because that pays, by name
+  std::string cuts;                   // what these save, a sentence; empty: there are none
+};
+
+/// Whether parts whose "Pieces" are not given may be cut.
+enum class Cutting {
+  asGiven,   ///< none is
+  automatic  ///< large ones are, where the cost model says that it saves much time, or memory that there is not
 };
 
 /// Reads the mesh and builds everything. Collective over comm, which is not kept; throws on all ranks or on none.
 ///
 /// Time is charged to the phases "read" and "assemble". Throws one base::Error (input) that lists all errors found in
 /// the names of blocks and sets, in the fit of interfaces, in laws that contradict each other, and in elements.
-Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Timers& timers);
+///
+/// Cutting::automatic says what was cut in `pieces` and `cuts`; nothing is cut that cannot be. It is for single runs:
+/// studies solve so often that only stages count.
+Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Timers& timers,
+                    Cutting cutting = Cutting::asGiven);
 
 }  // namespace harmos::scene

@@ -76,6 +76,7 @@ class SceneChecker {
       : laws_(laws), scene_(scene), input_(scene.input), errors_(errors) {}
 
   void check() {
+    scene_.cutLaw = laws_.create(Parameters("cut").set("Type", std::string("Perfect")));
     attachHistories();
     const elasticity::MaterialRegistry materials = elasticity::builtInMaterials();
     for (const Parameters& list : input_.lists("Materials")) {
@@ -83,9 +84,6 @@ class SceneChecker {
     }
     for (const Parameters& part : input_.lists("Parts")) {
       knownName(part, "Material", namesOf(input_.lists("Materials")), "Materials");
-      if (part.integer("Pieces") > 1 && !scene_.cutLaw) {
-        scene_.cutLaw = laws_.create(Parameters("cut").set("Type", std::string("Perfect")));
-      }
       checkBodyForce(part);
     }
     checkPartsOf("Loads", "Density", [](const elasticity::Material& m) { return m.density().has_value(); });

@@ -33,7 +33,7 @@ struct Scene {
   std::map<std::string, std::shared_ptr<const laws::InterfaceLaw>> laws;         // by name of interface or boundary
   std::vector<std::string>
       warnings;  // what the input says without effect or likely wrong: a sentence each, with its place
-  std::shared_ptr<const laws::InterfaceLaw> cutLaw;  // between the pieces of one part; null when no part is cut
+  std::shared_ptr<const laws::InterfaceLaw> cutLaw;  // between the pieces of one part
 };
 
 /// Checks an input against sceneSpec(), and every name that it refers to except those of the mesh.

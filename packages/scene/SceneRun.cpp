@@ -209,16 +209,18 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
   const base::SoleThread inside(comm->getSize());  // libraries of files are made for one thread, too
   base::Timers timers;
   const input::InputTree tree = request.input ? *request.input : input::InputTree::fromFile(request.scene);
-  const Scene scene = makeScene(tree, request.scene, request.overrides, laws);
+  Scene scene = makeScene(tree, request.scene, request.overrides, laws);
   SceneRunResult result{{}, {}, {}, {}, files::ResultFiles(request.directory, request.scene)};
   Recorder recorder(result.record, result.files.record, timers, *comm);
   const latin::LatinOptions& options = scene.solver;
   files::demandDistinct(inputFiles(scene), result.files.all());
-  Problem problem = makeProblem(scene, *comm, timers);
+  Problem problem = makeProblem(scene, *comm, timers, Cutting::automatic);
+  for (const auto& [part, pieces] : problem.pieces) scene.input.setInNamed("Parts", part, "Pieces", pieces);
 
   result.record.scene = request.scene;
   result.record.units = unitsOf(scene);
   result.record.warnings = problem.warnings;
+  result.record.cuts = problem.cuts;
   result.record.accuracy = options.accuracy;
   result.record.status = "running";
   result.record.reason = "The run has not ended, or was killed.";

@@ -53,7 +53,10 @@ void describePart(input::ParameterSpec& spec) {
   spec.summary("Elastic bodies, each made of one or several element blocks of the mesh.");
   spec.texts("Blocks").optional().doc("Names of its element blocks; absent: the block with the part's own name.");
   spec.text("Material").required().doc("Name of an entry of Materials.");
-  spec.integer("Pieces").defaultValue(1).atLeast(1).doc("METIS cuts the part into so many substructures.");
+  spec.integer("Pieces").optional().atLeast(1).doc(
+      "METIS cuts the part into so many substructures. Absent: 1, or of a large part in a run as many as save much "
+      "time, "
+      "or memory that there is not; what was chosen is printed.");
   spec.text("Formulation")
       .defaultValue("Full Integration")
       .oneOf(elasticity::formulationNames())

@@ -8,11 +8,9 @@
 #include <numeric>
 #include <sstream>
 
-#include <unistd.h>
-#include <Teuchos_CommHelpers.hpp>
-
-#include <harmos/base/AvailableMemory.hpp>
 #include <harmos/base/Error.hpp>
+#include <harmos/scene/MemoryPerRank.hpp>
+#include <harmos/scene/ProblemCost.hpp>
 
 namespace harmos::study {
 
@@ -46,24 +44,7 @@ std::string described(const ChaosCost& cost, int ranks) {
   return text.str();
 }
 
-/// How many ranks share the machine of this one. Collective.
-int ranksHere(const Teuchos::Comm<int>& comm) {
-  char name[256] = {};
-  gethostname(name, sizeof(name) - 1);
-  const int mine = static_cast<int>(std::hash<std::string>()(name) & 0x7fffffff);
-  std::vector<int> all(comm.getSize());
-  Teuchos::gatherAll(comm, 1, &mine, comm.getSize(), all.data());
-  return static_cast<int>(std::count(all.begin(), all.end(), mine));
-}
-
 }  // namespace
-
-double memoryPerRank(const Teuchos::Comm<int>& comm) {
-  const double mine = base::availableMemory() / ranksHere(comm);
-  double least = mine;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(least));
-  return least;
-}
 
 ChaosCost estimateChaos(const Study& study, const scene::Problem& problem, const scene::CostEstimate& cost,
                         bool isGalerkin) {
@@ -132,7 +113,7 @@ ChaosChoice chooseLocalStage(const Study& study, const scene::Problem& problem, 
   const std::string both =
       "Galerkin: " + described(galerkin, ranks) + "; pseudo-spectral: " + described(spectral, ranks);
   if (galerkin.points > mostTensorPoints) return {spectral, "because Galerkin has too many points. " + both};
-  if (galerkin.bytesOf(ranks) > memoryPerRank(comm)) {
+  if (galerkin.bytesOf(ranks) > scene::memoryPerRank(comm)) {
     return {spectral, "because Galerkin needs more memory than is free. " + both};
   }
   if (galerkin.seconds > std::max(dearer * spectral.seconds, secondsThatCount)) {
@@ -142,7 +123,7 @@ ChaosChoice chooseLocalStage(const Study& study, const scene::Problem& problem, 
 }
 
 void demandMemory(const Study& study, const ChaosChoice& choice, const Teuchos::Comm<int>& comm) {
-  const double free = memoryPerRank(comm), wanted = choice.cost.bytesOf(comm.getSize());
+  const double free = scene::memoryPerRank(comm), wanted = choice.cost.bytesOf(comm.getSize());
   if (wanted <= free) return;
   std::ostringstream what;
   what << std::setprecision(2) << "the expansions take about " << wanted / 1e9 << " GB on every rank, of which "

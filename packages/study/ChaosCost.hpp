@@ -41,9 +41,6 @@ struct ChaosChoice {
 /// Collective over the communicator of the problem and the same on all ranks.
 ChaosChoice chooseLocalStage(const Study& study, const scene::Problem& problem, const Teuchos::Comm<int>& comm);
 
-/// Memory [byte] that one rank may have, the least of all, where ranks share a machine. Collective.
-double memoryPerRank(const Teuchos::Comm<int>& comm);
-
 /// Throws base::Error (input) with place and repair when it is more than the machine of any rank has free. Collective.
 void demandMemory(const Study& study, const ChaosChoice& choice, const Teuchos::Comm<int>& comm);
 

@@ -29,5 +29,13 @@ TEST(Parameters, UndeclaredNamesThrow) {
   EXPECT_TRUE(p.lists("Joints").empty());
 }
 
+TEST(Parameters, EntriesAreSetInTheNamedListOfThatName) {
+  Parameters scene("scene");
+  scene.addNamed("Parts", Parameters("plate").set("Pieces", 1)).addNamed("Parts", Parameters("bolt"));
+  scene.setInNamed("Parts", "plate", "Pieces", 8).setInNamed("Parts", "nut", "Pieces", 9);
+  EXPECT_EQ(scene.lists("Parts")[0].integer("Pieces"), 8);
+  EXPECT_FALSE(scene.lists("Parts")[1].has("Pieces"));
+}
+
 }  // namespace
 }  // namespace harmos::input

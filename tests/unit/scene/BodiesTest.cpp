@@ -19,6 +19,13 @@ TEST(Bodies, PiecesKeepTheOptionsOfTheirPart) {
   EXPECT_EQ(bodies.parts[2].name, "upper");
 }
 
+TEST(Bodies, PiecesOfTheSceneWinOverOthers) {
+  const Scene scene = sample({"Parts/lower/Pieces=2"});
+  const mesh::Mesh mesh = makeMesh(scene.input.list("Mesh"), "");
+  input::ErrorList errors;
+  EXPECT_EQ(makeBodies(scene, mesh, errors, {}, {{"lower", 4}, {"upper", 3}}).pieces.size(), 5u);
+}
+
 TEST(Bodies, EqualBodiesAreFoundButNotAcrossFormulations) {
   for (const std::string formulation : {"Full Integration", "B-Bar"}) {
     const Scene scene = sample({"Parts/upper/Formulation=" + formulation});

@@ -5,7 +5,7 @@
 #include <Tpetra_Core.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/scene/CostEstimate.hpp>
+#include <harmos/scene/ProblemCost.hpp>
 
 #include "Sample.hpp"
 

@@ -27,8 +27,7 @@ TEST(Scene, HasALawPerInterfaceAndBoundary) {
   const Scene scene = sample();
   EXPECT_STREQ(scene.laws.at("seal")->name(), "Coulomb Friction");
   EXPECT_STREQ(scene.laws.at("pressed")->name(), "Pressure");
-  EXPECT_EQ(scene.cutLaw, nullptr);
-  EXPECT_STREQ(sample({"Parts/lower/Pieces=2"}).cutLaw->name(), "Perfect");
+  EXPECT_STREQ(scene.cutLaw->name(), "Perfect");
 }
 
 TEST(Scene, ItsDirectSolverExists) {

@@ -1,0 +1,256 @@
+#include <harmos/scene/detail/AutomaticPieces.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include <harmos/base/Names.hpp>
+#include <harmos/mesh/Elements.hpp>
+#include <harmos/scene/detail/CostModel.hpp>
+
+namespace harmos::scene {
+namespace {
+
+// Unknowns of a part below which it is never cut, and of the pieces that are tried.
+constexpr double leastUnknowns = 6e4;
+constexpr double unknownsOfPieces[] = {3e4, 1.5e4, 8e3, 4e3};
+// Of the time of the whole part: the model is not better than that.
+constexpr double worthwhile = 0.75;
+// Of the memory that is free, and of the entries that solvers can number.
+constexpr double shareOfMemory = 0.8, mostEntries = 2147483647.0 / 1.5;
+// Iterations across cuts were measured down to this accuracy.
+constexpr double finestAccuracy = 1e-5;
+// In the plane and in space: interfaces of a piece that METIS cuts, entries of a row of the stiffness of small
+// elements, and powers of the unknowns with which entries and operations of a factor fall from a part to its pieces.
+constexpr double neighbours[] = {6.0, 12.0}, entriesOfRow[] = {18.0, 75.0}, growthOfEntries[] = {1.1, 1.42},
+                 growthOfOperations[] = {1.5, 2.0};
+// Of the surface of pieces, which are taken for cubes or squares: the rest is that of the part. Nodes along an edge
+// that cuts add, for the same reason less than one.
+constexpr double shareOfCuts = 0.8, addedNodes = 0.8;
+
+/// A body with what has to be known to cut it.
+struct Whole {
+  BodySize size;
+  double nodes = 0.0;
+  bool isOpen = false;  // it may be cut
+  std::string part;
+};
+
+/// Stiffness and factor from the neighbours of nodes: those of its elements.
+void measure(const mesh::Elements& elements, const mesh::Piece& piece, int dimension, BodySize& size) {
+  std::vector<std::vector<int>> near(piece.nodes.size());
+  for (const int element : piece.elements) {
+    std::vector<int> own;
+    const int* nodes = elements.nodes(element);
+    for (int a = 0; a < mesh::nodesPerElement(elements.type(element)); ++a)
+      own.push_back(mesh::localNode(piece, nodes[a]));
+    for (const int node : own) near[node].insert(near[node].end(), own.begin(), own.end());
+  }
+  std::vector<std::size_t> first{0};
+  std::vector<int> columns;
+  for (std::vector<int>& row : near) {
+    std::sort(row.begin(), row.end());
+    columns.insert(columns.end(), row.begin(), std::unique(row.begin(), row.end()));
+    first.push_back(columns.size());
+  }
+  const double components = dimension;
+  size.matrixEntries = components * components * static_cast<double>(columns.size());
+  size.factor =
+      substructure::NestedDissection(static_cast<int>(near.size()), first.data(), columns.data()).factorSize();
+  size.factor.nonzeros *= components * components;
+  size.factor.operations *= components * components * components;
+  size.factor.bytes *= components * components;
+}
+
+std::vector<Whole> measureAll(const Scene& scene, const mesh::Mesh& mesh, const Bodies& bodies,
+                              const std::vector<assembly::Interface>& interfaces, int dimension) {
+  const std::vector<double> trace = tracesOf(interfaces, bodies.pieces.size(), dimension);
+  const std::vector<double> touching = interfacesOf(interfaces, bodies.pieces.size());
+  std::set<std::string> given;
+  for (const input::Parameters& part : scene.input.lists("Parts")) {
+    if (part.has("Pieces")) given.insert(part.name());
+  }
+  const mesh::Elements elements(mesh);
+  std::vector<Whole> all;
+  for (std::size_t b = 0; b < bodies.pieces.size(); ++b) {
+    const mesh::Piece& piece = bodies.pieces[b];
+    Whole& body = all.emplace_back();
+    body.part = piece.part;
+    body.nodes = static_cast<double>(piece.nodes.size());
+    body.size.unknowns = dimension * body.nodes;
+    body.size.trace = trace[b];
+    body.size.interfaces = touching[b];
+    body.isOpen = body.size.unknowns >= leastUnknowns && piece.side == 0 && given.count(piece.part) == 0;
+    // Parts of as many nodes and elements are taken for equal.
+    const auto isEqual = [&](std::size_t a) {
+      return bodies.pieces[a].nodes.size() == piece.nodes.size() && bodies.materials[a] == bodies.materials[b] &&
+             bodies.pieces[a].elements.size() == piece.elements.size() &&
+             bodies.parts[a].formulation == bodies.parts[b].formulation;
+    };
+    std::size_t master = 0;
+    while (!isEqual(master)) ++master;
+    if (master < b) {
+      body.size.factor = all[master].size.factor;
+      for (std::size_t a = master; a < b; ++a) {
+        if (isEqual(a) && trace[a] == trace[b]) body.size.isFactored = false;
+      }
+      continue;
+    }
+    body.size.factor = factorOf(body.size.unknowns, dimension);
+    body.size.matrixEntries = entriesOfRow[dimension - 2] * body.size.unknowns;
+    if (body.isOpen) measure(elements, piece, dimension, body.size);
+  }
+  return all;
+}
+
+/// Bodies after cuts, and what is estimated of them.
+struct Candidate {
+  std::map<std::string, int> pieces;
+  CostEstimate cost;
+  double seconds = 0.0;  // of the busiest rank
+};
+
+class Estimator {
+ public:
+  Estimator(const latin::LatinOptions& solver, const CostScope& scope, const std::vector<Whole>& wholes)
+      : solver_(solver), scope_(scope), wholes_(wholes) {}
+
+  /// Of pieces of about so many unknowns.
+  Candidate cut(double unknownsOfPiece) const {
+    Candidate result;
+    CostScope scope = scope_;
+    std::vector<BodySize> bodies;
+    for (const Whole& whole : wholes_) {
+      const int count = whole.isOpen ? static_cast<int>(std::lround(whole.size.unknowns / unknownsOfPiece)) : 1;
+      if (count < 2) {
+        bodies.push_back(whole.size);
+        continue;
+      }
+      result.pieces[whole.part] = count;
+      scope.pieces = std::max(scope.pieces, static_cast<double>(count));
+      const BodySize piece = pieceOf(whole, count, scope);
+      bodies.insert(bodies.end(), static_cast<std::size_t>(count), piece);
+    }
+    estimate(bodies, scope, result);
+    return result;
+  }
+
+ private:
+  /// One of `count` pieces; adds what cuts add to the scope.
+  BodySize pieceOf(const Whole& whole, int count, CostScope& scope) const {
+    const int space = scope_.dimension == 2 ? 2 : 3, at = space - 2;
+    const double side = std::pow(whole.nodes / count, 1.0 / space), components = scope_.dimension;
+    const double cutUnknowns = shareOfCuts * components * 2.0 * space * std::pow(side, space - 1);
+    BodySize piece;
+    piece.unknowns = components * std::pow(side + addedNodes, space);
+    piece.trace = std::min(piece.unknowns, whole.size.trace / count + cutUnknowns);
+    piece.interfaces = whole.size.interfaces / count + neighbours[at];
+    piece.matrixEntries = entriesOfRow[at] * piece.unknowns;
+    const double share = piece.unknowns / whole.size.unknowns, entries = std::pow(share, growthOfEntries[at]);
+    piece.factor.nonzeros = entries * whole.size.factor.nonzeros;
+    piece.factor.bytes = entries * whole.size.factor.bytes;
+    piece.factor.operations = std::pow(share, growthOfOperations[at]) * whole.size.factor.operations;
+    scope.unknowns += count * piece.unknowns - whole.size.unknowns;
+    scope.interfaceUnknowns += count * cutUnknowns;
+    return piece;
+  }
+
+  void estimate(const std::vector<BodySize>& bodies, const CostScope& scope, Candidate& result) const {
+    CostSums all;
+    std::vector<CostSums> sums(static_cast<std::size_t>(scope.ranks));
+    std::vector<double> unknowns(sums.size(), 0.0), load(sums.size(), 0.0);
+    std::vector<const BodySize*> order;
+    for (const BodySize& body : bodies) order.push_back(&body);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const BodySize* a, const BodySize* b) { return a->unknowns > b->unknowns; });
+    for (const BodySize* body : order) {
+      all.add(*body, solver_);
+      const auto least = static_cast<std::size_t>(std::min_element(load.begin(), load.end()) - load.begin());
+      load[least] += std::pow(body->unknowns, 4.0 / 3.0);
+      unknowns[least] += body->unknowns;
+      sums[least].add(*body, solver_);
+    }
+    result.cost = all.estimate(scope, solver_);
+    for (const BodySize& body : bodies)
+      result.cost.largestFactor = std::max(result.cost.largestFactor, body.factor.nonzeros);
+    for (std::size_t rank = 0; rank < sums.size(); ++rank) {
+      CostScope own = scope;
+      own.ranks = 1;
+      own.unknowns = unknowns[rank];
+      own.interfaceUnknowns = scope.interfaceUnknowns * unknowns[rank] / scope.unknowns;
+      const CostEstimate here = sums[rank].estimate(own, solver_);
+      result.seconds = std::max(result.seconds, here.startSeconds + here.factorSeconds +
+                                                    result.cost.stages * here.stageSeconds + here.resultSeconds);
+    }
+  }
+
+  const latin::LatinOptions& solver_;
+  const CostScope& scope_;
+  const std::vector<Whole>& wholes_;
+};
+
+bool fits(const Candidate& candidate, double freeBytes) {
+  return candidate.cost.largestFactor <= mostEntries && candidate.cost.processBytes <= shareOfMemory * freeBytes;
+}
+
+std::string describe(const Candidate& cut, const Candidate& whole, bool wasTooLarge) {
+  std::ostringstream text;
+  const char* separator = "cut";
+  for (const auto& [part, pieces] : cut.pieces) {
+    text << separator << " " << base::quoted(part) << " into " << pieces << " pieces";
+    separator = ",";
+  }
+  text << std::setprecision(2) << ": about " << cut.seconds << " instead of " << whole.seconds << " s and "
+       << cut.cost.processBytes / 1e9 << " instead of " << whole.cost.processBytes / 1e9 << " GB"
+       << (wasTooLarge ? ", which is too much" : "") << "; Pieces = 1 keeps a part whole";
+  return text.str();
+}
+
+bool mayCut(const Scene& scene, const std::vector<assembly::Interface>& interfaces) {
+  const latin::LatinOptions& solver = scene.solver;
+  const bool softens =
+      std::any_of(interfaces.begin(), interfaces.end(), [](const auto& one) { return one.law->lowestSlope() < 0.0; });
+  return solver.algorithm == latin::Algorithm::accelerated &&
+         solver.stages.formulation == latin::Formulation::displacement && solver.stages.macroProblem &&
+         solver.accuracy >= finestAccuracy && !scene.input.hasList("Path Following") && !softens;
+}
+
+}  // namespace
+
+PieceChoice choosePieces(const Scene& scene, const mesh::Mesh& mesh, const Bodies& whole,
+                         const std::vector<assembly::Interface>& interfaces, int dimension, int ranks,
+                         double freeBytes) {
+  const bool isSmall = std::all_of(whole.pieces.begin(), whole.pieces.end(), [&](const mesh::Piece& piece) {
+    return dimension * static_cast<double>(piece.nodes.size()) < leastUnknowns;
+  });
+  if (isSmall || !mayCut(scene, interfaces)) return {};
+  const std::vector<Whole> wholes = measureAll(scene, mesh, whole, interfaces, dimension);
+  CostScope scope;
+  scope.dimension = dimension;
+  scope.ranks = ranks;
+  scope.steps = static_cast<int>(scene.times.size());
+  scope.isAffine =
+      std::all_of(interfaces.begin(), interfaces.end(), [](const auto& one) { return one.law->isAffine(); });
+  for (const Whole& body : wholes) scope.unknowns += body.size.unknowns;
+  for (const assembly::Interface& interface : interfaces)
+    scope.interfaceUnknowns += static_cast<double>(interface.pairs()) * interface.sides() * dimension;
+  const Estimator estimator(scene.solver, scope, wholes);
+  const Candidate uncut = estimator.cut(2.0 * scope.unknowns);
+  const bool isTooLarge = !fits(uncut, freeBytes);
+  std::optional<Candidate> best;
+  for (const double unknowns : unknownsOfPieces) {
+    Candidate candidate = estimator.cut(unknowns);
+    if (candidate.pieces.empty() || !fits(candidate, freeBytes)) continue;
+    if (!isTooLarge && candidate.seconds > worthwhile * uncut.seconds) continue;
+    if (!best || candidate.seconds < best->seconds) best = std::move(candidate);
+  }
+  if (!best) return {};
+  return {best->pieces, describe(*best, uncut, isTooLarge)};
+}
+
+}  // namespace harmos::scene

@@ -1,0 +1,142 @@
+#include <harmos/scene/detail/CostModel.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/latin/AndersonAcceleration.hpp>
+#include <harmos/latin/CorrectionSpace.hpp>
+
+namespace harmos::scene {
+namespace {
+
+constexpr double entryBytes = 8.0, singleEntryBytes = 4.0, matrixEntryBytes = 12.0;
+// Entries of a factor: 25 n^(4/3) in space, 8 n log2 n in the plane.
+constexpr double entriesInSpace = 25.0, growthInSpace = 4.0 / 3.0, entriesInPlane = 8.0;
+// Of operations per unknown beside the square of the mean length of a column of the factor.
+constexpr double unevenColumns = 1.5;
+// Of a load step as most are: differences in its march, directions in its certificate, and fields of both stages.
+constexpr int differences = 15, directions = 12, fields = 20;
+constexpr int storedStates = latin::AndersonAcceleration::statesPerDifference * differences +
+                             latin::CorrectionSpace::statesPerDirection * directions + fields;
+// Of a process: the program with its libraries; how much of matrices, factors in both precisions and of what a column
+// reads (traces are stored beside the factors) is there at the peak; of factors of bodies that nothing iterates on,
+// with the padding of their supernodes; of the stored states; displacement fields of all load steps, and what mesh,
+// output and estimates keep for a node.
+constexpr double programBytes = 61e6, matrixCopies = 5.9, factorCopies = 0.41, readCopies = 1.23, paddedFactor = 1.3,
+                 fieldShare = 0.8, displacementFields = 6.9, bytesPerNode = 24.0;
+// Seconds: of the program's start; of reading and assembling, per entry of the matrices; of factors per operation, per
+// entry, per entry that columns of the macro problem read, per entry of the matrices and per unknown; of a linear
+// stage, per entry that a column reads and, for all that is not a solve, per component of an interface side; of the
+// error of the mesh, per unknown; of files, per unknown, and per unknown and load step.
+constexpr double programSeconds = 0.11, assemblySeconds = 8e-8, operationSeconds = 5e-11, factorEntrySeconds = 2e-8,
+                 macroReadSeconds = 1.5e-10, factoredEntrySeconds = 2e-7, factoredUnknownSeconds = 1.5e-6,
+                 readEntrySeconds = 4.5e-10, interfaceSeconds = 1.3e-7, recoverySecondsInSpace = 1.4e-5,
+                 recoverySecondsInPlane = 4.8e-6, fileSeconds = 1e-6, stepFileSeconds = 1.2e-7;
+// Columns of the macro problem for an interface of a body: its motions.
+constexpr double motionsOfInterface = 6.0;
+// Linear stages at an accuracy of 1e-3, how many more a decade takes, and how they fall where there are more load steps
+// than usual, which are shorter then.
+constexpr double usualSteps = 11.0, growthWithSteps = -0.25;
+constexpr double affineStages = 45.0, otherStages = 24.0, stagesPerDecade = 5.0, usualAccuracy = 1e-3;
+// Of the stages: for every doubling of the pieces of a part. Stages where nothing is left to iterate on.
+constexpr double growthWithPieces = 0.18, directStages = 4.0;
+
+}  // namespace
+
+substructure::FactorSize factorOf(double unknowns, int dimension) {
+  substructure::FactorSize size;
+  size.nonzeros = dimension == 3 ? entriesInSpace * std::pow(unknowns, growthInSpace)
+                                 : entriesInPlane * unknowns * std::log2(unknowns + 1.0);
+  size.operations = unevenColumns * size.nonzeros * size.nonzeros / unknowns;
+  size.bytes = entryBytes * size.nonzeros;
+  return size;
+}
+
+std::vector<double> tracesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies, int dimension) {
+  std::vector<std::set<int>> nodes(bodies);
+  for (const assembly::Interface& interface : interfaces) {
+    if (interface.law->prescribesTraction()) continue;
+    if (interface.sides() == 1 && interface.mass.empty() && interface.law->isAffine()) continue;
+    for (int side = 0; side < interface.sides(); ++side) {
+      for (int p = 0; p < interface.pairs(); ++p) {
+        for (const auto& [node, weight] : interface.trace(side).row(p)) nodes[interface.body(side)].insert(node);
+      }
+    }
+  }
+  std::vector<double> counts;
+  for (const auto& one : nodes) counts.push_back(dimension * static_cast<double>(one.size()));
+  return counts;
+}
+
+std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies) {
+  std::vector<double> counts(bodies, 0.0);
+  for (const assembly::Interface& interface : interfaces) {
+    for (int side = 0; side < interface.sides(); ++side) counts[interface.body(side)] += 1.0;
+  }
+  return counts;
+}
+
+void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
+  const double square = body.trace * body.trace, entries = body.factor.nonzeros;
+  const bool isDense = body.trace > 0.0 && square <= solver.stages.solver.denseTraceWorth() * entries;
+  sum_[matrixEntries] += body.matrixEntries;
+  if (body.isFactored) {
+    sum_[factorEntries] += entries;
+    if (body.trace == 0.0) sum_[looseEntries] += entries;
+    // A trace that is kept dense is eliminated last.
+    sum_[operations] += body.factor.operations + (isDense ? square * body.trace / 3.0 : 0.0);
+    if (solver.stages.solver.invertTrace && isDense) sum_[invertedEntries] += square;
+    if (body.trace > 0.0) sum_[macroReads] += 2.0 * motionsOfInterface * body.interfaces * entries;
+  }
+  // Each entry of a sparse factor is read twice, the triangle of a trace too.
+  sum_[readEntries] += isDense ? square : 2.0 * entries;
+}
+
+void CostSums::reduce(const Teuchos::Comm<int>& comm) {
+  std::array<double, sums> all{};
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(sums), sum_.data(), all.data());
+  sum_ = all;
+}
+
+CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOptions& solver) const {
+  CostEstimate cost;
+  const double steps = scope.steps;
+  cost.unknowns = static_cast<std::int64_t>(scope.unknowns);
+  cost.interfaceUnknowns = static_cast<std::int64_t>(scope.interfaceUnknowns);
+  cost.steps = scope.steps;
+  const bool mayBeSingle = solver.stages.solver.allowsSingle && solver.algorithm == latin::Algorithm::accelerated &&
+                           solver.stages.formulation == latin::Formulation::displacement;
+  const double iterated = sum_[factorEntries] - sum_[looseEntries];  // entries of factors that columns go through
+  cost.matrixBytes = matrixEntryBytes * sum_[matrixEntries];
+  cost.factorBytes = entryBytes * sum_[factorEntries];
+  cost.singleBytes = mayBeSingle ? singleEntryBytes * iterated : 0.0;
+  cost.inverseBytes = (entryBytes + singleEntryBytes) * sum_[invertedEntries];
+  cost.fieldBytes = entryBytes * storedStates * scope.interfaceUnknowns * steps;
+  cost.processBytes = programBytes * scope.ranks + matrixCopies * cost.matrixBytes +
+                      factorCopies * (entryBytes * iterated + cost.singleBytes) +
+                      readCopies * entryBytes * (sum_[readEntries] - 2.0 * sum_[looseEntries]) +
+                      paddedFactor * entryBytes * sum_[looseEntries] + cost.inverseBytes +
+                      fieldShare * cost.fieldBytes + entryBytes * displacementFields * scope.unknowns * steps +
+                      bytesPerNode * scope.unknowns / scope.dimension;
+
+  cost.startSeconds = programSeconds * scope.ranks + assemblySeconds * sum_[matrixEntries];
+  cost.factorSeconds = operationSeconds * sum_[operations] + factorEntrySeconds * sum_[factorEntries] +
+                       macroReadSeconds * sum_[macroReads] + factoredEntrySeconds * sum_[matrixEntries] +
+                       factoredUnknownSeconds * scope.unknowns;
+  cost.stageSeconds = steps * (readEntrySeconds * sum_[readEntries] + interfaceSeconds * scope.interfaceUnknowns);
+  const double decades = std::log10(usualAccuracy / solver.accuracy);
+  cost.isAffine = scope.isAffine;
+  const double usual = scope.isAffine ? affineStages : otherStages * (1.0 + growthWithPieces * std::log2(scope.pieces));
+  cost.stages = sum_[looseEntries] == sum_[factorEntries]
+                    ? directStages
+                    : std::max(1.0, usual + stagesPerDecade * decades) *
+                          std::min(1.0, std::pow(steps / usualSteps, growthWithSteps));
+  const double recoverySeconds = scope.dimension == 3 ? recoverySecondsInSpace : recoverySecondsInPlane;
+  cost.resultSeconds = scope.unknowns * (recoverySeconds + fileSeconds + stepFileSeconds * steps);
+  return cost;
+}
+
+}  // namespace harmos::scene

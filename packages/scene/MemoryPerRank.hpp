@@ -1,0 +1,10 @@
+#pragma once
+
+#include <Teuchos_Comm.hpp>
+
+namespace harmos::scene {
+
+/// Memory [byte] that one rank may have, the least of all, where ranks share a machine. Collective.
+double memoryPerRank(const Teuchos::Comm<int>& comm);
+
+}  // namespace harmos::scene

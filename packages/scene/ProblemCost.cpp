@@ -1,0 +1,105 @@
+#include <harmos/scene/ProblemCost.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/scene/detail/CostModel.hpp>
+#include <harmos/substructure/SubstructureSolver.hpp>
+
+namespace harmos::scene {
+namespace {
+
+// Numbers of entries are 32-bit integers; so many times what is estimated may be too large.
+constexpr double mostEntries = 2147483647.0, uncertainty = 1.5;
+
+substructure::FactorSize sizeOf(const substructure::Substructure& body, FactorSizes sizes) {
+  if (sizes == FactorSizes::fromOrder) return substructure::SubstructureSolver::predict(*body.stiffness);
+  return factorOf(static_cast<double>(body.nodes.size()) * body.dimension, body.dimension);
+}
+
+double mostPieces(const std::vector<mesh::Piece>& pieces) {
+  std::map<std::pair<std::string, int>, double> counts;
+  double most = 1.0;
+  for (const mesh::Piece& piece : pieces) most = std::max(most, ++counts[{piece.part, piece.side}]);
+  return most;
+}
+
+}  // namespace
+
+CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& solver, FactorSizes sizes,
+                          const Teuchos::Comm<int>& comm) {
+  const assembly::Assembly& assembly = problem.assembly;
+  const std::vector<double> trace = tracesOf(assembly.interfaces, assembly.bodies.size(), assembly.dimension);
+  const std::vector<double> interfaces = interfacesOf(assembly.interfaces, assembly.bodies.size());
+  CostScope scope;
+  scope.dimension = assembly.dimension;
+  scope.ranks = comm.getSize();
+  scope.steps = assembly.steps();
+  scope.isAffine = assembly.isAffine();
+  scope.pieces = mostPieces(problem.bodies.pieces);
+  CostSums sums;
+  std::vector<std::optional<substructure::FactorSize>> known(assembly.bodies.size());
+  std::set<std::pair<std::size_t, double>> operators;  // those of equal bodies that are touched alike are one
+  std::vector<double> mineOfBody(assembly.bodies.size(), 0.0), ofBody(assembly.bodies.size(), 0.0);
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+    const substructure::Substructure& body = assembly.bodies[b];
+    BodySize size;
+    size.unknowns = static_cast<double>(body.nodes.size()) * assembly.dimension;
+    scope.unknowns += size.unknowns;
+    if (assembly.ownerOf(static_cast<int>(b)) != comm.getRank()) continue;
+    // Congruent bodies share a matrix on every rank that has one of them.
+    const std::size_t master = body.congruence ? static_cast<std::size_t>(body.congruence->representative) : b;
+    if (!known[master]) {
+      const substructure::Substructure& factored = assembly.bodies[master];
+      known[master] = sizeOf(factored, sizes);
+      size.matrixEntries = static_cast<double>(factored.stiffness->getGlobalNumEntries());
+      mineOfBody[master] = known[master]->nonzeros;
+    }
+    size.factor = *known[master];
+    size.trace = trace[b];
+    size.interfaces = interfaces[b];
+    size.isFactored = operators.emplace(master, trace[b]).second;
+    sums.add(size, solver);
+  }
+  sums.reduce(comm);
+  for (const auto& interface : assembly.interfaces)
+    scope.interfaceUnknowns += static_cast<double>(interface.pairs()) * interface.sides() * assembly.dimension;
+  CostEstimate cost = sums.estimate(scope, solver);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, static_cast<int>(ofBody.size()), mineOfBody.data(), ofBody.data());
+  const auto largest = std::max_element(ofBody.begin(), ofBody.end());
+  if (largest != ofBody.end()) {
+    cost.largestFactor = *largest;
+    cost.largestBody = assembly.bodies[largest - ofBody.begin()].name;
+  }
+  return cost;
+}
+
+void demandCapacity(const CostEstimate& cost, double freeBytes) {
+  std::ostringstream message;
+  if (cost.largestFactor > mostEntries) {
+    message << "part \"" << cost.largestBody << "\": its factor would have " << std::setprecision(2)
+            << cost.largestFactor << " entries, more than direct solvers can number (" << mostEntries
+            << ").\n  Cut it: add <Parameter name=\"Pieces\" type=\"int\" value=\"" << std::setprecision(0)
+            << std::fixed << std::ceil(2.0 * std::pow(cost.largestFactor / mostEntries, 0.75)) << "\"/> to the part.";
+    throw base::Error(message.str(), base::ExitCode::input);
+  }
+  if (cost.processBytes <= uncertainty * freeBytes) return;
+  message
+      << "a run takes about " << std::setprecision(2) << cost.processBytes / 1e9 << " GB, of which " << freeBytes / 1e9
+      << " GB are free.\n  Cut large parts (Pieces), take a coarser mesh or fewer load steps, or more ranks on other "
+         "machines.";
+  throw base::Error(message.str(), base::ExitCode::input);
+}
+
+}  // namespace harmos::scene

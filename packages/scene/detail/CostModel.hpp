@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+
+#include <harmos/assembly/Interface.hpp>
+#include <harmos/latin/LatinOptions.hpp>
+#include <harmos/scene/CostEstimate.hpp>
+#include <harmos/substructure/NestedDissection.hpp>
+
+namespace harmos::scene {
+
+/// What the cost of a body goes with.
+struct BodySize {
+  double unknowns = 0.0;            ///< displacements
+  double trace = 0.0;               ///< of these, what interfaces touch
+  double interfaces = 0.0;          ///< how many touch it
+  double matrixEntries = 0.0;       ///< of its stiffness; 0: it is that of another body
+  substructure::FactorSize factor;  ///< of its operator
+  bool isFactored = true;           ///< false: the factor is that of another body
+};
+
+/// Factor of a body of which only the number of unknowns is known: 25 n^(4/3) entries in space, 8 n log2 n in the
+/// plane.
+substructure::FactorSize factorOf(double unknowns, int dimension);
+
+/// Unknowns of every body that interfaces touch, and boundaries that are not eliminated: those with affine laws, as a
+/// rule.
+std::vector<double> tracesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies, int dimension);
+
+/// How many interfaces and boundaries touch every body.
+std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies);
+
+/// What a problem costs whatever its bodies are.
+struct CostScope {
+  int dimension = 3, ranks = 1, steps = 1;
+  bool isAffine = false;           ///< all laws are
+  double unknowns = 0.0;           ///< displacements of all bodies
+  double interfaceUnknowns = 0.0;  ///< components of all interface sides
+  double pieces = 1.0;             ///< into which the part is cut that is cut most
+};
+
+/// Sums over some bodies of what their cost goes with.
+class CostSums {
+ public:
+  /// Adds a body. `solver`: its options.
+  void add(const BodySize& body, const latin::LatinOptions& solver);
+  /// Adds those of all ranks. Collective.
+  void reduce(const Teuchos::Comm<int>& comm);
+  /// Estimate for these bodies; but for the largest factor.
+  CostEstimate estimate(const CostScope& scope, const latin::LatinOptions& solver) const;
+
+ private:
+  enum Sum { matrixEntries, factorEntries, looseEntries, operations, macroReads, readEntries, invertedEntries, sums };
+  std::array<double, sums> sum_{};
+};
+
+}  // namespace harmos::scene
