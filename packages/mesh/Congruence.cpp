@@ -72,11 +72,14 @@ std::size_t rarest(const std::vector<base::Vector3>& points, double tolerance, c
 
 class CongruenceSearch {
  public:
-  CongruenceSearch(const Mesh& mesh, const Piece& first, const Piece& second)
+  CongruenceSearch(const Mesh& mesh, const Piece& first, const Piece& second, const std::vector<int>& kindsOfFirst,
+                   const std::vector<int>& kindsOfSecond)
       : mesh_(mesh),
         elements_(mesh),
         first_(first),
         second_(second),
+        kindsOfFirst_(kindsOfFirst),
+        kindsOfSecond_(kindsOfSecond),
         a_(mesh, first),
         b_(mesh, second),
         tolerance_(relativeTolerance * a_.size),
@@ -145,6 +148,7 @@ class CongruenceSearch {
     for (std::size_t i = 0; i < a_.points.size(); ++i) {
       const auto near = search_.within(toFrame(q, a_.points[i]), tolerance_);
       if (near.size() != 1 || isTaken[near[0]]) return false;
+      if (!kindsOfFirst_.empty() && kindsOfFirst_[i] != kindsOfSecond_[near[0]]) return false;
       isTaken[near[0]] = true;
       image[i] = near[0];
     }
@@ -184,6 +188,8 @@ class CongruenceSearch {
   Elements elements_;
   const Piece& first_;
   const Piece& second_;
+  const std::vector<int>& kindsOfFirst_;
+  const std::vector<int>& kindsOfSecond_;
   Cloud a_, b_;
   double tolerance_;
   PointSearch search_;
@@ -193,11 +199,16 @@ class CongruenceSearch {
 
 }  // namespace
 
-std::optional<Congruence> findCongruence(const Mesh& mesh, const Piece& first, const Piece& second) {
+std::optional<Congruence> findCongruence(const Mesh& mesh, const Piece& first, const Piece& second,
+                                         const std::vector<int>& kindsOfFirst, const std::vector<int>& kindsOfSecond) {
   if (first.nodes.size() != second.nodes.size() || first.elements.size() != second.elements.size()) {
     return std::nullopt;
   }
-  return CongruenceSearch(mesh, first, second).find();
+  std::vector<int> ofFirst(kindsOfFirst), ofSecond(kindsOfSecond);
+  std::sort(ofFirst.begin(), ofFirst.end());
+  std::sort(ofSecond.begin(), ofSecond.end());
+  if (ofFirst != ofSecond) return std::nullopt;
+  return CongruenceSearch(mesh, first, second, kindsOfFirst, kindsOfSecond).find();
 }
 
 }  // namespace harmos::mesh

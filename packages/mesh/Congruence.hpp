@@ -19,8 +19,13 @@ struct Congruence {
 /// 1e-9 of the parts' size (the largest distance of a node from the centroid of the nodes), elements have the same type
 /// and sides. Materials are not looked at: Q turns them, too.
 ///
+/// `kindsOfFirst`, `kindsOfSecond`: of the local nodes of each part, one number per node; only motions that carry every
+/// node onto one of its kind are found then. Empty: nodes have none.
+///
 /// Tries the motions that carry two nodes of which few others have the same distances from the centroid (in 2-D one
 /// node) onto nodes with these distances, so that every congruence is found whatever the symmetries of the part.
-std::optional<Congruence> findCongruence(const Mesh& mesh, const Piece& first, const Piece& second);
+std::optional<Congruence> findCongruence(const Mesh& mesh, const Piece& first, const Piece& second,
+                                         const std::vector<int>& kindsOfFirst = {},
+                                         const std::vector<int>& kindsOfSecond = {});
 
 }  // namespace harmos::mesh

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
@@ -84,6 +85,36 @@ bool haveEqualRadii(const mesh::Mesh& mesh, const mesh::Piece& first, const mesh
     difference = std::max(difference, std::abs(radius - mesh.nodes[second.nodes[image[node]]][0]));
   }
   return difference <= equalRadii * largest;
+}
+
+/// Whether a motion carries not only the elements of one body onto those of another, but also their stiffness.
+bool keepsStiffness(const Bodies& bodies, const mesh::Mesh& mesh, elasticity::Kinematics kinematics, std::size_t first,
+                    std::size_t second, const mesh::Congruence& congruence) {
+  constexpr base::Frame identity{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  if (elasticity::isAxisymmetric(kinematics) &&
+      !haveEqualRadii(mesh, bodies.pieces[first], bodies.pieces[second], congruence.node)) {
+    return false;
+  }
+  return congruence.rotation == identity || isIsotropic(bodies.materials[first]->elasticity());
+}
+
+/// For every node of every body a number that tells how many joints it belongs to, and how many boundaries that do not
+/// only load it.
+std::vector<std::vector<int>> nodeKinds(const Bodies& bodies, const std::vector<assembly::Interface>& interfaces) {
+  constexpr int boundary = 1024;
+  std::vector<std::vector<int>> kinds;
+  for (const mesh::Piece& piece : bodies.pieces) kinds.emplace_back(piece.nodes.size(), 0);
+  for (const assembly::Interface& interface : interfaces) {
+    if (interface.law->prescribesTraction()) continue;
+    for (int side = 0; side < interface.sides(); ++side) {
+      const mesh::TraceOperator& trace = interface.trace(side);
+      for (int p = 0; p < trace.points(); ++p) {
+        for (const mesh::TraceOperator::Entry& entry : trace.row(p))
+          kinds[interface.body(side)][entry.node] += interface.sides() == 1 ? boundary : 1;
+      }
+    }
+  }
+  return kinds;
 }
 
 PartOptions optionsOf(const Parameters& part) {
@@ -169,35 +200,45 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& 
         bodies.pieces.push_back(std::move(piece));
         bodies.parts.push_back(options);
         bodies.materials.push_back(scene.materials.at(input.text("Material")));
+        bodies.congruences.emplace_back();
       }
     });
   }
   return bodies;
 }
 
-std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(const Bodies& bodies,
-                                                                             const mesh::Mesh& mesh,
-                                                                             elasticity::Kinematics kinematics) {
-  constexpr base::Frame identity{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(
+    const Bodies& bodies, const mesh::Mesh& mesh, elasticity::Kinematics kinematics,
+    const std::vector<assembly::Interface>& interfaces) {
   std::vector<std::shared_ptr<const substructure::Congruence>> congruences(bodies.pieces.size());
+  const std::vector<std::vector<int>> kinds = nodeKinds(bodies, interfaces);
+  // Of the bodies that equal each one, that one included, without repetition, in the order of its nodes.
+  std::vector<std::vector<std::vector<int>>> known(bodies.pieces.size());
   for (std::size_t b = 0; b < congruences.size(); ++b) {
     for (std::size_t a = 0; a < b && !congruences[b]; ++a) {
       if (congruences[a] || bodies.materials[a] != bodies.materials[b] ||
           bodies.parts[a].formulation != bodies.parts[b].formulation) {
         continue;
       }
-      auto found = mesh::findCongruence(mesh, bodies.pieces[a], bodies.pieces[b]);
-      if (found && elasticity::isAxisymmetric(kinematics) &&
-          !haveEqualRadii(mesh, bodies.pieces[a], bodies.pieces[b], found->node)) {
-        continue;
-      }
-      if (!found || !(found->rotation == identity || isIsotropic(bodies.materials[a]->elasticity()))) continue;
+      const auto find = [&](const std::vector<int>& ofFirst, const std::vector<int>& ofSecond) {
+        auto found = mesh::findCongruence(mesh, bodies.pieces[a], bodies.pieces[b], ofFirst, ofSecond);
+        if (found && !keepsStiffness(bodies, mesh, kinematics, a, b, *found)) found.reset();
+        return found;
+      };
+      std::optional<mesh::Congruence> found;
+      for (std::size_t i = 0; i < known[a].size() && !found; ++i) found = find(known[a][i], kinds[b]);
+      if (!found) found = find({}, {});
+      if (!found) continue;
+      std::vector<int> carried(found->node.size());
+      for (std::size_t node = 0; node < carried.size(); ++node) carried[node] = kinds[b][found->node[node]];
+      if (std::find(known[a].begin(), known[a].end(), carried) == known[a].end()) known[a].push_back(carried);
       auto congruence = std::make_shared<substructure::Congruence>();
       congruence->representative = static_cast<int>(a);
       congruence->node = std::move(found->node);
       congruence->rotation = found->rotation;
       congruences[b] = std::move(congruence);
     }
+    if (!congruences[b]) known[b].push_back(kinds[b]);
   }
   return congruences;
 }
@@ -226,18 +267,18 @@ std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh:
                                                  int rank, input::ErrorList& errors) {
   const BodyLoads loads(scene, model.kinematics, temperatures, fields, errors);
   std::vector<substructure::Substructure> assembled(bodies.pieces.size());
-  const auto congruences = findCongruences(bodies, mesh, model.kinematics);
   std::vector<bool> needsStiffness(assembled.size(), false);
   for (std::size_t b = 0; b < assembled.size(); ++b) {
     if (owner[b] != rank) continue;
-    needsStiffness[congruences[b] ? static_cast<std::size_t>(congruences[b]->representative) : b] = true;
+    const auto& congruence = bodies.congruences[b];
+    needsStiffness[congruence ? static_cast<std::size_t>(congruence->representative) : b] = true;
   }
   for (std::size_t b = 0; b < assembled.size(); ++b) {
     const mesh::Piece& piece = bodies.pieces[b];
     const PartOptions& part = bodies.parts[b];
     assembled[b].name = piece.name;
     assembled[b].dimension = elasticity::componentsOf(model.kinematics);
-    assembled[b].congruence = congruences[b];
+    assembled[b].congruence = bodies.congruences[b];
     for (const int node : piece.nodes) assembled[b].nodes.push_back(mesh.nodes[node]);
     errors.collect(part.where, [&] {
       if (needsStiffness[b]) {

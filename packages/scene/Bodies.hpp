@@ -9,6 +9,7 @@
 
 #include <Teuchos_Comm.hpp>
 
+#include <harmos/assembly/Interface.hpp>
 #include <harmos/elasticity/Kinematics.hpp>
 #include <harmos/elasticity/Material.hpp>
 #include <harmos/elasticity/Stiffness.hpp>
@@ -54,8 +55,9 @@ using KeptTogether = std::map<std::string, std::vector<std::vector<int>>>;
 struct Bodies {
   std::vector<mesh::Piece> pieces;  // in the order of the list Parts; bodies are counted in this order everywhere
   std::vector<PartOptions> parts;
-  std::vector<std::shared_ptr<const elasticity::Material>> materials;  // shared with the scene
-  KeptTogether together;                                               // when parts were cut
+  std::vector<std::shared_ptr<const elasticity::Material>> materials;        // shared with the scene
+  KeptTogether together;                                                     // when parts were cut
+  std::vector<std::shared_ptr<const substructure::Congruence>> congruences;  // see findCongruences(); null until then
 };
 
 /// Cuts the parts of the scene into pieces, those that an interface divides along a plane at least into its two sides,
@@ -68,9 +70,13 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& 
 /// For every body the earlier one that it equals up to a rigid motion or mirror image, elasticity and all; null: none.
 /// That one equals none itself. Bodies with materials of two names are never equal; a turned one is equal only when it
 /// is isotropic; in axisymmetry equal ones have the same radii.
-std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(const Bodies& bodies,
-                                                                             const mesh::Mesh& mesh,
-                                                                             elasticity::Kinematics kinematics);
+///
+/// Of several motions one that carries what `interfaces` join and hold onto what they join and hold of a body that
+/// equals the same one, if there is any: with the same search directions there, both can share a factor. A lower and an
+/// upper plate of a clamp are mirror images.
+std::vector<std::shared_ptr<const substructure::Congruence>> findCongruences(
+    const Bodies& bodies, const mesh::Mesh& mesh, elasticity::Kinematics kinematics,
+    const std::vector<assembly::Interface>& interfaces);
 
 /// Which rank owns which body: the largest first, each to the rank that has least to do. One rank, from 0, per body.
 /// The work of a body goes with the number of its nodes to the power 4/3.

@@ -139,6 +139,8 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
                                                     : joinParts(scene, {}, comm, problem, errors);
   assembly::Assembly& assembly = problem.assembly;
   assembly.owner = distribute(problem.bodies, comm.getSize());
+  problem.bodies.congruences =
+      findCongruences(problem.bodies, problem.mesh, problem.model.kinematics, assembly.interfaces);
   assembly.bodies = assemble(scene, problem.mesh, problem.model, problem.bodies, *problem.temperatures, *fields,
                              assembly.owner, comm.getRank(), errors);
   throwTogether(errors, comm);

@@ -98,6 +98,28 @@ TEST(Congruence, FindsTheEqualBodiesOfTheBoltedJoint) {
   EXPECT_FALSE(findCongruence(mesh, piece("bolt_1"), piece("head_1")));
 }
 
+TEST(Congruence, KeepsTheKindsOfNodes) {
+  const Mesh mesh = boltedJoint();
+  const Piece lower = makePiece(mesh, "cover_bottom", {"cover_bottom"}),
+              upper = makePiece(mesh, "cover_top", {"cover_top"});
+  const auto kinds = [&](const Piece& piece, double z) {
+    std::vector<int> result;
+    for (const int node : piece.nodes) result.push_back(mesh.nodes[node][2] == z ? 1 : 0);
+    return result;
+  };
+  // Both touch the plate between them.
+  const std::vector<int> below = kinds(lower, 10.0), above = kinds(upper, 20.0);
+  const auto found = findCongruence(mesh, lower, upper, below, above);
+  ASSERT_TRUE(found);
+  expectCarries(mesh, lower, upper, *found);
+  EXPECT_EQ(found->rotation[2][2], -1.0);
+  for (std::size_t a = 0; a < below.size(); ++a) EXPECT_EQ(below[a], above[static_cast<std::size_t>(found->node[a])]);
+  // As many nodes of each kind, but no motion between them.
+  std::vector<int> other = above;
+  std::swap(*std::find(other.begin(), other.end(), 0), *std::find(other.begin(), other.end(), 1));
+  EXPECT_FALSE(findCongruence(mesh, lower, upper, below, other));
+}
+
 TEST(Congruence, SeesASmallDifference) {
   Pair moved(spaceMotions[0], ElementType::hex8);
   moved.mesh.nodes[moved.second.nodes[5]][1] += 1e-6;

@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
+#include <Tpetra_Core.hpp>
+
 #include <harmos/scene/MeshSource.hpp>
 
 #include "Sample.hpp"
@@ -32,7 +37,7 @@ TEST(Bodies, EqualBodiesAreFoundButNotAcrossFormulations) {
     const mesh::Mesh mesh = makeMesh(scene.input.list("Mesh"), "");
     input::ErrorList errors;
     const auto congruences =
-        findCongruences(makeBodies(scene, mesh, errors), mesh, elasticity::Kinematics::threeDimensional);
+        findCongruences(makeBodies(scene, mesh, errors), mesh, elasticity::Kinematics::threeDimensional, {});
     EXPECT_EQ(congruences[0], nullptr);
     EXPECT_EQ(congruences[1] != nullptr, formulation == "Full Integration");
   }
@@ -44,11 +49,42 @@ TEST(Bodies, RingsOfOtherRadiiAreNotEqual) {
   input::ErrorList errors;
   const Bodies bodies = makeBodies(scene, mesh, errors);
   const auto isEqual = [&] {
-    return findCongruences(bodies, mesh, elasticity::Kinematics::axisymmetric)[1] != nullptr;
+    return findCongruences(bodies, mesh, elasticity::Kinematics::axisymmetric, {})[1] != nullptr;
   };
   EXPECT_TRUE(isEqual());  // one above the other
   for (const int node : bodies.pieces[1].nodes) mesh.nodes[node][0] += 3.0;
   EXPECT_FALSE(isEqual());
+}
+
+TEST(Bodies, AreMirrorImagesWhereInterfacesAre) {
+  const auto replace = [](std::string text, const std::string& old, const std::string& now) {
+    const std::size_t at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    return text.replace(at, old.size(), now);
+  };
+  // Held below and above, joined between.
+  std::string held = replace(sampleScene(), "value=\"Pressure\"", "value=\"Prescribed Displacement\"");
+  held = replace(held, "name=\"Pressure\" type=\"double\" value=\"10\"", "name=\"Z\" type=\"double\" value=\"-0.1\"");
+  held = replace(held, "name=\"Pressure History\"", "name=\"Z History\"");
+  base::Timers timers;
+  for (const bool isHeld : {false, true}) {
+    const Scene scene =
+        makeScene(input::InputTree::fromText(isHeld ? held : sampleScene(), "sample.xml"), "sample.xml",
+                  isHeld ? std::vector<std::string>{"Boundaries/pressed/Law/X=0", "Boundaries/pressed/Law/Y=0"}
+                         : std::vector<std::string>{},
+                  laws::builtInLaws());
+    const Problem problem = makeProblem(scene, *Tpetra::getDefaultComm(), timers);
+    const auto& congruence = problem.bodies.congruences[1];
+    ASSERT_TRUE(congruence);
+    EXPECT_EQ(congruence->representative, 0);
+    // A translation where nothing else is gained.
+    EXPECT_EQ(congruence->rotation[2][2], isHeld ? -1.0 : 1.0);
+    const assembly::Interface& seal = problem.assembly.interfaces[0];
+    std::set<int> above;
+    for (int p = 0; p < seal.pairs(); ++p) above.insert(seal.trace2.node(p));
+    for (int p = 0; p < seal.pairs(); ++p)
+      EXPECT_EQ(above.count(congruence->node[seal.trace1.node(p)]), isHeld ? 1U : 0U);
+  }
 }
 
 /// The part "upper" of the sample, x and y in (0, 2), z in (1, 2), under a body force -3 ramp(t) along z times a
