@@ -11,15 +11,20 @@ namespace {
 
 using Blas = Teuchos::BLAS<int, float>;
 
+// Up to so many columns, products with one at a time are faster: a panel stays in the cache from one to the next, and
+// products of matrices are made for many columns.
+constexpr int fewColumns = 4;
+
 /// y = op(A) x for a panel of so many rows and columns, and `count` vectors without gaps.
 void multiply(const Blas& blas, Teuchos::ETransp transposed, int rows, int columns, const float* panel, const float* x,
               float* y, int count) {
-  if (count == 1) {
-    blas.GEMV(transposed, rows, columns, 1.0F, panel, rows, x, 1, 0.0F, y, 1);
-    return;
-  }
   const bool isTransposed = transposed == Teuchos::TRANS;
   const int strideX = isTransposed ? rows : columns, strideY = isTransposed ? columns : rows;
+  if (count <= fewColumns) {
+    for (int j = 0; j < count; ++j, x += strideX, y += strideY)
+      blas.GEMV(transposed, rows, columns, 1.0F, panel, rows, x, 1, 0.0F, y, 1);
+    return;
+  }
   blas.GEMM(transposed, Teuchos::NO_TRANS, strideY, count, strideX, 1.0F, panel, rows, x, strideX, 0.0F, y, strideY);
 }
 
