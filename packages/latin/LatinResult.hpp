@@ -10,7 +10,7 @@ namespace harmos::latin {
 /// How a run ended.
 enum class Outcome {
   certified,       ///< the error estimate is below the accuracy asked for
-  iterationLimit,  ///< it is not, after the largest number of iterations
+  iterationLimit,  ///< it is not, after the largest number of iterations; or a law has no graph, see checkLaws()
   roundOff,        ///< it cannot be: double precision has not the digits
   noEquilibrium,   ///< the interface laws cannot carry the loads
   interrupted      ///< the caller asked to stop

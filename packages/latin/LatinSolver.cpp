@@ -10,6 +10,7 @@
 #include <harmos/assembly/AssemblyCheck.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
+#include <harmos/latin/detail/LawCheck.hpp>
 #include <harmos/latin/detail/ResultRemarks.hpp>
 #include <harmos/latin/detail/RoundOff.hpp>
 #include <harmos/latin/detail/UnheldParts.hpp>
@@ -343,8 +344,19 @@ void LatinSolver::iterate(LatinResult& result) {
   }
 }
 
+void LatinSolver::demandGraphs(LatinResult& result) {
+  if (result.outcome != Outcome::certified || fixedPoint_.formulation() != Formulation::displacement) return;
+  const auto running = timers_.start("laws again");
+  const LawFindings found = checkLaws(fixedPoint_, *state_, options_.accuracy);
+  result.remarks = found.energies;
+  if (found.falseGraph.empty()) return;
+  result.outcome = Outcome::iterationLimit;
+  result.reason = found.falseGraph;
+}
+
 void LatinSolver::deliver(LatinResult& result) {
   state_ = &fixedPoint_.apply(alpha_, image_);
+  demandGraphs(result);
   fixedPoint_.shareTractions(alpha_, image_, options_.accuracy);
   if (!fixedPoint_.reference().isEmpty()) {
     whole_ = alpha_;
@@ -366,7 +378,8 @@ void LatinSolver::deliver(LatinResult& result) {
   result.errorEstimate = estimates_.empty() ? unknown : *std::max_element(estimates_.begin(), estimates_.end());
   if (result.outcome == Outcome::certified) {
     const auto running = timers_.start("statics");
-    result.remarks = describeUnheldParts(*state_);
+    const std::vector<std::string> unheld = describeUnheldParts(*state_);
+    result.remarks.insert(result.remarks.begin(), unheld.begin(), unheld.end());
     addIndeterminacy(fixedPoint_, responses_, options_.accuracy, result);
   }
   addSoftening(fixedPoint_, isSofter(), result);

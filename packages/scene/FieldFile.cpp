@@ -1,8 +1,13 @@
 #include <harmos/scene/FieldFile.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
 
 namespace harmos::scene {
 
@@ -13,6 +18,17 @@ std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> result;
   for (std::string line; std::getline(stream, line);) result.push_back(line);
   return result;
+}
+
+void demandNumbers(const std::vector<std::vector<double>>& fields, const std::vector<std::string>& names, int step) {
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const auto isFinite = [](double value) { return std::isfinite(value); };
+    if (std::all_of(fields[f].begin(), fields[f].end(), isFinite)) continue;
+    throw base::Error("field " + base::quoted(names[f]) + ", load step " + std::to_string(step + 1) +
+                          ": a value is not finite (NaN or infinity); are loads, stiffnesses or lengths too large for "
+                          "double precision?",
+                      base::ExitCode::notConverged);
+  }
 }
 
 }  // namespace
@@ -35,9 +51,13 @@ std::unique_ptr<files::ExodusWriter> FieldFile::open(const std::string& path, co
   return writer;
 }
 
-void FieldFile::fillGlobals(files::ResultStep& step, int number) const {
+void FieldFile::write(files::ExodusWriter* writer, files::ResultStep& step, int number) const {
+  if (writer == nullptr) return;
   step.global.clear();
   for (const auto& global : globals_) step.global.push_back(global.values[number]);
+  demandNumbers(step.nodal, writer->variables().nodal, number);
+  demandNumbers(step.element, writer->variables().element, number);
+  writer->write(step);
 }
 
 void FieldFile::gather(std::vector<double>& values) const {

@@ -35,8 +35,10 @@ class FieldFile {
   /// Throws what files::ExodusWriter throws.
   std::unique_ptr<files::ExodusWriter> open(const std::string& path, const files::ResultMesh& mesh,
                                             files::ResultVariables variables) const;
-  /// Puts the global variables of load step `number`, from 0, into `step`, instead of those that it has.
-  void fillGlobals(files::ResultStep& step, int number) const;
+  /// On rank 0, where there is a `writer`, writes load step `number`, from 0, with the global variables. Throws what
+  /// files::ExodusWriter throws, and base::Error (notConverged), which names the field, where a value is not finite:
+  /// readers choke on it.
+  void write(files::ExodusWriter* writer, files::ResultStep& step, int number) const;
   /// Adds up on rank 0 what each rank has filled in; elsewhere the values are lost. Collective; as many values on every
   /// rank.
   void gather(std::vector<double>& values) const;

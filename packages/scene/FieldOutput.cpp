@@ -178,9 +178,8 @@ std::optional<files::StressPeak> writeParts(const Problem& problem, const latin:
     if (nodal) nodal->fill(layout, t, firstNodalStress, step);
     for (auto& values : step.nodal) file.gather(values);
     for (auto& values : step.element) file.gather(values);
-    file.fillGlobals(step, t);
     if (writer && t + 1 == file.steps()) peak = peakOf(problem, layout, step, nodalVonMises);
-    if (writer) writer->write(step);
+    file.write(writer.get(), step, t);
   }
   if (writer) writer->commit();
   return peak;
@@ -271,8 +270,7 @@ void writeInterfaces(const Problem& problem, const latin::Iterate& state, const 
       }
       file.gather(values);
     }
-    file.fillGlobals(step, t);
-    if (writer) writer->write(step);
+    file.write(writer.get(), step, t);
   }
   if (writer) writer->commit();
 }

@@ -1,6 +1,7 @@
 #include <harmos/scene/Problem.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/base/SoleThread.hpp>
 #include <harmos/input/ErrorList.hpp>
+#include <harmos/laws/CoupledLaw.hpp>
 #include <harmos/mesh/InterfaceFinder.hpp>
 #include <harmos/scene/Interfaces.hpp>
 #include <harmos/scene/MemoryPerRank.hpp>
@@ -41,6 +43,31 @@ void throwTogether(const input::ErrorList& errors, const Teuchos::Comm<int>& com
   text.resize(length);
   Teuchos::broadcast(comm, first, length, text.data());
   throw base::Error(text, base::ExitCode::input);
+}
+
+/// Some faults of laws come to light at their points only, such as an axis along the normal of the surface: asks every
+/// law for its first load step, pressed and dragged, so that they are found before anything is solved. What else a law
+/// may throw there says nothing, for it may be at home elsewhere.
+void askLaws(const assembly::Assembly& assembly, const std::string& path, input::ErrorList& errors) {
+  for (const assembly::Interface& interface : assembly.interfaces) {
+    if (laws::isCoupled(*interface.law)) continue;
+    const auto pairs = static_cast<std::size_t>(interface.pairs());
+    std::vector<laws::LocalLine> lines;
+    for (const double gap : interface.gap) lines.push_back({{-1.0 - std::abs(gap), 1.0, 1.0}, 1.0});
+    const std::vector<double> old(pairs * static_cast<std::size_t>(interface.law->historySize()), 0.0);
+    std::vector<double> now(old.size());
+    std::vector<laws::LocalState> states(pairs);
+    laws::NodeArrays nodes = interface.nodes(assembly.times, 0);
+    nodes.line = lines.data();
+    nodes.oldHistory = old.data();
+    nodes.newHistory = now.data();
+    nodes.state = states.data();
+    try {
+      interface.solve(0, nodes);
+    } catch (const base::Error& error) {
+      if (error.code() == base::ExitCode::input) errors.add(path, error.what());
+    }
+  }
 }
 
 /// Bodies, interfaces and responses of a problem whose mesh is known; parts in so many `pieces`, or else as the scene
@@ -94,6 +121,7 @@ std::shared_ptr<const laws::SpatialFields> joinParts(const Scene& scene, const s
       problem.responses.push_back(std::move(created));
     });
   }
+  if (errors.count() == 0) askLaws(assembly, scene.path, errors);
   if (errors.count() == 0) addPath(scene.input, assembly, problem.responses, errors);
   return fields;
 }

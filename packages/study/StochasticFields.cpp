@@ -119,7 +119,7 @@ void writeParts(const ChaosStudy& chaos, const Moments& moments, const std::stri
     }
     for (auto& values : step.nodal) file.gather(values);
     moments.removeNoise(step.nodal);
-    if (writer) writer->write(step);
+    file.write(writer.get(), step, t);
   }
   if (writer) writer->commit();
 }
@@ -164,7 +164,7 @@ void writeInterfaces(const ChaosStudy& chaos, const Moments& moments, const std:
       }
     }
     moments.removeNoise(step.nodal);
-    writer->write(step);
+    file.write(writer.get(), step, t);
   }
   if (writer) writer->commit();
 }

@@ -78,6 +78,10 @@ expect 4 'the last load step that was solved, and is written, is 2 of 4, time 2'
 expect 0 '^2,2,' tail -n 1 "$work/pulled/pulled_off_history.csv"
 expect 0 '"solved_steps": 2' cat "$work/pulled/pulled_off_result.json"
 expect 0 '^3$' sh -c "ncdump -h '$work/pulled/pulled_off.e' | sed -n 's/.*time_step = UNLIMITED ; .. (\([0-9]*\) currently)/\1/p'"
+# What readers choke on is not written.
+expect 3 'field "von_mises", load step 1: a value is not finite' "$harmos" run "$pulled" --output "$work/endless" \
+  --set Boundaries/ground/Law/X=1e300
+expect 0 '^pulled_off_result.json$' ls "$work/endless"
 # A response that is next to nothing has its absolute error beside it, and what it is small beside; or a scale of its own.
 only_pressed=(--set 'Histories/press and pull/Values={1, 2, 3, 4}')
 expect 0 'sideways .*+- .*counts as zero: not above 0.' "$harmos" run "$pulled" --output "$work/pulled" "${only_pressed[@]}"

@@ -1,0 +1,207 @@
+#include <harmos/latin/detail/LawCheck.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <harmos/base/Names.hpp>
+#include <harmos/base/Numerals.hpp>
+#include <harmos/laws/LawFailure.hpp>
+
+namespace harmos::latin {
+namespace {
+
+// Of the compliance of the solver's lines. Softening laws meet only the steeper lines once for sure.
+constexpr double steeper = 0.25;
+constexpr double flatter = 4.0;
+// Units in the last place of the free jump, which the law must tell apart.
+constexpr double digitsOfJump = 1e4 * std::numeric_limits<double>::epsilon();
+// Of the largest traction times the largest jump of an interface: what counts as energy.
+constexpr double smallestEnergy = 1e-6;
+
+/// Where something is worst.
+struct Worst {
+  double size = 0.0;
+  int step = -1;
+  int pair = -1;
+
+  void include(double candidate, int atStep, int atPair) {
+    if (!(candidate > size)) return;
+    size = candidate;
+    step = atStep;
+    pair = atPair;
+  }
+};
+
+/// One interface along the load steps.
+class Watch {
+ public:
+  Watch(const assembly::Assembly& assembly, int index)
+      : assembly_(assembly),
+        interface_(assembly.interfaces[index]),
+        law_(*interface_.law),
+        states_(static_cast<std::size_t>(interface_.pairs())),
+        now_(states_.size() * static_cast<std::size_t>(law_.historySize())) {
+    if (std::isfinite(law_.lowestSlope())) ratios_.push_back(steeper);
+    if (law_.lowestSlope() == 0.0) ratios_.push_back(flatter);
+    if (law_.dissipates()) jumps_.assign(states_.size(), {});
+    stored_.assign(jumps_.size(), 0.0);
+  }
+
+  void look(const PointwiseLocalStage::Met& met) {
+    for (std::size_t p = 0; p < states_.size(); ++p) {
+      traction_ = std::max(traction_, norm(met.states[p].traction));
+      jump_ = std::max(jump_, norm(met.lines[p].jump(met.states[p].traction)));
+    }
+    for (const double ratio : ratios_) compare(met, ratio);
+    if (!jumps_.empty()) balance(met);
+  }
+
+  /// Empty: the law has a graph.
+  std::string falseGraph(double accuracy) const {
+    if (!(difference_.size > accuracy * traction_)) return {};
+    return "interface " + base::quoted(interface_.name) + ", load step " + std::to_string(difference_.step + 1) +
+           ", point " + std::to_string(difference_.pair + 1) + ": law " + base::quoted(law_.name()) +
+           " gives another traction at the same jump when it is asked with another search direction, by " +
+           base::toText(100.0 * difference_.size / traction_) +
+           " % of its largest: it does not solve its own equations, or its traction falls while the jump grows by more "
+           "than it says (lowest slope). The result would depend on the search direction; run the conformance suite on "
+           "the law";
+  }
+
+  std::vector<std::string> energies() const {
+    std::vector<std::string> found;
+    const double small = smallestEnergy * traction_ * jump_;
+    const auto add = [&](const Worst& worst, const std::string& what) {
+      if (!(worst.size > small)) return;
+      found.push_back("law " + base::quoted(law_.name()) + " of interface " + base::quoted(interface_.name) + " " +
+                      what + ", worst in load step " + std::to_string(worst.step + 1) + " at point " +
+                      std::to_string(worst.pair + 1) + ": do not rely on its dissipation");
+    };
+    add(gain_, "keeps more work than is done on it");
+    add(excess_, "stores more energy than the work that it keeps");
+    return found;
+  }
+
+ private:
+  void ask(const PointwiseLocalStage::Met& met, const std::vector<laws::LocalLine>& lines) {
+    laws::NodeArrays nodes = interface_.nodes(assembly_.times, met.step);
+    nodes.line = lines.data();
+    nodes.oldHistory = met.oldHistory.data();
+    nodes.newHistory = now_.data();
+    nodes.state = states_.data();
+    law_.solve(met.step, nodes);
+  }
+
+  void compare(const PointwiseLocalStage::Met& met, double ratio) {
+    std::vector<laws::LocalLine> lines(met.lines);
+    for (std::size_t p = 0; p < lines.size(); ++p) {
+      const base::Vector3& traction = met.states[p].traction;
+      lines[p].freeJump = met.lines[p].jump(traction) + ratio * met.lines[p].compliance * traction;
+      lines[p].compliance *= ratio;
+    }
+    try {
+      ask(met, lines);
+    } catch (const laws::LawFailure&) {
+      return;  // it has met the lines of the solver
+    }
+    for (std::size_t p = 0; p < lines.size(); ++p) {
+      const base::Vector3& traction = met.states[p].traction;
+      const double lost = digitsOfJump * (norm(met.lines[p].freeJump) / lines[p].compliance + norm(traction));
+      const double change = norm(states_[p].traction - traction);
+      difference_.include(std::isfinite(change) ? change - lost : std::numeric_limits<double>::max(), met.step,
+                          static_cast<int>(p));
+    }
+  }
+
+  void balance(const PointwiseLocalStage::Met& met) {
+    ask(met, met.lines);
+    laws::NodeArrays nodes = interface_.nodes(assembly_.times, met.step);
+    const auto numbers = static_cast<std::size_t>(law_.historySize());
+    for (std::size_t p = 0; p < states_.size(); ++p) {
+      laws::PairStep step;
+      step.oldJump = jumps_[p];
+      step.traction = met.states[p].traction;
+      step.jump = met.lines[p].jump(step.traction);
+      step.oldHistory = met.oldHistory.data() + p * numbers;
+      step.history = now_.data() + p * numbers;
+      step.at = laws::NodeContext(met.step, nodes, static_cast<int>(p));
+      const double kept = law_.keptWork(step), stored = law_.storedEnergy(step);
+      gain_.include(kept - step.work(), met.step, static_cast<int>(p));
+      excess_.include(stored - stored_[p] - kept, met.step, static_cast<int>(p));
+      jumps_[p] = step.jump;
+      stored_[p] = stored;
+    }
+  }
+
+  const assembly::Assembly& assembly_;
+  const assembly::Interface& interface_;
+  const laws::InterfaceLaw& law_;
+  std::vector<double> ratios_;
+  std::vector<laws::LocalState> states_;  // scratch, as the next
+  std::vector<double> now_;
+  std::vector<base::Vector3> jumps_;  // of the load step before; empty: the law does not dissipate
+  std::vector<double> stored_;
+  double traction_ = 0.0, jump_ = 0.0;  // largest
+  Worst difference_, gain_, excess_;
+};
+
+/// That of the lowest rank that has one.
+std::string agreed(const std::string& mine, const Teuchos::Comm<int>& comm) {
+  const int none = comm.getSize(), here = mine.empty() ? none : comm.getRank();
+  int first = none;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, here, Teuchos::outArg(first));
+  if (first == none) return {};
+  std::string text = mine;
+  int length = static_cast<int>(text.size());
+  Teuchos::broadcast(comm, first, Teuchos::outArg(length));
+  text.resize(static_cast<std::size_t>(length));
+  Teuchos::broadcast(comm, first, length, text.data());
+  return text;
+}
+
+}  // namespace
+
+LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double accuracy) {
+  const assembly::Assembly& assembly = fixedPoint.assembly();
+  const TraceLayout& layout = fixedPoint.layout();
+  std::vector<std::pair<int, Watch>> watches;
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const auto index = static_cast<int>(i);
+    if (layout.begin(index, 0) < 0 || laws::isCoupled(*assembly.interfaces[i].law)) continue;
+    watches.emplace_back(index, Watch(assembly, index));
+  }
+  PointwiseLocalStage& stage = fixedPoint.pointwiseStage();
+  base::Matrix traction(iterate.beta().numRows(), iterate.beta().numCols());
+  stage.begin();
+  for (int t = 0; t < traction.numCols(); ++t) {
+    stage.solveColumn(t, iterate.beta(), traction);
+    for (auto& [index, watch] : watches) watch.look(stage.met(index, t));
+    stage.accept();
+  }
+  LawFindings findings;
+  for (const auto& [index, watch] : watches) {
+    if (findings.falseGraph.empty()) findings.falseGraph = watch.falseGraph(accuracy);
+  }
+  findings.falseGraph = agreed(findings.falseGraph, layout.comm());
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    if (!assembly.interfaces[i].law->dissipates()) continue;
+    std::vector<std::string> mine;
+    for (const auto& [index, watch] : watches) {
+      if (index == static_cast<int>(i)) mine = watch.energies();
+    }
+    for (std::size_t kind = 0; kind < 2; ++kind) {
+      const std::string remark = agreed(kind < mine.size() ? mine[kind] : std::string(), layout.comm());
+      const auto& known = findings.energies;
+      if (!remark.empty() && std::find(known.begin(), known.end(), remark) == known.end()) {
+        findings.energies.push_back(remark);
+      }
+    }
+  }
+  return findings;
+}
+
+}  // namespace harmos::latin

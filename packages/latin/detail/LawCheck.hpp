@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harmos/latin/FixedPoint.hpp>
+
+namespace harmos::latin {
+
+/// What a second look at the laws of a state has found; the same on all ranks.
+struct LawFindings {
+  std::string falseGraph;             ///< why a law has no graph, with interface, load step and point; empty: all have
+  std::vector<std::string> energies;  ///< remarks on laws whose energies do not go together
+};
+
+/// Asks the laws of a state again. Collective; `iterate` is the present one of `fixedPoint`, all load steps selected,
+/// in the displacement form with the local stage PointwiseLocalStage, and stays valid.
+///
+/// A law is a graph t = R(delta): where it meets one line, it meets every other line through that point. Along the load
+/// steps, with the histories that they have led to, each point is asked on lines of a quarter of the compliance and,
+/// where the law says that it never falls, of four times it; the traction must stay what it is, to `accuracy` [-] times
+/// the largest of the interface. What comes out otherwise solves other equations than the law's, and depends on the
+/// search direction; the certificate, which sees one search direction only, cannot tell. Laws over whole faces
+/// (CoupledLaw), and those that fall at a jump, are not asked.
+///
+/// Where a law dissipates, no load step may gain energy, t.(delta - delta_old) >= keptWork(), nor store more than it
+/// keeps, storedEnergy() - storedEnergy_old <= keptWork().
+LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double accuracy);
+
+}  // namespace harmos::latin

@@ -1,0 +1,138 @@
+// A certificate sees one search direction only: laws are asked again for what does not depend on it.
+#include <gtest/gtest.h>
+
+#include <harmos/latin/LatinSolver.hpp>
+#include <harmos/laws/PointwiseLaw.hpp>
+
+#include "Chains.hpp"
+
+namespace harmos::latin {
+namespace {
+
+constexpr double stiffness = 40.0, strength = 0.5;
+
+/// Glue that takes a share of the compliance of its line for the whole: 1 is right.
+struct Glue {
+  static constexpr const char* name = "Own Glue";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::two;
+  explicit Glue(double shareOfCompliance) : share(shareOfCompliance) {}
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext&, const double*, double*) const {
+    laws::LocalState state;
+    state.traction = (stiffness / (1.0 + stiffness * share * line.compliance)) * line.freeJump;
+    return state;
+  }
+  double share;
+};
+
+/// Glue that is torn above a jump, which a monotone law is not.
+struct Torn {
+  static constexpr const char* name = "Torn";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::two;
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext&, const double*, double*) const {
+    laws::LocalState state;
+    state.traction = (stiffness / (1.0 + stiffness * line.compliance)) * line.freeJump;
+    if (norm(line.jump(state.traction)) > 0.02) state.traction = 0.1 * state.traction;
+    return state;
+  }
+};
+
+/// A spring and a slider along n. What it stores is `stored` times right, what it keeps `kept` times.
+struct Slider {
+  static constexpr const char* name = "Own Slider";
+  static constexpr int historySize = 1;  // slip
+  static constexpr laws::Sides sides = laws::Sides::two;
+  static constexpr bool dissipates = true;
+  Slider(double keptShare, double storedShare) : kept(keptShare), stored(storedShare) {}
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext&, const double* old, double* now) const {
+    laws::LocalState state;
+    for (std::size_t c = 0; c < 3; ++c)
+      state.traction[c] =
+          stiffness * (line.freeJump[c] - (c == 0 ? old[0] : 0.0)) / (1.0 + stiffness * line.compliance);
+    now[0] = old[0];
+    if (state.traction[0] > strength) {
+      state.traction[0] = strength;
+      now[0] = line.jump(state.traction)[0] - strength / stiffness;
+    }
+    return state;
+  }
+  double keptWork(const laws::PairStep& step) const {
+    return kept * (step.work() - step.traction[0] * (step.history[0] - step.oldHistory[0]));
+  }
+  double storedEnergy(const laws::PairStep& step) const {
+    return stored * dot(step.traction, step.traction) / (2.0 * stiffness);
+  }
+  double kept, stored;
+};
+
+LatinResult solve(std::shared_ptr<const laws::InterfaceLaw> joint, LatinOptions options = {}) {
+  const std::shared_ptr<const laws::InterfaceLaw> drive =
+      laws::makeLaw("Prescribed Displacement", {{"X", 0.3}, {"Y", 0.1}, {"Z", 0.0}},
+                    {{"X", {0.3, 1.0, 0.2}}, {"Y", {0.1, 0.3, 0.2}}});
+  const assembly::Assembly assembly = twoChains(std::move(joint), drive, 3);
+  base::Timers timers;
+  LatinSolver solver(assembly, options, self(), timers);
+  solver.addResponse(std::make_shared<ResultantResponse>("force", std::vector<int>{1}, std::vector<base::Vector3>{}));
+  return solver.solve();
+}
+
+/// Remarks on laws; others are on what nothing holds.
+std::vector<std::string> onLaws(const LatinResult& result) {
+  std::vector<std::string> found;
+  for (const std::string& remark : result.remarks) {
+    if (remark.rfind("law ", 0) == 0) found.push_back(remark);
+  }
+  return found;
+}
+
+template <class Law, class... Arguments>
+std::shared_ptr<const laws::InterfaceLaw> own(Arguments... arguments) {
+  return std::make_shared<laws::PointwiseLaw<Law>>(arguments...);
+}
+
+TEST(LawCheck, CertifiesALawThatSolvesItsEquations) {
+  const LatinResult result = solve(own<Glue>(1.0));
+  EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
+  EXPECT_TRUE(onLaws(result).empty());
+}
+
+TEST(LawCheck, RefusesALawThatSolvesOtherEquations) {
+  for (const double share : {0.5, 0.9, 1.1, 2.0}) {
+    const LatinResult result = solve(own<Glue>(share));
+    EXPECT_EQ(result.outcome, Outcome::iterationLimit) << share;
+    EXPECT_NE(result.reason.find("interface \"joint\", load step "), std::string::npos) << result.reason;
+    EXPECT_NE(result.reason.find("point 1: law \"Own Glue\" gives another traction at the same jump"),
+              std::string::npos)
+        << result.reason;
+  }
+}
+
+TEST(LawCheck, RefusesALawThatFallsAndDoesNotSay) {
+  const LatinResult result = solve(own<Torn>());
+  EXPECT_NE(result.outcome, Outcome::certified);
+}
+
+TEST(LawCheck, RemarksOnEnergiesThatDoNotGoTogether) {
+  EXPECT_TRUE(onLaws(solve(own<Slider>(1.0, 1.0))).empty());
+  const LatinResult kept = solve(own<Slider>(3.0, 1.0));
+  EXPECT_EQ(kept.outcome, Outcome::certified) << kept.reason;
+  ASSERT_EQ(onLaws(kept).size(), 1U);
+  EXPECT_NE(onLaws(kept)[0].find("law \"Own Slider\" of interface \"joint\" keeps more work than is done on it"),
+            std::string::npos)
+      << onLaws(kept)[0];
+  const LatinResult stored = solve(own<Slider>(0.0, 1.0));
+  EXPECT_EQ(stored.outcome, Outcome::certified) << stored.reason;
+  ASSERT_EQ(onLaws(stored).size(), 1U);
+  EXPECT_NE(onLaws(stored)[0].find("stores more energy than the work that it keeps"), std::string::npos)
+      << onLaws(stored)[0];
+}
+
+// Of softening laws only steeper lines are asked.
+TEST(LawCheck, LeavesSofteningLawsInPeace) {
+  const LatinResult result = solve(softGlue(2.0));
+  EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
+}
+
+}  // namespace
+}  // namespace harmos::latin
