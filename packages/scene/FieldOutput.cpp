@@ -213,6 +213,7 @@ class InterfaceStep {
     put(all.law[i].lost[fields.at(t, p)]);
     put(all.safety[i].slip[fields.at(t, p)]);
     put(all.safety[i].gaping[fields.at(t, p)]);
+    put(interface.area[at(p)]);
   }
 
   /// What the law of interface `i` adds, right after fill(): `variables` are those of its outputs.

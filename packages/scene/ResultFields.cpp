@@ -50,7 +50,8 @@ std::vector<ResultField> interfaceFields() {
           {"slip_magnitude", "[length]", "its length"},
           {"dissipation", "[energy/area]", "lost since the start"},
           {"safety_slip", "[-]", "mu p / |t_t|; 1000: no demand, or cannot slip"},
-          {"safety_gaping", "[-]", "p_max / (p_max - p), p_max the largest pressure so far; 1000: no demand"}};
+          {"safety_gaping", "[-]", "p_max / (p_max - p), p_max the largest pressure so far; 1000: no demand"},
+          {"area", "[area]", "that the point stands for; sums of area times traction are the forces of the record"}};
 }
 
 std::vector<std::string> namesOf(const std::vector<ResultField>& fields, int dimension) {

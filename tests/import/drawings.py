@@ -10,6 +10,9 @@ import subprocess
 import sys
 import unittest
 
+import netCDF4
+import numpy
+
 harmos = sys.argv[1]
 work = pathlib.Path(sys.argv[2])
 
@@ -48,6 +51,21 @@ class Drawings(unittest.TestCase):
         self.assertEqual((record["status"], record["units"]), ("certified", "mm N s"))
         reaction = float((work / "a" / "run" / "joint_history.csv").read_text().splitlines()[-1].split(",")[2])
         self.assertAlmostEqual(reaction, -320.0, 4)
+        self.demand_forces_of_areas(work / "a" / "run" / "joint_interfaces.e", record["last_step"]["interfaces"])
+
+    def demand_forces_of_areas(self, path: pathlib.Path, interfaces: "dict[str, dict[str, list[float]]]") -> None:
+        """Sums of area times traction over the points of each interface are the forces of the record, covered in part or not."""
+        with netCDF4.Dataset(path) as file:
+            file.set_auto_mask(False)
+            names = [row.tobytes().split(b"\0")[0].decode() for row in file.variables["name_nod_var"][:]]
+            field = {name: file.variables[f"vals_nod_var{number}"][-1] for number, name in enumerate(names, 1)}
+            blocks = [row.tobytes().split(b"\0")[0].decode() for row in file.variables["eb_names"][:]]
+            self.assertEqual(set(blocks), set(interfaces))
+            for number, block in enumerate(blocks, 1):
+                points = numpy.unique(file.variables[f"connect{number}"][:]) - 1
+                for axis, force in zip("xyz", interfaces[block]["force"]):
+                    total = float((field["area"] * field[f"traction_{axis}"])[points].sum())
+                    self.assertLess(abs(total - force), 1e-6 * 320.0, block)
 
     def test_bolts_are_tightened_by_force(self) -> None:
         words = ["--units", "mm N s", "--size", 8, "--hold", "plate_face_5", "--load", "bracket_face_5", "--perfect", "plate_to_bolt_1",
