@@ -177,6 +177,11 @@ class Meaning(DeckCase):
         self.demand_told(CUBE + shell + second + "*ELSET,ELSET=HALF\n1,\n*ELSET,ELSET=ALL\n1, 3\n",
                          "deck.inp:\\d+: \\*ELSET ALL: 2 solids in it make no part of their own: they belong to ")
 
+    def test_elements_are_named_as_the_deck_numbers_them(self) -> None:
+        other = "*ELEMENT,TYPE=C3D8,ELSET=CUBE\n40, 5,6,7,8,5,6,7,8\n"
+        self.demand_refused(CUBE + other + STEEL + HELD + PRESS, "is element 40, ", "deck.inp:12")
+        self.demand_refused(CUBE + other.replace("5,6,7,8,5,6,7,8", "1,2,3,4,5,6,7,8") + STEEL + HELD + PRESS, "element 40, ", "deck.inp:12")
+
     def test_letters_with_accents(self) -> None:
         scene = self.demand_told(CUBE.replace("ELSET=CUBE", "ELSET=St\u00fctze gro\u00df"))
         self.assertIn('ParameterList name="Stutze_gross"', scene)

@@ -2,7 +2,7 @@
 import dataclasses
 import re
 import unicodedata
-from collections.abc import Container
+from collections.abc import Callable, Container
 
 import numpy
 
@@ -246,8 +246,9 @@ def without_loose_nodes(mesh: Mesh) -> int:
     return int((~used).sum())
 
 
-def demand_sound(path: str, mesh: Mesh) -> None:
-    """Refuses numbers that refer to nothing, which damaged files have.
+def demand_sound(path: str, mesh: Mesh, name_of: "Callable[[int], str] | None" = None) -> None:
+    """Refuses numbers that refer to nothing, which damaged files have. `name_of`: what the file calls an element, given its number
+    from 0 in the mesh.
 
     Raises:
         Refused: some do.
@@ -255,19 +256,21 @@ def demand_sound(path: str, mesh: Mesh) -> None:
     if not numpy.isfinite(mesh.nodes).all():
         number = int(numpy.flatnonzero(~numpy.isfinite(mesh.nodes).all(axis=1))[0])
         raise Refused(f"{path}: node {number + 1} is at no finite coordinates; the file is damaged.")
-    for block in mesh.blocks:
+    for first, block in zip(mesh.first_elements(), mesh.blocks):
         rows = block.connectivity
         if rows.size and (rows.min() < 0 or rows.max() >= len(mesh.nodes)):
             raise Refused(f"{path}: block \"{block.name}\" refers to a node that is not there; the file is damaged.")
         ordered = numpy.sort(rows, axis=1)
         twice = numpy.flatnonzero((ordered[:, 1:] == ordered[:, :-1]).any(axis=1))
         if len(twice):
+            named = name_of(int(first + twice[0])) if name_of else f"its element {twice[0] + 1}"
             raise Refused(f"{path}: {len(twice)} elements of block \"{block.name}\" have a node twice, the first of them "
-                          f"is its element {twice[0] + 1}.\n  Mesh the part anew; collapsed elements are not supported.")
+                          f"is {named}.\n  Mesh the part anew; collapsed elements are not supported.")
     twin = numpy.flatnonzero(_twins(mesh))
     if len(twin):
         block = mesh.blocks[int(mesh.block_of(twin[:1])[0])]
-        raise Refused(f"{path}: {len(twin)} elements have the nodes of another one, the first of them in block \"{block.name}\".\n"
+        named = f"{name_of(int(twin[0]))}, " if name_of else ""
+        raise Refused(f"{path}: {len(twin)} elements have the nodes of another one, the first of them {named}in block \"{block.name}\".\n"
                       "  Remove those that are there twice.")
     count = mesh.first_elements()[-1]
     for name, entries in mesh.side_sets.items():

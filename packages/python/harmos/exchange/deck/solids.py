@@ -9,7 +9,7 @@ from scipy.sparse.csgraph import connected_components
 
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.deck.contents import Contents, ElementTable, Surface
+from harmos.exchange.deck.contents import INSTANCE_OFFSET, Contents, ElementTable, Surface
 from harmos.exchange.deck.kinds import SPRINGS
 from harmos.exchange.elements import MESHIO, TYPES, Order, to_exodus
 from harmos.exchange.findings import Findings, Refused
@@ -95,12 +95,18 @@ class Solids:
         self.mesh = Mesh(3 if self.family == "C3D" else 2, contents.coordinates.copy(), [])
         self._ids: Array = numpy.zeros(0, dtype=numpy.int64)
         self._make_parts(tables)
-        demand_sound(path, self.mesh)
+        demand_sound(path, self.mesh, self._name_of)
         self._order = numpy.argsort(self._ids, kind="stable")
         self._known = self._ids[self._order]
         self._used = numpy.zeros(len(self.mesh.nodes), dtype=bool)
         for block in self.mesh.blocks:
             self._used[block.connectivity] = True
+
+    def _name_of(self, element: int) -> str:
+        """What the deck calls an element of the mesh, and where it stands."""
+        number = int(self._ids[element])
+        place = next(table.card.place for table in self._contents.elements if (table.ids == number).any())
+        return f"element {number % INSTANCE_OFFSET}, {place}"
 
     def _read_section(self, card: Card) -> None:
         name = card.get("ELSET")
