@@ -21,7 +21,7 @@ class DeckText(DeckCase):
     def demand_like_plain(self, text: "str | bytes") -> None:
         """The same scene as of PLAIN, but for its names and checksum."""
         def scene() -> str:
-            return re.sub(r"<!-- as imported.*|CUBE|my_cube|W_+RFEL", "", (work / "out" / "deck.xml").read_text())
+            return re.sub(r"<!-- as imported.*|CUBE|my_cube|WURFEL", "", (work / "out" / "deck.xml").read_text())
 
         self.assertEqual(self.imported(PLAIN)[0], 0)
         plain = scene()
