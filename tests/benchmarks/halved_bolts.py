@@ -9,7 +9,7 @@ import numpy as np
 
 from harmos.exchange.deck.cards import read_cards
 from harmos.exchange.deck.contents import Contents
-from harmos.exchange.deck.loads import OUTPUT
+from harmos.exchange.deck.steps import OUTPUT
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.findings import Findings
 from harmos.exchange.mesh import faces_of
