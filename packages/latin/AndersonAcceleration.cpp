@@ -91,6 +91,16 @@ void AndersonAcceleration::resume() {
   }
 }
 
+void AndersonAcceleration::pause() {
+  resume();
+  residual_ = base::Matrix();
+  lastResidual_ = base::Matrix();
+  for (Step& step : steps_) {
+    std::vector<double>().swap(step.goodAlpha);
+    std::vector<double>().swap(step.goodImage);
+  }
+}
+
 void AndersonAcceleration::forget(Step& step) {
   step.residuals.putScalar(0.0);
   step.gram.putScalar(0.0);

@@ -42,6 +42,8 @@ class AndersonAcceleration {
   void restart();
   /// Keeps them, but draws none between the last iterate and the next: T has changed a little.
   void resume();
+  /// As resume(), and lets go of the last iterates, which take four states of every load step.
+  void pause();
 
  private:
   struct Step {

@@ -93,6 +93,7 @@ void CausalCorrection::reduce(int step) {
       here.tangent.differentiate(step, fixedPoint_.pointwiseStage());
       here.isStale = false;
     }
+    here.tangent.restore();
     const CorrectionSpace::LeastSquares direction = here.tangent.space().solve(residual_[step]);
     if (direction.left > worthwhile * here.residual) break;
     if (!takeStep(step, direction) && isFresh) break;
@@ -133,7 +134,11 @@ std::vector<int> CausalCorrection::unfinished() {
     step.isLeft =
         step.residual > noise_ && (step.residual > step.weight * target_ ||
                                    step.residual > allowedToHide * step.tangent.space().smallestSingularValue() * way);
-    if (step.isLeft) result.push_back(static_cast<int>(t));
+    if (step.isLeft) {
+      result.push_back(static_cast<int>(t));
+    } else {
+      step.tangent.release();
+    }
   }
   return result;
 }
@@ -183,6 +188,7 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
   for (int i = 0; i < count; ++i) {
     const int t = selected[i];
     for (int row = 0; row < rows; ++row) image[i][row] = (image[i][row] - startImage_[t][row]) / lengths[i];
+    if (!steps_[t].isStale) steps_[t].tangent.restore();
     steps_[t].tangent.add(directions[i].data(), image[i], !steps_[t].isStale);
   }
   return true;

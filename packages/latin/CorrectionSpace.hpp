@@ -38,9 +38,18 @@ class CorrectionSpace {
   void setImage(int direction, const double* y);
   /// Adds the g [stress] of the next direction that has none.
   void append(const double* g);
+  /// Lets go of Q, which takes as much as all v, and keeps R: after it, forgetTangent() and append() of all g must come
+  /// before append(), solve() and rest(). Not collective.
+  void releaseBasis() {
+    std::vector<double>().swap(orthonormal_);
+    isReleased_ = true;
+  }
+  /// Whether Q is gone. Not collective, and the same on every rank.
+  bool isReleased() const { return isReleased_; }
   /// Forgets the g of all directions; append() must follow for each of them. Not collective.
   void forgetTangent() {
     known_ = 0;
+    isReleased_ = false;
     hasSingularValues_ = false;
   }
 
@@ -81,6 +90,7 @@ class CorrectionSpace {
   std::vector<double> images_;                 // Y
   std::vector<double> orthonormal_;            // Q, in the scale of the metric
   std::vector<std::vector<double>> triangle_;  // columns of R
+  bool isReleased_ = false;                    // Q is not kept
   mutable bool hasSingularValues_ = false;     // of R, found when asked for
   mutable bool isSingular_ = false;
   mutable double smallest_ = 1.0;

@@ -181,7 +181,6 @@ void March::accelerate(AndersonAcceleration& acceleration, base::Matrix& state, 
 March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance) {
   const StateMetric& metric = fixedPoint_.metric();
   AndersonAcceleration& acceleration = accelerations_[step];
-  acceleration.resume();
   const EquilibriumWatch unused(
       accuracy_, [&](int) { return balance_ != nullptr && balance_->isSure(step); },
       balance_ != nullptr ? balance_->canMove() : std::vector<bool>{});
@@ -305,6 +304,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
           "the Scale of the Search Direction be 0.1 or 0.01, as slender parts need it";
     }
   }
+  acceleration.pause();
   state.assign(image);
   std::copy_n(iterate->hattedTraction()[0], state.numRows(), tractions_[step]);
   if (observer_) observer_(step, iteration, *iterate);

@@ -25,6 +25,12 @@ void TangentSpace::differentiate(int column, PointwiseLocalStage& local) {
   append(0);
 }
 
+void TangentSpace::restore() {
+  if (!space_.isReleased()) return;
+  space_.forgetTangent();
+  append(0);
+}
+
 void TangentSpace::add(const double* v, const double* y, bool isCurrent) {
   space_.add(v, y);
   if (isCurrent) append(space_.size() - 1);

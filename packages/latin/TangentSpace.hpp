@@ -26,6 +26,11 @@ class TangentSpace {
   /// the tangents are those of the state at hand, so that its g is found as well; otherwise differentiate() must
   /// follow.
   void add(const double* v, const double* y, bool isCurrent);
+  /// Lets go of what can be found again from v, y and the tangents: a third of what the space takes. Not collective.
+  void release() { space_.releaseBasis(); }
+  /// Collective. Finds that again, if need be; the tangents must be those of all directions. To be called before
+  /// space() is asked for least squares, and before add() with `isCurrent`.
+  void restore();
   /// Collective. Makes v what J makes of the last direction, independent of all of them; false when it is not.
   bool continueKrylov(std::vector<double>& v) const;
   /// Collective. Takes G c from `residual` [stress], rows of the layout.

@@ -55,6 +55,20 @@ class Anderson : public testing::Test {
   StateMetric metric_;
 };
 
+TEST_F(Anderson, GoesOnAfterAPauseAsAfterResuming) {
+  const int rows = layout_.rows();
+  const AffineMap map(rows, 3, 0.9);
+  AndersonAcceleration paused(metric_, 6), resumed(metric_, 6);
+  base::Matrix one(rows, 3), other(rows, 3);
+  for (int i = 0; i < 8; ++i) {
+    if (i == 4) paused.pause();
+    if (i == 4) resumed.resume();
+    paused.advance(one, map(one));
+    resumed.advance(other, map(other));
+  }
+  EXPECT_TRUE(one == other);
+}
+
 // n differences span everything: the next iterate is exact, even where the plain iteration is slow.
 TEST_F(Anderson, SolvesAffineMapsInAsManyStepsAsRows) {
   const int rows = layout_.rows();

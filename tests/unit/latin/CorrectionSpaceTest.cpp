@@ -123,6 +123,26 @@ TEST(CorrectionSpace, TakesANewTangent) {
   EXPECT_NEAR(space.smallestSingularValue(), 0.25, 1e-12);
 }
 
+TEST(CorrectionSpace, IsTheSameAfterItsBasisWasLetGo) {
+  const Metric m;
+  CorrectionSpace space = scaledSpace(m, {0.5, 2.0});
+  std::vector<double> residual(m.rows, 1.0);
+  const CorrectionSpace::LeastSquares before = space.solve(residual.data());
+  space.releaseBasis();
+  EXPECT_TRUE(space.isReleased());
+  EXPECT_NEAR(space.smallestSingularValue(), 0.5, 1e-12);
+  space.forgetTangent();
+  for (int j = 0; j < 2; ++j) {
+    std::vector<double> g(space.direction(j), space.direction(j) + m.rows);
+    for (double& value : g) value *= j == 0 ? 0.5 : 2.0;
+    space.append(g.data());
+  }
+  EXPECT_FALSE(space.isReleased());
+  const CorrectionSpace::LeastSquares after = space.solve(residual.data());
+  EXPECT_EQ(after.c, before.c);
+  EXPECT_EQ(after.left, before.left);
+}
+
 TEST(CorrectionSpace, BeginsEmpty) {
   const Metric m;
   const CorrectionSpace space(m.metric);
