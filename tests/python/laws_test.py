@@ -152,6 +152,21 @@ class Shapes(unittest.TestCase):
         traction, _, status = self.asked(solve=spoils)
         self.assertTrue((traction == 0.0).all() and (status == 3).all())
 
+    def test_tractions_may_spoil_what_they_are_given_and_fill_one_array_again(self) -> None:
+        kept = numpy.zeros((4, 3))
+
+        def spoils(self: Any, jump: Any, old: Any, at: Any) -> Any:
+            jump *= 2.0
+            old += 1.0
+            numpy.multiply(jump, old, out=kept)
+            return kept
+
+        def update(self: Any, jump: Any, traction: Any, old: Any, at: Any) -> Any:
+            return numpy.ones((4, 3))
+
+        traction, _, _ = self.asked(solve=Law.solve, traction=spoils, history=3, update=update)
+        numpy.testing.assert_allclose(traction, 2.0 / 3.0)  # t = 2 delta on delta = 1 - t
+
 
 class Files(unittest.TestCase):
     def loaded(self, text: str) -> Any:

@@ -145,8 +145,11 @@ class Law:
 
         Without a solve() of its own, harmos.laws.intersection.resolvent() finds them of traction().
         """
-        return resolvent(lambda jump: shaped(self.traction(jump, old, at), jump.shape, "traction()"), free_jump,
-                         compliance)
+        def graph(jump: Floats) -> Floats:
+            given = self.traction(jump.copy(), old.copy(), at)
+            return shaped(given, jump.shape, "traction()").copy()  # it may be an array that the law fills again
+
+        return resolvent(graph, free_jump, compliance)
 
     def update(self, jump: Floats, traction: Floats, old: Floats, at: Where) -> Floats:
         """The history at the end of the load step, (n, history). A load step is asked for many times: always begin from
