@@ -79,11 +79,13 @@ class FormulaLaw final : public InterfaceLaw {
     return traction;
   }
 
-  /// The traction t of a function t(delta) that does not fall at which delta + H t = delta_free; the search begins at
-  /// `from`. Nothing: it falls, or has no value.
+  /// The traction t of a function t(delta) that falls no more than the law says, at which delta + H t = delta_free; the
+  /// search begins at `from`. Nothing: it falls more, or has no value.
   template <class Traction>
-  static std::optional<double> bracketed(double freeJump, double compliance, double from, const Traction& tractionAt) {
+  std::optional<double> bracketed(double freeJump, double compliance, double from, const Traction& tractionAt) const {
     if (!std::isfinite(freeJump)) return freeJump;
+    const double leastSlope = 1.0 + compliance * lowestSlope_;  // of delta + H t
+    if (!(leastSlope > 0.0)) return std::nullopt;
     double scale = std::abs(freeJump) + std::abs(from);
     double traction = 0.0;
     const auto residual = [&](double jump) {
@@ -95,7 +97,7 @@ class FormulaLaw final : public InterfaceLaw {
     if (!std::isfinite(atA)) return std::nullopt;
     const double small = 4.0 * roundOff * scale;
     if (std::abs(atA) <= small) return traction;
-    double b = a - atA, atB = residual(b);
+    double b = a - atA / leastSlope, atB = residual(b);
     if (std::abs(atB) <= small) return traction;
     // The chord meets straight lines at once; from its nearer end for the digits.
     const double slope = (atB - atA) / (b - a);

@@ -16,12 +16,13 @@ struct Texts {
   std::string n = "0", t1 = "0", t2 = "0";
   std::map<std::string, double> constants = {};
   std::vector<std::pair<std::string, std::string>> history = {};
+  double lowestSlope = 0.0;
 };
 
 std::unique_ptr<InterfaceLaw> formula(const Texts& texts) {
   input::Parameters constants("Constants"), law("law");
   for (const auto& [name, value] : texts.constants) constants.set(name, value);
-  law.set("Type", std::string("Formula")).set("Lowest Slope", 0.0).set("Dissipates", false);
+  law.set("Type", std::string("Formula")).set("Lowest Slope", texts.lowestSlope).set("Dissipates", false);
   law.set("Normal Traction", texts.n).set("Tangential Traction 1", texts.t1).set("Tangential Traction 2", texts.t2);
   law.setList("Constants", constants);
   for (const auto& [name, text] : texts.history) {
@@ -118,6 +119,19 @@ TEST(FormulaLaw, SeesPlaceAndTime) {
   EXPECT_DOUBLE_EQ(Node(*formula({"100 * x + 10 * y + z"})).solve(line).traction[0], 123.0);
   EXPECT_DOUBLE_EQ(Node(*formula({"10 * t + dt"})).solve(line, 3).traction[0], 41.0);
   EXPECT_DOUBLE_EQ(Node(*formula({"gap"}), 0.25).solve(line).traction[0], 0.25);
+}
+
+// Under pressure it falls from -0.5 to above 0, so that the point lies beyond the free jump.
+TEST(FormulaLaw, MeetsLinesWhereItFallsNoMoreThanItSays) {
+  for (const char* coupling : {"", " + 0 * jump_1"}) {
+    Texts falling{std::string("(jump_n < -0.1 ? -0.5 - 10 * (jump_n + 0.1) : 5 * jump_n)") + coupling};
+    falling.lowestSlope = -10.0;
+    const LocalLine line{{-1.0, 0.0, 0.0}, 0.05};
+    const LocalState state = Node(*formula(falling)).solve(line);
+    // delta + 0.05 (-1.5 - 10 delta) = -1
+    EXPECT_NEAR(line.jump(state.traction)[0], -1.85, 1e-12);
+    EXPECT_NEAR(state.traction[0], 17.0, 1e-11);
+  }
 }
 
 TEST(FormulaLaw, SaysWhereItFalls) {
