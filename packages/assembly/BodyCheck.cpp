@@ -1,4 +1,5 @@
 #include <harmos/assembly/detail/BodyCheck.hpp>
+#include <harmos/assembly/detail/UsableNumbers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -84,10 +85,11 @@ void checkBody(const Assembly& assembly, int index, Faults& faults) {
   }
   if (body.nodes.empty()) faults.add(where, "it has no nodes");
   const auto bad = std::find_if(body.nodes.begin(), body.nodes.end(), [](const base::Vector3& x) {
-    return !std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]);
+    return !isUsable(x[0]) || !isUsable(x[1]) || !isUsable(x[2]);
   });
   if (bad != body.nodes.end()) {
-    faults.add(where, "the coordinates of node " + std::to_string(bad - body.nodes.begin()) + " are not finite");
+    faults.add(where, "the coordinates of node " + std::to_string(bad - body.nodes.begin()) +
+                          " are not finite, or beyond " + base::toText(largestNumber));
   }
   if (!body.congruence) return;
   const int representative = body.congruence->representative;

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include <harmos/assembly/detail/UsableNumbers.hpp>
 #include <harmos/base/Numerals.hpp>
 
 namespace harmos::assembly {
@@ -12,10 +13,6 @@ namespace {
 
 // Of sums of weights and products of unit vectors: far above round-off, also that of seven digits in a text file.
 constexpr double tolerance = 1e-6;
-
-bool isFinite(const base::Vector3& x) {
-  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-}
 
 /// The three rows are unit vectors at right angles, the third one the product of the others.
 bool isFrame(const base::Frame& frame) {
@@ -114,16 +111,20 @@ class Check {
   bool checkPair(int p) {
     const std::string pair = " of pair " + std::to_string(p);
     const int before = faults_.count();
-    if (!isFinite(interface_.position[p])) add("the position" + pair + " is not finite");
+    const base::Vector3& x = interface_.position[p];
+    if (!isUsable(x[0]) || !isUsable(x[1]) || !isUsable(x[2])) {
+      add("the position" + pair + " is not finite, or beyond " + base::toText(largestNumber));
+    }
     if (!isFrame(interface_.frame[p])) {
       add("the frame" + pair + " is not made of three unit vectors n, t1, t2 at right angles with t2 = n x t1");
     }
     const double area = interface_.area[p];
-    if (!std::isfinite(area) || (!(area > 0.0) && !interface_.law->prescribesTraction())) {
+    if (!isUsable(area) || (!(area >= 1.0 / largestNumber) && !interface_.law->prescribesTraction())) {
       add("the area" + pair + " is " + base::toText(area) +
-          "; areas are positive where the law prescribes no traction");
+          "; areas are positive where the law prescribes no traction, and between " +
+          base::toText(1.0 / largestNumber) + " and " + base::toText(largestNumber));
     }
-    if (!std::isfinite(interface_.gap[p])) add("the gap" + pair + " is " + base::toText(interface_.gap[p]));
+    if (!isUsable(interface_.gap[p])) add("the gap" + pair + " is " + base::toText(interface_.gap[p]));
     return faults_.count() == before;
   }
 

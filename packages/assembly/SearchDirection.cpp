@@ -1,10 +1,12 @@
 #include <harmos/assembly/SearchDirection.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
 
 namespace harmos::assembly {
@@ -16,6 +18,9 @@ constexpr double factorOfBonds = 3.0;
 // k h is so much too soft on short waves, which bodies resist most. On edges of plane bodies (a third) nothing is
 // gained.
 constexpr double factorOfConsistentMass = 3.0;
+
+// Of the automatic k: where softening asks for more, the stiffness of the parts is lost in the round-off of k.
+constexpr double mostOfSoftening = 1e12;
 
 /// Mean diagonal stiffness [force/length] of every node of every body, known on all ranks.
 std::vector<std::vector<double>> nodalDiagonals(const Assembly& assembly, const Teuchos::Comm<int>& comm) {
@@ -99,7 +104,15 @@ SearchDirection::SearchDirection(const Assembly& assembly, double scale, const T
       k[p] = weight * interface.sides() / softness;
     }
     if (!interface.mass.empty()) makeConstant(interface.area, k);
-    if (raise(k, leastOf(interface))) heldBySoftening_.push_back(static_cast<int>(k_.size()));
+    const double least = leastOf(interface);
+    if (!k.empty() && !(scale * least <= mostOfSoftening * *std::max_element(k.begin(), k.end()))) {
+      throw base::Error("interface \"" + interface.name + "\": the law \"" + interface.law->name() + "\" falls by " +
+                            base::toText(-interface.law->lowestSlope()) +
+                            " [stress/length], so much more than the stiffness of the parts that double precision "
+                            "loses them; lower its strength, or let it fall over a longer way",
+                        base::ExitCode::notConverged);
+    }
+    if (raise(k, least)) heldBySoftening_.push_back(static_cast<int>(k_.size()));
     k_.push_back(std::move(k));
   }
 }

@@ -26,8 +26,9 @@ class SearchDirection {
   static constexpr double marginOfSoftening = 2.0;
 
   /// Collective over comm. `scale` multiplies the automatic value, > 0. Throws base::Error on every rank when a body
-  /// has a non-positive diagonal at a node of an interface, on the owner when a matrix is not as substructure::viewOf()
-  /// wants it. Keeps nothing of the assembly.
+  /// has a non-positive diagonal at a node of an interface, or (notConverged) when a law softens by far more than the
+  /// stiffness of the parts, on the owner when a matrix is not as substructure::viewOf() wants it. Keeps nothing of the
+  /// assembly.
   SearchDirection(const Assembly& assembly, double scale, const Teuchos::Comm<int>& comm);
   /// k [stress/length] of the pairs of an interface, in their order; owned by this object.
   const std::vector<double>& of(int interfaceIndex) const { return k_[interfaceIndex]; }

@@ -1,5 +1,9 @@
 #include <harmos/latin/LatinOptions.hpp>
 
+#include <cmath>
+
+#include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
 #include <harmos/input/ParameterSpec.hpp>
 #include <harmos/input/Parameters.hpp>
 
@@ -73,6 +77,23 @@ LatinOptions::LatinOptions(const input::Parameters& parameters)
       parameters.has("Macro Problem") ? parameters.flag("Macro Problem") : algorithm == Algorithm::accelerated;
   if (algorithm != Algorithm::accelerated) stages.elimination = Elimination::none;
   stages.solver = substructure::SolverOptions(parameters.list("Linear Solver"));
+}
+
+const LatinOptions& demandValid(const LatinOptions& options) {
+  const auto demand = [](bool isRight, const std::string& what) {
+    if (!isRight) throw base::Error("the options of the solver cannot be used: " + what, base::ExitCode::input);
+  };
+  demand(options.accuracy > 0.0 && options.accuracy < 1.0,
+         "accuracy is " + base::toText(options.accuracy) + "; take one above 0 and below 1");
+  demand(options.maximumIterations >= 1,
+         "maximumIterations is " + std::to_string(options.maximumIterations) + "; take 1 at least");
+  demand(options.memory >= 1, "memory is " + std::to_string(options.memory) + "; take 1 at least");
+  demand(options.restarts >= 0, "restarts is " + std::to_string(options.restarts) + "; take 0 at least");
+  demand(options.relaxation > 0.0 && options.relaxation <= 1.0,
+         "relaxation is " + base::toText(options.relaxation) + "; take one above 0 and at most 1");
+  const double scale = options.stages.searchDirectionScale;
+  demand(scale > 0.0 && std::isfinite(scale), "searchDirectionScale is " + base::toText(scale) + "; take one above 0");
+  return options;
 }
 
 }  // namespace harmos::latin

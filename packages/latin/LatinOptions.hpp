@@ -38,4 +38,9 @@ struct LatinOptions {
   static void describe(input::ParameterSpec& spec);
 };
 
+/// Returns its argument. Throws base::Error (input) where a number is out of its range: accuracies above 0 and below 1,
+/// iterations and memory at least 1, no negative number of restarts, relaxations above 0 and at most 1, scales above 0
+/// and finite.
+const LatinOptions& demandValid(const LatinOptions& options);
+
 }  // namespace harmos::latin

@@ -76,7 +76,7 @@ LatinSolver::LatinSolver(const base::SoleThread& /*inside*/, const assembly::Ass
                          const LatinOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                          base::Timers& timers)
     : assembly_(assembly::demandValid(assembly, *comm)),
-      options_(options),
+      options_(demandValid(options)),
       timers_(timers),
       fixedPoint_(assembly, options.stages, comm, timers),
       alpha_(fixedPoint_.layout().rows(), assembly.steps()),

@@ -35,8 +35,8 @@ struct IterationReport {
 class LatinSolver {
  public:
   /// Factors all operators. `assembly` and `timers` must outlive the solver. Throws base::Error (input) on every rank
-  /// that lists what is wrong with the assembly, see assembly::demandValid(); base::Error naming the part when an
-  /// operator is singular or nothing holds the assembly.
+  /// that lists what is wrong with the assembly, see assembly::demandValid(), or with the options; base::Error naming
+  /// the part when an operator is singular or nothing holds the assembly.
   LatinSolver(const assembly::Assembly& assembly, const LatinOptions& options,
               const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
 

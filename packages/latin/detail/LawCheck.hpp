@@ -18,13 +18,13 @@ struct LawFindings {
 ///
 /// A law is a graph t = R(delta): where it meets one line, it meets every other line through that point. Along the load
 /// steps, with the histories that they have led to, each point is asked on lines of a quarter of the compliance and,
-/// where the law says that it never falls, of four times it; the traction must stay what it is, to `accuracy` [-] times
-/// the largest of the interface. What comes out otherwise solves other equations than the law's, and depends on the
-/// search direction; the certificate, which sees one search direction only, cannot tell. Laws over whole faces
-/// (CoupledLaw), and those that fall at a jump, are not asked.
+/// where the law says that it never falls, of four times it; the traction must stay what it is, to `accuracy` [-], or
+/// 1e-7, times the largest of the interface. What comes out otherwise solves other equations than the law's, and
+/// depends on the search direction; the certificate, which sees one search direction only, cannot tell. Laws over whole
+/// faces (CoupledLaw), and those that fall at a jump, are not asked.
 ///
-/// Where a law dissipates, no load step may gain energy, t.(delta - delta_old) >= keptWork(), nor store more than it
-/// keeps, storedEnergy() - storedEnergy_old <= keptWork().
+/// Where a law dissipates, no load step may gain energy, t.(delta - delta_old) >= keptWork(), nor, from the
+/// second one on and where it never falls, store more than it keeps, storedEnergy() - storedEnergy_old <= keptWork().
 LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double accuracy);
 
 }  // namespace harmos::latin

@@ -68,6 +68,8 @@ TEST(AssemblyCheck, NamesWhatIsWrongWithBodies) {
               [](Assembly& a) { a.bodies[1].dimension = 2; });
   expectFault("body 0 \"left\": the coordinates of node 2 are not finite",
               [](Assembly& a) { a.bodies[0].nodes[2][1] = nan; });
+  expectFault("body 0 \"left\": the coordinates of node 3 are not finite, or beyond 1e+100",
+              [](Assembly& a) { a.bodies[0].nodes[3][0] = 1e300; });
   expectFault("body 0 \"left\": it has no nodes", [](Assembly& a) { a.bodies[0].nodes.clear(); });
   expectFault("body 1 \"right\": it is congruent to body 1, which is none with", [](Assembly& a) {
     auto congruence = std::make_shared<substructure::Congruence>();
@@ -139,6 +141,10 @@ TEST(AssemblyCheck, NamesWhatIsWrongWithInterfaces) {
   expectFault(where + "gap has 3 entries instead of 1", [&](Assembly& a) { joint(a).gap.resize(3); });
   expectFault(where + "the position of pair 0 is not finite", [&](Assembly& a) { joint(a).position[0][2] = nan; });
   expectFault(where + "the area of pair 0 is 0;", [&](Assembly& a) { joint(a).area[0] = 0.0; });
+  for (const double area : {-1.0, 1e-300, 1e300, nan}) {
+    expectFault(where + "the area of pair 0 is ", [&](Assembly& a) { joint(a).area[0] = area; });
+  }
+  expectFault(where + "the gap of pair 0 is -1e+300", [&](Assembly& a) { joint(a).gap[0] = -1e300; });
   expectFault(where + "the gap of pair 0 is nan", [&](Assembly& a) { joint(a).gap[0] = nan; });
   expectFault(where + "the mass has the entry 1 at (0, 1)", [&](Assembly& a) { joint(a).mass = {{0, 1, 1.0}}; });
   for (const base::Frame& frame : {base::Frame{{{2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 2.0}}},

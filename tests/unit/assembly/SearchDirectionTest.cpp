@@ -72,6 +72,20 @@ TEST(SearchDirection, StaysAboveTheSoftening) {
   EXPECT_DOUBLE_EQ(direction.of(1)[0], k(twoBodies(30.0, 60.0), 1));
 }
 
+TEST(SearchDirection, RefusesSofteningInWhichThePartsAreLost) {
+  Assembly glued = twoBodies(30.0, 60.0);
+  glued.interfaces[0].law = latin::softGlue(1e15);
+  try {
+    k(glued, 0);
+    ADD_FAILURE() << "it was taken";
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::notConverged);
+    EXPECT_NE(std::string(error.what()).find("interface \"joint\": the law \"Cohesive Zone\" falls by "),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(SearchDirection, DoesNotDependOnTheOrderOfTheSides) {
   Assembly swapped = twoBodies(30.0, 60.0);
   std::swap(swapped.interfaces[0].body1, swapped.interfaces[0].body2);

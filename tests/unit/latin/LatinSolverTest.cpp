@@ -60,6 +60,28 @@ TEST(LatinSolver, SolvesSpringsInSeries) {
   EXPECT_EQ(result.responses[0].name, "end");
 }
 
+// A host may have computed them.
+TEST(LatinSolver, RefusesOptionsOutOfRange) {
+  const auto refuses = [](const std::string& what, const auto& spoil) {
+    LatinOptions options;
+    spoil(options);
+    try {
+      solve(twoChains(laws::makeLaw("Perfect"), pull(3.0, {1}), 1), options);
+      ADD_FAILURE() << what << " was taken";
+    } catch (const base::Error& error) {
+      EXPECT_EQ(error.code(), base::ExitCode::input);
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+    }
+  };
+  for (const double accuracy : {0.0, -1e-3, 1.0, std::nan(""), HUGE_VAL})
+    refuses("accuracy is ", [&](LatinOptions& options) { options.accuracy = accuracy; });
+  refuses("maximumIterations is 0", [](LatinOptions& options) { options.maximumIterations = 0; });
+  refuses("memory is -1", [](LatinOptions& options) { options.memory = -1; });
+  refuses("restarts is -1", [](LatinOptions& options) { options.restarts = -1; });
+  refuses("relaxation is 1.5", [](LatinOptions& options) { options.relaxation = 1.5; });
+  refuses("searchDirectionScale is 0", [](LatinOptions& options) { options.stages.searchDirectionScale = 0.0; });
+}
+
 TEST(LatinSolver, SolvesAGapThatCloses) {
   constexpr double gap = 0.05;
   const LatinResult result =

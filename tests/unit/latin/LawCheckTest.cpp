@@ -1,4 +1,6 @@
 // A certificate sees one search direction only: laws are asked again for what does not depend on it.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <harmos/latin/LatinSolver.hpp>
@@ -126,6 +128,13 @@ TEST(LawCheck, RemarksOnEnergiesThatDoNotGoTogether) {
   ASSERT_EQ(onLaws(stored).size(), 1U);
   EXPECT_NE(onLaws(stored)[0].find("stores more energy than the work that it keeps"), std::string::npos)
       << onLaws(stored)[0];
+}
+
+TEST(LawCheck, RemarksOnEnergiesThatAreNotFinite) {
+  const LatinResult result = solve(own<Slider>(1.0, std::nan("")));
+  EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
+  ASSERT_EQ(onLaws(result).size(), 1U);
+  EXPECT_NE(onLaws(result)[0].find("gives energies that are not finite"), std::string::npos) << onLaws(result)[0];
 }
 
 // Of softening laws only steeper lines are asked.
