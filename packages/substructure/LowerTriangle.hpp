@@ -28,21 +28,17 @@ class LowerTriangle {
   /// The same, to be read.
   double operator()(int row, int column) const { return values_[at(row, column)]; }
 
-  /// Numbers stored, panel by panel, each with the triangle at its top as a square.
-  const std::vector<double>& values() const { return values_; }
-  /// Panels of columns.
-  int panels() const { return (rows_ + width - 1) / width; }
-  /// Numbers before a panel; of all, for the one after the last.
-  std::size_t offsetOf(int panel) const;
-
   /// y := L^-1 y, column by column. The diagonal must not have zeros, which is not checked.
   void solve(base::Matrix& y) const;
   /// y := L^-T y.
   void solveTransposed(base::Matrix& y) const;
 
  private:
+  int panels() const { return (rows_ + width - 1) / width; }
   /// Columns of a panel.
   int columnsOf(int panel) const;
+  /// Numbers before a panel.
+  std::size_t offsetOf(int panel) const;
   std::size_t at(int row, int column) const;
   /// y := D^-1 y with the triangle D at the top of a panel, or D^-T y, for the rows of D.
   void solveDiagonal(int panel, bool isTransposed, base::Matrix& y) const;

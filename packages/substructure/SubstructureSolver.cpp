@@ -24,8 +24,6 @@ constexpr double singularResidual = 1e-3;
 // Right-hand sides by which single precision is measured, and the error from which on it is of no use.
 constexpr int trials = 3;
 constexpr double worstSingle = 1e-3;
-// Rows of a dense trace from which on single precision pays; a smaller one stays in the cache as it is.
-constexpr int leastTrace = 256;
 
 /// Columns of entries between -1 and 1, as if by chance.
 base::Matrix randomForces(int rows, int columns) {
@@ -155,17 +153,13 @@ void SubstructureSolver::throwIndefinite() const {
 double SubstructureSolver::prepareSingle() {
   if (!mayPrepareSingle_) return singleError_;
   mayPrepareSingle_ = false;
-  if (trace_ && trace_->lower.rows() >= leastTrace) single_ = std::make_unique<SingleFactor>(trace_->single());
   if (!solvesTrace()) single_ = singleFactor(*solver_);
   if (!single_ && !inverse_) return singleError_;
-  const base::Matrix b = randomForces(inverse_ ? inverse_->rows() : trace_ ? trace_->lower.rows() : dofs_, trials);
+  const base::Matrix b = randomForces(inverse_ ? inverse_->rows() : dofs_, trials);
   base::Matrix exact(b.numRows(), trials), single(exact);
   if (inverse_) {
     inverse_->solve(b, exact);
     inverse_->solveRoughly(b, single);
-  } else if (trace_) {
-    trace_->solve(b, exact);
-    single_->solve(b, single);
   } else {
     solve(b, exact);
     single_->solve(b, single);
@@ -196,7 +190,7 @@ void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision
     throw base::Error("The solution for part \"" + part_ + "\" must be stored without gaps between its columns.");
   }
   if (b.numCols() == 0) return;
-  if (single_ && !trace_ && precision == Precision::single) {
+  if (single_ && precision == Precision::single) {
     single_->solve(b, x);
     return;
   }
@@ -204,19 +198,6 @@ void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision
   const base::MultiVector right = vectorsOf(b, map);
   base::MultiVector left = vectorsOf(x, map);
   solver_->solve(&left, &right);
-}
-
-void SubstructureSolver::solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision) const {
-  if (inverse_ && precision == Precision::single && singleError_ > 0.0) {
-    inverse_->solveRoughly(b, x);
-  } else if (inverse_) {
-    inverse_->solve(b, x);
-  } else if (single_ && precision == Precision::single) {
-    if (x.numRows() != b.numRows() || x.numCols() != b.numCols()) x.shapeUninitialized(b.numRows(), b.numCols());
-    single_->solve(b, x);
-  } else {
-    trace_->solve(b, x);
-  }
 }
 
 std::size_t SubstructureSolver::factorNonzeros() const {

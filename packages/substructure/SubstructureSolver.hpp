@@ -50,9 +50,9 @@ class SubstructureSolver {
   /// have the shape of b. Throws base::Error when b has other rows than the matrix or either has gaps between columns.
   void solve(const base::Matrix& b, base::Matrix& x, Precision precision = Precision::exact) const;
 
-  /// Prepares what Precision::single needs, half as much memory again as what is solved with, and measures its error;
-  /// later calls do nothing. Where the options do not allow it, the solver has none, or its error is too large to be of
-  /// use, all solves stay exact. Returns singleError().
+  /// Prepares what Precision::single needs, half of memory() more, and measures its error; later calls do nothing.
+  /// Where the options do not allow it, the solver has none, or its error is too large to be of use, all solves stay
+  /// exact. Returns singleError().
   double prepareSingle();
   /// e = |x - A^-1 b| / |A^-1 b| of solves in single precision [-], the largest of some right-hand sides with random
   /// entries, to which the part answers as softly as it can; 0: they are exact. Errors of others with forces as large
@@ -63,7 +63,15 @@ class SubstructureSolver {
   bool solvesTrace() const { return trace_ || inverse_; }
   /// x = B A^-1 B^T b with B the restriction to the trace: rows as in `trace`, which is not checked, any number of
   /// columns, different objects. x is reshaped when it does not have the shape of b. Only if solvesTrace().
-  void solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision = Precision::exact) const;
+  void solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision = Precision::exact) const {
+    if (!inverse_) {
+      trace_->solve(b, x);
+    } else if (precision == Precision::single && singleError_ > 0.0) {
+      inverse_->solveRoughly(b, x);
+    } else {
+      inverse_->solve(b, x);
+    }
+  }
 
   /// Rows of A.
   int dofs() const { return dofs_; }
@@ -90,7 +98,7 @@ class SubstructureSolver {
   Teuchos::RCP<DirectSolver> solver_;
   std::unique_ptr<TraceFactor> trace_;
   std::unique_ptr<TraceInverse> inverse_;  // instead of trace_
-  std::unique_ptr<SingleFactor> single_;   // of trace_ where there is one, else of the whole
+  std::unique_ptr<SingleFactor> single_;   // of the whole, where nothing is known of a trace
   bool mayPrepareSingle_;
   double singleError_ = 0.0;
 };

@@ -17,24 +17,4 @@ void TraceFactor::solve(const base::Matrix& b, base::Matrix& x) const {
   }
 }
 
-SingleFactor TraceFactor::single() const {
-  SingleFactor result;
-  result.order = order;
-  const int rows = lower.rows();
-  // A panel is a supernode, whose rows are all from its first column on.
-  for (int panel = 0; panel < lower.panels(); ++panel) {
-    const int first = panel * LowerTriangle::width;
-    result.firstColumn.push_back(first);
-    result.firstRow.push_back(static_cast<int>(result.row.size()));
-    result.firstValue.push_back(lower.offsetOf(panel));
-    for (int row = first; row < rows; ++row) result.row.push_back(row);
-  }
-  result.firstColumn.push_back(rows);
-  result.firstRow.push_back(static_cast<int>(result.row.size()));
-  result.firstValue.push_back(lower.entries());
-  result.value.assign(lower.values().begin(), lower.values().end());
-  result.invertTriangles();
-  return result;
-}
-
 }  // namespace harmos::substructure

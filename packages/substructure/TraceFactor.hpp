@@ -4,7 +4,6 @@
 
 #include <harmos/base/Matrix.hpp>
 #include <harmos/substructure/LowerTriangle.hpp>
-#include <harmos/substructure/SingleFactor.hpp>
 
 namespace harmos::substructure {
 
@@ -18,8 +17,6 @@ struct TraceFactor {
   /// x = B A^-1 B^T b [length], column by column, b [force], rows in the order of the trace; different objects. x is
   /// reshaped when it does not have the shape of b, whose rows are not checked.
   void solve(const base::Matrix& b, base::Matrix& x) const;
-  /// The same in single precision.
-  SingleFactor single() const;
 };
 
 }  // namespace harmos::substructure

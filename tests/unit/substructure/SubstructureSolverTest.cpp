@@ -153,12 +153,6 @@ TEST(SubstructureSolver, findsIndefiniteOperators) {
   }
 }
 
-double distance(const base::Matrix& a, const base::Matrix& b) {
-  base::Matrix difference = a;
-  difference -= b;
-  return difference.normFrobenius() / b.normFrobenius();
-}
-
 TEST(SubstructureSolver, solvesTheTraceLikeTheWhole) {
   if (availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD gives its factor";
   const Lattice lattice{8};
@@ -192,35 +186,18 @@ TEST(SubstructureSolver, solvesTheTraceLikeTheWhole) {
   }
 }
 
-TEST(SubstructureSolver, solvesLargeTracesInSinglePrecision) {
-  if (availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD gives its factor";
-  const Lattice lattice{8};
-  std::vector<int> trace(300);
-  std::iota(trace.begin(), trace.end(), lattice.dofs() - 300);
-  SubstructureSolver solver(lattice.matrix(), onOneFace(lattice, 0.3), {}, "part", trace);
-  ASSERT_TRUE(solver.solvesTrace());
-  const double error = solver.prepareSingle();
-  EXPECT_GT(error, 0.0);
-  EXPECT_LT(error, 1e-4);
-  const base::Matrix b = loads(300, 3);
-  base::Matrix exact, rough;
-  solver.solveTrace(b, exact);
-  solver.solveTrace(b, rough, Precision::single);
-  EXPECT_GT(distance(rough, exact), 0.0);
-  EXPECT_LT(distance(rough, exact), 10.0 * error);
-  // The whole is solved as before.
-  base::Matrix whole, wholeRough;
-  solver.solve(loads(lattice.dofs(), 1), whole);
-  solver.solve(loads(lattice.dofs(), 1), wholeRough, Precision::single);
-  EXPECT_EQ(distance(wholeRough, whole), 0.0);
-}
-
 TEST(SubstructureSolver, keepsToTheSparseFactorWhereItIsCheaper) {
   const Lattice lattice{6};
   std::vector<int> all(lattice.dofs());
   std::iota(all.begin(), all.end(), 0);
   const SubstructureSolver solver(lattice.matrix(), onOneFace(lattice, 1.0), {}, "part", all);
   EXPECT_FALSE(solver.solvesTrace());
+}
+
+double distance(const base::Matrix& a, const base::Matrix& b) {
+  base::Matrix difference = a;
+  difference -= b;
+  return difference.normFrobenius() / b.normFrobenius();
 }
 
 TEST(SubstructureSolver, knowsTheErrorOfSinglePrecision) {
