@@ -144,7 +144,9 @@ Parameters& Parameters::setInNamed(const std::string& listName, const std::strin
   for (Sublist& sublist : sublists_) {
     if (sublist.name != listName || !sublist.isNamed) continue;
     for (Parameters& list : sublist.lists) {
-      if (list.name() == child) list.set(name, std::move(value));
+      if (list.name() != child) continue;
+      list.set(name, std::move(value));
+      return *this;  // names are unique
     }
   }
   return *this;
