@@ -118,7 +118,7 @@ class Writer {
            << material.number("Young's Modulus") << ", " << material.number("Poisson's Ratio") << "\n";
     }
     for (const Parameters& part : scene_.input.lists("Parts")) {
-      if (part.integer("Pieces") != 1) refuse(part.where(), "a part cut into pieces");
+      if (part.has("Pieces") && part.integer("Pieces") != 1) refuse(part.where(), "a part cut into pieces");
       const std::vector<std::string> own{part.name()};
       for (const std::string& block : part.has("Blocks") ? part.texts("Blocks") : own)
         out_ << "*SOLID SECTION, ELSET=" << block << ", MATERIAL=" << part.text("Material") << "\n";

@@ -68,7 +68,7 @@ struct Slider {
   double kept, stored;
 };
 
-LatinResult solve(std::shared_ptr<const laws::InterfaceLaw> joint, LatinOptions options = {}) {
+LatinResult solve(std::shared_ptr<const laws::InterfaceLaw> joint, const LatinOptions& options = {}) {
   const std::shared_ptr<const laws::InterfaceLaw> drive =
       laws::makeLaw("Prescribed Displacement", {{"X", 0.3}, {"Y", 0.1}, {"Z", 0.0}},
                     {{"X", {0.3, 1.0, 0.2}}, {"Y", {0.1, 0.3, 0.2}}});
