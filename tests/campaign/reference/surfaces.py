@@ -16,7 +16,7 @@ from .shapes import FACES, rule_of, shape_of
 @dataclasses.dataclass(frozen=True)
 class Surface:
     """trace1, trace2: B of both sides [point, node]; no trace2 on a boundary. area: per point. frame: [point, (n, t1,
-    t2), axis], n out of side 1. place: where forces act [point, axis]. gap: of the geometry. uncertain:
+    t2), axis], n out of side 1. place: where forces act on side 1 [point, axis]. gap: of the geometry. uncertain:
     see Join."""
     trace1: sparse.csr_matrix
     trace2: sparse.csr_matrix | None
@@ -99,7 +99,7 @@ def _joined(joint: Joint, mesh: Mesh, thickness: float, finest: int, held: Held)
     outwards = found.normal if joint.points_on == 1 else -found.normal
     frame = np.array([frame_of(n) for n in outwards])
     gap = np.einsum("pi,pi->p", frame[:, 0], (second - first) @ mesh.nodes)
-    return Surface(first, second, found.area, frame, found.own @ mesh.nodes, gap, found.uncertain)
+    return Surface(first, second, found.area, frame, first @ mesh.nodes, gap, found.uncertain)
 
 
 def surface_of(joint: Joint, mesh: Mesh, thickness: float, finest: int, held: Held) -> Surface:
