@@ -26,15 +26,15 @@ constexpr int storedStates = latin::AndersonAcceleration::statesPerDifference * 
 // with the padding of their supernodes; of the stored states; displacement fields of all load steps, and what mesh,
 // output and estimates keep for a node.
 constexpr double programBytes = 61e6, matrixCopies = 5.9, factorCopies = 0.41, readCopies = 1.23, paddedFactor = 1.3,
-                 fieldShare = 0.8, displacementFields = 6.9, bytesPerNode = 24.0;
+                 fieldShare = 0.6, displacementFields = 6.9, bytesPerNode = 24.0;
 // Seconds: of the program's start; of reading and assembling, per entry of the matrices; of factors per operation, per
 // entry, per entry that columns of the macro problem read, per entry of the matrices and per unknown; of a linear
 // stage, per entry that a column reads and, for all that is not a solve, per component of an interface side; of the
 // error of the mesh, per unknown; of files, per unknown, and per unknown and load step.
-constexpr double programSeconds = 0.11, assemblySeconds = 8e-8, operationSeconds = 5e-11, factorEntrySeconds = 2e-8,
+constexpr double programSeconds = 0.09, assemblySeconds = 8e-8, operationSeconds = 4.5e-11, factorEntrySeconds = 1.5e-8,
                  macroReadSeconds = 1.5e-10, factoredEntrySeconds = 2e-7, factoredUnknownSeconds = 1.5e-6,
-                 readEntrySeconds = 4.5e-10, interfaceSeconds = 1.3e-7, recoverySecondsInSpace = 1.4e-5,
-                 recoverySecondsInPlane = 4.8e-6, fileSeconds = 1e-6, stepFileSeconds = 1.2e-7;
+                 readEntrySeconds = 2.6e-10, interfaceSeconds = 1e-7, recoverySecondsInSpace = 9e-6,
+                 recoverySecondsInPlane = 3e-6, fileSeconds = 1e-6, stepFileSeconds = 1.1e-7;
 // Columns of the macro problem for an interface of a body: its motions.
 constexpr double motionsOfInterface = 6.0;
 // Linear stages at an accuracy of 1e-3, how many more a decade takes, and how they fall where there are more load steps
@@ -92,7 +92,9 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
     if (body.trace > 0.0) sum_[macroReads] += 2.0 * motionsOfInterface * body.interfaces * entries;
   }
   // Each entry of a sparse factor is read twice, the triangle of a trace too.
-  sum_[readEntries] += isDense ? square : 2.0 * entries;
+  const double read = isDense ? square : 2.0 * entries;
+  sum_[readEntries] += read;
+  if (body.isFactored) sum_[storedEntries] += read;
 }
 
 void CostSums::reduce(const Teuchos::Comm<int>& comm) {
@@ -117,7 +119,7 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.fieldBytes = entryBytes * storedStates * scope.interfaceUnknowns * steps;
   cost.processBytes = programBytes * scope.ranks + matrixCopies * cost.matrixBytes +
                       factorCopies * (entryBytes * iterated + cost.singleBytes) +
-                      readCopies * entryBytes * (sum_[readEntries] - 2.0 * sum_[looseEntries]) +
+                      readCopies * entryBytes * (sum_[storedEntries] - 2.0 * sum_[looseEntries]) +
                       paddedFactor * entryBytes * sum_[looseEntries] + cost.inverseBytes +
                       fieldShare * cost.fieldBytes + entryBytes * displacementFields * scope.unknowns * steps +
                       bytesPerNode * scope.unknowns / scope.dimension;

@@ -53,7 +53,17 @@ class CostSums {
   CostEstimate estimate(const CostScope& scope, const latin::LatinOptions& solver) const;
 
  private:
-  enum Sum { matrixEntries, factorEntries, looseEntries, operations, macroReads, readEntries, invertedEntries, sums };
+  enum Sum {
+    matrixEntries,
+    factorEntries,
+    looseEntries,
+    operations,
+    macroReads,
+    readEntries,
+    storedEntries,
+    invertedEntries,
+    sums
+  };
   std::array<double, sums> sum_{};
 };
 
