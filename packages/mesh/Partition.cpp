@@ -4,6 +4,8 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <set>
+#include <string>
 
 #include <metis.h>
 
@@ -52,14 +54,15 @@ FaceGraph faceGraph(const Elements& mesh, const std::vector<int>& elements, std:
 
 /// The vertex of each element where those at the nodes of one list that are connected with each other share one.
 std::vector<int> vertices(const Elements& mesh, const std::vector<int>& elements, const FaceGraph& graph,
-                          const std::vector<std::vector<int>>& together, int& count) {
+                          const std::vector<Together>& together, int& count) {
   std::vector<int> root(elements.size());
   std::iota(root.begin(), root.end(), 0);
   const auto rootOf = [&](int at) {
     while (root[at] != at) at = root[at] = root[root[at]];
     return at;
   };
-  for (std::vector<int> nodes : together) {
+  for (const Together& kept : together) {
+    std::vector<int> nodes = kept.nodes;
     std::sort(nodes.begin(), nodes.end());
     std::vector<bool> touches(elements.size(), false);
     for (std::size_t at = 0; at < elements.size(); ++at) {
@@ -232,6 +235,17 @@ std::vector<idx_t> cutConnected(FaceGraph graph, int pieces) {
   return best;
 }
 
+std::string remediesOf(const std::vector<Together>& together) {
+  std::set<std::string> known;
+  std::string more;
+  for (const Together& kept : together) {
+    if (!kept.remedy.empty() && known.insert(kept.remedy).second) more += ", or " + kept.remedy;
+  }
+  return (more.empty() ? "give fewer pieces, or mesh the part finer"
+                       : "give fewer pieces, mesh the part finer" + more) +
+         ".";
+}
+
 /// How many pieces each body gets: one, and the others where the pieces are largest.
 std::vector<int> shares(const std::vector<int>& sizes, int pieces) {
   std::vector<int> result(sizes.size(), 1);
@@ -248,8 +262,7 @@ std::vector<int> shares(const std::vector<int>& sizes, int pieces) {
 
 }  // namespace
 
-std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces,
-                           const std::vector<std::vector<int>>& together) {
+std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces, const std::vector<Together>& together) {
   if (pieces == 1) return {part};
   if (pieces < 1 || static_cast<std::size_t>(pieces) > part.elements.size()) {
     refuse(part, pieces,
@@ -281,8 +294,8 @@ std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces,
     if (share[body] > count) {
       refuse(part, pieces,
              "its elements at faces of interfaces whose meshes do not match stay together, which leaves " +
-                 std::to_string(count) + " to divide" + (bodies == 1 ? "" : " in one of its bodies") +
-                 "; give fewer pieces, or mesh the part finer.");
+                 std::to_string(count) + " to divide" + (bodies == 1 ? "" : " in one of its bodies") + "; " +
+                 remediesOf(together));
     }
     const bool isAsItIs = count == graph.size();
     const auto group = cutConnected(isAsItIs ? graph : contracted(graph, vertexOf, count), share[body]);

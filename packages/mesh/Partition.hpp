@@ -1,10 +1,17 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <harmos/mesh/Piece.hpp>
 
 namespace harmos::mesh {
+
+/// Nodes of the mesh: elements at them that are connected through faces with each other stay in one piece.
+struct Together {
+  std::vector<int> nodes;
+  std::string remedy;  // what would let them be divided, for messages, after "or"; empty: nothing does
+};
 
 /// Cuts a part into `pieces` parts of about the same number of elements with few faces between them, by METIS.
 ///
@@ -13,11 +20,9 @@ namespace harmos::mesh {
 /// group. One piece gives the part itself, whatever its groups. Throws base::Error(input) if there are more pieces than
 /// elements, fewer than groups or less than one; base::Error when METIS fails. Not collective.
 ///
-/// `together`: lists of nodes of the mesh. Elements at the nodes of one list that are connected through faces with each
-/// other stay in one piece; pieces of different sizes are the price. Throws base::Error(input) if that leaves too few
-/// pieces.
+/// What is `together` makes pieces of different sizes. Throws base::Error(input) with its remedies if it leaves too few
+/// of them.
 /// Source: Karypis, Kumar (1998), doi:10.1137/S1064827595287997.
-std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces,
-                           const std::vector<std::vector<int>>& together = {});
+std::vector<Piece> cutPart(const Mesh& mesh, const Piece& part, int pieces, const std::vector<Together>& together = {});
 
 }  // namespace harmos::mesh

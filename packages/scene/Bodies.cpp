@@ -141,7 +141,7 @@ const Parameters* sectionOf(const Scene& scene, const std::string& part) {
 
 /// The pieces of a part that the plane of an interface divides, each side with its share of them but at least one.
 std::vector<mesh::Piece> dividedPart(const mesh::Mesh& mesh, const mesh::Piece& part, const Parameters& section,
-                                     int count, const std::vector<std::vector<int>>& together) {
+                                     int count, const std::vector<mesh::Together>& together) {
   mesh::Plane plane;
   std::copy(section.numbers("Point").begin(), section.numbers("Point").end(), plane.point.begin());
   std::copy(section.numbers("Normal").begin(), section.numbers("Normal").end(), plane.normal.begin());
@@ -188,8 +188,7 @@ Bodies makeBodies(const Scene& scene, const mesh::Mesh& mesh, input::ErrorList& 
       const mesh::Piece part = mesh::makePiece(mesh, input.name(), blocksOf(input));
       std::vector<mesh::Piece> made;
       const auto entry = together.find(input.name());
-      const std::vector<std::vector<int>> kept =
-          entry == together.end() ? std::vector<std::vector<int>>{} : entry->second;
+      const std::vector<mesh::Together> kept = entry == together.end() ? std::vector<mesh::Together>{} : entry->second;
       if (const Parameters* section = sectionOf(scene, input.name())) {
         options.section = section->name();
         errors.collect(section->where(), [&] { made = dividedPart(mesh, part, *section, count, kept); });

@@ -17,6 +17,7 @@
 #include <harmos/laws/SpatialField.hpp>
 #include <harmos/mesh/Depth.hpp>
 #include <harmos/mesh/Mesh.hpp>
+#include <harmos/mesh/Partition.hpp>
 #include <harmos/mesh/Piece.hpp>
 #include <harmos/scene/BodyForceComponent.hpp>
 #include <harmos/scene/Scene.hpp>
@@ -47,8 +48,8 @@ struct PartOptions {
   std::string section;  // interface that divides the part along a plane; empty: none does
 };
 
-/// Nodes of the mesh, lists of them for each part by name: what lies at those of one list is in one piece.
-using KeptTogether = std::map<std::string, std::vector<std::vector<int>>>;
+/// What of each part, by name, stays in one piece.
+using KeptTogether = std::map<std::string, std::vector<mesh::Together>>;
 
 /// The elastic bodies of the assembly: the parts of the scene, or the pieces they were cut into. The lists are
 /// parallel.

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
 #include <harmos/mortar/JoinSurfaces.hpp>
 #include <harmos/mortar/PieceSurfaces.hpp>
 #include <harmos/scene/detail/JoinInput.hpp>
@@ -56,18 +57,33 @@ void MeshJoiner::demandTwoParts(const std::vector<mesh::Face>& side1, const std:
   }
 }
 
-bool MeshJoiner::keepTogether(const std::vector<mesh::Face>& side, KeptTogether& crossed) const {
+bool MeshJoiner::keepTogether(const std::vector<mesh::Face>& side, const std::string& remedy,
+                              KeptTogether& crossed) const {
   std::map<std::string, std::set<int>> nodes;
   for (const mesh::Face& face : side) nodes[partOf(face)].insert(face.nodes.begin(), face.nodes.end());
   bool isNew = false;
   for (const auto& [part, ofPart] : nodes) {
     const std::vector<int> list(ofPart.begin(), ofPart.end());
     const auto known = bodies_.together.find(part);
-    if (known != bodies_.together.end() && std::count(known->second.begin(), known->second.end(), list) > 0) continue;
-    crossed[part].push_back(list);
+    const auto isSame = [&list = list](const mesh::Together& other) { return other.nodes == list; };
+    if (known != bodies_.together.end() && std::any_of(known->second.begin(), known->second.end(), isSame)) continue;
+    crossed[part].push_back({list, remedy});
     isNew = true;
   }
   return isNew;
+}
+
+std::string MeshJoiner::pointsMoved(int side, const std::vector<mesh::Face>& other) const {
+  std::set<std::string> ofOther;
+  for (const mesh::Face& face : other) ofOther.insert(partOf(face));
+  std::set<std::string> cut;
+  for (const mesh::Piece& piece : bodies_.pieces) {
+    if (piece.name != piece.part && piece.side == 0 && ofOther.count(piece.part) > 0) cut.insert(piece.part);
+  }
+  return "give interface " + base::quoted(name_) + " Points On = Side " + std::to_string(side + 1) +
+         (cut.empty() ? ""
+                      : (cut.size() == 1 ? " and part " : " and parts ") + base::joinNames({cut.begin(), cut.end()}) +
+                            " Pieces = 1");
 }
 
 std::vector<mesh::InterfaceSurface> MeshJoiner::join(const std::string& name1, const std::vector<mesh::Face>& side1,
@@ -84,8 +100,11 @@ std::vector<mesh::InterfaceSurface> MeshJoiner::join(const std::string& name1, c
     return divided.surfaces;
   }
   // The points stay where they are: what an interface is shall not depend on cuts.
-  const bool isNew1 = divided.crossed[0] > 0 && keepTogether(side1, crossed);
-  const bool isNew2 = divided.crossed[1] > 0 && keepTogether(side2, crossed);
+  const auto isNew = [&](int side, const std::vector<mesh::Face>& ofIt, const std::vector<mesh::Face>& other) {
+    if (divided.crossed[side] == 0) return false;
+    return keepTogether(ofIt, joined.pointsOn == side ? "" : pointsMoved(side, other), crossed);
+  };
+  const bool isNew1 = isNew(0, side1, side2), isNew2 = isNew(1, side2, side1);
   if (isNew1 || isNew2) return {};
   const int side = divided.crossed[0] > 0 ? 0 : 1;
   const bool isWithPoints = joined.pointsOn == side;

@@ -34,7 +34,9 @@ class MeshJoiner {
   std::string partOf(const mesh::Face& face) const;
   double stiffnessOf(const std::vector<mesh::Face>& side) const;
   /// Adds the nodes of a side, part by part, where they are not together yet; whether there were such.
-  bool keepTogether(const std::vector<mesh::Face>& side, KeptTogether& crossed) const;
+  bool keepTogether(const std::vector<mesh::Face>& side, const std::string& remedy, KeptTogether& crossed) const;
+  /// What lets this side be cut: the points on it, and the parts of the other side whole.
+  std::string pointsMoved(int side, const std::vector<mesh::Face>& other) const;
   void demandTwoParts(const std::vector<mesh::Face>& side1, const std::vector<mesh::Face>& side2) const;
 
   const std::string& name_;

@@ -101,15 +101,16 @@ TEST(Partition, KeepsElementsAtGivenNodesTogether) {
     const Mesh mesh = boxes({{"box", {}, {4.0, 3.0, 6.0}, {4, 3, 6}, type}});
     const Piece piece = makePiece(mesh, "box", {"box"});
     const Elements elements(mesh);
-    std::vector<std::vector<int>> together(2);
+    std::vector<Together> together(2);
     for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
-      if (mesh.nodes[node][2] == 0.0) together[0].push_back(static_cast<int>(node));
-      if (mesh.nodes[node][2] == 6.0) together[1].push_back(static_cast<int>(node));
+      if (mesh.nodes[node][2] == 0.0) together[0].nodes.push_back(static_cast<int>(node));
+      if (mesh.nodes[node][2] == 6.0) together[1].nodes.push_back(static_cast<int>(node));
     }
     for (const int count : {2, 3, 5, 8}) {
       const auto pieces = cutPart(mesh, piece, count, together);
       expectPartition(mesh, piece, pieces, static_cast<std::size_t>(count));
-      for (const std::vector<int>& nodes : together) {
+      for (const Together& kept : together) {
+        const std::vector<int>& nodes = kept.nodes;
         const auto touches = [&](int element) {
           const int* own = elements.nodes(element);
           return std::any_of(own, own + nodesPerElement(elements.type(element)),
@@ -125,7 +126,7 @@ TEST(Partition, KeepsElementsAtGivenNodesTogether) {
   const Mesh flat = boxes({{"box", {}, {4.0, 3.0, 1.0}, {4, 3, 1}}});
   std::vector<int> all(flat.nodes.size());
   std::iota(all.begin(), all.end(), 0);
-  EXPECT_THROW(cutPart(flat, makePiece(flat, "box", {"box"}), 2, {all}), base::Error);
+  EXPECT_THROW(cutPart(flat, makePiece(flat, "box", {"box"}), 2, {{all, ""}}), base::Error);
 }
 
 TEST(Piece, NamesUnknownAndRepeatedBlocks) {
