@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <string>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
 #include <harmos/mesh/Depth.hpp>
+#include <harmos/mesh/Elements.hpp>
 
 namespace harmos::elasticity {
 
@@ -24,11 +26,11 @@ std::vector<bool> nodesOnAxis(const mesh::Mesh& mesh, const mesh::Piece& piece, 
     if (worst < 0 || radius < mesh.nodes[worst][0]) worst = node;
   }
   if (count == 0) return isOnAxis;
-  std::ostringstream text;
-  text << "Part \"" << piece.name << "\" has " << count << (count == 1 ? " node" : " nodes")
-       << " with a negative radius x, the farthest node " << worst + 1 << " of the mesh at (" << mesh.nodes[worst][0]
-       << ", " << mesh.nodes[worst][1] << "). In axisymmetry the axis is x = 0 and parts lie at x >= 0: move the mesh.";
-  throw base::Error(text.str(), base::ExitCode::input);
+  throw base::Error("Part " + base::quoted(piece.name) + " has " + std::to_string(count) +
+                        (count == 1 ? " node" : " nodes") + " with a negative radius x, the farthest " +
+                        mesh::nodeName(mesh, worst) +
+                        ". In axisymmetry the axis is x = 0 and parts lie at x >= 0: move the mesh.",
+                    base::ExitCode::input);
 }
 
 }  // namespace harmos::elasticity

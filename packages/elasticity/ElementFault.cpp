@@ -5,6 +5,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/elasticity/detail/ElementIntegrals.hpp>
+#include <harmos/mesh/Elements.hpp>
 
 namespace harmos::elasticity {
 namespace {
@@ -28,7 +29,8 @@ bool canBeIntegrated(const std::vector<base::Vector3>& nodes, mesh::ElementType 
 }
 
 /// Which node in a middle is farthest out of place, and by how much; empty when the corners are wrong already.
-std::string misplacedNode(const std::vector<base::Vector3>& nodes, const int* numbers, mesh::ElementType type) {
+std::string misplacedNode(const mesh::Mesh& mesh, const int* numbers, mesh::ElementType type) {
+  const std::vector<base::Vector3> nodes = mesh::pointsOf(mesh, {numbers, numbers + mesh::nodesPerElement(type)});
   const std::vector<base::Vector3> straight = straightened(nodes, type);
   if (!canBeIntegrated(straight, type)) return "";
   double longest = 0.0;
@@ -50,8 +52,7 @@ std::string misplacedNode(const std::vector<base::Vector3>& nodes, const int* nu
   }
   const double away = base::distance(nodes[worst], straight[worst]);
   std::ostringstream text;
-  text << "node " << numbers[worst] + 1 << " of the mesh at (" << nodes[worst][0] << ", " << nodes[worst][1] << ", "
-       << nodes[worst][2] << ") is " << away << " away from the " << where << ", " << away / length
+  text << mesh::nodeName(mesh, numbers[worst]) << " is " << away << " away from the " << where << ", " << away / length
        << " of the length of " << which;
   return text.str();
 }
@@ -63,13 +64,11 @@ void ElementFaults::add(const ElementGroup& group, int number) {
   const mesh::ElementType type = group.block->type;
   const int perElement = mesh::nodesPerElement(type);
   const int* numbers = group.block->connectivity.data() + std::ptrdiff_t{group.inBlock[number]} * perElement;
-  std::vector<base::Vector3> nodes;
-  for (int a = 0; a < perElement; ++a) nodes.push_back(mesh_.nodes[numbers[a]]);
-  const std::string misplaced = mesh::isQuadratic(type) ? misplacedNode(nodes, numbers, type) : "";
+  const std::string misplaced = mesh::isQuadratic(type) ? misplacedNode(mesh_, numbers, type) : "";
   first_ = "Jacobian not positive in " + nameOf(mesh_, piece_, group, number) + ": the element is ";
   first_ += misplaced.empty() ? "turned inside out, folded, or has no volume. Check the order of its nodes and their "
                                 "coordinates."
-                              : "folded: its " + misplaced + ". Move that node towards the middle.";
+                              : "folded: " + misplaced + ". Move that node towards the middle.";
 }
 
 void ElementFaults::throwIfAny() const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
+#include <harmos/mesh/Elements.hpp>
 
 namespace harmos::elasticity {
 
@@ -24,8 +26,8 @@ std::vector<ElementGroup> groupsOf(const mesh::Mesh& mesh, const mesh::Piece& pi
       for (std::size_t a = 0; a < perElement; ++a) {
         const auto found = std::lower_bound(piece.nodes.begin(), piece.nodes.end(), nodes[a]);
         if (found == piece.nodes.end() || *found != nodes[a]) {
-          throw base::Error("Part \"" + piece.name + "\" lacks node " + std::to_string(nodes[a] + 1) +
-                            " of its element " + std::to_string(*element + 1) + ".");
+          throw base::Error("Part " + base::quoted(piece.name) + " lacks " + mesh::nodeName(mesh, nodes[a]) +
+                            ", which its " + mesh::elementName(mesh, *element) + " has.");
         }
         group.nodes.push_back(static_cast<int>(found - piece.nodes.begin()));
       }
@@ -49,11 +51,8 @@ std::vector<ElementGroup> groupsOf(const mesh::Mesh& mesh, const mesh::Piece& pi
 }
 
 std::string nameOf(const mesh::Mesh& mesh, const mesh::Piece& piece, const ElementGroup& group, int element) {
-  int number = group.inBlock[element] + 1;
-  const std::string inBlock = std::to_string(number);
-  for (const mesh::ElementBlock* block = mesh.blocks.data(); block != group.block; ++block) number += block->elements();
-  return "part \"" + piece.name + "\", element " + inBlock + " of block \"" + group.block->name + "\" (element " +
-         std::to_string(number) + " of the mesh)";
+  return "part " + base::quoted(piece.name) + ", " +
+         mesh::elementName(mesh, piece.elements[group.firstElement + element]);
 }
 
 }  // namespace harmos::elasticity

@@ -7,12 +7,15 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include <exodusII.h>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
 #include <harmos/files/detail/CompleteSize.hpp>
 #include <harmos/files/detail/ExodusCoordinates.hpp>
 #include <harmos/files/detail/ForeignReading.hpp>
@@ -36,6 +39,8 @@ constexpr Kind nodeSets = {EX_NODE_SET, EX_INQ_NODE_SETS, "node set", "nodeset_"
 
 // An entry takes at least 4 bytes, which HDF5's deflate makes 1032 times smaller at best.
 constexpr std::uint64_t mostPerByte = 1032 / 4;
+// Products of three of them are numbers, as areas and volumes are.
+constexpr double largestCoordinate = 1e100;
 
 class Reader {
  public:
@@ -60,6 +65,7 @@ class Reader {
   mesh::Mesh read() {
     readNodes();
     readBlocks();
+    numberElements();
     const mesh::Elements elements(mesh_);
     for (const auto& [id, name] : entities(sideSets)) readSideSet(elements, id, name);
     for (const auto& [id, name] : entities(nodeSets)) {
@@ -116,10 +122,11 @@ class Reader {
   }
 
   /// Number, counted from 0, of a node, element or side counted from 1 in the file.
-  int fromOne(std::int64_t number, std::size_t count, const char* what, const Kind& kind,
-              const std::string& name) const {
+  int fromOne(
+      std::int64_t number, std::size_t count, const char* what, const Kind& kind, const std::string& name,
+      const std::function<std::string()>& owner = [] { return ""; }) const {
     if (number < 1 || static_cast<std::size_t>(number) > count) {
-      refuse(std::string(kind.words) + " \"" + name + "\" refers to " + what + " " + std::to_string(number) +
+      refuse(std::string(kind.words) + " \"" + name + "\" refers to " + what + " " + std::to_string(number) + owner() +
              ", there are " + std::to_string(count) + "; it is damaged or truncated.");
     }
     return static_cast<int>(number - 1);
@@ -136,15 +143,37 @@ class Reader {
       refuse("its mesh is too large.");
     demandRoom(sizes.num_nodes, "nodes");
     demandRoom(sizes.num_elem, "elements");
+    mesh_.numbering.file = std::filesystem::path(path_).filename().string();
+    mesh_.numbering.node = mesh::unlessPositions(numbers(EX_NODE_MAP, sizes.num_nodes));
     mesh_.dimension = static_cast<int>(sizes.num_dim);
     const auto [status, axis] = readCoordinates(id_, sizes.num_nodes);
     check(status, "its coordinates");
     for (std::size_t i = 0; i < axis[0].size(); ++i) {
       mesh_.nodes.push_back({axis[0][i], axis[1][i], axis[2][i]});
       for (const double x : mesh_.nodes.back()) {
-        if (!std::isfinite(x)) refuse("node " + std::to_string(i + 1) + " has a coordinate that is not a number.");
+        if (std::abs(x) <= largestCoordinate) continue;
+        const std::string node = mesh_.numbering.nameOfNode(static_cast<int>(i));
+        refuse(node +
+               (std::isfinite(x) ? " has a coordinate beyond 1e100." : " has a coordinate that is not a number."));
       }
     }
+  }
+
+  /// By which the file knows its nodes or elements; their positions, from 1, where its numbers do not tell them apart.
+  Integers numbers(ex_entity_type kind, std::int64_t count) const {
+    Integers result(static_cast<std::size_t>(count));
+    check(ex_get_id_map(id_, kind, result.data()), "the numbers of its nodes and elements");
+    if (!mesh::areDistinct(result)) std::iota(result.begin(), result.end(), 1);
+    return result;
+  }
+
+  void numberElements() {
+    const Integers ofFile = numbers(EX_ELEM_MAP, static_cast<std::int64_t>(number_.size()));
+    Integers read;
+    for (std::size_t i = 0; i < ofFile.size(); ++i) {
+      if (number_[i] >= 0) read.push_back(ofFile[i]);
+    }
+    mesh_.numbering.element = mesh::unlessPositions(std::move(read));
   }
 
   std::vector<std::pair<std::int64_t, std::string>> entities(const Kind& kind) const {
@@ -157,8 +186,7 @@ class Reader {
     for (const std::int64_t id : ids) {
       std::vector<char> buffer(static_cast<std::size_t>(nameLength_) + 1, '\0');
       check(ex_get_name(id_, kind.type, id, buffer.data()), std::string("the names of its ") + kind.words + "s");
-      std::string name = buffer.data();
-      name.erase(name.find_last_not_of(" \t") + 1);
+      std::string name = base::trimmed(buffer.data());
       if (name.empty()) name = kind.unnamed + std::to_string(id);
       if (!names.insert(name).second) {
         refuse(std::string("two ") + kind.words + "s are named \"" + name + "\"; rename one.");
@@ -229,8 +257,11 @@ class Reader {
       const int element = number_[fromOne(entries[i], number_.size(), "element", sideSets, name)];
       if (element < 0) continue;
       set.element.push_back(element);
-      const auto sideCount = static_cast<std::size_t>(mesh::sidesPerElement(elements.type(set.element.back())));
-      set.side.push_back(fromOne(sides[i], sideCount, "side", sideSets, name));
+      const mesh::ElementType type = elements.type(element);
+      const auto sideCount = static_cast<std::size_t>(mesh::sidesPerElement(type));
+      set.side.push_back(fromOne(sides[i], sideCount, "side", sideSets, name, [&] {
+        return std::string(" of ") + mesh::exodusName(type) + " " + elementName(mesh_, element);
+      }));
     }
     mesh_.sideSets.push_back(std::move(set));
   }
@@ -246,6 +277,9 @@ class Reader {
 
 void put(ByteWriter& writer, const mesh::Mesh& mesh) {
   writer.put(mesh.dimension);
+  writer.put(mesh.numbering.file);
+  writer.put(mesh.numbering.element);
+  writer.put(mesh.numbering.node);
   writer.put(mesh.nodes);
   writer.put(mesh.blocks.size());
   for (const auto& block : mesh.blocks) {
@@ -273,6 +307,9 @@ void put(ByteWriter& writer, const mesh::Mesh& mesh) {
 mesh::Mesh takeMesh(ByteReader& reader) {
   mesh::Mesh mesh;
   reader.get(mesh.dimension);
+  reader.get(mesh.numbering.file);
+  reader.get(mesh.numbering.element);
+  reader.get(mesh.numbering.node);
   reader.get(mesh.nodes);
   for (auto left = reader.get<std::size_t>(); left > 0; --left) {
     auto& block = mesh.blocks.emplace_back();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -149,6 +150,13 @@ void putCoordinates(const ExodusHandle& file, const ResultMesh& mesh) {
   file.check(ex_put_coord_names(file.id(), pointers(axes).data()), "write the names of the axes");
 }
 
+/// Numbers by which the user knows elements or nodes; those that the format does not hold are left out.
+void putNumbers(const ExodusHandle& file, ex_entity_type kind, const std::vector<std::int64_t>& numbers) {
+  if (numbers.empty() || *std::max_element(numbers.begin(), numbers.end()) > std::numeric_limits<int>::max()) return;
+  const std::vector<int> map(numbers.begin(), numbers.end());
+  file.check(ex_put_id_map(file.id(), kind, map.data()), "write the numbers of elements and nodes");
+}
+
 void putConnectivity(const ExodusHandle& file, const std::vector<ResultMesh::Block>& blocks) {
   int64_t number = 0;
   for (const auto& block : blocks) {
@@ -189,6 +197,8 @@ void putMesh(const ExodusHandle& file, const std::string& title, const ResultMes
   defineVariables(file, mesh.blocks.size(), variables);
   putSets(file, mesh);
   putCoordinates(file, mesh);
+  putNumbers(file, EX_NODE_MAP, mesh.nodeNumbers);
+  putNumbers(file, EX_ELEM_MAP, mesh.elementNumbers);
   putConnectivity(file, mesh.blocks);
 }
 

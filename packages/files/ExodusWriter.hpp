@@ -12,9 +12,9 @@ namespace harmos::files {
 ///
 /// Every element variable exists on every block (truth table all ones), because readers such as meshio require it; what
 /// a block does not have is 0. A QA record names Harmos and its version; information lines longer than 80 characters
-/// are continued after a backslash. Names of blocks, of side sets and of node sets must be unique among their kind.
-/// The file appears under its name with commit(); a writer destroyed before leaves no trace. Where
-/// Exodus cannot write, base::Error is thrown.
+/// are continued after a backslash. Numbers above 2147483647 are not written. Names of blocks, of side sets and of node
+/// sets must be unique among their kind. The file appears under its name with commit(); a writer destroyed before
+/// leaves no trace. Where Exodus cannot write, base::Error is thrown.
 class ExodusWriter {
  public:
   /// Writes mesh, names and `information`; the `title` is cut to 80 characters. Throws base::Error when a name occurs

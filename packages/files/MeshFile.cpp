@@ -55,7 +55,9 @@ mesh::Mesh readMesh(const std::string& path, const std::vector<std::string>& unu
   std::istringstream lines(end.errorOutput);
   for (std::string line; warnings != nullptr && std::getline(lines, line);)
     warnings->push_back("Mesh file \"" + path + "\": " + line + ".");
-  return readExodus(exodus, unused);
+  mesh::Mesh mesh = readExodus(exodus, unused);
+  mesh.numbering.file = fs::path(path).filename().string();
+  return mesh;
 }
 
 }  // namespace harmos::files

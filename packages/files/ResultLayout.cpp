@@ -63,6 +63,18 @@ void addBlocks(const mesh::Mesh& mesh, const mesh::Elements& elements, const mes
   layout.element.push_back(std::move(position));
 }
 
+/// Numbers of the user's file, which must be of one element or node each.
+void number(const mesh::Numbering& numbering, const std::vector<mesh::Piece>& pieces, PartsLayout& layout) {
+  std::vector<std::int64_t> elements(static_cast<std::size_t>(layout.mesh.elements())), nodes;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    for (std::size_t i = 0; i < pieces[p].elements.size(); ++i)
+      elements[at(layout.element[p][i])] = numbering.ofElement(pieces[p].elements[i]);
+    for (const int node : pieces[p].nodes) nodes.push_back(numbering.ofNode(node).value_or(0));
+  }
+  if (!numbering.isSplit) layout.mesh.elementNumbers = mesh::unlessPositions(std::move(elements));
+  if (mesh::areDistinct(nodes)) layout.mesh.nodeNumbers = mesh::unlessPositions(std::move(nodes));
+}
+
 /// Outer sides of a part by their mesh nodes.
 std::map<std::vector<int>, mesh::Face> skinByNodes(const mesh::Elements& elements, const mesh::Piece& piece) {
   std::map<std::vector<int>, mesh::Face> result;
@@ -95,6 +107,7 @@ PartsLayout layOutParts(const mesh::Mesh& mesh, const std::vector<mesh::Piece>& 
     addBlocks(mesh, elements, piece, first, names, layout);
     skins.push_back(skinByNodes(elements, piece));
   }
+  number(mesh.numbering, pieces, layout);
 
   // Pieces of one interface between cut parts share its name and go into one set.
   std::map<std::string, mesh::SideSet> sideSets;

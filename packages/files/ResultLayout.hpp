@@ -12,7 +12,8 @@ namespace harmos::files {
 /// several types PIECE_TYPE. Every piece has nodes of its own, so that they are doubled at interfaces. Side sets
 /// INTERFACE_1 and INTERFACE_2, for outer boundaries BOUNDARY; of interfaces without faces, and of sides whose
 /// nodes are no points of the interface, node sets of the same names.
-/// A name already in use gets "_set" appended.
+/// A name already in use gets "_set" appended. Elements have the numbers of the user's file unless they are children of
+/// those, nodes where each is there once.
 struct PartsLayout {
   ResultMesh mesh;                        // coordinates as in the mesh [length]
   std::vector<int> firstNode;             // result node of a piece's local node 0; the others follow

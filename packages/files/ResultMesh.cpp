@@ -17,6 +17,8 @@ ResultMesh resultMesh(const mesh::Mesh& mesh) {
         {block.name, mesh::exodusName(block.type), mesh::nodesPerElement(block.type), block.connectivity});
   result.sideSets = mesh.sideSets;
   result.nodeSets = mesh.nodeSets;
+  if (!mesh.numbering.isSplit) result.elementNumbers = mesh.numbering.element;
+  if (mesh.numbering.node.size() == mesh.nodes.size()) result.nodeNumbers = mesh.numbering.node;
   return result;
 }
 

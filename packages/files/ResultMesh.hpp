@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,17 +21,19 @@ struct ResultMesh {
     int elements() const { return static_cast<int>(connectivity.size()) / nodesPerElement; }
   };
 
-  int dimension = 3;                    // 2 or 3
-  std::vector<base::Vector3> nodes;     // coordinates (x, y, z) [length]; z is 0 in 2-D
-  std::vector<Block> blocks;            // elements are counted through all of them
-  std::vector<mesh::SideSet> sideSets;  // ids are given by the writer
-  std::vector<mesh::NodeSet> nodeSets;  // the same
+  int dimension = 3;                         // 2 or 3
+  std::vector<base::Vector3> nodes;          // coordinates (x, y, z) [length]; z is 0 in 2-D
+  std::vector<Block> blocks;                 // elements are counted through all of them
+  std::vector<mesh::SideSet> sideSets;       // ids are given by the writer
+  std::vector<mesh::NodeSet> nodeSets;       // the same
+  std::vector<std::int64_t> elementNumbers;  // by which the user knows elements; empty: 1, 2, ...
+  std::vector<std::int64_t> nodeNumbers;     // and nodes; the same
 
   /// Number of elements in all blocks.
   int elements() const;
 };
 
-/// A mesh as it is, without doubled nodes.
+/// A mesh as it is, without doubled nodes, with the numbers of the user's file where each is of one element or node.
 ResultMesh resultMesh(const mesh::Mesh& mesh);
 
 /// Names of the variables of a result file.

@@ -28,14 +28,6 @@ constexpr int mostMoves = 200;
   throw base::Error("curved surface " + base::quoted(name) + ": " + what, base::ExitCode::input);
 }
 
-std::string textOf(const base::Vector3& place, int dimension) {
-  std::ostringstream text;
-  text << "(" << place[0] << ", " << place[1];
-  if (dimension == 3) text << ", " << place[2];
-  text << ")";
-  return text.str();
-}
-
 const SideSet& find(const Mesh& mesh, const std::string& name, const std::string& sideSet) {
   const auto found =
       std::find_if(mesh.sideSets.begin(), mesh.sideSets.end(), [&](const SideSet& set) { return set.name == sideSet; });
@@ -89,15 +81,12 @@ CurvedFaces curvedFaces(const Mesh& mesh, const std::string& name, CurvedSurface
   } catch (const base::Error& error) {
     refuse(name, error.what());
   }
-  const auto farther = [&](const base::Vector3& a, const base::Vector3& b) {
-    return result.surface.distance(a) < result.surface.distance(b);
-  };
-  const base::Vector3& worst = *std::max_element(places.begin(), places.end(), farther);
-  if (result.surface.distance(worst) > offSurface * result.surface.radius()) {
+  const auto offset = [&](int node) { return result.surface.distance(mesh.nodes[node]); };
+  const int worst = *std::max_element(nodes.begin(), nodes.end(), [&](int a, int b) { return offset(a) < offset(b); });
+  if (offset(worst) > offSurface * result.surface.radius()) {
     std::ostringstream text;
-    text << "the node at " << textOf(worst, mesh.dimension) << " lies " << result.surface.distance(worst)
-         << " off the surface that fits best, of radius " << result.surface.radius()
-         << ".\n  Name side sets of one surface only, and no faces beside it.";
+    text << nodeName(mesh, worst) << " lies " << offset(worst) << " off the surface that fits best, of radius "
+         << result.surface.radius() << ".\n  Name side sets of one surface only, and no faces beside it.";
     refuse(name, text.str());
   }
   return result;
@@ -161,7 +150,7 @@ void moveOnto(const std::vector<CurvedFaces>& faces, int first, Mesh& mesh) {
   }
   for (const auto& [node, surfaces] : surfacesOf) {
     base::Vector3& place = mesh.nodes[node];
-    const base::Vector3 before = place;
+    const std::string before = nodeName(mesh, node);
     const auto isOff = [&](std::size_t s) {
       return faces[s].surface.distance(place) > onSurface * faces[s].surface.radius();
     };
@@ -171,8 +160,8 @@ void moveOnto(const std::vector<CurvedFaces>& faces, int first, Mesh& mesh) {
     } while (std::any_of(surfaces.begin(), surfaces.end(), isOff) && ++moves < mostMoves);
     if (moves == mostMoves) {
       refuse(faces[*surfaces.begin()].name, "it does not meet curved surface " +
-                                                base::quoted(faces[*surfaces.rbegin()].name) + " near the node at " +
-                                                textOf(before, mesh.dimension) + ", which lies on both.");
+                                                base::quoted(faces[*surfaces.rbegin()].name) + " near " + before +
+                                                ", which lies on both.");
     }
   }
 }

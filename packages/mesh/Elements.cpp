@@ -1,5 +1,9 @@
 #include <harmos/mesh/Elements.hpp>
 
+#include <sstream>
+
+#include <harmos/base/Names.hpp>
+
 namespace harmos::mesh {
 
 Elements::Elements(const Mesh& mesh) : mesh_(mesh) {
@@ -29,6 +33,20 @@ std::vector<base::Vector3> pointsOf(const Mesh& mesh, const std::vector<int>& no
   std::vector<base::Vector3> points;
   for (const int node : nodes) points.push_back(mesh.nodes[node]);
   return points;
+}
+
+std::string elementName(const Mesh& mesh, int element) {
+  return mesh.numbering.nameOfElement(element) + " (block " +
+         base::quoted(mesh.blocks[Elements(mesh).block(element)].name) + ")";
+}
+
+std::string nodeName(const Mesh& mesh, int node) {
+  std::ostringstream text;
+  const base::Vector3& place = mesh.nodes[node];
+  text << mesh.numbering.nameOfNode(node) << " at (" << place[0] << ", " << place[1];
+  if (mesh.dimension == 3) text << ", " << place[2];
+  text << ")";
+  return text.str();
 }
 
 }  // namespace harmos::mesh

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <harmos/mesh/Mesh.hpp>
@@ -35,5 +36,11 @@ class Elements {
 
 /// Coordinates [length] of some mesh nodes, in the order given.
 std::vector<base::Vector3> pointsOf(const Mesh& mesh, const std::vector<int>& nodes);
+
+/// For messages: element 1017 of "plate.e" (block "rim"), by the numbers that the user knows.
+std::string elementName(const Mesh& mesh, int element);
+
+/// For messages: node 4711 of "plate.e" at (1, 0, 2.5), by the numbers that the user knows.
+std::string nodeName(const Mesh& mesh, int node);
 
 }  // namespace harmos::mesh

@@ -53,12 +53,6 @@ std::string partNamed(const std::string& name) {
   return "part \"" + name + "\"";
 }
 
-std::string text(const base::Vector3& p) {
-  std::ostringstream out;
-  out << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
-  return out.str();
-}
-
 template <typename Set>
 const Set& findSet(const std::string& where, const std::vector<Set>& sets, const std::string& name, const char* kind) {
   std::vector<std::string> known;
@@ -141,9 +135,9 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string
           << side2.size() - pairs.size()
           << " of the second have no partner with coinciding nodes and opposite normal on the other side. Seen "
           << (projection ? "along Projection Direction" : "in space") << ", a node of the first is between "
-          << apart.smallest << " and " << apart.largest
-          << " away from the nearest node of the second, farthest the one at " << text(parts_.mesh.nodes[apart.node])
-          << "; the shortest edge there is " << localSizes(parts_.mesh, side1).at(apart.node)
+          << apart.smallest << " and " << apart.largest << " away from the nearest node of the second, farthest "
+          << nodeName(parts_.mesh, apart.node) << "; the shortest edge there is "
+          << localSizes(parts_.mesh, side1).at(apart.node)
           << " long. Mesh both sides with the same nodes and let both side "
           << "sets cover the same surface"
           << (projection ? ", or leave the direction out: then faces are joined that do not match."
@@ -206,7 +200,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
     };
     refuse(where, facesOf(overlap.faces1.size(), part1) + " and " + facesOf(overlap.faces2.size(), part2) +
                       " lie on each other, but their nodes do not coincide, the first of them at " +
-                      text(parts_.mesh.nodes[skin1[overlap.faces1[0]].nodes[0]]) + "; of the others " +
+                      nodeName(parts_.mesh, skin1[overlap.faces1[0]].nodes[0]) + "; of the others " +
                       std::to_string(faces.size()) +
                       " of each part match. Mesh both parts with the same nodes where they touch.");
   }
@@ -277,8 +271,8 @@ std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name
     if (std::any_of(pieces.begin(), pieces.end(), [&](int piece) { return parts_.map.has(piece, node); })) {
       nodes.insert(node);
     } else if (part.empty()) {
-      refuse(where, "node set \"" + nodeSet + "\" has a node at " + text(parts_.mesh.nodes[node]) +
-                        " that belongs to no part. Add a part with its block, or choose another node set.");
+      refuse(where, "node set \"" + nodeSet + "\" has " + nodeName(parts_.mesh, node) +
+                        ", which belongs to no part. Add a part with its block, or choose another node set.");
     }
   }
   if (nodes.empty()) refuse(where, "node set \"" + nodeSet + "\" has no node of part \"" + part + "\".");
@@ -310,7 +304,7 @@ void InterfaceFinder::demandSurface(const std::string& where, const std::string&
   if (inner.empty()) return;
   refuse(where, std::to_string(inner.size()) + " of the " + std::to_string(faces.size()) + " faces of side set \"" +
                     sideSet + "\" lie inside of part \"" + parts_.map.part(parts_.map.of(inner[0].element)) +
-                    "\", the first of them at " + text(parts_.mesh.nodes[inner[0].nodes[0]]) +
+                    "\", the first of them of " + elementName(parts_.mesh, inner[0].element) +
                     ". A law acts on the surface of a part: divide the part there into two blocks, or choose another "
                     "side set.");
 }

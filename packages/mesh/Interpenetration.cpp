@@ -124,8 +124,8 @@ void demandNoOverlap(const Mesh& mesh, const std::string& where, const std::stri
   message << where << ": parts \"" << part1 << "\" and \"" << part2 << "\" overlap: " << worse.elements
           << (worse.elements == 1 ? " element" : " elements") << " at the surface of part \""
           << (isFirst ? part1 : part2) << "\" " << (worse.elements == 1 ? "reaches" : "reach") << " into part \""
-          << (isFirst ? part2 : part1) << "\", farthest element " << worse.element + 1 << " of the mesh, by "
-          << worse.depth << " at (" << worse.place[0] << ", " << worse.place[1] << ", " << worse.place[2]
+          << (isFirst ? part2 : part1) << "\", farthest " << elementName(mesh, worse.element) << ", by " << worse.depth
+          << " at (" << worse.place[0] << ", " << worse.place[1] << ", " << worse.place[2]
           << "). Move or mesh them so that they touch; for an interference, name the sides that touch by side sets.";
   throw base::Error(message.str(), base::ExitCode::input);
 }

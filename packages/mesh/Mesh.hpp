@@ -6,6 +6,7 @@
 
 #include <harmos/base/Vector3.hpp>
 #include <harmos/mesh/ElementType.hpp>
+#include <harmos/mesh/Numbering.hpp>
 
 /// Finite element meshes: blocks, faces, pieces, and the surfaces where they meet. No physics.
 namespace harmos::mesh {
@@ -45,6 +46,7 @@ struct Mesh {
   std::vector<SideSet> sideSets;          // may share faces
   std::vector<NodeSet> nodeSets;          // may share nodes
   std::vector<std::string> unreadBlocks;  // names of blocks of the file that are not here, because nobody uses them
+  Numbering numbering;                    // of elements and nodes in the user's file
 };
 
 }  // namespace harmos::mesh

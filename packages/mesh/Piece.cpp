@@ -50,8 +50,8 @@ Piece makePiece(const Mesh& mesh, const std::string& name, const std::vector<std
   if (elements.empty()) refuse("has no elements; name a block that has some.");
   const auto [first, second] = copies(all, elements);
   if (second >= 0) {
-    refuse("elements " + std::to_string(first + 1) + " and " + std::to_string(second + 1) +
-           " of the mesh have the same nodes; remove one of them.");
+    refuse(elementName(mesh, first) + " and " + elementName(mesh, second) +
+           " have the same nodes; remove one of them.");
   }
   return makePiece(mesh, name, name, std::move(elements));
 }

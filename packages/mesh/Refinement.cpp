@@ -109,10 +109,30 @@ class Divider {
     for (const SideSet& set : old_.sideSets) mesh.sideSets.push_back(divide(set));
     for (const NodeSet& set : old_.nodeSets) mesh.nodeSets.push_back(divide(set));
     mesh.nodes = nodes_.take();
+    mesh.numbering = numbering(mesh.nodes.size());
     return mesh;
   }
 
  private:
+  /// Children have the number of their parent, new nodes none.
+  Numbering numbering(std::size_t nodes) const {
+    Numbering result = old_.numbering;
+    int element = 0;
+    std::vector<std::int64_t> numbers;
+    for (std::size_t b = 0; b < ways_.size(); ++b) {
+      const std::size_t children = ways_[b].front().children.size();
+      result.isSplit = result.isSplit || children > 1;
+      for (int e = 0; e < old_.blocks[b].elements(); ++e)
+        numbers.insert(numbers.end(), children, old_.numbering.ofElement(element++));
+    }
+    result.element = unlessPositions(std::move(numbers));
+    if (result.node.empty() && nodes > old_.nodes.size()) {
+      result.node.resize(old_.nodes.size());
+      std::iota(result.node.begin(), result.node.end(), 1);
+    }
+    return result;
+  }
+
   /// The nodes that elements have already, by their places.
   void keepNodes() {
     for (const ElementBlock& block : old_.blocks) {

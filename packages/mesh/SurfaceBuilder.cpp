@@ -1,9 +1,9 @@
 #include <harmos/mesh/detail/SurfaceBuilder.hpp>
 
-#include <sstream>
-
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
 #include <harmos/base/Vector3.hpp>
+#include <harmos/mesh/Elements.hpp>
 #include <harmos/mesh/InterfaceFrame.hpp>
 
 namespace harmos::mesh {
@@ -34,11 +34,10 @@ InterfaceSurface SurfaceBuilder::build(const std::string& name) const {
     const auto& [node1, node2, patch] = point;
     const base::Vector3& place1 = mesh_.nodes[node1];
     if (!(data.area > 0.0)) {
-      std::ostringstream message;
-      message << "Interface \"" << name << "\": the faces around the node at (" << place1[0] << ", " << place1[1]
-              << ", " << place1[2] << ") have no area. Repair the mesh there"
-              << (projection_ ? ", or choose a Projection Direction that is not parallel to faces." : ".");
-      throw base::Error(message.str(), base::ExitCode::input);
+      throw base::Error((piece2_ < 0 ? "Boundary " : "Interface ") + base::quoted(name) + ": the faces around " +
+                            nodeName(mesh_, node1) + " have no area. Repair the mesh there" +
+                            (projection_ ? ", or choose a Projection Direction that is not parallel to faces." : "."),
+                        base::ExitCode::input);
     }
     number[point] = surface.pairs();
     surface.trace1.append({{localNode(pieces_[piece1_], node1), 1.0}});

@@ -94,6 +94,7 @@ MeshField::MeshField(const input::Parameters& list, const FieldContext& context)
   } else {
     arrangeElements(list, mesh);
   }
+  numbering_ = mesh.numbering;
   const mesh::Elements elements(mesh);
   const auto nodes = std::make_shared<const std::vector<base::Vector3>>(mesh.nodes);
   for (const auto& [key, ofBody] : elementsOf(context.pieces)) {
@@ -178,8 +179,7 @@ double MeshField::inside(int step, const laws::InnerPoint& point) const {
     value = valueOf(static_cast<std::size_t>(point.element), between(step));
   }
   if (!std::isfinite(value)) {
-    refuse(where_, "the variable is no number in element " + std::to_string(point.element + 1) + ".",
-           "Give one there.");
+    refuse(where_, "the variable is no number in " + numbering_.nameOfElement(point.element) + ".", "Give one there.");
   }
   return value;
 }

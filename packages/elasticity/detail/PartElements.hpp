@@ -26,7 +26,7 @@ struct ElementGroup {
 /// than the kinematics.
 std::vector<ElementGroup> groupsOf(const mesh::Mesh& mesh, const mesh::Piece& piece, Kinematics kinematics);
 
-/// For messages: part "p", element 3 of block "b" (element 12 of the mesh); counted from 1 as in Exodus.
+/// For messages: part "p", element 12 of "plate.e" (block "b").
 std::string nameOf(const mesh::Mesh& mesh, const mesh::Piece& piece, const ElementGroup& group, int element);
 
 }  // namespace harmos::elasticity

@@ -5,6 +5,7 @@
 
 #include <harmos/files/MeshVariable.hpp>
 #include <harmos/laws/SpatialField.hpp>
+#include <harmos/mesh/Numbering.hpp>
 #include <harmos/mortar/NearestFaces.hpp>
 #include <harmos/scene/detail/FieldContext.hpp>
 
@@ -48,6 +49,7 @@ class MeshField final : public laws::SpatialField {
   files::MeshVariable variable_;
   std::vector<Between> steps_;  // one, or one per load step
   std::vector<Body> bodies_;
+  mesh::Numbering numbering_;
 };
 
 }  // namespace harmos::scene

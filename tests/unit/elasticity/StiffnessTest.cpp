@@ -125,7 +125,7 @@ TEST(Stiffness, namesElementsThatAreInsideOutOrFlat) {
   std::vector<int>& nodes = patch.mesh.blocks[0].connectivity;
   std::swap(nodes[8 * 5], nodes[8 * 5 + 4]);
   std::string message = messageOf(patch, Formulation::fullIntegration, Kinematics::threeDimensional);
-  EXPECT_NE(message.find("part \"patch\", element 6 of block \"box\""), std::string::npos) << message;
+  EXPECT_NE(message.find("part \"patch\", element 6 of the mesh (block \"box\")"), std::string::npos) << message;
 
   // Sums of shape functions times a coordinate are not quite zero everywhere.
   for (const double place : {0.0, 1.0, 3.0, 5.0, 1e-3, -1234.5}) {
@@ -133,9 +133,9 @@ TEST(Stiffness, namesElementsThatAreInsideOutOrFlat) {
     for (base::Vector3& x : line.mesh.nodes) x[1] = place;
     for (base::Vector3& x : plane.mesh.nodes) x[2] = place;
     message = messageOf(line, Formulation::fullIntegration, Kinematics::planeStress);
-    EXPECT_NE(message.find("element 1 of block \"box\""), std::string::npos) << message;
+    EXPECT_NE(message.find("element 1 of the mesh (block \"box\")"), std::string::npos) << message;
     message = messageOf(plane, Formulation::fullIntegration, Kinematics::threeDimensional);
-    EXPECT_NE(message.find("element 1 of block \"box\""), std::string::npos) << message;
+    EXPECT_NE(message.find("element 1 of the mesh (block \"box\")"), std::string::npos) << message;
   }
 }
 
@@ -150,11 +150,11 @@ TEST(Stiffness, saysWhichMiddleNodeIsHowFarOutOfPlace) {
   EXPECT_EQ(messageOf(patch, Formulation::fullIntegration, Kinematics::threeDimensional), "no error");
   place[0] = 0.2;
   const std::string message = messageOf(patch, Formulation::fullIntegration, Kinematics::threeDimensional);
-  EXPECT_NE(message.find("element 1 of block \"box\" (element 1 of the mesh): the element is folded: its node " +
-                         std::to_string(node + 1) +
-                         " of the mesh at (0.2, 0, 0) is 0.3 away from the middle of its edge, 0.3 of the length of "
-                         "the edge."),
-            std::string::npos)
+  EXPECT_NE(
+      message.find("element 1 of the mesh (block \"box\"): the element is folded: node " + std::to_string(node + 1) +
+                   " of the mesh at (0.2, 0, 0) is 0.3 away from the middle of its edge, 0.3 of the length of "
+                   "the edge."),
+      std::string::npos)
       << message;
 }
 
@@ -163,7 +163,7 @@ TEST(Stiffness, countsElementsThatCannotBeUsed) {
   std::vector<int>& nodes = patch.mesh.blocks[0].connectivity;
   for (const int element : {2, 5, 7}) std::swap(nodes[8 * element], nodes[8 * element + 4]);
   const std::string message = messageOf(patch, Formulation::fullIntegration, Kinematics::threeDimensional);
-  EXPECT_NE(message.find("element 3 of block"), std::string::npos) << message;
+  EXPECT_NE(message.find("element 3 of the mesh"), std::string::npos) << message;
   EXPECT_NE(message.find("The same is wrong with 2 more elements of the part."), std::string::npos) << message;
 }
 

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <sstream>
 
 #include <unistd.h>
@@ -52,6 +54,8 @@ class ExodusMesh : public ::testing::Test {
       for (const base::Vector3& node : mesh.nodes) x[d].push_back(node[d]);
     }
     ex_put_coord(id, x[0].data(), x[1].data(), x[2].data());
+    if (!mesh.numbering.node.empty()) ex_put_id_map(id, EX_NODE_MAP, mesh.numbering.node.data());
+    if (!mesh.numbering.element.empty()) ex_put_id_map(id, EX_ELEM_MAP, mesh.numbering.element.data());
     for (const mesh::ElementBlock& block : mesh.blocks) {
       const bool isOther = !type.empty() && (isTypeOfAll || &block == mesh.blocks.data());
       ex_put_block(id, EX_ELEM_BLOCK, block.id, isOther ? type.c_str() : mesh::exodusName(block.type), block.elements(),
@@ -182,11 +186,13 @@ TEST_F(ExodusMesh, NamesTheUnnamedAndKeepsLongNames) {
   mesh.blocks[1].name = "";
   mesh.blocks[1].id = 10;
   mesh.sideSets[0].name = "";
+  mesh.sideSets[1].name = "  right face \t";
   mesh.nodeSets[0].name = "";
   const mesh::Mesh read = readExodus(write(mesh, EX_LARGE_MODEL));
   EXPECT_EQ(read.blocks[0].name, longName);
   EXPECT_EQ(read.blocks[1].name, "block_10");
   EXPECT_EQ(read.sideSets[0].name, "sideset_1");
+  EXPECT_EQ(read.sideSets[1].name, "right face");
   EXPECT_EQ(read.nodeSets[0].name, "nodeset_7");
 }
 
@@ -218,6 +224,33 @@ TEST_F(ExodusMesh, LeavesOutWhatNobodyUses) {
   EXPECT_TRUE(readExodus(write(mesh, EX_LARGE_MODEL), {"left"}).unreadBlocks.empty()) << "what can be read is read";
 }
 
+TEST_F(ExodusMesh, KnowsTheNumbersOfItsFile) {
+  mesh::Mesh mesh = sample(mesh::ElementType::hex8);  // of 4 elements and 1
+  EXPECT_EQ(elementName(readExodus(write(mesh, EX_LARGE_MODEL)), 4), "element 5 of \"mesh.e\" (block \"right\")");
+  EXPECT_EQ(elementName(mesh, 4), "element 5 of the mesh (block \"right\")");
+  mesh.numbering.element = {17, 4, 1017, 9, std::int64_t{1} << 40U};
+  mesh.numbering.node.resize(mesh.nodes.size());
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) mesh.numbering.node[i] = static_cast<std::int64_t>(100 - i);
+  const mesh::Mesh read = readExodus(write(mesh, EX_NETCDF4 | EX_ALL_INT64_DB));
+  EXPECT_EQ(read.numbering.element, mesh.numbering.element);
+  EXPECT_EQ(read.numbering.node, mesh.numbering.node);
+  EXPECT_EQ(elementName(read, 2), "element 1017 of \"mesh.e\" (block \"left\")");
+  EXPECT_EQ(nodeName(read, 1), "node 99 of \"mesh.e\" at (0.5, 0, 0)");
+
+  mesh.numbering.element.back() = 88;
+  EXPECT_EQ(readExodus(write(mesh, EX_LARGE_MODEL, "HEX27", false), {"left"}).numbering.element,
+            std::vector<std::int64_t>{88})
+      << "of what is read";
+  mesh.numbering.element = {};
+  EXPECT_EQ(readExodus(write(mesh, EX_LARGE_MODEL, "HEX27", false), {"left"}).numbering.element,
+            std::vector<std::int64_t>{5})
+      << "its position in the file";
+  for (const std::int64_t useless : {0, 4}) {
+    mesh.numbering.element = {17, 4, useless, 9, 3};
+    EXPECT_TRUE(readExodus(write(mesh, EX_LARGE_MODEL)).numbering.element.empty()) << useless;
+  }
+}
+
 TEST_F(ExodusMesh, RefusesWhatIsNoMesh) {
   expectContains(messageOf((folder_ / "nothing.e").string()), "there is no such file");
   expectContains(messageOf(folder_.string()), "it is not a file");
@@ -244,7 +277,16 @@ TEST_F(ExodusMesh, RefusesNumbersOutOfRange) {
   expectContains(messageOf(write(mesh, EX_LARGE_MODEL)), "element block \"left\" refers to node 1001");
   mesh = sample(mesh::ElementType::tet4);
   mesh.sideSets[0].side[0] = 4;
-  expectContains(messageOf(write(mesh, EX_LARGE_MODEL)), "side set \"left_xmin\" refers to side 5, there are 4");
+  expectContains(messageOf(write(mesh, EX_LARGE_MODEL)), "side set \"left_xmin\" refers to side 5 of TET4 element " +
+                                                             std::to_string(mesh.sideSets[0].element[0] + 1) +
+                                                             " of \"mesh.e\" (block \"left\"), there are 4");
+  mesh = sample(mesh::ElementType::hex8);
+  mesh.numbering.node.resize(mesh.nodes.size());
+  std::iota(mesh.numbering.node.rbegin(), mesh.numbering.node.rend(), 71);
+  mesh.nodes.back()[1] = std::nan("");
+  expectContains(messageOf(write(mesh, EX_LARGE_MODEL)), "node 71 of \"mesh.e\" has a coordinate that is not a number");
+  mesh.nodes.back()[1] = -2e100;
+  expectContains(messageOf(write(mesh, EX_LARGE_MODEL)), "node 71 of \"mesh.e\" has a coordinate beyond 1e100");
 }
 
 /// Files that are not part of the project: HARMOS_SHARED is the folder that holds them.

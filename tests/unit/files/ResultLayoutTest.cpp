@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include <harmos/files/ResultLayout.hpp>
 
 using namespace harmos;
@@ -46,6 +48,23 @@ TEST(ResultLayout, NodesAreDoubledAtInterfaces) {
   EXPECT_EQ(layout.mesh.blocks[1].name, "right");
   EXPECT_EQ(layout.mesh.blocks[1].connectivity, (std::vector<int>{8, 12, 13, 9, 10, 14, 15, 11}));
   EXPECT_EQ(layout.element[1], std::vector<int>{1});
+}
+
+TEST(ResultLayout, NumbersAreThoseOfTheFileWhereEachIsThereOnce) {
+  SharedFace scene;
+  EXPECT_TRUE(files::layOutParts(scene.mesh, scene.parts, {}).mesh.elementNumbers.empty()) << "positions";
+  std::swap(scene.parts[0], scene.parts[1]);
+  EXPECT_EQ(files::layOutParts(scene.mesh, scene.parts, {}).mesh.elementNumbers, (std::vector<std::int64_t>{2, 1}));
+  scene.mesh.numbering.element = {1017, 4};
+  const auto layout = files::layOutParts(scene.mesh, scene.parts, {});
+  EXPECT_EQ(layout.mesh.elementNumbers, (std::vector<std::int64_t>{4, 1017}));
+  EXPECT_TRUE(layout.mesh.nodeNumbers.empty()) << "nodes that are doubled";
+  const auto right = files::layOutParts(scene.mesh, {scene.parts[0]}, {});
+  EXPECT_EQ(right.mesh.nodeNumbers, (std::vector<std::int64_t>{5, 6, 7, 8, 9, 10, 11, 12}));
+  scene.mesh.numbering.node = {1, 2, 3, 4, 50, 60, 70, 80, 9, 10};
+  EXPECT_TRUE(files::layOutParts(scene.mesh, {scene.parts[0]}, {}).mesh.nodeNumbers.empty()) << "nodes of no file";
+  scene.mesh.numbering.isSplit = true;
+  EXPECT_TRUE(files::layOutParts(scene.mesh, scene.parts, {}).mesh.elementNumbers.empty()) << "children";
 }
 
 TEST(ResultLayout, SidesOfInterfacesBecomeSideSets) {

@@ -436,7 +436,9 @@ TEST(Piece, refusesAnElementThatIsThereTwice) {
     makePiece(mesh, "box", {"box"});
     FAIL() << "accepted";
   } catch (const base::Error& error) {
-    EXPECT_STREQ(error.what(), "Part \"box\": elements 1 and 3 of the mesh have the same nodes; remove one of them.");
+    EXPECT_STREQ(error.what(),
+                 "Part \"box\": element 1 of the mesh (block \"box\") and element 3 of the mesh (block \"box\") have "
+                 "the same nodes; remove one of them.");
   }
 }
 

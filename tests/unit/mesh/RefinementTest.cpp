@@ -98,6 +98,25 @@ INSTANTIATE_TEST_SUITE_P(Elements, EveryType,
                                            ElementType::wedge15, ElementType::hex20, ElementType::hex27),
                          [](const auto& type) { return std::string(exodusName(type.param)); });
 
+TEST(Refinement, KeepsTheNumbersOfParentsAndOldNodes) {
+  Mesh mesh = box(ElementType::quad4, 1);
+  mesh.numbering = {"plate.e", {1017}, {7, 5, 3, 1}, false};
+  EXPECT_EQ(elementName(mesh, 0), "element 1017 of \"plate.e\" (block \"box\")");
+  const Mesh higher = raised(mesh), fine = refined(mesh);
+  EXPECT_EQ(elementName(higher, 0), elementName(mesh, 0));
+  for (int e = 0; e < 4; ++e) {
+    EXPECT_EQ(elementName(fine, e), "a child of element 1017 of \"plate.e\" (block \"box\")");
+    EXPECT_EQ(elementName(refined(higher), e), elementName(fine, e));
+  }
+  for (const Mesh& made : {higher, fine}) {
+    EXPECT_EQ(nodeName(made, 3), "node 1 of \"plate.e\" at (1, 2)");
+    EXPECT_EQ(nodeName(made, 4).rfind("a node made by Mesh/Refine or Mesh/Order at (", 0), 0U);
+  }
+  const Mesh four = refined(box(ElementType::quad4));
+  EXPECT_EQ(elementName(four, 15), "a child of element 4 of the mesh (block \"box\")");
+  EXPECT_EQ(nodeName(four, 9), "a node made by Mesh/Refine or Mesh/Order at (0.25, 0)");
+}
+
 TEST(Refinement, PutsNewNodesOntoTheCurveOfQuadraticEdges) {
   Mesh mesh = box(ElementType::quad9, 1);
   // A parabola, which quadratic edges hold exactly.

@@ -72,6 +72,9 @@ def mesh_drawing(path: str, meshing: Meshing, findings: Findings) -> Mesh:
             raise Refused(f"{path}: Gmsh cannot mesh it: {said[0] if said else error}.\n  Try a smaller size.") from None
         mesh = mesh_of_model(path, findings)
         mesh.planes, mesh.fitted = planes, fitted
+        mesh.node_numbers = None  # nobody has seen those of Gmsh
+        for block in mesh.blocks:
+            block.numbers = None
     findings.found.insert(0, f"{len(parts)} solids: {', '.join(parts)}")
     if meshing.length != 1e-3 and pathlib.Path(path).suffix.lower() in (".step", ".stp"):
         findings.found.insert(1, f"lengths of the drawing are converted to units of {meshing.length:g} m, as was asked for")

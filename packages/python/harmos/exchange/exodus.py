@@ -2,6 +2,7 @@
 
 Source: Schoof, Yarberry, EXODUS II: a finite element data model, SAND92-2137 (1995).
 """
+import collections
 import os
 
 import netCDF4
@@ -10,7 +11,7 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.elements import TYPES
 from harmos.exchange.findings import Findings, Refused
-from harmos.exchange.mesh import LONGEST_NAME, Block, Mesh, demand_sound, oriented
+from harmos.exchange.mesh import LONGEST_NAME, Block, Mesh, demand_sound, oriented, unused_name
 
 NAME_LENGTH = LONGEST_NAME + 1
 """Room for a name with its end."""
@@ -31,6 +32,8 @@ def write_exodus(path: str | os.PathLike[str], mesh: Mesh, title: str = "") -> N
         file.createVariable("time_whole", "f8", ("time_step",))
         for axis in "xyz"[:mesh.dimension]:
             file.createVariable("coord" + axis, "f8", ("num_nodes",))[:] = mesh.nodes[:, "xyz".index(axis)]
+        _write_numbers(file, "node_num_map", "num_nodes", mesh.node_numbers)
+        _write_numbers(file, "elem_num_map", "num_elem", mesh.element_numbers())
         _write_blocks(file, mesh)
         _write_sets(file, "ss", "side", mesh.side_sets)
         _write_sets(file, "ns", "node", mesh.node_sets)
@@ -49,6 +52,13 @@ def _write_ids(file: netCDF4.Dataset, prefix: str, dimension: str, count: int) -
     ids = file.createVariable(prefix + "_prop1", "i4", (dimension,))
     ids.setncattr("name", "ID")
     ids[:] = numpy.arange(1, count + 1)
+
+
+def _write_numbers(file: netCDF4.Dataset, variable: str, dimension: str, numbers: "Array | None") -> None:
+    """Numbers that tell nodes or elements apart, as readers of such files demand; others are left out."""
+    if numbers is None or numbers.min() < 1 or numbers.max() >= 2**31 or len(numpy.unique(numbers)) < len(numbers):
+        return
+    file.createVariable(variable, "i4", (dimension,))[:] = numbers
 
 
 def _write_blocks(file: netCDF4.Dataset, mesh: Mesh) -> None:
@@ -93,6 +103,48 @@ def _size(file: netCDF4.Dataset, dimension: str) -> int:
     return len(file.dimensions[dimension]) if dimension in file.dimensions else 0
 
 
+def _entries(file: netCDF4.Dataset, variable: str) -> Array:
+    """Of a set, counted from 0; an empty set has no table."""
+    table = file.variables[variable][:] if variable in file.variables else numpy.zeros(0)
+    return numpy.asarray(table, dtype=numpy.int64) - 1
+
+
+def _distinct(path: str, file: netCDF4.Dataset, variable: str, dimension: str, unnamed: str, findings: Findings) -> list[str]:
+    """Names of all blocks, side sets or node sets; those that are longer than a scene's are cut."""
+    given = _read_names(file, variable, _size(file, dimension), unnamed)
+    twice = [name for name, count in collections.Counter(given).items() if count > 1]
+    if twice:
+        kind = {"num_el_blk": "element blocks", "num_side_sets": "side sets", "num_node_sets": "node sets"}[dimension]
+        raise Refused(f"{path}: two {kind} are named \"{twice[0]}\"; rename one.")
+    names: list[str] = []
+    for name in given:
+        names.append(name if len(name) <= LONGEST_NAME else unused_name(name, {*given, *names}))
+        if names[-1] != name:
+            findings.found.append(f"\"{name}\" is too long, and called {names[-1]} here")
+    return names
+
+
+def _read_blocks(path: str, file: netCDF4.Dataset, dimension: int, findings: Findings) -> list[Block]:
+    """Those that have elements."""
+    blocks = []
+    for number, name in enumerate(_distinct(path, file, "eb_names", "num_el_blk", "block_", findings), 1):
+        if not _size(file, f"num_el_in_blk{number}"):
+            continue
+        connectivity = file.variables[f"connect{number}"]
+        said = getattr(connectivity, "elem_type", "")
+        family = said.upper().rstrip("0123456789 \0")
+        if dimension == 2 and family == "SHELL":
+            family = "QUAD"
+        kind = [each for each in TYPES.values()
+                if each.nodes == connectivity.shape[1] and each.dimension == dimension
+                and family and each.name.rstrip("0123456789").startswith(family[:3])]
+        if not kind:
+            raise Refused(f"{path}: block \"{name}\" has elements \"{said}\" of {connectivity.shape[1]} nodes, which Harmos has not in "
+                          f"{dimension} dimensions.")
+        blocks.append(Block(name, kind[0], connectivity[:].astype(numpy.int64) - 1))
+    return blocks
+
+
 def read_exodus(path: str, findings: Findings) -> Mesh:
     """Reads the mesh of a file, for a starting scene; the program itself has a reader of its own.
 
@@ -106,22 +158,17 @@ def read_exodus(path: str, findings: Findings) -> Mesh:
         for column, axis in enumerate("xyz"[:dimension]):
             nodes[:, column] = file.variables["coord" + axis][:] if "coord" + axis in file.variables \
                 else file.variables["coord"][column]
-        blocks = []
-        for number, name in enumerate(_read_names(file, "eb_names", _size(file, "num_el_blk"), "block_"), 1):
-            connectivity = file.variables[f"connect{number}"]
-            family = connectivity.elem_type.upper().rstrip("0123456789")
-            kind = [each for each in TYPES.values()
-                    if each.nodes == connectivity.shape[1] and each.dimension == dimension
-                    and each.name.rstrip("0123456789").startswith(family[:3])]
-            if not kind:
-                raise Refused(f"{path}: block \"{name}\" has elements {connectivity.elem_type}, which Harmos has not.")
-            blocks.append(Block(name, kind[0], connectivity[:].astype(numpy.int64) - 1))
-        mesh = Mesh(dimension, nodes, blocks)
-        for number, name in enumerate(_read_names(file, "ss_names", _size(file, "num_side_sets"), "sideset_"), 1):
-            mesh.side_sets[name] = numpy.column_stack([file.variables[f"elem_ss{number}"][:],
-                                                       file.variables[f"side_ss{number}"][:]]).astype(numpy.int64) - 1
-        for number, name in enumerate(_read_names(file, "ns_names", _size(file, "num_node_sets"), "nodeset_"), 1):
-            mesh.node_sets[name] = file.variables[f"node_ns{number}"][:].astype(numpy.int64) - 1
+        mesh = Mesh(dimension, nodes, _read_blocks(path, file, dimension, findings))
+        if "node_num_map" in file.variables:
+            mesh.node_numbers = file.variables["node_num_map"][:].astype(numpy.int64)
+        if "elem_num_map" in file.variables:
+            numbers = file.variables["elem_num_map"][:].astype(numpy.int64)
+            for first, block in zip(mesh.first_elements(), mesh.blocks):
+                block.numbers = numbers[first:first + len(block.connectivity)]
+        for number, name in enumerate(_distinct(path, file, "ss_names", "num_side_sets", "sideset_", findings), 1):
+            mesh.side_sets[name] = numpy.column_stack([_entries(file, f"elem_ss{number}"), _entries(file, f"side_ss{number}")])
+        for number, name in enumerate(_distinct(path, file, "ns_names", "num_node_sets", "nodeset_", findings), 1):
+            mesh.node_sets[name] = _entries(file, f"node_ns{number}")
     demand_sound(path, mesh)
     if oriented(mesh):
         findings.found.append("elements that were numbered in the other sense have been turned")

@@ -20,9 +20,11 @@ class Cells:
     Attributes:
         type: in the words of meshio.
         data: nodes, a row per element, in its order.
+        numbers: by which the file knows the elements; None: by none.
     """
     type: str
     data: Array
+    numbers: "Array | None" = None
 
 
 @dataclasses.dataclass
@@ -37,6 +39,7 @@ class Source:
         field_data: number and dimension of physical groups, by name.
         cell_tags: names of groups of each family of elements.
         point_tags: the same of nodes.
+        point_numbers: by which the file knows the nodes; None: by none.
     """
     points: Array
     cells: list[Cells]
@@ -45,6 +48,7 @@ class Source:
     field_data: dict[str, Array] = dataclasses.field(default_factory=dict)
     cell_tags: dict[int, list[str]] = dataclasses.field(default_factory=dict)
     point_tags: dict[int, list[str]] = dataclasses.field(default_factory=dict)
+    point_numbers: "Array | None" = None
 
 
 def read_meshio(path: str, findings: Findings) -> Mesh:
@@ -59,7 +63,8 @@ def read_meshio(path: str, findings: Findings) -> Mesh:
     except (Exception, SystemExit) as error:  # meshio raises anything on damaged files, and ends the process on some
         raise Refused(f"{path}: meshio cannot read it: {type(error).__name__}: {error}. It is damaged, no mesh, or of a kind that "
                       "meshio has not.\n  Write it as text, as .vtu or as .msh.") from None
-    return mesh_of(path, Source(source.points, source.cells, source.cell_data, source.point_data, source.field_data,
+    cells = [Cells(each.type, each.data) for each in source.cells]
+    return mesh_of(path, Source(source.points, cells, source.cell_data, source.point_data, source.field_data,
                                 getattr(source, "cell_tags", {}), getattr(source, "point_tags", {})), findings)
 
 
@@ -74,7 +79,7 @@ def mesh_of(path: str, source: Source, findings: Findings) -> Mesh:
     if not len(nodes) or not numpy.isfinite(nodes).all():
         raise Refused(f"{path}: it holds no nodes, or one that is not at finite coordinates.")
     solid = any(cells.type in MESHIO and TYPES[MESHIO[cells.type][0]].dimension == 3 for cells in source.cells)
-    mesh = Mesh(3 if solid else 2, nodes, [])
+    mesh = Mesh(3 if solid else 2, nodes, [], node_numbers=source.point_numbers)
     if not solid and numpy.ptp(nodes[:, 2]) > 1e-9 * max(numpy.ptp(nodes, axis=0)):
         raise Refused(f"{path}: its elements are a surface in space; Harmos has solids, and plane meshes with z = 0.")
     _read_cells(path, source, mesh, findings)
@@ -108,7 +113,7 @@ def _group_names(source: Source, index: int, name: str) -> list[tuple[str, Array
 
 
 def _read_cells(path: str, source: Source, mesh: Mesh, findings: Findings) -> None:
-    parts: dict[str, dict[str, list[Array]]] = {}
+    parts: dict[str, dict[str, list[tuple[Array, Array]]]] = {}  # rows of nodes, and numbers, 0 where the file has none
     surfaces: dict[str, list[Array]] = {}
     held: dict[str, list[Array]] = collections.defaultdict(list)
     unknown = collections.Counter[str]()
@@ -120,6 +125,7 @@ def _read_cells(path: str, source: Source, mesh: Mesh, findings: Findings) -> No
         if not fills and cells.type not in _FLAT:
             unknown[cells.type] += len(table)
             continue
+        numbers = numpy.zeros(len(table), dtype=numpy.int64) if cells.numbers is None else cells.numbers
         left = numpy.ones(len(table), dtype=bool)
         grouped = numpy.zeros(len(table), dtype=bool)
         for group, inside in _group_names(source, index, "part"):
@@ -128,7 +134,7 @@ def _read_cells(path: str, source: Source, mesh: Mesh, findings: Findings) -> No
                     findings.leave_out(path, f"group \"{group}\"", "elements of an earlier group stay there")
                 inside = inside & left
                 left &= ~inside
-                parts.setdefault(group, {}).setdefault(cells.type, []).append(table[inside])
+                parts.setdefault(group, {}).setdefault(cells.type, []).append((table[inside], numbers[inside]))
             elif _FLAT[cells.type] == mesh.dimension - 1:
                 grouped |= inside
                 rows = numpy.full((int(inside.sum()), 4 if mesh.dimension == 3 else 2), -1, dtype=numpy.int64)
@@ -140,7 +146,7 @@ def _read_cells(path: str, source: Source, mesh: Mesh, findings: Findings) -> No
         if not fills and _FLAT[cells.type] == mesh.dimension - 1 and not grouped.all():
             findings.found.append(f"{int((~grouped).sum())} cells {cells.type} are in no group, and no side set")
         if fills and left.any():
-            parts.setdefault("part", {}).setdefault(cells.type, []).append(table[left])
+            parts.setdefault("part", {}).setdefault(cells.type, []).append((table[left], numbers[left]))
     if unknown:
         listed = ", ".join(f"{count} {kind}" for kind, count in unknown.items())
         raise Refused(f"{path}: Harmos has not these elements: {listed}.\n"
@@ -149,13 +155,14 @@ def _read_cells(path: str, source: Source, mesh: Mesh, findings: Findings) -> No
     names: set[str] = set()
     for part, tables in parts.items():
         for kind, of_kind in tables.items():
-            if not sum(map(len, of_kind)):
+            if not sum(len(rows) for rows, _ in of_kind):
                 continue
             name, order = MESHIO[kind]
             block = unused_name(part if len(tables) == 1 else f"{part}_{name.lower()}", names)
             names.add(block)
-            mesh.blocks.append(Block(block, TYPES[name], to_exodus(name, order, numpy.concatenate(of_kind)),
-                                     clean_name(part)))
+            numbers = numpy.concatenate([numbers for _, numbers in of_kind])
+            mesh.blocks.append(Block(block, TYPES[name], to_exodus(name, order, numpy.concatenate([rows for rows, _ in of_kind])),
+                                     clean_name(part), numbers if numbers.all() else None))
     twice = without_twins(mesh)
     if twice:
         findings.found.append(f"{twice} elements are there twice, and count once")

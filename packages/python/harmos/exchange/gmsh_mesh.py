@@ -89,7 +89,7 @@ def mesh_of_model(path: str, findings: Findings) -> Mesh:
     if dimension == 2 and numpy.ptp(nodes[:, 2]) > 1e-9 * max(numpy.ptp(nodes, axis=0)):
         raise Refused(f"{path}: its elements are a surface in space; Harmos has solids, and plane meshes with z = 0.\n"
                       "  Where surfaces only are in physical groups, Gmsh writes no others: put the volumes in one as well.")
-    mesh = Mesh(dimension, nodes, [])
+    mesh = Mesh(dimension, nodes, [], node_numbers=tags.astype(numpy.int64))
     _read_blocks(path, mesh, number, findings)
     twice = without_twins(mesh)
     if twice:
@@ -124,17 +124,19 @@ def _groups(dimension: int, findings: Findings) -> dict[str, list[int]]:
     return result
 
 
-def _elements(path: str, dimension: int, entities: list[int], number: Array) -> dict[int, Array]:
-    """Rows of nodes by the type of Gmsh."""
+def _elements(path: str, dimension: int, entities: list[int], number: Array) -> dict[int, tuple[Array, Array]]:
+    """Rows of nodes, and the tags of the elements, by the type of Gmsh."""
     rows = collections.defaultdict(list)
+    tags = collections.defaultdict(list)
     for entity in entities:
-        for kind, _, flat in zip(*gmsh.model.mesh.getElements(dimension, entity)):
+        for kind, own, flat in zip(*gmsh.model.mesh.getElements(dimension, entity)):
             count = gmsh.model.mesh.getElementProperties(kind)[3]
             flat = numpy.asarray(flat, dtype=numpy.int64)
             if flat.size and (flat.max() >= len(number) or (number[flat] < 0).any()):
                 raise Refused(f"{path}: an element refers to a node that is not there; the file is damaged.")
             rows[int(kind)].append(number[flat].reshape(-1, count))
-    return {kind: numpy.concatenate(tables) for kind, tables in rows.items()}
+            tags[int(kind)].append(numpy.asarray(own, dtype=numpy.int64))
+    return {kind: (numpy.concatenate(tables), numpy.concatenate(tags[kind])) for kind, tables in rows.items()}
 
 
 def _read_blocks(path: str, mesh: Mesh, number: Array, findings: Findings) -> None:
@@ -156,14 +158,14 @@ def _read_blocks(path: str, mesh: Mesh, number: Array, findings: Findings) -> No
     names: set[str] = set()
     for part, entities in groups.items():
         elements = _elements(path, mesh.dimension, entities, number)
-        for kind, rows in elements.items():
+        for kind, (rows, tags) in elements.items():
             if kind not in GMSH:
                 unknown[f"\"{gmsh.model.mesh.getElementProperties(kind)[0]}\" in {part}"] += len(rows)
                 continue
             name, order = GMSH[kind]
             block = unused_name(part if len(elements) == 1 else f"{part}_{name.lower()}", names)
             names.add(block)
-            mesh.blocks.append(Block(block, TYPES[name], to_exodus(name, order, rows), part))
+            mesh.blocks.append(Block(block, TYPES[name], to_exodus(name, order, rows), part, tags))
     if unknown:
         listed = ", ".join(f"{count} of type {what}" for what, count in unknown.items())
         raise Refused(f"{path}: Harmos has not these elements: {listed}.\n"
@@ -175,7 +177,7 @@ def _read_sets(path: str, mesh: Mesh, number: Array, findings: Findings) -> None
     finder = SideFinder(mesh)
     for name, entities in _groups(mesh.dimension - 1, findings).items():
         rows = []
-        for kind, nodes in _elements(path, mesh.dimension - 1, entities, number).items():
+        for kind, (nodes, _) in _elements(path, mesh.dimension - 1, entities, number).items():
             corners = gmsh.model.mesh.getElementProperties(kind)[5]
             table = numpy.full((len(nodes), 4 if mesh.dimension == 3 else 2), -1, dtype=numpy.int64)
             table[:, :corners] = nodes[:, :corners]
@@ -191,6 +193,6 @@ def _read_sets(path: str, mesh: Mesh, number: Array, findings: Findings) -> None
                 findings.found.append(f"\"{name}\" lies between parts: side sets {', '.join(made)}")
     for dimension in range(mesh.dimension - 1):
         for name, entities in _groups(dimension, findings).items():
-            held = [table.reshape(-1) for table in _elements(path, dimension, entities, number).values()]
+            held = [table.reshape(-1) for table, _ in _elements(path, dimension, entities, number).values()]
             if held:
                 add_node_set(mesh, name, numpy.concatenate(held), findings)

@@ -17,6 +17,10 @@ LONGEST_NAME = 64
 """Letters of a name at most, in a scene and so in meshes."""
 
 
+LARGEST_COORDINATE = 1e100
+"""Products of three lengths are numbers."""
+
+
 def clean_name(name: str) -> str:
     """A name that may stand in a scene and in every format; letters lose their accents."""
     parted = unicodedata.normalize("NFKD", name.strip().replace("\u00df", "ss"))
@@ -50,11 +54,13 @@ class Block:
         type: of its elements.
         connectivity: nodes, counted from 0, in the order of Exodus; a row per element.
         part: that it belongs to; empty: one of its own name.
+        numbers: by which the file knows the elements; None: by none.
     """
     name: str
     type: ElementType
     connectivity: Array
     part: str = ""
+    numbers: "Array | None" = None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -80,6 +86,7 @@ class Mesh:
         side_sets: by name, rows of element and side.
         node_sets: by name, nodes.
         planes: across parts, by their names, along which their elements have faces.
+        node_numbers: by which the file knows the nodes; None: by none.
         fitted: parts whose curved faces lie in each other, where the facets of their meshes need not.
     """
     dimension: int
@@ -88,6 +95,7 @@ class Mesh:
     side_sets: dict[str, Array] = dataclasses.field(default_factory=dict)
     node_sets: dict[str, Array] = dataclasses.field(default_factory=dict)
     planes: dict[str, Plane] = dataclasses.field(default_factory=dict)
+    node_numbers: "Array | None" = None
     fitted: list[tuple[str, str]] = dataclasses.field(default_factory=list)
 
     def first_elements(self) -> Array:
@@ -109,6 +117,11 @@ class Mesh:
         """Number of the part of every block."""
         names = list(self.parts())
         return [names.index(block.part or block.name) for block in self.blocks]
+
+    def element_numbers(self) -> "Array | None":
+        """By which the file knows the elements; None where blocks have none."""
+        numbers = [block.numbers for block in self.blocks if block.numbers is not None]
+        return numpy.concatenate(numbers) if numbers and len(numbers) == len(self.blocks) else None
 
     def text(self) -> str:
         """Its sizes in words."""
@@ -226,7 +239,9 @@ def without_twins(mesh: Mesh) -> int:
     if twin.any():
         first = mesh.first_elements()
         for number, block in enumerate(mesh.blocks):
-            block.connectivity = block.connectivity[~twin[first[number]:first[number + 1]]]
+            kept = ~twin[first[number]:first[number + 1]]
+            block.connectivity = block.connectivity[kept]
+            block.numbers = None if block.numbers is None else block.numbers[kept]
         mesh.blocks = [block for block in mesh.blocks if len(block.connectivity)]
     return int(twin.sum())
 
@@ -240,6 +255,7 @@ def without_loose_nodes(mesh: Mesh) -> int:
         return 0
     number = numpy.cumsum(used) - 1
     mesh.nodes = mesh.nodes[used]
+    mesh.node_numbers = None if mesh.node_numbers is None else mesh.node_numbers[used]
     for block in mesh.blocks:
         block.connectivity = number[block.connectivity]
     mesh.node_sets = {name: number[nodes[used[nodes]]] for name, nodes in mesh.node_sets.items()}
@@ -253,9 +269,11 @@ def demand_sound(path: str, mesh: Mesh, name_of: "Callable[[int], str] | None" =
     Raises:
         Refused: some do.
     """
-    if not numpy.isfinite(mesh.nodes).all():
-        number = int(numpy.flatnonzero(~numpy.isfinite(mesh.nodes).all(axis=1))[0])
-        raise Refused(f"{path}: node {number + 1} is at no finite coordinates; the file is damaged.")
+    usable = (numpy.abs(mesh.nodes) <= LARGEST_COORDINATE).all(axis=1)
+    if not usable.all():
+        number = int(numpy.flatnonzero(~usable)[0])
+        named = number + 1 if mesh.node_numbers is None else mesh.node_numbers[number]
+        raise Refused(f"{path}: node {named} is at no finite coordinates, or beyond {LARGEST_COORDINATE:g}; the file is damaged.")
     for first, block in zip(mesh.first_elements(), mesh.blocks):
         rows = block.connectivity
         if rows.size and (rows.min() < 0 or rows.max() >= len(mesh.nodes)):
@@ -263,7 +281,8 @@ def demand_sound(path: str, mesh: Mesh, name_of: "Callable[[int], str] | None" =
         ordered = numpy.sort(rows, axis=1)
         twice = numpy.flatnonzero((ordered[:, 1:] == ordered[:, :-1]).any(axis=1))
         if len(twice):
-            named = name_of(int(first + twice[0])) if name_of else f"its element {twice[0] + 1}"
+            named = name_of(int(first + twice[0])) if name_of else (
+                f"its element {twice[0] + 1}" if block.numbers is None else f"element {block.numbers[twice[0]]}")
             raise Refused(f"{path}: {len(twice)} elements of block \"{block.name}\" have a node twice, the first of them "
                           f"is {named}.\n  Mesh the part anew; collapsed elements are not supported.")
     twin = numpy.flatnonzero(_twins(mesh))

@@ -5,6 +5,7 @@ meshio reads them as well, but not where some tables of elements have no familie
 import h5py
 import numpy
 
+from harmos.arrays import Array
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.foreign_mesh import Cells, Source, mesh_of
 from harmos.exchange.mesh import Mesh
@@ -46,14 +47,21 @@ def _source(path: str, file: h5py.File) -> Source:
     cells, families = [], []
     for name, table in mesh["MAI"].items():
         held = int(table["NOD"].attrs["NBR"])
-        cells.append(Cells(_TYPES.get(name, name), numpy.asarray(table["NOD"][()], dtype=numpy.int64).reshape(-1, held).T - 1))
+        cells.append(Cells(_TYPES.get(name, name), numpy.asarray(table["NOD"][()], dtype=numpy.int64).reshape(-1, held).T - 1,
+                           _numbers(table, held)))
         families.append(table["FAM"][()] if "FAM" in table else numpy.zeros(held, dtype=numpy.int64))
     of_nodes = mesh["NOE"]["FAM"][()] if "FAM" in mesh["NOE"] else numpy.zeros(count, dtype=numpy.int64)
     if len(of_nodes) != count or any(len(of) != len(table.data) for of, table in zip(families, cells)):
         raise ValueError("its families are of another length than its elements")
     told = file["FAS"][names[0]] if names[0] in file.get("FAS", {}) else {}
     return Source(points, cells, {"cell_tags": families}, {"point_tags": of_nodes}, {}, _groups(told.get("ELEME", {})),
-                  _groups(told.get("NOEUD", {})))
+                  _groups(told.get("NOEUD", {})), _numbers(mesh["NOE"], count))
+
+
+def _numbers(entities: h5py.Group, count: int) -> "Array | None":
+    """By which the file knows nodes or elements of a type; None: by none."""
+    numbers = numpy.asarray(entities["NUM"][()], dtype=numpy.int64) if "NUM" in entities else None
+    return numbers if numbers is not None and len(numbers) == count else None
 
 
 def _groups(families: "h5py.Group | dict[str, h5py.Group]") -> dict[int, list[str]]:

@@ -136,18 +136,20 @@ class _Content:
         def family(kind: int, label: int) -> int:
             return families.setdefault(frozenset(self._members[kind].get(label, ())), -len(families))
 
-        tables: dict[str, tuple[list[list[int]], list[int]]] = {}
+        tables: dict[str, tuple[list[list[int]], list[int], list[int]]] = {}
         for label, (name, nodes) in self._elements.items():
             missing = [node for node in nodes if node not in number]
             if missing:
                 raise Refused(f"{self._path}: element {label} refers to node {missing[0]}, which is not there; the file is damaged.")
-            rows, of = tables.setdefault(name, ([], []))
+            rows, of, labels = tables.setdefault(name, ([], [], []))
             rows.append([number[node] for node in nodes])
             of.append(family(8, label))
+            labels.append(label)
         if not tables:
             raise Refused(f"{self._path}: it holds no elements (data set 2412).")
         points = numpy.array([family(7, label) for label in self._places])
         names = {index: sorted(groups) for groups, index in families.items()}
-        return Source(numpy.array(list(self._places.values())), [Cells(name, numpy.array(rows)) for name, (rows, _) in tables.items()],
-                      {"cell_tags": [numpy.array(of) for _, of in tables.values()]}, {"point_tags": points}, cell_tags=names,
-                      point_tags={index: names[index] for index in set(points.tolist())})
+        return Source(numpy.array(list(self._places.values())), [Cells(name, numpy.array(rows), numpy.array(labels)) for name, (rows, _, labels) in tables.items()],
+                      {"cell_tags": [numpy.array(of) for _, of, _ in tables.values()]}, {"point_tags": points}, cell_tags=names,
+                      point_tags={index: names[index] for index in set(points.tolist())},
+                      point_numbers=numpy.array(list(self._places)))

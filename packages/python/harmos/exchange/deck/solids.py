@@ -222,6 +222,21 @@ class Solids:
                                                   part))
                     all_ids.append(numpy.concatenate([ids for ids, _ in listed]))
         self._ids = numpy.concatenate(all_ids)
+        self.mesh.node_numbers = self._numbers_of(self._contents.node_ids, "nodes")
+        numbers = self._numbers_of(self._ids, "elements")
+        for first, made in zip(self.mesh.first_elements(), self.mesh.blocks):
+            made.numbers = numbers[first:first + len(made.connectivity)]
+
+    def _numbers_of(self, ids: Array, what: str) -> Array:
+        """Those of the deck; where its instances have the same ones, those of each after the first get digits in front."""
+        numbers: Array = ids % INSTANCE_OFFSET
+        instance = ids // INSTANCE_OFFSET
+        if len(numpy.unique(numbers)) < len(numbers):
+            step = 10 ** len(str(int(numbers.max())))
+            numbers = numbers + step * (instance - instance.min())
+            self._findings.found.append(f"instances of the deck have {what} of the same numbers: those of each but the first have "
+                                        f"{step}, {2 * step} and so on added in the mesh")
+        return numbers
 
     def _sections_of(self, ids: Array) -> Array:
         result = numpy.full(len(ids), -1)
