@@ -7,6 +7,7 @@
 #include <exodusII.h>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
 #include <harmos/files/detail/CompleteSize.hpp>
 #include <harmos/files/detail/ExodusCoordinates.hpp>
 
@@ -17,7 +18,8 @@ namespace {
 std::string nameOf(int id, ex_entity_type kind, ex_entity_id entity, const std::string& unnamed) {
   std::vector<char> buffer(static_cast<std::size_t>(ex_inquire_int(id, EX_INQ_MAX_READ_NAME_LENGTH)) + 1, '\0');
   ex_get_name(id, kind, entity, buffer.data());
-  return buffer[0] ? buffer.data() : unnamed + "_" + std::to_string(entity);
+  const std::string name = base::trimmed(buffer.data());
+  return name.empty() ? unnamed + "_" + std::to_string(entity) : name;
 }
 
 std::vector<std::string> variableNames(const ExodusHandle& file, ex_entity_type kind) {
@@ -47,6 +49,7 @@ std::vector<int> fromZero(const std::vector<int>& numbers, std::size_t limit, co
 }  // namespace
 
 ExodusResults::ExodusResults(const std::string& path) : path_(path), file_(ExodusHandle::open(path)) {
+  ex_set_int64_status(file_.id(), EX_IDS_INT64_API);
   ex_init_params sizes{};
   file_.check(ex_get_init_ext(file_.id(), &sizes), "read the sizes");
   mesh_.dimension = static_cast<int>(sizes.num_dim);
@@ -90,9 +93,9 @@ void ExodusResults::checkSize() const {
 void ExodusResults::readBlocks() {
   const int id = file_.id();
   const auto count = static_cast<std::size_t>(ex_inquire_int(id, EX_INQ_ELEM_BLK));
-  std::vector<int> ids(count);
+  std::vector<std::int64_t> ids(count);
   if (count > 0) file_.check(ex_get_ids(id, EX_ELEM_BLOCK, ids.data()), "read the block numbers");
-  for (int number : ids) {
+  for (const std::int64_t number : ids) {
     ex_block parameters{};
     parameters.id = number;
     parameters.type = EX_ELEM_BLOCK;
@@ -116,9 +119,9 @@ void ExodusResults::readSets() {
   for (const auto kind : {EX_SIDE_SET, EX_NODE_SET}) {
     const bool sides = kind == EX_SIDE_SET;
     const auto count = static_cast<std::size_t>(ex_inquire_int(id, sides ? EX_INQ_SIDE_SETS : EX_INQ_NODE_SETS));
-    std::vector<int> ids(count);
+    std::vector<std::int64_t> ids(count);
     if (count > 0) file_.check(ex_get_ids(id, kind, ids.data()), "read the set numbers");
-    for (int number : ids) {
+    for (const std::int64_t number : ids) {
       const std::string name = nameOf(id, kind, number, sides ? "side_set" : "node_set");
       int size = 0, factors = 0;
       file_.check(ex_get_set_param(id, kind, number, &size, &factors), "read set " + name);
