@@ -18,12 +18,18 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
+
+import numpy
 
 from column import FRICTION, column, xml
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "packages" / "python"))
 import harmos as harmos_results
+from harmos.exchange.elements import TYPES
+from harmos.exchange.exodus import write_exodus
+from harmos.exchange.mesh import Block, Mesh
 
 MARGIN = 2.0
 """True error of a certified response over the accuracy that was asked for, at most."""
@@ -44,6 +50,7 @@ class Case:
     ranks: int = 1
     seconds: float = 120.0
     reason: str = ""  # a piece of it, when it is refused
+    mesh: Callable | None = None  # makes the mesh in a folder
     study: dict | None = None  # of the scene; then the truth is of means and standard deviations
 
 
@@ -119,16 +126,27 @@ def cases():
         scene["Boundaries"]["pull_0"] = {"Side Set": "b0_xmax", "Law": {"Type": "Prescribed Traction", "X": 50 * shear}}
         yield Case("loads", f"a response {shear:g} times that of the preload", scene,
                    {"slide": 50 * shear / 1000 / 2, "force": -50.0})
+    yield Case("loads", "pressed, then let go: contact without force", _with_history(column(contact(0.3)), "Z", [0, 1, 0]),
+               {"force": 0.0})
+    yield Case("loads", "pressed by 1e6, then by 1", _with_history(column(contact(0.3)), "Z", [0, 1e6, 1]), pressed())
+    yield from _damage()
+    yield from _wedge()
     yield Case("steps", "100 of them", column(steps={"load": {"Increments": 100}}), pressed())
     yield Case("steps", "10000 of them", column(steps={"load": {"Increments": 10000}}, cells=[[1, 1, 1]] * 2),
                pressed(), seconds=600)
     yield Case("steps", "lengths from 1e-3 to 1e3",
                column(steps={"a": {"Duration": 1e-3}, "b": {"Duration": 1e3, "Increments": 2}}), pressed())
+    creeping = {"Type": "Maxwell Glue", "Normal Stiffness": 1000.0, "Tangential Stiffness": 1000.0,
+                "Normal Viscosity": 1e6, "Tangential Viscosity": 1e6}
+    yield Case("steps", "lengths from 1e-3 to 1e3, glue that creeps",
+               column(creeping, steps={"a": {"Duration": 1e-3}, "b": {"Duration": 1e3, "Increments": 2}, "c": {"Duration": 1e-3}}),
+               pressed(extra=1 / 1000 + 2 * 500.001 / 1e6))
     for scale in (1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9):
         yield Case("search direction", f"times {scale:g}", column(solver={"Search Direction": {"Scale": scale}}),
                    pressed(), "either")
-    yield Case("search direction", "times 1e12", column(solver={"Search Direction": {"Scale": 1e12}}),
-               must="refused", reason="Scale")
+    for scale in (1e-12, 1e12):
+        yield Case("search direction", f"times {scale:g}", column(solver={"Search Direction": {"Scale": scale}}),
+                   must="refused", reason="Scale")
     scene = column(held=False, sides=False)
     scene["Boundaries"]["bottom"] = {"Side Set": "b0_zmin", "Law": {"Type": "Prescribed Traction", "Z": 1.0}}
     yield Case("support", "none at all, loads in balance", scene, {"force": -1.0}, "either")
@@ -140,15 +158,117 @@ def cases():
     for blocks in (2, 50, 1000):
         yield Case("parts", f"{blocks} in a chain", chain(blocks), {"top": -blocks * blocks / 2000.0}, seconds=600)
     yield Case("parts", "two on four ranks", column(), pressed(), ranks=4)
+    yield Case("parts", "one on two ranks", _one(), {"top": -1e-3}, ranks=2)
     for where in ("edge", "node"):
         yield Case("parts", f"that touch at one {where}", _touching(where), {"force": -1.0})
     for n in (10, 100):
         scene = column(width=1.0, cells=[[2, 1, 1], [2 * n, 1, 1]])
         scene["Interfaces"] = {"j0": {"Part 1": "b0", "Part 2": "b1", "Law": dict(FRICTION)}}
         yield Case("meshes", f"1 face against {n}", scene, pressed())
+    for side in ("Side 1", "Side 2"):
+        scene = column(width=1.0, cells=[[1, 1, 1], [10, 10, 1]])
+        scene["Interfaces"]["j0"]["Points On"] = side
+        yield Case("meshes", f"1 face against 10 x 10, points on {side[-1]}", scene, pressed())
     for variation in (1e-9, 0.1, 0.57):
         for order in (3, 12):
             yield _random_springs(variation, order)
+
+
+def _with_history(scene, axis, values):
+    """The load on the top times these values, one per unit of time."""
+    scene["Boundaries"]["top"]["Law"][f"{axis} History"] = "way"
+    scene["Histories"] = {"way": {"Type": "Table", "Times": list(range(len(values))), "Values": values}}
+    scene["Steps"] = {f"s{i}": {} for i in range(1, len(values))}
+    return scene
+
+
+def _damage():
+    """Glue between two blocks that are springs of 500 together, pulled apart: up to STRENGTH it is elastic, then it softens to
+    nothing at the opening `end`."""
+    strength, stiffness = 1.0, 1e4
+    begin = strength / stiffness
+
+    def glue(end):
+        energy = strength * end / 2
+        return {"Type": "Cohesive Zone", "Stiffness": stiffness, "Normal Strength": strength, "Shear Strength": strength,
+                "Mode I Fracture Energy": energy, "Mode II Fracture Energy": energy}
+
+    def pulled(end, ways):
+        scene = _with_history(column(glue(end), displaced=1.0), "Z", [0.0, *ways])
+        return scene
+
+    end, opening = 0.02, 0.01
+    force = strength * (end - opening) / (end - begin)
+    damaged = opening + force / 500
+    yield Case("damage", "by half", pulled(end, [damaged]), {"force": force})
+    secant = 1 / (opening / force + 1 / 500)
+    yield Case("damage", "by half, unloaded by half", pulled(end, [damaged, damaged / 2]), {"force": secant * damaged / 2})
+    yield Case("damage", "by half, unloaded, pressed", pulled(end, [damaged, -0.01]), {"force": -5.0})
+    for way in (0.03, 1.0, 1e3, 1e6):
+        yield Case("damage", f"to failure, {way / end:g} times beyond it", pulled(end, [way]), {"force": 0.0, "top": way})
+    yield Case("damage", "to failure, pressed, pulled anew", pulled(end, [0.05, -0.01, 0.05]), {"force": 0.0, "top": 0.05})
+    yield Case("damage", "to failure, pressed", pulled(end, [1.0, -0.01]), {"force": -5.0, "top": -0.01})
+    yield Case("damage", "of glue that snaps, pulled beyond failure", pulled(2e-4, [0.01]), {"force": 0.0, "top": 0.01}, "either")
+    yield Case("damage", "of glue that hardly softens", pulled(1e3, [0.1]), {"force": (1e3 - 0.1 + 1 / 500) / (1e3 - begin)}, "either")
+    yield Case("damage", "none, at 0.999 of the strength", column(glue(end), pressure=-0.999), {"force": 0.999})
+    yield Case("damage", "by a force of 1.001 of the strength", column(glue(end), pressure=-1.001), must="refused")
+
+
+def _wedge():
+    """A wedge on a smooth floor below a block between guides that carries WEIGHT, driven in by a force or a way."""
+    weight, slope = 400.0, 0.1
+
+    def scene(mu, ways, law="Prescribed Displacement"):
+        smooth = {"Type": "Symmetry"}
+        return {
+            "Mesh": {"Type": "Exodus", "File": "wedge.e"},
+            "Materials": {"steel": {"Type": "Isotropic", "Young's Modulus": 210000.0, "Poisson's Ratio": 0.3}},
+            "Parts": {"wedge": {"Material": "steel"}, "block": {"Material": "steel"}},
+            "Interfaces": {"contact": {"Side 1": "wedge_top", "Side 2": "block_bottom", "Law": contact(mu)}},
+            "Boundaries": {"floor": {"Side Set": "wedge_bottom", "Law": smooth}, "guide": {"Side Set": "block_left", "Law": smooth},
+                           "load": {"Side Set": "block_top", "Law": {"Type": "Pressure", "Pressure": weight / 40}},
+                           "drive": {"Side Set": "wedge_right", "Law": {"Type": law, "X": 1.0, "X History": "way"}}},
+            "Histories": {"way": {"Type": "Table", "Times": list(range(len(ways) + 1)), "Values": [ways[0], *ways]}},
+            "Steps": {f"s{i}": {} for i in range(len(ways))},
+            "Solver": {"Accuracy": 1e-6},
+            "Responses": {name: {"Type": "Interface Force", "Interface": interface, "Direction": direction} for name, interface, direction in
+                          (("push", "drive", [1, 0]), ("across", "contact", [1, 0]), ("down", "contact", [0, 1]))}}
+
+    for mu in (0.0, 0.2, 1.0, 5.0):
+        push = weight * (mu + slope) / (1 - mu * slope)
+        yield Case("wedge", f"mu {mu:g}, driven in", scene(mu, [-0.5]), {"push": -push}, mesh=_wedge_mesh)
+    for mu in (0.0, 0.2, 1.0):
+        pull = weight * (mu - slope) / (1 + mu * slope)
+        yield Case("wedge", f"mu {mu:g}, driven in and drawn back", scene(mu, [-0.5, 0.5]), {"push": pull}, mesh=_wedge_mesh)
+    traction = "Prescribed Traction"
+    height = 14.0
+    push = weight * (0.2 + slope) / (1 - 0.2 * slope)
+    yield Case("wedge", "mu 0.2, pushed by 0.9 of what drives it, let go: it jams", scene(0.2, [-0.9 * push / height, 0.0], traction),
+               {"across": 0.0, "down": -weight}, mesh=_wedge_mesh)
+    yield Case("wedge", "mu 0.05, let go: it is thrown out", scene(0.05, [0.0], traction), must="refused", mesh=_wedge_mesh)
+    yield Case("wedge", "mu 10: no force drives it", scene(10.0, [-100 * push / height], traction),
+               {"across": 100 * push, "down": -weight}, "either", mesh=_wedge_mesh)
+
+
+def _wedge_mesh(folder):
+    """wedge.e: 16 x 4 and 16 x 8 cells, 40 mm long, that meet along a slope of 0.1."""
+    width, rows, nodes, blocks, sides, first = 16, {"wedge": 4, "block": 8}, [], [], {}, 0
+    for name, count in rows.items():
+        low, high = (0.0, 10.0) if name == "wedge" else (10.0, 30.0)
+        begin = len(nodes)
+        for row in range(count + 1):
+            for column_ in range(width + 1):
+                x, share = 40.0 * column_ / width, row / count
+                bottom, top = low + (0.1 * x if low else 0.0), high + (0.0 if low else 0.1 * x)
+                nodes.append((x, bottom + share * (top - bottom), 0.0))
+        corners = [[begin + row * (width + 1) + c for c in (i, i + 1, i + 1 + width + 1, i + width + 1)]
+                   for row in range(count) for i in range(width)]
+        blocks.append(Block(name, TYPES["QUAD4"], numpy.array(corners)))
+        number = first + numpy.arange(count * width).reshape(count, width)
+        for where, elements, side in (("bottom", number[0], 0), ("right", number[:, -1], 1), ("top", number[-1], 2), ("left", number[:, 0], 3)):
+            sides[f"{name}_{where}"] = numpy.column_stack([elements, numpy.full(len(elements), side)])
+        first += count * width
+    write_exodus(pathlib.Path(folder) / "wedge.e", Mesh(2, numpy.array(nodes), blocks, sides))
 
 
 def _random_springs(variation, order):
@@ -187,6 +307,8 @@ def outcome(harmos, case, folder):
     """Verdict, largest relative error, stages, seconds and words of a case."""
     path = pathlib.Path(folder) / "case.xml"
     path.write_text(xml("Harmos", {key: value for key, value in case.scene.items() if value != {}}))
+    if case.mesh is not None:
+        case.mesh(folder)
     command = [harmos, "run", str(path), "--quiet", "--output", folder]
     if case.study is not None:
         path = pathlib.Path(folder) / "study.xml"
