@@ -14,6 +14,7 @@ import numpy
 from harmos.arrays import Floats, Integers
 from harmos.classic import demand_complete
 from harmos.foreign import read_foreign
+from harmos.optional import demand_package
 
 
 class Fields:
@@ -37,6 +38,7 @@ class Fields:
         self.nodal: list[str]
         self.elements: list[str]
         demand_complete(path)
+        demand_package("netCDF4")  # in a child process it would look like damage
         self.times, self.nodes, self.blocks, self.nodal, self.elements = read_foreign(path, self._read_mesh)
 
     def at_nodes(self, name: str, step: int | None = -1) -> Floats:
@@ -73,10 +75,10 @@ class Fields:
         Raises:
             ImportError: xarray is not installed.
         """
-        import xarray
-        axes = {axis: ("node", self.nodes[:, i]) for i, axis in enumerate("xyz"[:self.nodes.shape[1]])}
-        return xarray.Dataset({name: (("time", "node"), self.at_nodes(name, None)) for name in self.nodal},
-                              coords={"time": self.times, **axes})
+        coordinates: dict[str, Any] = {axis: ("node", self.nodes[:, i])
+                                       for i, axis in enumerate("xyz"[:self.nodes.shape[1]])}
+        variables = {name: (("time", "node"), self.at_nodes(name, None)) for name in self.nodal}
+        return demand_package("xarray").Dataset(variables, coords={"time": self.times, **coordinates})
 
     def _steps(self, step: int | None) -> Any:
         if step is None:
@@ -113,8 +115,7 @@ def read_fields(path: str | os.PathLike[str]) -> Fields:
 
 
 def _open(path: str) -> Any:
-    import netCDF4
-    file = netCDF4.Dataset(path)
+    file = demand_package("netCDF4").Dataset(path)
     file.set_auto_mask(False)
     return file
 

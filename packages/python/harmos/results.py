@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from harmos.arrays import Floats, Integers, Mask, Records, Texts
 from harmos.foreign import read_foreign
+from harmos.optional import demand_package
 from harmos.stochastic import Statistics
 from harmos.tables import frame_of
 
@@ -195,12 +196,11 @@ class Study:
         Raises:
             ImportError: xarray is not installed.
         """
-        import xarray
         rows: dict[str, NDArray[Any]] = {**self.parameters, **self.responses, "status": self.status}
-        tables = {f"{name}_curve" if name in rows else name: values for name, values in self.curves.items()}
-        return xarray.Dataset({**{name: ("id", values) for name, values in rows.items()},
-                               **{name: (("id", "time"), values) for name, values in tables.items()}},
-                              coords={"id": self.id, "time": self.times})
+        variables: dict[str, Any] = {name: ("id", values) for name, values in rows.items()}
+        for name, curves in self.curves.items():
+            variables[f"{name}_curve" if name in rows else name] = (("id", "time"), curves)
+        return demand_package("xarray").Dataset(variables, coords={"id": self.id, "time": self.times})
 
     def surrogate(self, response: str) -> "Surrogate":
         """The response surface of a study that has ended.

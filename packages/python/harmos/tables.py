@@ -2,6 +2,7 @@
 from typing import Any
 
 from harmos.arrays import Records
+from harmos.optional import demand_package
 
 
 def frame_of(records: Records, index: str) -> Any:
@@ -10,5 +11,5 @@ def frame_of(records: Records, index: str) -> Any:
     Raises:
         ImportError: pandas is not installed.
     """
-    import pandas
+    pandas = demand_package("pandas")
     return pandas.DataFrame({name: records[name] for name in records.dtype.names or ()}).set_index(index)
