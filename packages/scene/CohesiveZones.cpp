@@ -7,6 +7,7 @@
 
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
+#include <harmos/scene/detail/PointSpacing.hpp>
 
 namespace harmos::scene {
 namespace {
@@ -25,12 +26,6 @@ double smallestStiffness(const Bodies& bodies, const assembly::Interface& interf
     for (std::size_t i = 0; i < 3; ++i) smallest = std::min(smallest, c[i][i]);
   }
   return smallest;
-}
-
-/// Distance of neighbours where it is largest: the length of an element.
-double spacing(const assembly::Interface& interface, int dimension, double thickness) {
-  const double largest = *std::max_element(interface.area.begin(), interface.area.end());
-  return dimension == 3 ? std::sqrt(largest) : largest / thickness;
 }
 
 /// The list of the interface, if its law is a cohesive zone; else null.
@@ -56,7 +51,7 @@ std::vector<std::string> coarseCohesiveZones(const Scene& scene, const assembly:
       const double t = law->number(strength);
       length = std::min(length, smallestStiffness(bodies, interface) * law->number(energy) / (t * t));
     }
-    const double distance = spacing(interface, assembly.dimension, model.thickness);
+    const double distance = largestSpacing(interface, assembly.dimension, model);
     if (!(distance > largestShare * length)) continue;
     named.push_back(interface.name);
     warnings.push_back(

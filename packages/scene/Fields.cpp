@@ -20,12 +20,7 @@ bool follows(const input::Parameters& law, const std::string& field) {
 /// The points of all interfaces and boundaries that follow a field, none where nothing does; at one place there may be
 /// some of several faces.
 laws::RandomField::Surface surfaceOf(const std::string& field, const FieldContext& context) {
-  std::vector<std::string> users;
-  for (const char* kind : {"Interfaces", "Boundaries"}) {
-    for (const input::Parameters& interface : context.scene.lists(kind)) {
-      if (follows(interface.list("Law"), field)) users.push_back(interface.name());
-    }
-  }
+  const std::vector<std::string> users = followersOf(field, context.scene);
   laws::RandomField::Surface areas;
   for (const mesh::InterfaceSurface& surface : context.surfaces) {
     if (std::find(users.begin(), users.end(), surface.name) == users.end()) continue;
@@ -35,6 +30,16 @@ laws::RandomField::Surface surfaceOf(const std::string& field, const FieldContex
 }
 
 }  // namespace
+
+std::vector<std::string> followersOf(const std::string& field, const input::Parameters& scene) {
+  std::vector<std::string> users;
+  for (const char* kind : {"Interfaces", "Boundaries"}) {
+    for (const input::Parameters& interface : scene.lists(kind)) {
+      if (follows(interface.list("Law"), field)) users.push_back(interface.name());
+    }
+  }
+  return users;
+}
 
 std::vector<input::ParameterSpec> fieldForms() {
   return {MeshField::form(), laws::RandomField::form()};

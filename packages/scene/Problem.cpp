@@ -26,6 +26,7 @@
 #include <harmos/scene/detail/PathFollowing.hpp>
 #include <harmos/scene/detail/ResponseRegistry.hpp>
 #include <harmos/scene/detail/Surfaces.hpp>
+#include <harmos/scene/detail/UnresolvedFields.hpp>
 
 namespace harmos::scene {
 
@@ -177,6 +178,9 @@ Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Ti
     for (std::string& warning : joined.warnings()) problem.warnings.push_back(std::move(warning));
   }
   for (std::string& warning : coarseCohesiveZones(scene, assembly, problem.bodies, problem.model)) {
+    problem.warnings.push_back(std::move(warning));
+  }
+  for (std::string& warning : unresolvedFields(scene.input, assembly, problem.model)) {
     problem.warnings.push_back(std::move(warning));
   }
   return problem;

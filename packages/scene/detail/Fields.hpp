@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <harmos/input/ErrorList.hpp>
@@ -16,5 +17,8 @@ std::vector<input::ParameterSpec> fieldForms();
 /// the context is kept. Not collective: every rank makes all of them.
 laws::SpatialFields makeFields(const std::vector<input::Parameters>& lists, const FieldContext& context,
                                input::ErrorList& errors);
+
+/// The names of the interfaces and boundaries of a scene whose laws follow a field.
+std::vector<std::string> followersOf(const std::string& field, const input::Parameters& scene);
 
 }  // namespace harmos::scene

@@ -119,6 +119,17 @@ class Cases:
             ends.append(float((self.folder / "block_history.csv").read_text().split()[-1].split(",")[4]))
         yield "cut parts", abs(ends[1] / ends[0] - 1), 1e-5
 
+    def lengths(self) -> Checks:
+        """Points further apart than the correlation length are named, with both lengths; others are not."""
+        sentence = 'Correlation Length: it is 0.3, but points of "top" lie up to 0.5 apart'
+        for cells, isCoarse in ((8, True), (80, False)):
+            block(field(2, **{"Correlation Length": 0.3, "Energy Share": 0.0}), cells=cells).write(self.folder / "block.xml")
+            done = subprocess.run([self.program, "check", str(self.folder / "block.xml")], capture_output=True, text=True,
+                                  check=False)
+            said = done.stdout + done.stderr
+            isWrong = (sentence in said) != isCoarse
+            yield f"{cells} cells{': ' + said if isWrong else ''}", float(isWrong), 0.5
+
     def studies(self) -> Checks:
         """A configuration of a study is the run with its draw, and all share their operators."""
         for law, effect in (("ground/Law/Normal Stiffness", "local stage only, all operators stay"),
