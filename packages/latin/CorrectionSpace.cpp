@@ -15,8 +15,9 @@ namespace {
 constexpr double roundOff = 1e-9;
 // Singular values below this share of the largest one are those of round-off; below this share of 2, if the largest is
 // larger: I - J has none above it where loads are given. Where they are found (PathControl) single ones are many times
-// as large and would hide others.
-constexpr double singular = 1e-7;
+// as large and would hide others. With images in double precision smaller ones are those of soft springs.
+constexpr double singularInSingle = 1e-7;
+constexpr double singularInDouble = 1e-10;
 constexpr double ordinary = 2.0;
 
 base::Matrix dense(const std::vector<std::vector<double>>& triangle, int size) {
@@ -36,12 +37,14 @@ std::vector<double> singularValues(const std::vector<std::vector<double>>& trian
   return values;
 }
 
-/// The share of the largest singular value below which they are those of round-off.
-double negligibleShare(const std::vector<double>& values) {
-  return singular * std::min(1.0, ordinary / values.front());
-}
-
 }  // namespace
+
+CorrectionSpace::CorrectionSpace(const StateMetric& metric, substructure::Precision images)
+    : metric_(&metric), singular_(images == substructure::Precision::single ? singularInSingle : singularInDouble) {}
+
+double CorrectionSpace::negligibleShare(const std::vector<double>& values) const {
+  return singular_ * std::min(1.0, ordinary / values.front());
+}
 
 std::vector<double> CorrectionSpace::scaled(const double* x) const {
   std::vector<double> result(metric_->scale());

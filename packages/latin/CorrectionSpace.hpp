@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <harmos/latin/StateMetric.hpp>
+#include <harmos/substructure/SubstructureSolver.hpp>
 
 namespace harmos::latin {
 
@@ -17,8 +18,9 @@ class CorrectionSpace {
   /// Numbers that a direction takes, over those of a state of one load step: v, y and g.
   static constexpr int statesPerDirection = 3;
 
-  /// `metric`, of a state with one field, must outlive it.
-  explicit CorrectionSpace(const StateMetric& metric) : metric_(&metric) {}
+  /// `metric`, of a state with one field, must outlive it. `images`: how exactly the y are found, at least, which tells
+  /// what small singular values of G are.
+  explicit CorrectionSpace(const StateMetric& metric, substructure::Precision images = substructure::Precision::single);
 
   /// Directions so far. Not collective.
   int size() const { return size_; }
@@ -81,9 +83,12 @@ class CorrectionSpace {
   std::vector<double> project(int count, std::vector<double>& x) const;
   double norm(const std::vector<double>& scaled) const;
   void findSingularValues() const;
+  /// The share of the largest of these singular values below which they are those of round-off.
+  double negligibleShare(const std::vector<double>& values) const;
   std::vector<double> scaled(const double* x) const;
 
   const StateMetric* metric_;
+  double singular_;  // share of the largest singular value below which they are those of round-off
   int size_ = 0;
   int known_ = 0;                              // directions whose g is known
   std::vector<double> directions_;             // V

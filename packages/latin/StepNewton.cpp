@@ -165,7 +165,7 @@ StepNewton::Result StepNewton::solveWith(const base::Matrix& offset, base::Matri
 }
 
 void StepNewton::forget() {
-  tangent_.emplace(fixedPoint_, lines_);
+  tangent_.emplace(fixedPoint_, lines_, substructure::Precision::exact);
   scale_ = fixedPoint_.searchDirectionScale();
 }
 

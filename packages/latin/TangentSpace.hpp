@@ -13,9 +13,10 @@ namespace harmos::latin {
 /// directions: products, for which no linear stage is needed, and without what T does not feel (UnfeltStates).
 class TangentSpace {
  public:
-  /// All arguments, of which the buffers of `lines` are used, must outlive it.
-  TangentSpace(const FixedPoint& fixedPoint, InterfaceLines& lines)
-      : fixedPoint_(fixedPoint), space_(fixedPoint.metric()), tangents_(fixedPoint.assembly(), lines) {}
+  /// The first two, of which the buffers of `lines` are used, must outlive it. `images` as of a CorrectionSpace.
+  TangentSpace(const FixedPoint& fixedPoint, InterfaceLines& lines,
+               substructure::Precision images = substructure::Precision::single)
+      : fixedPoint_(fixedPoint), space_(fixedPoint.metric(), images), tangents_(fixedPoint.assembly(), lines) {}
 
   /// The directions and what is known of them.
   const CorrectionSpace& space() const { return space_; }

@@ -33,8 +33,9 @@ struct Metric {
 };
 
 /// A space of random directions whose g is `factors` times their v.
-CorrectionSpace scaledSpace(const Metric& m, const std::vector<double>& factors) {
-  CorrectionSpace space(m.metric);
+CorrectionSpace scaledSpace(const Metric& m, const std::vector<double>& factors,
+                            substructure::Precision images = substructure::Precision::single) {
+  CorrectionSpace space(m.metric, images);
   base::Matrix v(m.rows, static_cast<int>(factors.size()));
   randomize(v);
   for (std::size_t j = 0; j < factors.size(); ++j) {
@@ -95,6 +96,19 @@ TEST(CorrectionSpace, LeavesOutWhatIsSingular) {
   EXPECT_NEAR(found.c[1], 0.0, 1e-4);
   EXPECT_NEAR(found.left, 1.0, 1e-10);
   EXPECT_NEAR(space.smallestSingularValue(), 1.0, 1e-10);
+}
+
+// What is round-off of images in single precision is that of soft springs where images are exact.
+TEST(CorrectionSpace, KeepsWhatIsHardlyResistedWhereImagesAreExact) {
+  const Metric m;
+  for (const auto images : {substructure::Precision::single, substructure::Precision::exact}) {
+    const CorrectionSpace space = scaledSpace(m, {1.0, 1e-9}, images);
+    std::vector<double> residual(m.rows);
+    for (int row = 0; row < m.rows; ++row) residual[row] = space.direction(0)[row] + space.direction(1)[row];
+    const bool isExact = images == substructure::Precision::exact;
+    EXPECT_NEAR(space.solve(residual.data()).c[1], isExact ? 1e9 : 0.0, isExact ? 1e3 : 1e-4);
+    EXPECT_NEAR(space.smallestSingularValue(), isExact ? 1e-9 : 1.0, 1e-13);
+  }
 }
 
 // Where loads are found, one direction may ask for many times the loads that others do.

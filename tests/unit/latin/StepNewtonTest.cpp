@@ -115,6 +115,17 @@ TEST(StepNewton, FollowsABodyThatNothingHoldsUntilItIsStopped) {
   }
 }
 
+// They answer so little that the way is a hundred million times what the residual says.
+TEST(StepNewton, KnowsTheWayOfABodyThatHangsOnSoftSprings) {
+  Cubes cubes(laws::makeLaw("Linear Elastic", {{"Normal Stiffness", 1e-7}, {"Tangential Stiffness", 1e-7}}),
+              laws::makeLaw("Pressure", {{"Pressure", -2.0}}), 1);
+  const double size = cubes.solve(1, 1e-4);
+  EXPECT_TRUE(cubes.result.isReached);
+  EXPECT_LE(size, 1e-4);
+  EXPECT_LT(cubes.result.smallestSingularValue, 1e-8);
+  EXPECT_LE(cubes.solved, 20);
+}
+
 TEST(StepNewton, LeavesTheStateWhereItCannotSolve) {
   Cubes cubes(laws::makeLaw("Unilateral Contact"), laws::makeLaw("Pressure", {{"Pressure", -2.0}}), 1);
   EXPECT_GT(cubes.solve(1, 1e-7), 1e-3);
