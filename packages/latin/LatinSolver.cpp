@@ -10,7 +10,7 @@
 #include <harmos/assembly/AssemblyCheck.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
-#include <harmos/latin/detail/LawCheck.hpp>
+#include <harmos/latin/LawCheck.hpp>
 #include <harmos/latin/detail/ResultRemarks.hpp>
 #include <harmos/latin/detail/RoundOff.hpp>
 #include <harmos/latin/detail/UnheldParts.hpp>
@@ -345,7 +345,7 @@ void LatinSolver::iterate(LatinResult& result) {
 }
 
 void LatinSolver::demandGraphs(LatinResult& result) {
-  if (result.outcome != Outcome::certified || fixedPoint_.formulation() != Formulation::displacement) return;
+  if (result.outcome != Outcome::certified) return;
   const auto running = timers_.start("laws again");
   const LawFindings found = checkLaws(fixedPoint_, *state_, options_.accuracy);
   result.remarks = found.energies;

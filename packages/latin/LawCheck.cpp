@@ -1,4 +1,4 @@
-#include <harmos/latin/detail/LawCheck.hpp>
+#include <harmos/latin/LawCheck.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
+#include <harmos/latin/FaceSums.hpp>
 #include <harmos/laws/LawFailure.hpp>
 
 namespace harmos::latin {
@@ -49,7 +50,7 @@ class Watch {
         now_(states_.size() * static_cast<std::size_t>(law_.historySize())) {
     if (std::isfinite(law_.lowestSlope())) ratios_.push_back(steeper);
     if (law_.lowestSlope() == 0.0) ratios_.push_back(flatter);
-    if (law_.dissipates()) jumps_.assign(states_.size(), {});
+    if (law_.dissipates() && !laws::isCoupled(law_)) jumps_.assign(states_.size(), {});
     stored_.assign(jumps_.size(), 0.0);
   }
 
@@ -58,8 +59,42 @@ class Watch {
       traction_ = std::max(traction_, norm(met.states[p].traction));
       jump_ = std::max(jump_, norm(met.lines[p].jump(met.states[p].traction)));
     }
-    for (const double ratio : ratios_) compare(met, ratio);
     if (!jumps_.empty()) balance(met);
+  }
+
+  /// Whether the law says that lines of this compliance, over that of the solver, meet it at one point.
+  bool answers(double ratio) const { return std::find(ratios_.begin(), ratios_.end(), ratio) != ratios_.end(); }
+
+  /// The lines of that compliance through the points that were found.
+  static std::vector<laws::LocalLine> turned(const PointwiseLocalStage::Met& met, double ratio) {
+    std::vector<laws::LocalLine> lines(met.lines);
+    for (std::size_t p = 0; p < lines.size(); ++p) {
+      const base::Vector3& traction = met.states[p].traction;
+      lines[p].freeJump = met.lines[p].jump(traction) + ratio * met.lines[p].compliance * traction;
+      lines[p].compliance *= ratio;
+    }
+    return lines;
+  }
+
+  void compare(const PointwiseLocalStage::Met& met, double ratio) {
+    const std::vector<laws::LocalLine> lines = turned(met, ratio);
+    try {
+      law_.solve(met.step, arrays(met, lines));
+    } catch (const laws::LawFailure&) {
+      return;  // it has met the lines of the solver
+    }
+    include(met, lines);
+  }
+
+  /// The same of a law over a whole face, in two turns: its share of the sums, and what it makes of all of them.
+  void addToSums(const PointwiseLocalStage::Met& met, double ratio, int index, FaceSums& sums) {
+    const std::vector<laws::LocalLine> lines = turned(met, ratio);
+    sums.add(index, 0, met.step, arrays(met, lines));
+  }
+  void compare(const PointwiseLocalStage::Met& met, double ratio, int index, const FaceSums& sums) {
+    const std::vector<laws::LocalLine> lines = turned(met, ratio);
+    sums.law(index)->solvePoints(met.step, arrays(met, lines), sums.of(index, 0));
+    include(met, lines);
   }
 
   /// Empty: the law has a graph.
@@ -89,38 +124,33 @@ class Watch {
   }
 
  private:
-  void ask(const PointwiseLocalStage::Met& met, const std::vector<laws::LocalLine>& lines) {
+  laws::NodeArrays arrays(const PointwiseLocalStage::Met& met, const std::vector<laws::LocalLine>& lines) {
     laws::NodeArrays nodes = interface_.nodes(assembly_.times, met.step);
     nodes.line = lines.data();
     nodes.oldHistory = met.oldHistory.data();
     nodes.newHistory = now_.data();
     nodes.state = states_.data();
-    law_.solve(met.step, nodes);
+    return nodes;
   }
 
-  void compare(const PointwiseLocalStage::Met& met, double ratio) {
-    std::vector<laws::LocalLine> lines(met.lines);
+  void include(const PointwiseLocalStage::Met& met, const std::vector<laws::LocalLine>& lines) {
+    double largestLoss = 0.0;  // sums over a face have the digits of the largest
+    for (std::size_t p = 0; p < lines.size(); ++p) largestLoss = std::max(largestLoss, loss(met, lines, p));
     for (std::size_t p = 0; p < lines.size(); ++p) {
-      const base::Vector3& traction = met.states[p].traction;
-      lines[p].freeJump = met.lines[p].jump(traction) + ratio * met.lines[p].compliance * traction;
-      lines[p].compliance *= ratio;
-    }
-    try {
-      ask(met, lines);
-    } catch (const laws::LawFailure&) {
-      return;  // it has met the lines of the solver
-    }
-    for (std::size_t p = 0; p < lines.size(); ++p) {
-      const base::Vector3& traction = met.states[p].traction;
-      const double lost = digitsOfJump * (norm(met.lines[p].freeJump) / lines[p].compliance + norm(traction));
-      const double change = norm(states_[p].traction - traction);
+      const double change = norm(states_[p].traction - met.states[p].traction);
+      const double lost = laws::isCoupled(law_) ? largestLoss : loss(met, lines, p);
       difference_.include(std::isfinite(change) ? change - lost : std::numeric_limits<double>::max(), met.step,
                           static_cast<int>(p));
     }
   }
 
+  /// Of the traction of a pair: what the digits of its free jump leave open.
+  static double loss(const PointwiseLocalStage::Met& met, const std::vector<laws::LocalLine>& lines, std::size_t pair) {
+    return digitsOfJump * (norm(met.lines[pair].freeJump) / lines[pair].compliance + norm(met.states[pair].traction));
+  }
+
   void balance(const PointwiseLocalStage::Met& met) {
-    ask(met, met.lines);
+    law_.solve(met.step, arrays(met, met.lines));
     laws::NodeArrays nodes = interface_.nodes(assembly_.times, met.step);
     const auto numbers = static_cast<std::size_t>(law_.historySize());
     for (std::size_t p = 0; p < states_.size(); ++p) {
@@ -179,15 +209,33 @@ LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double acc
   std::vector<std::pair<int, Watch>> watches;
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     const auto index = static_cast<int>(i);
-    if (layout.begin(index, 0) < 0 || laws::isCoupled(*assembly.interfaces[i].law)) continue;
+    if (layout.begin(index, 0) < 0) continue;
     watches.emplace_back(index, Watch(assembly, index));
   }
+  FaceSums faces(assembly, layout);
   PointwiseLocalStage& stage = fixedPoint.pointwiseStage();
   base::Matrix traction(iterate.beta().numRows(), iterate.beta().numCols());
   stage.begin();
   for (int t = 0; t < traction.numCols(); ++t) {
     stage.solveColumn(t, iterate.beta(), traction);
     for (auto& [index, watch] : watches) watch.look(stage.met(index, t));
+    for (const double ratio : {steeper, flatter}) {
+      if (!faces.isEmpty()) faces.begin(1);
+      for (auto& [index, watch] : watches) {
+        if (!watch.answers(ratio)) continue;
+        if (faces.law(index) == nullptr) {
+          watch.compare(stage.met(index, t), ratio);
+        } else {
+          watch.addToSums(stage.met(index, t), ratio, index, faces);
+        }
+      }
+      if (faces.isEmpty()) continue;
+      faces.finish();
+      for (auto& [index, watch] : watches) {
+        if (faces.law(index) != nullptr && watch.answers(ratio))
+          watch.compare(stage.met(index, t), ratio, index, faces);
+      }
+    }
     stage.accept();
   }
   LawFindings findings;

@@ -37,7 +37,7 @@ class PointwiseLocalStage final : public LocalStage {
 
   /// Solves one load step after the other: begin() goes back before the first column, solveColumn() may be called
   /// any number of times for the next column and starts from the history of the columns before, accept() makes its last
-  /// call final. solveColumn() is collective. In the displacement form only.
+  /// call final. solveColumn() is collective, and in the velocity form called once for each column.
   void begin();
   /// Collective. Overwrites one column of `traction`; see begin(). Throws base::Error as solve().
   void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction);

@@ -87,6 +87,11 @@ bool CalibratedSchedule::addRanges(results::ConfigurationResult& result) {
 }
 
 void CalibratedSchedule::deliver(results::ConfigurationResult& result) {
+  if (const std::string falseGraph = solver_.iteration().falseGraph(); !falseGraph.empty()) {
+    result.status = results::Status::notConverged;
+    result.reason = falseGraph;
+    return;
+  }
   result.reason = "the calibrated error estimate is below the accuracy asked for";
   result.curves.clear();
   for (const auto& response : solver_.responses())
@@ -171,6 +176,7 @@ bool CalibratedSchedule::audit(const design::Configuration& configuration, resul
     indicators_ = solver_.iteration().beginAt(accepted);
     result.linearStages = stages + solver_.iteration().stages();
     deliver(result);
+    if (!results::isSolved(result.status)) return true;
     solver_.remember(configuration);
     accepted_[configuration.id] = {configuration, result, indicators_};
     return true;
@@ -204,6 +210,7 @@ bool CalibratedSchedule::marchFromNeighbours(const design::Configuration& config
   result.linearStages += iteration.stages();
   if (!isAccepted) return true;
   deliver(result);
+  if (!results::isSolved(result.status)) return true;
   solver_.remember(configuration);
   accepted_[configuration.id] = {configuration, result, indicators_};
   return true;

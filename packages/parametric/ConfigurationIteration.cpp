@@ -6,6 +6,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/latin/LawCheck.hpp>
 #include <harmos/latin/March.hpp>
 
 namespace harmos::parametric {
@@ -255,6 +256,10 @@ Indicators ConfigurationIteration::march(const Indicators& target) {
 std::vector<latin::ResponseRange> ConfigurationIteration::ranges(
     const std::vector<std::shared_ptr<const latin::Response>>& responses) {
   return fixedPoint_.indeterminacy(responses, accuracy_).responses;
+}
+
+std::string ConfigurationIteration::falseGraph() {
+  return latin::checkLaws(fixedPoint_, state(), accuracy_).falseGraph;
 }
 
 base::Matrix ConfigurationIteration::linear() const {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <harmos/base/Timers.hpp>
@@ -57,6 +58,8 @@ class ConfigurationIteration {
   }
   /// Collective. What the responses may be at state(), see FixedPoint::indeterminacy().
   std::vector<latin::ResponseRange> ranges(const std::vector<std::shared_ptr<const latin::Response>>& responses);
+  /// Collective. Why a law has no graph at state(), see latin::checkLaws(); empty: all have.
+  std::string falseGraph();
   /// alpha [stress] of the last stage of all load steps, and its image under the linear part of the linear stage.
   const base::Matrix& alpha() const { return alpha_; }
   /// The latter: A alpha = beta - b [stress], rows of the layout x load steps; see SolvedStates.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <harmos/latin/LatinSolver.hpp>
+#include <harmos/laws/CoupledLaw.hpp>
 #include <harmos/laws/PointwiseLaw.hpp>
 
 #include "Chains.hpp"
@@ -68,6 +69,38 @@ struct Slider {
   double kept, stored;
 };
 
+/// A spring between the mean motions of both sides, which takes a share of the compliance of its lines for the whole.
+class MeanSpring : public laws::CoupledLaw {
+ public:
+  explicit MeanSpring(double shareOfCompliance) : share_(shareOfCompliance) {}
+  const char* name() const override { return "Own Mean Spring"; }
+  int historySize() const override { return 0; }
+  laws::Frame frame() const override { return laws::Frame::interface; }
+  laws::Sides sides() const override { return laws::Sides::two; }
+  bool dissipates() const override { return false; }
+  int sums() const override { return 5; }
+  void addToSums(int /*step*/, const laws::NodeArrays& nodes, double* sums) const override {
+    for (int p = 0; p < nodes.count; ++p) {
+      for (std::size_t c = 0; c < 3; ++c) sums[c] += nodes.area[p] * nodes.line[p].freeJump[c];
+      sums[3] += nodes.area[p] * nodes.line[p].compliance;
+      sums[4] += nodes.area[p];
+    }
+  }
+  void solvePoints(int step, const laws::NodeArrays& nodes, const double* sums) const override {
+    solveTangent(step, nodes, sums);
+  }
+  void solveTangent(int /*step*/, const laws::NodeArrays& nodes, const double* sums) const override {
+    for (int p = 0; p < nodes.count; ++p) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        nodes.state[p].traction[c] = stiffness * sums[c] / (sums[4] + stiffness * share_ * sums[3]);
+      }
+    }
+  }
+
+ private:
+  double share_;
+};
+
 LatinResult solve(std::shared_ptr<const laws::InterfaceLaw> joint, const LatinOptions& options = {}) {
   const std::shared_ptr<const laws::InterfaceLaw> drive =
       laws::makeLaw("Prescribed Displacement", {{"X", 0.3}, {"Y", 0.1}, {"Z", 0.0}},
@@ -108,6 +141,29 @@ TEST(LawCheck, RefusesALawThatSolvesOtherEquations) {
               std::string::npos)
         << result.reason;
   }
+}
+
+// A law over a whole face is asked with the sums over all of it.
+TEST(LawCheck, AsksLawsOverWholeFaces) {
+  const LatinResult right = solve(std::make_shared<MeanSpring>(1.0));
+  EXPECT_EQ(right.outcome, Outcome::certified) << right.reason;
+  const LatinResult wrong = solve(std::make_shared<MeanSpring>(0.5));
+  EXPECT_EQ(wrong.outcome, Outcome::iterationLimit);
+  EXPECT_NE(wrong.reason.find("law \"Own Mean Spring\" gives another traction at the same jump"), std::string::npos)
+      << wrong.reason;
+}
+
+TEST(LawCheck, AsksLawsInVelocityForm) {
+  LatinOptions options;
+  options.stages.formulation = Formulation::velocity;
+  const LatinResult right = solve(own<Glue>(1.0), options);
+  EXPECT_EQ(right.outcome, Outcome::certified) << right.reason;
+  const LatinResult slider = solve(own<Slider>(1.0, 1.0), options);
+  EXPECT_EQ(slider.outcome, Outcome::certified) << slider.reason;
+  EXPECT_TRUE(onLaws(slider).empty());
+  const LatinResult wrong = solve(own<Glue>(0.5), options);
+  EXPECT_EQ(wrong.outcome, Outcome::iterationLimit);
+  EXPECT_NE(wrong.reason.find("gives another traction at the same jump"), std::string::npos) << wrong.reason;
 }
 
 TEST(LawCheck, RefusesALawThatFallsAndDoesNotSay) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/laws/PointwiseLaw.hpp>
 #include <harmos/parametric/ParametricStudy.hpp>
 #include <harmos/results/StatusName.hpp>
 
@@ -229,6 +230,41 @@ TEST(ParametricStudy, GoesOnAfterALawThatFails) {
     const std::vector<double> exact = JenkinsStudy::exact(configurations[result.id - 1].values[0]);
     for (std::size_t t = 0; t < exact.size(); ++t) EXPECT_NEAR(result.curves[0][t], exact[t], 1e-3);
   }
+}
+
+/// Glue that forgets a share of the compliance of its lines.
+struct Forgetful {
+  static constexpr const char* name = "Forgetful";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::two;
+  Forgetful(double k, double shareOfCompliance) : stiffness(k), share(shareOfCompliance) {}
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext&, const double*, double*) const {
+    laws::LocalState state;
+    state.traction = (stiffness / (1.0 + stiffness * share * line.compliance)) * line.freeJump;
+    return state;
+  }
+  double stiffness, share;
+};
+
+// One among many, which a calibrated estimate would accept: its result depends on the search direction.
+TEST(ParametricStudy, AcceptsNoLawThatSolvesOtherEquations) {
+  const auto glue = [](double k, double share) { return std::make_shared<laws::PointwiseLaw<Forgetful>>(k, share); };
+  Chains chains(latin::twoChains(glue(40.0, 1.0), pull(1.0), 2), 1e-3);
+  std::vector<double> stiffnesses;
+  for (int i = 0; i < 15; ++i) stiffnesses.push_back(40.0 + 2.0 * i);
+  const Results results = chains.run(row(stiffnesses), [&](const auto& values) {
+    chains.setLaw(1, glue(values[0], values[0] == stiffnesses[6] ? 0.7 : 1.0));
+  });
+  ASSERT_EQ(results.all.size(), stiffnesses.size());
+  bool isAnyCalibrated = false;
+  for (const results::ConfigurationResult& result : results.all) {
+    EXPECT_EQ(results::isSolved(result.status), result.id != 7) << result.id << ": " << result.reason;
+    isAnyCalibrated = isAnyCalibrated || result.status == results::Status::calibrated;
+    if (result.id != 7) continue;
+    EXPECT_NE(result.reason.find("law \"Forgetful\" gives another traction at the same jump"), std::string::npos)
+        << result.reason;
+  }
+  EXPECT_TRUE(isAnyCalibrated);
 }
 
 // Rigid statics says so: no load step is solved, not even those before the one that lacks forces.

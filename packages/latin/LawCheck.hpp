@@ -14,17 +14,18 @@ struct LawFindings {
 };
 
 /// Asks the laws of a state again. Collective; `iterate` is the present one of `fixedPoint`, all load steps selected,
-/// in the displacement form with the local stage PointwiseLocalStage, and stays valid.
+/// with the local stage PointwiseLocalStage, and stays valid. The state need not be a fixed point.
 ///
 /// A law is a graph t = R(delta): where it meets one line, it meets every other line through that point. Along the load
 /// steps, with the histories that they have led to, each point is asked on lines of a quarter of the compliance and,
 /// where the law says that it never falls, of four times it; the traction must stay what it is, to `accuracy` [-], or
 /// 1e-7, times the largest of the interface. What comes out otherwise solves other equations than the law's, and
-/// depends on the search direction; the certificate, which sees one search direction only, cannot tell. Laws over whole
-/// faces (CoupledLaw), and those that fall at a jump, are not asked.
+/// depends on the search direction; the certificate, which sees one search direction only, cannot tell. Laws
+/// over whole faces (CoupledLaw) are asked for all points of a face together; those that fall at a jump are not asked.
 ///
-/// Where a law dissipates, no load step may gain energy, t.(delta - delta_old) >= keptWork(), nor, from the
-/// second one on and where it never falls, store more than it keeps, storedEnergy() - storedEnergy_old <= keptWork().
+/// Where a law that is asked point by point dissipates, no load step may gain energy, t.(delta - delta_old) >=
+/// keptWork(), nor, from the second one on and where it never falls, store more than it keeps, storedEnergy() -
+/// storedEnergy_old <= keptWork().
 LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double accuracy);
 
 }  // namespace harmos::latin
