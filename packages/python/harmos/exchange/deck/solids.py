@@ -69,6 +69,26 @@ def side_of(type_name: str, label: str) -> int:
     return [set(side) for side in TYPES[type_name].sides].index(wanted)
 
 
+def _number(mesh: Mesh, node_ids: Array, element_ids: Array, findings: Findings) -> None:
+    """Gives nodes and elements the numbers of the deck."""
+    mesh.node_numbers = _numbers_of(node_ids, "nodes", findings)
+    numbers = _numbers_of(element_ids, "elements", findings)
+    for first, block in zip(mesh.first_elements(), mesh.blocks):
+        block.numbers = numbers[first:first + len(block.connectivity)]
+
+
+def _numbers_of(ids: Array, what: str, findings: Findings) -> Array:
+    """Those of the deck; where its instances have the same ones, those of each after the first get digits in front."""
+    numbers: Array = ids % INSTANCE_OFFSET
+    instance = ids // INSTANCE_OFFSET
+    if len(numpy.unique(numbers)) < len(numbers):
+        step = 10 ** len(str(int(numbers.max())))
+        numbers = numbers + step * (instance - instance.min())
+        findings.found.append(f"instances of the deck have {what} of the same numbers: those of each but the first have {step}, {2 * step} "
+                              "and so on added in the mesh")
+    return numbers
+
+
 class Solids:
     """The mesh of a deck.
 
@@ -222,21 +242,7 @@ class Solids:
                                                   part))
                     all_ids.append(numpy.concatenate([ids for ids, _ in listed]))
         self._ids = numpy.concatenate(all_ids)
-        self.mesh.node_numbers = self._numbers_of(self._contents.node_ids, "nodes")
-        numbers = self._numbers_of(self._ids, "elements")
-        for first, made in zip(self.mesh.first_elements(), self.mesh.blocks):
-            made.numbers = numbers[first:first + len(made.connectivity)]
-
-    def _numbers_of(self, ids: Array, what: str) -> Array:
-        """Those of the deck; where its instances have the same ones, those of each after the first get digits in front."""
-        numbers: Array = ids % INSTANCE_OFFSET
-        instance = ids // INSTANCE_OFFSET
-        if len(numpy.unique(numbers)) < len(numbers):
-            step = 10 ** len(str(int(numbers.max())))
-            numbers = numbers + step * (instance - instance.min())
-            self._findings.found.append(f"instances of the deck have {what} of the same numbers: those of each but the first have "
-                                        f"{step}, {2 * step} and so on added in the mesh")
-        return numbers
+        _number(self.mesh, self._contents.node_ids, self._ids, self._findings)
 
     def _sections_of(self, ids: Array) -> Array:
         result = numpy.full(len(ids), -1)
