@@ -230,9 +230,14 @@ class RoundTrips(unittest.TestCase):
                 nodes.attrs["NBR"] = len(mesh.nodes)
                 table = file.create_dataset(f"ENS_MAA/mesh/step/MAI/{names[1]}/NOD", data=rows.T.reshape(-1) + 1)
                 table.attrs["NBR"] = len(rows)
+                node_numbers, numbers = 9000 - 7 * numpy.arange(len(mesh.nodes)), 100 + 3 * numpy.arange(len(rows))
+                file.create_dataset("ENS_MAA/mesh/step/NOE/NUM", data=node_numbers)
+                file.create_dataset(f"ENS_MAA/mesh/step/MAI/{names[1]}/NUM", data=numbers)
             with self.subTest(element):
                 back = self.imported(work / f"{element}.med")
                 (block,) = back.blocks
+                self.assertEqual(back.node_numbers.tolist(), node_numbers.tolist())
+                self.assertEqual(block.numbers.tolist(), numbers.tolist())
                 self.assertEqual(block.type.name, kind)
                 for node, spot in enumerate(block.type.order):
                     middle = back.nodes[block.connectivity[:, sorted(spot)]].mean(axis=1)
