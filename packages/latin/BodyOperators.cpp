@@ -178,8 +178,9 @@ void BodyOperators::setLoads(const std::vector<base::Matrix>& loads, std::vector
 base::Matrix BodyOperators::loads(int body) const {
   const Place& place = places_[body];
   if (place.group < 0) return {};
-  base::Matrix own(groups_[place.group]->dofs(), cases_);
-  fromGroup(place, groups_[place.group]->loads(), own);
+  const OperatorGroup& group = *groups_[place.group];
+  base::Matrix own(group.dofs(), cases_);
+  if (group.loads().numCols() > 0) fromGroup(place, group.loads(), own);
   return own;
 }
 

@@ -22,6 +22,8 @@ constexpr double misprediction = 2.0;
 constexpr double negligible = 0.1;
 // Ways over the residuals, at least, that are reckoned with before directions are known.
 constexpr double wayOfResidual = 100.0;
+// The least way over the residual: T brings no two points farther apart.
+constexpr double leastWay = 0.5;
 // Times what the images have promised that the true residual may be.
 constexpr double promised = 1.25;
 // Times the error that is gone for, that the way of a load step may tell before the correction goes on; share of that
@@ -50,12 +52,12 @@ CausalCorrection::CausalCorrection(FixedPoint& fixedPoint, substructure::Precisi
       finest_(fixedPoint.assembly().softens() ? substructure::Precision::exact : precision),
       allowed_(finest_),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
-      steps_(static_cast<std::size_t>(fixedPoint.assembly().steps()), Step{TangentSpace(fixedPoint, lines_)}) {}
+      steps_(static_cast<std::size_t>(fixedPoint.assembly().steps())) {}
 
 double CausalCorrection::evaluate(int step) {
-  fixedPoint_.pointwiseStage().solveColumn(step, beta_, traction_);
+  fixedPoint_.pointwiseStage().solveColumn(step, beta_, residual_);  // f^ first
   for (int row = 0; row < alpha_.numRows(); ++row) {
-    residual_[step][row] = 2.0 * traction_[step][row] - beta_[step][row] - alpha_[step][row];
+    residual_[step][row] = 2.0 * residual_[step][row] - beta_[step][row] - alpha_[step][row];
   }
   base::Matrix column(Teuchos::View, residual_[step], residual_.stride(), residual_.numRows(), 1);
   fixedPoint_.linearStage().unfelt().remove(column);
@@ -68,7 +70,7 @@ bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& d
   const std::vector<double> alpha(alpha_[step], alpha_[step] + rows), beta(beta_[step], beta_[step] + rows);
   double length = 1.0;
   for (int halving = 0; halving <= halvings; ++halving, length *= 0.5) {
-    here.tangent.space().move(direction.c, length, alpha_[step], beta_[step]);
+    here.tangent->space().move(direction.c, length, alpha_[step], beta_[step]);
     const double reached = evaluate(step);
     if (reached < here.residual) {
       here.isStale = length < 1.0 || reached > misprediction * direction.left;
@@ -87,18 +89,18 @@ void CausalCorrection::reduce(int step) {
   Step& here = steps_[step];
   here.residual = evaluate(step);
   const double enough = here.isLeft ? noise_ : here.weight * target_;
-  for (int i = 0; i < gaussNewtonSteps && here.tangent.space().size() > 0 && here.residual > enough; ++i) {
+  for (int i = 0; i < gaussNewtonSteps && here.tangent->space().size() > 0 && here.residual > enough; ++i) {
     const bool isFresh = here.isStale;
     if (isFresh) {
-      here.tangent.differentiate(step, fixedPoint_.pointwiseStage());
+      here.tangent->differentiate(step, fixedPoint_.pointwiseStage());
       here.isStale = false;
     }
-    here.tangent.restore();
-    const CorrectionSpace::LeastSquares direction = here.tangent.space().solve(residual_[step]);
+    here.tangent->restore();
+    const CorrectionSpace::LeastSquares direction = here.tangent->space().solve(residual_[step]);
     if (direction.left > worthwhile * here.residual) break;
     if (!takeStep(step, direction) && isFresh) break;
   }
-  here.moved = scaledNorm(fixedPoint_.metric(), alpha_[step], start_[step]);
+  here.moved = scaledNorm(fixedPoint_.metric(), alpha_[step], (*start_)[step]);
   fixedPoint_.pointwiseStage().accept();
 }
 
@@ -111,33 +113,39 @@ void CausalCorrection::sweep(int first) {
   local.begin();
   if (first > first_) {
     for (; first_ < first; ++first_) {
-      local.solveColumn(first_, beta_, traction_);
+      evaluate(first_);
       local.accept();
     }
     local.startFromHere();
     local.begin();
   }
-  for (int t = first; t < alpha_.numCols(); ++t) reduce(t);
+  for (int t = first; t < end_; ++t) reduce(t);
 }
 
 double CausalCorrection::longestWay() const {
   double longest = 0.0;
-  for (const Step& step : steps_) longest = std::max(longest, step.moved);
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    const bool isAhead = static_cast<int>(t) >= end_;
+    longest = std::max(longest, isAhead ? leastWay * steps_[t].residual : steps_[t].moved);
+  }
   return longest;
+}
+
+double CausalCorrection::smallestSingularValue(const Step& step) {
+  return step.tangent ? std::min(step.steepness, step.tangent->space().smallestSingularValue()) : step.steepness;
 }
 
 std::vector<int> CausalCorrection::unfinished() {
   std::vector<int> result;
   const double way = longestWay();
-  for (std::size_t t = 0; t < steps_.size(); ++t) {
+  for (int t = begin_; t < end_; ++t) {
     Step& step = steps_[t];
-    step.isLeft =
-        step.residual > noise_ && (step.residual > step.weight * target_ ||
-                                   step.residual > allowedToHide * step.tangent.space().smallestSingularValue() * way);
+    step.isLeft = step.residual > noise_ && (step.residual > step.weight * target_ ||
+                                             step.residual > allowedToHide * smallestSingularValue(step) * way);
     if (step.isLeft) {
-      result.push_back(static_cast<int>(t));
+      result.push_back(t);
     } else {
-      step.tangent.release();
+      step.tangent->release();
     }
   }
   return result;
@@ -162,7 +170,7 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
   for (const int t : steps) {
     Step& step = steps_[t];
     std::vector<double> v(residual_[t], residual_[t] + rows);
-    if (!step.tangent.space().makeIndependent(v.data()) && !(!step.isStale && step.tangent.continueKrylov(v))) {
+    if (!step.tangent->space().makeIndependent(v.data()) && !(!step.isStale && step.tangent->continueKrylov(v))) {
       step.isStale = true;
       continue;
     }
@@ -176,8 +184,8 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
   for (int i = 0; i < count; ++i) {
     const int t = selected[i];
     // As large as the state itself, so that the difference has its digits.
-    const double size = std::max(scaledNorm(fixedPoint_.metric(), start_[t], nullptr), steps_[t].residual);
-    for (int row = 0; row < rows; ++row) shifted[i][row] = start_[t][row] + size * directions[i][row];
+    const double size = std::max(scaledNorm(fixedPoint_.metric(), (*start_)[t], nullptr), steps_[t].residual);
+    for (int row = 0; row < rows; ++row) shifted[i][row] = (*start_)[t][row] + size * directions[i][row];
     lengths.push_back(size);
   }
   const substructure::Precision used = precision();
@@ -188,15 +196,15 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
   for (int i = 0; i < count; ++i) {
     const int t = selected[i];
     for (int row = 0; row < rows; ++row) image[i][row] = (image[i][row] - startImage_[t][row]) / lengths[i];
-    if (!steps_[t].isStale) steps_[t].tangent.restore();
-    steps_[t].tangent.add(directions[i].data(), image[i], !steps_[t].isStale);
+    if (!steps_[t].isStale) steps_[t].tangent->restore();
+    steps_[t].tangent->add(directions[i].data(), image[i], !steps_[t].isStale);
   }
   return true;
 }
 
-double CausalCorrection::largestResidual() const {
+double CausalCorrection::largestResidual(int begin, int end) const {
   double largest = 0.0;
-  for (const Step& step : steps_) largest = std::max(largest, step.residual / step.weight);
+  for (int t = begin; t < end; ++t) largest = std::max(largest, steps_[t].residual / steps_[t].weight);
   return largest;
 }
 
@@ -205,17 +213,18 @@ double CausalCorrection::hidden() const {
   double largest = 0.0;
   for (const Step& step : steps_) {
     if (step.residual <= noise_) continue;
-    const double seen = step.tangent.space().smallestSingularValue() * way;
+    const double seen = smallestSingularValue(step) * way;
     largest = std::max(largest, seen > 0.0 ? step.residual / seen : std::numeric_limits<double>::infinity());
   }
   return largest;
 }
 
 void CausalCorrection::start(const Iterate& iterate, const base::Matrix& alpha) {
-  for (base::Matrix* field : {&start_, &startImage_, &alpha_, &beta_, &traction_, &residual_}) {
-    field->shape(alpha.numRows(), alpha.numCols());
+  for (base::Matrix* field : {&startImage_, &alpha_, &beta_, &residual_}) {
+    field->shapeUninitialized(alpha.numRows(), alpha.numCols());
   }
-  for (base::Matrix* field : {&start_, &alpha_}) field->assign(alpha);
+  start_ = &alpha;
+  alpha_.assign(alpha);
   for (base::Matrix* field : {&startImage_, &beta_}) field->assign(iterate.beta());
   const std::vector<double> squares = fixedPoint_.metric().squaredNorms(alpha);
   first_ = 0;
@@ -229,17 +238,38 @@ void CausalCorrection::start(const Iterate& iterate, const base::Matrix& alpha) 
   }
 }
 
+void CausalCorrection::finish() {
+  for (base::Matrix* field : {&startImage_, &alpha_, &beta_, &residual_}) *field = base::Matrix();
+}
+
 void CausalCorrection::approach(int stages) {
   // All load steps are met from the unloaded state again at the end, also when a law throws.
   const FixedPoint::AllStepsAtEnd restore(fixedPoint_);
   first_ = 0;
-  sweep(0);
+  const int steps = alpha_.numCols(), first = fixedPoint_.linearStage().stages();
+  for (begin_ = 0; begin_ < steps; begin_ = end_) {
+    end_ = std::min(begin_ + March::stepsAtOnce, steps);
+    for (int t = begin_; t < end_; ++t) {
+      if (!steps_[t].tangent) steps_[t].tangent.emplace(fixedPoint_, lines_);
+    }
+    approachTogether(stages - (fixedPoint_.linearStage().stages() - first));
+    if (steps <= March::stepsAtOnce) continue;
+    for (int t = begin_; t < end_; ++t) {
+      steps_[t].steepness = smallestSingularValue(steps_[t]);
+      steps_[t].tangent.reset();
+      steps_[t].isStale = true;
+    }
+  }
+}
+
+void CausalCorrection::approachTogether(int stages) {
+  sweep(begin_);
   const int first = fixedPoint_.linearStage().stages();
-  std::vector<double> residuals{largestResidual()};  // after every linear stage
+  std::vector<double> residuals{largestResidual(begin_, end_)};  // after every linear stage
   for (std::vector<int> left = unfinished(); !left.empty(); left = unfinished()) {
     if (fixedPoint_.linearStage().stages() - first >= stages || !extend(left)) break;
     sweep(left.front());
-    residuals.push_back(largestResidual());
+    residuals.push_back(largestResidual(begin_, end_));
     if (residuals.size() > patience && residuals.back() > slow * residuals[residuals.size() - 1 - patience]) break;
   }
 }
@@ -250,7 +280,7 @@ std::vector<double> CausalCorrection::distancesFromStart() const {
   std::vector<double> sums(4 * steps, 0.0);  // per load step: squares of f and k w, and of their differences
   for (std::size_t t = 0; t < steps; ++t) {
     const auto column = static_cast<int>(t);
-    const double *a = alpha_[column], *b = beta_[column], *a0 = start_[column], *b0 = startImage_[column];
+    const double *a = alpha_[column], *b = beta_[column], *a0 = (*start_)[column], *b0 = startImage_[column];
     for (std::size_t row = 0; row < metric.scale().size(); ++row) {
       const double square = metric.scale()[row] * metric.scale()[row];
       const double da = a[row] - a0[row], db = b[row] - b0[row];
@@ -303,6 +333,7 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
   const double before = largestResidual();
   Result result;
   if (before <= noise_) {
+    finish();
     result.reduction = 0.0;
     return result;
   }
@@ -338,6 +369,7 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
   }
   result.reduction = left / before;
   alpha.assign(alpha_);
+  finish();
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <harmos/latin/FixedPoint.hpp>
@@ -18,6 +19,9 @@ namespace harmos::latin {
 /// last from one correction to the next, since y depends on no state; the g = (I - J) v are found anew where a tangent
 /// no longer predicts the residual, without a solve. Norms are those of StateMetric. Displacement form, with the local
 /// stage PointwiseLocalStage.
+///
+/// Of many load steps, March::stepsAtOnce are brought to their end together, then the next ones, with the history that
+/// they have left, and spaces last no longer than that: what is kept of directions does not grow with the load steps.
 ///
 /// Images y may be found in single precision, since they only say where to go: where any was, the way ends with an
 /// application of T in double precision, and what is said of the residual is what that has found. Where it is larger
@@ -57,37 +61,47 @@ class CausalCorrection {
 
  private:
   struct Step {
-    TangentSpace tangent;
-    bool isStale = true;    // the tangents are not those of a state like this one
-    double residual = 0.0;  // |R|
-    double moved = 0.0;     // |alpha - start|
-    bool isLeft = true;     // has not come to the target
-    double weight = 1.0;    // of the target: its share of this load step, small where small residuals mean long ways
+    std::optional<TangentSpace> tangent;  // of the load steps at hand
+    bool isStale = true;                  // the tangents are not those of a state like this one
+    double steepness = 1.0;               // smallest singular value of I - J in spaces that were let go
+    double residual = 0.0;                // |R|
+    double moved = 0.0;                   // |alpha - start|
+    bool isLeft = true;                   // has not come to the target
+    double weight = 1.0;  // of the target: its share of this load step, small where small residuals mean long ways
   };
 
   void start(const Iterate& iterate, const base::Matrix& alpha);
+  /// Lets go of the fields of all load steps.
+  void finish();
   /// Solves the local stage of a load step; returns |R|, and leaves R in residual_.
   double evaluate(int step);
   /// Gauss-Newton in the space of one load step, after those before it were settled.
   void reduce(int step);
   /// Moves a load step in its space if that makes |R| less; false when not even a quarter of the step does.
   bool takeStep(int step, const CorrectionSpace::LeastSquares& direction);
-  /// The residuals of the load steps from `first` on in turn, as small as their spaces allow; the steps before have
-  /// come to their end.
+  /// The residuals of the load steps at hand from `first` on in turn, as small as their spaces allow; the steps before
+  /// have come to their end.
   void sweep(int first);
-  /// The load steps that have not come to their end.
+  /// Those of the load steps at hand that have not come to their end.
   std::vector<int> unfinished();
+  /// Of the load steps so far; later ones go at least half of their residual.
   double longestWay() const;
-  /// Over the weights.
-  double largestResidual() const;
+  /// The smallest singular value of I - J that was met at a load step.
+  static double smallestSingularValue(const Step& step);
+  /// Of the load steps from `begin` on and before `end`, over the weights.
+  double largestResidual(int begin, int end) const;
+  double largestResidual() const { return largestResidual(0, alpha_.numCols()); }
   double hidden() const;
   /// Collective. Distances of the fields f and k w of the load steps from those of the start, the larger one, relative
   /// to the largest f and k w of all [-].
   std::vector<double> distancesFromStart() const;
   /// Collective. Less weight for load steps that would leave more than goal.error; whether there are any.
   bool sharpen(const Goal& goal);
-  /// Lets the spaces grow until all load steps have come to their end, or what is left says that they will not.
+  /// Brings all load steps to their end, some after the others, within so many linear stages.
   void approach(int stages);
+  /// Lets the spaces of the load steps at hand grow until these have come to their end, or what is left says that they
+  /// will not.
+  void approachTogether(int stages);
   /// Puts the true beta and residuals in the place of those that the images have given; returns the iterate.
   const Iterate& verify(base::Matrix& image);
   /// How exactly the images of the next directions are found.
@@ -101,12 +115,13 @@ class CausalCorrection {
   bool isRough_ = false;             // some images were found in single precision
   InterfaceLines lines_;
   std::vector<Step> steps_;
-  int first_ = 0;        // load step that the local stage begins at
-  double target_ = 0.0;  // |R| of every load step at the end, over its weight
-  double noise_ = 0.0;   // residuals below this one are round-off
-  base::Matrix start_;   // alpha and beta at the beginning
+  int begin_ = 0, end_ = 0;              // of the load steps at hand
+  int first_ = 0;                        // load step that the local stage begins at
+  double target_ = 0.0;                  // |R| of every load step at the end, over its weight
+  double noise_ = 0.0;                   // residuals below this one are round-off
+  const base::Matrix* start_ = nullptr;  // alpha and its beta at the beginning
   base::Matrix startImage_;
-  base::Matrix alpha_, beta_, traction_, residual_;
+  base::Matrix alpha_, beta_, residual_;
 };
 
 }  // namespace harmos::latin

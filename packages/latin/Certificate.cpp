@@ -202,42 +202,37 @@ const Iterate& Certificate::smooth(base::Matrix& state, base::Matrix& image) {
   return *iterate;
 }
 
-Certificate::Result Certificate::attempt(const Iterate& first, const base::Matrix& alpha, const base::Matrix& image,
+Certificate::Result Certificate::attempt(const Iterate& first, base::Matrix& alpha, base::Matrix& image,
                                          int stageLimit) {
   if (!causal_) return attemptOnce(Kind::newton, first, alpha, image, stageLimit);
   if (stepNewton_.isUsed()) return attemptOnce(Kind::stepwise, first, alpha, image, stageLimit);
-  Result result = attemptOnce(Kind::causal, first, alpha, image, stageLimit);
+  const Result result = attemptOnce(Kind::causal, first, alpha, image, stageLimit);
   if (!result.stagnated) return result;
-  base::Matrix next(alpha.numRows(), alpha.numCols());
-  const Iterate& iterate = fixedPoint_.apply(result.state, next);
-  return attemptOnce(Kind::stepwise, iterate, result.state, next, stageLimit);
+  return attemptOnce(Kind::stepwise, fixedPoint_.apply(alpha, image), alpha, image, stageLimit);
 }
 
-Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, const base::Matrix& alpha,
-                                             const base::Matrix& image, int stageLimit) {
+Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, base::Matrix& state, base::Matrix& image,
+                                             int stageLimit) {
   Result result;
-  result.state = alpha;
-  base::Matrix state(alpha);
-  base::Matrix next(image);
   const Iterate* iterate = &first;
-  fixedPoint_.shareTractions(state, next, accuracy_);
+  fixedPoint_.shareTractions(state, image, accuracy_);
   auto before = std::make_unique<Snapshot>(*iterate, responses_);
   double previous = 0.0, hidden = 0.0;
   for (int count = 0; count < maximumCorrections; ++count) {
     const double gap = fieldGap(*iterate);
     const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
     if (stages < (kind == Kind::newton ? leastVectors : leastStages)) return result;
-    Correction step = kind == Kind::causal     ? correctCausally(*iterate, state, next, count, stages)
-                      : kind == Kind::stepwise ? correctStepwise(*iterate, state, next, count, stageLimit - 2)
-                                               : correctByNewton(*iterate, state, next, count, previous, stages);
+    Correction step = kind == Kind::causal     ? correctCausally(*iterate, state, image, count, stages)
+                      : kind == Kind::stepwise ? correctStepwise(*iterate, state, image, count, stageLimit - 2)
+                                               : correctByNewton(*iterate, state, image, count, previous, stages);
     if (!step.isReduced) {
-      result.state = step.state;
+      state.assign(step.state);
       result.conclusive = false;
       result.stagnated = true;
       return result;
     }
-    iterate = step.iterate != nullptr ? step.iterate : &fixedPoint_.apply(step.state, next);
-    fixedPoint_.shareTractions(step.state, next, accuracy_);
+    iterate = step.iterate != nullptr ? step.iterate : &fixedPoint_.apply(step.state, image);
+    fixedPoint_.shareTractions(step.state, image, accuracy_);
     auto after = std::make_unique<Snapshot>(*iterate, responses_);
     std::vector<double> errors = after->distance(*before);
     const double error = largest(errors);
@@ -250,10 +245,9 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, co
       for (double& e : errors) e /= 1.0 - kappa;
       result.conclusive = !grew;
       if (!grew) result.estimates = errors;
-      result.state = state;
       if (!grew && std::max(hidden, step.hidden) <= hiddenLimit && previous <= farAway &&
           largest(errors) <= accuracy_ && gap <= allowedGap * accuracy_ &&
-          !isThrown(fixedPoint_, *iterate, step.state, next, accuracy_)) {
+          !isThrown(fixedPoint_, *iterate, step.state, image, accuracy_)) {
         result.claimed = true;
         return result;
       }
@@ -264,11 +258,10 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, co
     if (kind != Kind::newton) {
       before = std::move(after);
     } else {
-      iterate = &smooth(state, next);
-      fixedPoint_.shareTractions(state, next, accuracy_);
+      iterate = &smooth(state, image);
+      fixedPoint_.shareTractions(state, image, accuracy_);
       before = std::make_unique<Snapshot>(*iterate, responses_);
     }
-    result.state = state;
     result.conclusive = false;
   }
   return result;

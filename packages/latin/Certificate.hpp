@@ -36,7 +36,6 @@ class Certificate {
     bool claimed = false;           ///< E is within the accuracy, and all else that a claim needs is given
     bool conclusive = false;        ///< both corrections could be computed; `estimates` holds E
     std::vector<double> estimates;  ///< as Snapshot::distance: responses, force field, displacement field
-    base::Matrix state;             ///< the state that the estimates belong to, or the best one to go on from
     double contraction = 1.0;       ///< kappa [-]
     bool stagnated = false;         ///< a causal correction did not reduce the residual as much as it must
   };
@@ -48,9 +47,10 @@ class Certificate {
   Certificate(const Certificate&) = delete;
   Certificate& operator=(const Certificate&) = delete;
 
-  /// Collective. `image` = T(alpha), and `iterate` is that of alpha, at the beginning. Leaves at most at `stageLimit`
+  /// Collective. `image` = T(alpha), and `iterate` is that of alpha, at the beginning. Leaves in `alpha` the state that
+  /// the estimates belong to, or the best one to go on from, and in `image` that of some state, at most at `stageLimit`
   /// linear stages in all, counted as LinearStage::stages(). Throws base::Error as Snapshot.
-  Result attempt(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int stageLimit);
+  Result attempt(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, int stageLimit);
 
  private:
   /// How a state is corrected.
@@ -63,8 +63,7 @@ class Certificate {
     double hidden = 0.0;               // as NewtonCorrection::Result::hidden
     const Iterate* iterate = nullptr;  // of `state`, where its image is known
   };
-  Result attemptOnce(Kind kind, const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image,
-                     int stageLimit);
+  Result attemptOnce(Kind kind, const Iterate& iterate, base::Matrix& state, base::Matrix& image, int stageLimit);
   /// Number `count` of this attempt. May replace the image by that of the corrected state.
   Correction correctCausally(const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image, int count,
                              int stages);

@@ -144,7 +144,6 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   const bool mayMatter = RoundOff(fixedPoint_, responses_).mayMatter(iterate, options_.accuracy);
   const Certificate::Result attempt = certificate_->attempt(iterate, alpha_, image_, stagesBefore_ + stageLimit());
   if (attempt.conclusive) estimates_ = attempt.estimates;
-  alpha_.assign(attempt.state);
   // Where a claim fails although errors are known, or laws have no kinks, round-off may be why: once is enough.
   const bool isSuspected = attempt.conclusive || fixedPoint_.assembly().isAffine();
   const bool mustKnow = mayMatter && (attempt.claimed || (isSuspected && !knowsRoundOff_));

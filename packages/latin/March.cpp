@@ -76,7 +76,9 @@ void March::predict(const base::Matrix& alpha, int step, double* state) const {
 March::March(FixedPoint& fixedPoint, int memory, double accuracy, int restarts)
     : fixedPoint_(fixedPoint),
       accuracy_(accuracy),
-      accelerations_(static_cast<std::size_t>(fixedPoint.assembly().steps()),
+      accelerations_(fixedPoint.assembly().steps() > stepsAtOnce
+                         ? std::size_t{1}
+                         : static_cast<std::size_t>(fixedPoint.assembly().steps()),
                      AndersonAcceleration(fixedPoint.metric(), memory, fixedPoint.assembly().isAffine())),
       tractions_(fixedPoint.layout().rows(), fixedPoint.assembly().steps()),
       restarts_(fixedPoint.assembly().isAffine() ? 0 : restarts),
@@ -168,6 +170,12 @@ double March::residual(const base::Matrix& state, const base::Matrix& image) {
   return fixedPoint_.metric().distance(feltImage_, felt_);
 }
 
+AndersonAcceleration& March::accelerationOf(int step) {
+  if (accelerations_.size() == parts_.size()) return accelerations_[step];
+  accelerations_.front().restart();
+  return accelerations_.front();
+}
+
 void March::accelerate(AndersonAcceleration& acceleration, base::Matrix& state, const base::Matrix& image) {
   if (fixedPoint_.linearStage().unfelt().isEmpty()) {
     acceleration.advance(state, image);
@@ -180,7 +188,7 @@ void March::accelerate(AndersonAcceleration& acceleration, base::Matrix& state, 
 
 March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance) {
   const StateMetric& metric = fixedPoint_.metric();
-  AndersonAcceleration& acceleration = accelerations_[step];
+  AndersonAcceleration& acceleration = accelerationOf(step);
   const EquilibriumWatch unused(
       accuracy_, [&](int) { return balance_ != nullptr && balance_->isSure(step); },
       balance_ != nullptr ? balance_->canMove() : std::vector<bool>{});

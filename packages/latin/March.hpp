@@ -38,6 +38,8 @@ class March {
 
   /// Iterations of a load step, after its last landing, by which it is left as it is.
   static constexpr int maximumIterations = 100;
+  /// Load steps, at most, of which vectors are kept at a time: differences here, directions in a CausalCorrection.
+  static constexpr int stepsAtOnce = 64;
   /// Residuals below this share of the state are round-off.
   static constexpr double noise = 1e-13;
   /// Of the residual from one march to the next, when what has come of the first is not enough.
@@ -90,6 +92,8 @@ class March {
   End iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance);
   /// |image - state| of what T feels of both, which is kept for accelerate().
   double residual(const base::Matrix& state, const base::Matrix& image);
+  /// That of a load step, which remembers the last march where there are not many load steps.
+  AndersonAcceleration& accelerationOf(int step);
   /// The next state, of one whose residual() was asked for last.
   void accelerate(AndersonAcceleration& acceleration, base::Matrix& state, const base::Matrix& image);
   /// How exactly T is to be found next.
@@ -106,7 +110,7 @@ class March {
   double accuracy_;
   std::function<bool()> mustStop_;
   std::function<void(int, int, const Iterate&)> observer_;
-  std::vector<AndersonAcceleration> accelerations_;  // per load step
+  std::vector<AndersonAcceleration> accelerations_;  // per load step, or where these are many, one
   base::Matrix tractions_;                           // f^ of every load step that was visited
   int restarts_;
   bool leavesWithoutDigits_ = false;

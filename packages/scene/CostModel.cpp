@@ -8,6 +8,7 @@
 
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/CorrectionSpace.hpp>
+#include <harmos/latin/March.hpp>
 
 namespace harmos::scene {
 namespace {
@@ -19,14 +20,12 @@ constexpr double entriesInSpace = 25.0, growthInSpace = 4.0 / 3.0, entriesInPlan
 constexpr double unevenColumns = 1.5;
 // Of a load step as most are: differences in its march, directions in its certificate, and fields of both stages.
 constexpr int differences = 15, directions = 12, fields = 20;
-constexpr int storedStates = latin::AndersonAcceleration::statesPerDifference * differences +
-                             latin::CorrectionSpace::statesPerDirection * directions + fields;
 // Of a process: the program with its libraries; how much of matrices, factors in both precisions and of what a column
 // reads (traces are stored beside the factors) is there at the peak; of factors of bodies that nothing iterates on,
-// with the padding of their supernodes; of the stored states; displacement fields of all load steps, and what mesh,
-// output and estimates keep for a node.
+// with the padding of their supernodes; of the stored states; displacement fields of all load steps, and of those whose
+// directions are kept; and what mesh, output and estimates keep for a node.
 constexpr double programBytes = 61e6, matrixCopies = 5.9, factorCopies = 0.41, readCopies = 1.23, paddedFactor = 1.3,
-                 fieldShare = 0.6, displacementFields = 6.9, bytesPerNode = 24.0;
+                 fieldShare = 0.6, displacementFields = 2.4, fieldsAtOnce = 4.5, bytesPerNode = 24.0;
 // Seconds: of the program's start; of reading and assembling, per entry of the matrices; of factors per operation, per
 // entry, per entry that columns of the macro problem read, per entry of the matrices and per unknown; of a linear
 // stage, per entry that a column reads and, for all that is not a solve, per component of an interface side; of the
@@ -43,6 +42,14 @@ constexpr double usualSteps = 11.0, growthWithSteps = -0.25;
 constexpr double affineStages = 45.0, otherStages = 24.0, stagesPerDecade = 5.0, usualAccuracy = 1e-3;
 // Of the stages: for every doubling of the pieces of a part. Stages where nothing is left to iterate on.
 constexpr double growthWithPieces = 0.18, directStages = 4.0;
+
+/// States of all load steps together that an iteration keeps.
+double storedStates(double steps) {
+  constexpr double most = latin::March::stepsAtOnce;
+  const double remembered = steps > most ? 1.0 : steps;
+  return latin::AndersonAcceleration::statesPerDifference * differences * remembered +
+         latin::CorrectionSpace::statesPerDirection * directions * std::min(steps, most) + fields * steps;
+}
 
 }  // namespace
 
@@ -116,13 +123,15 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.factorBytes = entryBytes * sum_[factorEntries];
   cost.singleBytes = mayBeSingle ? singleEntryBytes * iterated : 0.0;
   cost.inverseBytes = (entryBytes + singleEntryBytes) * sum_[invertedEntries];
-  cost.fieldBytes = entryBytes * storedStates * scope.interfaceUnknowns * steps;
-  cost.processBytes = programBytes * scope.ranks + matrixCopies * cost.matrixBytes +
-                      factorCopies * (entryBytes * iterated + cost.singleBytes) +
-                      readCopies * entryBytes * (sum_[storedEntries] - 2.0 * sum_[looseEntries]) +
-                      paddedFactor * entryBytes * sum_[looseEntries] + cost.inverseBytes +
-                      fieldShare * cost.fieldBytes + entryBytes * displacementFields * scope.unknowns * steps +
-                      bytesPerNode * scope.unknowns / scope.dimension;
+  cost.fieldBytes = entryBytes * storedStates(steps) * scope.interfaceUnknowns;
+  cost.processBytes =
+      programBytes * scope.ranks + matrixCopies * cost.matrixBytes +
+      factorCopies * (entryBytes * iterated + cost.singleBytes) +
+      readCopies * entryBytes * (sum_[storedEntries] - 2.0 * sum_[looseEntries]) +
+      paddedFactor * entryBytes * sum_[looseEntries] + cost.inverseBytes + fieldShare * cost.fieldBytes +
+      entryBytes * scope.unknowns *
+          (displacementFields * steps + fieldsAtOnce * std::min<double>(steps, latin::March::stepsAtOnce)) +
+      bytesPerNode * scope.unknowns / scope.dimension;
 
   cost.startSeconds = programSeconds * scope.ranks + assemblySeconds * sum_[matrixEntries];
   cost.factorSeconds = operationSeconds * sum_[operations] + factorEntrySeconds * sum_[factorEntries] +

@@ -27,7 +27,7 @@ class OperatorGroup {
 
   /// Sets l [force] and g [length] (0 x 0: none), dofs x (bodies * steps). Costs nothing when they are those set last.
   void setLoads(const base::Matrix& loads, const base::Matrix& held);
-  /// P (l - A g).
+  /// P (l - A g); 0 x 0: none.
   const base::Matrix& loads() const { return loads_; }
   /// Makes room for so many columns in all, and says which column of loads() each takes.
   void select(std::vector<int> loadColumns);
@@ -77,6 +77,7 @@ class OperatorGroup {
 
  private:
   bool isTrace() const { return !trace_.empty(); }
+  void solveTogether(const std::vector<int>& columns, substructure::Precision precision);
   /// Adds to all rows of `to` what a field with the columns of loads() holds for a column, the kept response included.
   void addLoad(const base::Matrix& field, int column, double* to) const;
   void project(base::Matrix& vectors, bool onTrace) const;
@@ -96,10 +97,11 @@ class OperatorGroup {
   mutable std::unique_ptr<HeldStencil> stencil_;  // where traces are inverted: solves are many; null: not worthwhile
   base::Matrix givenLoads_;                       // l as it was given; 0 x 0: none
   bool areLoaded_ = false;                        // the following belong to it and to g
-  base::Matrix loads_;
-  base::Matrix held_;       // g; 0 x 0: none
-  base::Matrix loaded_;     // with a trace: S^-1 loads + g
-  base::Matrix heldLoads_;  // l on held nodes
+  int cases_ = 0;                                 // columns of l and g
+  base::Matrix loads_;                            // P (l - A g); 0 x 0: none
+  base::Matrix held_;                             // g; 0 x 0: none
+  base::Matrix loaded_;                           // with a trace: S^-1 loads + g; 0 x 0: none
+  base::Matrix heldLoads_;                        // l on held nodes
   std::vector<int> loadColumns_;
   std::vector<int> unitColumns_;     // of loads(), one per body: those of the kept response
   base::Matrix unitForces_, unit_;   // of it: f and the solution, one column per body

@@ -182,6 +182,52 @@ TEST(CausalCorrection, SolvesOnlyTheLoadStepsThatAreLeft) {
   EXPECT_EQ(2 * columnsFrom(1), both);
 }
 
+constexpr int manySteps = 2 * March::stepsAtOnce + 10;
+
+std::vector<double> waves(int steps) {
+  std::vector<double> factors;
+  for (int t = 0; t < steps; ++t) factors.push_back(std::sin(0.3 * t));
+  return factors;
+}
+
+/// Partial slip to and fro, so that every load step depends on many before it.
+Cubes rubbingOften() {
+  return {laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.3}}),
+          laws::makeLaw("Prescribed Traction", {{"X", 0.9}, {"Z", -4.0}}, {{"X", waves(manySteps)}}), manySteps};
+}
+
+TEST(CausalCorrection, KnowsTheTrueResidualOfManyLoadSteps) {
+  Cubes cubes = rubbingOften();
+  cubes.march(1e-2);
+  CausalCorrection correction(cubes.fixedPoint);
+  for (const double target : {0.1, 0.3, 1e-3}) {
+    const double start = cubes.residual(cubes.alpha);
+    const CausalCorrection::Result result = cubes.correct(correction, target, 100);
+    EXPECT_LE(result.reduction, target);
+    EXPECT_LE(result.hidden, 0.5);
+    EXPECT_NEAR(cubes.residual(cubes.alpha), result.reduction * start, 1e-6 * start);
+  }
+}
+
+// Of many load steps directions would take memory without end: the second time they are found anew.
+TEST(CausalCorrection, LetsGoOfTheDirectionsOfManyLoadSteps) {
+  Cubes cubes(laws::makeLaw("Linear Elastic", {{"Normal Stiffness", 100.0}, {"Tangential Stiffness", 300.0}}),
+              laws::makeLaw("Pressure", {{"Pressure", 2.0}}, {{"Pressure", waves(manySteps)}}), manySteps);
+  randomize(cubes.alpha);
+  const base::Matrix start(cubes.alpha);
+  CausalCorrection correction(cubes.fixedPoint);
+  const auto columns = [&] {
+    cubes.alpha.assign(start);
+    const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
+    const long before = cubes.fixedPoint.linearStage().columns();
+    EXPECT_LE(correction.correct(iterate, cubes.alpha, cubes.image, {1e-3}, 100).reduction, 1e-3);
+    return cubes.fixedPoint.linearStage().columns() - before;
+  };
+  const long first = columns();
+  EXPECT_GT(first, 3 * manySteps);
+  EXPECT_GE(columns(), first);
+}
+
 TEST(CausalCorrection, IsNothingAtAFixedPoint) {
   Cubes cubes = glued();
   CausalCorrection correction(cubes.fixedPoint);

@@ -93,6 +93,23 @@ TEST(March, FindsWhatTheIterationOverAllStepsFinds) {
   EXPECT_GT(difference, 0.05 * size);
 }
 
+// Of many load steps what the acceleration remembers of them is not kept: a second march goes on without it.
+TEST(March, GoesOnWithManyLoadSteps) {
+  constexpr int steps = March::stepsAtOnce + 6;
+  std::vector<double> factors;
+  for (int t = 0; t < steps; ++t) factors.push_back(std::sin(0.5 * t));
+  Problem problem(twoCubes(
+      friction(0.3), laws::makeLaw("Prescribed Displacement", {{"X", 0.1}, {"Y", 0.0}, {"Z", -0.05}}, {{"X", factors}}),
+      steps));
+  base::Matrix alpha = problem.zero(), image = problem.zero();
+  March march(problem.fixedPoint, memory, accuracy, 0);
+  EXPECT_EQ(march.run(alpha, 1e-2, March::Guess::extrapolation), March::End::reached);
+  EXPECT_EQ(march.run(alpha, 1e-8, March::Guess::state), March::End::reached);
+  const Iterate& iterate = problem.fixedPoint.apply(alpha, image);
+  const double size = problem.fixedPoint.metric().norm(iterate.hattedTraction());
+  EXPECT_LE(problem.fixedPoint.metric().distance(image, alpha), 1e-6 * size);
+}
+
 TEST(March, StaysWhereItIsRight) {
   Problem problem(draggedCubes());
   base::Matrix alpha = problem.converged();

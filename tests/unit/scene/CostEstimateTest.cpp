@@ -68,5 +68,21 @@ TEST(CostEstimate, CountsTracesInBothPrecisionsWhereTheyAreInverted) {
   EXPECT_GE(inverted.processBytes, plain.processBytes + inverted.inverseBytes);
 }
 
+// Of many load steps the vectors of a few are kept at a time: eight times as many steps take far less than eight times
+// the memory, and fields of all of them grow with the steps.
+TEST(CostEstimate, OfManyLoadStepsCountsVectorsOfSome) {
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  const Scene scene = sample();
+  const auto fieldsOf = [&](int steps) {
+    Problem problem = makeProblem(scene, *comm, timers);
+    problem.assembly.times.resize(steps);
+    return estimateCost(problem, scene.solver, FactorSizes::fromOrder, *comm).fieldBytes;
+  };
+  EXPECT_NEAR(fieldsOf(64), 64.0 * fieldsOf(1), 1.0);
+  EXPECT_LT(fieldsOf(512), 3.0 * fieldsOf(64));
+  EXPECT_NEAR(fieldsOf(513) - fieldsOf(512), fieldsOf(514) - fieldsOf(513), 1.0);
+}
+
 }  // namespace
 }  // namespace harmos::scene
