@@ -28,6 +28,7 @@ class Blocks:
         self.node_sets = [("floor", 1, list(range(1, 10)))]
         self.format, self.real, self.whole, self.name_length = "NETCDF3_64BIT_OFFSET", "f8", "i4", 32
         self.temperature = False
+        self.maps: dict[str, numpy.ndarray] = {}
 
     def write(self, path: pathlib.Path) -> None:
         with netCDF4.Dataset(path, "w", format=self.format) as file:
@@ -57,6 +58,8 @@ class Blocks:
                 self._table(file, f"side_ss{number}", numpy.array(sides), f"num_side_ss{number}")
             for number, (_, _, nodes) in enumerate(self.node_sets, 1):
                 self._table(file, f"node_ns{number}", numpy.array(nodes), f"num_nod_ns{number}")
+            for name, numbers in self.maps.items():
+                self._table(file, name, numbers, f"num_of_{name}")
             if self.temperature:
                 file.variables["time_whole"][:] = [0.0, 1.0]
                 file.createDimension("num_nod_var", 1)
@@ -187,6 +190,15 @@ class StrangeMeshes(unittest.TestCase):
         self.demand_right(change, scene(mesh=unused))
         self.demand_refused(change, "side set \"of_skin\" is empty; faces of the unused blocks \"skin\" are left out",
                             scene(sets=("bottom", "of_skin"), mesh=unused))
+
+    def test_maps_that_are_none(self) -> None:
+        for numbers in (numpy.arange(1, 100001), numpy.arange(1, 4), numpy.zeros(16, dtype=int), -numpy.arange(1, 17)):
+            for name in ("elem_num_map", "node_num_map"):
+                with self.subTest(name, length=len(numbers)):
+                    self.demand_right(lambda blocks: blocks.maps.update({name: numbers}))
+                    command = [harmos, "import", str(work / "mesh.e"), "--output", str(work / "imported")]
+                    result = subprocess.run(command, capture_output=True, text=True, check=False)
+                    self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_coordinates(self) -> None:
         def moved(blocks: Blocks, place: float) -> None:

@@ -103,6 +103,13 @@ def _size(file: netCDF4.Dataset, dimension: str) -> int:
     return len(file.dimensions[dimension]) if dimension in file.dimensions else 0
 
 
+def _numbers(file: netCDF4.Dataset, variable: str, count: int) -> "Array | None":
+    """By which the file knows its nodes or elements; None: by none, or by a map that is damaged."""
+    if variable not in file.variables or file.variables[variable].shape != (count,):
+        return None
+    return numpy.asarray(file.variables[variable][:], dtype=numpy.int64)
+
+
 def _entries(file: netCDF4.Dataset, variable: str) -> Array:
     """Of a set, counted from 0; an empty set has no table."""
     table = file.variables[variable][:] if variable in file.variables else numpy.zeros(0)
@@ -159,12 +166,10 @@ def read_exodus(path: str, findings: Findings) -> Mesh:
             nodes[:, column] = file.variables["coord" + axis][:] if "coord" + axis in file.variables \
                 else file.variables["coord"][column]
         mesh = Mesh(dimension, nodes, _read_blocks(path, file, dimension, findings))
-        if "node_num_map" in file.variables:
-            mesh.node_numbers = file.variables["node_num_map"][:].astype(numpy.int64)
-        if "elem_num_map" in file.variables:
-            numbers = file.variables["elem_num_map"][:].astype(numpy.int64)
-            for first, block in zip(mesh.first_elements(), mesh.blocks):
-                block.numbers = numbers[first:first + len(block.connectivity)]
+        mesh.node_numbers = _numbers(file, "node_num_map", len(nodes))
+        numbers = _numbers(file, "elem_num_map", int(mesh.first_elements()[-1]))
+        for first, block in zip(mesh.first_elements(), mesh.blocks):
+            block.numbers = None if numbers is None else numbers[first:first + len(block.connectivity)]
         for number, name in enumerate(_distinct(path, file, "ss_names", "num_side_sets", "sideset_", findings), 1):
             mesh.side_sets[name] = numpy.column_stack([_entries(file, f"elem_ss{number}"), _entries(file, f"side_ss{number}")])
         for number, name in enumerate(_distinct(path, file, "ns_names", "num_node_sets", "nodeset_", findings), 1):
