@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <set>
 
 // Without the older rescaling of coordinates to integers, of which g++ 12 believes that it reads what is not set.
@@ -173,26 +172,12 @@ FaceOverlap findOverlap(const Mesh& mesh, const std::vector<Face>& side1, const 
   std::vector<bool> isMatched1(side1.size(), false), isMatched2(side2.size(), false);
   for (const FacePair& pair : matched) isMatched1[pair.face1] = isMatched2[pair.face2] = true;
   const auto pairs = overlappingFaces(mesh, side1, isMatched1, side2, isMatched2);
-  FaceOverlap overlap;
-  if (pairs.empty()) return overlap;
-  std::map<int, int> partner;
-  std::set<int> coinciding2;
-  for (const auto& [node1, node2] : matchNodes(mesh, side1, side2)) {
-    partner[node1] = node2;
-    coinciding2.insert(node2);
-  }
   std::set<int> faces1, faces2;
   for (const auto& [i, j] : pairs) {
-    const std::vector<int>& nodes1 = side1[i].nodes;
-    const std::vector<int>& nodes2 = side2[j].nodes;
-    if (std::all_of(nodes1.begin(), nodes1.end(), [&](int node) { return partner.count(node) > 0; }) &&
-        std::all_of(nodes2.begin(), nodes2.end(), [&](int node) { return coinciding2.count(node) > 0; })) {
-      for (const int node : nodes1) overlap.nodes.emplace_back(node, partner.at(node));
-    } else {
-      faces1.insert(i);
-      faces2.insert(j);
-    }
+    faces1.insert(i);
+    faces2.insert(j);
   }
+  FaceOverlap overlap;
   overlap.faces1.assign(faces1.begin(), faces1.end());
   overlap.faces2.assign(faces2.begin(), faces2.end());
   return overlap;

@@ -120,11 +120,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenSideSets(const std::string
   if (pairs.size() == side1.size() && pairs.size() == side2.size()) {
     return joinFaces(parts_, name, side1, side2, pairs, creaseAngle, projection);
   }
-  if (!projection) {
-    auto surfaces = joinDifferentFaces(parts_, name, side1, side2, creaseAngle);
-    if (!surfaces.empty()) return surfaces;
-    if (join) return join(sideSetNamed(sideSet1), side1, sideSetNamed(sideSet2), side2);
-  }
+  if (!projection && join) return join(sideSetNamed(sideSet1), side1, sideSetNamed(sideSet2), side2);
   const auto nodes1 = nodesOf(side1);
   const auto nodes2 = nodesOf(side2);
   const Separation apart = separation(parts_.mesh.nodes, nodes1, nodes2, projection);
@@ -199,13 +195,10 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
       return std::to_string(count) + (count == 1 ? " face of part \"" : " faces of part \"") + part + "\"";
     };
     refuse(where, facesOf(overlap.faces1.size(), part1) + " and " + facesOf(overlap.faces2.size(), part2) +
-                      " lie on each other, but their nodes do not coincide, the first of them at " +
+                      " lie on each other, but do not match node by node, the first of them at " +
                       nodeName(parts_.mesh, skin1[overlap.faces1[0]].nodes[0]) + "; of the others " +
                       std::to_string(faces.size()) +
                       " of each part match. Mesh both parts with the same nodes where they touch.");
-  }
-  for (const auto& pair : overlap.nodes) {
-    if (inFaces.count(pair.first) == 0) single.insert(pair);
   }
   const auto more = joinNodes(parts_, name, pieces1, pieces2, {single.begin(), single.end()});
   surfaces.insert(surfaces.end(), more.begin(), more.end());

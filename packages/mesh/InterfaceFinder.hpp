@@ -40,11 +40,10 @@ class InterfaceFinder {
   /// The interface between two side sets whose faces coincide node by node (within conformingTolerance).
   ///
   /// `projection` [any length] is for surfaces that are open (or overlap) initially: faces must coincide when seen
-  /// along it, the normal is along it, the gap is measured along it, and areas are the areas seen along it. Without it,
-  /// sides that are meshed with the same nodes but with different faces (triangles against quadrilaterals, other
-  /// diagonals) are accepted between uncut parts: areas are then the mean of both sides, and there is no consistent
-  /// mass. Sides that do not conform are left to `join`, if there is one and no projection. Throws base::Error(input)
-  /// if they do not conform otherwise, or belong to one part.
+  /// along it, the normal is along it, the gap is measured along it, and areas are the areas seen along it. Sides that
+  /// do not conform are left to `join`, if there is one and no projection; so are those with the same nodes but with
+  /// different faces (triangles against quadrilaterals, other diagonals), whose nodal areas differ. Throws
+  /// base::Error(input) if they do not conform otherwise, or belong to one part.
   std::vector<InterfaceSurface> betweenSideSets(const std::string& name, const std::string& sideSet1,
                                                 const std::string& sideSet2,
                                                 const std::optional<base::Vector3>& projection = std::nullopt,
@@ -53,7 +52,7 @@ class InterfaceFinder {
   /// The interface between two bodies: their coincident faces and, besides, mesh nodes that they share outside of these
   /// faces; if there are no such faces, the nodes that coincide. Areas of nodes without faces: mean over the two bodies
   /// of their nodal skin areas, of volume^(2/3) for nodes inside a part (in 2-D thickness times the root of the plane
-  /// area). If faces lie on each other whose nodes do not coincide, they and all that match are left to `join`, if
+  /// area). If faces lie on each other that do not match node by node, they and all that match are left to `join`, if
   /// there is one. Throws base::Error(input) if there is none then, or if the parts do not touch.
   std::vector<InterfaceSurface> betweenParts(const std::string& name, const std::string& part1,
                                              const std::string& part2, double creaseAngle = oneNormal,

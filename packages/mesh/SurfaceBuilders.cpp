@@ -13,24 +13,14 @@ constexpr double anyAngle = 180.0;
 
 }  // namespace
 
-void SurfaceBuilders::add(int piece1, int piece2, const std::vector<int>& nodes1, const std::vector<int>& nodes2,
-                          FaceIntegrals integrals, bool isListed) {
+void SurfaceBuilders::addFace(int piece1, int piece2, const std::vector<int>& nodes1, const std::vector<int>& nodes2,
+                              FaceIntegrals integrals) {
   OrientedFace& face = corners_.emplace_back();
   for (std::size_t i = 0; i < nodes1.size(); ++i) {
     face.pairs.emplace_back(nodes1[i], nodes2.empty() ? -1 : nodes2[i]);
     face.normal = face.normal + integrals.weight[i].flux;
   }
-  faces_.push_back({piece1, piece2, std::move(integrals), isListed});
-}
-
-void SurfaceBuilders::addFace(int piece1, int piece2, const std::vector<int>& nodes1, const std::vector<int>& nodes2,
-                              FaceIntegrals integrals) {
-  add(piece1, piece2, nodes1, nodes2, std::move(integrals), true);
-}
-
-void SurfaceBuilders::addShare(int piece1, int piece2, const std::vector<int>& nodes1, const std::vector<int>& nodes2,
-                               FaceIntegrals integrals) {
-  add(piece1, piece2, nodes1, nodes2, std::move(integrals), false);
+  faces_.push_back({piece1, piece2, std::move(integrals)});
 }
 
 void SurfaceBuilders::addNode(int piece1, int piece2, int node1, int node2, const NodalWeight& weight) {
@@ -50,9 +40,8 @@ std::vector<InterfaceSurface> SurfaceBuilders::build(const std::string& name) co
     for (std::size_t i = 0; i < patch[f].size(); ++i) {
       const auto& [node1, node2] = corners_[f].pairs[i];
       corners.emplace_back(node1, node2, patch[f][i]);
-      if (!face.isListed) builder.addPoint(corners.back(), face.integrals.weight[i]);
     }
-    if (face.isListed) builder.addFace(corners, face.integrals);
+    builder.addFace(corners, face.integrals);
   }
   for (const AddedNode& node : nodes_) {
     at(node.piece1, node.piece2).addPoint({node.pair.first, node.pair.second, 0}, node.weight);

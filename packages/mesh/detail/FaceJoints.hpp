@@ -16,10 +16,4 @@ std::vector<InterfaceSurface> joinFaces(const CutMesh& parts, const std::string&
                                         const std::vector<Face>& side2, const std::vector<FacePair>& pairs,
                                         double creaseAngle, const std::optional<base::Vector3>& projection);
 
-/// The surfaces of an interface between two sides that are meshed with the same nodes but with different faces, each
-/// with half of its areas. Nothing where the nodes differ, a side is cut, or both look the same way.
-std::vector<InterfaceSurface> joinDifferentFaces(const CutMesh& parts, const std::string& name,
-                                                 const std::vector<Face>& side1, const std::vector<Face>& side2,
-                                                 double creaseAngle);
-
 }  // namespace harmos::mesh

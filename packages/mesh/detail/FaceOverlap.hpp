@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include <harmos/mesh/FaceMatching.hpp>
@@ -10,8 +9,7 @@ namespace harmos::mesh {
 
 /// What lies on each other of two sides without being a pair of matchFaces().
 struct FaceOverlap {
-  std::vector<std::pair<int, int>> nodes;  // of faces all of whose nodes coincide with one of the other side
-  std::vector<int> faces1, faces2;         // other faces, ascending: indices into the lists of faces
+  std::vector<int> faces1, faces2;  // ascending: indices into the lists of faces
 };
 
 /// Two faces lie on each other when their normals are opposite, they overlap by more than a hundredth of the smaller

@@ -26,10 +26,6 @@ class SurfaceBuilders {
   /// left out.
   void addFace(int piece1, int piece2, const std::vector<int>& nodes1, const std::vector<int>& nodes2,
                FaceIntegrals integrals);
-  /// A face that only side 2 has: its share of areas and normals counts, its corners are not listed. The integrals are
-  /// those seen from side 1, normals out of it.
-  void addShare(int piece1, int piece2, const std::vector<int>& nodes1, const std::vector<int>& nodes2,
-                FaceIntegrals integrals);
   /// A node pair that belongs to no face. Normals may have any length, also zero if there is no direction.
   void addNode(int piece1, int piece2, int node1, int node2, const NodalWeight& weight);
 
@@ -40,15 +36,12 @@ class SurfaceBuilders {
   struct AddedFace {
     int piece1, piece2;
     FaceIntegrals integrals;
-    bool isListed;
   };
   struct AddedNode {
     int piece1, piece2;
     NodePair pair;
     NodalWeight weight;
   };
-  void add(int piece1, int piece2, const std::vector<int>& nodes1, const std::vector<int>& nodes2,
-           FaceIntegrals integrals, bool isListed);
 
   const Mesh& mesh_;
   const std::vector<Piece>& pieces_;

@@ -96,8 +96,23 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"Unilateral Contact", "{3, 2, 1}", "{2, 5, 1}", "Hex8", "Hex8", "Side 1"},
                       Case{"Unilateral Contact", "{3, 2, 1}", "{2, 5, 1}", "Tet4", "Hex8", "Side 2"},
                       Case{"Coulomb Friction", "{2, 2, 1}", "{3, 3, 1}", "Wedge6", "Pyramid5", "Side 1"},
-                      Case{"Coulomb Friction", "{1, 1, 1}", "{6, 6, 1}", "Tet4", "Tet4", "Side 1"}),
+                      Case{"Coulomb Friction", "{1, 1, 1}", "{6, 6, 1}", "Tet4", "Tet4", "Side 1"},
+                      Case{"Perfect", "{3, 2, 1}", "{3, 2, 1}", "Hex8", "Tet4", "Automatic"},
+                      Case{"Coulomb Friction", "{3, 2, 1}", "{3, 2, 1}", "Wedge6", "Hex8", "Automatic"}),
     nameOf);
+
+/// Nodes that coincide are not enough: the areas of nodes of triangles are not those of quadrilaterals.
+TEST(NonMatching, PassesThePatchTestBetweenPartsOfTheSameNodesAndDifferentFaces) {
+  SceneInput scene =
+      sceneOf("contact_patch/space.xml", {"Coulomb Friction", "{3, 2, 1}", "{3, 2, 1}", "Wedge6", "Hex8", "Automatic"});
+  scene.remove("Interfaces/contact/Side 1");
+  scene.remove("Interfaces/contact/Side 2");
+  scene.set("Interfaces/contact/Part 1=lower");
+  scene.set("Interfaces/contact/Part 2=upper");
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  expectUniformPressure(run, "contact");
+}
 
 TEST(NonMatching, CarriesAPressureUniformlyOverPartlyCoveredFaces) {
   for (const char* pointsOn : {"Automatic", "Side 1", "Side 2"}) {
