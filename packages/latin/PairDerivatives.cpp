@@ -15,7 +15,11 @@ constexpr double same = 1e-9;
 
 PairDerivatives::PairDerivatives(const assembly::Assembly& assembly, InterfaceLines& lines,
                                  std::vector<Laws> parameters)
-    : assembly_(assembly), lines_(lines), parameters_(std::move(parameters)), joints_(assembly.interfaces.size()) {
+    : assembly_(assembly),
+      lines_(lines),
+      faces_(assembly, lines.layout()),
+      parameters_(std::move(parameters)),
+      joints_(assembly.interfaces.size()) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (!lines_.isActive(static_cast<int>(i))) continue;
     const assembly::Interface& interface = assembly.interfaces[i];
@@ -23,6 +27,7 @@ PairDerivatives::PairDerivatives(const assembly::Assembly& assembly, InterfaceLi
         static_cast<std::size_t>(interface.pairs()) * static_cast<std::size_t>(interface.law->historySize());
     joints_[i].before.assign(parameters_.size(), std::vector<double>(numbers, 0.0));
     joints_[i].after = joints_[i].before;
+    joints_[i].states.resize(parameters_.size());
   }
 }
 
@@ -33,7 +38,7 @@ void PairDerivatives::meet(int column, const PointwiseLocalStage& local) {
     joints_[i].step = met.step;
     joints_[i].lines = met.lines;
     joints_[i].history = met.oldHistory;
-    demandSame(static_cast<int>(i), met);
+    if (faces_.law(static_cast<int>(i)) == nullptr) demandSame(static_cast<int>(i), met);
   }
 }
 
@@ -57,11 +62,14 @@ void PairDerivatives::demandSame(int interfaceIndex, const PointwiseLocalStage::
                     interface.law->name() + "\", which asks for more than the pairs of this interface.");
 }
 
-void PairDerivatives::solve(int interfaceIndex, int parameter, double sign,
-                            const std::vector<laws::LocalLine>& change) {
+laws::NodeArrays PairDerivatives::shift(int interfaceIndex, int parameter, double sign,
+                                        const std::vector<laws::LocalLine>& change) {
   const Joint& joint = joints_[interfaceIndex];
-  const Laws& laws = parameters_[parameter];
-  const double length = sign * laws.step;
+  const double length = sign * parameters_[parameter].step;
+  shifted_.resize(change.size());
+  moved_.resize(change.size());
+  oldHistory_.resize(joint.history.size());
+  newHistory_.resize(joint.history.size());
   for (std::size_t p = 0; p < change.size(); ++p) {
     shifted_[p] = joint.lines[p];
     shifted_[p].freeJump = shifted_[p].freeJump + length * change[p].freeJump;
@@ -74,40 +82,71 @@ void PairDerivatives::solve(int interfaceIndex, int parameter, double sign,
   nodes.oldHistory = oldHistory_.data();
   nodes.newHistory = newHistory_.data();
   nodes.state = moved_.data();
-  (sign > 0.0 ? laws.more : laws.less)[interfaceIndex]->solve(joint.step, nodes);
+  return nodes;
 }
 
-void PairDerivatives::differentiate(int interfaceIndex, int parameter, const std::vector<laws::LocalLine>& change) {
+const laws::InterfaceLaw& PairDerivatives::law(int interfaceIndex, int parameter, double sign) const {
+  const Laws& laws = parameters_[parameter];
+  return *(sign > 0.0 ? laws.more : laws.less)[interfaceIndex];
+}
+
+void PairDerivatives::add(int interfaceIndex, int parameter, double sign, base::Matrix& traction) {
   Joint& joint = joints_[interfaceIndex];
-  shifted_.resize(change.size());
-  moved_.resize(change.size());
-  states_.resize(change.size());
-  oldHistory_.resize(joint.history.size());
-  newHistory_.resize(joint.history.size());
-  std::vector<double>& history = joint.after[parameter];
-  const double factor = 0.5 / parameters_[parameter].step;
-  solve(interfaceIndex, parameter, 1.0, change);
-  for (std::size_t p = 0; p < change.size(); ++p) states_[p].traction = moved_[p].traction;
-  history = newHistory_;
-  solve(interfaceIndex, parameter, -1.0, change);
-  for (std::size_t p = 0; p < change.size(); ++p) {
-    states_[p].traction = factor * (states_[p].traction - moved_[p].traction);
+  const double factor = 0.5 * sign / parameters_[parameter].step;
+  std::vector<laws::LocalState>& states = joint.states[parameter];
+  if (sign > 0.0) {
+    states.assign(moved_.size(), {});
+    joint.after[parameter].assign(newHistory_.size(), 0.0);
   }
-  for (std::size_t n = 0; n < history.size(); ++n) history[n] = factor * (history[n] - newHistory_[n]);
+  for (std::size_t p = 0; p < moved_.size(); ++p) {
+    states[p].traction = states[p].traction + factor * moved_[p].traction;
+  }
+  for (std::size_t n = 0; n < newHistory_.size(); ++n) joint.after[parameter][n] += factor * newHistory_[n];
+  if (sign < 0.0) lines_.write(interfaceIndex, parameter, states.data(), traction);
 }
 
 void PairDerivatives::apply(const base::Matrix& dbeta, base::Matrix& traction) {
-  lines_.reserve(dbeta.numCols());
-  lines_.exchange(dbeta, 0, dbeta.numCols());
+  const int columns = dbeta.numCols();
+  lines_.reserve(columns);
+  lines_.exchange(dbeta, 0, columns);
   std::vector<laws::LocalLine> change;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const int index = static_cast<int>(i);
-    if (!lines_.isActive(index)) continue;
-    for (int j = 0; j < dbeta.numCols(); ++j) {
+    if (!lines_.isActive(index) || faces_.law(index) != nullptr) continue;
+    for (int j = 0; j < columns; ++j) {
       lines_.fill(index, j, dbeta, change);
-      differentiate(index, j, change);
-      lines_.write(index, j, states_.data(), traction);
+      for (const double sign : {1.0, -1.0}) {
+        law(index, j, sign).solve(joints_[i].step, shift(index, j, sign, change));
+        add(index, j, sign, traction);
+      }
     }
+  }
+  if (!faces_.isEmpty()) applyFaces(dbeta, traction);
+}
+
+void PairDerivatives::applyFaces(const base::Matrix& dbeta, base::Matrix& traction) {
+  const auto forEach = [&](double sign, const auto& use) {
+    std::vector<laws::LocalLine> change;
+    for (const int i : faces_.interfaces()) {
+      if (!lines_.isActive(i)) continue;
+      for (int j = 0; j < dbeta.numCols(); ++j) {
+        lines_.fill(i, j, dbeta, change);
+        const laws::NodeArrays nodes = shift(i, j, sign, change);
+        use(i, j, nodes, dynamic_cast<const laws::CoupledLaw&>(law(i, j, sign)));
+      }
+    }
+  };
+  FaceSums sums(faces_);
+  for (const double sign : {1.0, -1.0}) {
+    sums.begin(dbeta.numCols());
+    forEach(sign, [&](int i, int j, const laws::NodeArrays& nodes, const laws::CoupledLaw& moved) {
+      sums.add(i, j, joints_[i].step, nodes, moved);
+    });
+    sums.finish();
+    forEach(sign, [&](int i, int j, const laws::NodeArrays& nodes, const laws::CoupledLaw& moved) {
+      moved.solvePoints(joints_[i].step, nodes, sums.of(i, j));
+      add(i, j, sign, traction);
+    });
   }
 }
 

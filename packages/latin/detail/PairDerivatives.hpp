@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
+#include <harmos/latin/FaceSums.hpp>
 #include <harmos/latin/InterfaceLines.hpp>
 #include <harmos/latin/PointwiseLocalStage.hpp>
 
@@ -26,7 +27,8 @@ class PairDerivatives {
   PairDerivatives(const assembly::Assembly& assembly, InterfaceLines& lines, std::vector<Laws> parameters);
 
   /// Takes the lines and histories of a column that `local` has just met with solveColumn(). Not collective. Throws
-  /// base::Error where a law has answered otherwise than to the pairs of an interface by themselves.
+  /// base::Error where a law that is no CoupledLaw has answered otherwise than to the pairs of an interface by
+  /// themselves.
   void meet(int column, const PointwiseLocalStage& local);
   /// Collective. traction = df^ [stress per unit of the parameter] of dbeta, one column for each parameter.
   void apply(const base::Matrix& dbeta, base::Matrix& traction);
@@ -38,21 +40,30 @@ class PairDerivatives {
     int step = 0;
     std::vector<laws::LocalLine> lines;
     std::vector<double> history;
-    std::vector<std::vector<double>> before, after;  // dhistory of every parameter
+    std::vector<std::vector<double>> before, after;     // dhistory of every parameter
+    std::vector<std::vector<laws::LocalState>> states;  // df^ of every parameter
   };
 
   void demandSame(int interfaceIndex, const PointwiseLocalStage::Met& met);
-  void differentiate(int interfaceIndex, int parameter, const std::vector<laws::LocalLine>& change);
-  void solve(int interfaceIndex, int parameter, double sign, const std::vector<laws::LocalLine>& change);
+  /// Lines and history on one side of the value of a parameter, into shifted_ and oldHistory_; what is asked with them
+  /// answers in moved_ and newHistory_.
+  laws::NodeArrays shift(int interfaceIndex, int parameter, double sign, const std::vector<laws::LocalLine>& change);
+  const laws::InterfaceLaw& law(int interfaceIndex, int parameter, double sign) const;
+  /// The share of moved_ and newHistory_ in the central difference, that above the value first; after the other one
+  /// the tractions are written.
+  void add(int interfaceIndex, int parameter, double sign, base::Matrix& traction);
+  /// Collective. The rows of laws over whole faces, whose dbeta was exchanged.
+  void applyFaces(const base::Matrix& dbeta, base::Matrix& traction);
 
   const assembly::Assembly& assembly_;
   InterfaceLines& lines_;
+  FaceSums faces_;
   std::vector<Laws> parameters_;
   std::vector<Joint> joints_;
   // Of one interface and parameter.
   std::vector<laws::LocalLine> shifted_;
   std::vector<double> oldHistory_, newHistory_;
-  std::vector<laws::LocalState> moved_, states_;
+  std::vector<laws::LocalState> moved_;
 };
 
 }  // namespace harmos::latin

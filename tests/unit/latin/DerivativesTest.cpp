@@ -214,6 +214,83 @@ TEST(Derivatives, RefuseLawsThatKnowMoreThanTheirPairs) {
   Moody::changes = false;
 }
 
+/// Two cubes between a wall that moves and springs, drawn together by a bolt in the first load step, and locked.
+class Bolted {
+ public:
+  Bolted(double force, double way)
+      : values_{{"force", force}, {"way", way}},
+        cubes_(twoCubes(bolt(),
+                        laws::makeLaw("Elastic Foundation", {{"Normal Stiffness", 5.0}, {"Tangential Stiffness", 3.0}}),
+                        3)) {
+    for (const assembly::Interface& interface : assembly().interfaces) names_.push_back(interface.name);
+    install();
+  }
+  assembly::Assembly& assembly() { return cubes_.assembly(); }
+  ModelParameter parameter(const std::string& name) {
+    return {name, values_.at(name), 1e-6 * values_.at(name), [this, name](double value) {
+              values_[name] = value;
+              install();
+            }};
+  }
+  std::vector<std::shared_ptr<const Response>> responses() const {
+    return {std::make_shared<ResultantResponse>("bolt", std::vector<int>{at("joint")},
+                                                std::vector<base::Vector3>{{0, 0, 1}}),
+            std::make_shared<DisplacementResponse>("u", std::vector<DisplacementResponse::Node>{{1, 3, 1.0}},
+                                                   base::Vector3{0.2, 0, 1})};
+  }
+
+ private:
+  int at(const std::string& name) const {
+    return static_cast<int>(std::find(names_.begin(), names_.end(), name) - names_.begin());
+  }
+  std::shared_ptr<const laws::InterfaceLaw> bolt() const {
+    input::Parameters parameters("law");
+    parameters.set("Type", std::string("Pretension")).set("Force", values_.at("force")).set("Locked From", 1.0);
+    parameters.attach(std::make_shared<input::Histories>(std::vector<double>{1.0, 2.0, 3.0}));
+    return laws::builtInLaws().create(parameters);
+  }
+  void install() {
+    assembly().interfaces[at("joint")].law = bolt();
+    assembly().interfaces[at("bottom")].law = laws::makeLaw(
+        "Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", values_.at("way")}}, {{"Z", {0.0, 1.0, -0.5}}});
+  }
+
+  Values values_;
+  BoxAssembly cubes_;
+  std::vector<std::string> names_;
+};
+
+// A law over a whole face, and what it keeps from the load step in which it was locked.
+TEST(Derivatives, KnowLawsOverWholeFaces) {
+  constexpr double force = 2.0, way = 0.3;
+  const auto solve = [&](double f, double w) {
+    Bolted model(f, w);
+    base::Timers timers;
+    LatinSolver solver(model.assembly(), precise(), self(), timers);
+    for (const auto& response : model.responses()) solver.addResponse(response);
+    return solver.solve().responses;
+  };
+  Bolted model(force, way);
+  base::Timers timers;
+  LatinSolver solver(model.assembly(), precise(), self(), timers);
+  ASSERT_EQ(solver.solve().outcome, Outcome::certified);
+  const auto responses = model.responses();
+  const auto found = Derivatives(solver.fixedPoint(), responses)
+                         .compute(solver.state(), {model.parameter("force"), model.parameter("way")});
+  const double h = 1e-3;
+  const auto more = solve(force + h, way), less = solve(force - h, way);
+  const auto further = solve(force, way + h), nearer = solve(force, way - h);
+  for (std::size_t j = 0; j < responses.size(); ++j) {
+    for (std::size_t t = 0; t < 3; ++t) {
+      const double byForce = (more[j].values[t] - less[j].values[t]) / (2.0 * h);
+      const double byWay = (further[j].values[t] - nearer[j].values[t]) / (2.0 * h);
+      EXPECT_NEAR(found[0].responses[j][t], byForce, 1e-5 * std::abs(byForce) + 1e-8) << j << ", " << t;
+      EXPECT_NEAR(found[1].responses[j][t], byWay, 1e-5 * std::abs(byWay) + 1e-8) << j << ", " << t;
+    }
+  }
+  EXPECT_NEAR(std::abs(found[0].responses[0][2]), 1.0, 0.5);  // the force is kept, but for what it pulls along
+}
+
 // A spring of the ground that stands in the operator cannot change; where it does not, it has a derivative.
 TEST(Derivatives, RefuseWhatStandsInOperators) {
   const auto spring = [](double k) {
