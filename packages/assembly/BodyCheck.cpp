@@ -49,9 +49,10 @@ void checkMatrix(const std::string& where, const substructure::Substructure& bod
   for (int row = 0; row < dofs; ++row) {
     for (std::size_t k = matrix.rowPointers[row]; k < matrix.rowPointers[row + 1]; ++k) {
       const double value = matrix.values[k];
-      if (!std::isfinite(value)) {
+      if (!isUsable(value)) {
         faults.add(where, "the stiffness matrix has " + base::toText(value) + " in the row of " +
-                              dofText(row, body.dimension));
+                              dofText(row, body.dimension) + "; its entries are finite, and not beyond " +
+                              base::toText(largestNumber));
         return;
       }
       const int column = matrix.columns[k];

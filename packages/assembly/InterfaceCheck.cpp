@@ -133,9 +133,11 @@ class Check {
     for (const mesh::MassEntry& entry : interface_.mass) {
       const int largest = interface_.pairs() - 1;
       if (entry.row < 0 || entry.row > largest || entry.column < 0 || entry.column > largest ||
-          !std::isfinite(entry.value)) {
+          !isUsable(entry.value) || (entry.row == entry.column && entry.value < 0.0)) {
         add("the mass has the entry " + base::toText(entry.value) + " at (" + std::to_string(entry.row) + ", " +
-            std::to_string(entry.column) + "); pairs are counted from 0 to " + std::to_string(largest));
+            std::to_string(entry.column) + "); pairs are counted from 0 to " + std::to_string(largest) +
+            ", entries are finite and not beyond " + base::toText(largestNumber) +
+            ", those of the diagonal not negative");
         return;
       }
       values[{entry.row, entry.column}] += entry.value;

@@ -105,7 +105,7 @@ SearchDirection::SearchDirection(const Assembly& assembly, double scale, const T
     }
     if (!interface.mass.empty()) makeConstant(interface.area, k);
     const double least = leastOf(interface);
-    if (!k.empty() && !(scale * least <= mostOfSoftening * *std::max_element(k.begin(), k.end()))) {
+    if (least > 0.0 && !k.empty() && !(scale * least <= mostOfSoftening * *std::max_element(k.begin(), k.end()))) {
       throw base::Error("interface \"" + interface.name + "\": the law \"" + interface.law->name() + "\" falls by " +
                             base::toText(-interface.law->lowestSlope()) +
                             " [stress/length], so much more than the stiffness of the parts that double precision "

@@ -112,6 +112,10 @@ TEST(AssemblyCheck, NamesWhatTheOwnerAloneKnowsOnAllRanks) {
   expectFault("is not symmetric", matrix({2.0, 1.0, 1.0 + 1e-7, 2.0, 3.0}));
   expectFault("body 1 \"right\": the stiffness matrix has nan in the row of component y of node 0",
               matrix({2.0, 1.0, nan, 2.0, 3.0}));
+  expectFault(
+      "body 1 \"right\": the stiffness matrix has 1e+300 in the row of component x of node 0; its entries are "
+      "finite, and not beyond 1e+100",
+      matrix({1e300, 1.0, 1.0, 2.0, 3.0}));
 }
 
 TEST(AssemblyCheck, NamesWhatIsWrongWithInterfaces) {
@@ -147,6 +151,9 @@ TEST(AssemblyCheck, NamesWhatIsWrongWithInterfaces) {
   expectFault(where + "the gap of pair 0 is -1e+300", [&](Assembly& a) { joint(a).gap[0] = -1e300; });
   expectFault(where + "the gap of pair 0 is nan", [&](Assembly& a) { joint(a).gap[0] = nan; });
   expectFault(where + "the mass has the entry 1 at (0, 1)", [&](Assembly& a) { joint(a).mass = {{0, 1, 1.0}}; });
+  for (const double value : {-1.0, 1e300, nan}) {
+    expectFault(where + "the mass has the entry ", [&](Assembly& a) { joint(a).mass = {{0, 0, value}}; });
+  }
   for (const base::Frame& frame : {base::Frame{{{2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 2.0}}},
                                    base::Frame{{{1.0, 0.0, 0.0}, {0.6, 0.8, 0.0}, {0.0, 0.0, 0.8}}},
                                    base::Frame{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, -1.0}}},
