@@ -76,6 +76,14 @@ double leastContractionAfter(double reduction) {
   return std::max(leastContraction, 1.0 - (1.0 - leastContraction) * (1.0 - reduction) / (1.0 - laterTarget));
 }
 
+/// Whether what two corrections have left in the residual, which can hide at most `hidden` times their ways, is no
+/// error that would matter: less than the ways. Where laws soften, tangents are nearly singular, and residuals come to
+/// round-off before they show that: enough where the ways tell an error so small that what is hidden is still far
+/// below the accuracy.
+bool isSeen(double hidden, double error, double accuracy, bool isSoft) {
+  return hidden <= hiddenLimit || (isSoft && hidden * error <= settledShare * accuracy);
+}
+
 double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
@@ -160,10 +168,17 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
   const double share = count == 0 ? firstTarget : laterTarget;
   StepwiseCorrection correction(fixedPoint_, stepNewton_);
   const Iterate* present = &iterate;
+  const bool isSoft = fixedPoint_.assembly().softens();
+  base::Matrix kept(alpha.numRows(), alpha.numCols());  // of the pass before
   double target = share * before;
   for (int pass = 0; pass < maximumPasses; ++pass, target *= nextPass) {
     const StepwiseCorrection::Result step = correction.correct(*present, result.state, target, stageLimit);
-    if (!step.isReached) return result;
+    if (!step.isReached && (pass == 0 || !isSoft)) return result;
+    if (!step.isReached) {
+      result.state = kept;
+      result.iterate = &fixedPoint_.apply(result.state, image);
+      break;
+    }
     present = &fixedPoint_.apply(result.state, image);
     result.iterate = present;
     const double left = largestDistance(image, result.state);
@@ -171,6 +186,7 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
     const double seen = step.smallestSingularValue * largestDistance(result.state, alpha);
     result.hidden = left <= noise ? 0.0 : left / seen;
     if (result.hidden <= allowedToHide) break;
+    kept.assign(result.state);
   }
   result.isReduced = result.reduction <= causalLimit * share;
   return result;
@@ -245,8 +261,9 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
       for (double& e : errors) e /= 1.0 - kappa;
       result.conclusive = !grew;
       if (!grew) result.estimates = errors;
-      if (!grew && std::max(hidden, step.hidden) <= hiddenLimit && previous <= farAway &&
-          largest(errors) <= accuracy_ && gap <= allowedGap * accuracy_ &&
+      if (!grew &&
+          isSeen(std::max(hidden, step.hidden), largest(errors), accuracy_, fixedPoint_.assembly().softens()) &&
+          previous <= farAway && largest(errors) <= accuracy_ && gap <= allowedGap * accuracy_ &&
           !isThrown(fixedPoint_, *iterate, step.state, image, accuracy_)) {
         result.claimed = true;
         return result;

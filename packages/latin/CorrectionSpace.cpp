@@ -168,14 +168,41 @@ CorrectionSpace::LeastSquares CorrectionSpace::solve(const double* residual) con
   double unused = 0.0;
   lapack.GELSS(size_, size_, 1, matrix.values(), matrix.stride(), result.c.data(), size_, values.data(), least, &rank,
                work.data(), static_cast<int>(work.size()), &unused, &info);
+  result.left = std::hypot(result.left, leftInside(right, result.c));
+  return result;
+}
+
+CorrectionSpace::LeastSquares CorrectionSpace::solveDamped(const double* residual) const {
+  assert(known_ == size_ && "a direction lacks its g");
+  std::vector<double> x = scaled(residual);
+  LeastSquares result;
+  result.c = project(size_, x);
+  result.left = norm(x);
+  if (size_ == 0) return result;
+  const std::vector<double> right = result.c;
+  base::Matrix stacked(2 * size_, size_), b(2 * size_, 1);
+  for (int j = 0; j < size_; ++j) {
+    std::copy_n(triangle_[j].begin(), j + 1, stacked[j]);
+    stacked[j][size_ + j] = singular * ordinary;
+  }
+  std::copy(right.begin(), right.end(), b[0]);
+  std::vector<double> work(static_cast<std::size_t>(64 * size_));
+  int info = 0;
+  Teuchos::LAPACK<int, double>().GELS('N', 2 * size_, size_, 1, stacked.values(), stacked.stride(), b.values(),
+                                      b.stride(), work.data(), static_cast<int>(work.size()), &info);
+  std::copy_n(b[0], size_, result.c.begin());
+  result.left = std::hypot(result.left, leftInside(right, result.c));
+  return result;
+}
+
+double CorrectionSpace::leftInside(const std::vector<double>& right, const std::vector<double>& c) const {
   double inside = 0.0;
   for (int i = 0; i < size_; ++i) {
     double rest = right[i];
-    for (int j = i; j < size_; ++j) rest -= triangle_[j][i] * result.c[j];
+    for (int j = i; j < size_; ++j) rest -= triangle_[j][i] * c[j];
     inside += rest * rest;
   }
-  result.left = std::hypot(result.left, std::sqrt(inside));
-  return result;
+  return std::sqrt(inside);
 }
 
 std::vector<double> CorrectionSpace::rest(const double* residual, const std::vector<double>& c) const {

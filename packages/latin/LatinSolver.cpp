@@ -268,6 +268,9 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
     result.reason = march.reason();
   } else if (end == March::End::unreached) {
     result.reason = march.reason();
+    if (result.solvedSteps == assembly_.steps()) {
+      result.reason += "; all load steps had been solved with larger residuals before, but their errors were not known";
+    }
   } else if (end == March::End::stopped && mustStop()) {
     result.outcome = Outcome::interrupted;
     result.reason = "interrupted";

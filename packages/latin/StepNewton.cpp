@@ -10,6 +10,12 @@ namespace {
 constexpr double firstForcing = 0.5;
 constexpr double leastForcing = 0.1;
 constexpr int mostHalvings = 5;
+// Directions where laws soften, at most, and numbers that their v have together.
+constexpr double mostWhereLawsSoften = 800.0;
+constexpr double numbersWhereLawsSoften = 4e6;
+// Of the residual: when all directions that there are leave as much, the state is one that Newton's method cannot
+// leave.
+constexpr double stuck = 0.999;
 // More than this share left, and not to be reduced: nothing resists the motion that it stands for.
 constexpr double unanswered = 0.75;
 // It has been answered when no more than this share of it is left along itself.
@@ -34,7 +40,13 @@ constexpr double noise = 1e-13;
 StepNewton::StepNewton(FixedPoint& fixedPoint)
     : fixedPoint_(fixedPoint),
       isDamped_(fixedPoint.assembly().softens()),
-      lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()) {}
+      lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()) {
+  if (!isDamped_) return;
+  std::vector<double> rows{static_cast<double>(fixedPoint.layout().rows())};
+  fixedPoint.metric().sum(rows);
+  most_ =
+      static_cast<int>(std::clamp<double>(numbersWhereLawsSoften / rows[0], maximumDirections, mostWhereLawsSoften));
+}
 
 double StepNewton::evaluate() {
   fixedPoint_.pointwiseStage().begin();
@@ -49,7 +61,7 @@ double StepNewton::evaluate() {
 }
 
 bool StepNewton::extend(std::vector<double> v) {
-  if (space().size() >= maximumDirections) return false;
+  if (space().size() >= most_) return false;
   if (!space().makeIndependent(v.data()) && !tangent_->continueKrylov(v)) return false;
   const int rows = alpha_.numRows();
   base::Matrix shifted(rows, 1), image(rows, 1);
@@ -63,12 +75,15 @@ bool StepNewton::extend(std::vector<double> v) {
 }
 
 CorrectionSpace::LeastSquares StepNewton::leastSquares(double enough) {
-  CorrectionSpace::LeastSquares result = space().solve(residual_[0]);
+  const auto fit = [&] {
+    return space().size() > maximumDirections ? space().solveDamped(residual_[0]) : space().solve(residual_[0]);
+  };
+  CorrectionSpace::LeastSquares result = fit();
   while (result.left > enough) {
     std::vector<double> left(residual_[0], residual_[0] + residual_.numRows());
     tangent_->subtract(result.c, left);
     if (!extend(std::move(left))) break;
-    result = space().solve(residual_[0]);
+    result = fit();
   }
   return result;
 }
@@ -141,7 +156,7 @@ std::optional<double> StepNewton::follow(std::vector<double> c) {
 StepNewton::Result StepNewton::solve(base::Matrix& state, const base::Matrix& beta, double target,
                                      const std::function<bool()>& mustStop) {
   if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale()) forget();
-  const bool isFull = space().size() >= maximumDirections;
+  const bool isFull = space().size() >= most_;
   offset_.clear();
   Result result = attempt(state, beta, target, maximumSteps, longPatience, mustStop);
   if (result.isReached || !isFull || (mustStop && mustStop())) return result;
@@ -152,11 +167,11 @@ StepNewton::Result StepNewton::solve(base::Matrix& state, const base::Matrix& be
 
 StepNewton::Result StepNewton::solveWith(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta,
                                          double target, int steps, const std::function<bool()>& mustStop) {
-  if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale() || space().size() >= maximumDirections) forget();
+  if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale() || space().size() >= most_) forget();
   offset_.assign(offset[0], offset[0] + offset.numRows());
   shifted_.shape(offset.numRows(), 1);
   Result result = attempt(state, beta, target, steps, shortPatience, mustStop);
-  if (!result.isReached && space().size() >= maximumDirections && !(mustStop && mustStop())) {
+  if (!result.isReached && space().size() >= most_ && !(mustStop && mustStop())) {
     forget();  // many of them are those of other states
     result = attempt(state, beta, target, steps, shortPatience, mustStop);
   }
@@ -182,7 +197,8 @@ StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& 
   Result result;
   result.residual = evaluate();
   double best = result.residual, last = result.residual, forcing = isDamped_ ? leastForcing : firstForcing;
-  for (int number = 0, sinceBest = 0; number < steps && sinceBest < patience; ++number) {
+  int number = 0;
+  for (int sinceBest = 0; number < steps && sinceBest < patience; ++number) {
     const double goal = enough();
     if (result.residual <= goal) break;
     if (mustStop && mustStop()) break;
@@ -190,6 +206,7 @@ StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& 
     const double size = result.residual;
     const CorrectionSpace::LeastSquares direction =
         leastSquares(size * std::max(forcing, std::min(firstForcing, 0.5 * goal / size)));
+    if (isDamped_ && direction.left > stuck * size) break;
     fromAlpha_.assign(alpha_);
     fromBeta_.assign(beta_);
     std::optional<double> reached;
@@ -200,13 +217,13 @@ StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& 
     }
     if (!reached) break;
     result.residual = *reached;
-    result.smallestSingularValue = space().smallestSingularValue();
     const double gain = result.residual / last;
     if (!isDamped_) forcing = std::clamp(gain * gain, leastForcing, firstForcing);
     last = result.residual;
     sinceBest = result.residual < progress * best ? 0 : sinceBest + 1;
     best = std::min(best, result.residual);
   }
+  if (number > 0) result.smallestSingularValue = space().smallestSingularValue();
   result.isReached = result.residual <= enough();
   if (result.isReached) state.assign(alpha_);
   return result;

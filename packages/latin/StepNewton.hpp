@@ -32,11 +32,12 @@ class StepNewton {
     double smallestSingularValue = 1.0;  ///< of I - J in the space
   };
 
-  /// Directions that are kept, at most.
+  /// Directions that are kept, at most. Where laws soften, what is slow at one state is not what is slow at the next,
+  /// and whatever is forgotten must be solved again: there up to four times as many, where they need little memory.
   static constexpr int maximumDirections = 200;
 
-  /// `fixedPoint` must outlive it. Directions are forgotten when its search direction has got another scale, and where
-  /// a full space does not help.
+  /// Collective. `fixedPoint` must outlive it. Directions are forgotten when its search direction has got another
+  /// scale, and where a full space does not help.
   explicit StepNewton(FixedPoint& fixedPoint);
 
   /// Whether there are any directions.
@@ -78,6 +79,7 @@ class StepNewton {
 
   FixedPoint& fixedPoint_;
   bool isDamped_;  // laws soften
+  int most_ = maximumDirections;
   InterfaceLines lines_;
   std::optional<TangentSpace> tangent_;
   double scale_ = 0.0;               // of the search direction of tangent_

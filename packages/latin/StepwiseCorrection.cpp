@@ -2,7 +2,20 @@
 
 #include <algorithm>
 
+#include <harmos/latin/StepContinuation.hpp>
+
 namespace harmos::latin {
+
+bool StepwiseCorrection::followInParts(int step, const base::Matrix& alpha, base::Matrix& state, double target,
+                                       const std::function<bool()>& mustStop) {
+  if (!fixedPoint_.assembly().softens()) return false;
+  base::Matrix before(alpha.numRows(), 1);
+  if (step > 0) std::copy_n(alpha[step - 1], alpha.numRows(), before[0]);
+  const StepContinuation::Way nothingKnown{base::Matrix(alpha.numRows(), 1)};
+  return StepContinuation(fixedPoint_, newton_)
+      .solve(step, before, nothingKnown, state, target, 0.0, mustStop)
+      .isReached;
+}
 
 StepwiseCorrection::Result StepwiseCorrection::correct(const Iterate& iterate, base::Matrix& alpha, double target,
                                                        int stageLimit) {
@@ -20,7 +33,7 @@ StepwiseCorrection::Result StepwiseCorrection::correct(const Iterate& iterate, b
     std::copy_n(alpha[t], rows, state[0]);
     std::copy_n(images[t], rows, beta[0]);
     const StepNewton::Result step = newton_.solve(state, beta, target, mustStop);
-    if (!step.isReached) return result;
+    if (!step.isReached && !followInParts(t, alpha, state, target, mustStop)) return result;
     result.smallestSingularValue = std::min(result.smallestSingularValue, step.smallestSingularValue);
     std::copy_n(state[0], rows, alpha[t]);
     fixedPoint_.pointwiseStage().accept();

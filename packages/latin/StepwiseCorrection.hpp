@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <harmos/latin/StepNewton.hpp>
 
 namespace harmos::latin {
@@ -7,6 +9,7 @@ namespace harmos::latin {
 /// Corrects a state towards alpha = T(alpha), one load step after the other, each by Newton's method with the history
 /// that the corrected steps before it have left.
 ///
+/// A load step with laws that soften is followed in parts where Newton's method does not lead to its end.
 /// Unlike a CausalCorrection it takes steps that make |R| greater, which kinks of the laws may ask for, and gives all
 /// load steps the directions of all. Displacement form, with the local stage PointwiseLocalStage.
 class StepwiseCorrection {
@@ -27,6 +30,11 @@ class StepwiseCorrection {
   Result correct(const Iterate& iterate, base::Matrix& alpha, double target, int stageLimit);
 
  private:
+  /// Where laws soften: from the load step before, which is corrected, as StepContinuation does; false where that does
+  /// not lead there either.
+  bool followInParts(int step, const base::Matrix& alpha, base::Matrix& state, double target,
+                     const std::function<bool()>& mustStop);
+
   FixedPoint& fixedPoint_;
   StepNewton& newton_;
 };

@@ -63,6 +63,19 @@ TEST(CorrectionSpace, MakesDirectionsOrthonormal) {
   EXPECT_FALSE(space.makeIndependent(inside.data()));
 }
 
+// Without singular values the same comes out, also where a direction has nothing but round-off.
+TEST(CorrectionSpace, SolvesDampedLeastSquares) {
+  const Metric m;
+  for (const double least : {0.25, 1e-3, 0.0}) {
+    const CorrectionSpace space = scaledSpace(m, {0.5, least, 2.0});
+    base::Matrix residual(m.rows, 1);
+    randomize(residual, 11);
+    const CorrectionSpace::LeastSquares exact = space.solve(residual[0]), damped = space.solveDamped(residual[0]);
+    EXPECT_NEAR(damped.left, exact.left, 1e-6 * exact.left) << least;
+    for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(damped.c[j], exact.c[j], 1e-6 * (1.0 + std::abs(exact.c[j]))) << j;
+  }
+}
+
 TEST(CorrectionSpace, SolvesLeastSquares) {
   const Metric m;
   CorrectionSpace space = scaledSpace(m, {0.5, 2.0});
