@@ -38,6 +38,47 @@ Scene glued() {
                    laws::builtInLaws());
 }
 
+std::string box(const std::string& name, double bottom, double top, const std::string& mesh) {
+  return "<ParameterList name=\"" + name +
+         "\"><Parameter name=\"Lower Corner\" type=\"Array(double)\" value=\"{0, 0, " + std::to_string(bottom) +
+         "}\"/><Parameter name=\"Upper Corner\" type=\"Array(double)\" value=\"{2, 2, " + std::to_string(top) +
+         "}\"/>" + mesh + "</ParameterList>";
+}
+
+std::string part(const std::string& name) {
+  return "<ParameterList name=\"" + name +
+         "\"><Parameter name=\"Material\" type=\"string\" value=\"steel\"/></ParameterList>";
+}
+
+std::string contact(const std::string& name, const std::string& one, const std::string& two) {
+  return "<ParameterList name=\"" + name + "\"><Parameter name=\"Part 1\" type=\"string\" value=\"" + one +
+         "\"/><Parameter name=\"Part 2\" type=\"string\" value=\"" + two +
+         "\"/><ParameterList name=\"Law\"><Parameter name=\"Type\" type=\"string\" value=\"Unilateral "
+         "Contact\"/></ParameterList></ParameterList>";
+}
+
+/// A plate of 85 000 unknowns and two layers between coarse blocks: points of these see whole faces of it, so that no
+/// element can be divided from the others of its layer.
+Scene sandwich() {
+  const std::string coarse = R"xml(<Parameter name="Cells" type="Array(double)" value="{3, 3, 1}"/>)xml";
+  const std::string fine = R"xml(<Parameter name="Cells" type="Array(double)" value="{50, 50, 2}"/>)xml"
+                           R"(<Parameter name="Element" type="string" value="Hex20"/>)";
+  const std::string text =
+      R"(<ParameterList name="Harmos"><ParameterList name="Mesh"><Parameter name="Type" type="string" value="Boxes"/>)"
+      R"(<ParameterList name="Boxes">)" +
+      box("below", 0.0, 1.0, coarse) + box("plate", 1.0, 1.05, fine) + box("above", 1.05, 2.0, coarse) +
+      R"(</ParameterList></ParameterList><ParameterList name="Materials"><ParameterList name="steel">)"
+      R"(<Parameter name="Type" type="string" value="Isotropic"/>)"
+      R"(<Parameter name="Young's Modulus" type="double" value="1000"/>)"
+      R"(<Parameter name="Poisson's Ratio" type="double" value="0.3"/>)"
+      R"(</ParameterList></ParameterList><ParameterList name="Parts">)" +
+      part("below") + part("plate") + part("above") + R"(</ParameterList><ParameterList name="Interfaces">)" +
+      contact("lower", "below", "plate") + contact("upper", "plate", "above") +
+      R"(</ParameterList><ParameterList name="Steps"><ParameterList name="load"/></ParameterList>)"
+      R"(<ParameterList name="Responses"/></ParameterList>)";
+  return makeScene(input::InputTree::fromText(text, "sandwich.xml"), "sandwich.xml", {}, laws::builtInLaws());
+}
+
 TEST(AutomaticPieces, OfALargePartThatPays) {
   const PieceChoice choice = choiceFor({}, unlimited);
   ASSERT_EQ(choice.pieces.count("lower"), 1u);
@@ -77,6 +118,23 @@ TEST(AutomaticPieces, ProblemsHaveThemAndSayWhy) {
   EXPECT_EQ(problem.bodies.pieces.size(), static_cast<std::size_t>(1 + problem.pieces.at("lower")));
   EXPECT_EQ(problem.assembly.bodies.size(), problem.bodies.pieces.size());
   EXPECT_FALSE(problem.cuts.empty());
+}
+
+TEST(AutomaticPieces, WhatCannotBeCutAsChosenStaysWhole) {
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  const Scene scene = sandwich();
+  const Problem whole = makeProblem(scene, *comm, timers);
+  const PieceChoice choice =
+      choosePieces(scene, whole.mesh, whole.bodies, whole.assembly.interfaces, 3, comm->getSize(), unlimited);
+  ASSERT_GE(choice.pieces.count("plate"), 1u);
+  const Problem problem = makeProblem(scene, *comm, timers, Cutting::automatic);
+  EXPECT_TRUE(problem.pieces.empty());
+  EXPECT_EQ(problem.cuts, "");
+  ASSERT_EQ(problem.bodies.pieces.size(), 3u);
+  EXPECT_EQ(problem.bodies.pieces[1].nodes.size(), whole.bodies.pieces[1].nodes.size());
+  ASSERT_EQ(problem.assembly.interfaces.size(), 2u);
+  EXPECT_EQ(problem.assembly.interfaces[0].pairs(), whole.assembly.interfaces[0].pairs());
 }
 
 }  // namespace
