@@ -222,7 +222,7 @@ Certificate::Result Certificate::attempt(const Iterate& first, base::Matrix& alp
                                          int stageLimit) {
   if (!causal_) return attemptOnce(Kind::newton, first, alpha, image, stageLimit);
   if (stepNewton_.isUsed()) return attemptOnce(Kind::stepwise, first, alpha, image, stageLimit);
-  const Result result = attemptOnce(Kind::causal, first, alpha, image, stageLimit);
+  Result result = attemptOnce(Kind::causal, first, alpha, image, stageLimit);
   if (!result.stagnated) return result;
   return attemptOnce(Kind::stepwise, fixedPoint_.apply(alpha, image), alpha, image, stageLimit);
 }
