@@ -232,6 +232,7 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
   March::End end = March::End::reached;
   bool isOver = false;
   int recentrings = options_.recentres && fixedPoint_.canRecentre() ? maximumRecentrings : 0;
+  bool isOfMotions = true;  // round-off, until the motions were left out once for it
   do {
     const auto running = timers_.start("acceleration");
     const double scale = fixedPoint_.searchDirectionScale();
@@ -251,8 +252,9 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
     guess = March::Guess::state;
     if (end != March::End::reached || stages() >= stageLimit()) break;
     isOver = certify(*state_, result);
-    if (result.outcome == Outcome::roundOff && recentrings > 0 && fixedPoint_.reference().isEmpty()) {
-      // Much of it was that of motions.
+    if (result.outcome == Outcome::roundOff && recentrings > 0 && isOfMotions) {
+      // Much of it was that of motions, perhaps of such as were known too roughly when they were left out.
+      isOfMotions = false;
       recentrings = 1;
       recentre();
       result.outcome = Outcome::iterationLimit;
