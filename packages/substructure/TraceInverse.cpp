@@ -11,6 +11,12 @@ extern "C" void ssymv_(const char* uplo, const int* n, const float* alpha, const
                        const float* x, const int* incrementX, const float* beta, float* y, const int* incrementY);
 
 namespace harmos::substructure {
+namespace {
+
+// Up to so many columns, products with a triangle, which read half of the matrix for each, are faster than one product.
+constexpr int fewColumns = 2;
+
+}  // namespace
 
 TraceInverse::TraceInverse(const TraceFactor& factor) {
   const int rows = factor.lower.rows();
@@ -28,7 +34,7 @@ TraceInverse::TraceInverse(const TraceFactor& factor) {
     for (int i = j; i < rows; ++i) {
       const int row = factor.order[i];
       inverse_(row, column) = inverse_(column, row) = inverse(i, j);
-      rough_(std::max(row, column), std::min(row, column)) = static_cast<float>(inverse(i, j));
+      rough_(row, column) = rough_(column, row) = static_cast<float>(inverse(i, j));
     }
   }
 }
@@ -40,17 +46,19 @@ void TraceInverse::solve(const base::Matrix& b, base::Matrix& x) const {
 
 void TraceInverse::solveRoughly(const base::Matrix& b, base::Matrix& x) const {
   const int rows = rough_.numRows();
-  const int stride = rough_.stride();
-  const int increment = 1;
-  const float one = 1.0f;
-  const float zero = 0.0f;
-  if (x.numRows() != rows || x.numCols() != b.numCols()) x.shapeUninitialized(rows, b.numCols());
-  std::vector<float> right(rows), left(right.size());
-  for (int j = 0; j < b.numCols(); ++j) {
-    std::copy_n(b[j], rows, right.begin());
-    ssymv_("L", &rows, &one, rough_.values(), &stride, right.data(), &increment, &zero, left.data(), &increment);
-    std::copy_n(left.begin(), rows, x[j]);
+  const int columns = b.numCols();
+  if (x.numRows() != rows || x.numCols() != columns) x.shapeUninitialized(rows, columns);
+  Rough right(rows, columns, false), left(rows, columns, false);
+  for (int j = 0; j < columns; ++j) std::copy_n(b[j], rows, right[j]);
+  if (columns <= fewColumns) {
+    const int increment = 1;
+    const float one = 1.0F, zero = 0.0F;
+    for (int j = 0; j < columns; ++j)
+      ssymv_("L", &rows, &one, rough_.values(), &rows, right[j], &increment, &zero, left[j], &increment);
+  } else {
+    left.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0F, rough_, right, 0.0F);
   }
+  for (int j = 0; j < columns; ++j) std::copy_n(left[j], rows, x[j]);
 }
 
 }  // namespace harmos::substructure

@@ -17,13 +17,15 @@ class TraceInverse {
   int rows() const { return inverse_.numRows(); }
   /// x = B A^-1 B^T b, as TraceFactor::solve().
   void solve(const base::Matrix& b, base::Matrix& x) const;
-  /// The same in single precision, to about six digits, one column after the other: each is bound by the memory that is
-  /// read, a quarter of that of solve().
+  /// The same in single precision, to about six digits. A column by itself is bound by the memory that is read, a
+  /// quarter of that of solve(); three or more read half of it together.
   void solveRoughly(const base::Matrix& b, base::Matrix& x) const;
 
  private:
-  base::Matrix inverse_;                          // rows in the order of the trace
-  Teuchos::SerialDenseMatrix<int, float> rough_;  // its lower triangle
+  using Rough = Teuchos::SerialDenseMatrix<int, float>;
+
+  base::Matrix inverse_;  // rows in the order of the trace
+  Rough rough_;           // the same
 };
 
 }  // namespace harmos::substructure

@@ -167,13 +167,14 @@ TEST(SubstructureSolver, solvesTheTraceLikeTheWhole) {
     ASSERT_TRUE(solver.solvesTrace());
     EXPECT_EQ(solver.prepareSingle() > 0.0, invert);
     const base::Matrix b = loads(static_cast<int>(trace.size()), 3);
-    base::Matrix x, rough, whole, wholeLoads(lattice.dofs(), 3);
+    base::Matrix x, rough, roughAlone, whole, wholeLoads(lattice.dofs(), 3);
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i < b.numRows(); ++i) wholeLoads(trace[i], j) = b(i, j);
     }
     solver.solve(wholeLoads, whole);
     solver.solveTrace(b, x, Precision::exact);
     solver.solveTrace(b, rough, Precision::single);
+    solver.solveTrace(base::Matrix(Teuchos::Copy, b, b.numRows(), 1), roughAlone, Precision::single);
     const double size = whole.normInf();
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i < b.numRows(); ++i) {
@@ -181,6 +182,9 @@ TEST(SubstructureSolver, solvesTheTraceLikeTheWhole) {
         EXPECT_NEAR(x(i, j), exact, 1e-12 * size);  // rounding times condition 1e3
         EXPECT_NEAR(rough(i, j), exact, (invert ? 1e-6 : 1e-12) * size);
       }
+    }
+    for (int i = 0; i < b.numRows(); ++i) {
+      EXPECT_NEAR(roughAlone(i, 0), whole(trace[i], 0), (invert ? 1e-6 : 1e-12) * size);
     }
     EXPECT_LT(residual(*lattice.matrix(), boundary, wholeLoads, whole), 1e-12);
   }
