@@ -175,6 +175,16 @@ void BodyOperators::setLoads(const std::vector<base::Matrix>& loads, std::vector
   }
 }
 
+long BodyOperators::loadChanges() const {
+  long changes = 0;
+  for (const auto& group : groups_) changes += group->loadChanges();
+  return changes;
+}
+
+bool BodyOperators::areLoaded() const {
+  return std::any_of(groups_.begin(), groups_.end(), [](const auto& group) { return group->loads().numCols() > 0; });
+}
+
 base::Matrix BodyOperators::loads(int body) const {
   const Place& place = places_[body];
   if (place.group < 0) return {};

@@ -47,8 +47,9 @@ void LinearStage::prepareLoadFactor() {
 }
 
 void LinearStage::updateLoads() {
+  const long before = operators_.loadChanges();
   operators_.updateLoads(assembly_);
-  if (macro_) macro_->updateLoads(assembly_, operators_);
+  if (macro_ && operators_.loadChanges() != before) macro_->updateLoads(assembly_, operators_);
   if (loadFactor_) prepareLoadFactor();
 }
 

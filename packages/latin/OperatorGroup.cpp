@@ -184,6 +184,7 @@ void OperatorGroup::setLoads(const base::Matrix& loads, const base::Matrix& held
   const bool areKnown =
       areLoaded_ && cases_ == columns && held_ == held && (areNone ? givenLoads_.numCols() == 0 : givenLoads_ == loads);
   if (areKnown) return;
+  ++loadChanges_;
   areLoaded_ = false;
   cases_ = columns;
   givenLoads_ = areNone ? base::Matrix() : loads;

@@ -27,6 +27,8 @@ class OperatorGroup {
 
   /// Sets l [force] and g [length] (0 x 0: none), dofs x (bodies * steps). Costs nothing when they are those set last.
   void setLoads(const base::Matrix& loads, const base::Matrix& held);
+  /// How often setLoads() has met others than before.
+  long loadChanges() const { return loadChanges_; }
   /// P (l - A g); 0 x 0: none.
   const base::Matrix& loads() const { return loads_; }
   /// Makes room for so many columns in all, and says which column of loads() each takes.
@@ -97,11 +99,12 @@ class OperatorGroup {
   mutable std::unique_ptr<HeldStencil> stencil_;  // where traces are inverted: solves are many; null: not worthwhile
   base::Matrix givenLoads_;                       // l as it was given; 0 x 0: none
   bool areLoaded_ = false;                        // the following belong to it and to g
-  int cases_ = 0;                                 // columns of l and g
-  base::Matrix loads_;                            // P (l - A g); 0 x 0: none
-  base::Matrix held_;                             // g; 0 x 0: none
-  base::Matrix loaded_;                           // with a trace: S^-1 loads + g; 0 x 0: none
-  base::Matrix heldLoads_;                        // l on held nodes
+  long loadChanges_ = 0;
+  int cases_ = 0;           // columns of l and g
+  base::Matrix loads_;      // P (l - A g); 0 x 0: none
+  base::Matrix held_;       // g; 0 x 0: none
+  base::Matrix loaded_;     // with a trace: S^-1 loads + g; 0 x 0: none
+  base::Matrix heldLoads_;  // l on held nodes
   std::vector<int> loadColumns_;
   std::vector<int> unitColumns_;     // of loads(), one per body: those of the kept response
   base::Matrix unitForces_, unit_;   // of it: f and the solution, one column per body
