@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <utility>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/results/StatusName.hpp>
@@ -27,6 +28,11 @@ constexpr double tightShare = 0.1;
 constexpr double stagesFromNeighbours = 20;
 // Of these a start can be made.
 constexpr int fewestStates = 3;
+
+// Configurations that march side by side: at most so many, and one for so many that are solved, since none of them
+// is a start for the others.
+constexpr int widestBatch = 8;
+constexpr int solvedForEach = 8;
 
 constexpr int lastCalibration = 16;
 constexpr unsigned seedOfOrder = 20040601;
@@ -63,7 +69,21 @@ CalibratedSchedule::Purpose CalibratedSchedule::purposeOfNext() {
     return Purpose::calibration;
   }
   if (number_ % auditEvery == auditEvery / 2) isAuditDue_ = true;
-  return isAuditDue_ ? Purpose::audit : Purpose::result;
+  return std::exchange(isAuditDue_, false) ? Purpose::audit : Purpose::result;
+}
+
+std::size_t CalibratedSchedule::mostTogether() const {
+  const bool mayCalibrate = number_ < lastCalibration ||
+                            (calibration_.runs() < calibrationsUntil(number_) && attempts_ < attemptsToCalibrate);
+  const int most = mayCalibrate ? 1 : std::clamp(solver_.states().count() / solvedForEach, 1, widestBatch);
+  return static_cast<std::size_t>(most);
+}
+
+int CalibratedSchedule::freePlace() const {
+  int place = 0;
+  const auto isTaken = [&](const Attempt& attempt) { return attempt.place == place; };
+  while (std::any_of(underWay_.begin(), underWay_.end(), isTaken)) ++place;
+  return place;
 }
 
 void CalibratedSchedule::estimate(const Indicators& indicators, results::ConfigurationResult& result) const {
@@ -101,7 +121,12 @@ void CalibratedSchedule::deliver(results::ConfigurationResult& result) {
 }
 
 bool CalibratedSchedule::march(const Indicators& target, bool isToBeKept, results::ConfigurationResult& result) {
-  indicators_ = solver_.iteration().march(target);
+  return takeMarch(solver_.iteration().march(target), isToBeKept, result);
+}
+
+bool CalibratedSchedule::takeMarch(const Indicators& indicators, bool isToBeKept,
+                                   results::ConfigurationResult& result) {
+  indicators_ = indicators;
   if (solver_.mustStop()) return false;
   ++result.iterations;
   if (isToBeKept && !solver_.iteration().isLost()) {
@@ -137,7 +162,7 @@ bool CalibratedSchedule::calibrate(const design::Configuration& configuration, r
   ConfigurationIteration& iteration = solver_.iteration();
   const bool isWarm =
       solver_.states().count() >= fewestStates && record_.favoursWarm(solver_.states().distance(configuration.values));
-  // No conditional expression: it would copy the states, which must outlive the iteration.
+  // No conditional expression: it would copy the states.
   if (isWarm) {
     iteration.begin(solver_.states(), configuration.values);
   } else {
@@ -164,7 +189,6 @@ bool CalibratedSchedule::calibrate(const design::Configuration& configuration, r
 }
 
 bool CalibratedSchedule::audit(const design::Configuration& configuration, results::ConfigurationResult& result) {
-  isAuditDue_ = false;
   const base::Matrix accepted(solver_.iteration().alpha());
   const results::ConfigurationResult before = result;
   if (!certifyTightly(result)) return false;
@@ -192,27 +216,37 @@ bool CalibratedSchedule::audit(const design::Configuration& configuration, resul
   return true;
 }
 
-bool CalibratedSchedule::marchFromNeighbours(const design::Configuration& configuration, Purpose purpose,
-                                             results::ConfigurationResult& result) {
+double CalibratedSchedule::limitFromNeighbours() const {
+  return std::min(stagesFromNeighbours, record_.coldStages());
+}
+
+void CalibratedSchedule::beginFromNeighbours(Attempt& attempt) {
   ConfigurationIteration& iteration = solver_.iteration();
-  iteration.begin(solver_.states(), configuration.values);
-  result.starts = iteration.starts();
-  const double limit = std::min(stagesFromNeighbours, record_.coldStages());
-  iteration.setLimit(limit);
-  bool isAccepted = false;
+  iteration.begin(solver_.states(), attempt.configuration.values);
+  attempt.result.starts = iteration.starts();
+  iteration.setLimit(limitFromNeighbours());
+  iteration.startMarch(calibration_.target());
+  attempt.isFromNeighbours = attempt.isMarching = true;
+}
+
+bool CalibratedSchedule::endFromNeighbours(Attempt& attempt) {
+  ConfigurationIteration& iteration = solver_.iteration();
+  const bool isAudit = attempt.purpose == Purpose::audit;
   Indicators target = calibration_.target();
-  while (!isAccepted && !iteration.isLost() && iteration.stages() < limit) {
-    if (!march(target, purpose == Purpose::audit, result)) return false;
-    isAccepted = calibration_.accepts(indicators_);
+  if (!takeMarch(iteration.endMarch(), isAudit, attempt.result)) return false;
+  while (!calibration_.accepts(indicators_) && !iteration.isLost() && iteration.stages() < limitFromNeighbours()) {
     target = {further * target.force, further * target.response};
+    if (!march(target, isAudit, attempt.result)) return false;
   }
-  if (isAccepted && purpose == Purpose::audit) return audit(configuration, result);
-  result.linearStages += iteration.stages();
+  const bool isAccepted = calibration_.accepts(indicators_);
+  attempt.wasAudited = isAccepted && isAudit;
+  if (attempt.wasAudited) return audit(attempt.configuration, attempt.result);
+  attempt.result.linearStages += iteration.stages();
   if (!isAccepted) return true;
-  deliver(result);
-  if (!results::isSolved(result.status)) return true;
-  solver_.remember(configuration);
-  accepted_[configuration.id] = {configuration, result, indicators_};
+  deliver(attempt.result);
+  if (!results::isSolved(attempt.result.status)) return true;
+  solver_.remember(attempt.configuration);
+  accepted_[attempt.configuration.id] = {attempt.configuration, attempt.result, indicators_};
   return true;
 }
 
@@ -223,83 +257,132 @@ bool CalibratedSchedule::certifyAnew(const design::Configuration& configuration,
   return true;
 }
 
-bool CalibratedSchedule::attempt(const design::Configuration& configuration, Purpose purpose,
-                                 results::ConfigurationResult& result) {
-  way_.clear();
-  snapshots_.clear();
-  result.status = results::Status::notConverged;
-  const double distance = solver_.states().distance(configuration.values);
-  const bool isWarm = purpose != Purpose::calibration && calibration_.runs() > 0 &&
-                      solver_.states().count() >= fewestStates && record_.favoursWarm(distance);
-  const int before = result.linearStages;
-  try {
-    const bool mayLack = purpose == Purpose::calibration || solver_.isNearLack(configuration);
-    if (mayLack && solver_.lacksEquilibrium(configuration, result)) return true;
-    if (purpose == Purpose::calibration && !calibrate(configuration, result)) return false;
-    if (isWarm && !marchFromNeighbours(configuration, purpose, result)) return false;
-  } catch (const base::Error& error) {
-    result.status = results::Status::failed;
-    result.reason = error.what();
-  }
-  if (!results::isSolved(result.status) && !certifyAnew(configuration, result)) return false;
-  const bool wasAudited = purpose == Purpose::audit && !isAuditDue_;
-  if (isWarm && !wasAudited) record_.addWarm(distance, result.linearStages - before);
-  return true;
-}
-
-bool CalibratedSchedule::solve(const design::Configuration& configuration, Purpose purpose, results::ResultSink& sink) {
+void CalibratedSchedule::begin(const design::Configuration& configuration, Purpose purpose) {
+  Attempt attempt{configuration, purpose, freePlace()};
+  results::ConfigurationResult& result = attempt.result;
   const double begin = cpuSeconds();
-  results::ConfigurationResult result;
   // What a configuration that is taken up again has cost before counts as well.
   results::ConfigurationResult before;
   if (const auto accepted = accepted_.find(configuration.id); accepted != accepted_.end()) {
     before = accepted->second.result;
     accepted_.erase(accepted);
   }
-  if (solver_.install(configuration, result)) {
+  attempt.isOpen = solver_.install(configuration, result);
+  if (attempt.isOpen) {
+    solver_.keep(attempt.place);
+    attempt.stagesBefore = before.linearStages;
     result.iterations = before.iterations;
     result.linearStages = before.linearStages;
-    if (!attempt(configuration, purpose, result)) return false;
+    result.status = results::Status::notConverged;
+    attempt.distance = solver_.states().distance(configuration.values);
+    const bool isWarm = attempt.purpose != Purpose::calibration && calibration_.runs() > 0 &&
+                        solver_.states().count() >= fewestStates && record_.favoursWarm(attempt.distance);
+    try {
+      const bool mayLack = attempt.purpose == Purpose::calibration || solver_.isNearLack(configuration);
+      attempt.isOpen = !mayLack || !solver_.lacksEquilibrium(configuration, result);
+      if (attempt.isOpen && isWarm) beginFromNeighbours(attempt);
+    } catch (const base::Error& error) {
+      result.status = results::Status::failed;
+      result.reason = error.what();
+    }
   }
-  result.cpuSeconds = before.cpuSeconds + cpuSeconds() - begin;
-  if (const auto accepted = accepted_.find(configuration.id); accepted != accepted_.end()) {
-    accepted->second.result = result;
+  attempt.cpuSeconds = before.cpuSeconds + cpuSeconds() - begin;
+  underWay_.push_back(std::move(attempt));
+}
+
+void CalibratedSchedule::march() {
+  const double begin = cpuSeconds();
+  std::vector<int> places;
+  for (const Attempt& attempt : underWay_) places.push_back(attempt.place);
+  const std::vector<StudySolver::Marched> marched = solver_.march(places);
+  const double share = (cpuSeconds() - begin) / static_cast<double>(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Attempt& attempt = underWay_[i];
+    attempt.cpuSeconds += share;
+    attempt.isMarching = marched[i].waits;
+    if (marched[i].error.empty()) continue;
+    attempt.isFromNeighbours = false;
+    attempt.result.status = results::Status::failed;
+    attempt.result.reason = marched[i].error;
   }
-  sink.record(result);
+}
+
+bool CalibratedSchedule::end(Attempt& attempt) {
+  results::ConfigurationResult& result = attempt.result;
+  way_.clear();
+  snapshots_.clear();
+  try {
+    if (attempt.purpose == Purpose::calibration && !calibrate(attempt.configuration, result)) return false;
+    if (attempt.isFromNeighbours && !endFromNeighbours(attempt)) return false;
+  } catch (const base::Error& error) {
+    result.status = results::Status::failed;
+    result.reason = error.what();
+  }
+  if (!results::isSolved(result.status) && !certifyAnew(attempt.configuration, result)) return false;
+  if (attempt.purpose == Purpose::audit && !attempt.wasAudited) isAuditDue_ = true;
+  if (attempt.isFromNeighbours && !attempt.wasAudited)
+    record_.addWarm(attempt.distance, result.linearStages - attempt.stagesBefore);
   return true;
 }
 
-bool CalibratedSchedule::reopen(results::ResultSink& sink) {
-  while (ratioFell_) {
-    ratioFell_ = false;
-    std::vector<design::Configuration> again;
-    for (auto& [id, one] : accepted_) {
-      if (calibration_.accepts(one.indicators)) {
-        estimate(one.indicators, one.result);
-        sink.record(one.result);
-      } else {
-        again.push_back(one.configuration);
-      }
+bool CalibratedSchedule::endThose(results::ResultSink& sink) {
+  for (auto attempt = underWay_.begin(); attempt != underWay_.end();) {
+    if (attempt->isMarching) {
+      ++attempt;
+      continue;
     }
-    for (const design::Configuration& configuration : again) {
-      ++solver_.summary().reopened;
-      if (!solve(configuration, Purpose::result, sink)) return false;
+    const double begin = cpuSeconds();
+    results::ConfigurationResult& result = attempt->result;
+    if (attempt->isOpen) {
+      solver_.present(attempt->place);
+      if (!end(*attempt)) return false;
     }
+    result.cpuSeconds = attempt->cpuSeconds + cpuSeconds() - begin;
+    if (const auto accepted = accepted_.find(result.id); accepted != accepted_.end()) accepted->second.result = result;
+    sink.record(result);
+    attempt = underWay_.erase(attempt);
   }
   return true;
+}
+
+void CalibratedSchedule::reopen(results::ResultSink& sink) {
+  if (!std::exchange(ratioFell_, false)) return;
+  reopened_.clear();
+  for (auto& [id, one] : accepted_) {
+    if (calibration_.accepts(one.indicators)) {
+      estimate(one.indicators, one.result);
+      sink.record(one.result);
+    } else {
+      reopened_.push_back(one.configuration);
+    }
+  }
 }
 
 std::vector<design::Configuration> CalibratedSchedule::run(const std::vector<design::Configuration>& open,
                                                            results::ResultSink& sink) {
   std::vector<design::Configuration> left;
   Trust& summary = solver_.summary();
-  for (const std::size_t position : randomOrder(open.size())) {
-    const design::Configuration& configuration = open[position];
-    if (calibration_.runs() == 0 && attempts_ >= attemptsAtFirst) {
-      left.push_back(configuration);
-      continue;
+  const std::vector<std::size_t> order = randomOrder(open.size());
+  auto next = order.begin();
+  underWay_.clear();
+  reopened_.clear();
+  while (next != order.end() || !reopened_.empty() || !underWay_.empty()) {
+    while (underWay_.size() < mostTogether() && (next != order.end() || !reopened_.empty())) {
+      if (!reopened_.empty()) {
+        const design::Configuration again = reopened_.back();
+        reopened_.pop_back();
+        ++summary.reopened;
+        begin(again, Purpose::result);
+      } else if (calibration_.runs() == 0 && attempts_ >= attemptsAtFirst) {
+        left.push_back(open[*next++]);
+      } else {
+        begin(open[*next++], purposeOfNext());
+      }
     }
-    if (!solve(configuration, purposeOfNext(), sink) || !reopen(sink)) return {};
+    const auto marches = [](const Attempt& attempt) { return attempt.isMarching; };
+    if (!underWay_.empty() && std::all_of(underWay_.begin(), underWay_.end(), marches)) march();
+    if (!endThose(sink)) return {};
+    reopen(sink);
     summary.forceRatio = calibration_.forceRatio();
     summary.responseRatio = calibration_.responseRatio();
     summary.falseClaimBound = falseClaimBound(summary.audits, summary.falseClaims);

@@ -35,14 +35,36 @@ class CalibratedSchedule {
     Indicators indicators;
   };
   enum class Purpose { result, audit, calibration };
+  /// What is under way of a configuration.
+  struct Attempt {
+    design::Configuration configuration;
+    Purpose purpose;
+    int place = 0;  // in the solver
+    results::ConfigurationResult result = {};
+    bool isOpen = false;  // neither inadmissible nor without equilibrium
+    bool isFromNeighbours = false;
+    bool isMarching = false;
+    bool wasAudited = false;
+    double distance = 0.0;    // to the nearest neighbour
+    double cpuSeconds = 0.0;  // so far
+    int stagesBefore = 0;     // when it was taken up before
+  };
 
   Purpose purposeOfNext();
-  /// These return false when interrupted.
-  bool solve(const design::Configuration& configuration, Purpose purpose, results::ResultSink& sink);
-  bool attempt(const design::Configuration& configuration, Purpose purpose, results::ConfigurationResult& result);
-  /// From its neighbours, where that has paid, to an estimate that is accepted.
-  bool marchFromNeighbours(const design::Configuration& configuration, Purpose purpose,
-                           results::ConfigurationResult& result);
+  /// How many configurations may march side by side now: none beside one that calibrates, and no more than a share of
+  /// those that are solved.
+  std::size_t mostTogether() const;
+  int freePlace() const;
+  void begin(const design::Configuration& configuration, Purpose purpose);
+  /// Until one that marches is through.
+  void march();
+  /// Ends and records those that do not march; these return false when interrupted.
+  bool endThose(results::ResultSink& sink);
+  bool end(Attempt& attempt);
+  /// From its neighbours, where that has paid, to an estimate that is accepted: the beginning, and what follows on the
+  /// first march.
+  void beginFromNeighbours(Attempt& attempt);
+  bool endFromNeighbours(Attempt& attempt);
   bool calibrate(const design::Configuration& configuration, results::ConfigurationResult& result);
   /// Replaces the present state, which was accepted, by one that is certified more accurately; audits and calibrates.
   bool audit(const design::Configuration& configuration, results::ConfigurationResult& result);
@@ -51,8 +73,10 @@ class CalibratedSchedule {
   /// Calibrates with the way against the state certified last.
   void learn(double uncertainty);
   bool certifyAnew(const design::Configuration& configuration, results::ConfigurationResult& result);
-  bool reopen(results::ResultSink& sink);
+  void reopen(results::ResultSink& sink);
   bool march(const Indicators& target, bool isToBeKept, results::ConfigurationResult& result);
+  bool takeMarch(const Indicators& indicators, bool isToBeKept, results::ConfigurationResult& result);
+  double limitFromNeighbours() const;
 
   void deliver(results::ConfigurationResult& result);
   /// Adds to the reason which responses the problem does not determine; true when it determines all.
@@ -64,6 +88,8 @@ class CalibratedSchedule {
   int number_ = 0;                    // of configurations that were new
   int attempts_ = 0;                  // to calibrate
   std::map<int, Accepted> accepted_;  // by id
+  std::vector<Attempt> underWay_;
+  std::vector<design::Configuration> reopened_;  // of those accepted, to be taken up again
   StartRecord record_;
   bool isAuditDue_ = false;  // of the next configuration that is accepted
   bool ratioFell_ = false;

@@ -18,80 +18,52 @@ constexpr int fewestStates = 3;
 // this share over so many iterations.
 constexpr std::size_t iterationsToFall = 4;
 constexpr double slow = 0.5;
-// Error of solves in single precision from which on they are made in double.
-constexpr double tooRough = 1e-5;
 // Differences across many changes of status mislead as well.
 constexpr std::size_t iterationsToFallLater = 8;
 
 }  // namespace
 
-ConfigurationIteration::ConfigurationIteration(latin::FixedPoint& fixedPoint,
+ConfigurationIteration::ConfigurationIteration(latin::FixedPoint& fixedPoint, StepSolver& solver,
                                                const std::vector<std::shared_ptr<const latin::Response>>& responses,
-                                               int neighbours, int memory, double accuracy,
-                                               substructure::Precision precision, base::Timers& timers)
+                                               int neighbours, int memory, double accuracy, base::Timers& timers)
     : fixedPoint_(fixedPoint),
+      solver_(solver),
+      local_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout(), fixedPoint.formulation()),
       neighbours_(neighbours),
       accuracy_(accuracy),
-      precision_(precision),
       timers_(timers),
       gauge_(fixedPoint, responses),
-      start_(fixedPoint),
-      accelerations_(
-          static_cast<std::size_t>(fixedPoint.assembly().steps()),
-          latin::AndersonAcceleration(fixedPoint.metric(), neighbours + ReducedBasisStart::furtherColumns + memory)) {}
-
-int ConfigurationIteration::stages() const {
-  return fixedPoint_.linearStage().stages() - stagesBefore_;
+      start_(fixedPoint, local_),
+      acceleration_(fixedPoint.metric(), neighbours + ReducedBasisStart::furtherColumns + memory) {
+  local_.setReference(fixedPoint.reference());
 }
 
-void ConfigurationIteration::updateOffset() {
-  const latin::BodyOperators& operators = fixedPoint_.linearStage().operators();
-  const std::size_t bodies = fixedPoint_.assembly().bodies.size();
-  int here = 0;  // 1: other loads, 2: there are loads
-  if (loads_.empty()) {
-    loads_.resize(bodies);
-    held_.resize(bodies);
-    here = 1;
-  }
-  for (std::size_t b = 0; b < bodies; ++b) {
-    const base::Matrix& loads = operators.loads(static_cast<int>(b));
-    const base::Matrix& held = operators.held(static_cast<int>(b));
-    if (loads.normInf() > 0.0 || held.numCols() > 0) here |= 2;
-    if (loads_[b] == loads && held_[b] == held) continue;
-    loads_[b] = loads;
-    held_[b] = held;
-    here |= 1;
-  }
-  std::vector<int> mine{here & 1, here & 2}, all(2);
-  Teuchos::reduceAll(fixedPoint_.layout().comm(), Teuchos::REDUCE_MAX, 2, mine.data(), all.data());
-  if (all[0] == 0) return;
-  offset_.shape(fixedPoint_.layout().rows(), fixedPoint_.assembly().steps());
-  if (all[1] == 0) return;
-  const latin::Iterate& unloaded = fixedPoint_.apply(offset_, image_);
-  offset_.assign(unloaded.beta());
+int ConfigurationIteration::stages() const {
+  const int steps = fixedPoint_.assembly().steps();
+  return static_cast<int>((columns_ + steps / 2) / steps);
 }
 
 void ConfigurationIteration::prepare() {
-  if (precision_ == substructure::Precision::single && fixedPoint_.prepareSingle() > tooRough) {
-    precision_ = substructure::Precision::exact;
-  }
   const int rows = fixedPoint_.layout().rows();
   for (base::Matrix* field : {&alpha_, &next_, &image_, &beta_}) field->shape(rows, fixedPoint_.assembly().steps());
-  for (base::Matrix* field : {&column_, &columnImage_, &columnBeta_, &columnTraction_}) field->shape(rows, 1);
-  stagesBefore_ = fixedPoint_.linearStage().stages();
+  for (base::Matrix* field : {&column_, &columnImage_, &columnBeta_, &columnTraction_, &change_, &changeImage_}) {
+    field->shape(rows, 1);
+  }
   starts_.clear();
   isFirstMarch_ = true;
   isLost_ = false;
   traction_ = force_ = 0.0;
-  for (auto& acceleration : accelerations_) acceleration.restart();
-  updateOffset();
+  const long before = fixedPoint_.linearStage().columns();
+  solver_.updateLoads();
+  offset_ = solver_.offset();
+  columns_ = fixedPoint_.linearStage().columns() - before;
 }
 
 void ConfigurationIteration::begin(const SolvedStates& states, const std::vector<double>& values) {
   prepare();
   if (states.count() < fewestStates) return;
   const auto running = timers_.start("start");
-  start_.begin(states, values, neighbours_, offset_);
+  start_.begin(states, values, neighbours_, *offset_);
   starts_ = start_.starts();
   traction_ = start_.traction();
   force_ = start_.force();
@@ -106,6 +78,7 @@ Indicators ConfigurationIteration::beginAt(const base::Matrix& alpha) {
 
 Indicators ConfigurationIteration::applyAll() {
   alpha_.assign(next_);
+  columns_ += alpha_.numCols();
   state_ = &fixedPoint_.apply(alpha_, image_);
   fixedPoint_.shareTractions(alpha_, image_, accuracy_);
   beta_.assign(state_->beta());
@@ -117,14 +90,14 @@ Indicators ConfigurationIteration::applyAll() {
 }
 
 void ConfigurationIteration::applyLaws() {
-  fixedPoint_.pointwiseStage().begin();
-  fixedPoint_.pointwiseStage().solveColumn(0, columnBeta_, columnTraction_);
+  local_.begin();
+  local_.solveColumn(0, columnBeta_, columnTraction_);
   for (int row = 0; row < column_.numRows(); ++row) {
     columnImage_[0][row] = 2.0 * columnTraction_[0][row] - columnBeta_[0][row];
   }
 }
 
-bool ConfigurationIteration::meets(int step, const Indicators& target) {
+bool ConfigurationIteration::meetsTarget() {
   const std::vector<double>& scale = fixedPoint_.metric().scale();
   std::vector<double> sums(3, 0.0);
   for (std::size_t row = 0; row < scale.size(); ++row) {
@@ -139,118 +112,154 @@ bool ConfigurationIteration::meets(int step, const Indicators& target) {
   residual_ = std::sqrt(sums[0]);
   if (residual_ <= latin::March::noise * std::sqrt(sums[2])) return true;
   const bool isCold = isFirstMarch_ && starts_.empty();
-  const double traction = isCold ? std::sqrt((traction_ * traction_ * step + sums[1]) / (step + 1.0)) : traction_;
-  if (residual_ > target.force * traction) return false;
-  return force_ == 0.0 || gauge_.imbalance(column_, columnBeta_, columnTraction_) <= target.response * force_;
+  const double traction = isCold ? std::sqrt((traction_ * traction_ * step_ + sums[1]) / (step_ + 1.0)) : traction_;
+  if (residual_ > target_.force * traction) return false;
+  return force_ == 0.0 || gauge_.imbalance(column_, columnBeta_, columnTraction_) <= target_.response * force_;
 }
 
-void ConfigurationIteration::findStart(int step, const Indicators& target) {
+void ConfigurationIteration::findStart() {
   const auto running = timers_.start("start");
-  start_.find(step, target.force * traction_);
+  start_.find(step_, target_.force * traction_);
   column_.assign(start_.state());
   columnBeta_.assign(start_.beta());
   applyLaws();
-  if (meets(step, target)) return;
+  isThere_ = meetsTarget();
+  if (isThere_) return;
   if (!start_.hasTangents()) start_.differentiate();
-  accelerations_[step].seed({start_.residualTangents()}, {start_.imageTangents()});
+  acceleration_.seed({start_.residualTangents()}, {start_.imageTangents()});
 }
 
-void ConfigurationIteration::extrapolate(int step) {
+void ConfigurationIteration::extrapolate() {
   const std::vector<double>& times = fixedPoint_.assembly().times;
-  const auto t = static_cast<std::size_t>(step);
+  const auto t = static_cast<std::size_t>(step_);
   column_.putScalar(0.0);
   columnBeta_.putScalar(0.0);
   const auto add = [&](int from, double share) {
     for (int row = 0; row < column_.numRows(); ++row) {
       column_[0][row] += share * alpha_[from][row];
-      columnBeta_[0][row] += share * (beta_[from][row] - offset_[from][row]);
+      columnBeta_[0][row] += share * (beta_[from][row] - (*offset_)[from][row]);
     }
   };
-  const double ratio = step < 2 ? 0.0 : (times[t] - times[t - 1]) / (times[t - 1] - times[t - 2]);
-  if (step > 0) add(step - 1, 1.0 + ratio);
-  if (step > 1) add(step - 2, -ratio);
-  for (int row = 0; row < column_.numRows(); ++row) columnBeta_[0][row] += offset_[step][row];
+  const double ratio = step_ < 2 ? 0.0 : (times[t] - times[t - 1]) / (times[t - 1] - times[t - 2]);
+  if (step_ > 0) add(step_ - 1, 1.0 + ratio);
+  if (step_ > 1) add(step_ - 2, -ratio);
+  for (int row = 0; row < column_.numRows(); ++row) columnBeta_[0][row] += (*offset_)[step_][row];
   applyLaws();
 }
 
 int ConfigurationIteration::iterationsLeft() const {
-  const double left = (limit_ - stages()) * alpha_.numCols();
+  const double left = limit_ * alpha_.numCols() - static_cast<double>(columns_);
   return static_cast<int>(std::clamp(left, 0.0, static_cast<double>(latin::March::maximumIterations)));
 }
 
-bool ConfigurationIteration::iterate(int step, const Indicators& target) {
-  latin::AndersonAcceleration& acceleration = accelerations_[step];
-  const int rows = column_.numRows();
-  base::Matrix change(rows, 1), unused(rows, 1);
-  std::vector<double> residuals;  // since the last restart of the acceleration
-  std::size_t back = iterationsToFall;
-  const int most = iterationsLeft();
-  int iterations = 0;
-  bool isThere = meets(step, target);
-  for (; !isThere && iterations < most; ++iterations) {
-    residuals.push_back(residual_);
-    if (residuals.size() > back && residual_ > slow * residuals[residuals.size() - 1 - back]) {
-      acceleration.restart();
-      residuals.clear();
-      back = iterationsToFallLater;
-    }
-    for (int row = 0; row < rows; ++row) change[0][row] = -column_[0][row];
-    acceleration.advance(column_, columnImage_);
-    change += column_;
-    const latin::Iterate& iterate = fixedPoint_.apply(change, unused, precision_);
-    for (int row = 0; row < rows; ++row) columnBeta_[0][row] += iterate.beta()[0][row] - offset_[step][row];
+void ConfigurationIteration::startStep() {
+  local_.select({step_});
+  acceleration_.restart();
+  if (isFirstMarch_ && !starts_.empty()) {
+    findStart();
+  } else if (isFirstMarch_) {
+    extrapolate();
+    isThere_ = meetsTarget();
+  } else {
+    std::copy_n(alpha_[step_], column_.numRows(), column_[0]);
+    std::copy_n(beta_[step_], column_.numRows(), columnBeta_[0]);
     applyLaws();
-    isThere = meets(step, target);
+    isThere_ = meetsTarget();
   }
-  std::copy_n(column_[0], rows, alpha_[step]);
-  std::copy_n(columnBeta_[0], rows, beta_[step]);
-  if (isFirstMarch_ && !starts_.empty()) start_.settle(step, column_, columnBeta_);
-  // The stage of all load steps is one more iteration, where it is known how.
-  if (iterations > 0) acceleration.advance(column_, columnImage_);
-  std::copy_n(column_[0], rows, next_[step]);
-  return isThere;
+  residuals_.clear();
+  back_ = iterationsToFall;
+  iterations_ = 0;
+  mostIterations_ = iterationsLeft();
+  isStarted_ = true;
 }
 
-bool ConfigurationIteration::settle(int step, const Indicators& target) {
-  const auto running = timers_.start("acceleration");
-  if (!isFirstMarch_) {
-    std::copy_n(alpha_[step], column_.numRows(), column_[0]);
-    std::copy_n(beta_[step], column_.numRows(), columnBeta_[0]);
-    accelerations_[step].resume();
-    applyLaws();
-  } else if (starts_.empty()) {
-    extrapolate(step);
-  } else {
-    findStart(step, target);
+void ConfigurationIteration::propose() {
+  residuals_.push_back(residual_);
+  if (residuals_.size() > back_ && residual_ > slow * residuals_[residuals_.size() - 1 - back_]) {
+    acceleration_.restart();
+    residuals_.clear();
+    back_ = iterationsToFallLater;
   }
-  const bool isThere = iterate(step, target);
-  if (isFirstMarch_ && starts_.empty()) {
+  for (int row = 0; row < column_.numRows(); ++row) change_[0][row] = -column_[0][row];
+  acceleration_.advance(column_, columnImage_);
+  change_ += column_;
+}
+
+StepSolver::Request ConfigurationIteration::request() {
+  return {step_, change_[0], changeImage_[0]};
+}
+
+void ConfigurationIteration::take() {
+  isWaiting_ = isSolved_ = false;
+  ++columns_;
+  ++iterations_;
+  columnBeta_ += changeImage_;
+  applyLaws();
+  isThere_ = meetsTarget();
+}
+
+void ConfigurationIteration::endStep() {
+  const int rows = column_.numRows();
+  std::copy_n(column_[0], rows, alpha_[step_]);
+  std::copy_n(columnBeta_[0], rows, beta_[step_]);
+  const bool isCold = isFirstMarch_ && starts_.empty();
+  if (isFirstMarch_ && !isCold) start_.settle(step_, column_, columnBeta_);
+  // The stage of all load steps is one more iteration, where it is known how.
+  if (iterations_ > 0) acceleration_.advance(column_, columnImage_);
+  std::copy_n(column_[0], rows, next_[step_]);
+  if (isCold) {
     const double here = fixedPoint_.metric().norm(columnTraction_);
-    traction_ = std::sqrt((traction_ * traction_ * step + here * here) / (step + 1.0));
+    traction_ = std::sqrt((traction_ * traction_ * step_ + here * here) / (step_ + 1.0));
   }
-  return isThere;
+  local_.accept();
+  local_.startFromHere();
+  isStarted_ = false;
+  ++step_;
+}
+
+void ConfigurationIteration::startMarch(const Indicators& target) {
+  target_ = target;
+  step_ = 0;
+  isStarted_ = isWaiting_ = isSolved_ = false;
+  local_.startUnloaded();
+}
+
+bool ConfigurationIteration::proceed() {
+  const auto running = timers_.start("acceleration");
+  if (isWaiting_ && !isSolved_) return true;
+  if (isWaiting_) take();
+  while (step_ < alpha_.numCols()) {
+    if (!isStarted_) startStep();
+    if (!isThere_ && iterations_ < mostIterations_) {
+      propose();
+      return isWaiting_ = true;
+    }
+    if (!isThere_ && isFirstMarch_) {
+      isLost_ = true;
+      return false;
+    }
+    endStep();
+  }
+  return false;
+}
+
+Indicators ConfigurationIteration::endMarch() {
+  if (isLost_) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  isFirstMarch_ = false;
+  return applyAll();
 }
 
 Indicators ConfigurationIteration::march(const Indicators& target) {
   {
     // All load steps are selected again at the end, also when a law throws.
     const latin::FixedPoint::AllStepsAtEnd restore(fixedPoint_);
-    fixedPoint_.startUnloaded();
-    for (int t = 0; t < alpha_.numCols(); ++t) {
-      if (mustStop_ && mustStop_()) break;
-      fixedPoint_.select({t});
-      const bool isThere = settle(t, target);
-      if (!isThere && isFirstMarch_) {
-        isLost_ = true;
-        const double unknown = std::numeric_limits<double>::infinity();
-        return {unknown, unknown};
-      }
-      fixedPoint_.pointwiseStage().accept();
-      fixedPoint_.startFromHere();
+    startMarch(target);
+    while (!(mustStop_ && mustStop_()) && proceed()) {
+      solver_.solve({request()});
+      markSolved();
     }
   }
-  isFirstMarch_ = false;
-  return applyAll();
+  return endMarch();
 }
 
 std::vector<latin::ResponseRange> ConfigurationIteration::ranges(
@@ -264,7 +273,7 @@ std::string ConfigurationIteration::falseGraph() {
 
 base::Matrix ConfigurationIteration::linear() const {
   base::Matrix linear(beta_);
-  linear -= offset_;
+  linear -= *offset_;
   return linear;
 }
 

@@ -10,6 +10,7 @@
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/parametric/Gauge.hpp>
 #include <harmos/parametric/ReducedBasisStart.hpp>
+#include <harmos/parametric/StepSolver.hpp>
 
 namespace harmos::parametric {
 
@@ -23,19 +24,19 @@ class ConfigurationIteration {
  public:
   /// `neighbours`: solved states that a start is made of, at most. `memory`: differences that the acceleration keeps
   /// beyond those of the start. `accuracy`: relative one that fields have in the end [-], see
-  /// FixedPoint::shareTractions(). `precision`: of the solves of single load steps. The phases "start", "indicators"
+  /// FixedPoint::shareTractions(). `solver`: of single load steps of `fixedPoint`. The phases "start", "indicators"
   /// and "acceleration" are charged to `timers`. All arguments must outlive it.
-  ConfigurationIteration(latin::FixedPoint& fixedPoint,
+  ConfigurationIteration(latin::FixedPoint& fixedPoint, StepSolver& solver,
                          const std::vector<std::shared_ptr<const latin::Response>>& responses, int neighbours,
-                         int memory, double accuracy, substructure::Precision precision, base::Timers& timers);
-  /// Asked on every rank before every load step; march() then goes on with the stage of all load steps at once.
+                         int memory, double accuracy, base::Timers& timers);
+  /// Asked on every rank before every solve; march() then goes on with the stage of all load steps at once.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
 
   /// march() gives up after so many linear stages since begin(), see isLost(); they may end early within it.
   void setLimit(double stages) { limit_ = stages; }
 
-  /// Collective. Begins the configuration whose laws are in the assembly, cold when there are only few `states`, which
-  /// must stay as they are. `values`: of all parameters of the study, in their order.
+  /// Collective. Begins the configuration whose laws are in the assembly, cold when there are only few `states`.
+  /// `values`: of all parameters of the study, in their order.
   void begin(const SolvedStates& states, const std::vector<double>& values);
   /// Collective. Goes on from a state found elsewhere, with a stage of all load steps.
   Indicators beginAt(const base::Matrix& alpha);
@@ -43,11 +44,25 @@ class ConfigurationIteration {
   /// iterations or that of setLimit() is reached, and then all of them once; the fields are those of state(). The first
   /// march since begin() ends at a load step that comes to a limit: the iteration isLost(), and has no state.
   Indicators march(const Indicators& target);
+
+  /// march() in pieces, so that others may march beside it. Begins it; until endMarch(), proceed() wants the laws of
+  /// begin() in the assembly.
+  void startMarch(const Indicators& target);
+  /// Collective. Goes on until a column has to be solved, then returns true: once request() is solved, markSolved()
+  /// must be called before the next proceed() goes on. False when the march is through all load steps or lost.
+  bool proceed();
+  /// What has to be solved; valid until the next proceed().
+  StepSolver::Request request();
+  /// The request is solved.
+  void markSolved() { isSolved_ = true; }
+  /// Collective, with the loads of begin() on the operators. The stage of all load steps, unless the march is lost.
+  Indicators endMarch();
+
   /// Whether begin() must be called before anything else is asked: there may be no equilibrium, or no way to it from
   /// this start.
   bool isLost() const { return isLost_; }
 
-  /// Linear stages since begin(), that for the loads included: solves of single load steps add up.
+  /// Linear stages since begin(), that for the loads included: solves of single load steps add up, and are rounded.
   int stages() const;
   /// ids of the configurations that the start came from.
   const std::vector<int>& starts() const { return starts_; }
@@ -69,42 +84,55 @@ class ConfigurationIteration {
 
  private:
   void prepare();
-  void updateOffset();
   Indicators applyAll();
-  /// Iterates the load step that is selected, from its start; false where it does not meet the target.
-  bool settle(int step, const Indicators& target);
-  void findStart(int step, const Indicators& target);
-  void extrapolate(int step);
-  bool iterate(int step, const Indicators& target);
-  /// The image of column_ once beta_ is known.
+  /// Finds the start of the present load step.
+  void startStep();
+  void findStart();
+  void extrapolate();
+  /// Finds what column_ changes by next.
+  void propose();
+  /// Keeps what the present load step has come to, and goes on to the next one.
+  void endStep();
+  /// A solved change.
+  void take();
+  /// The image of column_ once columnBeta_ is known.
   void applyLaws();
-  bool meets(int step, const Indicators& target);
+  bool meetsTarget();
   /// Solves of the present load step until a limit.
   int iterationsLeft() const;
 
   latin::FixedPoint& fixedPoint_;
+  StepSolver& solver_;
+  latin::PointwiseLocalStage local_;  // of its own, with the histories of its march
   int neighbours_;
   double accuracy_;
-  substructure::Precision precision_;
   base::Timers& timers_;
   Gauge gauge_;
   ReducedBasisStart start_;
-  std::vector<latin::AndersonAcceleration> accelerations_;  // per load step
+  latin::AndersonAcceleration acceleration_;  // of the present load step
   std::function<bool()> mustStop_;
-  base::Matrix alpha_, image_, beta_;         // of all load steps
-  base::Matrix next_;                         // where the next stage of all load steps is made
-  base::Matrix column_, columnImage_;         // alpha and T(alpha) of the present load step,
-  base::Matrix columnBeta_, columnTraction_;  // beta and f^
-  base::Matrix offset_;                       // image of alpha = 0
-  const latin::Iterate* state_ = nullptr;     // of all load steps
-  std::vector<base::Matrix> loads_, held_;    // of the bodies, for which the offset was computed
+  base::Matrix alpha_, image_, beta_;           // of all load steps
+  base::Matrix next_;                           // where the next stage of all load steps is made
+  base::Matrix column_, columnImage_;           // alpha and T(alpha) of the present load step,
+  base::Matrix columnBeta_, columnTraction_;    // beta and f^
+  base::Matrix change_, changeImage_;           // what column_ has changed by, and A times it
+  std::shared_ptr<const base::Matrix> offset_;  // image of alpha = 0
+  const latin::Iterate* state_ = nullptr;       // of all load steps
   bool isFirstMarch_ = true;
   bool isLost_ = false;
+  Indicators target_;                          // of the present march,
+  int step_ = 0;                               // its load step
+  bool isStarted_ = false;                     // which has a start
+  bool isWaiting_ = false, isSolved_ = false;  // for the solve of a change, and whether it is there
+  bool isThere_ = false;                       // and meets the target
+  int iterations_ = 0, mostIterations_ = 0;    // at the present load step
+  std::vector<double> residuals_;              // of them since the last restart of the acceleration
+  std::size_t back_ = 0;                       // over so many of them the residual must fall
   double traction_ = 0.0;  // root mean square over the load steps of |f^|; when cold, over those so far
   double force_ = 0.0;     // what imbalances are measured by [force]; 0 before it is known
   double residual_ = 0.0;  // |T(alpha) - alpha| of the present load step
   std::vector<int> starts_;
-  int stagesBefore_ = 0;
+  long columns_ = 0;                                        // solved since begin()
   double limit_ = std::numeric_limits<double>::infinity();  // of stages()
 };
 

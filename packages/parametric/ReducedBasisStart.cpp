@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <Teuchos_BLAS.hpp>
 
@@ -12,7 +13,7 @@ namespace harmos::parametric {
 namespace {
 
 // The origin of the differences is the best of so many nearest states.
-constexpr int candidates = 4;
+constexpr int candidates = 2;
 constexpr int gaussNewtonSteps = 2;
 constexpr int halvings = 3;
 constexpr int neighboursInTime = ReducedBasisStart::furtherColumns - 1;
@@ -30,13 +31,14 @@ void shape(base::Matrix& matrix, int rows, int columns) {
 
 }  // namespace
 
-ReducedBasisStart::ReducedBasisStart(latin::FixedPoint& fixedPoint)
+ReducedBasisStart::ReducedBasisStart(const latin::FixedPoint& fixedPoint, latin::PointwiseLocalStage& local)
     : fixedPoint_(fixedPoint),
+      local_(local),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
       tangents_(fixedPoint.assembly(), lines_) {}
 
 double ReducedBasisStart::evaluate(const base::Matrix& alpha, const base::Matrix& beta, std::vector<double>& residual) {
-  fixedPoint_.pointwiseStage().solveColumn(0, beta, hatted_);
+  local_.solveColumn(0, beta, hatted_);
   const std::vector<double>& scale = fixedPoint_.metric().scale();
   residual.resize(scale.size());
   std::vector<double> square{0.0};
@@ -50,26 +52,29 @@ double ReducedBasisStart::evaluate(const base::Matrix& alpha, const base::Matrix
 
 void ReducedBasisStart::begin(const SolvedStates& states, const std::vector<double>& values, int neighbours,
                               const base::Matrix& offset) {
-  states_ = &states;
   offset_ = &offset;
   const int rows = offset.numRows();
   const int steps = offset.numCols();
   for (base::Matrix* field : {&state_, &beta_, &hatted_, &trialState_, &trialBeta_, &remainder_, &remainderLinear_}) {
     field->shape(rows, 1);
   }
-  order_ = states.nearest(values, neighbours);
+  std::vector<int> order = states.nearest(values, neighbours);
+  std::vector<int> all(steps);
+  std::iota(all.begin(), all.end(), 0);
+  local_.select(all);
+  local_.startUnloaded();
   base::Matrix alpha(rows, steps), beta(rows, steps), traction(rows, steps);
   const std::vector<double>& scale = fixedPoint_.metric().scale();
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < std::min<int>(candidates, static_cast<int>(order_.size())); ++i) {
-    states.copy(order_[i], alpha, beta);
+  for (int i = 0; i < std::min<int>(candidates, static_cast<int>(order.size())); ++i) {
+    states.copy(order[i], alpha, beta);
     beta += offset;
     std::vector<double> sums(2, 0.0);
-    fixedPoint_.pointwiseStage().begin();
+    local_.begin();
     for (int t = 0; t < steps; ++t) {
-      fixedPoint_.pointwiseStage().solveColumn(t, beta, traction);
-      fixedPoint_.pointwiseStage().accept();
+      local_.solveColumn(t, beta, traction);
+      local_.accept();
       for (std::size_t row = 0; row < scale.size(); ++row) {
         const double residual = scale[row] * (2.0 * traction[t][row] - beta[t][row] - alpha[t][row]);
         sums[0] += residual * residual;
@@ -82,10 +87,14 @@ void ReducedBasisStart::begin(const SolvedStates& states, const std::vector<doub
     best = i;
     traction_ = std::sqrt(sums[1] / steps);
   }
-  std::rotate(order_.begin(), order_.begin() + best, order_.begin() + best + 1);
-  force_ = states.force(order_.front());
+  std::rotate(order.begin(), order.begin() + best, order.begin() + best + 1);
+  force_ = states.force(order.front());
   starts_.clear();
-  for (const int position : order_) starts_.push_back(states.id(position));
+  states_.clear();
+  for (const int position : order) {
+    starts_.push_back(states.id(position));
+    states_.push_back(states.state(position));
+  }
   weights_.clear();
 }
 
@@ -93,23 +102,22 @@ void ReducedBasisStart::gather(int step) {
   const int rows = offset_->numRows();
   const int steps = offset_->numCols();
   const int inTime = std::min(neighboursInTime, steps - 1);
-  const int states = static_cast<int>(order_.size());
+  const int states = static_cast<int>(states_.size());
   const int count = states + inTime + 1;
   for (base::Matrix* matrix : {&columns_, &linear_, &residualTangents_}) shape(*matrix, rows, count);
-  const float* origin = states_->alpha(order_[0], step);
-  const float* originLinear = states_->linear(order_[0], step);
+  const float* origin = states_[0]->alphaAt(step);
+  const float* originLinear = states_[0]->linearAt(step);
   std::copy_n(origin, rows, columns_[0]);
   std::copy_n(originLinear, rows, linear_[0]);
   for (int j = 1; j < states; ++j) {
-    const int state = order_[j];
-    subtract(states_->alpha(state, step), origin, rows, columns_[j]);
-    subtract(states_->linear(state, step), originLinear, rows, linear_[j]);
+    subtract(states_[j]->alphaAt(step), origin, rows, columns_[j]);
+    subtract(states_[j]->linearAt(step), originLinear, rows, linear_[j]);
   }
   int j = states;
   for (int other = std::clamp(step - 1, 0, steps - 1 - inTime); j < states + inTime; ++other) {
     if (other == step) continue;
-    subtract(states_->alpha(order_[0], other), origin, rows, columns_[j]);
-    subtract(states_->linear(order_[0], other), originLinear, rows, linear_[j]);
+    subtract(states_[0]->alphaAt(other), origin, rows, columns_[j]);
+    subtract(states_[0]->linearAt(other), originLinear, rows, linear_[j]);
     ++j;
   }
   std::copy_n(remainder_[0], rows, columns_[j]);
@@ -139,7 +147,7 @@ void ReducedBasisStart::takeTrial(double length, const std::vector<double>& c) {
 
 void ReducedBasisStart::differentiate() {
   const std::vector<double>& scale = fixedPoint_.metric().scale();
-  fixedPoint_.pointwiseStage().differentiateColumn(0, tangents_);
+  local_.differentiateColumn(0, tangents_);
   tangents_.apply(linear_, imageTangents_);
   for (int j = 0; j < columns_.numCols(); ++j) {
     for (int row = 0; row < columns_.numRows(); ++row) {
@@ -203,7 +211,7 @@ void ReducedBasisStart::minimise(double tolerance) {
 }
 
 void ReducedBasisStart::find(int step, double tolerance) {
-  fixedPoint_.pointwiseStage().begin();
+  local_.begin();
   gather(step);
   minimise(tolerance);
 }
@@ -211,7 +219,7 @@ void ReducedBasisStart::find(int step, double tolerance) {
 void ReducedBasisStart::settle(int step, const base::Matrix& state, const base::Matrix& beta) {
   const Teuchos::BLAS<int, double> blas;
   const int rows = columns_.numRows();
-  const int states = static_cast<int>(order_.size());
+  const int states = static_cast<int>(states_.size());
   std::vector<double> c(weights_);
   c[0] += 1.0;  // the origin of the differences
   remainder_.assign(state);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <harmos/latin/FixedPoint.hpp>
@@ -22,11 +23,12 @@ class ReducedBasisStart {
   /// Columns of V at most, beyond one per state.
   static constexpr int furtherColumns = 3;
 
-  /// `fixedPoint`, whose local stage is asked, must outlive it.
-  explicit ReducedBasisStart(latin::FixedPoint& fixedPoint);
+  /// `local`: the local stage that is asked, of `fixedPoint`. Both must outlive it.
+  ReducedBasisStart(const latin::FixedPoint& fixedPoint, latin::PointwiseLocalStage& local);
 
   /// Chooses at most `neighbours` states around the configuration whose laws are in the assembly. `offset`: b, the
-  /// image of alpha = 0. `states` must not be empty, and all load steps be selected; both must stay as they are.
+  /// image of alpha = 0. `states` must not be empty, `offset` must stay as it is. Selects all load steps of the local
+  /// stage, which follow on the unloaded state.
   void begin(const SolvedStates& states, const std::vector<double>& values, int neighbours, const base::Matrix& offset);
   /// ids of the configurations whose states are used, the one that the others are compared with first.
   const std::vector<int>& starts() const { return starts_; }
@@ -67,13 +69,13 @@ class ReducedBasisStart {
   void combine(const std::vector<double>& c, double length);
   void takeTrial(double length, const std::vector<double>& c);
 
-  latin::FixedPoint& fixedPoint_;
+  const latin::FixedPoint& fixedPoint_;
+  latin::PointwiseLocalStage& local_;
   latin::InterfaceLines lines_;
   latin::PairTangents tangents_;
-  const SolvedStates* states_ = nullptr;
   const base::Matrix* offset_ = nullptr;
-  std::vector<int> order_;                    // positions of the states
-  base::Matrix columns_, linear_;             // V, and Y = A V
+  std::vector<std::shared_ptr<const SolvedStates::State>> states_;  // the origin of the differences first
+  base::Matrix columns_, linear_;                                   // V, and Y = A V
   base::Matrix remainder_, remainderLinear_;  // what the iteration added to the start of the step before
   std::vector<double> weights_;               // c in all; then that to begin the next step with
   base::Matrix residualTangents_;

@@ -45,28 +45,30 @@ double SolvedStates::squaredDistance(const std::vector<double>& a, const std::ve
 
 void SolvedStates::add(int id, const std::vector<double>& values, const base::Matrix& alpha, const base::Matrix& linear,
                        double force) {
-  const auto same = std::find_if(states_.begin(), states_.end(), [id](const State& state) { return state.id == id; });
+  const auto same =
+      std::find_if(states_.begin(), states_.end(), [id](const Kept& kept) { return kept.state->id == id; });
   if (same != states_.end()) erase(static_cast<std::size_t>(same - states_.begin()));
   if (states_.size() == largest_) dropOne();
-  states_.push_back({id, values, packed(alpha), packed(linear), force, alpha.numRows()});
+  states_.push_back(
+      {std::make_shared<State>(State{id, values, packed(alpha), packed(linear), force, alpha.numRows()})});
   if (areGapsKnown_) measureGap(states_.size() - 1);
 }
 
 void SolvedStates::measureGap(std::size_t state) {
-  State& one = states_[state];
+  Kept& one = states_[state];
   one.gap = std::numeric_limits<double>::infinity();
   one.closest = -1;
   for (std::size_t j = 0; j < state; ++j) {
-    const double distance = squaredDistance(one.values, states_[j].values);
+    const double distance = squaredDistance(one.state->values, states_[j].state->values);
     if (distance < one.gap) {
       one.gap = distance;
-      one.closest = states_[j].id;
+      one.closest = states_[j].state->id;
     }
   }
 }
 
 void SolvedStates::erase(std::size_t state) {
-  const int id = states_[state].id;
+  const int id = states_[state].state->id;
   states_.erase(states_.begin() + static_cast<std::ptrdiff_t>(state));
   for (std::size_t i = state; areGapsKnown_ && i < states_.size(); ++i) {
     if (states_[i].closest == id) measureGap(i);
@@ -77,21 +79,21 @@ void SolvedStates::dropOne() {
   for (std::size_t i = 0; !areGapsKnown_ && i < states_.size(); ++i) measureGap(i);
   areGapsKnown_ = true;
   const auto pair =
-      std::min_element(states_.begin(), states_.end(), [](const State& a, const State& b) { return a.gap < b.gap; });
+      std::min_element(states_.begin(), states_.end(), [](const Kept& a, const Kept& b) { return a.gap < b.gap; });
   const auto earlier =
-      std::find_if(states_.begin(), pair, [&](const State& state) { return state.id == pair->closest; });
+      std::find_if(states_.begin(), pair, [&](const Kept& kept) { return kept.state->id == pair->closest; });
   erase(earlier == pair ? 0 : static_cast<std::size_t>(earlier - states_.begin()));
 }
 
 double SolvedStates::distance(const std::vector<double>& values) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const State& state : states_) least = std::min(least, squaredDistance(values, state.values));
+  for (const Kept& kept : states_) least = std::min(least, squaredDistance(values, kept.state->values));
   return std::sqrt(least);
 }
 
 std::vector<int> SolvedStates::nearest(const std::vector<double>& values, int count) const {
   std::vector<double> distance;
-  for (const State& state : states_) distance.push_back(squaredDistance(values, state.values));
+  for (const Kept& kept : states_) distance.push_back(squaredDistance(values, kept.state->values));
   std::vector<int> order(states_.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return distance[a] < distance[b]; });
@@ -100,7 +102,7 @@ std::vector<int> SolvedStates::nearest(const std::vector<double>& values, int co
 }
 
 void SolvedStates::copy(int state, base::Matrix& alpha, base::Matrix& linear) const {
-  const State& one = states_[state];
+  const State& one = *states_[state].state;
   unpack(one.alpha, alpha);
   unpack(one.linear, linear);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
@@ -14,6 +16,20 @@ namespace harmos::parametric {
 /// stores its own rows.
 class SolvedStates {
  public:
+  /// What is kept of a configuration.
+  struct State {
+    int id;                            ///< as given to add(), as all that follows
+    std::vector<double> values;        ///< of the parameters
+    std::vector<float> alpha, linear;  ///< alpha and A alpha [stress], one load step after the other
+    double force;                      ///< what its responses are measured by [force]
+    int rows;                          ///< of one load step
+
+    /// The rows of alpha [stress] at a load step.
+    const float* alphaAt(int step) const { return alpha.data() + static_cast<std::ptrdiff_t>(rows) * step; }
+    /// The same of A alpha [stress].
+    const float* linearAt(int step) const { return linear.data() + static_cast<std::ptrdiff_t>(rows) * step; }
+  };
+
   /// `largest`: states kept, > 0; one more drives out one of the two that are closest to each other.
   explicit SolvedStates(int largest) : largest_(static_cast<std::size_t>(largest)) {}
 
@@ -29,35 +45,24 @@ class SolvedStates {
   /// States kept.
   int count() const { return static_cast<int>(states_.size()); }
   /// The id given to add(), of the state at a position < count(), which is not checked, here and below.
-  int id(int state) const { return states_[state].id; }
+  int id(int state) const { return states_[state].state->id; }
   /// Positions of the states nearest to a configuration, the nearest first; ties in the order of adding.
   std::vector<int> nearest(const std::vector<double>& values, int count) const;
   /// Distance [-] to the nearest state in the ranges of the parameters; infinite without states.
   double distance(const std::vector<double>& values) const;
   /// alpha and A alpha [stress] of all load steps, into matrices that have their shape already.
   void copy(int state, base::Matrix& alpha, base::Matrix& linear) const;
-  /// The rows of alpha [stress] at one load step; valid until the next add().
-  const float* alpha(int state, int step) const { return column(state, step, &State::alpha); }
-  /// The same of A alpha [stress].
-  const float* linear(int state, int step) const { return column(state, step, &State::linear); }
+  /// All of it; stays as it is when it is driven out.
+  const std::shared_ptr<const State>& state(int position) const { return states_[position].state; }
   /// What the responses of the state are measured by [force].
-  double force(int state) const { return states_[state].force; }
+  double force(int state) const { return states_[state].state->force; }
 
  private:
-  struct State {
-    int id;
-    std::vector<double> values;
-    std::vector<float> alpha, linear;
-    double force;
-    int rows;
+  struct Kept {
+    std::shared_ptr<const State> state;
     double gap = 0.0;  // squared distance to the closest of those before it, the first of them,
     int closest = -1;  // and its id; none: infinite, -1
   };
-
-  const float* column(int state, int step, std::vector<float> State::*field) const {
-    const State& one = states_[state];
-    return (one.*field).data() + static_cast<std::ptrdiff_t>(one.rows) * step;
-  }
 
   double squaredDistance(const std::vector<double>& a, const std::vector<double>& b) const;
   void dropOne();
@@ -66,7 +71,7 @@ class SolvedStates {
 
   std::vector<double> lower_, upper_;
   std::size_t largest_;
-  std::vector<State> states_;
+  std::vector<Kept> states_;
   bool areGapsKnown_ = false;  // they are measured when states have to be dropped
 };
 

@@ -8,6 +8,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/LoadBalance.hpp>
+#include <harmos/parametric/MarchBatch.hpp>
 #include <harmos/results/StatusName.hpp>
 
 namespace harmos::parametric {
@@ -15,7 +16,7 @@ namespace {
 
 // More neighbours make a better and dearer start, which pays when stages are to be saved.
 constexpr double demanding = 5e-3;
-constexpr int neighbours = 12;
+constexpr int neighbours = 8;
 constexpr int neighboursWhenDemanding = 24;
 constexpr double mostStates = 100000;
 
@@ -58,20 +59,60 @@ StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
                          std::vector<std::shared_ptr<const latin::Response>> responses,
                          const latin::LatinOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                          base::Timers& timers)
-    : install_(std::move(install)),
+    : assembly_(assembly),
+      install_(std::move(install)),
       responses_(std::move(responses)),
       options_(forReplacedLaws(options)),
       timers_(timers),
       solver_(assembly, options_, comm, timers),
       fixedPoint_(solver_.fixedPoint()),
-      iteration_(fixedPoint_, responses_, options.accuracy < demanding ? neighboursWhenDemanding : neighbours,
-                 options.memory, options.accuracy,
-                 options.stages.solver.invertTrace ? substructure::Precision::single : substructure::Precision::exact,
-                 timers),
+      stepSolver_(fixedPoint_,
+                  options.stages.solver.invertTrace ? substructure::Precision::single : substructure::Precision::exact),
       states_(statesThatFit(fixedPoint_.layout(), assembly.steps())),
       lacking_(static_cast<int>(mostStates)) {
   for (const auto& response : responses_) solver_.addResponse(response);
-  iteration_.setStop([this] { return mustStop(); });
+  addPlace();
+}
+
+void StudySolver::addPlace() {
+  auto iteration = std::make_unique<ConfigurationIteration>(
+      fixedPoint_, stepSolver_, responses_, options_.accuracy < demanding ? neighboursWhenDemanding : neighbours,
+      options_.memory, options_.accuracy, timers_);
+  iteration->setStop([this] { return mustStop(); });
+  places_.push_back({std::move(iteration), {}});
+}
+
+void StudySolver::putLaws(const Place& place) {
+  for (std::size_t i = 0; i < place.laws.size(); ++i) assembly_.interfaces[i].law = place.laws[i];
+}
+
+void StudySolver::keep(int place) {
+  while (static_cast<int>(places_.size()) <= place) addPlace();
+  Laws& laws = places_[place].laws;
+  laws.clear();
+  for (const assembly::Interface& interface : assembly_.interfaces) laws.push_back(interface.law);
+  present_ = place;
+}
+
+void StudySolver::present(int place) {
+  if (present_ == place) return;
+  present_ = place;
+  putLaws(places_[place]);
+  fixedPoint_.updateLaws();
+  stepSolver_.updateLoads();
+}
+
+std::vector<StudySolver::Marched> StudySolver::march(const std::vector<int>& places) {
+  present(places.front());  // loads of one that does not march may be no numbers
+  std::vector<MarchBatch::Member> members;
+  for (const int place : places) {
+    members.push_back({places_[place].iteration.get(), [this, place] { putLaws(places_[place]); }});
+  }
+  MarchBatch(fixedPoint_, stepSolver_).run(members, [this] { return mustStop(); });
+  putLaws(places_[present_]);
+  std::vector<Marched> marched;
+  for (MarchBatch::Member& member : members) marched.push_back({member.waits, std::move(member.error)});
+  return marched;
 }
 
 bool StudySolver::install(const design::Configuration& configuration, results::ConfigurationResult& result) {
@@ -81,6 +122,7 @@ bool StudySolver::install(const design::Configuration& configuration, results::C
   try {
     install_(configuration.values);
   } catch (const base::Error& error) {
+    putLaws(places_[present_]);  // some may have been replaced
     result.status = results::Status::inadmissible;
     result.reason = error.what();
     return false;
@@ -156,14 +198,14 @@ void StudySolver::observe(const design::Configuration& configuration, const lati
 }
 
 void StudySolver::remember(const design::Configuration& configuration) {
-  states_.add(configuration.id, configuration.values, iteration_.alpha(), iteration_.linear(), iteration_.force());
-  observe(configuration, iteration_.state());
+  states_.add(configuration.id, configuration.values, iteration().alpha(), iteration().linear(), iteration().force());
+  observe(configuration, iteration().state());
 }
 
 void StudySolver::rememberCertified(const design::Configuration& configuration, results::ConfigurationResult& result) {
   if (options_.stages.formulation == latin::Formulation::displacement) {
-    iteration_.beginAt(solver_.alpha());
-    result.linearStages += iteration_.stages();
+    iteration().beginAt(solver_.alpha());
+    result.linearStages += iteration().stages();
     remember(configuration);
     return;
   }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -71,23 +72,49 @@ class StudySolver {
   const latin::FixedPoint& fixedPoint() const { return fixedPoint_; }
   /// Fields that certify() has left.
   const latin::Iterate& certifiedState() const { return solver_.state(); }
-  /// How the configuration that is installed is iterated.
-  ConfigurationIteration& iteration() { return iteration_; }
+  /// How the present configuration is iterated: that of the place of keep() or present() last, of place 0 before.
+  ConfigurationIteration& iteration() { return *places_[present_].iteration; }
+
+  /// Gives the configuration that was installed last a place, from 0, among those that march side by side; its
+  /// iteration() must begin anew.
+  void keep(int place);
+  /// Makes the configuration of a place the present one again, as if it was installed.
+  void present(int place);
+  /// How far a configuration has come.
+  struct Marched {
+    bool waits;         ///< for march() to lead it on
+    std::string error;  ///< that it has thrown as base::Error; empty: none
+  };
+  /// Collective. Leads the configurations of these places on, until one of them is through all load steps, up to
+  /// endMarch(), or has thrown.
+  std::vector<Marched> march(const std::vector<int>& places);
   /// What remember() has stored: as many as fit into memoryForStates on every rank.
   SolvedStates& states() { return states_; }
   /// Where the schedules count.
   Trust& summary() { return summary_; }
 
  private:
-  void observe(const design::Configuration& configuration, const latin::Iterate& state);
+  using Laws = std::vector<std::shared_ptr<const laws::InterfaceLaw>>;
+  /// Of a configuration that marches beside others.
+  struct Place {
+    std::unique_ptr<ConfigurationIteration> iteration;
+    Laws laws;  // of all interfaces
+  };
 
+  void observe(const design::Configuration& configuration, const latin::Iterate& state);
+  void addPlace();
+  void putLaws(const Place& place);
+
+  assembly::Assembly& assembly_;
   Install install_;
   std::vector<std::shared_ptr<const latin::Response>> responses_;
   latin::LatinOptions options_;
   base::Timers& timers_;
   latin::LatinSolver solver_;
   latin::FixedPoint& fixedPoint_;
-  ConfigurationIteration iteration_;
+  StepSolver stepSolver_;
+  std::vector<Place> places_;
+  int present_ = 0;
   SolvedStates states_;
   SolvedStates lacking_;  // without fields
   Observer observer_;

@@ -204,8 +204,9 @@ int measure(std::vector<std::string> arguments) {
     latin::LatinSolver solver(joint.problem.assembly, parametric::optionsForStudy(joint.options, open.size()), comm,
                               unused);
     for (const auto& response : joint.problem.responses) solver.addResponse(response);
-    parametric::ConfigurationIteration iteration(solver.fixedPoint(), joint.problem.responses, 0, joint.options.memory,
-                                                 joint.options.accuracy, substructure::Precision::exact, unused);
+    parametric::StepSolver steps(solver.fixedPoint(), substructure::Precision::exact);
+    parametric::ConfigurationIteration iteration(solver.fixedPoint(), steps, joint.problem.responses, 0,
+                                                 joint.options.memory, joint.options.accuracy, unused);
     for (int i : sample(static_cast<int>(open.size()), coldRuns, 3)) {
       const design::Configuration& configuration = open[i];
       joint.install(configuration.values);

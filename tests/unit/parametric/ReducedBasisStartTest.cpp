@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <harmos/parametric/ConfigurationIteration.hpp>
+#include <harmos/base/Error.hpp>
+#include <harmos/parametric/MarchBatch.hpp>
 
 #include "../latin/Chains.hpp"
 
@@ -19,6 +20,7 @@ class Dragged : public testing::Test {
   Dragged()
       : assembly_(latin::twoChains(friction(0.3), drag(1.0), steps)),
         fixedPoint_(assembly_, {}, latin::self(), timers_),
+        solver_(fixedPoint_, substructure::Precision::exact),
         states_(20) {}
 
   static std::shared_ptr<const laws::InterfaceLaw> friction(double coefficient) {
@@ -54,7 +56,7 @@ class Dragged : public testing::Test {
   base::Matrix startOf(const std::vector<int>& states, double value, int neighbours) {
     const base::Matrix offset(zero());
     base::Matrix alpha(zero());
-    ReducedBasisStart start(fixedPoint_);
+    ReducedBasisStart start(fixedPoint_, fixedPoint_.pointwiseStage());
     start.begin(states_, {value}, neighbours, offset);
     EXPECT_EQ(start.starts(), states);
     for (int t = 0; t < steps; ++t) {
@@ -76,6 +78,7 @@ class Dragged : public testing::Test {
   base::Timers timers_;
   assembly::Assembly assembly_;
   latin::FixedPoint fixedPoint_;
+  StepSolver solver_;
   SolvedStates states_;
 };
 
@@ -118,7 +121,7 @@ TEST_F(Dragged, AreSolvedByAMarch) {
     states_.copy(i, alpha, linear);
     three.add(i + 1, {0.1 * (i + 1)}, alpha, linear);
   }
-  ConfigurationIteration iteration(fixedPoint_, none, 3, 10, 1e-6, substructure::Precision::exact, timers_);
+  ConfigurationIteration iteration(fixedPoint_, solver_, none, 3, 10, 1e-6, timers_);
   int stages[2];
   for (const bool isWarm : {false, true}) {
     iteration.begin(isWarm ? three : empty, {0.24});
@@ -145,7 +148,7 @@ TEST_F(Dragged, AreSolvedByAMarch) {
 // A march that is given too few linear stages comes to no end; given enough, it does.
 TEST_F(Dragged, AreGivenUpAtTheLimit) {
   const std::vector<std::shared_ptr<const latin::Response>> none;
-  ConfigurationIteration iteration(fixedPoint_, none, 3, 10, 1e-6, substructure::Precision::exact, timers_);
+  ConfigurationIteration iteration(fixedPoint_, solver_, none, 3, 10, 1e-6, timers_);
   for (const bool isEnough : {false, true}) {
     iteration.begin(SolvedStates(1), {0.3});
     iteration.setLimit(isEnough ? 100.0 : 2.0);
@@ -155,6 +158,100 @@ TEST_F(Dragged, AreGivenUpAtTheLimit) {
   }
 }
 
+/// How often the phase has run.
+int starts(const base::Timers& timers, const std::string& phase) {
+  for (const base::Timers::Phase& one : timers.phases()) {
+    if (one.name == phase) return one.starts;
+  }
+  return 0;
+}
+
+/// A law between two sides that answers to nothing.
+class Refusal final : public laws::InterfaceLaw {
+ public:
+  explicit Refusal(int historySize) : historySize_(historySize) {}
+  const char* name() const override { return "Refusal"; }
+  int historySize() const override { return historySize_; }
+  laws::Frame frame() const override { return laws::Frame::interface; }
+  laws::Sides sides() const override { return laws::Sides::two; }
+  bool prescribesTraction() const override { return false; }
+  bool dissipates() const override { return true; }
+  void solve(int /*step*/, const laws::NodeArrays& /*nodes*/) const override { throw base::Error("it refuses"); }
+
+ private:
+  int historySize_;
+};
+
+// Side by side each goes the way that it goes alone, at other laws and under other loads; solves are fewer. One whose
+// law throws disturbs none.
+TEST_F(Dragged, MarchSideBySideAsAlone) {
+  const std::vector<std::shared_ptr<const latin::Response>> none;
+  for (int id = 1; id <= 3; ++id) {
+    assembly_.interfaces[1].law = friction(0.1 * id);
+    solve(id, 0.1 * id);
+  }
+  struct Case {
+    std::shared_ptr<const laws::InterfaceLaw> friction, drag;
+  };
+  const std::vector<Case> cases = {{friction(0.24), drag(1.0)},
+                                   {std::make_shared<Refusal>(friction(0.2)->historySize()), drag(1.0)},
+                                   {friction(0.13), drag(0.7)},
+                                   {friction(0.28), drag(1.2)}};
+  const auto put = [&](const Case& one) {
+    assembly_.interfaces[1].law = one.friction;
+    assembly_.interfaces[2].law = one.drag;
+  };
+  const Indicators target = {1e-7, 1e-7};
+  std::vector<base::Matrix> alone;
+  std::vector<std::unique_ptr<ConfigurationIteration>> iterations;
+  std::vector<MarchBatch::Member> members;
+  int solves = 0, stages = 0;
+  for (const Case& one : cases) {
+    put(one);
+    fixedPoint_.updateLaws();
+    iterations.push_back(std::make_unique<ConfigurationIteration>(fixedPoint_, solver_, none, 3, 10, 1e-6, timers_));
+    ConfigurationIteration& iteration = *iterations.back();
+    const bool isRefused = &one == &cases[1];
+    if (isRefused) {
+      iteration.begin(SolvedStates(1), {0.2});
+    } else {
+      iteration.begin(states_, {0.2});
+    }
+    if (isRefused) {
+      alone.emplace_back();
+    } else {
+      const int before = starts(timers_, "block solve");
+      iteration.march(target);
+      solves += starts(timers_, "block solve") - before;
+      stages += iteration.stages();
+      alone.push_back(iteration.alpha());
+      iteration.begin(states_, {0.2});
+    }
+    iteration.startMarch(target);
+    members.push_back({&iteration, [&put, &one] { put(one); }});
+  }
+  const int before = starts(timers_, "block solve");
+  const auto waits = [](const MarchBatch::Member& member) { return member.waits; };
+  while (std::any_of(members.begin(), members.end(), waits)) {
+    MarchBatch(fixedPoint_, solver_).run(members, [] { return false; });
+  }
+  int together = starts(timers_, "block solve") - before;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    EXPECT_EQ(members[i].error.empty(), i != 1) << members[i].error;
+    if (i == 1) continue;
+    put(cases[i]);
+    fixedPoint_.updateLaws();
+    iterations[i]->endMarch();
+    ++together;
+    stages -= iterations[i]->stages();
+    base::Matrix difference(iterations[i]->alpha());
+    difference -= alone[i];
+    EXPECT_LT(difference.normInf(), 1e-10 * alone[i].normInf()) << i;
+  }
+  EXPECT_EQ(stages, 0);
+  EXPECT_LT(together, solves - 5);
+}
+
 // Tangents of the start are those of its image: a small step along each changes residual and image as they say.
 TEST_F(Dragged, HaveTangentsOfTheirImage) {
   for (int id = 1; id <= 3; ++id) {
@@ -162,7 +259,7 @@ TEST_F(Dragged, HaveTangentsOfTheirImage) {
     solve(id, 0.1 * id);
   }
   assembly_.interfaces[1].law = friction(0.24);
-  ReducedBasisStart start(fixedPoint_);
+  ReducedBasisStart start(fixedPoint_, fixedPoint_.pointwiseStage());
   const base::Matrix offset(zero());
   start.begin(states_, {0.24}, 3, offset);
   fixedPoint_.select({0});

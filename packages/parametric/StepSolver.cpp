@@ -1,0 +1,48 @@
+#include <harmos/parametric/StepSolver.hpp>
+
+#include <algorithm>
+
+#include <Teuchos_CommHelpers.hpp>
+
+namespace harmos::parametric {
+namespace {
+
+// Error of solves in single precision from which on they are made in double.
+constexpr double tooRough = 1e-5;
+
+}  // namespace
+
+void StepSolver::updateLoads() {
+  const latin::BodyOperators& operators = fixedPoint_.linearStage().operators();
+  const bool isOther = offset_ == nullptr || changes_ != operators.loadChanges();
+  changes_ = operators.loadChanges();
+  const std::vector<int> here{isOther ? 1 : 0, operators.areLoaded() ? 1 : 0};
+  std::vector<int> anywhere(2);
+  Teuchos::reduceAll(fixedPoint_.layout().comm(), Teuchos::REDUCE_MAX, 2, here.data(), anywhere.data());
+  if (anywhere[0] == 0) return;
+  const base::Matrix nothing(fixedPoint_.layout().rows(), fixedPoint_.assembly().steps());
+  auto offset = std::make_shared<base::Matrix>(nothing);
+  if (anywhere[1] != 0) fixedPoint_.solveLinear(nothing, *offset);
+  offset_ = std::move(offset);
+}
+
+void StepSolver::solve(const std::vector<Request>& requests) {
+  if (precision_ == substructure::Precision::single && fixedPoint_.prepareSingle() > tooRough) {
+    precision_ = substructure::Precision::exact;
+  }
+  const int rows = fixedPoint_.layout().rows();
+  const int count = static_cast<int>(requests.size());
+  std::vector<int> steps;
+  for (const Request& request : requests) steps.push_back(request.step);
+  fixedPoint_.select(steps);
+  x_.shapeUninitialized(rows, count);
+  images_.shapeUninitialized(rows, count);
+  for (int j = 0; j < count; ++j) std::copy_n(requests[j].x, rows, x_[j]);
+  fixedPoint_.solveLinear(x_, images_, precision_);
+  for (int j = 0; j < count; ++j) {
+    const double* offset = (*offset_)[steps[j]];
+    for (int row = 0; row < rows; ++row) requests[j].image[row] = images_[j][row] - offset[row];
+  }
+}
+
+}  // namespace harmos::parametric
