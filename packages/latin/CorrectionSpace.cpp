@@ -19,6 +19,8 @@ constexpr double roundOff = 1e-9;
 constexpr double singularInSingle = 1e-7;
 constexpr double singularInDouble = 1e-10;
 constexpr double ordinary = 2.0;
+// Of least squares that are damped: some thousand times what images in double precision resolve.
+constexpr double damping = 2e-7;
 
 base::Matrix dense(const std::vector<std::vector<double>>& triangle, int size) {
   base::Matrix matrix(size, size);
@@ -183,7 +185,7 @@ CorrectionSpace::LeastSquares CorrectionSpace::solveDamped(const double* residua
   base::Matrix stacked(2 * size_, size_), b(2 * size_, 1);
   for (int j = 0; j < size_; ++j) {
     std::copy_n(triangle_[j].begin(), j + 1, stacked[j]);
-    stacked[j][size_ + j] = singular * ordinary;
+    stacked[j][size_ + j] = damping;
   }
   std::copy(right.begin(), right.end(), b[0]);
   std::vector<double> work(static_cast<std::size_t>(64 * size_));

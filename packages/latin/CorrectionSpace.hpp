@@ -62,8 +62,8 @@ class CorrectionSpace {
   };
   /// min |r - G c|, without directions along which G is singular but for round-off.
   LeastSquares solve(const double* residual) const;
-  /// min |r - G c|^2 + e^2 |c|^2, e that below which solve() leaves directions out: nearly the same, without singular
-  /// values, which take a dozen times as long where there are hundreds of directions. `left` is |r - G c| as well.
+  /// min |r - G c|^2 + e^2 |c|^2 with e = 2e-7: nearly the same, without singular values, which take a dozen times as
+  /// long where there are hundreds of directions. `left` is |r - G c| as well.
   /// Source: Golub, Van Loan, Matrix Computations (2013), 6.1.4.
   LeastSquares solveDamped(const double* residual) const;
   /// r - G c [stress]. Not collective.
