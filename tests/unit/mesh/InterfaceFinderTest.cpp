@@ -205,8 +205,8 @@ TEST(InterfaceFinder, LeavesSameNodesWithDifferentFacesToTheJoiner) {
     joined.emplace_back(side1.size(), side2.size());
     return std::vector<InterfaceSurface>{};
   };
-  finder.betweenSideSets("seal", "lower_zmax", "upper_zmin", std::nullopt, oneNormal, join);
-  finder.betweenParts("seal", "upper", "lower", oneNormal, join);
+  finder.betweenSideSets("seal", "lower_zmax", "upper_zmin", std::nullopt, InterfaceFinder::oneNormal, join);
+  finder.betweenParts("seal", "upper", "lower", InterfaceFinder::oneNormal, join);
   const std::vector<std::pair<std::size_t, std::size_t>> expected = {{12, 24}, {24, 12}};
   EXPECT_EQ(joined, expected);
   EXPECT_THROW(finder.betweenParts("seal", "lower", "upper"), base::Error);
