@@ -55,6 +55,7 @@ CausalCorrection::CausalCorrection(FixedPoint& fixedPoint, substructure::Precisi
       steps_(static_cast<std::size_t>(fixedPoint.assembly().steps())) {}
 
 double CausalCorrection::evaluate(int step) {
+  std::fill_n(residual_[step], residual_.numRows(), 0.0);  // a rank without bodies has a row that nothing writes
   fixedPoint_.pointwiseStage().solveColumn(step, beta_, residual_);  // f^ first
   for (int row = 0; row < alpha_.numRows(); ++row) {
     residual_[step][row] = 2.0 * residual_[step][row] - beta_[step][row] - alpha_[step][row];

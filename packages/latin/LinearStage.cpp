@@ -49,7 +49,10 @@ void LinearStage::prepareLoadFactor() {
 void LinearStage::updateLoads() {
   const long before = operators_.loadChanges();
   operators_.updateLoads(assembly_);
-  if (macro_ && operators_.loadChanges() != before) macro_->updateLoads(assembly_, operators_);
+  const int here = operators_.loadChanges() != before ? 1 : 0;
+  int anywhere = 0;
+  Teuchos::reduceAll(layout_.comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(anywhere));
+  if (macro_ && anywhere != 0) macro_->updateLoads(assembly_, operators_);
   if (loadFactor_) prepareLoadFactor();
 }
 

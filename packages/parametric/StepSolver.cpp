@@ -21,7 +21,8 @@ void StepSolver::updateLoads() {
   Teuchos::reduceAll(fixedPoint_.layout().comm(), Teuchos::REDUCE_MAX, 2, here.data(), anywhere.data());
   if (anywhere[0] == 0) return;
   const base::Matrix nothing(fixedPoint_.layout().rows(), fixedPoint_.assembly().steps());
-  auto offset = std::make_shared<base::Matrix>(nothing);
+  // A copy of a matrix without rows would have no columns either.
+  auto offset = std::make_shared<base::Matrix>(nothing.numRows(), nothing.numCols());
   if (anywhere[1] != 0) fixedPoint_.solveLinear(nothing, *offset);
   offset_ = std::move(offset);
 }
@@ -36,7 +37,7 @@ void StepSolver::solve(const std::vector<Request>& requests) {
   for (const Request& request : requests) steps.push_back(request.step);
   fixedPoint_.select(steps);
   x_.shapeUninitialized(rows, count);
-  images_.shapeUninitialized(rows, count);
+  images_.shape(rows, count);  // the row that stands for none, on ranks without bodies, is not solved for
   for (int j = 0; j < count; ++j) std::copy_n(requests[j].x, rows, x_[j]);
   fixedPoint_.solveLinear(x_, images_, precision_);
   for (int j = 0; j < count; ++j) {
