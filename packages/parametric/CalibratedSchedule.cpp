@@ -379,8 +379,12 @@ std::vector<design::Configuration> CalibratedSchedule::run(const std::vector<des
         begin(open[*next++], purposeOfNext());
       }
     }
-    const auto marches = [](const Attempt& attempt) { return attempt.isMarching; };
-    if (!underWay_.empty() && std::all_of(underWay_.begin(), underWay_.end(), marches)) march();
+    const auto allMarch = [&] {
+      return !underWay_.empty() &&
+             std::all_of(underWay_.begin(), underWay_.end(), [](const Attempt& attempt) { return attempt.isMarching; });
+    };
+    if (allMarch()) march();
+    if (allMarch()) return {};  // interrupted
     if (!endThose(sink)) return {};
     reopen(sink);
     summary.forceRatio = calibration_.forceRatio();
