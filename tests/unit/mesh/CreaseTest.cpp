@@ -154,45 +154,6 @@ TEST(Crease, IsTheSameOnSidesThatAreDividedDifferently) {
   EXPECT_EQ(patch[3][0], 1);
 }
 
-TEST(Crease, GoesAroundAnInclusionWithOtherFaces) {
-  // A cube of tetrahedra in a hollow of hexahedra, whose faces are not divided.
-  Mesh mesh = boxes({{"matrix", {}, {3.0, 3.0, 3.0}, {3, 3, 3}},
-                     {"core", {1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}, {1, 1, 1}, ElementType::tet4}});
-  unite(mesh, {"core_xmin", "core_xmax", "core_ymin", "core_ymax", "core_zmin", "core_zmax"});
-  std::vector<int> around(27);
-  std::iota(around.begin(), around.end(), 0);
-  around.erase(around.begin() + 13);
-  std::vector<int> core(mesh.blocks[1].elements());
-  std::iota(core.begin(), core.end(), 27);
-  const Elements elements(mesh);
-  SideSet hollow{"hollow", 2000, {}, {}};
-  for (const Face& face : skin(elements, around)) {
-    const auto corners = pointsOf(mesh, face.nodes);
-    if (std::all_of(corners.begin(), corners.end(), [](const base::Vector3& x) {
-          return norm(x - base::Vector3{1.5, 1.5, 1.5}) < 1.0;
-        })) {
-      hollow.element.push_back(face.element);
-      hollow.side.push_back(face.side);
-    }
-  }
-  ASSERT_EQ(hollow.element.size(), 6u);
-  mesh.sideSets.push_back(hollow);
-  const std::vector<Piece> parts = {makePiece(mesh, "matrix", "matrix", around), makePiece(mesh, "core", "core", core)};
-  for (const bool isTurned : {false, true}) {
-    const auto surfaces =
-        InterfaceFinder(mesh, parts)
-            .betweenSideSets("seal", isTurned ? "all" : "hollow", isTurned ? "hollow" : "all", std::nullopt, usual);
-    ASSERT_EQ(surfaces.size(), 1u);
-    EXPECT_EQ(surfaces[0].pairs(), 24);
-    EXPECT_NEAR(total(surfaces[0].area), 6.0, roundOff);
-    EXPECT_NEAR(norm(total(surfaces[0].normal)), 0.0, roundOff);
-    for (std::size_t p = 0; p < 24; ++p) {
-      const auto& n = surfaces[0].frame[p][0];
-      EXPECT_NEAR(std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])}), 1.0, roundOff);
-    }
-  }
-}
-
 TEST(Crease, IsDividedBetweenTwoParts) {
   Mesh mesh = boxes({{"body", {}, {1.0, 1.0, 1.0}, {3, 3, 3}}});
   // The cells with all coordinates above 1/3 are a block in a corner of the others, with which it shares its nodes.
