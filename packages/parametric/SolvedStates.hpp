@@ -18,11 +18,12 @@ class SolvedStates {
  public:
   /// What is kept of a configuration.
   struct State {
-    int id;                            ///< as given to add(), as all that follows
-    std::vector<double> values;        ///< of the parameters
-    std::vector<float> alpha, linear;  ///< alpha and A alpha [stress], one load step after the other
-    double force;                      ///< what its responses are measured by [force]
-    int rows;                          ///< of one load step
+    int id;                      ///< as given to add(), as all that follows
+    std::vector<double> values;  ///< of the parameters
+    std::vector<float> alpha;    ///< alpha [stress], one load step after the other
+    std::vector<float> linear;   ///< A alpha [stress], likewise
+    double force;                ///< what its responses are measured by [force]
+    int rows;                    ///< of one load step
 
     /// The rows of alpha [stress] at a load step.
     const float* alphaAt(int step) const { return alpha.data() + static_cast<std::ptrdiff_t>(rows) * step; }
