@@ -86,7 +86,7 @@ void describeCreaseAngle(input::ParameterSpec& spec) {
       .atMost(180.0)
       .doc(
           "Where normals of faces around a node differ by more, laws that depend on the normal hold on each by "
-          "itself; so do all between meshes that do not match.");
+          "itself.");
 }
 
 void describeInterface(input::ParameterSpec& spec, const laws::LawRegistry& laws) {
