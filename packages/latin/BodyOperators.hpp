@@ -45,13 +45,13 @@ class BodyOperators {
   /// Puts other load cases in the place of the load steps, until updateLoads(): l [force] and g [length] of every body,
   /// dofs x cases; 0 x 0: of bodies that are not owned here. select() must follow.
   void setLoads(const std::vector<base::Matrix>& loads, std::vector<base::Matrix> held);
-  /// Loads all bodies besides with forces like those that round-off leaves in their equations at the last solve, in
-  /// which all load steps were selected, `times` as large; signs by `seed`. Congruent bodies have the same signs.
-  void perturb(const assembly::Assembly& assembly, unsigned seed, double times);
   /// A number that grows whenever loads or held displacements of a body owned here become others.
   long loadChanges() const;
   /// Whether there are any on this rank that are not zero.
   bool areLoaded() const;
+  /// Loads all bodies besides with forces like those that round-off leaves in their equations at the last solve, in
+  /// which all load steps were selected, `times` as large; signs by `seed`. Congruent bodies have the same signs.
+  void perturb(const assembly::Assembly& assembly, unsigned seed, double times);
   /// Takes these loads away.
   void unperturb(const assembly::Assembly& assembly);
   /// Largest over the load steps of the norm of the forces that perturb() has put on each body of the assembly [force];

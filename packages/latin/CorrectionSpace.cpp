@@ -148,12 +148,17 @@ void CorrectionSpace::findSingularValues() const {
   hasSingularValues_ = true;
 }
 
-CorrectionSpace::LeastSquares CorrectionSpace::solve(const double* residual) const {
+CorrectionSpace::LeastSquares CorrectionSpace::projected(const double* residual) const {
   assert(known_ == size_ && "a direction lacks its g");
   std::vector<double> x = scaled(residual);
   LeastSquares result;
   result.c = project(size_, x);
   result.left = norm(x);
+  return result;
+}
+
+CorrectionSpace::LeastSquares CorrectionSpace::solve(const double* residual) const {
+  LeastSquares result = projected(residual);
   if (size_ == 0) return result;
   base::Matrix matrix = dense(triangle_, size_);
   int info = 0;
@@ -175,11 +180,7 @@ CorrectionSpace::LeastSquares CorrectionSpace::solve(const double* residual) con
 }
 
 CorrectionSpace::LeastSquares CorrectionSpace::solveDamped(const double* residual) const {
-  assert(known_ == size_ && "a direction lacks its g");
-  std::vector<double> x = scaled(residual);
-  LeastSquares result;
-  result.c = project(size_, x);
-  result.left = norm(x);
+  LeastSquares result = projected(residual);
   if (size_ == 0) return result;
   const std::vector<double> right = result.c;
   base::Matrix stacked(2 * size_, size_), b(2 * size_, 1);

@@ -86,6 +86,8 @@ class CorrectionSpace {
   /// coefficients.
   std::vector<double> project(int count, std::vector<double>& x) const;
   double norm(const std::vector<double>& scaled) const;
+  /// Q^T r, and the norm of what of r lies outside of Q, before any of it is fitted.
+  LeastSquares projected(const double* residual) const;
   /// |right - R c|.
   double leftInside(const std::vector<double>& right, const std::vector<double>& c) const;
   void findSingularValues() const;
