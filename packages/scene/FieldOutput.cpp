@@ -3,6 +3,8 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include <harmos/elasticity/Stress.hpp>
 #include <harmos/files/ResultLayout.hpp>
@@ -190,8 +192,9 @@ class InterfaceStep {
  public:
   InterfaceStep(int dimension, ResultStep& step) : dimension_(at(dimension)), step_(step) {}
 
-  /// Of pair `p` of interface `i`.
-  void fill(const assembly::Interface& interface, const InterfaceFields& all, std::size_t i, int t, int p, int node) {
+  /// Of pair `p` of interface `i`; `hasArea`: its area is to stand at this node.
+  void fill(const assembly::Interface& interface, const InterfaceFields& all, std::size_t i, int t, int p, bool hasArea,
+            int node) {
     const latin::PairFields& fields = all.fields[i];
     const auto& frame = interface.frame[at(p)];
     const auto& traction = fields.traction[fields.at(t, p)];
@@ -213,7 +216,7 @@ class InterfaceStep {
     put(all.law[i].lost[fields.at(t, p)]);
     put(all.safety[i].slip[fields.at(t, p)]);
     put(all.safety[i].gaping[fields.at(t, p)]);
-    put(interface.area[at(p)]);
+    put(hasArea ? interface.area[at(p)] : 0.0);
   }
 
   /// What the law of interface `i` adds, right after fill(): `variables` are those of its outputs.
@@ -231,6 +234,21 @@ class InterfaceStep {
   std::size_t variable_ = 0, node_ = 0;
 };
 
+/// Per point of every surface, whether it shows the area of its pair: once, and not at copies, for areas are summed up.
+std::vector<std::vector<bool>> showAreasOnce(const Problem& problem) {
+  std::set<std::pair<int, int>> shown;
+  std::vector<std::vector<bool>> shows;
+  for (std::size_t s = 0; s < problem.surfaces.size(); ++s) {
+    auto& ofSurface = shows.emplace_back();
+    for (std::size_t p = 0; p < problem.places[s].size(); ++p) {
+      const PairPlace& place = problem.places[s][p];
+      const auto row = problem.surfaces[s].trace1.row(static_cast<int>(p));
+      ofSurface.push_back(row.begin() != row.end() && shown.emplace(place.interface, place.pair).second);
+    }
+  }
+  return shows;
+}
+
 void writeInterfaces(const Problem& problem, const latin::Iterate& state, const InterfaceFields& fields,
                      const LawOutputs& outputs, const std::vector<std::vector<std::size_t>>& ofLaws,
                      const std::string& path, const FieldFile& file) {
@@ -241,6 +259,7 @@ void writeInterfaces(const Problem& problem, const latin::Iterate& state, const 
   variables.nodal = interfaceVariables(dimension);
   for (const laws::OutputField& field : outputs.fields()) variables.nodal.push_back(field.name);
   const auto writer = file.open(path, layout.mesh, variables);
+  const auto hasArea = showAreasOnce(problem);
   for (int t = 0; t < file.steps(); ++t) {
     ResultStep step = files::zeroStep(layout.mesh, variables, file.time(t));
     InterfaceStep filler(dimension, step);
@@ -249,7 +268,7 @@ void writeInterfaces(const Problem& problem, const latin::Iterate& state, const 
         const PairPlace& place = problem.places[s][p];
         if (place.interface < 0) continue;
         const auto i = at(place.interface);
-        filler.fill(interfaces[i], fields, i, t, place.pair, layout.firstPair[s] + static_cast<int>(p));
+        filler.fill(interfaces[i], fields, i, t, place.pair, hasArea[s][p], layout.firstPair[s] + static_cast<int>(p));
         filler.fillOutputs(fields, i, t, place.pair, ofLaws[i]);
       }
     }

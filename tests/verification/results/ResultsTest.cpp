@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <numeric>
 
 #include <Tpetra_Core.hpp>
 
+#include <harmos/files/NodalVariable.hpp>
 #include <harmos/laws/LawRegistry.hpp>
 #include <harmos/scene/SceneRun.hpp>
 
@@ -103,6 +105,9 @@ TEST(RanksResults, RecordHasForcesEnergiesAndEquilibriumOfTheLastStep) {
   ASSERT_TRUE(record.largestVonMises);
   EXPECT_EQ(record.largestVonMises->at, "nodes");
   EXPECT_GT(record.largestVonMises->point.value, 5.0);
+  // Four interfaces and the cut; points that pieces share count once.
+  const auto areas = files::readNodalVariable(request.directory + "/two_blocks_interfaces.e", "area", 0);
+  EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), 4.0 * area + 0.2, 1e-12);
   std::filesystem::remove_all(request.directory);
 }
 
