@@ -105,6 +105,7 @@ void place(const mesh::Mesh& mesh, JoinedSurface& surface) {
       upper[d] = p == 0 ? surface.place[p][d] : std::max(upper[d], surface.place[p][d]);
     }
   }
+  for (JoinedSurface::Creased& corner : surface.creased) corner.place = mesh.nodes[corner.node];
   const double diameter = distance(lower, upper);
   const double count = static_cast<double>(surface.node.size());
   surface.report.spacing = mesh.dimension == 3 ? std::sqrt(area / count) : diameter / count;
@@ -153,6 +154,7 @@ JoinedSurface joinSurfaces(const std::string& where, const mesh::Mesh& mesh, con
   if (couplings.empty()) refuseDistantSides(where, mesh, sides, facing, options.reach);
 
   PointBuilder builder(sides[mortar]->faces, couplings, options.creaseAngle);
+  if (!options.hasPointsAtCreases) builder.leaveOutCreases();
   JoinedSurface surface = builder.build();
   if (surface.node.empty()) refuseHardlyCovered(where, sides, mortar, couplings.size());
   addFrames(mesh.dimension, mortar, surface);

@@ -34,7 +34,9 @@ struct JoinOptions {
   double within = 0.0;         // up to which gaps and overlaps are closed, with closedWithin [length]
   Reach reach;                 // how far apart faces may lie along their normals
   double creaseAngle = 180.0;  // [degrees], as for mesh::smoothPatches()
-  mesh::Depth depth;           // in 2-D
+  /// Whether nodes at creases have points, one for every patch around them; ties get on better without.
+  bool hasPointsAtCreases = true;
+  mesh::Depth depth;  // in 2-D
   /// Where the points carry tractions along the surface: what holds the nodes of both parts besides the interface.
   HeldDirections held;
 };
@@ -47,9 +49,10 @@ struct JoinOptions {
 /// over the common refinement of both surfaces. psi_p is the dual basis of the corners of the mortar side, N_j are the
 /// shape functions of side s. So a constant traction and a linear displacement are transmitted exactly where the faces
 /// lie on each other; equal meshes are joined node by node, and rigid motions of both do no work. Corners of which less
-/// than a twentieth of the area around them is covered are left out, and those at which both sides are held along the
-/// surface unless B selects held nodes alone; their psi goes to the corners beside them, so that constant tractions are
-/// still transmitted exactly.
+/// than a twentieth of the area around them is covered are left out, those at which both sides are held along the
+/// surface unless B selects held nodes alone, and those at creases unless hasPointsAtCreases; their psi goes to the
+/// corners beside them in their patch, so that tractions that are constant on every patch are still transmitted
+/// exactly.
 ///
 /// Throws base::Error(input), starting with `where`, if a side has no faces, or if no two faces of the sides face each
 /// other within reach, with counts and distances. O(n log n) for n faces of similar size. Not collective.

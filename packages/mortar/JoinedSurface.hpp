@@ -43,8 +43,15 @@ struct JoinedSurface {
   std::vector<double> area;                  // per point, h = int psi dS [length^2; in 2-D length times depth], > 0
   std::vector<double> gap;                   // per point, n . (B2 x2 - B1 x1) [length], > 0 if open
   std::array<mesh::TraceOperator, 2> trace;  // B of both sides, with nodes of the mesh; rows sum to 1
+  /// A corner of faces that has no point because it lies at a crease.
+  struct Creased {
+    int node = -1;          // of the mesh
+    int point = -1;         // one that has its share, whose tractions stand there
+    base::Vector3 place{};  // of the node [length]
+  };
+  std::vector<Creased> creased;
   /// Points of the covered faces of the mortar side, in the order of their corners (seen from outside of that side);
-  /// those with a corner that was left out are not listed.
+  /// n + i is creased[i]. Those with a corner that was left out for another reason are not listed.
   std::vector<std::vector<int>> face;
   JoinReport report;
 };

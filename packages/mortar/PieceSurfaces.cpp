@@ -16,10 +16,12 @@ class Divider {
   Divider(const std::string& name, const JoinedSurface& joined, const std::vector<mesh::Piece>& pieces)
       : name_(name), joined_(joined), pieces_(pieces) {}
 
-  /// Position of the point in the surface; one that has its unknowns elsewhere becomes a copy.
-  int add(const PiecePair& where, int point, bool isCopy) {
-    const auto [entry, isNew] = position_.try_emplace({where, point}, 0);
+  /// Position in the surface of a point, or of a corner that has no point (see JoinedSurface::face); these, and points
+  /// that have their unknowns elsewhere, become copies.
+  int add(const PiecePair& where, int corner, bool isCopy) {
+    const auto [entry, isNew] = position_.try_emplace({where, corner}, 0);
     if (!isNew) return entry->second;
+    const int point = pointOf(corner);
     mesh::InterfaceSurface& surface = at(where);
     entry->second = surface.pairs();
     surface.patch.push_back(joined_.patch[point]);
@@ -29,7 +31,7 @@ class Divider {
     surface.share.push_back(surface.area.back());
     surface.flux.push_back(surface.normal.back());
     surface.gap.push_back(joined_.gap[point]);
-    surface.position.push_back(joined_.place[point]);
+    surface.position.push_back(corner == point ? joined_.place[point] : joined_.creased[corner - points()].place);
     surface.point.push_back(point);
     for (int side = 0; side < 2; ++side) {
       std::vector<mesh::TraceOperator::Entry> row;
@@ -40,6 +42,8 @@ class Divider {
     }
     return entry->second;
   }
+
+  int pointOf(int corner) const { return corner < points() ? corner : joined_.creased[corner - points()].point; }
 
   mesh::InterfaceSurface& at(const PiecePair& where) {
     const auto [entry, isNew] = surfaces_.try_emplace(where);
@@ -58,6 +62,8 @@ class Divider {
   }
 
  private:
+  int points() const { return static_cast<int>(joined_.area.size()); }
+
   const std::string& name_;
   const JoinedSurface& joined_;
   const std::vector<mesh::Piece>& pieces_;
@@ -97,9 +103,12 @@ PieceSurfaces divideByPieces(const std::string& name, const JoinedSurface& joine
   }
   if (result.crossed[0] + result.crossed[1] > 0) return result;
   for (const std::vector<int>& face : joined.face) {
-    const PiecePair& first = where[face[0]];
+    const PiecePair& first = where[divider.pointOf(face[0])];
     std::vector<int> corners;
-    for (const int point : face) corners.push_back(divider.add(first, point, where[point] != first));
+    for (const int corner : face) {
+      const int point = divider.pointOf(corner);
+      corners.push_back(divider.add(first, corner, corner != point || where[point] != first));
+    }
     divider.at(first).face.push_back(std::move(corners));
   }
   result.surfaces = divider.take();

@@ -76,7 +76,7 @@ PointBuilder::PointBuilder(const std::vector<mesh::Face>& faces, const std::vect
     }
   }
   patch_ = mesh::smoothPatches(oriented, creaseAngle);
-  std::map<Key, std::pair<double, double>> areas;  // covered, all
+  std::map<PointKey, std::pair<double, double>> areas;  // covered, all
   for (std::size_t c = 0; c < couplings.size(); ++c) {
     for (int p = 0; p < couplings[c].corners; ++p) {
       auto& [covered, whole] = areas[keyOf(c, p)];
@@ -93,30 +93,77 @@ PointBuilder::PointBuilder(const std::vector<mesh::Face>& faces, const std::vect
   }
 }
 
-PointBuilder::Key PointBuilder::keyOf(std::size_t coupling, int corner) const {
+PointKey PointBuilder::keyOf(std::size_t coupling, int corner) const {
   return {faces_[couplings_[coupling].face].nodes[corner], patch_[coupling][corner]};
 }
 
+int PointBuilder::numberOf(const PointKey& key) const {
+  const auto found = number_.find(key);
+  return found == number_.end() ? -1 : found->second;
+}
+
+void PointBuilder::keep(const std::set<PointKey>& points) {
+  number_.clear();
+  for (const PointKey& key : points) number_.emplace(key, static_cast<int>(number_.size()));
+}
+
+void PointBuilder::leaveOutCreases() {
+  std::vector<std::vector<PointKey>> points(couplings_.size());
+  for (std::size_t c = 0; c < couplings_.size(); ++c) {
+    for (int p = 0; p < couplings_[c].corners; ++p) {
+      if (number_.count(keyOf(c, p)) > 0) points[c].push_back(keyOf(c, p));
+    }
+  }
+  const SmoothPoints smooth = withoutCreases(points);
+  for (const auto& [key, number] : number_) {
+    if (smooth.kept.count(key) == 0) creased_.insert(key);
+  }
+  adopted_ = smooth.adopted;
+  keep(smooth.kept);
+}
+
 int PointBuilder::leaveOut(const std::vector<bool>& unwanted) {
-  std::set<Key> stay;
+  std::set<PointKey> stay;
   for (const auto& [key, number] : number_) {
     if (!unwanted[number]) stay.insert(key);
   }
+  for (const auto& [coupling, key] : adopted_) stay.insert(key);
   for (std::size_t c = 0; c < couplings_.size(); ++c) {
     int largest = -1;
     bool isEmpty = true;
     for (int p = 0; p < couplings_[c].corners; ++p) {
-      const Key key = keyOf(c, p);
+      const PointKey key = keyOf(c, p);
       if (number_.count(key) == 0) continue;
       isEmpty = isEmpty && stay.count(key) == 0;
       if (largest < 0 || coveredShare(couplings_[c], p) > coveredShare(couplings_[c], largest)) largest = p;
     }
     if (isEmpty && largest >= 0) stay.insert(keyOf(c, largest));
   }
-  const int before = static_cast<int>(number_.size());
-  number_.clear();
-  for (const Key& key : stay) number_.emplace(key, static_cast<int>(number_.size()));
-  return before - static_cast<int>(number_.size());
+  const std::size_t before = number_.size();
+  keep(stay);
+  return static_cast<int>(before - number_.size());
+}
+
+void PointBuilder::addFace(std::size_t coupling, const std::vector<int>& points, Corners& corners,
+                           JoinedSurface& surface) const {
+  const int count = static_cast<int>(number_.size());
+  std::vector<int> face;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const PointKey key = keyOf(coupling, static_cast<int>(p));
+    if (creased_.count(key) == 0) {
+      if (points[p] < 0) return;
+      face.push_back(points[p]);
+      continue;
+    }
+    const auto [corner, isNew] = corners.emplace(key, count + static_cast<int>(surface.creased.size()));
+    if (isNew) {
+      const std::size_t n = points.size();
+      const int heirs[] = {points[p], points[(p + 1) % n], points[(p + n - 1) % n], points[(p + 2) % n]};
+      surface.creased.push_back({key.first, *std::find_if(heirs, heirs + 4, [](int heir) { return heir >= 0; }), {}});
+    }
+    face.push_back(corner->second);
+  }
+  surface.face.push_back(face);
 }
 
 JoinedSurface PointBuilder::build() const {
@@ -129,18 +176,23 @@ JoinedSurface PointBuilder::build() const {
   surface.area.assign(count, 0.0);
   surface.normal.assign(count, base::Vector3{});
   std::array<Rows, 2> rows = {Rows(count), Rows(count)};
+  Corners corners;
   double whole = 0.0;
   for (std::size_t c = 0; c < couplings_.size(); ++c) {
     const FaceCoupling& face = couplings_[c];
     std::vector<int> points;
     std::array<bool, FaceShape::mostCorners> isKept{};
     for (int p = 0; p < face.corners; ++p) {
-      const auto found = number_.find(keyOf(c, p));
-      points.push_back(found == number_.end() ? -1 : found->second);
-      isKept[p] = found != number_.end();
+      points.push_back(numberOf(keyOf(c, p)));
+      isKept[p] = points[p] >= 0;
       whole += face.whole[p];
     }
-    if (std::none_of(isKept.begin(), isKept.end(), [](bool is) { return is; })) continue;
+    if (std::none_of(isKept.begin(), isKept.end(), [](bool is) { return is; })) {
+      const auto adopted = adopted_.find(static_cast<int>(c));
+      if (adopted == adopted_.end()) continue;
+      points[0] = numberOf(adopted->second);  // with the constant function, as the only corner that is kept
+      isKept[0] = true;
+    }
     const DualBasis basis(face, isKept);
     for (int p = 0; p < face.corners; ++p) {
       if (!isKept[p]) continue;
@@ -150,7 +202,7 @@ JoinedSurface PointBuilder::build() const {
       }
     }
     for (int side = 0; side < 2; ++side) rows[side].add(face.columns[side], basis.coefficients(), points);
-    if (std::all_of(points.begin(), points.end(), [](int p) { return p >= 0; })) surface.face.push_back(points);
+    addFace(c, points, corners, surface);
   }
   for (int side = 0; side < 2; ++side) surface.trace[side] = rows[side].build(surface.area);
   const double covered = std::accumulate(surface.area.begin(), surface.area.end(), 0.0);

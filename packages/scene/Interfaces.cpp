@@ -103,7 +103,7 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
     const bool isNodal = isOfNodes(scene, surface.name);
     const bool isAlongNormals = interface.law->prescribesTraction() && interface.law->frame() == laws::Frame::interface;
     for (int p = 0; p < surface.pairs(); ++p) {
-      if (carriers[s][p].surface != static_cast<int>(s)) continue;
+      if (carriers[s][p].surface != static_cast<int>(s) || carriers[s][p].pair != p) continue;
       made.places[s][p] = {static_cast<int>(made.interfaces.size()), interface.pairs()};
       interface.trace1.appendFrom(surface.trace1, p);
       if (surface.piece2 >= 0) interface.trace2.appendFrom(surface.trace2, p);

@@ -43,7 +43,7 @@ bool isJoiningAskedFor(const input::Parameters& list) {
   return list.text("Points On") != "Automatic" || (list.has("Part 1") && list.has("Search Distance"));
 }
 
-mortar::JoinOptions joinOptions(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle,
+mortar::JoinOptions joinOptions(const input::Parameters& list, const laws::InterfaceLaw& law,
                                 const mesh::Depth& depth) {
   mortar::JoinOptions options;
   if (law.bonds() || law.isAffine() || list.has("Part 1")) options.reach.relative = touching;
@@ -56,7 +56,9 @@ mortar::JoinOptions joinOptions(const input::Parameters& list, const laws::Inter
     options.within = list.number("Closed Within");
   }
   if (list.has("Search Distance")) options.reach.distance = list.number("Search Distance");
-  options.creaseAngle = creaseAngle;
+  // A stress has another traction on either side of a crease, whatever the law makes of normals.
+  options.creaseAngle = list.number("Crease Angle");
+  options.hasPointsAtCreases = law.creases() != laws::Creases::ignore;
   options.depth = depth;
   return options;
 }

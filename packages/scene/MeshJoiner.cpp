@@ -23,13 +23,13 @@ bool carriesShear(const laws::InterfaceLaw& law) {
 
 }  // namespace
 
-MeshJoiner::MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle,
-                       const mesh::Depth& depth, const mortar::HeldDirections& held, const mesh::Mesh& mesh,
-                       const Bodies& bodies, const mesh::InterfaceFinder& finder)
+MeshJoiner::MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& law, const mesh::Depth& depth,
+                       const mortar::HeldDirections& held, const mesh::Mesh& mesh, const Bodies& bodies,
+                       const mesh::InterfaceFinder& finder)
     : name_(list.name()),
       isOfSideSets_(list.has("Side 1")),
       hasGaps_(!law.bonds() && !law.isAffine()),
-      options_(joinOptions(list, law, creaseAngle, depth)),
+      options_(joinOptions(list, law, depth)),
       mesh_(mesh),
       bodies_(bodies),
       finder_(finder) {

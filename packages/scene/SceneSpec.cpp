@@ -86,7 +86,7 @@ void describeCreaseAngle(input::ParameterSpec& spec) {
       .atMost(180.0)
       .doc(
           "Where normals of faces around a node differ by more, laws that depend on the normal hold on each by "
-          "itself.");
+          "itself; between meshes that do not match the others have no points there.");
 }
 
 void describeInterface(input::ParameterSpec& spec, const laws::LawRegistry& laws) {

@@ -287,7 +287,7 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
         const auto join = [&](const std::string& name1, const std::vector<mesh::Face>& side1, const std::string& name2,
                               const std::vector<mesh::Face>& side2) {
           if (!held) held = heldByBoundaries(scene, elasticity::componentsOf(model.kinematics), pieces, finder);
-          const MeshJoiner joiner(list, law, creaseAngle, depthOf(model), *held, mesh, bodies, finder);
+          const MeshJoiner joiner(list, law, depthOf(model), *held, mesh, bodies, finder);
           return joiner.join(name1, side1, name2, side2, surfaces.joined, surfaces.crossed);
         };
         const auto pairs = list.has("Part 1") ? partPairs.of(list) : std::vector<mesh::PartPair>(1);

@@ -13,9 +13,7 @@ void describeJoining(input::ParameterSpec& spec);
 /// side, or how far apart faces of two parts may be.
 bool isJoiningAskedFor(const input::Parameters& list);
 
-/// What the list of an interface says, whose law is `law`; `creaseAngle` [degrees] and `depth` as for
-/// mesh::InterfaceFinder.
-mortar::JoinOptions joinOptions(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle,
-                                const mesh::Depth& depth);
+/// What the list of an interface says, whose law is `law`; `depth` as for mesh::InterfaceFinder.
+mortar::JoinOptions joinOptions(const input::Parameters& list, const laws::InterfaceLaw& law, const mesh::Depth& depth);
 
 }  // namespace harmos::scene

@@ -16,10 +16,9 @@ namespace harmos::scene {
 /// the options.
 class MeshJoiner {
  public:
-  /// `list`: of the interface, whose law `law` is; `creaseAngle` [degrees] and `depth` as for
-  /// mesh::InterfaceFinder; `held`: by boundaries of the scene, which counts where the law carries tractions along the
-  /// surface.
-  MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& law, double creaseAngle, const mesh::Depth& depth,
+  /// `list`: of the interface, whose law `law` is; `depth` as for mesh::InterfaceFinder; `held`: by boundaries of the
+  /// scene, which counts where the law carries tractions along the surface.
+  MeshJoiner(const input::Parameters& list, const laws::InterfaceLaw& law, const mesh::Depth& depth,
              const mortar::HeldDirections& held, const mesh::Mesh& mesh, const Bodies& bodies,
              const mesh::InterfaceFinder& finder);
 

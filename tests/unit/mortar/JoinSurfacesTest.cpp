@@ -401,6 +401,59 @@ TEST(JoinSurfaces, DividesPointsAtCreases) {
   for (const base::Frame& frame : surface.frame) EXPECT_NEAR(std::max(-frame[0][0], frame[0][2]), 1.0, 1e-12);
 }
 
+/// Three faces of a box, the middle one two thirds as wide.
+base::Vector3 bendTwice(double a, double b) {
+  if (a < 0.4) return {0.0, b, 1.0 - 2.5 * a};
+  return a <= 0.6 ? base::Vector3{5.0 * (a - 0.4), b, 0.0} : base::Vector3{1.0, b, 2.5 * (a - 0.6)};
+}
+
+/// Ties have no points at creases, and yet transmit another constant traction on every patch exactly: also where all
+/// nodes of a patch lie at creases.
+TEST(JoinSurfaces, TransmitsTractionsOfPatchesWithoutPointsAtCreases) {
+  for (const int kind1 : {3, 4, 8}) {
+    for (const int kind2 : {3, 6, 4}) {
+      for (const int pointsOn : {0, 1}) {
+        SCOPED_TRACE(std::to_string(kind1) + " " + std::to_string(kind2) + " " + std::to_string(pointsOn));
+        mesh::Mesh mesh;
+        const Side side1 = meshGrid(mesh, "one", {kind1, 5, 4, bendTwice});
+        const Side side2 = meshGrid(mesh, "two", {kind2, 5, 3, bendTwice, true});
+        JoinOptions options;
+        options.pointsOn = pointsOn;
+        options.creaseAngle = 45.0;
+        const JoinedSurface divided = joinSurfaces("test", mesh, side1, side2, options);
+        options.hasPointsAtCreases = false;
+        const JoinedSurface surface = joinSurfaces("test", mesh, side1, side2, options);
+        const int atCreases = 4 * (pointsOn == 0 ? 5 : 4);
+        EXPECT_LT(surface.node.size(), divided.node.size() - static_cast<std::size_t>(atCreases / 2));
+        expectSound(surface);
+        expectLinearReproduction(surface, mesh, 1e-12);
+        for (int d = 0; d < 3; d += 2) {
+          for (const double sign : {-1.0, 1.0}) {
+            const auto forces = [&](JoinedSurface of, int side) {
+              for (std::size_t p = 0; p < of.area.size(); ++p) of.area[p] *= sign * of.frame[p][0][d] > 0.5 ? 1.0 : 0.0;
+              return unitForces(of, side, mesh);
+            };
+            for (const int side : {0, 1}) {
+              const auto found = forces(surface, side), expected = forces(divided, side);
+              for (std::size_t j = 0; j < expected.size(); ++j) EXPECT_NEAR(found[j], expected[j], 1e-12) << j;
+            }
+          }
+        }
+        EXPECT_EQ(surface.face.size(), divided.face.size());
+        for (const std::vector<int>& face : surface.face) {
+          for (const int corner : face) {
+            const int i = corner - static_cast<int>(surface.node.size());
+            if (i < 0) continue;
+            const JoinedSurface::Creased& creased = surface.creased.at(i);
+            EXPECT_EQ(distance(creased.place, mesh.nodes[creased.node]), 0.0);
+            EXPECT_LT(distance(creased.place, surface.place.at(creased.point)), 0.8);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(JoinSurfaces, TakesThePointsOfAMuchSofterBodyThenOfTheCoarserMeshThenOfTheSofterBodyThenOfTheSmallerSurface) {
   struct Case {
     int cells1, cells2;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/mesh/Elements.hpp>
 
 #include "SolvedScene.hpp"
 
@@ -113,6 +114,76 @@ TEST(NonMatching, PassesThePatchTestBetweenPartsOfTheSameNodesAndDifferentFaces)
   ASSERT_TRUE(run.isCertified()) << run.result.reason;
   expectUniformPressure(run, "contact");
 }
+
+/// Takes the elements of the block around the inclusion out of its place.
+void hollowOut(mesh::Mesh& mesh) {
+  const mesh::Elements elements(mesh);
+  mesh::ElementBlock& around = mesh.blocks[0];
+  const int nodesOfOne = mesh::nodesPerElement(around.type);
+  const int count = around.elements();
+  std::vector<int> left, number(elements.count(), -1);
+  int next = 0;
+  for (int e = 0; e < elements.count(); ++e) {
+    const int* nodes = elements.nodes(e);
+    base::Vector3 centre{};
+    if (e < count) {
+      for (int n = 0; n < nodesOfOne; ++n) centre = centre + (1.0 / nodesOfOne) * mesh.nodes[nodes[n]];
+      const auto isInside = [](double x) { return x > 1.0 && x < 2.0; };
+      if (std::all_of(centre.begin(), centre.begin() + mesh.dimension, isInside)) continue;
+      left.insert(left.end(), nodes, nodes + nodesOfOne);
+    }
+    number[e] = next++;
+  }
+  around.connectivity = left;
+  for (mesh::SideSet& set : mesh.sideSets) {
+    for (int& element : set.element) element = number[element];
+  }
+}
+
+struct Inclusion {
+  int around;  // cells per length
+  int core;
+  const char* aroundElement;
+  const char* coreElement;
+  const char* pointsOn;
+  int dimension;
+};
+
+class NonMatchingInclusion : public ::testing::TestWithParam<Inclusion> {};
+
+/// Around a corner a stress has another traction on every face: one point for all of them cannot hold these, and with
+/// one for each of them hardly anything would tell these apart.
+TEST_P(NonMatchingInclusion, PassesThePatchTest) {
+  const Inclusion& given = GetParam();
+  SceneInput scene =
+      SceneInput::fromFile(given.dimension == 3 ? "nonmatching/inclusion.xml" : "nonmatching/plane_inclusion.xml");
+  const auto cells = [&](int count) {
+    std::string text = "{";
+    for (int d = 0; d < given.dimension; ++d) text += (d > 0 ? ", " : "") + std::to_string(count);
+    return text + "}";
+  };
+  scene.set("Mesh/Boxes/around/Cells=" + cells(3 * given.around));
+  scene.set("Mesh/Boxes/core/Cells=" + cells(given.core));
+  scene.set("Mesh/Boxes/around/Element=" + std::string(given.aroundElement));
+  scene.set("Mesh/Boxes/core/Element=" + std::string(given.coreElement));
+  scene.set("Interfaces/glue/Points On=" + std::string(given.pointsOn));
+  scene.changeMesh(hollowOut);
+  const SolvedScene run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  EXPECT_NEAR(run.value("top"), 3e-3, tolerance * 3e-3);
+  EXPECT_NEAR(run.value("end"), 2e-3, tolerance * 3e-3);
+  for (const PairValue& pair : run.pairs("glue")) {
+    EXPECT_NEAR(norm(pair.traction), std::abs(std::round(pair.traction[0])), 10.0 * tolerance);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, NonMatchingInclusion,
+    ::testing::Values(Inclusion{1, 1, "Hex8", "Tet4", "Automatic", 3}, Inclusion{2, 3, "Hex8", "Tet4", "Side 1", 3},
+                      Inclusion{2, 3, "Tet4", "Hex8", "Side 2", 3}, Inclusion{1, 5, "Hex8", "Hex8", "Automatic", 3},
+                      Inclusion{1, 2, "Hex20", "Tet10", "Automatic", 3},
+                      Inclusion{1, 2, "Wedge15", "Pyramid5", "Automatic", 3},
+                      Inclusion{2, 3, "Quad4", "Tri3", "Side 1", 2}, Inclusion{3, 1, "Tri6", "Quad8", "Automatic", 2}));
 
 TEST(NonMatching, CarriesAPressureUniformlyOverPartlyCoveredFaces) {
   for (const char* pointsOn : {"Automatic", "Side 1", "Side 2"}) {
