@@ -13,6 +13,7 @@ namespace {
 constexpr double nothing = 1e-12;         // area over that of the smaller cell
 constexpr double quadratureError = 1e-8;  // that the order is chosen for where faces are distorted
 constexpr int mostMoreDegrees = 20;
+constexpr std::size_t usualColumns = 16;  // of four quadrilaterals, so that lists hardly ever grow
 
 /// What a distorted face asks for beyond the degree of an affine one on a polygon of that diameter. Its parent
 /// coordinates are analytic functions of the place up to where its Jacobian would vanish; the farther that is from the
@@ -35,49 +36,71 @@ class Coupler {
     FaceCoupling coupling;
     coupling.face = face;
     coupling.corners = shapeOf(mortar_, face).corners();
+    coupling.columns[1].reserve(usualColumns);
     return coupling;
   }
 
-  void addWhole(FaceCoupling& coupling, const Cell& cell) {
+  /// A cell of the mortar side as it is seen along its normal.
+  struct View {
+    const Cell& cell;
+    Plane plane;
+    ConvexPolygon polygon;
+    FlatFace face;
+  };
+  View viewOf(const Cell& cell) const {
     const Plane plane(cell.centre, cell.normal, dimension_);
-    const FlatFace own(shapeOf(mortar_, cell.face), points_, nodesOf(mortar_, cell.face), plane);
-    const FaceShape& corners = cornersOf(own.shape());
-    integratePolygon(cell.on(plane), corners.polynomialDegree() + moreDegrees(own, own.size()) + degreeOfDepth(),
+    return {cell, plane, cell.on(plane),
+            FlatFace(shapeOf(mortar_, cell.face), points_, nodesOf(mortar_, cell.face), plane)};
+  }
+
+  void addWhole(FaceCoupling& coupling, const View& view) {
+    const FlatFace& own = view.face;
+    integratePolygon(view.polygon, degreeOfCorners(own.shape()) + moreDegrees(own, own.size()) + degreeOfDepth(),
                      quadrature_);
     for (const QuadraturePoint& at : quadrature_) {
-      const auto psi = corners.values(own.parentOf(at.place));
-      const double weight = at.weight * depthAt(plane, at.place);
-      for (int p = 0; p < coupling.corners; ++p) coupling.whole[p] += psi[p] * weight;
+      const CornerVector psi = own.shape().cornerValues(own.parentOf(at.place));
+      const double weight = at.weight * depthAt(view.plane, at.place);
+      for (int p = 0; p < FaceShape::mostCorners; ++p) coupling.whole[p] += psi[p] * weight;
     }
   }
 
-  void add(FaceCoupling& coupling, const Cell& cell, const Cell& facing, const Reach& reach) {
-    const Plane plane(cell.centre, cell.normal, dimension_);
-    const ConvexPolygon common = intersection(cell.on(plane), facing.on(plane));
+  void add(FaceCoupling& coupling, const View& view, const Cell& facing, const Reach& reach) {
+    const Cell& cell = view.cell;
+    const Plane& plane = view.plane;
+    const ConvexPolygon common = intersection(view.polygon, facing.on(plane));
     if (common.corners() == 0 || common.area() <= nothing * std::min(cell.area, facing.area)) return;
     if (!areWithinReach(cell, facing, plane.heightOf(facing.centre, facing.normal, common.middle()), reach)) return;
-    const FlatFace own(shapeOf(mortar_, cell.face), points_, nodesOf(mortar_, cell.face), plane);
+    const FlatFace& own = view.face;
     const FlatFace opposite(shapeOf(other_, facing.face), points_, nodesOf(other_, facing.face), plane);
-    const FaceShape& corners = cornersOf(own.shape());
-    const int degree = corners.polynomialDegree() + degreeOfDepth() +
+    const int degree = degreeOfCorners(own.shape()) + degreeOfDepth() +
                        std::max(own.shape().polynomialDegree(), opposite.shape().polynomialDegree()) +
                        std::max(moreDegrees(own, common.diameter()), moreDegrees(opposite, common.diameter()));
     integratePolygon(common, degree, quadrature_);
     Block ownBlock{}, oppositeBlock{};
+    CornerMatrix mass{};
+    CornerVector shares{};
+    const bool isOwnQuadratic = own.shape().isQuadratic(), isOppositeQuadratic = opposite.shape().isQuadratic();
     for (const QuadraturePoint& at : quadrature_) {
       const double weight = at.weight * depthAt(plane, at.place);
-      const Parent parent = own.parentOf(at.place);
-      const auto n = corners.values(parent);
-      const auto oppositeValues = opposite.shape().values(opposite.parentOf(at.place));
+      const Parent parent = own.parentOf(at.place), oppositeParent = opposite.parentOf(at.place);
+      CornerVector n = own.shape().cornerValues(parent);
       coupling.area += weight;
-      for (int p = 0; p < coupling.corners; ++p) {
-        coupling.normal[p] = coupling.normal[p] + n[p] * weight * cell.normal;
-        for (int q = 0; q < coupling.corners; ++q) coupling.mass[p][q] += n[p] * n[q] * weight;
+      CornerVector weighted;
+      for (int p = 0; p < FaceShape::mostCorners; ++p) weighted[p] = n[p] * weight;
+      for (int p = 0; p < FaceShape::mostCorners; ++p) shares[p] += weighted[p];
+      addTo(mass, n, weighted);
+      if (isOwnQuadratic) addTo(ownBlock, own.shape().values(parent), weighted);
+      if (isOppositeQuadratic) {
+        addTo(oppositeBlock, opposite.shape().values(oppositeParent), weighted);
+      } else {
+        addTo(oppositeBlock, opposite.shape().cornerValues(oppositeParent), weighted);
       }
-      if (own.shape().isQuadratic()) addTo(ownBlock, own.shape().values(parent), n, weight, own.shape());
-      addTo(oppositeBlock, oppositeValues, n, weight, opposite.shape());
     }
-    if (own.shape().isQuadratic()) append(coupling.columns[0], nodesOf(mortar_, cell.face), ownBlock);
+    for (int p = 0; p < FaceShape::mostCorners; ++p) {
+      coupling.normal[p] = coupling.normal[p] + shares[p] * cell.normal;
+      for (int q = 0; q < FaceShape::mostCorners; ++q) coupling.mass[p][q] += mass[p][q];
+    }
+    if (isOwnQuadratic) append(coupling.columns[0], nodesOf(mortar_, cell.face), ownBlock);
     append(coupling.columns[1], nodesOf(other_, facing.face), oppositeBlock);
     coupling.facing.push_back(facing.face);
   }
@@ -105,14 +128,13 @@ class Coupler {
   const FaceShape& shapeOf(const SideCells& side, int face) const {
     return FaceShape::of(dimension_, nodesOf(side, face).size());
   }
-  const FaceShape& cornersOf(const FaceShape& shape) const {
-    return FaceShape::of(dimension_, static_cast<std::size_t>(shape.corners()));
-  }
+  int degreeOfCorners(const FaceShape& shape) const { return shape.corners() == 4 ? 2 : 1; }
 
-  static void addTo(Block& block, const FaceShape::Values& values, const FaceShape::Values& corners, double weight,
-                    const FaceShape& shape) {
-    for (int j = 0; j < shape.nodes(); ++j) {
-      for (int p = 0; p < FaceShape::mostCorners; ++p) block[j][p] += corners[p] * values[j] * weight;
+  /// Adds products of functions, row by row, with weighted corner functions.
+  template <typename Rows, typename Functions>
+  static void addTo(Rows& rows, const Functions& functions, const CornerVector& weighted) {
+    for (std::size_t j = 0; j < functions.size(); ++j) {
+      for (int p = 0; p < FaceShape::mostCorners; ++p) rows[j][p] += functions[j] * weighted[p];
     }
   }
 
@@ -122,15 +144,15 @@ class Coupler {
 
   static void merge(std::vector<FaceCoupling::Column>& columns) {
     std::stable_sort(columns.begin(), columns.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
-    std::vector<FaceCoupling::Column> merged;
+    std::size_t count = 0;
     for (const auto& column : columns) {
-      if (merged.empty() || merged.back().node != column.node) {
-        merged.push_back(column);
+      if (count == 0 || columns[count - 1].node != column.node) {
+        columns[count++] = column;
         continue;
       }
-      for (std::size_t p = 0; p < column.value.size(); ++p) merged.back().value[p] += column.value[p];
+      for (std::size_t p = 0; p < column.value.size(); ++p) columns[count - 1].value[p] += column.value[p];
     }
-    columns = std::move(merged);
+    columns.resize(count);
   }
 
   int dimension_;
@@ -148,17 +170,20 @@ std::vector<FaceCoupling> coupleFaces(int dimension, const std::vector<base::Vec
                                       const std::vector<std::pair<int, int>>& pairs, const Reach& reach) {
   Coupler coupler(dimension, points, depth, mortar, other);
   std::vector<FaceCoupling> couplings;
+  std::vector<Coupler::View> views;  // of the cells of a face
   auto pair = pairs.begin();
   for (std::size_t first = 0, last = 0; first < mortar.cells.size(); first = last) {
     const int face = mortar.cells[first].face;
     FaceCoupling coupling = coupler.start(face);
+    views.clear();
     for (; last < mortar.cells.size() && mortar.cells[last].face == face; ++last) {
+      views.push_back(coupler.viewOf(mortar.cells[last]));
       for (; pair != pairs.end() && pair->first == static_cast<int>(last); ++pair) {
-        coupler.add(coupling, mortar.cells[last], other.cells[pair->second], reach);
+        coupler.add(coupling, views.back(), other.cells[pair->second], reach);
       }
     }
     if (!(coupling.area > 0.0)) continue;
-    for (std::size_t c = first; c < last; ++c) coupler.addWhole(coupling, mortar.cells[c]);
+    for (const auto& view : views) coupler.addWhole(coupling, view);
     coupler.finish(coupling);
     couplings.push_back(std::move(coupling));
   }

@@ -1,5 +1,6 @@
 #include <harmos/mortar/detail/FaceShape.hpp>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -64,12 +65,13 @@ const FaceShape& FaceShape::of(int dimension, std::size_t nodes) {
 }
 
 FaceShape::Values FaceShape::values(const Parent& at) const {
-  if (!isQuadratic() && corners_ == 3) return {1.0 - at[0] - at[1], at[0], at[1]};
-  if (!isQuadratic() && corners_ == 4) {
-    const double low = 0.25 * (1.0 - at[1]), high = 0.25 * (1.0 + at[1]);
-    return {(1.0 - at[0]) * low, (1.0 + at[0]) * low, (1.0 + at[0]) * high, (1.0 - at[0]) * high};
+  if (!isQuadratic()) {
+    const auto linear = cornerValues(at);
+    Values values{};
+    std::copy(linear.begin(), linear.end(), values.begin());
+    return values;
   }
-  Values values;
+  Values values{};
   Gradients gradients;
   evaluate(at, values, gradients);
   return values;

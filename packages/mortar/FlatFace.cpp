@@ -21,12 +21,8 @@ Parent solve(const Flat& first, const Flat& second, const Flat& right, int dimen
   return {scale * (second[1] * right[0] - second[0] * right[1]), scale * (first[0] * right[1] - first[1] * right[0])};
 }
 
-double cross(const Flat& x, const Flat& y) {
-  return x[0] * y[1] - x[1] * y[0];
-}
-
 double length(const Flat& x) {
-  return std::hypot(x[0], x[1]);
+  return std::sqrt(x[0] * x[0] + x[1] * x[1]);
 }
 
 }  // namespace
@@ -60,6 +56,9 @@ FlatFace::FlatFace(const FaceShape& shape, const std::vector<base::Vector3>& poi
     followsCorners_ = false;
     distortion_ = std::max(distortion_, away);
   }
+  isBilinear_ = distortion_ > 0.0 && followsCorners_;
+  area_ = cross(first_, second_);
+  square_ = cross(first_, mixed_);
 }
 
 FlatFace::Image FlatFace::cornerImageOf(const Parent& parent) const {
@@ -82,24 +81,8 @@ FlatFace::Image FlatFace::imageOf(const Parent& parent) const {
   return image;
 }
 
-std::optional<Parent> FlatFace::bilinearParentOf(const Flat& arm) const {
-  // arm = xi first + eta second + xi eta mixed, crossed with second + xi mixed.
-  const double area = cross(first_, second_), square = cross(first_, mixed_), linear = area - cross(arm, mixed_);
-  const double right = cross(arm, second_), discriminant = linear * linear + 4.0 * square * right;
-  if (!(discriminant >= 0.0)) return std::nullopt;
-  // Of the two solutions the one that is left when the face is a parallelogram.
-  const double xi = 2.0 * right / (linear + std::copysign(std::sqrt(discriminant), area));
-  const Flat along = combine(1.0, second_, xi, mixed_), rest = combine(1.0, arm, -xi, first_);
-  const double eta = (rest[0] * along[0] + rest[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
-  if (!std::isfinite(xi) || !std::isfinite(eta)) return std::nullopt;
-  return Parent{xi, eta};
-}
-
-Parent FlatFace::parentOf(const Flat& place) const {
+Parent FlatFace::otherParentOf(const Flat& place) const {
   const Flat arm = combine(1.0, place, -1.0, origin_);
-  if (distortion_ > 0.0 && followsCorners_) {
-    if (const auto parent = bilinearParentOf(arm)) return *parent;
-  }
   Parent parent = solve(first_, second_, arm, shape_.parentDimension());
   if (distortion_ == 0.0) return parent;
   for (int step = 0; step < mostSteps; ++step) {

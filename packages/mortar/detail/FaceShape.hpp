@@ -43,6 +43,13 @@ class FaceShape {
 
   /// N_j, one for each node.
   Values values(const Parent& at) const;
+  /// The linear (bilinear) functions of its corners; 0 for those that it does not have.
+  std::array<double, mostCorners> cornerValues(const Parent& at) const {
+    if (corners_ == 3) return {1.0 - at[0] - at[1], at[0], at[1], 0.0};
+    if (corners_ == 2) return {0.5 * (1.0 - at[0]), 0.5 * (1.0 + at[0]), 0.0, 0.0};
+    const double low = 0.25 * (1.0 - at[1]), high = 0.25 * (1.0 + at[1]);
+    return {(1.0 - at[0]) * low, (1.0 + at[0]) * low, (1.0 + at[0]) * high, (1.0 - at[0]) * high};
+  }
   /// N_j and their derivatives to both parent coordinates.
   void evaluate(const Parent& at, Values& values, Gradients& gradients) const;
 

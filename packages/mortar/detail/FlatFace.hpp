@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <cmath>
 #include <vector>
 
 #include <harmos/mortar/detail/FaceShape.hpp>
@@ -24,7 +24,21 @@ class FlatFace {
   double size() const { return size_; }
   /// The parent coordinates of a place: in closed form where the corners alone tell where the face is, otherwise by
   /// Newton's method. Where that does not converge, far outside of a distorted face, those of the last step.
-  Parent parentOf(const Flat& place) const;
+  Parent parentOf(const Flat& place) const {
+    if (!isBilinear_) return otherParentOf(place);
+    // place - origin = xi first + eta second + xi eta mixed, crossed with second + xi mixed.
+    const Flat arm = {place[0] - origin_[0], place[1] - origin_[1]};
+    const double linear = area_ - cross(arm, mixed_), right = cross(arm, second_);
+    const double discriminant = linear * linear + 4.0 * square_ * right;
+    if (!(discriminant >= 0.0)) return otherParentOf(place);
+    // Of the two solutions the one that is left when the face is a parallelogram.
+    const double xi = 2.0 * right / (linear + std::copysign(std::sqrt(discriminant), area_));
+    const Flat along = {second_[0] + xi * mixed_[0], second_[1] + xi * mixed_[1]};
+    const Flat rest = {arm[0] - xi * first_[0], arm[1] - xi * first_[1]};
+    const double eta = (rest[0] * along[0] + rest[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
+    if (!std::isfinite(xi) || !std::isfinite(eta)) return otherParentOf(place);
+    return {xi, eta};
+  }
 
  private:
   /// A place and the derivatives to both parent coordinates.
@@ -33,14 +47,17 @@ class FlatFace {
   };
   Image imageOf(const Parent& parent) const;
   Image cornerImageOf(const Parent& parent) const;
-  /// Of the image by the corners; nothing where no place of the parent has it. `arm`: from the origin.
-  std::optional<Parent> bilinearParentOf(const Flat& arm) const;
+  /// In closed form where the face is an affine image of its parent, otherwise by Newton's method.
+  Parent otherParentOf(const Flat& place) const;
+  static double cross(const Flat& x, const Flat& y) { return x[0] * y[1] - x[1] * y[0]; }
 
   const FaceShape& shape_;
   std::array<Flat, FaceShape::mostNodes> node_;   // their places
   Flat origin_{}, first_{}, second_{}, mixed_{};  // of the image by the corners: the last one of quadrilaterals
   double size_ = 0.0, distortion_ = 0.0;
-  bool followsCorners_ = true;  // its nodes lie where the corners alone would have them
+  double area_ = 0.0, square_ = 0.0;  // first x second and first x mixed
+  bool followsCorners_ = true;        // its nodes lie where the corners alone would have them
+  bool isBilinear_ = false;           // and these do not make a parallelogram
 };
 
 }  // namespace harmos::mortar
