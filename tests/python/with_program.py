@@ -67,6 +67,20 @@ for entry in entries:
         assert abs(derivatives[response, entry] - difference).max() <= 2e-5 * size, (response, entry)
 scene["Solver/Accuracy"] = 1e-4
 
+# Those of several numbers together are those of each, also where they need all directions that so small a scene has.
+clamped = harmos.read_scene(tests / "verification/pretension/clamped_plates.xml")
+clamped["Boundaries/pull/Law/X"] = 2.5  # the plates slide
+numbers = ["Interfaces/seat/Law/Friction Coefficient", "Interfaces/bolt/Law/Force", "Boundaries/pull/Law/X"]
+clamped["Output/Derivatives"] = numbers
+together = harmos.run(clamped, work / "together").derivatives
+for number in numbers:
+    clamped["Output/Derivatives"] = [number]
+    alone = harmos.run(clamped, work / "alone")
+    for response in ("bolt", "seat", "u"):
+        size = abs(alone.history[response]).max() / abs(float(clamped[number]))
+        difference = together[response, number] - alone.derivatives[response, number]
+        assert abs(difference).max() <= 1e-6 * size, (response, number)
+
 # At the edge of slip, to all digits, there is no derivative, and nothing that looks like one.
 def fixed(side: str, **along: float) -> dict[str, Any]:
     law: dict[str, Any] = {"Type": "Prescribed Displacement", **along}
