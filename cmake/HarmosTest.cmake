@@ -8,9 +8,15 @@ if(HARMOS_SANITIZE)
   # Open MPI keeps some memory until the process ends.
   list(APPEND HARMOS_TEST_ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0" "UBSAN_OPTIONS=print_stacktrace=1")
 endif()
+if(HARMOS_HAS_MULTIGRID)
+  list(APPEND HARMOS_TEST_ENVIRONMENT "HARMOS_MULTIGRID=$<TARGET_FILE:multigrid>")
+endif()
 
 add_library(harmos_test_main STATIC ${PROJECT_SOURCE_DIR}/tests/unit/main.cpp)
 target_link_libraries(harmos_test_main PUBLIC GTest::gtest Harmos::trilinos)
+if(HARMOS_HAS_MULTIGRID)
+  add_dependencies(harmos_test_main multigrid)  # which tests load
+endif()
 # Only the code of the tests: it compiles a third faster, and the packages are tested as they are shipped.
 target_compile_options(harmos_test_main PUBLIC $<$<CONFIG:Release>:-O1>)
 

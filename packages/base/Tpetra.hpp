@@ -4,6 +4,7 @@
 #include <Teuchos_RCP.hpp>
 #include <Tpetra_CrsMatrix_fwd.hpp>
 #include <Tpetra_MultiVector_fwd.hpp>
+#include <Tpetra_Operator_fwd.hpp>
 
 namespace harmos::base {
 
@@ -15,5 +16,7 @@ using GlobalOrdinal = long long;
 using CrsMatrix = Tpetra::CrsMatrix<double, LocalOrdinal, GlobalOrdinal>;
 /// Block of vectors, one per column. Only declared here: include Tpetra_MultiVector.hpp to use one.
 using MultiVector = Tpetra::MultiVector<double, LocalOrdinal, GlobalOrdinal>;
+/// What can be applied to vectors. Only declared here: include Tpetra_Operator.hpp to use one.
+using Operator = Tpetra::Operator<double, LocalOrdinal, GlobalOrdinal>;
 
 }  // namespace harmos::base

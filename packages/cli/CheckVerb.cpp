@@ -89,6 +89,7 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateB
   printBytes(out, "stiffness matrices", cost.matrixBytes);
   printBytes(out, "factors", cost.factorBytes);
   if (cost.singleBytes > 0.0) printBytes(out, "the same in single precision, at most", cost.singleBytes);
+  if (cost.iteratedBytes > 0.0) printBytes(out, "parts solved iteratively", cost.iteratedBytes);
   printBytes(out, "fields of the iteration", cost.fieldBytes);
   if (cost.inverseBytes > 0.0) printBytes(out, "inverted traces", cost.inverseBytes);
   if (stateBytes > 0.0) printBytes(out, "solved configurations", stateBytes);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -49,12 +50,11 @@ BodyOperators::BodyOperators(const assembly::Assembly& assembly, const assembly:
     substructure::BoundaryTerm term = bodyTerm(assembly, searchDirection, eliminated, static_cast<int>(b),
                                                place.toMaster, place.rotates ? &place.rotation : nullptr);
     for (std::size_t g = 0; g < groups_.size() && place.group < 0; ++g) {
-      if (masters[g] == master && groups_[g]->has(term)) place.group = static_cast<int>(g);
+      if (masters[g] == master && groups_[g]->has(term, body.iterates)) place.group = static_cast<int>(g);
     }
     if (place.group < 0) {
       place.group = static_cast<int>(groups_.size());
-      groups_.push_back(
-          std::make_unique<OperatorGroup>(assembly.bodies[master].stiffness, std::move(term), options, body.name));
+      groups_.push_back(std::make_unique<OperatorGroup>(body, assembly.bodies[master], std::move(term), options));
       members_.emplace_back();
       masters.push_back(master);
     }
@@ -349,6 +349,8 @@ double BodyOperators::squaredTerms() const {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const double terms = groups_[g]->largestDisplacement(1.0) * groups_[g]->stiffnessNorm();
     sum += static_cast<double>(members_[g].size()) * terms * terms;
+    const double unit = std::numeric_limits<double>::epsilon();
+    sum += groups_[g]->squaredResidual() / (unit * unit);
   }
   return sum;
 }

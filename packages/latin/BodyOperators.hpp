@@ -49,8 +49,9 @@ class BodyOperators {
   long loadChanges() const;
   /// Whether there are any on this rank that are not zero.
   bool areLoaded() const;
-  /// Loads all bodies besides with forces like those that round-off leaves in their equations at the last solve, in
-  /// which all load steps were selected, `times` as large; signs by `seed`. Congruent bodies have the same signs.
+  /// Loads all bodies besides with forces like those that round-off, and iterations, leave in their equations at the
+  /// last solve, in which all load steps were selected, `times` as large; signs by `seed`. Congruent bodies have the
+  /// same signs.
   void perturb(const assembly::Assembly& assembly, unsigned seed, double times);
   /// Takes these loads away.
   void unperturb(const assembly::Assembly& assembly);
@@ -58,7 +59,8 @@ class BodyOperators {
   /// 0 for those of other ranks.
   const std::vector<double>& perturbation() const { return perturbation_; }
   /// Sum over the owned bodies of the squares of what largestDisplacement(1) times the norm of the diagonal of A makes
-  /// [force]: how large the terms are that A u adds up.
+  /// [force]: how large the terms are that A u adds up; where iterations end before round-off, how large they would
+  /// have to be for it to leave as much.
   double squaredTerms() const;
   /// Finds u for all owned bodies and the columns first .. first + count - 1, where r are the nodal forces [force] on
   /// the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement().

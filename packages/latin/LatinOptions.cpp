@@ -1,5 +1,6 @@
 #include <harmos/latin/LatinOptions.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <harmos/base/Error.hpp>
@@ -8,6 +9,12 @@
 #include <harmos/input/Parameters.hpp>
 
 namespace harmos::latin {
+namespace {
+
+// Of the accuracy, where operators are solved iteratively; below the second round-off ends iterations.
+constexpr double shareOfIterations = 1e-6, finestIterations = 1e-12;
+
+}  // namespace
 
 void LatinOptions::describe(input::ParameterSpec& spec) {
   const LatinOptions defaults;
@@ -77,6 +84,8 @@ LatinOptions::LatinOptions(const input::Parameters& parameters)
       parameters.has("Macro Problem") ? parameters.flag("Macro Problem") : algorithm == Algorithm::accelerated;
   if (algorithm != Algorithm::accelerated) stages.elimination = Elimination::none;
   stages.solver = substructure::SolverOptions(parameters.list("Linear Solver"));
+  stages.solver.iterationTolerance =
+      std::clamp(shareOfIterations * accuracy, finestIterations, stages.solver.iterationTolerance);
 }
 
 const LatinOptions& demandValid(const LatinOptions& options) {

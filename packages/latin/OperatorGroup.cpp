@@ -60,12 +60,14 @@ bool areEqual(const std::vector<substructure::BoundaryTerm::NodeTensor>& a,
 
 }  // namespace
 
-OperatorGroup::OperatorGroup(const Teuchos::RCP<const base::CrsMatrix>& stiffness, substructure::BoundaryTerm term,
-                             const substructure::SolverOptions& options, const std::string& name)
-    : stiffness_(stiffness),
+OperatorGroup::OperatorGroup(const substructure::Substructure& body, const substructure::Substructure& first,
+                             substructure::BoundaryTerm term, const substructure::SolverOptions& options)
+    : stiffness_(first.stiffness),
       term_(std::move(term)),
       trace_(traceOf(term_)),
-      solver_(stiffness_, term_, options, name, trace_) {
+      solver_(body.iterates
+                  ? substructure::SubstructureSolver::iterating(stiffness_, term_, options, body.name, first.nodes)
+                  : substructure::SubstructureSolver(stiffness_, term_, options, body.name, trace_)) {
   if (!solver_.solvesTrace()) trace_.clear();
   for (const substructure::BoundaryTerm::NodeTensor& held : term_.free) {
     for (int c = 0; c < term_.dimension; ++c) heldDofs_.push_back(held.node * term_.dimension + c);
@@ -75,8 +77,8 @@ OperatorGroup::OperatorGroup(const Teuchos::RCP<const base::CrsMatrix>& stiffnes
   if (!stencil_->isWorthwhile()) stencil_.reset();
 }
 
-bool OperatorGroup::has(const substructure::BoundaryTerm& term) const {
-  if (term_.entries.size() != term.entries.size()) return false;
+bool OperatorGroup::has(const substructure::BoundaryTerm& term, bool iterates) const {
+  if (solver_.iterates() != iterates || term_.entries.size() != term.entries.size()) return false;
   for (std::size_t i = 0; i < term.entries.size(); ++i) {
     const auto &a = term_.entries[i], &b = term.entries[i];
     if (a.row != b.row || a.column != b.column || std::abs(a.value - b.value) > roundOff * std::abs(a.value)) {
@@ -119,7 +121,28 @@ base::Matrix OperatorGroup::roundOffForces(unsigned seed) const {
       for (int j = 0; j < u.numCols(); ++j) forces[loadColumns_[j]][row] += entry * u[j][column];
     }
   }
+  if (!solver_.iterates()) return forces;
+  const base::Matrix left = residual();
+  for (int j = 0; j < left.numCols(); ++j) {
+    for (int row = 0; row < view.rows; ++row) forces[loadColumns_[j]][row] += left[j][row];
+  }
   return forces;
+}
+
+base::Matrix OperatorGroup::residual() const {
+  base::Matrix moved(solution_);
+  for (int j = 0; j < moved.numCols() && held_.numCols() > 0; ++j) {
+    std::vector<double> held(static_cast<std::size_t>(dofs()), 0.0);
+    addLoad(held_, j, held.data());
+    for (int row = 0; row < dofs(); ++row) moved[j][row] -= held[row];
+  }
+  return solver_.residual(wholeForces(), moved);
+}
+
+double OperatorGroup::squaredResidual() const {
+  if (!solver_.iterates()) return 0.0;
+  const double norm = residual().normFrobenius();
+  return norm * norm;
 }
 
 int OperatorGroup::rowOf(int dof) const {
@@ -253,6 +276,7 @@ void OperatorGroup::solveTogether(const std::vector<int>& columns, substructure:
   }
   base::Matrix& solution = isAll ? solution_ : part;
   if (!isAll) part.shape(rows(), count);
+  if (solver_.iterates()) guess(columns, solution);
   if (isTrace()) {
     solver_.solveTrace(right, solution, precision);
   } else {
@@ -267,6 +291,14 @@ void OperatorGroup::solveTogether(const std::vector<int>& columns, substructure:
     } else if (held_.numCols() > 0) {
       for (int row = 0; row < rows(); ++row) to[row] += held_[load][row];
     }
+  }
+}
+
+void OperatorGroup::guess(const std::vector<int>& columns, base::Matrix& solution) const {
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    double* const to = solution[static_cast<int>(j)];
+    if (to != solution_[columns[j]]) std::copy_n(solution_[columns[j]], dofs(), to);
+    for (int row = 0; row < dofs() && held_.numCols() > 0; ++row) to[row] -= held_[loadColumns_[columns[j]]][row];
   }
 }
 
@@ -297,15 +329,21 @@ void OperatorGroup::addLoad(const base::Matrix& field, int column, double* to) c
   for (int row = 0; row < field.numRows(); ++row) to[row] += factor * unit[row];
 }
 
-const base::Matrix& OperatorGroup::wholeSolution() const {
-  if (!isTrace()) return solution_;
-  if (hasWhole_) return whole_;
+base::Matrix OperatorGroup::wholeForces() const {
   base::Matrix right(dofs(), forces_.numCols());
   for (int j = 0; j < right.numCols(); ++j) {
+    if (!isTrace()) std::copy_n(forces_[j], dofs(), right[j]);
     for (std::size_t row = 0; row < trace_.size(); ++row) right[j][trace_[row]] = forces_[j][row];
   }
   project(right, false);
   for (int j = 0; j < right.numCols(); ++j) addLoad(loads_, j, right[j]);
+  return right;
+}
+
+const base::Matrix& OperatorGroup::wholeSolution() const {
+  if (!isTrace()) return solution_;
+  if (hasWhole_) return whole_;
+  const base::Matrix right = wholeForces();
   solver_.solve(right, whole_);
   for (int j = 0; j < right.numCols() && held_.numCols() > 0; ++j) addLoad(held_, j, whole_[j]);
   hasWhole_ = true;

@@ -12,6 +12,7 @@
 #include <harmos/base/Names.hpp>
 #include <harmos/mesh/Elements.hpp>
 #include <harmos/scene/detail/CostModel.hpp>
+#include <harmos/substructure/MultigridLibrary.hpp>
 
 namespace harmos::scene {
 namespace {
@@ -25,10 +26,9 @@ constexpr double worthwhile = 0.75;
 constexpr double shareOfMemory = 0.8, mostEntries = 2147483647.0 / 1.5;
 // Iterations across cuts were measured down to this accuracy.
 constexpr double finestAccuracy = 1e-5;
-// In the plane and in space: interfaces of a piece that METIS cuts, entries of a row of the stiffness of small
-// elements, and powers of the unknowns with which entries and operations of a factor fall from a part to its pieces.
-constexpr double neighbours[] = {6.0, 12.0}, entriesOfRow[] = {18.0, 75.0}, growthOfEntries[] = {1.1, 1.42},
-                 growthOfOperations[] = {1.5, 2.0};
+// In the plane and in space: interfaces of a piece that METIS cuts, and powers of the unknowns with which entries and
+// operations of a factor fall from a part to its pieces.
+constexpr double neighbours[] = {6.0, 12.0}, growthOfEntries[] = {1.1, 1.42}, growthOfOperations[] = {1.5, 2.0};
 // Of the surface of pieces, which are taken for cubes or squares: the rest is that of the part. Nodes along an edge
 // that cuts add, for the same reason less than one.
 constexpr double shareOfCuts = 0.8, addedNodes = 0.8;
@@ -37,7 +37,8 @@ constexpr double shareOfCuts = 0.8, addedNodes = 0.8;
 struct Whole {
   BodySize size;
   double nodes = 0.0;
-  bool isOpen = false;  // it may be cut
+  bool isOpen = false;      // it may be cut
+  bool mayIterate = false;  // it may be solved iteratively
   std::string part;
 };
 
@@ -71,9 +72,10 @@ std::vector<Whole> measureAll(const Scene& scene, const mesh::Mesh& mesh, const 
                               const std::vector<assembly::Interface>& interfaces, int dimension) {
   const std::vector<double> trace = tracesOf(interfaces, bodies.pieces.size(), dimension);
   const std::vector<double> touching = interfacesOf(interfaces, bodies.pieces.size());
-  std::set<std::string> given;
+  std::set<std::string> given, solverGiven;
   for (const input::Parameters& part : scene.input.lists("Parts")) {
     if (part.has("Pieces")) given.insert(part.name());
+    if (part.has("Linear Solver")) solverGiven.insert(part.name());
   }
   const mesh::Elements elements(mesh);
   std::vector<Whole> all;
@@ -85,7 +87,13 @@ std::vector<Whole> measureAll(const Scene& scene, const mesh::Mesh& mesh, const 
     body.size.unknowns = dimension * body.nodes;
     body.size.trace = trace[b];
     body.size.interfaces = touching[b];
-    body.isOpen = body.size.unknowns >= leastUnknowns && piece.side == 0 && given.count(piece.part) == 0;
+    const bool isLarge = body.size.unknowns >= leastUnknowns;
+    body.mayIterate = isLarge && solverGiven.count(piece.part) == 0;
+    body.isOpen = isLarge && piece.side == 0 && given.count(piece.part) == 0 && !bodies.parts[b].iterates;
+    if (bodies.parts[b].iterates) {
+      body.size.iteratedEntries = operatorEntries(body.size.unknowns, dimension);
+      continue;
+    }
     // Parts of as many nodes and elements are taken for equal.
     const auto isEqual = [&](std::size_t a) {
       return bodies.pieces[a].nodes.size() == piece.nodes.size() && bodies.materials[a] == bodies.materials[b] &&
@@ -102,8 +110,8 @@ std::vector<Whole> measureAll(const Scene& scene, const mesh::Mesh& mesh, const 
       continue;
     }
     body.size.factor = factorOf(body.size.unknowns, dimension);
-    body.size.matrixEntries = entriesOfRow[dimension - 2] * body.size.unknowns;
-    if (body.isOpen) measure(elements, piece, dimension, body.size);
+    body.size.matrixEntries = operatorEntries(body.size.unknowns, dimension);
+    if (isLarge) measure(elements, piece, dimension, body.size);
   }
   return all;
 }
@@ -111,6 +119,7 @@ std::vector<Whole> measureAll(const Scene& scene, const mesh::Mesh& mesh, const 
 /// Bodies after cuts, and what is estimated of them.
 struct Candidate {
   std::map<std::string, int> pieces;
+  std::set<std::string> iterated;
   CostEstimate cost;
   double seconds = 0.0;  // of the busiest rank
 };
@@ -140,6 +149,21 @@ class Estimator {
     return result;
   }
 
+  /// In one piece each, with these parts solved iteratively.
+  Candidate iterate(const std::set<std::string>& parts) const {
+    Candidate result;
+    result.iterated = parts;
+    std::vector<BodySize> bodies;
+    for (const Whole& whole : wholes_) {
+      bodies.push_back(whole.size);
+      if (parts.count(whole.part) == 0) continue;
+      bodies.back().iteratedEntries = operatorEntries(whole.size.unknowns, scope_.dimension);
+      bodies.back().factor = {};
+    }
+    estimate(bodies, scope_, result);
+    return result;
+  }
+
  private:
   /// One of `count` pieces; adds what cuts add to the scope.
   BodySize pieceOf(const Whole& whole, int count, CostScope& scope) const {
@@ -150,7 +174,7 @@ class Estimator {
     piece.unknowns = components * std::pow(side + addedNodes, space);
     piece.trace = std::min(piece.unknowns, whole.size.trace / count + cutUnknowns);
     piece.interfaces = whole.size.interfaces / count + neighbours[at];
-    piece.matrixEntries = entriesOfRow[at] * piece.unknowns;
+    piece.matrixEntries = operatorEntries(piece.unknowns, scope_.dimension);
     const double share = piece.unknowns / whole.size.unknowns, entries = std::pow(share, growthOfEntries[at]);
     piece.factor.nonzeros = entries * whole.size.factor.nonzeros;
     piece.factor.bytes = entries * whole.size.factor.bytes;
@@ -198,6 +222,36 @@ bool fits(const Candidate& candidate, double freeBytes) {
   return candidate.cost.largestFactor <= mostEntries && candidate.cost.processBytes <= shareOfMemory * freeBytes;
 }
 
+/// Those whose factors are the largest, until all fits; of no parts: it never does, or nothing can iterate.
+Candidate iterateUntilItFits(const Estimator& estimator, const std::vector<Whole>& wholes, double freeBytes) {
+  std::vector<const Whole*> order;
+  for (const Whole& whole : wholes) {
+    if (whole.mayIterate) order.push_back(&whole);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Whole* a, const Whole* b) { return a->size.factor.nonzeros > b->size.factor.nonzeros; });
+  std::set<std::string> parts;
+  for (const Whole* whole : order) {
+    if (!parts.insert(whole->part).second) continue;
+    Candidate candidate = estimator.iterate(parts);
+    if (fits(candidate, freeBytes)) return candidate;
+  }
+  return {};
+}
+
+std::string describeIterated(const Candidate& iterated, const Candidate& whole) {
+  std::ostringstream text;
+  const char* separator = "solve";
+  for (const std::string& part : iterated.iterated) {
+    text << separator << " " << base::quoted(part);
+    separator = ",";
+  }
+  text << std::setprecision(2) << " iteratively: about " << iterated.cost.processBytes / 1e9 << " instead of "
+       << whole.cost.processBytes / 1e9 << " GB, which is too much, and " << iterated.seconds << " instead of "
+       << whole.seconds << " s; Linear Solver = Direct factors a part";
+  return text.str();
+}
+
 std::string describe(const Candidate& cut, const Candidate& whole, bool wasTooLarge) {
   std::ostringstream text;
   const char* separator = "cut";
@@ -228,7 +282,7 @@ PieceChoice choosePieces(const Scene& scene, const mesh::Mesh& mesh, const Bodie
   const bool isSmall = std::all_of(whole.pieces.begin(), whole.pieces.end(), [&](const mesh::Piece& piece) {
     return dimension * static_cast<double>(piece.nodes.size()) < leastUnknowns;
   });
-  if (isSmall || !mayCut(scene, interfaces)) return {};
+  if (isSmall) return {};
   const std::vector<Whole> wholes = measureAll(scene, mesh, whole, interfaces, dimension);
   CostScope scope;
   scope.dimension = dimension;
@@ -243,14 +297,19 @@ PieceChoice choosePieces(const Scene& scene, const mesh::Mesh& mesh, const Bodie
   const Candidate uncut = estimator.cut(2.0 * scope.unknowns);
   const bool isTooLarge = !fits(uncut, freeBytes);
   std::optional<Candidate> best;
+  const bool isCutting = mayCut(scene, interfaces);
   for (const double unknowns : unknownsOfPieces) {
+    if (!isCutting) break;
     Candidate candidate = estimator.cut(unknowns);
     if (candidate.pieces.empty() || !fits(candidate, freeBytes)) continue;
     if (!isTooLarge && candidate.seconds > worthwhile * uncut.seconds) continue;
     if (!best || candidate.seconds < best->seconds) best = std::move(candidate);
   }
-  if (!best) return {};
-  return {best->pieces, describe(*best, uncut, isTooLarge)};
+  if (best) return {best->pieces, {}, describe(*best, uncut, isTooLarge)};
+  if (!isTooLarge || !substructure::hasMultigrid()) return {};
+  const Candidate iterated = iterateUntilItFits(estimator, wholes, freeBytes);
+  if (iterated.iterated.empty()) return {};
+  return {{}, iterated.iterated, describeIterated(iterated, uncut)};
 }
 
 }  // namespace harmos::scene

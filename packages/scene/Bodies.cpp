@@ -118,8 +118,9 @@ std::vector<std::vector<int>> nodeKinds(const Bodies& bodies, const std::vector<
 }
 
 PartOptions optionsOf(const Parameters& part) {
-  PartOptions options{
-      part.name(), part.where(), elasticity::formulationNamed(part.text("Formulation")), std::nullopt, {}};
+  PartOptions options{part.name(),  part.where(), elasticity::formulationNamed(part.text("Formulation")),
+                      std::nullopt, {},           false};
+  options.iterates = part.has("Linear Solver") && part.text("Linear Solver") == "Iterative";
   if (part.hasList("Body Force")) {
     const Parameters& force = part.list("Body Force");
     options.bodyForce.emplace();
@@ -278,6 +279,7 @@ std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh:
     assembled[b].name = piece.name;
     assembled[b].dimension = elasticity::componentsOf(model.kinematics);
     assembled[b].congruence = bodies.congruences[b];
+    assembled[b].iterates = part.iterates;
     for (const int node : piece.nodes) assembled[b].nodes.push_back(mesh.nodes[node]);
     errors.collect(part.where, [&] {
       if (needsStiffness[b]) {

@@ -45,7 +45,8 @@ struct PartOptions {
   std::string where;  // it stands, for messages
   elasticity::Formulation formulation = elasticity::Formulation::fullIntegration;
   std::optional<std::array<BodyForceComponent, 3>> bodyForce;  // global components
-  std::string section;  // interface that divides the part along a plane; empty: none does
+  std::string section;    // interface that divides the part along a plane; empty: none does
+  bool iterates = false;  // it is solved iteratively instead of factored
 };
 
 /// What of each part, by name, stays in one piece.

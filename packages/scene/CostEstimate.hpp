@@ -16,6 +16,7 @@ struct CostEstimate {
   double matrixBytes = 0.0;            // stiffness matrices, exact
   double factorBytes = 0.0;            // their Cholesky factors
   double singleBytes = 0.0;            // the same in single precision, at most: dense traces have none
+  double iteratedBytes = 0.0;          // of operators that are solved iteratively, with their preconditioners
   double inverseBytes = 0.0;           // of dense traces, in both precisions, where options ask for them
   double fieldBytes = 0.0;             // of the iteration, with its stored vectors
   double processBytes = 0.0;           // resident at the peak, of all processes together; see estimateCost()

@@ -34,6 +34,10 @@ constexpr double programSeconds = 0.09, assemblySeconds = 8e-8, operationSeconds
                  macroReadSeconds = 1.5e-10, factoredEntrySeconds = 2e-7, factoredUnknownSeconds = 1.5e-6,
                  readEntrySeconds = 2.6e-10, interfaceSeconds = 1e-7, recoverySecondsInSpace = 9e-6,
                  recoverySecondsInPlane = 3e-6, fileSeconds = 1e-6, stepFileSeconds = 1.1e-7;
+// Of operators that are solved iteratively: bytes per entry at the peak, with the preconditioner; iterations of a
+// column; seconds per entry of the preconditioner and of an iteration; entries of a row of small elements.
+constexpr double iteratedEntryBytes = 35.0, iterationsOfColumn = 15.0, multigridSeconds = 1.6e-7,
+                 iterationSeconds = 6e-9, entriesOfRow[] = {18.0, 75.0};
 // Columns of the macro problem for an interface of a body: its motions.
 constexpr double motionsOfInterface = 6.0;
 // Linear stages at an accuracy of 1e-3, how many more a decade takes, and how they fall where there are more load steps
@@ -60,6 +64,10 @@ substructure::FactorSize factorOf(double unknowns, int dimension) {
   size.operations = unevenColumns * size.nonzeros * size.nonzeros / unknowns;
   size.bytes = entryBytes * size.nonzeros;
   return size;
+}
+
+double operatorEntries(double unknowns, int dimension) {
+  return entriesOfRow[dimension - 2] * unknowns;
 }
 
 std::vector<double> tracesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies, int dimension) {
@@ -89,7 +97,14 @@ std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfa
 void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
   const double square = body.trace * body.trace, entries = body.factor.nonzeros;
   const bool isDense = body.trace > 0.0 && square <= solver.stages.solver.denseTraceWorth() * entries;
-  sum_[matrixEntries] += body.matrixEntries;
+  sum_[body.iteratedEntries > 0.0 ? iteratedMatrix : matrixEntries] += body.matrixEntries;
+  if (body.iteratedEntries > 0.0) {
+    sum_[readIterated] += body.iteratedEntries;
+    if (body.isFactored) sum_[storedIterated] += body.iteratedEntries;
+    if (body.isFactored && body.trace > 0.0)
+      sum_[macroIterated] += motionsOfInterface * body.interfaces * body.iteratedEntries;
+    return;
+  }
   if (body.isFactored) {
     sum_[factorEntries] += entries;
     if (body.trace == 0.0) sum_[looseEntries] += entries;
@@ -119,29 +134,33 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   const bool mayBeSingle = solver.stages.solver.allowsSingle && solver.algorithm == latin::Algorithm::accelerated &&
                            solver.stages.formulation == latin::Formulation::displacement;
   const double iterated = sum_[factorEntries] - sum_[looseEntries];  // entries of factors that columns go through
-  cost.matrixBytes = matrixEntryBytes * sum_[matrixEntries];
+  cost.matrixBytes = matrixEntryBytes * (sum_[matrixEntries] + sum_[iteratedMatrix]);
   cost.factorBytes = entryBytes * sum_[factorEntries];
   cost.singleBytes = mayBeSingle ? singleEntryBytes * iterated : 0.0;
+  cost.iteratedBytes = iteratedEntryBytes * sum_[storedIterated];
   cost.inverseBytes = (entryBytes + singleEntryBytes) * sum_[invertedEntries];
   cost.fieldBytes = entryBytes * storedStates(steps) * scope.interfaceUnknowns;
   cost.processBytes =
-      programBytes * scope.ranks + matrixCopies * cost.matrixBytes +
+      programBytes * scope.ranks + matrixEntryBytes * (matrixCopies * sum_[matrixEntries] + sum_[iteratedMatrix]) +
       factorCopies * (entryBytes * iterated + cost.singleBytes) +
       readCopies * entryBytes * (sum_[storedEntries] - 2.0 * sum_[looseEntries]) +
-      paddedFactor * entryBytes * sum_[looseEntries] + cost.inverseBytes + fieldShare * cost.fieldBytes +
+      paddedFactor * entryBytes * sum_[looseEntries] + cost.iteratedBytes + cost.inverseBytes +
+      fieldShare * cost.fieldBytes +
       entryBytes * scope.unknowns *
           (displacementFields * steps + fieldsAtOnce * std::min<double>(steps, latin::March::stepsAtOnce)) +
       bytesPerNode * scope.unknowns / scope.dimension;
 
-  cost.startSeconds = programSeconds * scope.ranks + assemblySeconds * sum_[matrixEntries];
+  cost.startSeconds = programSeconds * scope.ranks + assemblySeconds * (sum_[matrixEntries] + sum_[iteratedMatrix]);
   cost.factorSeconds = operationSeconds * sum_[operations] + factorEntrySeconds * sum_[factorEntries] +
                        macroReadSeconds * sum_[macroReads] + factoredEntrySeconds * sum_[matrixEntries] +
-                       factoredUnknownSeconds * scope.unknowns;
-  cost.stageSeconds = steps * (readEntrySeconds * sum_[readEntries] + interfaceSeconds * scope.interfaceUnknowns);
+                       factoredUnknownSeconds * scope.unknowns + multigridSeconds * sum_[storedIterated] +
+                       iterationSeconds * iterationsOfColumn * sum_[macroIterated];
+  cost.stageSeconds = steps * (readEntrySeconds * sum_[readEntries] + interfaceSeconds * scope.interfaceUnknowns +
+                               iterationSeconds * iterationsOfColumn * sum_[readIterated]);
   const double decades = std::log10(usualAccuracy / solver.accuracy);
   cost.isAffine = scope.isAffine;
   const double usual = scope.isAffine ? affineStages : otherStages * (1.0 + growthWithPieces * std::log2(scope.pieces));
-  cost.stages = sum_[looseEntries] == sum_[factorEntries]
+  cost.stages = sum_[looseEntries] == sum_[factorEntries] && sum_[macroIterated] == 0.0
                     ? directStages
                     : std::max(1.0, usual + stagesPerDecade * decades) *
                           std::min(1.0, std::pow(steps / usualSteps, growthWithSteps));

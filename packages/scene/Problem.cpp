@@ -134,7 +134,12 @@ std::shared_ptr<const laws::SpatialFields> joinCutParts(const Scene& scene, cons
   if (errors.count() > 0) return fields;
   PieceChoice choice = choosePieces(scene, problem.mesh, problem.bodies, problem.assembly.interfaces,
                                     problem.assembly.dimension, comm.getSize(), comm.getSize() * memoryPerRank(comm));
-  if (choice.pieces.empty()) return fields;
+  if (choice.pieces.empty()) {
+    for (PartOptions& part : problem.bodies.parts) part.iterates |= choice.iterated.count(part.name) > 0;
+    problem.iterated = std::move(choice.iterated);
+    problem.cuts = std::move(choice.text);
+    return fields;
+  }
   try {
     input::ErrorList ofCuts;
     fields = joinParts(scene, choice.pieces, comm, problem, ofCuts);

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,11 @@ struct Problem {
       responses;                      // in the order of the list Responses; then the load factor
   std::vector<std::string> warnings;  // those of the scene, and what its mesh adds
   std::map<std::string, int> pieces;  // of parts that were cut because that pays, by name
+  std::set<std::string> iterated;     // parts that are solved iteratively because they do not fit, by name
   std::string cuts;                   // what these save, a sentence; empty: there are none
 };
 
-/// Whether parts whose "Pieces" are not given may be cut.
+/// Whether parts whose "Pieces" are not given may be cut, and those without "Linear Solver" solved iteratively.
 enum class Cutting {
   asGiven,   ///< none is
   automatic  ///< large ones are, where the cost model says that it saves much time, or memory that there is not
@@ -46,8 +48,8 @@ enum class Cutting {
 /// Time is charged to the phases "read" and "assemble". Throws one base::Error (input) that lists all errors found in
 /// the names of blocks and sets, in the fit of interfaces, in laws that contradict each other, and in elements.
 ///
-/// Cutting::automatic says what was cut in `pieces` and `cuts`; nothing is cut that cannot be. It is for single runs:
-/// studies solve so often that only stages count.
+/// Cutting::automatic says what was chosen in `pieces`, `iterated` and `cuts`; nothing is cut that cannot be. It is for
+/// single runs: studies solve so often that only stages count.
 Problem makeProblem(const Scene& scene, const Teuchos::Comm<int>& comm, base::Timers& timers,
                     Cutting cutting = Cutting::asGiven);
 

@@ -60,10 +60,12 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
     if (assembly.ownerOf(static_cast<int>(b)) != comm.getRank()) continue;
     // Congruent bodies share a matrix on every rank that has one of them.
     const std::size_t master = body.congruence ? static_cast<std::size_t>(body.congruence->representative) : b;
+    const substructure::Substructure& first = assembly.bodies[master];
+    const auto entries = static_cast<double>(first.stiffness->getGlobalNumEntries());
+    if (body.iterates) size.iteratedEntries = entries;
     if (!known[master]) {
-      const substructure::Substructure& factored = assembly.bodies[master];
-      known[master] = sizeOf(factored, sizes);
-      size.matrixEntries = static_cast<double>(factored.stiffness->getGlobalNumEntries());
+      known[master] = body.iterates ? substructure::FactorSize{} : sizeOf(first, sizes);
+      size.matrixEntries = entries;
       mineOfBody[master] = known[master]->nonzeros;
     }
     size.factor = *known[master];
@@ -91,7 +93,8 @@ void demandCapacity(const CostEstimate& cost, double freeBytes) {
     message << "part \"" << cost.largestBody << "\": its factor would have " << std::setprecision(2)
             << cost.largestFactor << " entries, more than direct solvers can number (" << mostEntries
             << ").\n  Cut it: add <Parameter name=\"Pieces\" type=\"int\" value=\"" << std::setprecision(0)
-            << std::fixed << std::ceil(2.0 * std::pow(cost.largestFactor / mostEntries, 0.75)) << "\"/> to the part.";
+            << std::fixed << std::ceil(2.0 * std::pow(cost.largestFactor / mostEntries, 0.75))
+            << "\"/> to the part, or solve it iteratively (\"Linear Solver\").";
     throw base::Error(message.str(), base::ExitCode::input);
   }
   if (cost.processBytes <= uncertainty * freeBytes) return;

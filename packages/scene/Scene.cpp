@@ -31,6 +31,7 @@
 #include <harmos/scene/detail/Units.hpp>
 #include <harmos/scene/detail/UnusedEntries.hpp>
 #include <harmos/scene/detail/VolumeLoad.hpp>
+#include <harmos/substructure/MultigridLibrary.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
 
 namespace harmos::scene {
@@ -85,6 +86,8 @@ class SceneChecker {
     for (const Parameters& part : input_.lists("Parts")) {
       knownName(part, "Material", namesOf(input_.lists("Materials")), "Materials");
       checkBodyForce(part);
+      if (part.has("Linear Solver") && part.text("Linear Solver") == "Iterative")
+        errors_.collect(part.where("Linear Solver"), [] { substructure::multigridLibrary(); });
     }
     checkPartsOf("Loads", "Density", [](const elasticity::Material& m) { return m.density().has_value(); });
     checkPartsOf("Temperatures", "Thermal Expansion",

@@ -216,6 +216,8 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
   files::demandDistinct(inputFiles(scene), result.files.all());
   Problem problem = makeProblem(scene, *comm, timers, Cutting::automatic);
   for (const auto& [part, pieces] : problem.pieces) scene.input.setInNamed("Parts", part, "Pieces", pieces);
+  for (const std::string& part : problem.iterated)
+    scene.input.setInNamed("Parts", part, "Linear Solver", std::string("Iterative"));
 
   result.record.scene = request.scene;
   result.record.units = unitsOf(scene);

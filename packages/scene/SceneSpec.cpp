@@ -57,6 +57,17 @@ void describePart(input::ParameterSpec& spec) {
       "METIS cuts the part into so many substructures. Absent: 1, or of a large part in a run as many as save much "
       "time, "
       "or memory that there is not; what was chosen is printed.");
+  spec.text("Linear Solver")
+      .optional()
+      .oneOf({"Direct", "Iterative"})
+      .doc(
+          "Direct: the operator of each piece is factored once, by what Solver / Linear Solver names. Iterative: it is "
+          "solved by conjugate gradients with algebraic multigrid (Belos, MueLu), to a small part of the accuracy "
+          "asked "
+          "for, in memory that grows with the unknowns only; for parts that are too large to be factored. Absent: "
+          "Direct, or of a part in a run whose factor does not fit, nor those of its pieces, Iterative; what was "
+          "chosen "
+          "is printed.");
   spec.text("Formulation")
       .defaultValue("Full Integration")
       .oneOf(elasticity::formulationNames())

@@ -34,6 +34,8 @@ struct SolverOptions {
   /// A dense trace is inverted too, in single precision, which pays when single load steps are solved many times.
   /// CHOLMOD only: other solvers have no dense trace.
   bool invertTrace = false;
+  /// Energy error [-] at which solutions of bodies that are too large to be factored end, see IterativeSolver.
+  double iterationTolerance = 1e-9;
   bool allowsSingle = true;  ///< whether SubstructureSolver::prepareSingle() may prepare anything
 };
 

@@ -30,6 +30,7 @@ struct Substructure {
   Teuchos::RCP<const base::CrsMatrix> stiffness;
   base::Matrix loads;                            // nodal forces [force], dofs x steps; 0 x 0 when there are none
   std::shared_ptr<const Congruence> congruence;  // null: has an operator of its own
+  bool iterates = false;                         // its operator is too large to be factored: solved iteratively
 };
 
 }  // namespace harmos::substructure

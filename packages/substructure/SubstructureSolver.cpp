@@ -43,24 +43,42 @@ base::MultiVector vectorsOf(const base::Matrix& matrix, const Teuchos::RCP<const
   return {map, Vectors(view, view)};
 }
 
+/// Translations and small rotations, dofs x 3 or 6, about the first node and of about the same size.
+base::Matrix rigidMotions(const std::vector<base::Vector3>& nodes, int dimension) {
+  double extent = 0.0;
+  for (const base::Vector3& node : nodes) {
+    for (int c = 0; c < dimension; ++c) extent = std::max(extent, std::abs(node[c] - nodes.front()[c]));
+  }
+  const int rotations = dimension == 3 ? 3 : 1;
+  base::Matrix motions(static_cast<int>(nodes.size()) * dimension, dimension + rotations);
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    const int row = static_cast<int>(a) * dimension;
+    for (int c = 0; c < dimension; ++c) motions(row + c, c) = 1.0;
+    for (int r = 0; r < rotations; ++r) {
+      const int from = r, to = (r + 1) % dimension;  // turns the first of these axes towards the second
+      motions(row + from, dimension + r) = -(nodes[a][to] - nodes.front()[to]) / extent;
+      motions(row + to, dimension + r) = (nodes[a][from] - nodes.front()[from]) / extent;
+    }
+  }
+  return motions;
+}
+
 std::string nodeOf(int dof, int dimension) {
   return "node " + std::to_string(dof / dimension + 1) + " of the part, component " + "xyz"[dof % dimension];
 }
 
 }  // namespace
 
+SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness, int dimension,
+                                       std::string partName)
+    : part_(std::move(partName)), dimension_(dimension), stiffness_(stiffness) {}
+
 SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
                                        const BoundaryTerm& boundary, const SolverOptions& options, std::string partName,
                                        const std::vector<int>& trace)
-    : part_(std::move(partName)),
-      dimension_(boundary.dimension),
-      stiffness_(stiffness),
-      mayPrepareSingle_(options.allowsSingle) {
-  const Teuchos::RCP<base::CrsMatrix> sum = sumOf(*stiffness, boundary, part_);
-  project(*sum, boundary);
-  const CrsView view = viewOf(*sum, part_);
-  dofs_ = view.rows;
-  checkDiagonal(view);
+    : SubstructureSolver(stiffness, boundary.dimension, std::move(partName)) {
+  mayPrepareSingle_ = options.allowsSingle;
+  const Teuchos::RCP<base::CrsMatrix> sum = makeSum(boundary);
   solver_ = makeSolver(options, sum, trace);
   factor(sum);
   checkSolution(*sum);
@@ -71,6 +89,28 @@ SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>
   }
   // Frees the values of the sum where the solver is known to need its factors only.
   if (solver_->name() == "Cholmod" || solver_->name() == "Tacho") solver_->setA(stiffness_, Amesos2::NUMFACT);
+}
+
+SubstructureSolver SubstructureSolver::iterating(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
+                                                 const BoundaryTerm& boundary, const SolverOptions& options,
+                                                 std::string partName, const std::vector<base::Vector3>& nodes) {
+  SubstructureSolver result(stiffness, boundary.dimension, std::move(partName));
+  const Teuchos::RCP<base::CrsMatrix> sum = result.makeSum(boundary);
+  base::Matrix motions = rigidMotions(nodes, boundary.dimension);
+  const auto nearKernel = Teuchos::rcp(new base::MultiVector(vectorsOf(motions, sum->getRowMap()), Teuchos::Copy));
+  result.iterative_ =
+      std::make_unique<IterativeSolver>(sum, nearKernel, boundary.dimension, options.iterationTolerance);
+  result.checkSolution(*sum);
+  return result;
+}
+
+Teuchos::RCP<base::CrsMatrix> SubstructureSolver::makeSum(const BoundaryTerm& boundary) {
+  Teuchos::RCP<base::CrsMatrix> sum = sumOf(*stiffness_, boundary, part_);
+  project(*sum, boundary);
+  const CrsView view = viewOf(*sum, part_);
+  dofs_ = view.rows;
+  checkDiagonal(view);
+  return sum;
 }
 
 SubstructureSolver::~SubstructureSolver() = default;
@@ -194,6 +234,16 @@ void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision
     single_->solve(b, x);
     return;
   }
+  if (iterative_) {
+    try {
+      iterative_->solve(b, x);
+    } catch (const IterativeSolver::NotConverged& failure) {
+      throw base::Error("The operator of part \"" + part_ + "\" cannot be solved iteratively (" + failure.what() +
+                        "). Hold the part by interfaces or boundaries with nodes that do not lie on one line, take "
+                        "elements that are less distorted, or factor it (\"Linear Solver\" = Direct), in \"Pieces\".");
+    }
+    return;
+  }
   const auto map = stiffness_->getRowMap();
   const base::MultiVector right = vectorsOf(b, map);
   base::MultiVector left = vectorsOf(x, map);
@@ -201,7 +251,7 @@ void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision
 }
 
 std::size_t SubstructureSolver::factorNonzeros() const {
-  return solver_->getStatus().getNnzLU();
+  return solver_.is_null() ? 0 : solver_->getStatus().getNnzLU();
 }
 
 FactorSize SubstructureSolver::predict(const base::CrsMatrix& stiffness) {

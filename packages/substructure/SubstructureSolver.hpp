@@ -7,8 +7,10 @@
 
 #include <harmos/base/Matrix.hpp>
 #include <harmos/base/Tpetra.hpp>
+#include <harmos/base/Vector3.hpp>
 #include <harmos/substructure/BoundaryTerm.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
+#include <harmos/substructure/IterativeSolver.hpp>
 #include <harmos/substructure/NestedDissection.hpp>
 #include <harmos/substructure/SolverFactory.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
@@ -22,8 +24,10 @@ enum class Precision {
   single  ///< where prepareSingle() has prepared it to about singleError(), faster; else exact
 };
 
-/// The factored operator A = K + k h [force/length] of one substructure, for any number of right-hand sides at once: x
+/// The operator A = K + k h [force/length] of one substructure, factored, for any number of right-hand sides at once: x
 /// [length] from b [force]. K is the stiffness, k the search direction [stress/length], h the interface mass [area].
+/// Where it is too large to be factored it is solved iteratively instead; then there is nothing for its trace or in
+/// single precision.
 ///
 /// Not collective: the matrix lives on one process. Not for several threads at once: solves share workspaces.
 class SubstructureSolver {
@@ -39,6 +43,11 @@ class SubstructureSolver {
   /// indefinite matrices without complaint; only the diagonal and the energy of one solve are checked then.
   SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness, const BoundaryTerm& boundary,
                      const SolverOptions& options, std::string partName, const std::vector<int>& trace = {});
+  /// Iterates instead of factoring, see IterativeSolver, up to the tolerance of the options. `nodes`: coordinates
+  /// [length]. Throws the same, and where conjugate gradients do not converge.
+  static SubstructureSolver iterating(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
+                                      const BoundaryTerm& boundary, const SolverOptions& options, std::string partName,
+                                      const std::vector<base::Vector3>& nodes);
   /// Frees the factors.
   ~SubstructureSolver();
   /// Takes over the factors; the other one may only be destroyed or assigned to then.
@@ -47,8 +56,14 @@ class SubstructureSolver {
   SubstructureSolver& operator=(SubstructureSolver&&) noexcept;
 
   /// x = A^-1 b, column by column; b and x are dofs x any number, different objects. x is reshaped when it does not
-  /// have the shape of b. Throws base::Error when b has other rows than the matrix or either has gaps between columns.
+  /// have the shape of b; iterations start from it when it has. Throws base::Error when b has other rows than the
+  /// matrix, either has gaps between columns, or iterations do not converge.
   void solve(const base::Matrix& b, base::Matrix& x, Precision precision = Precision::exact) const;
+
+  /// Whether solves are iterations, which end before round-off.
+  bool iterates() const { return iterative_ != nullptr; }
+  /// What iterations have left of b [force], b - A x; only if iterates().
+  base::Matrix residual(const base::Matrix& b, const base::Matrix& x) const { return iterative_->residual(b, x); }
 
   /// Prepares what Precision::single needs, half of memory() more, and measures its error; later calls do nothing.
   /// Where the options do not allow it, the solver has none, or its error is too large to be of use, all solves stay
@@ -75,7 +90,7 @@ class SubstructureSolver {
 
   /// Rows of A.
   int dofs() const { return dofs_; }
-  /// Entries of the factors, zeros stored for speed included; 0 when the solver does not say.
+  /// Entries of the factors, zeros stored for speed included; 0 when the solver does not say, or there are none.
   std::size_t factorNonzeros() const;
   /// Memory of the factors [byte], estimated from factorNonzeros(), without that of the trace and of single precision.
   std::size_t memory() const { return factorNonzeros() * sizeof(double); }
@@ -85,6 +100,9 @@ class SubstructureSolver {
   static FactorSize predict(const base::CrsMatrix& stiffness);
 
  private:
+  SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness, int dimension, std::string partName);
+  /// A, whose diagonal is positive; sets what goes with its size.
+  Teuchos::RCP<base::CrsMatrix> makeSum(const BoundaryTerm& boundary);
   void checkDiagonal(const CrsView& matrix) const;
   void factor(const Teuchos::RCP<base::CrsMatrix>& sum);
   void checkSolution(const base::CrsMatrix& sum) const;
@@ -93,13 +111,14 @@ class SubstructureSolver {
 
   std::string part_;
   int dimension_;
-  int dofs_;
+  int dofs_ = 0;
   Teuchos::RCP<const base::CrsMatrix> stiffness_;
-  Teuchos::RCP<DirectSolver> solver_;
+  Teuchos::RCP<DirectSolver> solver_;           // null: iterates
+  std::unique_ptr<IterativeSolver> iterative_;  // null: does not
   std::unique_ptr<TraceFactor> trace_;
   std::unique_ptr<TraceInverse> inverse_;  // instead of trace_
   std::unique_ptr<SingleFactor> single_;   // of the whole, where nothing is known of a trace
-  bool mayPrepareSingle_;
+  bool mayPrepareSingle_ = false;
   double singleError_ = 0.0;
 };
 

@@ -7,6 +7,7 @@
 #include <harmos/base/Matrix.hpp>
 #include <harmos/latin/detail/HeldStencil.hpp>
 #include <harmos/substructure/BoundaryTerm.hpp>
+#include <harmos/substructure/Substructure.hpp>
 #include <harmos/substructure/SubstructureSolver.hpp>
 
 namespace harmos::latin {
@@ -19,11 +20,12 @@ namespace harmos::latin {
 ///   S u' = P (f + l - A g),  u = u' + g,  reaction = (1 - P) (A u - f - l).
 class OperatorGroup {
  public:
-  /// Factors; `stiffness` K is shared, `name` for messages. Throws as SubstructureSolver.
-  OperatorGroup(const Teuchos::RCP<const base::CrsMatrix>& stiffness, substructure::BoundaryTerm term,
-                const substructure::SolverOptions& options, const std::string& name);
-  /// Whether a body of the same stiffness has this operator, up to round-off.
-  bool has(const substructure::BoundaryTerm& term) const;
+  /// Factors the operator of `body`, or prepares its iterative solution where the body says so; the stiffness of
+  /// `first`, which it equals, is shared. Throws as SubstructureSolver.
+  OperatorGroup(const substructure::Substructure& body, const substructure::Substructure& first,
+                substructure::BoundaryTerm term, const substructure::SolverOptions& options);
+  /// Whether a body of the same stiffness has this operator, up to round-off, and its solution.
+  bool has(const substructure::BoundaryTerm& term, bool iterates) const;
 
   /// Sets l [force] and g [length] (0 x 0: none), dofs x (bodies * steps). Costs nothing when they are those set last.
   void setLoads(const base::Matrix& loads, const base::Matrix& held);
@@ -67,8 +69,11 @@ class OperatorGroup {
 
   /// Forces [force], rows and columns as loads(), like those that round-off leaves in A u of the last solve: sum over j
   /// of +-e (a_ii a_jj)^1/2 u_j over the entries of K, e the spacing of numbers at 1, a the diagonal of K + k h. The
-  /// signs are symmetric and depend on `seed`, i and j only. All load steps must have been solved.
+  /// signs are symmetric and depend on `seed`, i and j only. What iterations have left is added. All load steps must
+  /// have been solved.
   base::Matrix roundOffForces(unsigned seed) const;
+  /// Square of the norm of what iterations have left of the last solve [force]; 0 without iterations.
+  double squaredResidual() const;
   /// Euclidean norm of the diagonal of K + k h [force/length].
   double stiffnessNorm() const;
 
@@ -80,8 +85,13 @@ class OperatorGroup {
  private:
   bool isTrace() const { return !trace_.empty(); }
   void solveTogether(const std::vector<int>& columns, substructure::Precision precision);
+  /// Where iterations start: the last solution of the same columns, without held displacements.
+  void guess(const std::vector<int>& columns, base::Matrix& solution) const;
   /// Adds to all rows of `to` what a field with the columns of loads() holds for a column, the kept response included.
   void addLoad(const base::Matrix& field, int column, double* to) const;
+  /// Right-hand sides of the last solve, all dofs.
+  base::Matrix wholeForces() const;
+  base::Matrix residual() const;
   void project(base::Matrix& vectors, bool onTrace) const;
   void multiply(const double* u, const std::vector<int>& rows, double* result) const;
   const base::Matrix& reactions() const;

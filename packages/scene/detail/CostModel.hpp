@@ -20,11 +20,15 @@ struct BodySize {
   double matrixEntries = 0.0;       ///< of its stiffness; 0: it is that of another body
   substructure::FactorSize factor;  ///< of its operator
   bool isFactored = true;           ///< false: the factor is that of another body
+  double iteratedEntries = 0.0;     ///< of its operator, where it is solved iteratively; 0: it is factored
 };
 
 /// Factor of a body of which only the number of unknowns is known: 25 n^(4/3) entries in space, 8 n log2 n in the
 /// plane.
 substructure::FactorSize factorOf(double unknowns, int dimension);
+
+/// Entries of the operator of a body of so many unknowns and small elements.
+double operatorEntries(double unknowns, int dimension);
 
 /// Unknowns of every body that interfaces touch, and boundaries that are not eliminated: those with affine laws, as a
 /// rule.
@@ -62,6 +66,10 @@ class CostSums {
     readEntries,
     storedEntries,
     invertedEntries,
+    iteratedMatrix,
+    storedIterated,
+    readIterated,
+    macroIterated,
     sums
   };
   std::array<double, sums> sum_{};

@@ -5,6 +5,7 @@
 #include <harmos/latin/LatinSolver.hpp>
 #include <harmos/latin/PairFields.hpp>
 #include <harmos/latin/detail/RoundOff.hpp>
+#include <harmos/substructure/MultigridLibrary.hpp>
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
@@ -87,6 +88,42 @@ TEST(RoundOff, ExperimentLeavesNoTrace) {
   EXPECT_GT(change, 1e-12 * fixedPoint.metric().norm(before));
   EXPECT_LT(change, 1e-6 * fixedPoint.metric().norm(before));
   EXPECT_EQ(fixedPoint.metric().distance(after, before), 0.0);
+}
+
+/// The force through the joint of the two cubes, of more than a thousand unknowns each so that they are not solved on
+/// their coarsest level at once, by iterations of this tolerance; its error is that beside factors.
+Pull iterated(double tolerance, double accuracy) {
+  Pull pulls[2];
+  for (const bool iterates : {false, true}) {
+    BoxAssembly cubes({{"lower", {0, 0, 0}, {2, 2, 2}, {8, 8, 8}}, {"upper", {0, 0, 2}, {2, 2, 4}, {8, 8, 8}}});
+    cubes.hold("ground", "lower_zmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}));
+    cubes.join("joint", "lower_zmax", "upper_zmin", laws::makeLaw("Perfect", {}));
+    cubes.hold("top", "upper_zmax", laws::makeLaw("Prescribed Traction", {{"X", 0.5}, {"Z", 1.0}}));
+    for (substructure::Substructure& body : cubes.assembly().bodies) body.iterates = iterates;
+    base::Timers timers;
+    LatinOptions options;
+    options.accuracy = iterates ? accuracy : 1e-10;
+    options.maximumIterations = 200;
+    options.stages.solver.iterationTolerance = tolerance;
+    LatinSolver solver(cubes.assembly(), options, self(), timers);
+    solver.addResponse(
+        std::make_shared<ResultantResponse>("pull", std::vector<int>{1}, std::vector<base::Vector3>{{0.0, 0.0, 1.0}}));
+    pulls[iterates ? 1 : 0].result = solver.solve();
+  }
+  const double exact = pulls[0].result.responses[0].values[0];
+  pulls[1].error = std::abs(pulls[1].result.responses[0].values[0] / exact - 1.0);
+  return pulls[1];
+}
+
+// It is looked for and small; of iterations that are too coarse for an accuracy nothing is claimed.
+TEST(RoundOff, OfIterationsIsWhatTheyLeave) {
+  if (!substructure::hasMultigrid()) GTEST_SKIP() << "built without MueLu";
+  const Pull fine = iterated(1e-12, 1e-8);
+  EXPECT_EQ(fine.result.outcome, Outcome::certified) << fine.result.reason;
+  EXPECT_LT(fine.error, 1e-8);
+  EXPECT_GT(fine.result.roundOffEstimate, 0.0);
+  const Pull coarse = iterated(1e-6, 1e-9);
+  EXPECT_NE(coarse.result.outcome, Outcome::certified) << coarse.error;
 }
 
 /// Cubes with friction between them on springs, two load steps, pushed at the top.

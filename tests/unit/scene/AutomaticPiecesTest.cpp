@@ -1,4 +1,5 @@
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/detail/AutomaticPieces.hpp>
+#include <harmos/substructure/MultigridLibrary.hpp>
 
 #include "Sample.hpp"
 
@@ -101,6 +103,20 @@ TEST(AutomaticPieces, MemoryThatThereIsNotIsSaidAsTheReason) {
   EXPECT_EQ(choiceFor({}, unlimited).text.find("too much"), std::string::npos);
   EXPECT_NE(choiceFor({}, 2.75e9).text.find("too much"), std::string::npos);
   EXPECT_TRUE(choiceFor({}, 1e8).pieces.empty());  // no cut helps so much
+}
+
+// Cuts were not measured at such an accuracy.
+TEST(AutomaticPieces, WhatNeitherFitsNorMayBeCutIsSolvedIteratively) {
+  if (!substructure::hasMultigrid()) GTEST_SKIP() << "built without MueLu";
+  const std::string fine = "Solver/Accuracy=1e-7";
+  const PieceChoice choice = choiceFor({fine}, 2e9);
+  EXPECT_TRUE(choice.pieces.empty());
+  EXPECT_EQ(choice.iterated, std::set<std::string>{"lower"});
+  EXPECT_NE(choice.text.find("solve \"lower\" iteratively"), std::string::npos) << choice.text;
+  EXPECT_TRUE(choiceFor({fine}, unlimited).iterated.empty());
+  EXPECT_TRUE(choiceFor({fine}, 1e8).iterated.empty());  // that does not fit either
+  EXPECT_TRUE(choiceFor({fine, "Parts/lower/Linear Solver=Direct"}, 2e9).iterated.empty());
+  EXPECT_TRUE(choiceFor({}, 2.75e9).iterated.empty());  // pieces fit
 }
 
 TEST(AutomaticPieces, SmallScenesAreLeftAsTheyAre) {

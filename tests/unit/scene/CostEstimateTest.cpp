@@ -6,6 +6,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/scene/ProblemCost.hpp>
+#include <harmos/substructure/MultigridLibrary.hpp>
 
 #include "Sample.hpp"
 
@@ -66,6 +67,19 @@ TEST(CostEstimate, CountsTracesInBothPrecisionsWhereTheyAreInverted) {
   EXPECT_EQ(plain.inverseBytes, 0.0);
   EXPECT_EQ(inverted.inverseBytes, (8.0 + 4.0) * 27.0 * 27.0 * comm->getSize());
   EXPECT_GE(inverted.processBytes, plain.processBytes + inverted.inverseBytes);
+}
+
+TEST(CostEstimate, OfPartsSolvedIterativelyCountsNoFactor) {
+  if (!substructure::hasMultigrid()) GTEST_SKIP() << "built without MueLu";
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  const Scene scene = sample({"Parts/lower/Linear Solver=Iterative", "Parts/upper/Linear Solver=Iterative"});
+  const Problem problem = makeProblem(scene, *comm, timers);
+  const CostEstimate cost = estimateCost(problem, scene.solver, FactorSizes::fromOrder, *comm);
+  EXPECT_EQ(cost.factorBytes, 0.0);
+  EXPECT_EQ(cost.largestFactor, 0.0);
+  EXPECT_GT(cost.iteratedBytes, cost.matrixBytes);
+  EXPECT_GT(cost.stageSeconds, 0.0);
 }
 
 // Of many load steps the vectors of a few are kept at a time: eight times as many steps take far less than eight times

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <string>
 #include <tuple>
 
 #include <harmos/base/Error.hpp>
@@ -44,6 +46,27 @@ TEST(Scene, ItsDirectSolverExists) {
                             0),
               0u)
         << message;
+  }
+}
+
+TEST(Scene, IterativePartsNeedMultigrid) {
+  const char* const before = std::getenv("HARMOS_MULTIGRID");
+  const std::string kept = before != nullptr ? before : "";
+  ::setenv("HARMOS_MULTIGRID", "no/such/multigrid.so", 1);
+  EXPECT_NO_THROW(sample({"Parts/lower/Linear Solver=Direct"}));
+  try {
+    sample({"Parts/lower/Linear Solver=Iterative"});
+    ADD_FAILURE();
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+    const std::string message = error.what();
+    EXPECT_EQ(message.rfind("--set: Parts / lower / Linear Solver: ", 0), 0u) << message;
+    EXPECT_NE(message.find("libtrilinos-muelu-dev"), std::string::npos) << message;
+  }
+  if (before != nullptr) {
+    ::setenv("HARMOS_MULTIGRID", kept.c_str(), 1);
+  } else {
+    ::unsetenv("HARMOS_MULTIGRID");
   }
 }
 
