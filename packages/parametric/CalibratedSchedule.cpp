@@ -75,8 +75,11 @@ CalibratedSchedule::Purpose CalibratedSchedule::purposeOfNext() {
 std::size_t CalibratedSchedule::mostTogether() const {
   const bool mayCalibrate = number_ < lastCalibration ||
                             (calibration_.runs() < calibrationsUntil(number_) && attempts_ < attemptsToCalibrate);
-  const int most = mayCalibrate ? 1 : std::clamp(solver_.states().count() / solvedForEach, 1, widestBatch);
-  return static_cast<std::size_t>(most);
+  return static_cast<std::size_t>(mayCalibrate ? 1 : sideBySide(solver_.states().count()));
+}
+
+int CalibratedSchedule::sideBySide(int solved) {
+  return std::clamp(solved / solvedForEach, 1, widestBatch);
 }
 
 int CalibratedSchedule::freePlace() const {

@@ -27,6 +27,9 @@ class CalibratedSchedule {
   /// left because none could be had to calibrate: nothing can be said of them without a certificate.
   std::vector<design::Configuration> run(const std::vector<design::Configuration>& open, results::ResultSink& sink);
 
+  /// How many configurations march side by side once so many are solved.
+  static int sideBySide(int solved);
+
  private:
   /// What an accepted configuration was accepted with.
   struct Accepted {

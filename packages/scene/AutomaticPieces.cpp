@@ -71,6 +71,7 @@ void measure(const mesh::Elements& elements, const mesh::Piece& piece, int dimen
 std::vector<Whole> measureAll(const Scene& scene, const mesh::Mesh& mesh, const Bodies& bodies,
                               const std::vector<assembly::Interface>& interfaces, int dimension) {
   const std::vector<double> trace = tracesOf(interfaces, bodies.pieces.size(), dimension);
+  const std::vector<double> held = heldOf(interfaces, bodies.pieces.size());
   const std::vector<double> touching = interfacesOf(interfaces, bodies.pieces.size());
   std::set<std::string> given, solverGiven;
   for (const input::Parameters& part : scene.input.lists("Parts")) {
@@ -105,7 +106,7 @@ std::vector<Whole> measureAll(const Scene& scene, const mesh::Mesh& mesh, const 
     if (master < b) {
       body.size.factor = all[master].size.factor;
       for (std::size_t a = master; a < b; ++a) {
-        if (isEqual(a) && trace[a] == trace[b]) body.size.isFactored = false;
+        if (isEqual(a) && trace[a] == trace[b] && held[a] == held[b]) body.size.isFactored = false;
       }
       continue;
     }

@@ -55,6 +55,12 @@ double storedStates(double steps) {
          latin::CorrectionSpace::statesPerDirection * directions * std::min(steps, most) + fields * steps;
 }
 
+/// Whether a boundary stands in the operator of its body, as a rule.
+bool isEliminated(const assembly::Interface& interface) {
+  return interface.sides() == 1 && interface.mass.empty() && interface.law->isAffine() &&
+         !interface.law->prescribesTraction();
+}
+
 }  // namespace
 
 substructure::FactorSize factorOf(double unknowns, int dimension) {
@@ -73,8 +79,7 @@ double operatorEntries(double unknowns, int dimension) {
 std::vector<double> tracesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies, int dimension) {
   std::vector<std::set<int>> nodes(bodies);
   for (const assembly::Interface& interface : interfaces) {
-    if (interface.law->prescribesTraction()) continue;
-    if (interface.sides() == 1 && interface.mass.empty() && interface.law->isAffine()) continue;
+    if (interface.law->prescribesTraction() || isEliminated(interface)) continue;
     for (int side = 0; side < interface.sides(); ++side) {
       for (int p = 0; p < interface.pairs(); ++p) {
         for (const auto& [node, weight] : interface.trace(side).row(p)) nodes[interface.body(side)].insert(node);
@@ -83,6 +88,14 @@ std::vector<double> tracesOf(const std::vector<assembly::Interface>& interfaces,
   }
   std::vector<double> counts;
   for (const auto& one : nodes) counts.push_back(dimension * static_cast<double>(one.size()));
+  return counts;
+}
+
+std::vector<double> heldOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies) {
+  std::vector<double> counts(bodies, 0.0);
+  for (const assembly::Interface& interface : interfaces) {
+    if (isEliminated(interface)) counts[interface.body1] += interface.pairs();
+  }
   return counts;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -50,7 +51,9 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
   scope.pieces = mostPieces(problem.bodies.pieces);
   CostSums sums;
   std::vector<std::optional<substructure::FactorSize>> known(assembly.bodies.size());
-  std::set<std::pair<std::size_t, double>> operators;  // those of equal bodies that are touched alike are one
+  const std::vector<double> held = heldOf(assembly.interfaces, assembly.bodies.size());
+  // Those of equal bodies that are touched and held alike are one.
+  std::set<std::tuple<std::size_t, double, double>> operators;
   std::vector<double> mineOfBody(assembly.bodies.size(), 0.0), ofBody(assembly.bodies.size(), 0.0);
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     const substructure::Substructure& body = assembly.bodies[b];
@@ -71,7 +74,7 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
     size.factor = *known[master];
     size.trace = trace[b];
     size.interfaces = interfaces[b];
-    size.isFactored = operators.emplace(master, trace[b]).second;
+    size.isFactored = operators.emplace(master, trace[b], held[b]).second;
     sums.add(size, solver);
   }
   sums.reduce(comm);

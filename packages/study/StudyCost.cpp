@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <harmos/parametric/CalibratedSchedule.hpp>
 #include <harmos/parametric/ParametricStudy.hpp>
 #include <harmos/parametric/StudySolver.hpp>
 #include <harmos/study/StudyGroup.hpp>
@@ -15,6 +16,9 @@ namespace {
 constexpr double alone = 1.8, calibrations = 17.0, amongOthers = 0.13, affine = 0.2;
 // Below so many configurations each is certified, see parametric::CertifiedSchedule.
 constexpr double fewConfigurations = 10.0;
+// Of a configuration that marches beside others: fields of all load steps; and columns of the one at hand, which are
+// directions of its start with their images, and what the acceleration remembers.
+constexpr double fieldsOfPlace = 5.0, columnsOfPlace = 60.0;
 // Of a configuration besides: its scene is checked and its laws are made.
 constexpr double configurationSeconds = 3e-3;
 
@@ -42,6 +46,11 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
   result.bytes = std::min(
       result.solves * parametric::SolvedStates::bytesOf(static_cast<double>(cost.interfaceUnknowns), cost.steps),
       parametric::StudySolver::memoryForStates);
+  if (result.solves >= fewConfigurations) {
+    const int others = parametric::CalibratedSchedule::sideBySide(static_cast<int>(result.solves)) - 1;
+    result.bytes += others * sizeof(double) * static_cast<double>(cost.interfaceUnknowns) *
+                    (fieldsOfPlace * cost.steps + columnsOfPlace);
+  }
   const double share = result.solves < fewConfigurations ? alone
                        : cost.isAffine                   ? affine
                                                          : calibrations / result.solves + amongOthers;

@@ -11,7 +11,9 @@ struct StudyCost {
   double solves = 0.0;   ///< configurations, or expansions with every spread of their sweeps
   double stages = 0.0;   ///< linear stages of one of them, all together over their number
   double seconds = 0.0;  ///< CPU of the whole
-  double bytes = 0.0;    ///< of solved states that the starts of others are made of, beyond what one run takes
+  /// Of solved states that the starts of others are made of, and of configurations that march beside one another,
+  /// beyond what one run takes.
+  double bytes = 0.0;
 };
 
 /// The options that the configurations of a study which does not solve for expansions are solved with.

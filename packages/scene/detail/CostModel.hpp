@@ -34,6 +34,9 @@ double operatorEntries(double unknowns, int dimension);
 /// rule.
 std::vector<double> tracesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies, int dimension);
 
+/// Points of every body at boundaries that are eliminated: equal bodies share a factor only where they are held alike.
+std::vector<double> heldOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies);
+
 /// How many interfaces and boundaries touch every body.
 std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies);
 

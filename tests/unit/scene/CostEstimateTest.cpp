@@ -53,8 +53,8 @@ TEST(CostEstimate, RefusesWhatWillNotFitByAMargin) {
   EXPECT_NE(refusal(cost, 1e9).find("1.6 GB, of which 1 GB are free"), std::string::npos) << refusal(cost, 1e9);
 }
 
-// Of two equal boxes one matrix is factored on each rank; its trace are the nine nodes of the joint, for what is held
-// or pressed has no unknowns there.
+// Of two equal boxes one is held, so that they have one matrix but two factors; the trace of each are the nine nodes of
+// the joint, for what is held or pressed has no unknowns there.
 TEST(CostEstimate, CountsTracesInBothPrecisionsWhereTheyAreInverted) {
   const auto comm = Tpetra::getDefaultComm();
   base::Timers timers;
@@ -65,7 +65,7 @@ TEST(CostEstimate, CountsTracesInBothPrecisionsWhereTheyAreInverted) {
   options.stages.solver.invertTrace = true;
   const CostEstimate inverted = estimateCost(problem, options, FactorSizes::fromOrder, *comm);
   EXPECT_EQ(plain.inverseBytes, 0.0);
-  EXPECT_EQ(inverted.inverseBytes, (8.0 + 4.0) * 27.0 * 27.0 * comm->getSize());
+  EXPECT_EQ(inverted.inverseBytes, 2.0 * (8.0 + 4.0) * 27.0 * 27.0);
   EXPECT_GE(inverted.processBytes, plain.processBytes + inverted.inverseBytes);
 }
 
