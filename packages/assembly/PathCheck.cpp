@@ -28,7 +28,7 @@ std::string faultOfLoad(const Assembly& assembly, int index) {
   if (interface.sides() != 1) return "it joins two parts and is no load";
   if (!law.prescribesTraction()) {
     if (!law.isAffine()) return "a load factor cannot multiply what its law does";
-    for (const laws::AffineComponent& component : laws::affineComponents(law, 0, 1.0)) {
+    for (const laws::AffineComponent& component : laws::affineComponents(law, 0)) {
       if (!std::isinf(component.stiffness) && component.offset != 0.0) {
         return "its law is a spring; a load factor multiplies prescribed tractions and displacements";
       }

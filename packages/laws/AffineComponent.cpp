@@ -9,6 +9,8 @@ namespace {
 
 // A law that leaves less than this share of the line's own stiffness is rigid.
 constexpr double rigid = 1e-12;
+// The shortest compliance [length/stress] that is asked for, in any units.
+constexpr double leastCompliance = 1e-60;
 
 base::Vector3 tractionOf(const InterfaceLaw& law, int step, const LocalLine& line) {
   LocalState state;
@@ -40,6 +42,18 @@ std::array<AffineComponent, 3> affineComponents(const InterfaceLaw& law, int ste
     const double stiffness = result[c].stiffness;
     // Digits of k are lost where k H is large.
     if (stiffness > 0.0 && std::isfinite(stiffness)) result[c] = probe(law, step, 1.0 / stiffness, c);
+  }
+  return result;
+}
+
+std::array<AffineComponent, 3> affineComponents(const InterfaceLaw& law, int step) {
+  std::array<AffineComponent, 3> result = affineComponents(law, step, 1.0);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (double compliance = rigid; compliance > leastCompliance && std::isinf(result[c].stiffness);
+         compliance *= rigid) {
+      const AffineComponent closer = affineComponents(law, step, compliance)[c];
+      if (std::isfinite(closer.stiffness)) result[c] = closer;
+    }
   }
   return result;
 }

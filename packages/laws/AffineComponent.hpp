@@ -20,4 +20,7 @@ struct AffineComponent {
 /// isAffine().
 std::array<AffineComponent, 3> affineComponents(const InterfaceLaw& law, int step, double compliance);
 
+/// The same where no compliance is at hand, in whatever units: only what gives way on no line at all is rigid.
+std::array<AffineComponent, 3> affineComponents(const InterfaceLaw& law, int step);
+
 }  // namespace harmos::laws

@@ -48,7 +48,7 @@ void demandNothingAlongAxis(const input::Parameters& boundary, const laws::Inter
   const std::set<int> nodes = nodesLeftOut(boundary, mesh, pieces, finder, surfaces);
   if (nodes.empty()) return;
   for (int t = 0; t < steps; ++t) {
-    const auto components = laws::affineComponents(law, t, 1.0);
+    const auto components = laws::affineComponents(law, t);
     const auto isRigid = [&](std::size_t c) { return std::isinf(components[c].stiffness); };
     const bool moves = (isRigid(0) && components[0].offset != 0.0) || (isRigid(2) && components[2].offset != 0.0);
     if (!moves && !isRigid(1)) continue;

@@ -14,7 +14,7 @@ namespace {
 std::array<bool, 3> rigidComponents(const laws::InterfaceLaw& law, int components, int steps) {
   std::array<bool, 3> rigid = {true, true, components == 3};
   for (int t = 0; t < steps; ++t) {
-    const auto affine = laws::affineComponents(law, t, 1.0);
+    const auto affine = laws::affineComponents(law, t);
     for (std::size_t c = 0; c < 3; ++c) rigid[c] = rigid[c] && std::isinf(affine[c].stiffness);
   }
   return rigid;

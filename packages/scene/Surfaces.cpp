@@ -130,7 +130,7 @@ bool actsOnNodes(const laws::InterfaceLaw& law, int steps) {
   }
   if (!law.isAffine()) return false;
   for (int t = 0; t < steps; ++t) {
-    for (const laws::AffineComponent& component : laws::affineComponents(law, t, 1.0)) {
+    for (const laws::AffineComponent& component : laws::affineComponents(law, t)) {
       if (component.stiffness != 0.0 && !std::isinf(component.stiffness)) return false;
     }
   }

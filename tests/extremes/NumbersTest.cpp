@@ -109,6 +109,23 @@ INSTANTIATE_TEST_SUITE_P(Of, OtherUnits,
                                          Units{"Kilometres", 1e6}),
                          [](const auto& test) { return test.param.name; });
 
+// In SI units springs as these have 1e13 Pa/m, and are no rigid ground. Quadratic faces make the difference.
+TEST_P(OtherUnits, LeaveSpringsWhatTheyAre) {
+  const double length = GetParam().length, stress = length * length;
+  SceneInput scene = SceneInput::fromFile("block_on_springs.xml");
+  const SolvedRun expected(scene);
+  const std::string corner = base::toText(10.0 / length);
+  scene.set("Mesh/Boxes/block/Upper Corner={" + corner + ", " + corner + ", " + corner + "}")
+      .set(assignment("Materials/steel/Young's Modulus", 2e5 * stress))
+      .set(assignment("Boundaries/springs/Law/Normal Stiffness", 1e4 * stress * length))
+      .set(assignment("Boundaries/springs/Law/Tangential Stiffness", 1e4 * stress * length))
+      .set(assignment("Boundaries/pull/Law/X", 10.0 * stress));
+  const SolvedRun run(scene);
+  ASSERT_TRUE(run.isCertified() && expected.isCertified()) << run.result().reason;
+  EXPECT_NEAR(run.value("bottom") * length, 1e-3, 1e-8);
+  EXPECT_NEAR(run.value("top") * length, expected.value("top"), 1e-5 * expected.value("top"));
+}
+
 /// Pressed blocks of which the upper one is driven instead, by -z times a history.
 SceneInput drivenBlocks(double z, const std::string& history) {
   SceneInput scene = pressedBlocks();

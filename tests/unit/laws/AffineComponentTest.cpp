@@ -22,6 +22,20 @@ TEST(AffineComponent, OfSpringsIsExactOnAnyLine) {
   }
 }
 
+// Springs of 10 MPa/mm are 1e13 in SI units, and stiffer in smaller ones; what is rigid is so in all.
+TEST(AffineComponent, OfSpringsDoesNotDependOnUnits) {
+  for (const double stiffness : {1e-20, 1.0, 1e11, 1e13, 1e25, 1e45}) {
+    const auto springs =
+        makeLaw("Elastic Foundation", {{"Normal Stiffness", stiffness}, {"Tangential Stiffness", 0.0}});
+    const auto components = affineComponents(*springs, 0);
+    EXPECT_NEAR(components[0].stiffness, stiffness, 1e-9 * stiffness);
+    EXPECT_EQ(components[1].stiffness, 0.0);
+  }
+  const auto held = affineComponents(*makeLaw("Prescribed Displacement", {{"X", 2e-7}}), 0);
+  EXPECT_TRUE(std::isinf(held[0].stiffness));
+  EXPECT_EQ(held[0].offset, -2e-7);
+}
+
 // A way that is huge beside the compliance of the line hides neither that the law is rigid nor its own digits.
 TEST(AffineComponent, OfAPrescribedDisplacementIsRigidHoweverFarItIs) {
   for (const double way : {0.0, 1e-9, 1.0, 5e3, -1e8}) {
