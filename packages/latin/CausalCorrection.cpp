@@ -16,6 +16,10 @@ constexpr int gaussNewtonSteps = 3;
 constexpr int halvings = 2;
 // A Gauss-Newton step that leaves more than this share of the residual is not worth its local stages.
 constexpr double worthwhile = 0.999;
+// Of what is gone for: the least residual that a load step which has begun with less than that is brought to.
+constexpr double leastTarget = 0.1;
+// New directions after which that is given up: what is left may be round-off.
+constexpr int mostDirections = 5;
 // Times the residual that the tangent predicts, from which on it is found anew.
 constexpr double misprediction = 2.0;
 // Of the residual that is gone for: errors of single precision that hardly change anything.
@@ -89,7 +93,7 @@ bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& d
 void CausalCorrection::reduce(int step) {
   Step& here = steps_[step];
   here.residual = evaluate(step);
-  const double enough = here.isLeft ? noise_ : here.weight * target_;
+  const double enough = here.isLeft ? noise_ : targetOf(here);
   for (int i = 0; i < gaussNewtonSteps && here.tangent->space().size() > 0 && here.residual > enough; ++i) {
     const bool isFresh = here.isStale;
     if (isFresh) {
@@ -132,6 +136,12 @@ double CausalCorrection::longestWay() const {
   return longest;
 }
 
+double CausalCorrection::targetOf(const Step& step) const {
+  const double most = step.weight * target_;
+  if (step.directions >= mostDirections) return most;
+  return std::clamp(share_ * step.before, leastTarget * most, most);
+}
+
 double CausalCorrection::smallestSingularValue(const Step& step) {
   return step.tangent ? std::min(step.steepness, step.tangent->space().smallestSingularValue()) : step.steepness;
 }
@@ -141,8 +151,8 @@ std::vector<int> CausalCorrection::unfinished() {
   const double way = longestWay();
   for (int t = begin_; t < end_; ++t) {
     Step& step = steps_[t];
-    step.isLeft = step.residual > noise_ && (step.residual > step.weight * target_ ||
-                                             step.residual > allowedToHide * smallestSingularValue(step) * way);
+    step.isLeft = step.residual > noise_ &&
+                  (step.residual > targetOf(step) || step.residual > allowedToHide * smallestSingularValue(step) * way);
     if (step.isLeft) {
       result.push_back(t);
     } else {
@@ -199,6 +209,7 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
     for (int row = 0; row < rows; ++row) image[i][row] = (image[i][row] - startImage_[t][row]) / lengths[i];
     if (!steps_[t].isStale) steps_[t].tangent->restore();
     steps_[t].tangent->add(directions[i].data(), image[i], !steps_[t].isStale);
+    ++steps_[t].directions;
   }
   return true;
 }
@@ -232,8 +243,9 @@ void CausalCorrection::start(const Iterate& iterate, const base::Matrix& alpha) 
   noise_ = March::noise * std::sqrt(*std::max_element(squares.begin(), squares.end()));
   fixedPoint_.pointwiseStage().begin();
   for (int t = 0; t < alpha.numCols(); ++t) {
-    steps_[t].residual = evaluate(t);
+    steps_[t].residual = steps_[t].before = evaluate(t);
     steps_[t].moved = 0.0;
+    steps_[t].directions = 0;
     steps_[t].isLeft = true;
     fixedPoint_.pointwiseStage().accept();
   }
@@ -342,6 +354,7 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
   const int first = fixedPoint_.linearStage().stages();
   const auto approachTo = [&](double reduction) {
     target_ = reduction * before;
+    share_ = goal.roughly > goal.reduction ? reduction : 1.0;
     approach(stages - (fixedPoint_.linearStage().stages() - first));
   };
   std::vector<double> weights;

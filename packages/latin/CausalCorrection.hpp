@@ -48,15 +48,17 @@ class CausalCorrection {
     /// Of the fields of the result, relative [-]: where the way of a load step tells a larger one, each goes as far as
     /// its own way asks for, in later corrections, too.
     double error = std::numeric_limits<double>::infinity();
-    /// As `reduction`, larger than it: enough where no load step has moved its fields by more than `near`.
+    /// Of later corrections, as `reduction`, larger than it: enough where no load step has moved its fields by more
+    /// than `near`.
     double roughly = 0.0;
     double near = 0.0;  ///< relative to the largest fields [-]
   };
 
   /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
-  /// reduction x the largest |R| of the start, both as weighed, and no more than half of the way can be hidden; or
-  /// until `stages` linear stages were spent, or the residuals no longer fall. No iterate is valid afterwards but that
-  /// of the result, whose image is in `image` [stress] then. Throws base::Error as LocalStage::solve().
+  /// reduction x the largest |R| of the start, both as weighed, in later corrections also reduction x its own |R| of
+  /// the start, or a tenth of the former where that is more, and no more than half of the way can be hidden; or until
+  /// `stages` linear stages were spent, or the residuals no longer fall. No iterate is valid afterwards but that of the
+  /// result, whose image is in `image` [stress] then. Throws base::Error as LocalStage::solve().
   Result correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, const Goal& goal, int stages);
 
  private:
@@ -65,6 +67,8 @@ class CausalCorrection {
     bool isStale = true;                  // the tangents are not those of a state like this one
     double steepness = 1.0;               // smallest singular value of I - J in spaces that were let go
     double residual = 0.0;                // |R|
+    double before = 0.0;                  // |R| at the start
+    int directions = 0;                   // new ones since then
     double moved = 0.0;                   // |alpha - start|
     bool isLeft = true;                   // has not come to the target
     double weight = 1.0;  // of the target: its share of this load step, small where small residuals mean long ways
@@ -86,6 +90,9 @@ class CausalCorrection {
   std::vector<int> unfinished();
   /// Of the load steps so far; later ones go at least half of their residual.
   double longestWay() const;
+  /// |R| that a load step is brought to. Later corrections tell errors by their ways: each load step must go some, or
+  /// what is wrong with it would go unseen beside larger residuals of others.
+  double targetOf(const Step& step) const;
   /// The smallest singular value of I - J that was met at a load step.
   static double smallestSingularValue(const Step& step);
   /// Of the load steps from `begin` on and before `end`, over the weights.
@@ -117,7 +124,8 @@ class CausalCorrection {
   std::vector<Step> steps_;
   int begin_ = 0, end_ = 0;              // of the load steps at hand
   int first_ = 0;                        // load step that the local stage begins at
-  double target_ = 0.0;                  // |R| of every load step at the end, over its weight
+  double target_ = 0.0;                  // largest |R| of a load step at the end, over its weight
+  double share_ = 1.0;                   // of its own |R| at the start, for every load step
   double noise_ = 0.0;                   // residuals below this one are round-off
   const base::Matrix* start_ = nullptr;  // alpha and its beta at the beginning
   base::Matrix startImage_;

@@ -18,6 +18,8 @@ namespace {
 constexpr double firstTarget = 0.1;
 constexpr double laterTarget = 0.3;
 constexpr double causalLimit = 2.0;
+// Of the largest residual of a load step: what those of others count as, at least, in a stepwise correction.
+constexpr double leastResidual = 0.3;
 // Of a later correction whose way tells an error below this share of the accuracy.
 constexpr double roughTarget = 0.5;
 constexpr double safeShare = 0.9;
@@ -50,13 +52,15 @@ constexpr double steadyContraction = 0.8;
 // From an error above this one a tangent can land anywhere; the next correction tells nothing of it.
 constexpr double farAway = 0.3;
 
+// Of the largest sum of forces on a body: where there are less, no balance is expected of them.
+constexpr double shareOfForces = 1e-3;
 // A state so many times larger than the image of nothing, in which bodies are beyond reach, was not asked for.
 constexpr double thrownSize = 1e4;
 
 /// Whether what is far away is where it belongs: springs, however soft, or contacts hold all parts, and their forces
 /// balance the loads to `accuracy` without anything added for the digits that k w takes from them.
 bool isHeldThere(const Iterate& iterate, double accuracy) {
-  return largestImbalance(iterate).relative <= accuracy && describeUnheldParts(iterate).empty();
+  return largestImbalance(iterate, {}, shareOfForces).relative <= accuracy && describeUnheldParts(iterate).empty();
 }
 
 /// An iterate has thrown a body so far away that forces are lost beside k w and everything is small beside its way. The
@@ -155,24 +159,33 @@ Certificate::Correction Certificate::correctCausally(const Iterate& iterate, con
 Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, const base::Matrix& alpha,
                                                      base::Matrix& image, int count, int stageLimit) {
   const StateMetric& metric = fixedPoint_.metric();
-  const auto largestDistance = [&](const base::Matrix& a, const base::Matrix& b) {
+  const auto distances = [&](const base::Matrix& a, const base::Matrix& b) {
     base::Matrix difference(a);
     difference -= b;
     fixedPoint_.linearStage().unfelt().remove(difference);
-    return std::sqrt(largest(metric.squaredNorms(difference)));
+    std::vector<double> norms = metric.squaredNorms(difference);
+    for (double& norm : norms) norm = std::sqrt(norm);
+    return norms;
   };
   Correction result;
   result.state = alpha;
   const double noise = March::noise * std::sqrt(largest(metric.squaredNorms(alpha)));
-  const double before = largestDistance(image, alpha);
+  // Every load step must be moved, or what is wrong with one would go unseen beside larger residuals of others.
+  std::vector<double> targets = distances(image, alpha);
+  const double before = largest(targets);
   const double share = count == 0 ? firstTarget : laterTarget;
+  double target = share * before;
+  for (double& own : targets) own = share * std::max(own, leastResidual * before);
   StepwiseCorrection correction(fixedPoint_, stepNewton_);
   const Iterate* present = &iterate;
   const bool isSoft = fixedPoint_.assembly().softens();
   base::Matrix kept(alpha.numRows(), alpha.numCols());  // of the pass before
-  double target = share * before;
-  for (int pass = 0; pass < maximumPasses; ++pass, target *= nextPass) {
-    const StepwiseCorrection::Result step = correction.correct(*present, result.state, target, stageLimit);
+  for (int pass = 0; pass < maximumPasses; ++pass) {
+    if (pass > 0) {
+      target *= nextPass;
+      for (double& own : targets) own *= nextPass;
+    }
+    const StepwiseCorrection::Result step = correction.correct(*present, result.state, target, targets, stageLimit);
     if (!step.isReached && (pass == 0 || !isSoft)) return result;
     if (!step.isReached) {
       result.state = kept;
@@ -181,9 +194,9 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
     }
     present = &fixedPoint_.apply(result.state, image);
     result.iterate = present;
-    const double left = largestDistance(image, result.state);
+    const double left = largest(distances(image, result.state));
     result.reduction = left <= noise ? 0.0 : left / before;
-    const double seen = step.smallestSingularValue * largestDistance(result.state, alpha);
+    const double seen = step.smallestSingularValue * largest(distances(result.state, alpha));
     result.hidden = left <= noise ? 0.0 : left / seen;
     if (result.hidden <= allowedToHide) break;
     kept.assign(result.state);

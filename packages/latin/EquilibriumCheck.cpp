@@ -34,7 +34,7 @@ struct StepSums {
 
 }  // namespace
 
-Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMove) {
+Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMove, double leastShare) {
   const assembly::Assembly& assembly = state.assembly();
   const auto steps = static_cast<std::size_t>(state.traction().numCols());
   const auto dimension = static_cast<std::size_t>(state.layout().dimension());
@@ -78,10 +78,16 @@ Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMov
     first += rows;
   }
   // A body belongs to one rank, so its sums are complete there; the worst of all ranks is what counts.
+  double least = 0.0;
+  if (leastShare > 0.0) {
+    double mine = 0.0;
+    for (const StepSums& sum : sums) mine = std::max(mine, sum.forces);
+    Teuchos::reduceAll(state.layout().comm(), Teuchos::REDUCE_MAX, leastShare * mine, Teuchos::outArg(least));
+  }
   Imbalance worst;
   for (std::size_t body = 0; body < assembly.bodies.size(); ++body) {
     if (!canMove.empty() && !canMove[body]) continue;
-    double scale = 0.0;
+    double scale = least;
     for (std::size_t t = 0; t < steps; ++t) scale = std::max(scale, sums[body * steps + t].forces);
     if (scale == 0.0) continue;
     for (std::size_t t = 0; t < steps; ++t) {

@@ -21,11 +21,12 @@ struct Imbalance {
 };
 
 /// The body and load step with the largest relative imbalance of those selected; with `canMove`, one flag per body, of
-/// the bodies for which it is true. Collective.
+/// the bodies for which it is true. The sum of forces on a body counts as `leastShare` [-] of the largest on any at
+/// least: what is left of none is round-off, all of it out of balance. Collective.
 ///
 /// f is in equilibrium with the body, f^ obeys the laws. Where an equilibrium exists both agree in the end; where none
 /// does, the imbalance stays while everything else settles.
-Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMove = {});
+Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMove = {}, double leastShare = 0.0);
 
 /// One line for the user: part, step, force and moment in the units of the scene, which are not named.
 std::string describe(const Imbalance& imbalance, const assembly::Assembly& assembly);

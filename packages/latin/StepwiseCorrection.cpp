@@ -18,7 +18,7 @@ bool StepwiseCorrection::followInParts(int step, const base::Matrix& alpha, base
 }
 
 StepwiseCorrection::Result StepwiseCorrection::correct(const Iterate& iterate, base::Matrix& alpha, double target,
-                                                       int stageLimit) {
+                                                       const std::vector<double>& targets, int stageLimit) {
   const int rows = alpha.numRows();
   // A copy: the iterate's fields are overwritten from the first load step on.
   const base::Matrix images(Teuchos::Copy, iterate.beta().values(), iterate.beta().stride(), rows, alpha.numCols());
@@ -32,7 +32,8 @@ StepwiseCorrection::Result StepwiseCorrection::correct(const Iterate& iterate, b
     fixedPoint_.select({t});
     std::copy_n(alpha[t], rows, state[0]);
     std::copy_n(images[t], rows, beta[0]);
-    const StepNewton::Result step = newton_.solve(state, beta, target, mustStop);
+    StepNewton::Result step = newton_.solve(state, beta, std::min(target, targets[t]), mustStop);
+    if (!step.isReached && targets[t] < target) step = newton_.solve(state, beta, target, mustStop);
     if (!step.isReached && !followInParts(t, alpha, state, target, mustStop)) return result;
     result.smallestSingularValue = std::min(result.smallestSingularValue, step.smallestSingularValue);
     std::copy_n(state[0], rows, alpha[t]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include <harmos/latin/StepNewton.hpp>
 
@@ -25,9 +26,10 @@ class StepwiseCorrection {
   StepwiseCorrection(FixedPoint& fixedPoint, StepNewton& newton) : fixedPoint_(fixedPoint), newton_(newton) {}
 
   /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
-  /// target, or one cannot reach that, or the linear stage has reached `stageLimit` stages. No iterate is valid
-  /// afterwards. Throws base::Error as LocalStage::solve().
-  Result correct(const Iterate& iterate, base::Matrix& alpha, double target, int stageLimit);
+  /// `targets`, its own, or where that cannot be reached `target`, or one cannot reach that, or the linear stage has
+  /// reached `stageLimit` stages. No iterate is valid afterwards. Throws base::Error as LocalStage::solve().
+  Result correct(const Iterate& iterate, base::Matrix& alpha, double target, const std::vector<double>& targets,
+                 int stageLimit);
 
  private:
   /// Where laws soften: from the load step before, which is corrected, as StepContinuation does; false where that does

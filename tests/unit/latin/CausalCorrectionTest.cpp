@@ -182,6 +182,25 @@ TEST(CausalCorrection, SolvesOnlyTheLoadStepsThatAreLeft) {
   EXPECT_EQ(2 * columnsFrom(1), both);
 }
 
+// The error of a load step is told by its way, however small its residual is beside that of another one.
+TEST(CausalCorrection, MovesEveryLoadStepThatTellsAnError) {
+  Cubes cubes = glued();
+  CausalCorrection correction(cubes.fixedPoint);
+  cubes.correct(correction, 1e-12, 300);
+  for (int row = 0; row < cubes.alpha.numRows(); ++row) {
+    cubes.alpha(row, 0) += std::sin(row);
+    cubes.alpha(row, 1) += 0.2 * std::sin(row);
+  }
+  const std::vector<double> before = cubes.residuals(cubes.alpha);
+  ASSERT_LT(before[1], 0.3 * before[0]);
+  CausalCorrection later(cubes.fixedPoint);
+  CausalCorrection::Goal goal{0.3};
+  goal.roughly = 0.5;
+  later.correct(cubes.fixedPoint.apply(cubes.alpha, cubes.image), cubes.alpha, cubes.image, goal, 300);
+  const std::vector<double> after = cubes.residuals(cubes.alpha);
+  for (int t = 0; t < cubes.steps; ++t) EXPECT_LE(after[t], 0.3 * before[t]) << t;
+}
+
 constexpr int manySteps = 2 * March::stepsAtOnce + 10;
 
 std::vector<double> waves(int steps) {
