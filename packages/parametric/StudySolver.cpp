@@ -62,7 +62,9 @@ StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
     : assembly_(assembly),
       install_(std::move(install)),
       responses_(std::move(responses)),
+      given_(options),
       options_(forReplacedLaws(options)),
+      comm_(comm),
       timers_(timers),
       solver_(assembly, options_, comm, timers),
       fixedPoint_(solver_.fixedPoint()),
@@ -158,7 +160,10 @@ bool StudySolver::isNearLack(const design::Configuration& configuration) const {
 
 bool StudySolver::certify(const base::Matrix* start, results::ConfigurationResult& result, double share) {
   solver_.setAccuracy(share * options_.accuracy);
-  const latin::LatinResult solution = solver_.solve(start);
+  return take(solver_.solve(start), result);
+}
+
+bool StudySolver::take(const latin::LatinResult& solution, results::ConfigurationResult& result) {
   result.reason = solution.reason;
   bool isUnique = true;
   for (const auto& response : solution.responses) {
@@ -186,10 +191,21 @@ bool StudySolver::certifyAnew(const design::Configuration& configuration, result
     if (lacksEquilibrium(configuration, result)) return true;
     if (!certify(nullptr, result)) return false;
     if (results::isCertified(result.status)) rememberCertified(configuration, result);
+    const bool mayGoFurther = given_.restarts > options_.restarts || given_.recentres;
+    if (result.status == results::Status::notConverged && mayGoFurther) return certifyAlone(configuration, result);
   } catch (const base::Error& error) {
     result.status = results::Status::failed;
     result.reason = error.what();
   }
+  return true;
+}
+
+bool StudySolver::certifyAlone(const design::Configuration& configuration, results::ConfigurationResult& result) {
+  latin::LatinSolver alone(assembly_, given_, comm_, timers_);
+  for (const auto& response : responses_) alone.addResponse(response);
+  alone.setInterrupt(interrupted_);
+  if (!take(alone.solve(), result)) return false;
+  if (results::isCertified(result.status) && observer_) observer_(configuration, alone.fixedPoint(), alone.state());
   return true;
 }
 

@@ -38,7 +38,10 @@ class StudySolver {
               const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
 
   /// Asked on every rank between iterations; true on any rank makes mustStop().
-  void setInterrupt(std::function<bool()> interrupted) { solver_.setInterrupt(std::move(interrupted)); }
+  void setInterrupt(std::function<bool()> interrupted) {
+    interrupted_ = interrupted;
+    solver_.setInterrupt(std::move(interrupted));
+  }
   /// Replaces the observer; it may be empty.
   void setObserver(Observer observer) { observer_ = std::move(observer); }
   /// What all ranks make of the interrupt. Collective.
@@ -56,7 +59,9 @@ class StudySolver {
   /// Solves the configuration that is installed until corrections of its own bound its error by `share` of the
   /// accuracy, from `start` if it is not null. Adds what it took to the result. False when interrupted.
   bool certify(const base::Matrix* start, results::ConfigurationResult& result, double share = 1.0);
-  /// The same, from nothing that may mislead; what is thrown makes a failure. A solution is remembered.
+  /// The same, from nothing that may mislead; what is thrown makes a failure. A solution is remembered. Where none is
+  /// found the configuration is solved alone, as a run would, with operators of its own: with softer search directions,
+  /// and from reference motions, which others could not start from; this one is not remembered.
   bool certifyAnew(const design::Configuration& configuration, results::ConfigurationResult& result);
   /// Stores what was iterated last for the starts of others, and shows it to the observer.
   void remember(const design::Configuration& configuration);
@@ -101,6 +106,10 @@ class StudySolver {
     Laws laws;  // of all interfaces
   };
 
+  /// Puts a solution into the result; false when interrupted.
+  bool take(const latin::LatinResult& solution, results::ConfigurationResult& result);
+  /// Solves the configuration that is installed with the options that were given.
+  bool certifyAlone(const design::Configuration& configuration, results::ConfigurationResult& result);
   void observe(const design::Configuration& configuration, const latin::Iterate& state);
   void addPlace();
   void putLaws(const Place& place);
@@ -108,7 +117,9 @@ class StudySolver {
   assembly::Assembly& assembly_;
   Install install_;
   std::vector<std::shared_ptr<const latin::Response>> responses_;
-  latin::LatinOptions options_;
+  latin::LatinOptions given_;
+  latin::LatinOptions options_;  // for operators that configurations share
+  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
   base::Timers& timers_;
   latin::LatinSolver solver_;
   latin::FixedPoint& fixedPoint_;
@@ -118,6 +129,7 @@ class StudySolver {
   SolvedStates states_;
   SolvedStates lacking_;  // without fields
   Observer observer_;
+  std::function<bool()> interrupted_;
   Trust summary_;
 };
 
