@@ -18,9 +18,13 @@ StudyCost costOf(int configurations) {
   return estimateStudy(study, cost, nullptr);
 }
 
-TEST(StudyCost, CountsSolvedStatesUntilTheirMemoryIsFull) {
-  EXPECT_DOUBLE_EQ(costOf(20).bytes, 20.0 * 1048576.0);
-  EXPECT_DOUBLE_EQ(costOf(1000).bytes, parametric::StudySolver::memoryForStates);
+// Eight of 1000 configurations march side by side, two of 20; each beyond the first has 5 fields of all load steps and
+// 60 columns of one.
+TEST(StudyCost, CountsSolvedStatesUntilTheirMemoryIsFullAndConfigurationsSideBySide) {
+  const double place = 8.0 * 16384.0 * (5.0 * 8.0 + 60.0);
+  EXPECT_DOUBLE_EQ(costOf(5).bytes, 5.0 * 1048576.0);
+  EXPECT_DOUBLE_EQ(costOf(20).bytes, 20.0 * 1048576.0 + place);
+  EXPECT_DOUBLE_EQ(costOf(1000).bytes, parametric::StudySolver::memoryForStates + 7.0 * place);
 }
 
 // Calibrations are paid once, and a configuration among others is cheaper than one alone.
