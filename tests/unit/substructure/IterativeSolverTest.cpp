@@ -29,8 +29,8 @@ class Iterating : public testing::Test {
   static std::vector<base::Vector3> placesOf(const Lattice& lattice) {
     std::vector<base::Vector3> places;
     for (int node = 0; node < lattice.nodes(); ++node) {
-      places.push_back(
-          {1.0 * (node % lattice.n), 1.0 * (node / lattice.n % lattice.n), 1.0 * (node / (lattice.n * lattice.n))});
+      const int row = node / lattice.n % lattice.n, layer = node / (lattice.n * lattice.n);
+      places.push_back({static_cast<double>(node % lattice.n), static_cast<double>(row), static_cast<double>(layer)});
     }
     return places;
   }
