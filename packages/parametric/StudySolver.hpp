@@ -70,7 +70,7 @@ class StudySolver {
   void rememberCertified(const design::Configuration& configuration, results::ConfigurationResult& result);
 
   /// As they were given.
-  const latin::LatinOptions& options() const { return options_; }
+  const latin::LatinOptions& options() const { return given_; }
   /// As they were given, in their order.
   const std::vector<std::shared_ptr<const latin::Response>>& responses() const { return responses_; }
   /// The fields of what was iterated or certified last.
