@@ -5,6 +5,7 @@
     python3 -m campaign run --harmos ../build/drivers/harmos --classes apart --scenes 150       meshes that do not match
     python3 -m campaign run --harmos ../build/drivers/harmos --only rings --first 100 --scenes 20
     python3 -m campaign restate --harmos ../build/drivers/harmos --scenes 80    the same problems in other words
+    python3 -m campaign study --harmos ../build/drivers/harmos --scenes 80    numbers of laws vary: each against a run
     python3 -m campaign show rings 3 --output DIR                               writes the scene and prints the answer
     python3 -m campaign try rings 3 --harmos ../build/drivers/harmos            one scene, with all responses
 
@@ -26,6 +27,7 @@ from .scenes.scene_file import write_scene
 from .trial.campaign import Trial, report, try_scene
 from .trial.program import run_harmos
 from .trial.restatements import Pair, restatement_report, try_restatements
+from .trial.studies import StudyTrial, study_report, try_study
 from .trial.verdict import judge, true_errors
 
 GROUPS: dict[str, Iterable[str]] = {"all": CLASSES, "matching": MATCHING, "apart": APART}
@@ -104,18 +106,32 @@ def _restate(options: argparse.Namespace) -> bool:
     return met
 
 
+def _study(options: argparse.Namespace) -> bool:
+    trials: list[StudyTrial] = []
+    for name, seed in _chosen(options):
+        trial = try_study(name, seed, options.harmos, options.output, options.limit)
+        if trial is None:
+            continue
+        print(f"{name} {seed}: " + ", ".join(f"{one.verdict.value} {one.error:.2f}" for one in trial.judgements),
+              file=sys.stderr, flush=True)
+        trials.append(trial)
+    text, met = study_report(trials)
+    print(text)
+    return met
+
+
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="campaign", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     verbs = parser.add_subparsers(required=True)
-    for verb, function in (("run", _run), ("restate", _restate), ("show", _show), ("try", _try)):
+    for verb, function in (("run", _run), ("restate", _restate), ("study", _study), ("show", _show), ("try", _try)):
         command = verbs.add_parser(verb)
         command.set_defaults(function=function)
         command.add_argument("--output", type=pathlib.Path, default=None, help="folder of scenes; default: a new one")
         if verb != "show":
             command.add_argument("--harmos", type=pathlib.Path, required=True, help="the program")
             command.add_argument("--limit", type=float, default=60.0, help="seconds per run")
-        if verb in ("run", "restate"):
+        if verb in ("run", "restate", "study"):
             command.add_argument("--scenes", type=int, default=330)
             command.add_argument("--first", type=int, default=0, help="seed to begin with")
             command.add_argument("--classes", choices=list(GROUPS), default="all",

@@ -12,24 +12,26 @@ class _Histories:
     """Names the factors that numbers are multiplied with."""
 
     def __init__(self, parent: xml.Element) -> None:
-        self._list = _sublist(parent, "Histories")
+        self._list = sublist(parent, "Histories")
         self._names: dict[tuple[float, ...], str] = {}
 
     def name(self, factors: tuple[float, ...]) -> str:
         if factors not in self._names:
             name = self._names[factors] = f"history{len(self._names)}"
-            table = _sublist(self._list, name)
-            _entry(table, "Type", "Table")
-            _entry(table, "Times", tuple(float(t) for t in range(1, len(factors) + 1)))
-            _entry(table, "Values", factors)
+            table = sublist(self._list, name)
+            entry(table, "Type", "Table")
+            entry(table, "Times", tuple(float(t) for t in range(1, len(factors) + 1)))
+            entry(table, "Values", factors)
         return self._names[factors]
 
 
-def _sublist(parent: xml.Element, name: str) -> xml.Element:
+def sublist(parent: xml.Element, name: str) -> xml.Element:
+    """A list in a list."""
     return xml.SubElement(parent, "ParameterList", name=name)
 
 
-def _entry(parent: xml.Element, name: str, value: str | int | float | tuple[float, ...]) -> None:
+def entry(parent: xml.Element, name: str, value: str | int | float | tuple[float, ...]) -> None:
+    """An entry of a list, of the type of its value."""
     if isinstance(value, tuple):
         kind, text = "Array(double)", "{" + ", ".join(repr(float(x)) for x in value) + "}"
     elif isinstance(value, float):
@@ -41,81 +43,81 @@ def _entry(parent: xml.Element, name: str, value: str | int | float | tuple[floa
 
 def _number(parent: xml.Element, name: str, number: Number, histories: _Histories) -> None:
     if isinstance(number, Varying):
-        _entry(parent, name, number.value)
-        _entry(parent, name + " History", histories.name(number.factors))
+        entry(parent, name, number.value)
+        entry(parent, name + " History", histories.name(number.factors))
     else:
-        _entry(parent, name, float(number))
+        entry(parent, name, float(number))
 
 
 def _law(parent: xml.Element, law: Law, histories: _Histories) -> None:
-    element = _sublist(parent, "Law")
-    _entry(element, "Type", law.type)
+    element = sublist(parent, "Law")
+    entry(element, "Type", law.type)
     for name, number in law.parameters.items():
         _number(element, name, number, histories)
 
 
 def _joint(parent: xml.Element, joint: Joint, histories: _Histories) -> None:
-    element = _sublist(parent, joint.name)
+    element = sublist(parent, joint.name)
     if joint.side2 is None:
-        _entry(element, "Side Set", joint.side1)
+        entry(element, "Side Set", joint.side1)
     else:
-        _entry(element, "Side 1", joint.side1)
-        _entry(element, "Side 2", joint.side2)
+        entry(element, "Side 1", joint.side1)
+        entry(element, "Side 2", joint.side2)
     if joint.points_on is not None:
-        _entry(element, "Points On", f"Side {joint.points_on}")
+        entry(element, "Points On", f"Side {joint.points_on}")
     if joint.reach is not None:
-        _entry(element, "Search Distance", joint.reach)
+        entry(element, "Search Distance", joint.reach)
     _law(element, joint.law, histories)
 
 
 def _response(parent: xml.Element, response: Response) -> None:
-    element = _sublist(parent, response.name)
-    _entry(element, "Type", response.type)
+    element = sublist(parent, response.name)
+    entry(element, "Type", response.type)
     if response.type == "Mean Displacement":
-        _entry(element, "Side Set", response.target)
+        entry(element, "Side Set", response.target)
     elif response.type in ("Maximum", "Dissipation"):
         xml.SubElement(element, "Parameter", name="Interfaces", type="Array(string)", value="{" + response.target + "}")
     else:
-        _entry(element, "Interface", response.target)
+        entry(element, "Interface", response.target)
     if response.field:
-        _entry(element, "Field", response.field)
+        entry(element, "Field", response.field)
     for name, components in response.vectors.items():
-        _entry(element, name, components)
+        entry(element, name, components)
 
 
 def scene_element(scene: Scene) -> xml.Element:
     """The list "Harmos" of a scene whose mesh is mesh.e beside it."""
     root = xml.Element("ParameterList", name="Harmos")
-    mesh = _sublist(root, "Mesh")
-    _entry(mesh, "Type", "Exodus")
-    _entry(mesh, "File", "mesh.e")
-    model = _sublist(root, "Model")
-    _entry(model, "Kinematics", scene.kinematics)
+    mesh = sublist(root, "Mesh")
+    entry(mesh, "Type", "Exodus")
+    entry(mesh, "File", "mesh.e")
+    model = sublist(root, "Model")
+    entry(model, "Kinematics", scene.kinematics)
     if scene.kinematics != "3-D":
-        _entry(model, "Thickness", float(scene.thickness))
+        entry(model, "Thickness", float(scene.thickness))
     histories = _Histories(root)
-    materials, parts = _sublist(root, "Materials"), _sublist(root, "Parts")
+    materials, parts = sublist(root, "Materials"), sublist(root, "Parts")
     for part in scene.parts:
-        material = _sublist(materials, part.name)
-        _entry(material, "Type", "Isotropic")
-        _entry(material, "Young's Modulus", float(part.young))
-        _entry(material, "Poisson's Ratio", float(part.poisson))
-        element = _sublist(parts, part.name)
-        _entry(element, "Material", part.name)
+        material = sublist(materials, part.name)
+        entry(material, "Type", "Isotropic")
+        entry(material, "Young's Modulus", float(part.young))
+        entry(material, "Poisson's Ratio", float(part.poisson))
+        element = sublist(parts, part.name)
+        entry(element, "Material", part.name)
         if part.name in scene.pieces:
-            _entry(element, "Pieces", scene.pieces[part.name])
+            entry(element, "Pieces", scene.pieces[part.name])
         if part.body_force:
-            force = _sublist(element, "Body Force")
+            force = sublist(element, "Body Force")
             for axis, number in zip("XYZ", part.body_force):
                 _number(force, axis, number, histories)
-    interfaces, boundaries = _sublist(root, "Interfaces"), _sublist(root, "Boundaries")
+    interfaces, boundaries = sublist(root, "Interfaces"), sublist(root, "Boundaries")
     for joint in scene.joints:
         _joint(boundaries if joint.side2 is None else interfaces, joint, histories)
-    step = _sublist(_sublist(root, "Steps"), "all")
-    _entry(step, "Duration", float(scene.steps))
-    _entry(step, "Increments", scene.steps)
-    _entry(_sublist(root, "Solver"), "Accuracy", float(scene.accuracy))
-    responses = _sublist(root, "Responses")
+    step = sublist(sublist(root, "Steps"), "all")
+    entry(step, "Duration", float(scene.steps))
+    entry(step, "Increments", scene.steps)
+    entry(sublist(root, "Solver"), "Accuracy", float(scene.accuracy))
+    responses = sublist(root, "Responses")
     for response in scene.responses:
         _response(responses, response)
     return root

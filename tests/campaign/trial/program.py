@@ -14,9 +14,9 @@ import numpy as np
 
 from ..scenes.mesh import Floats
 
-ENVIRONMENT = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
-               "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_osc": "^ucx",
-               "OMPI_MCA_ess_singleton_isolated": "1"}
+_ENVIRONMENT = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
+                "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_osc": "^ucx",
+                "OMPI_MCA_ess_singleton_isolated": "1"}
 
 
 class Ending(enum.Enum):
@@ -45,6 +45,11 @@ class Run:
     remarks: tuple[str, ...] = ()
 
 
+def environment() -> dict[str, str]:
+    """Of this process, with one thread and Open MPI's settings for a single machine."""
+    return {**os.environ, **_ENVIRONMENT}
+
+
 def _ending(code: int) -> Ending:
     return Ending(code) if 0 <= code <= 4 else Ending.CRASHED
 
@@ -55,7 +60,7 @@ def run_harmos(program: pathlib.Path, scene: pathlib.Path, limit: float, *argume
     shutil.rmtree(results, ignore_errors=True)  # or the record of an earlier run would count
     command = [str(program), "run", scene.name, "--output", results.name, *arguments]
     try:
-        done = subprocess.run(command, cwd=scene.parent, env={**os.environ, **ENVIRONMENT}, timeout=limit,
+        done = subprocess.run(command, cwd=scene.parent, env=environment(), timeout=limit,
                               capture_output=True, text=True, errors="replace", check=False)
     except subprocess.TimeoutExpired:
         return Run(Ending.HUNG, "", f"more than {limit:g} s", {}, {}, 0, limit)
