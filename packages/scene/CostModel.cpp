@@ -123,7 +123,7 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
     if (body.trace == 0.0) sum_[looseEntries] += entries;
     // A trace that is kept dense is eliminated last.
     sum_[operations] += body.factor.operations + (isDense ? square * body.trace / 3.0 : 0.0);
-    if (solver.stages.solver.invertTrace && isDense) sum_[invertedEntries] += square;
+    if (solver.stages.solver.invertTrace && isDense) sum_[invertedEntries] += square / 2.0;  // of a triangle
     if (body.trace > 0.0) sum_[macroReads] += 2.0 * motionsOfInterface * body.interfaces * entries;
   }
   // Each entry of a sparse factor is read twice, the triangle of a trace too.

@@ -5,6 +5,7 @@
 #include <harmos/base/Error.hpp>
 
 namespace harmos::substructure {
+
 TraceInverse::TraceInverse(const TraceFactor& factor) {
   const int rows = factor.lower.rows();
   base::Matrix inverse(rows, rows);
@@ -14,21 +15,16 @@ TraceInverse::TraceInverse(const TraceFactor& factor) {
   int info = 0;
   Teuchos::LAPACK<int, double>().POTRI('L', rows, inverse.values(), inverse.stride(), &info);
   if (info != 0) throw base::Error("A trace is singular.");
-  inverse_.shapeUninitialized(rows, rows);
-  rough_ = SingleTriangle(rows);
+  exact_ = SymmetricTriangle<double>(rows);
+  rough_ = SymmetricTriangle<float>(rows);
   for (int j = 0; j < rows; ++j) {
     const int column = factor.order[j];
     for (int i = j; i < rows; ++i) {
       const int row = factor.order[i];
-      inverse_(row, column) = inverse_(column, row) = inverse(i, j);
+      exact_.set(row, column, inverse(i, j));
       rough_.set(row, column, inverse(i, j));
     }
   }
-}
-
-void TraceInverse::solve(const base::Matrix& b, base::Matrix& x) const {
-  if (x.numRows() != b.numRows() || x.numCols() != b.numCols()) x.shapeUninitialized(b.numRows(), b.numCols());
-  x.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, inverse_, b, 0.0);
 }
 
 }  // namespace harmos::substructure

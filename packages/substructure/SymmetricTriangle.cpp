@@ -1,4 +1,4 @@
-#include <harmos/substructure/SingleTriangle.hpp>
+#include <harmos/substructure/SymmetricTriangle.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -12,31 +12,31 @@ constexpr int panel = 4;
 #define HARMOS_INLINE inline __attribute__((always_inline))
 
 /// As many numbers as a register has bytes for.
-template <int bytes>
+template <class Number, int bytes>
 struct Register {
-  typedef float Type __attribute__((vector_size(bytes)));
-  static constexpr int width = bytes / static_cast<int>(sizeof(float));
+  typedef Number Type __attribute__((vector_size(bytes)));
+  static constexpr int width = bytes / static_cast<int>(sizeof(Number));
 };
 
 // From and to any place; by reference, since registers are no arguments where a processor may lack them.
-template <class Numbers>
-HARMOS_INLINE void load(const float* from, Numbers& to) {
+template <class Number, class Numbers>
+HARMOS_INLINE void load(const Number* from, Numbers& to) {
   std::memcpy(&to, from, sizeof(Numbers));
 }
 
-template <class Numbers>
-HARMOS_INLINE void store(const Numbers& from, float* to) {
+template <class Number, class Numbers>
+HARMOS_INLINE void store(const Numbers& from, Number* to) {
   std::memcpy(to, &from, sizeof(Numbers));
 }
 
 /// y += A x for as many columns as a register has numbers, row by row.
-template <int bytes>
-HARMOS_INLINE void addProduct(const float* a, int height, const float* x, float* y) {
-  using Numbers = typename Register<bytes>::Type;
-  constexpr int width = Register<bytes>::width;
+template <class Number, int bytes>
+HARMOS_INLINE void addProduct(const Number* a, int height, const Number* x, Number* y) {
+  using Numbers = typename Register<Number, bytes>::Type;
+  constexpr int width = Register<Number, bytes>::width;
   for (int first = 0; first < height; first += panel, x += panel * width, y += panel * width) {
     const int rows = height - first;
-    const float *a0 = a, *a1 = a0 + rows, *a2 = a1 + rows, *a3 = a2 + rows;
+    const Number *a0 = a, *a1 = a0 + rows, *a2 = a1 + rows, *a3 = a2 + rows;
     Numbers x0, x1, x2, x3, xi, yi, y0{}, y1{}, y2{}, y3{};
     load(x, x0);
     load(x + width, x1);
@@ -66,14 +66,14 @@ HARMOS_INLINE void addProduct(const float* a, int height, const float* x, float*
 }
 
 /// The same for one column, along which registers reach.
-template <int bytes>
-HARMOS_INLINE void addProductOfOne(const float* a, int height, const float* x, float* y) {
-  using Numbers = typename Register<bytes>::Type;
-  constexpr int width = Register<bytes>::width;
+template <class Number, int bytes>
+HARMOS_INLINE void addProductOfOne(const Number* a, int height, const Number* x, Number* y) {
+  using Numbers = typename Register<Number, bytes>::Type;
+  constexpr int width = Register<Number, bytes>::width;
   for (int first = 0; first < height; first += panel, x += panel, y += panel) {
     const int rows = height - first;
-    const float *a0 = a, *a1 = a0 + rows, *a2 = a1 + rows, *a3 = a2 + rows;
-    const float x0 = x[0], x1 = x[1], x2 = x[2], x3 = x[3];
+    const Number *a0 = a, *a1 = a0 + rows, *a2 = a1 + rows, *a3 = a2 + rows;
+    const Number x0 = x[0], x1 = x[1], x2 = x[2], x3 = x[3];
     Numbers xi, yi, b0, b1, b2, b3, y0{}, y1{}, y2{}, y3{};
     int i = panel;
     for (; i + width <= rows; i += width) {
@@ -90,7 +90,7 @@ HARMOS_INLINE void addProductOfOne(const float* a, int height, const float* x, f
       yi += b0 * x0 + b1 * x1 + b2 * x2 + b3 * x3;
       store(yi, y + i);
     }
-    float sums[panel] = {};
+    Number sums[panel] = {};
     for (int c = 0; c < width; ++c) {
       sums[0] += y0[c];
       sums[1] += y1[c];
@@ -111,88 +111,103 @@ HARMOS_INLINE void addProductOfOne(const float* a, int height, const float* x, f
 
 #undef HARMOS_INLINE
 
-using Product = void (*)(const float* a, int height, const float* x, float* y);
+template <class Number>
+using Product = void (*)(const Number* a, int height, const Number* x, Number* y);
 
-void ofOne(const float* a, int height, const float* x, float* y) {
-  addProductOfOne<16>(a, height, x, y);
+template <class Number>
+void narrowOfOne(const Number* a, int height, const Number* x, Number* y) {
+  addProductOfOne<Number, 16>(a, height, x, y);
 }
 
-void ofFour(const float* a, int height, const float* x, float* y) {
-  addProduct<16>(a, height, x, y);
+template <class Number>
+void narrow(const Number* a, int height, const Number* x, Number* y) {
+  addProduct<Number, 16>(a, height, x, y);
 }
 
 #ifdef __x86_64__
-__attribute__((target("avx2,fma"))) void ofOneAvx2(const float* a, int height, const float* x, float* y) {
-  addProductOfOne<32>(a, height, x, y);
+template <class Number>
+__attribute__((target("avx2,fma"))) void wideOfOne(const Number* a, int height, const Number* x, Number* y) {
+  addProductOfOne<Number, 32>(a, height, x, y);
 }
 
-__attribute__((target("avx2,fma"))) void ofFourAvx2(const float* a, int height, const float* x, float* y) {
-  addProduct<16>(a, height, x, y);
+template <class Number>
+__attribute__((target("avx2,fma"))) void narrowWithAvx2(const Number* a, int height, const Number* x, Number* y) {
+  addProduct<Number, 16>(a, height, x, y);
 }
 
-__attribute__((target("avx2,fma"))) void ofEight(const float* a, int height, const float* x, float* y) {
-  addProduct<32>(a, height, x, y);
+template <class Number>
+__attribute__((target("avx2,fma"))) void wide(const Number* a, int height, const Number* x, Number* y) {
+  addProduct<Number, 32>(a, height, x, y);
 }
 
-__attribute__((target("avx512f,fma"))) void ofSixteen(const float* a, int height, const float* x, float* y) {
-  addProduct<64>(a, height, x, y);
+template <class Number>
+__attribute__((target("avx512f,fma"))) void widest(const Number* a, int height, const Number* x, Number* y) {
+  addProduct<Number, 64>(a, height, x, y);
 }
 #endif
 
 /// A product with so many columns.
+template <class Number>
 struct Kernel {
   int columns;
-  Product product;
+  Product<Number> product;
 };
 
 /// What this processor has, the narrowest first.
-std::vector<Kernel> makeKernels() {
+template <class Number>
+std::vector<Kernel<Number>> makeKernels() {
+  constexpr int width = Register<Number, 16>::width;
 #ifdef __x86_64__
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-    std::vector<Kernel> kernels{{1, ofOneAvx2}, {4, ofFourAvx2}, {8, ofEight}};
-    if (__builtin_cpu_supports("avx512f")) kernels.push_back({16, ofSixteen});
+    std::vector<Kernel<Number>> kernels{
+        {1, wideOfOne<Number>}, {width, narrowWithAvx2<Number>}, {2 * width, wide<Number>}};
+    if (__builtin_cpu_supports("avx512f")) kernels.push_back({4 * width, widest<Number>});
     return kernels;
   }
 #endif
-  return {{1, ofOne}, {4, ofFour}};
+  return {{1, narrowOfOne<Number>}, {width, narrow<Number>}};
 }
 
 }  // namespace
 
-SingleTriangle::SingleTriangle(int rows) : rows_(rows), height_((rows + panel - 1) / panel * panel) {
+template <class Number>
+SymmetricTriangle<Number>::SymmetricTriangle(int rows) : rows_(rows), height_((rows + panel - 1) / panel * panel) {
   const auto n = static_cast<std::size_t>(height_), w = static_cast<std::size_t>(panel);
-  values_.assign(n * (n + w) / 2, 0.0F);
+  values_.assign(n * (n + w) / 2, Number(0));
 }
 
-std::size_t SingleTriangle::at(int row, int column) const {
+template <class Number>
+std::size_t SymmetricTriangle<Number>::at(int row, int column) const {
   const int begin = column - column % panel;
   const auto n = static_cast<std::size_t>(height_), first = static_cast<std::size_t>(begin);
   const std::size_t before = first * n - first * (first - (first > 0 ? panel : 0)) / 2;
   return before + static_cast<std::size_t>(column % panel) * (n - first) + static_cast<std::size_t>(row) - first;
 }
 
-void SingleTriangle::set(int row, int column, double value) {
-  const auto rounded = static_cast<float>(value);
+template <class Number>
+void SymmetricTriangle<Number>::set(int row, int column, double value) {
+  const auto rounded = static_cast<Number>(value);
   const int upper = std::min(row, column), lower = std::max(row, column);
   values_[at(lower, upper)] = rounded;
   if (lower / panel == upper / panel) values_[at(upper, lower)] = rounded;
 }
 
-void SingleTriangle::multiply(const base::Matrix& b, base::Matrix& x) const {
-  static const std::vector<Kernel> kernels = makeKernels();
+template <class Number>
+void SymmetricTriangle<Number>::multiply(const base::Matrix& b, base::Matrix& x) const {
+  static const std::vector<Kernel<Number>> kernels = makeKernels<Number>();
   const int columns = b.numCols();
   if (x.numRows() != rows_ || x.numCols() != columns) x.shapeUninitialized(rows_, columns);
-  std::vector<float> right, left;
+  std::vector<Number> right, left;
   for (int first = 0; first < columns;) {
-    const auto fits = [&](const Kernel& kernel) { return kernel.columns >= columns - first; };
+    const auto fits = [&](const Kernel<Number>& kernel) { return kernel.columns >= columns - first; };
     auto kernel = std::find_if(kernels.begin(), kernels.end(), fits);
     if (kernel == kernels.end()) --kernel;
     const int width = kernel->columns, count = std::min(width, columns - first);
-    right.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height_), 0.0F);
-    left.assign(right.size(), 0.0F);
+    right.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height_), Number(0));
+    left.assign(right.size(), Number(0));
     for (int j = 0; j < count; ++j) {
-      for (int row = 0; row < rows_; ++row) right[row * width + j] = static_cast<float>(b[first + j][row]);
+      for (int row = 0; row < rows_; ++row) right[row * width + j] = static_cast<Number>(b[first + j][row]);
     }
     kernel->product(values_.data(), height_, right.data(), left.data());
     for (int j = 0; j < count; ++j) {
@@ -201,5 +216,8 @@ void SingleTriangle::multiply(const base::Matrix& b, base::Matrix& x) const {
     first += count;
   }
 }
+
+template class SymmetricTriangle<float>;
+template class SymmetricTriangle<double>;
 
 }  // namespace harmos::substructure
