@@ -25,7 +25,7 @@ constexpr int stagesToNext = 20;
 // Of the accuracy: what calibrates and audits is certified to this share, which is added to the errors it finds.
 constexpr double tightShare = 0.1;
 // A march from neighbours ends after so many linear stages, or those of a cold start.
-constexpr double stagesFromNeighbours = 20;
+constexpr double stagesFromNeighbours = 12;
 // Of these a start can be made.
 constexpr int fewestStates = 3;
 
@@ -219,6 +219,13 @@ bool CalibratedSchedule::audit(const design::Configuration& configuration, resul
   return true;
 }
 
+bool CalibratedSchedule::certifyFromHere(Attempt& attempt) {
+  const base::Matrix start(solver_.iteration().alpha());
+  if (!solver_.certify(&start, attempt.result)) return false;
+  if (results::isCertified(attempt.result.status)) solver_.rememberCertified(attempt.configuration, attempt.result);
+  return true;
+}
+
 double CalibratedSchedule::limitFromNeighbours() const {
   return std::min(stagesFromNeighbours, record_.coldStages());
 }
@@ -237,7 +244,7 @@ bool CalibratedSchedule::endFromNeighbours(Attempt& attempt) {
   const bool isAudit = attempt.purpose == Purpose::audit;
   Indicators target = calibration_.target();
   if (!takeMarch(iteration.endMarch(), isAudit, attempt.result)) return false;
-  while (!calibration_.accepts(indicators_) && !iteration.isLost() && iteration.stages() < limitFromNeighbours()) {
+  while (!calibration_.accepts(indicators_) && iteration.stages() < limitFromNeighbours()) {
     target = {further * target.force, further * target.response};
     if (!march(target, isAudit, attempt.result)) return false;
   }
@@ -245,7 +252,7 @@ bool CalibratedSchedule::endFromNeighbours(Attempt& attempt) {
   attempt.wasAudited = isAccepted && isAudit;
   if (attempt.wasAudited) return audit(attempt.configuration, attempt.result);
   attempt.result.linearStages += iteration.stages();
-  if (!isAccepted) return true;
+  if (!isAccepted) return certifyFromHere(attempt);
   deliver(attempt.result);
   if (!results::isSolved(attempt.result.status)) return true;
   solver_.remember(attempt.configuration);

@@ -68,6 +68,8 @@ class CalibratedSchedule {
   /// first march.
   void beginFromNeighbours(Attempt& attempt);
   bool endFromNeighbours(Attempt& attempt);
+  /// Certifies a configuration from what its march has come to; false when interrupted.
+  bool certifyFromHere(Attempt& attempt);
   bool calibrate(const design::Configuration& configuration, results::ConfigurationResult& result);
   /// Replaces the present state, which was accepted, by one that is certified more accurately; audits and calibrates.
   bool audit(const design::Configuration& configuration, results::ConfigurationResult& result);

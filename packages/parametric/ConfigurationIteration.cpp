@@ -234,7 +234,7 @@ bool ConfigurationIteration::proceed() {
       propose();
       return isWaiting_ = true;
     }
-    if (!isThere_ && isFirstMarch_) {
+    if (!isThere_ && isFirstMarch_ && starts_.empty()) {
       isLost_ = true;
       return false;
     }

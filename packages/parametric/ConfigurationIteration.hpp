@@ -32,7 +32,7 @@ class ConfigurationIteration {
   /// Asked on every rank before every solve; march() then goes on with the stage of all load steps at once.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
 
-  /// march() gives up after so many linear stages since begin(), see isLost(); they may end early within it.
+  /// march() iterates no longer after so many linear stages since begin(); they may end early within it.
   void setLimit(double stages) { limit_ = stages; }
 
   /// Collective. Begins the configuration whose laws are in the assembly, cold when there are only few `states`.
@@ -42,7 +42,7 @@ class ConfigurationIteration {
   Indicators beginAt(const base::Matrix& alpha);
   /// Collective. Iterates every load step until its share of the indicators is at most `target`, or a limit of
   /// iterations or that of setLimit() is reached, and then all of them once; the fields are those of state(). The first
-  /// march since begin() ends at a load step that comes to a limit: the iteration isLost(), and has no state.
+  /// march since a cold begin() ends at a load step that comes to a limit: the iteration isLost(), and has no state.
   Indicators march(const Indicators& target);
 
   /// march() in pieces, so that others may march beside it. Begins it; until endMarch(), proceed() wants the laws of

@@ -1,10 +1,14 @@
 #include <harmos/parametric/StartRecord.hpp>
 
+#include <algorithm>
+
 namespace harmos::parametric {
 namespace {
 
-constexpr int fewTries = 2;
-constexpr int lastTries = 4;
+// Stages differ tenfold between configurations: fewer tries tell little.
+constexpr int fewTries = 4;
+constexpr int lastTries = 12;
+constexpr int longestPatience = 16;
 // Distances on a grid differ by round-off.
 constexpr double sameDistance = 1.0 + 1e-6;
 
@@ -25,7 +29,7 @@ bool StartRecord::favoursWarm(double distance) {
   if (tries < fewTries || sum < coldStages() * tries) return true;
   if (++refused_ < patience_) return false;
   refused_ = 0;
-  patience_ *= 2;
+  patience_ = std::min(2 * patience_, longestPatience);
   return true;
 }
 

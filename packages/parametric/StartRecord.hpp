@@ -10,7 +10,7 @@ namespace harmos::parametric {
 /// Neighbours that are far away cost more than they save: the iteration first has to get rid of their contact status.
 /// How far that is depends on scene and study. A warm start is favoured while the last of those at the same distance or
 /// nearer took fewer linear stages on average than cold starts, or where hardly any were tried; now and then one is
-/// tried again, ever more rarely. The same on every rank.
+/// tried again, at first more often. The same on every rank.
 class StartRecord {
  public:
   /// A warm start at this distance [-], see SolvedStates::distance(): linear stages until the configuration was solved,
