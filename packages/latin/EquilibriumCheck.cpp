@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -11,30 +12,59 @@
 namespace harmos::latin {
 namespace {
 
-Imbalance worstOfAllRanks(const Imbalance& mine, const Teuchos::Comm<int>& comm) {
-  if (comm.getSize() == 1) return mine;
-  double largest = 0.0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine.relative, Teuchos::outArg(largest));
-  const int candidate = mine.relative == largest ? comm.getRank() : comm.getSize();
-  int root = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, candidate, Teuchos::outArg(root));
-  // Plain data, the same on every rank of a homogeneous machine.
-  Imbalance worst = mine;
-  Teuchos::broadcast(comm, root, static_cast<int>(sizeof(worst)), reinterpret_cast<char*>(&worst));
-  return worst;
-}
-
 constexpr int motions = 6;
 
-/// Sums over the interface rows of one body at one load step.
+/// Sums over the interface rows of one body, or of several that move as one, at one load step.
 struct StepSums {
   std::array<double, motions> resultant{};  // P^T h (f - f^)
   double forces = 0.0;                      // sum of h max(|f|, |f^|)
 };
 
+/// Bodies that move as one, and those that move by themselves.
+std::vector<std::vector<int>> groupsOf(const std::vector<int>& rigidBodies, std::size_t bodies) {
+  std::vector<std::vector<int>> groups;
+  std::map<int, std::size_t> groupOf;
+  for (std::size_t b = 0; b < bodies; ++b) {
+    if (!rigidBodies.empty() && rigidBodies[b] < 0) continue;
+    const int number = rigidBodies.empty() ? static_cast<int>(b) : rigidBodies[b];
+    const auto [at, isNew] = groupOf.try_emplace(number, groups.size());
+    if (isNew) groups.emplace_back();
+    groups[at->second].push_back(static_cast<int>(b));
+  }
+  return groups;
+}
+
+bool areOne(const std::vector<int>& rigidBodies, const assembly::Interface& interface) {
+  return !rigidBodies.empty() && interface.sides() == 2 && rigidBodies[interface.body1] >= 0 &&
+         rigidBodies[interface.body1] == rigidBodies[interface.body2];
+}
+
+/// A resultant about one centre, about another one.
+HeldMotions::Sixfold moved(const HeldMotions::Sixfold& r, const base::Vector3& from, const base::Vector3& to) {
+  const base::Vector3 moment = base::cross(from - to, {r[0], r[1], r[2]});
+  return {r[0], r[1], r[2], r[3] + moment[0], r[4] + moment[1], r[5] + moment[2]};
+}
+
+/// Adds up over the ranks what each knows of its bodies.
+void addRanks(std::vector<StepSums>& sums, const Teuchos::Comm<int>& comm) {
+  if (comm.getSize() == 1) return;
+  constexpr std::size_t count = motions + 1;
+  std::vector<double> mine(count * sums.size()), all(mine);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    std::copy(sums[i].resultant.begin(), sums[i].resultant.end(),
+              mine.begin() + static_cast<std::ptrdiff_t>(count * i));
+    mine[count * i + motions] = sums[i].forces;
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(count * i), motions, sums[i].resultant.begin());
+    sums[i].forces = all[count * i + motions];
+  }
+}
+
 }  // namespace
 
-Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMove, double leastShare) {
+Imbalance largestImbalance(const Iterate& state, const std::vector<int>& rigidBodies, double leastShare) {
   const assembly::Assembly& assembly = state.assembly();
   const auto steps = static_cast<std::size_t>(state.traction().numCols());
   const auto dimension = static_cast<std::size_t>(state.layout().dimension());
@@ -44,6 +74,7 @@ Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMov
   for (const TraceLayout::Block& block : state.layout().blocks()) {
     const assembly::Interface& interface = assembly.interfaces[block.interface];
     const auto body = static_cast<std::size_t>(block.body);
+    const bool isInside = areOne(rigidBodies, interface);
     for (std::size_t pair = 0; pair < static_cast<std::size_t>(block.pairs); ++pair) {
       const auto row = static_cast<std::size_t>(block.begin) + pair * dimension;
       const double area = interface.area[pair];
@@ -57,7 +88,7 @@ Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMov
           const double traction = state.traction()[static_cast<int>(t)][row + c];
           d[c] = area * (traction - hatted);
           // A body that has lost every contact feels only f.
-          sum.forces += area * std::max(std::abs(hatted), std::abs(traction));
+          if (!isInside) sum.forces += area * std::max(std::abs(hatted), std::abs(traction));
         }
         const auto worked = rigidWork(r, d);
         for (std::size_t i = 0; i < motions; ++i) sum.resultant[i] += worked[i];
@@ -77,38 +108,38 @@ Imbalance largestImbalance(const Iterate& state, const std::vector<bool>& canMov
     }
     first += rows;
   }
-  // A body belongs to one rank, so its sums are complete there; the worst of all ranks is what counts.
+  addRanks(sums, state.layout().comm());  // of bodies that move as one each rank may have some
   double least = 0.0;
-  if (leastShare > 0.0) {
-    double mine = 0.0;
-    for (const StepSums& sum : sums) mine = std::max(mine, sum.forces);
-    Teuchos::reduceAll(state.layout().comm(), Teuchos::REDUCE_MAX, leastShare * mine, Teuchos::outArg(least));
-  }
+  for (const StepSums& sum : sums) least = std::max(least, leastShare * sum.forces);
   Imbalance worst;
-  for (std::size_t body = 0; body < assembly.bodies.size(); ++body) {
-    if (!canMove.empty() && !canMove[body]) continue;
-    double scale = least;
-    for (std::size_t t = 0; t < steps; ++t) scale = std::max(scale, sums[body * steps + t].forces);
+  for (const std::vector<int>& group : groupsOf(rigidBodies, assembly.bodies.size())) {
+    const int named = group.front();
+    const base::Vector3& centre = held.centre(named);
+    std::vector<StepSums> whole(steps);
+    double scale = least, extent = 0.0;
+    for (std::size_t t = 0; t < steps; ++t) {
+      for (const int body : group) {
+        const StepSums& sum = sums[static_cast<std::size_t>(body) * steps + t];
+        const HeldMotions::Sixfold r = moved(sum.resultant, held.centre(body), centre);
+        for (std::size_t i = 0; i < motions; ++i) whole[t].resultant[i] += r[i];
+        whole[t].forces += sum.forces;
+      }
+      scale = std::max(scale, whole[t].forces);
+    }
+    for (const int body : group) extent = std::max(extent, held.extent(body));
     if (scale == 0.0) continue;
     for (std::size_t t = 0; t < steps; ++t) {
-      const StepSums& sum = sums[body * steps + t];
-      const auto r = held.freePart(static_cast<int>(body), sum.resultant);
+      HeldMotions::Sixfold r = whole[t].resultant;
+      for (const int body : group)
+        r = moved(held.freePart(body, moved(r, centre, held.centre(body))), held.centre(body), centre);
       const base::Vector3 force{r[0], r[1], r[2]};
       const base::Vector3 moment{r[3], r[4], r[5]};
-      const double relative =
-          std::max(base::norm(force), base::norm(moment) / held.extent(static_cast<int>(body))) / scale;
+      const double relative = std::max(base::norm(force), base::norm(moment) / extent) / scale;
       if (relative <= worst.relative) continue;
-      worst = {static_cast<int>(body),
-               static_cast<int>(t),
-               force,
-               moment,
-               held.centre(static_cast<int>(body)),
-               held.extent(static_cast<int>(body)),
-               sum.forces,
-               relative};
+      worst = {named, static_cast<int>(t), force, moment, centre, extent, whole[t].forces, relative};
     }
   }
-  return worstOfAllRanks(worst, state.layout().comm());
+  return worst;
 }
 
 std::string describe(const Imbalance& imbalance, const assembly::Assembly& assembly) {

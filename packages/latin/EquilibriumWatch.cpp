@@ -38,9 +38,9 @@ EquilibriumWatch::Finding EquilibriumWatch::look(FixedPoint& fixedPoint, const I
   // With a k far too small the interfaces have not felt their forces yet.
   if (++iterations_ % iterationsPerFinding != 0 || fixedPoint.searchDirectionScale() < smallestScale)
     return Finding::nothing;
-  history_.push_back(largestImbalance(*iterate, canMove_));
+  history_.push_back(largestImbalance(*iterate, rigidBodies_));
   if (!persists()) return Finding::nothing;
-  const FreeMotion motion = followImbalance(history_.back(), fixedPoint, *iterate, alpha, image);
+  const FreeMotion motion = followImbalance(history_.back(), rigidBodies_, fixedPoint, *iterate, alpha, image);
   iterate = motion.iterate;
   if (motion.isFree && isSure_ && isSure_(history_.back().step)) {
     // Something resists, but so softly that it is not seen from here.

@@ -15,10 +15,11 @@ namespace harmos::latin {
 class EquilibriumWatch {
  public:
   /// Imbalances below a tenth of `accuracy` (relative, see Imbalance) do not count. `isSure` is asked on every rank
-  /// whether there is an equilibrium at a column of the state: then no lack of it is found; may be empty. `canMove`:
-  /// flags of the bodies that may be followed, for one that is fixed lacks what another one does not get; empty: all.
-  explicit EquilibriumWatch(double accuracy, std::function<bool(int)> isSure = {}, std::vector<bool> canMove = {})
-      : accuracy_(accuracy), isSure_(std::move(isSure)), canMove_(std::move(canMove)) {}
+  /// whether there is an equilibrium at a column of the state: then no lack of it is found; may be empty.
+  /// `rigidBodies`: which bodies are followed as one, as in largestImbalance(); those that are fixed are not, for they
+  /// lack what another one does not get.
+  explicit EquilibriumWatch(double accuracy, std::function<bool(int)> isSure = {}, std::vector<int> rigidBodies = {})
+      : accuracy_(accuracy), isSure_(std::move(isSure)), rigidBodies_(std::move(rigidBodies)) {}
 
   /// Nothing yet; the laws cannot carry the loads; something stops the body farther on.
   enum class Finding { nothing, noEquilibrium, landing };
@@ -34,7 +35,7 @@ class EquilibriumWatch {
 
   double accuracy_;
   std::function<bool(int)> isSure_;
-  std::vector<bool> canMove_;
+  std::vector<int> rigidBodies_;
   int iterations_ = 0;
   std::vector<Imbalance> history_;
 };

@@ -54,11 +54,11 @@ class Push {
         unmoved_(iterate.hattedTraction()),
         unmovedBoundaries_(iterate.boundaryFields().traction) {}
 
-  /// Sum over the rows of a body of h k |motion| [force].
-  double stiffnessAlong(int body, const Motion& motion) const {
+  /// Sum over the rows of bodies of h k |motion| [force].
+  double stiffnessAlong(const std::set<int>& bodies, const Motion& motion) const {
     std::vector<double> sum(1, 0.0);
     visit([&](const TraceLayout::Block& block, int row, int pair) {
-      if (block.body != body) return;
+      if (bodies.count(block.body) == 0) return;
       const double k = layout().stiffness()[row];
       sum[0] += layout().area()[row] * k * base::norm(motion.at(place(block, pair)));
     });
@@ -66,11 +66,11 @@ class Push {
     return sum[0];
   }
 
-  /// Sum over the rows of a body of h |alpha| [force]: how far away it is, and how heavily loaded.
-  double stateOf(int body) const {
+  /// Sum over the rows of bodies of h |alpha| [force]: how far away they are, and how heavily loaded.
+  double stateOf(const std::set<int>& bodies) const {
     std::vector<double> sum(1, 0.0);
     visit([&](const TraceLayout::Block& block, int row, int) {
-      if (block.body != body) return;
+      if (bodies.count(block.body) == 0) return;
       for (int c = 0; c < layout().dimension(); ++c) {
         sum[0] += layout().area()[static_cast<std::size_t>(row) + static_cast<std::size_t>(c)] *
                   std::abs(alpha_[step_][row + c]);
@@ -189,6 +189,15 @@ bool slideAlong(Motion& motion, const assembly::Interface& interface) {
   return true;
 }
 
+/// The body and those that move as one with it.
+std::set<int> bodiesAround(int body, const std::vector<int>& rigidBodies) {
+  std::set<int> bodies{body};
+  for (std::size_t b = 0; !rigidBodies.empty() && rigidBodies[body] >= 0 && b < rigidBodies.size(); ++b) {
+    if (rigidBodies[b] == rigidBodies[body]) bodies.insert(static_cast<int>(b));
+  }
+  return bodies;
+}
+
 /// The share of `motion` after which `work` is answered; none when what is met at its end is no stop, such as friction
 /// that slides. Secants from beyond meet the place at the first go where the answer is linear, and never pass it where
 /// the answer grows ever faster, as that of contacts does.
@@ -215,8 +224,8 @@ std::optional<double> findLanding(Push& push, const std::set<int>& bodies, const
 
 }  // namespace
 
-FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, const Iterate& iterate,
-                           const base::Matrix& alpha, base::Matrix& image) {
+FreeMotion followImbalance(const Imbalance& imbalance, const std::vector<int>& rigidBodies, FixedPoint& fixedPoint,
+                           const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image) {
   if (imbalance.body < 0) return {false, {}, &iterate};
   const assembly::Assembly& assembly = fixedPoint.assembly();
   const double force = base::norm(imbalance.force);
@@ -231,16 +240,20 @@ FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, c
     motion.rotation = (-1.0 / base::norm(imbalance.moment)) * imbalance.moment;
   }
   const HeldMotions& held = fixedPoint.heldMotions();
-  const HeldMotions::Sixfold free = held.freeMotion(imbalance.body, motion.about(imbalance.centre));
-  motion.translation = {free[0], free[1], free[2]};
-  motion.rotation = {free[3], free[4], free[5]};
+  const std::set<int> whole = bodiesAround(imbalance.body, rigidBodies);
+  for (const int body : whole) {
+    const HeldMotions::Sixfold free = held.freeMotion(body, motion.about(held.centre(body)));
+    motion = Motion{{free[0], free[1], free[2]}, {free[3], free[4], free[5]}, held.centre(body)};
+    const HeldMotions::Sixfold about = motion.about(imbalance.centre);
+    motion = Motion{{about[0], about[1], about[2]}, motion.rotation, imbalance.centre};
+  }
   Push push(fixedPoint, iterate, alpha, image, imbalance.step);
-  const double reach = std::max(farAhead * size, farBack * push.stateOf(imbalance.body)) /
-                       (push.stiffnessAlong(imbalance.body, motion) / fixedPoint.searchDirectionScale());
+  const double reach = std::max(farAhead * size, farBack * push.stateOf(whole)) /
+                       (push.stiffnessAlong(whole, motion) / fixedPoint.searchDirectionScale());
   motion = motion.scaled(force >= moment ? std::max(reach, widestGap * imbalance.arm) : reach);
 
   FreeMotion result;
-  std::set<int> bodies{imbalance.body};
+  std::set<int> bodies = whole;
   for (int attempt = 0; attempt < maximumTries && !result.isFree; ++attempt) {
     const std::vector<base::Vector3> answers = push.answers(bodies, motion);
     std::vector<const assembly::Interface*> resisting;
@@ -252,19 +265,22 @@ FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, c
       continue;
     }
     const auto isGround = [&](int body) {
-      return body < 0 || held.heldShare(body, motion.about(held.centre(body))) > grazing;
+      if (body < 0 || (!rigidBodies.empty() && rigidBodies[body] < 0)) return true;
+      return held.heldShare(body, motion.about(held.centre(body))) > grazing;
     };
     if (std::any_of(resisting.begin(), resisting.end(),
                     [&](const assembly::Interface* one) { return isGround(one->body2) || isGround(one->body1); })) {
       const double work =
           -base::dot(imbalance.force, motion.translation) - base::dot(imbalance.moment, motion.rotation);
       // Those that it pushes along must move by themselves.
-      const auto share = findLanding(push, {imbalance.body}, motion, work);
-      if (share) result.landing = push.moved({imbalance.body}, motion.scaled(*share));
+      const auto share = findLanding(push, whole, motion, work);
+      if (share) result.landing = push.moved(whole, motion.scaled(*share));
       break;
     }
     const std::size_t before = bodies.size();
-    for (const assembly::Interface* one : resisting) bodies.insert({one->body1, one->body2});
+    for (const assembly::Interface* one : resisting) {
+      for (const int body : {one->body1, one->body2}) bodies.merge(bodiesAround(body, rigidBodies));
+    }
     result.isFree = bodies.size() == before;
   }
   result.iterate = &fixedPoint.apply(alpha, image);

@@ -19,7 +19,7 @@ struct FreeMotion {
 };
 
 /// Follows the body of `imbalance`, if there is one, along the force (or about the moment) that is not balanced.
-/// Collective.
+/// Collective. `rigidBodies` as in largestImbalance(): bodies that move as one are moved together.
 ///
 /// The body is moved so far that interfaces as stiff as the search direction would answer with a million times the
 /// imbalance, and a hundred times its own size at least; the local stage tells what they answer. A contact that the way
@@ -27,7 +27,7 @@ struct FreeMotion {
 /// held, and the way is searched for the place. `image` must be T(alpha), `iterate`
 /// that of alpha, and `image` is so again afterwards; costs one linear stage per body, turn and place that is looked
 /// at, and one.
-FreeMotion followImbalance(const Imbalance& imbalance, FixedPoint& fixedPoint, const Iterate& iterate,
-                           const base::Matrix& alpha, base::Matrix& image);
+FreeMotion followImbalance(const Imbalance& imbalance, const std::vector<int>& rigidBodies, FixedPoint& fixedPoint,
+                           const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image);
 
 }  // namespace harmos::latin

@@ -291,7 +291,7 @@ void LatinSolver::iterate(LatinResult& result) {
     return;
   }
   EquilibriumWatch watch(
-      options_.accuracy, [&](int step) { return balance_->isSure(step); }, balance_->canMove());
+      options_.accuracy, [&](int step) { return balance_->isSure(step); }, balance_->rigidBodies());
   double trigger = triggerFactor * options_.accuracy;
   int nextAttempt = 0;  // linear stages before which a failed certificate is not tried again
   while (stages() < options_.maximumIterations) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -107,13 +108,17 @@ LoadBalance::LoadBalance(const assembly::Assembly& assembly, const Teuchos::Comm
     : assembly_(assembly), timers_(timers), steps_(static_cast<std::size_t>(assembly.steps())) {
   const auto running = timers_.start("statics");
   resisted_ = resistedMotions(assembly, comm);
-  canMove_.resize(assembly.bodies.size(), false);
+  std::vector<std::vector<int>> numbers(assembly.bodies.size());  // of every body, wherever laws change
   for (int t = 0; t < assembly.steps(); ++t) {
     // Nothing changes in between where laws do not.
     if (t > 0 && hasSameLaws(assembly, t, t - 1)) continue;
     const RigidParts parts(assembly, resisted_, t, RigidParts::Unknown::carriesAll);
-    for (std::size_t b = 0; b < canMove_.size(); ++b)
-      canMove_[b] = canMove_[b] || parts.rigidBodyOf(static_cast<int>(b)) >= 0;
+    for (std::size_t b = 0; b < numbers.size(); ++b) numbers[b].push_back(parts.rigidBodyOf(static_cast<int>(b)));
+  }
+  std::map<std::vector<int>, int> known;
+  for (const std::vector<int>& own : numbers) {
+    const bool isFixed = std::all_of(own.begin(), own.end(), [](int number) { return number < 0; });
+    rigidBodies_.push_back(isFixed ? -1 : known.try_emplace(own, static_cast<int>(known.size())).first->second);
   }
   const auto steps = static_cast<std::size_t>(assembly.steps());
   const int dimension = assembly.dimension;

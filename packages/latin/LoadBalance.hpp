@@ -31,9 +31,9 @@ class LoadBalance {
   bool isSure(int step);
   /// For certain forces balance the loads, when friction helps: pressures that nothing brings about may be needed.
   bool hasForces(int step);
-  /// Of every body whether it can move at some load step without deforming anything: it is not joined to the ground,
-  /// directly or by others, by laws that bear every traction.
-  const std::vector<bool>& canMove() const { return canMove_; }
+  /// Of every body a number that those have in common which laws that bear every traction join at all load steps, such
+  /// as the pieces of a part: they move as one; -1: joined to the ground in that way, at all load steps.
+  const std::vector<int>& rigidBodies() const { return rigidBodies_; }
 
  private:
   struct Step {
@@ -49,7 +49,7 @@ class LoadBalance {
   const assembly::Assembly& assembly_;
   base::Timers& timers_;
   std::vector<std::array<bool, 6>> resisted_;  // per body
-  std::vector<bool> canMove_;                  // per body
+  std::vector<int> rigidBodies_;               // per body
   std::vector<double> sums_;  // per body and load step: resultant, moment about the first node, sum of absolute forces
   std::vector<Step> steps_;
 };

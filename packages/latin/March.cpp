@@ -191,7 +191,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   AndersonAcceleration& acceleration = accelerationOf(step);
   const EquilibriumWatch unused(
       accuracy_, [&](int) { return balance_ != nullptr && balance_->isSure(step); },
-      balance_ != nullptr ? balance_->canMove() : std::vector<bool>{});
+      balance_ != nullptr ? balance_->rigidBodies() : std::vector<int>{});
   EquilibriumWatch watch = unused;
   Stagnation stagnation;
   base::Matrix image(state.numRows(), 1);

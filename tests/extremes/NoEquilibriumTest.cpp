@@ -84,6 +84,19 @@ TEST(NoEquilibrium, IsNotCertainWhereMorePressureWouldDo) {
       << run.result().reason;
 }
 
+// Pieces of a part move as one: the part slides as it does when it is whole, and none of them by itself.
+TEST(NoEquilibrium, OfAPartInPieces) {
+  SceneInput scene = boltedJoint();
+  scene.set("Mesh/Refinement=0.25").set("Values/traction=4");
+  const SolvedRun whole(scene);
+  const SolvedRun cut(scene.set("Parts/centre/Pieces=3"));
+  for (const SolvedRun* run : {&whole, &cut}) {
+    EXPECT_EQ(run->result().outcome, latin::Outcome::noEquilibrium) << run->result().reason;
+    EXPECT_NE(run->result().reason.find("\"centre"), std::string::npos) << run->result().reason;
+  }
+  EXPECT_LE(cut.result().linearStages, 2 * whole.result().linearStages);
+}
+
 TEST(NoEquilibrium, OfABodyPulledOff) {
   expectNoEquilibrium(pressedBlocks().set("Values/pressure=-1"), {"upper"});
   // Plainly lifted, from the first load step on.

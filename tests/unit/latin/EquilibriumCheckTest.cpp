@@ -52,6 +52,37 @@ TEST(EquilibriumCheck, FindsABodyThatHasLostEveryContact) {
   EXPECT_NEAR(std::abs(imbalance.force[2]), 2.0, 1e-6);
 }
 
+// What two cubes that are bonded lack together does not depend on what the bond carries yet.
+TEST(EquilibriumCheck, TakesBodiesTogetherThatMoveAsOne) {
+  BoxAssembly cubes({{"lower", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
+                     {"middle", {0, 0, 1}, {1, 1, 2}, {2, 2, 2}},
+                     {"upper", {0, 0, 2}, {1, 1, 3}, {2, 2, 2}}});
+  cubes.hold("bottom", "lower_zmin", clamp());
+  cubes.join("contact", "lower_zmax", "middle_zmin", laws::makeLaw("Unilateral Contact"));
+  cubes.join("bond", "middle_zmax", "upper_zmin", laws::makeLaw("Perfect"));
+  cubes.hold("top", "upper_zmax", laws::makeLaw("Prescribed Traction", {{"X", 0.25}, {"Z", -2.0}}));
+  base::Timers timers;
+  FixedPoint fixedPoint(cubes.assembly(), {}, self(), timers);
+  base::Matrix alpha(fixedPoint.layout().rows(), 1), image(alpha);
+  for (int n = 0; n < 20; ++n) {
+    const Iterate& iterate = fixedPoint.apply(alpha, image);
+    if (n > 0) {
+      const Imbalance together = largestImbalance(iterate, {-1, 0, 0});
+      EXPECT_EQ(together.body, 1);
+      EXPECT_NEAR(together.force[0], -0.25, 1e-9);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double middle = largestImbalance(iterate, {-1, 0, -1}).force[c];
+        const double upper = largestImbalance(iterate, {-1, -1, 0}).force[c];
+        EXPECT_NEAR(together.force[c], middle + upper, 1e-9);
+      }
+      EXPECT_EQ(largestImbalance(iterate, {-1, -1, -1}).body, -1);
+    }
+    image -= alpha;
+    image.scale(0.5);
+    alpha += image;
+  }
+}
+
 TEST(EquilibriumCheck, FindsNothingWhereThereIsEquilibrium) {
   EXPECT_LT(imbalanceOf(laws::makeLaw("Perfect"), push(0.25, -2.0), 500).relative, 1e-6);
 }

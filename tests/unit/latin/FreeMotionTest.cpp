@@ -41,7 +41,7 @@ struct Finding {
     const Iterate& iterate = fixedPoint.apply(alpha, image);
     imbalance = largestImbalance(iterate);
     const base::Matrix before(image), forces(iterate.hattedTraction());
-    const FreeMotion motion = followImbalance(imbalance, fixedPoint, iterate, alpha, image);
+    const FreeMotion motion = followImbalance(imbalance, {}, fixedPoint, iterate, alpha, image);
     isFree = motion.isFree;
     for (int t = 0; t < steps; ++t) {
       for (int row = 0; row < rows; ++row) {

@@ -47,6 +47,24 @@ Answers answers(const Law& joint, const Law& top) {
   return Answers(cubes.assembly());
 }
 
+// The lower cube is clamped; the upper one moves by itself unless it is bonded.
+TEST(LoadBalance, KnowsWhatMovesAsOne) {
+  base::Timers timers;
+  const auto bodiesOf = [&](const Law& joint) {
+    BoxAssembly cubes = twoCubes(joint, push(0.0, -2.0));
+    return LoadBalance(cubes.assembly(), *self(), timers).rigidBodies();
+  };
+  EXPECT_EQ(bodiesOf(contact()), (std::vector<int>{-1, 0}));
+  EXPECT_EQ(bodiesOf(laws::makeLaw("Perfect")), (std::vector<int>{-1, -1}));
+  BoxAssembly three({{"lower", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
+                     {"middle", {0, 0, 1}, {1, 1, 2}, {2, 2, 2}},
+                     {"upper", {0, 0, 2}, {1, 1, 3}, {2, 2, 2}}});
+  three.hold("bottom", "lower_zmin", clamp());
+  three.join("contact", "lower_zmax", "middle_zmin", contact());
+  three.join("bond", "middle_zmax", "upper_zmin", laws::makeLaw("Perfect"));
+  EXPECT_EQ(LoadBalance(three.assembly(), *self(), timers).rigidBodies(), (std::vector<int>{-1, 0, 0}));
+}
+
 // 2 mu carries what is below it.
 TEST(LoadBalance, KnowsTheLimitOfFriction) {
   const Answers below = answers(friction(0.2), push(0.39, -2.0));
