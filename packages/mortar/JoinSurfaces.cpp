@@ -157,10 +157,12 @@ JoinedSurface joinSurfaces(const std::string& where, const mesh::Mesh& mesh, con
   if (!options.hasPointsAtCreases) builder.leaveOutCreases();
   JoinedSurface surface = builder.build();
   if (surface.node.empty()) refuseHardlyCovered(where, sides, mortar, couplings.size());
+  leaveOutStrayWeights(surface, options.held);
   addFrames(mesh.dimension, mortar, surface);
   if (const int held = builder.leaveOut(findDoublyHeld(surface, options.held)); held > 0) {
     surface = builder.build();
     surface.report.held = held;
+    leaveOutStrayWeights(surface, options.held);
     addFrames(mesh.dimension, mortar, surface);
   }
   surface.pointsOn = mortar;

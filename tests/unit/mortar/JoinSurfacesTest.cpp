@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -282,6 +283,43 @@ TEST(JoinSurfaces, LeavesOutPointsAtWhichBothSidesAreHeldAlongTheSurface) {
     if (mesh.nodes[node][1] == 0.0) options.held[static_cast<int>(node)] = {{0.0, 1.0, 0.0}};
   }
   EXPECT_EQ(joinSurfaces("test", mesh, side1, side2, options).report.held, 0);  // of equal meshes held nodes meet
+}
+
+// The cells of a thin sector are trapezia, so that a point on one plane of symmetry sees a little of the other one,
+// which holds its nodes in nearly the same direction: their jump would be all but given.
+TEST(JoinSurfaces, LeavesOutWhatASectorSeesOfItsOtherPlane) {
+  constexpr double half = 0.5 * M_PI / 180.0;
+  const auto sector = [](double r, double angle) {
+    const double turn = half * (2.0 * angle - 1.0);
+    return base::Vector3{(1.0 + r) * std::cos(turn), (1.0 + r) * std::sin(turn), 0.0};
+  };
+  mesh::Mesh mesh;
+  const Side side1 = meshGrid(mesh, "one", {4, 2, 1, sector});
+  const Side side2 = meshGrid(mesh, "two", {4, 3, 1, sector, true});
+  JoinOptions options;
+  options.pointsOn = 0;
+  const auto largestOnOtherPlane = [&](const JoinedSurface& surface) {
+    double largest = 0.0;
+    for (std::size_t p = 0; p < surface.node.size(); ++p) {
+      for (const Entry& entry : surface.trace[1].row(static_cast<int>(p))) {
+        if (mesh.nodes[entry.node][1] * mesh.nodes[surface.node[p]][1] < 0.0)
+          largest = std::max(largest, std::abs(entry.weight));
+      }
+    }
+    return largest;
+  };
+  const double seen = largestOnOtherPlane(joinSurfaces("test", mesh, side1, side2, options));
+  EXPECT_GT(seen, 1e-11);
+  EXPECT_LT(seen, 1e-7);
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+    const double side = mesh.nodes[node][1] > 0.0 ? 1.0 : -1.0;
+    options.held[static_cast<int>(node)] = {{-side * std::sin(half), std::cos(half), 0.0}};
+  }
+  const JoinedSurface surface = joinSurfaces("test", mesh, side1, side2, options);
+  EXPECT_EQ(surface.node.size(), 6u);
+  EXPECT_EQ(largestOnOtherPlane(surface), 0.0);
+  expectSound(surface);
+  expectLinearReproduction(surface, mesh, 1e-7);
 }
 
 TEST(JoinSurfaces, LetsNothingOfASliverGrow) {
