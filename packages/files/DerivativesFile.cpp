@@ -20,7 +20,7 @@ void writeDerivatives(const std::string& path, const std::vector<double>& times,
   for (const ResponseDerivative& one : derivatives) {
     for (std::size_t t = 0; t < one.values.size(); ++t) {
       text += quoted(one.response) + "," + quoted(one.parameter) + "," + std::to_string(t + 1) + "," +
-              base::toText(times[t]) + "," + base::toText(one.values[t]) + "," + base::toText(one.residual) + "\n";
+              base::toText(times[t]) + "," + base::toText(one.values[t]) + "," + base::toText(one.residuals[t]) + "\n";
     }
   }
   replaceFile(path, text);

@@ -8,8 +8,8 @@ namespace harmos::files {
 /// The derivatives of a response with respect to a parameter.
 struct ResponseDerivative {
   std::string response, parameter;
-  std::vector<double> values;  // per load step [unit of the response per unit of the parameter]
-  double residual = 0.0;       // relative, of the equations that they solve; above 1e-6 there is a kink
+  std::vector<double> values;     // per load step [unit of the response per unit of the parameter]
+  std::vector<double> residuals;  // relative, of the equations that they solve, up to each load step
 };
 
 /// Writes a CSV file "response,parameter,step,time,derivative,residual" with one row per derivative and load step, from

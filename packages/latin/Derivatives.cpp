@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/SoleThread.hpp>
+#include <harmos/latin/NaturalSizes.hpp>
+#include <harmos/latin/detail/DerivativeKinks.hpp>
 #include <harmos/latin/detail/PairDerivatives.hpp>
+#include <harmos/latin/detail/ParameterDifference.hpp>
 #include <harmos/laws/AffineComponent.hpp>
 
 namespace harmos::latin {
@@ -13,10 +17,25 @@ namespace {
 
 // Tangents are differences with about seven digits; each round gains as many.
 constexpr int rounds = 4;
+// Of a residual, what a round leaves at most unless round-off, or a kink, is
+// all that is left.
+constexpr double gained = 0.5;
 constexpr int mostDirections = 400;
-// What is left of a direction beside those of the same block: each is known to 1e-7 where little of it was outside of
-// the space, and less than a thousand times that is round-off.
+// What is left of a direction beside those of the same block: each is known to
+// 1e-7 where little of it was outside of the space, and less than a thousand
+// times that is round-off.
 constexpr double leastIndependent = 1e-4;
+// Of a residual: beyond it what was found is no derivative.
+constexpr double noDerivative = 1e-3;
+// Of a state, over the step: a derivative as small as this is measured by it, since less is round-off.
+constexpr double negligible = 1e-8;
+// Of a state: how far it is moved by a parameter whose value is 0, from the
+// first distance on, which grows so often and so much where nothing moves.
+constexpr double moved = 1e-5;
+constexpr double firstStep = 1e-6;
+constexpr int growths = 3;
+constexpr double growth = 1e4;
+constexpr double unmoved = 1e-12;
 // Of the stiffness of springs in operators.
 constexpr double sameStiffness = 1e-12;
 
@@ -33,7 +52,8 @@ double norm(const StateMetric& metric, const double* a) {
   return std::sqrt(dot(metric, a, a));
 }
 
-/// Parameters have their values and load steps their loads again at the end, also after an error.
+/// Parameters have their values and load steps their loads again at the end,
+/// also after an error.
 struct Restore {
   FixedPoint& fixedPoint;
   const std::vector<ModelParameter>& parameters;
@@ -53,7 +73,7 @@ Derivatives::Derivatives(FixedPoint& fixedPoint, const std::vector<std::shared_p
       responses_(responses),
       tolerance_(tolerance),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
-      tangent_(fixedPoint, lines_) {
+      tangent_(std::in_place, fixedPoint, lines_) {
   if (fixedPoint.assembly().path) {
     throw base::Error("there are no derivatives where the size of loads is to be found", base::ExitCode::input);
   }
@@ -66,10 +86,10 @@ void Derivatives::put(const ModelParameter& parameter, double value) {
   fixedPoint_.updateLaws();
 }
 
-void Derivatives::demandSameOperators(const ModelParameter& parameter) const {
+void Derivatives::demandSameOperators(const ModelParameter& parameter, double offset) const {
   const assembly::Assembly& assembly = fixedPoint_.assembly();
   std::vector<std::shared_ptr<const laws::InterfaceLaw>> more;
-  parameter.set(parameter.value + parameter.step);
+  parameter.set(parameter.value + offset);
   for (const assembly::Interface& interface : assembly.interfaces) more.push_back(interface.law);
   parameter.set(parameter.value);
   for (std::size_t i = 0; i < more.size(); ++i) {
@@ -83,35 +103,68 @@ void Derivatives::demandSameOperators(const ModelParameter& parameter) const {
         const double k = here[c].stiffness, moved = there[c].stiffness;
         if (k == moved || std::abs(k - moved) <= sameStiffness * std::abs(k)) continue;
         throw base::Error("parameter \"" + parameter.name + "\" changes the stiffness of boundary \"" + interface.name +
-                              "\", which stands in the operators. Give the solver the option Elimination::rigid.",
+                              "\", which stands in the operators. Give the "
+                              "solver the option Elimination::rigid.",
                           base::ExitCode::input);
       }
     }
   }
 }
 
+double Derivatives::stepOf(const ModelParameter& parameter) {
+  if (parameter.step > 0.0) return parameter.step;
+  const StateMetric& metric = fixedPoint_.metric();
+  base::Matrix image(alpha_.numRows(), alpha_.numCols());
+  fixedPoint_.apply(alpha_, image);
+  double size = 0.0;
+  for (int t = 0; t < image.numCols(); ++t) size = std::max(size, norm(metric, image[t]));
+  double step = firstStep;
+  for (int growing = 0; growing < growths; ++growing) {
+    try {
+      put(parameter, parameter.value + (parameter.side == ModelParameter::Side::below ? -step : step));
+    } catch (const base::Error&) {  // it has left the values that are
+                                    // admissible, on every rank
+      return firstStep;
+    }
+    fixedPoint_.apply(alpha_, scratch_);
+    put(parameter, parameter.value);
+    double change = 0.0;
+    for (int t = 0; t < image.numCols(); ++t) {
+      for (int row = 0; row < image.numRows(); ++row) scratch_[t][row] -= image[t][row];
+      change = std::max(change, norm(metric, scratch_[t]));
+    }
+    if (change > unmoved * size) return step * moved * size / change;
+    step *= growth;
+  }
+  return firstStep;
+}
+
 std::unique_ptr<PairDerivatives> Derivatives::perturb(const std::vector<ModelParameter>& parameters) {
   const assembly::Assembly& assembly = fixedPoint_.assembly();
   std::vector<PairDerivatives::Laws> laws;
   dbeta_.clear();
+  steps_.clear();
+  differences_.clear();
   for (const ModelParameter& parameter : parameters) {
-    demandSameOperators(parameter);
-    PairDerivatives::Laws both{parameter.step};
+    const double step = stepOf(parameter);
+    demandSameOperators(parameter, parameter.side == ModelParameter::Side::below ? -step : step);
+    steps_.push_back(step);
+    differences_.push_back(differenceOf(parameter.side, step));
+    laws.emplace_back();
     dbeta_.emplace_back(alpha_.numRows(), alpha_.numCols());
     base::Matrix& change = dbeta_.back();
-    put(parameter, parameter.value + parameter.step);
-    for (const assembly::Interface& interface : assembly.interfaces) both.more.push_back(interface.law);
-    fixedPoint_.solveLinear(alpha_, change);
-    put(parameter, parameter.value - parameter.step);
-    for (const assembly::Interface& interface : assembly.interfaces) both.less.push_back(interface.law);
-    fixedPoint_.solveLinear(alpha_, scratch_);
-    put(parameter, parameter.value);
-    for (int t = 0; t < change.numCols(); ++t) {
-      for (int row = 0; row < change.numRows(); ++row) {
-        change[t][row] = (change[t][row] - scratch_[t][row]) / (2.0 * parameter.step);
+    for (const DifferencePoint& point : differences_.back()) {
+      if (point.weight == 0.0) continue;
+      put(parameter, parameter.value + point.offset);
+      PairDerivatives::Laws::At at{point, {}};
+      for (const assembly::Interface& interface : assembly.interfaces) at.laws.push_back(interface.law);
+      laws.back().at.push_back(std::move(at));
+      fixedPoint_.solveLinear(alpha_, scratch_);
+      for (int t = 0; t < change.numCols(); ++t) {
+        for (int row = 0; row < change.numRows(); ++row) change[t][row] += point.weight * scratch_[t][row];
       }
     }
-    laws.push_back(std::move(both));
+    put(parameter, parameter.value);
   }
   return std::make_unique<PairDerivatives>(assembly, lines_, std::move(laws));
 }
@@ -121,7 +174,7 @@ bool Derivatives::extend(const std::vector<std::vector<double>>& residuals) {
   const int rows = alpha_.numRows();
   std::vector<std::vector<double>> block;
   for (std::vector<double> v : residuals) {
-    if (!tangent_.space().makeIndependent(v.data())) continue;
+    if (!tangent_->space().makeIndependent(v.data())) continue;
     for (int pass = 0; pass < 2; ++pass) {
       for (const std::vector<double>& u : block) {
         const double share = dot(metric, u.data(), v.data());
@@ -129,12 +182,12 @@ bool Derivatives::extend(const std::vector<std::vector<double>>& residuals) {
       }
     }
     const double length = norm(metric, v.data());
-    if (length < leastIndependent || !tangent_.space().makeIndependent(v.data())) continue;
+    if (length < leastIndependent || !tangent_->space().makeIndependent(v.data())) continue;
     block.push_back(std::move(v));
   }
   if (block.empty()) {
     std::vector<double> next(rows);
-    if (!tangent_.continueKrylov(next)) return false;
+    if (!tangent_->continueKrylov(next)) return false;
     block.push_back(std::move(next));
   }
   // A single one of several columns would be solved in single precision.
@@ -145,36 +198,37 @@ bool Derivatives::extend(const std::vector<std::vector<double>>& residuals) {
   for (int i = 0; i < columns; ++i) selected[i] = i;
   fixedPoint_.select(selected);
   fixedPoint_.solveLinear(v, y);
-  for (int i = 0; i < count; ++i) tangent_.add(v[i], y[i], true);
+  for (int i = 0; i < count; ++i) tangent_->add(v[i], y[i], true);
+  directions_ += count;
   return true;
 }
 
-void Derivatives::solve(const base::Matrix& right, base::Matrix& dalpha, base::Matrix& dbeta) {
-  const StateMetric& metric = fixedPoint_.metric();
+void Derivatives::solve(const base::Matrix& right, const std::vector<double>& size, base::Matrix& dalpha,
+                        base::Matrix& dbeta) {
   const int rows = right.numRows(), columns = right.numCols();
   std::vector<CorrectionSpace::LeastSquares> fits(columns);
   const auto left = [&] {
     std::vector<std::vector<double>> residuals;
     for (int j = 0; j < columns; ++j) {
-      const double size = norm(metric, right[j]);
-      if (size == 0.0) continue;
-      fits[j] = tangent_.space().solve(right[j]);
-      double length = 0.0;  // of the solution: the v are orthonormal
+      if (size[j] == 0.0) continue;
+      fits[j] = tangent_->space().solve(right[j]);
+      // Of the solution with what comes; the v are orthonormal.
+      double length = norm(fixedPoint_.metric(), dalpha[j]);
       for (const double c : fits[j].c) length = std::hypot(length, c);
       // What the residual can hide is counted against the solution as well.
-      const double hidden = fits[j].left / tangent_.space().smallestSingularValue();
-      if (fits[j].left <= tolerance_ * size && hidden <= std::sqrt(tolerance_) * length) continue;
+      const double hidden = fits[j].left / tangent_->space().smallestSingularValue();
+      if (fits[j].left <= tolerance_ * size[j] && hidden <= std::sqrt(tolerance_) * length) continue;
       std::vector<double> residual(right[j], right[j] + rows);
-      if (!fits[j].c.empty()) tangent_.subtract(fits[j].c, residual);
+      if (!fits[j].c.empty()) tangent_->subtract(fits[j].c, residual);
       residuals.push_back(std::move(residual));
     }
     return residuals;
   };
   for (auto residuals = left(); !residuals.empty(); residuals = left()) {
-    if (tangent_.space().size() >= mostDirections || !extend(residuals)) break;
+    if (tangent_->space().size() >= mostDirections || !extend(residuals)) break;
   }
   for (int j = 0; j < columns; ++j) {
-    if (!fits[j].c.empty()) tangent_.space().move(fits[j].c, 1.0, dalpha[j], dbeta[j]);
+    if (!fits[j].c.empty()) tangent_->space().move(fits[j].c, 1.0, dalpha[j], dbeta[j]);
   }
 }
 
@@ -197,12 +251,13 @@ void Derivatives::march(PairDerivatives& pairs, std::vector<Result>& results) {
   for (int t = 0; t < assembly.steps(); ++t) {
     fixedPoint_.selectAll();
     local.solveColumn(t, beta_, scratch_);
-    tangent_.differentiate(t, local);
+    if (2 * tangent_->space().size() > mostDirections) tangent_.emplace(fixedPoint_, lines_);
+    tangent_->differentiate(t, local);
     pairs.meet(t, local);
     local.accept();
     dalpha.putScalar(0.0);
     for (int j = 0; j < columns; ++j) std::copy_n(dbeta_[j][t], rows, dbeta[j]);
-    std::vector<double> size(columns, 0.0);
+    std::vector<double> size(columns, 0.0), before(columns, 0.0), lefts(columns, 0.0);
     for (int round = 0;; ++round) {
       pairs.apply(dbeta, traction);
       for (int j = 0; j < columns; ++j) {
@@ -211,46 +266,85 @@ void Derivatives::march(PairDerivatives& pairs, std::vector<Result>& results) {
         }
       }
       fixedPoint_.linearStage().unfelt().remove(residual);
-      bool isDone = true;
+      bool isDone = true, isGaining = false;
       for (int j = 0; j < columns; ++j) {
         const double left = norm(metric, residual[j]);
-        if (round == 0) size[j] = left;
+        if (round == 0) size[j] = std::max(left, negligible * norm(metric, alpha_[t]) / steps_[j]);
         const double relative = size[j] > 0.0 ? left / size[j] : 0.0;
         isDone = isDone && relative <= tolerance_;
-        if (isDone || round == rounds) results[j].residual = std::max(results[j].residual, relative);
+        isGaining = isGaining || (relative > tolerance_ && left <= gained * before[j]);
+        before[j] = left;
+        lefts[j] = relative;
       }
-      if (isDone || round == rounds) break;
-      solve(residual, dalpha, dbeta);
+      if (isDone || (round > 0 && !isGaining) || round == rounds) break;
+      solve(residual, size, dalpha, dbeta);
+    }
+    for (int j = 0; j < columns; ++j) {
+      Result& result = results[j];
+      const double worst = t == 0 ? 0.0 : result.residuals.back();
+      result.residuals.push_back(std::max(worst, lefts[j]));
+      if (lefts[j] <= noDerivative || worst > noDerivative) continue;
+      const bool isSpent = tangent_->space().size() >= mostDirections;
+      result.missing.push_back(missingFrom(t, result.parameter, interfaceOf(residual[j]), isSpent));
     }
     pairs.accept();
     for (int j = 0; j < columns; ++j) std::copy_n(dalpha[j], rows, results[j].dalpha[t]);
   }
 }
 
-void Derivatives::evaluate(const ModelParameter& parameter, Result& result) {
-  base::Matrix shifted(alpha_.numRows(), alpha_.numCols());
-  std::vector<std::vector<double>> more;
-  for (const double sign : {1.0, -1.0}) {
-    for (int t = 0; t < alpha_.numCols(); ++t) {
-      for (int row = 0; row < alpha_.numRows(); ++row) {
-        shifted[t][row] = alpha_[t][row] + sign * parameter.step * result.dalpha[t][row];
-      }
-    }
-    put(parameter, parameter.value + sign * parameter.step);
-    const Iterate& iterate = fixedPoint_.apply(shifted, scratch_);
-    for (std::size_t j = 0; j < responses_.size(); ++j) {
-      const std::vector<double> values = responses_[j]->evaluate(iterate);
-      if (sign > 0.0) {
-        more.push_back(values);
-        continue;
-      }
-      result.responses.emplace_back();
-      for (std::size_t t = 0; t < values.size(); ++t) {
-        result.responses.back().push_back((more[j][t] - values[t]) / (2.0 * parameter.step));
+const std::string& Derivatives::interfaceOf(const double* residual) const {
+  const assembly::Assembly& assembly = fixedPoint_.assembly();
+  const TraceLayout& layout = fixedPoint_.layout();
+  const StateMetric& metric = fixedPoint_.metric();
+  std::vector<double> shares(assembly.interfaces.size(), 0.0);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const assembly::Interface& interface = assembly.interfaces[i];
+    for (int side = 0; side < interface.sides(); ++side) {
+      const int begin = layout.begin(static_cast<int>(i), side);
+      if (begin < 0) continue;
+      for (int row = begin; row < begin + interface.pairs() * layout.dimension(); ++row) {
+        shares[i] += std::pow(metric.scale()[row] * residual[row], 2);
       }
     }
   }
+  metric.sum(shares);
+  return assembly.interfaces[std::max_element(shares.begin(), shares.end()) - shares.begin()].name;
+}
+
+void Derivatives::evaluate(const ModelParameter& parameter, const std::vector<DifferencePoint>& difference,
+                           Result& result) {
+  base::Matrix shifted(alpha_.numRows(), alpha_.numCols());
+  std::vector<std::vector<std::vector<double>>> values(responses_.size());  // at the points
+  std::vector<double> floors(responses_.size(), 0.0);
+  for (const DifferencePoint& point : difference) {
+    for (int t = 0; t < alpha_.numCols(); ++t) {
+      for (int row = 0; row < alpha_.numRows(); ++row) {
+        shifted[t][row] = alpha_[t][row] + point.offset * result.dalpha[t][row];
+      }
+    }
+    put(parameter, parameter.value + point.offset);
+    const Iterate& iterate = fixedPoint_.apply(shifted, scratch_);
+    const NaturalSizes sizes(iterate);
+    for (std::size_t j = 0; j < responses_.size(); ++j) {
+      values[j].push_back(responses_[j]->evaluate(iterate));
+      floors[j] = sizes.floor(*responses_[j]);
+    }
+  }
   put(parameter, parameter.value);
+  for (std::size_t j = 0; j < responses_.size(); ++j) {
+    std::vector<double> derivative(alpha_.numCols(), 0.0);
+    for (std::size_t t = 0; t < derivative.size(); ++t) {
+      for (std::size_t v = 0; v < difference.size(); ++v) derivative[t] += difference[v].weight * values[j][v][t];
+      if (result.residuals[t] > noDerivative) derivative[t] = std::numeric_limits<double>::quiet_NaN();
+    }
+    result.responses.push_back(std::move(derivative));
+    if (responses_[j]->isLinear()) continue;
+    for (const int t : kinksOf(values[j], floors[j])) {
+      if (std::isnan(result.responses[j][t])) continue;
+      result.responses[j][t] = std::numeric_limits<double>::quiet_NaN();
+      result.missing.push_back(missingOf(responses_[j]->name(), t, result.parameter));
+    }
+  }
 }
 
 base::Matrix Derivatives::stateOf(const Iterate& solution) {
@@ -267,16 +361,20 @@ std::vector<Derivatives::Result> Derivatives::compute(const base::Matrix& state,
   const base::SoleThread inside(fixedPoint_.layout().comm().getSize());
   const int rows = fixedPoint_.layout().rows(), steps = fixedPoint_.assembly().steps();
   std::vector<Result> results(parameters.size());
-  for (Result& result : results) result.dalpha.shape(rows, steps);
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    results[j].parameter = parameters[j].name;
+    results[j].dalpha.shape(rows, steps);
+  }
   for (base::Matrix* field : {&alpha_, &beta_, &scratch_}) field->shape(rows, steps);
   alpha_.assign(state);
+  directions_ = 0;
   const Restore restore{fixedPoint_, parameters};
   beta_.assign(fixedPoint_.apply(alpha_, scratch_).beta());
   const auto pairs = perturb(parameters);
   march(*pairs, results);
   fixedPoint_.updateLaws();
   fixedPoint_.selectAll();
-  for (std::size_t j = 0; j < parameters.size(); ++j) evaluate(parameters[j], results[j]);
+  for (std::size_t j = 0; j < parameters.size(); ++j) evaluate(parameters[j], differences_[j], results[j]);
   return results;
 }
 

@@ -8,7 +8,8 @@
 namespace harmos::latin {
 namespace {
 
-// Of the largest traction of an interface: the same calls with the same numbers leave round-off at most.
+// Of the largest traction of an interface: the same calls with the same numbers
+// leave round-off at most.
 constexpr double same = 1e-9;
 
 }  // namespace
@@ -62,20 +63,19 @@ void PairDerivatives::demandSame(int interfaceIndex, const PointwiseLocalStage::
                     interface.law->name() + "\", which asks for more than the pairs of this interface.");
 }
 
-laws::NodeArrays PairDerivatives::shift(int interfaceIndex, int parameter, double sign,
+laws::NodeArrays PairDerivatives::shift(int interfaceIndex, int parameter, double offset,
                                         const std::vector<laws::LocalLine>& change) {
   const Joint& joint = joints_[interfaceIndex];
-  const double length = sign * parameters_[parameter].step;
   shifted_.resize(change.size());
   moved_.resize(change.size());
   oldHistory_.resize(joint.history.size());
   newHistory_.resize(joint.history.size());
   for (std::size_t p = 0; p < change.size(); ++p) {
     shifted_[p] = joint.lines[p];
-    shifted_[p].freeJump = shifted_[p].freeJump + length * change[p].freeJump;
+    shifted_[p].freeJump = shifted_[p].freeJump + offset * change[p].freeJump;
   }
   for (std::size_t n = 0; n < oldHistory_.size(); ++n) {
-    oldHistory_[n] = joint.history[n] + length * joint.before[parameter][n];
+    oldHistory_[n] = joint.history[n] + offset * joint.before[parameter][n];
   }
   laws::NodeArrays nodes = assembly_.interfaces[interfaceIndex].nodes(assembly_.times, joint.step);
   nodes.line = shifted_.data();
@@ -85,24 +85,20 @@ laws::NodeArrays PairDerivatives::shift(int interfaceIndex, int parameter, doubl
   return nodes;
 }
 
-const laws::InterfaceLaw& PairDerivatives::law(int interfaceIndex, int parameter, double sign) const {
-  const Laws& laws = parameters_[parameter];
-  return *(sign > 0.0 ? laws.more : laws.less)[interfaceIndex];
-}
-
-void PairDerivatives::add(int interfaceIndex, int parameter, double sign, base::Matrix& traction) {
+void PairDerivatives::add(int interfaceIndex, int parameter, std::size_t value, base::Matrix& traction) {
   Joint& joint = joints_[interfaceIndex];
-  const double factor = 0.5 * sign / parameters_[parameter].step;
+  const std::vector<Laws::At>& all = parameters_[parameter].at;
+  const double weight = all[value].point.weight;
   std::vector<laws::LocalState>& states = joint.states[parameter];
-  if (sign > 0.0) {
+  if (value == 0) {
     states.assign(moved_.size(), {});
     joint.after[parameter].assign(newHistory_.size(), 0.0);
   }
   for (std::size_t p = 0; p < moved_.size(); ++p) {
-    states[p].traction = states[p].traction + factor * moved_[p].traction;
+    states[p].traction = states[p].traction + weight * moved_[p].traction;
   }
-  for (std::size_t n = 0; n < newHistory_.size(); ++n) joint.after[parameter][n] += factor * newHistory_[n];
-  if (sign < 0.0) lines_.write(interfaceIndex, parameter, states.data(), traction);
+  for (std::size_t n = 0; n < newHistory_.size(); ++n) joint.after[parameter][n] += weight * newHistory_[n];
+  if (value + 1 == all.size()) lines_.write(interfaceIndex, parameter, states.data(), traction);
 }
 
 void PairDerivatives::apply(const base::Matrix& dbeta, base::Matrix& traction) {
@@ -115,9 +111,10 @@ void PairDerivatives::apply(const base::Matrix& dbeta, base::Matrix& traction) {
     if (!lines_.isActive(index) || faces_.law(index) != nullptr) continue;
     for (int j = 0; j < columns; ++j) {
       lines_.fill(index, j, dbeta, change);
-      for (const double sign : {1.0, -1.0}) {
-        law(index, j, sign).solve(joints_[i].step, shift(index, j, sign, change));
-        add(index, j, sign, traction);
+      const std::vector<Laws::At>& all = parameters_[j].at;
+      for (std::size_t v = 0; v < all.size(); ++v) {
+        all[v].laws[i]->solve(joints_[i].step, shift(index, j, all[v].point.offset, change));
+        add(index, j, v, traction);
       }
     }
   }
@@ -125,27 +122,31 @@ void PairDerivatives::apply(const base::Matrix& dbeta, base::Matrix& traction) {
 }
 
 void PairDerivatives::applyFaces(const base::Matrix& dbeta, base::Matrix& traction) {
-  const auto forEach = [&](double sign, const auto& use) {
+  std::size_t values = 0;
+  for (const Laws& one : parameters_) values = std::max(values, one.at.size());
+  const auto forEach = [&](std::size_t value, const auto& use) {
     std::vector<laws::LocalLine> change;
     for (const int i : faces_.interfaces()) {
       if (!lines_.isActive(i)) continue;
       for (int j = 0; j < dbeta.numCols(); ++j) {
+        if (value >= parameters_[j].at.size()) continue;
+        const Laws::At& at = parameters_[j].at[value];
         lines_.fill(i, j, dbeta, change);
-        const laws::NodeArrays nodes = shift(i, j, sign, change);
-        use(i, j, nodes, dynamic_cast<const laws::CoupledLaw&>(law(i, j, sign)));
+        const laws::NodeArrays nodes = shift(i, j, at.point.offset, change);
+        use(i, j, nodes, dynamic_cast<const laws::CoupledLaw&>(*at.laws[i]));
       }
     }
   };
   FaceSums sums(faces_);
-  for (const double sign : {1.0, -1.0}) {
+  for (std::size_t value = 0; value < values; ++value) {
     sums.begin(dbeta.numCols());
-    forEach(sign, [&](int i, int j, const laws::NodeArrays& nodes, const laws::CoupledLaw& moved) {
+    forEach(value, [&](int i, int j, const laws::NodeArrays& nodes, const laws::CoupledLaw& moved) {
       sums.add(i, j, joints_[i].step, nodes, moved);
     });
     sums.finish();
-    forEach(sign, [&](int i, int j, const laws::NodeArrays& nodes, const laws::CoupledLaw& moved) {
+    forEach(value, [&](int i, int j, const laws::NodeArrays& nodes, const laws::CoupledLaw& moved) {
       moved.solvePoints(joints_[i].step, nodes, sums.of(i, j));
-      add(i, j, sign, traction);
+      add(i, j, value, traction);
     });
   }
 }

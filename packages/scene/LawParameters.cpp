@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>
 #include <harmos/laws/FaceLaw.hpp>
 #include <harmos/scene/TurnedPlaces.hpp>
@@ -32,7 +33,8 @@ LawParameters::LawParameters(input::InputTree input, std::string path, std::vect
       overrides_(std::move(overrides)),
       laws_(laws),
       assembly_(assembly),
-      scene_(makeScene(input_, path_, overrides_, laws_)) {}
+      scene_(makeScene(input_, path_, overrides_, laws_)),
+      given_(scene_.input) {}
 
 double LawParameters::value(const std::string& entry) const {
   return lawEntry(input_, scene_.input, entry);
@@ -42,6 +44,8 @@ void LawParameters::set(const std::string& entry, double value) {
   lawEntry(input_, scene_.input, entry);  // may throw
   std::map<std::string, double> changes = changes_;
   changes[entry] = value;
+  // Another entry may stand for it, as Values/NAME does, and is to be felt again.
+  if (value == lawEntry(input_, given_, entry)) changes.erase(entry);
   std::vector<std::string> overrides = overrides_;
   for (const auto& [path, number] : changes) overrides.push_back(path + "=" + base::toText(number));
   Scene changed = makeScene(input_, path_, overrides, laws_);
@@ -50,10 +54,26 @@ void LawParameters::set(const std::string& entry, double value) {
   useLaws(scene_, assembly_);
 }
 
-latin::ModelParameter LawParameters::parameter(const std::string& entry) {
+bool LawParameters::isAdmissible(const std::string& entry, double number) {
   const double present = value(entry);
-  return {entry, present, relativeStep * (present == 0.0 ? 1.0 : std::abs(present)),
-          [this, entry](double number) { set(entry, number); }};
+  try {
+    set(entry, number);
+  } catch (const base::Error&) {
+    return false;
+  }
+  set(entry, present);
+  return true;
+}
+
+latin::ModelParameter LawParameters::parameter(const std::string& entry) {
+  using Side = latin::ModelParameter::Side;
+  const double present = value(entry), step = relativeStep * std::abs(present);
+  const double beside = present == 0.0 ? relativeStep : step;
+  const bool below = isAdmissible(entry, present - beside), above = isAdmissible(entry, present + beside);
+  return {entry, present, step, [this, entry](double number) { set(entry, number); },
+          below == above ? Side::both
+          : above        ? Side::above
+                         : Side::below};
 }
 
 }  // namespace harmos::scene

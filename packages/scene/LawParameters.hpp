@@ -32,11 +32,13 @@ class LawParameters {
   /// Gives an entry another value and exchanges the laws of the assembly. Throws base::Error (input) when it is no
   /// entry of this kind, or the value is not admissible; nothing has changed then.
   void set(const std::string& entry, double value);
-  /// The entry as a parameter with its present value and a millionth of it as step, of 1 where it is 0. This object
-  /// must outlive it. Throws as value().
+  /// The entry as a parameter with its present value and a millionth of it as step; of one side where the value is the
+  /// least or the largest that is admissible. This object must outlive it. Throws as value().
   latin::ModelParameter parameter(const std::string& entry);
 
  private:
+  bool isAdmissible(const std::string& entry, double number);
+
   input::InputTree input_;
   std::string path_;
   std::vector<std::string> overrides_;
@@ -44,6 +46,7 @@ class LawParameters {
   assembly::Assembly& assembly_;
   std::map<std::string, double> changes_;
   Scene scene_;
+  input::Parameters given_;  // of the scene without changes
 };
 
 }  // namespace harmos::scene

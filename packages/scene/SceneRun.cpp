@@ -159,29 +159,19 @@ std::vector<GlobalVariable> globalsOf(const latin::LatinResult& solution, std::s
   return globals;
 }
 
-// Of the residual of a derivative: beyond it what was found is none.
-constexpr double noDerivative = 1e-3;
-
-/// NaN, and a remark, where a pair sits at a kink of its law.
+/// What has none is a remark.
 std::vector<files::ResponseDerivative> differentiate(
     const std::vector<std::string>& entries, LawParameters& parameters, const base::Matrix& state,
     latin::FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const latin::Response>>& responses,
     std::vector<std::string>& remarks) {
   std::vector<latin::ModelParameter> all;
   for (const std::string& entry : entries) all.push_back(parameters.parameter(entry));
-  auto found = latin::Derivatives(fixedPoint, responses).compute(state, all);
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (found[i].residual <= noDerivative) continue;
-    for (std::vector<double>& values : found[i].responses) {
-      std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
-    }
-    remarks.push_back("there are no derivatives with respect to " + base::quoted(entries[i]) +
-                      ": a pair sits at a kink of its law, at the edge of sticking or of contact");
-  }
+  const auto found = latin::Derivatives(fixedPoint, responses).compute(state, all);
+  for (const auto& one : found) remarks.insert(remarks.end(), one.missing.begin(), one.missing.end());
   std::vector<files::ResponseDerivative> derivatives;
   for (std::size_t j = 0; j < responses.size(); ++j) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      derivatives.push_back({responses[j]->name(), entries[i], found[i].responses[j], found[i].residual});
+      derivatives.push_back({responses[j]->name(), entries[i], found[i].responses[j], found[i].residuals});
     }
   }
   return derivatives;

@@ -116,6 +116,18 @@ Args::OutArgs<double> ResponseModel::createOutArgsImpl() const {
   return std::move(out);
 }
 
+std::vector<latin::ModelParameter> ResponseModel::withinBounds() const {
+  using Side = latin::ModelParameter::Side;
+  std::vector<latin::ModelParameter> result = parameters_;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    latin::ModelParameter& one = result[i];
+    if (one.side != Side::both) continue;
+    if (one.value - one.step < lower_[i] || one.value == lower_[i]) one.side = Side::above;
+    if (one.value + one.step > upper_[i] || one.value == upper_[i]) one.side = Side::below;
+  }
+  return result;
+}
+
 void ResponseModel::solve(const ::Thyra::VectorBase<double>* p) const {
   bool isSame = isFresh_;
   if (p != nullptr) {
@@ -150,7 +162,10 @@ void ResponseModel::evalModelImpl(const Args::InArgs<double>& in, const Args::Ou
   const auto columns = derivative.getMultiVector();
   if (columns.is_null()) return;
   isFresh_ = false;  // the fields of the solution end here
-  const auto found = latin::Derivatives(solver_.fixedPoint(), responses_).compute(solver_.state(), parameters_);
+  const auto found = latin::Derivatives(solver_.fixedPoint(), responses_).compute(solver_.state(), withinBounds());
+  for (const auto& one : found) {
+    if (!one.missing.empty()) throw base::Error(one.missing[0], base::ExitCode::notConverged);
+  }
   const bool isJacobian = derivative.getMultiVectorOrientation() == Args::DERIV_MV_JACOBIAN_FORM;
   for (std::size_t i = 0; i < found.size(); ++i) {
     for (std::size_t j = 0; j < responses_.size(); ++j) {

@@ -21,7 +21,7 @@ namespace harmos::thyra {
 /// all load steps, then the next one. dg/dp is that of the converged solution, latin::Derivatives, as columns of
 /// derivatives by a parameter (DERIV_MV_JACOBIAN_FORM) or of an entry of g (DERIV_MV_GRADIENT_FORM). Vectors are
 /// replicated on all ranks; every call is collective. A solution that is not certified is a base::Error with the exit
-/// code of its outcome.
+/// code of its outcome; one that has no derivative (a kink, see latin::Derivatives) is one where dg/dp is asked for.
 class ResponseModel final : public ::Thyra::ResponseOnlyModelEvaluatorBase<double> {
  public:
   /// Collective. Factors all operators. The bounds of p, at which optimisers stop, are infinite before setBounds().
@@ -31,7 +31,7 @@ class ResponseModel final : public ::Thyra::ResponseOnlyModelEvaluatorBase<doubl
                 std::vector<std::shared_ptr<const latin::Response>> responses,
                 std::vector<latin::ModelParameter> parameters, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
 
-  /// Least and largest values of all parameters, in their units.
+  /// Least and largest values of all parameters, in their units; at them derivatives are those towards the inside.
   void setBounds(std::vector<double> lower, std::vector<double> upper);
   /// Of the last solution.
   const latin::LatinResult& result() const { return result_; }
@@ -66,6 +66,8 @@ class ResponseModel final : public ::Thyra::ResponseOnlyModelEvaluatorBase<doubl
   void evalModelImpl(const Args::InArgs<double>& in, const Args::OutArgs<double>& out) const override;
   /// p as the parameters have it now, and the solution there.
   void solve(const ::Thyra::VectorBase<double>* p) const;
+  /// The parameters as derivatives may move them.
+  std::vector<latin::ModelParameter> withinBounds() const;
   Args::InArgs<double> withParameters(const std::vector<double>& values) const;
 
   // Thyra asks const models: what a solution leaves behind changes no answer.

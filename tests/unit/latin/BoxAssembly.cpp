@@ -85,8 +85,10 @@ void BoxAssembly::share(int representative, int body) {
 }
 
 BoxAssembly twoCubes(const std::shared_ptr<const laws::InterfaceLaw>& joint,
-                     const std::shared_ptr<const laws::InterfaceLaw>& top, int steps, bool isConsistent) {
-  BoxAssembly cubes({{"lower", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {"upper", {0, 0, 1}, {1, 1, 2}, {2, 2, 2}}}, steps);
+                     const std::shared_ptr<const laws::InterfaceLaw>& top, int steps, bool isConsistent, int across) {
+  BoxAssembly cubes(
+      {{"lower", {0, 0, 0}, {1, 1, 1}, {across, across, 2}}, {"upper", {0, 0, 1}, {1, 1, 2}, {across, across, 2}}},
+      steps);
   cubes.hold("bottom", "lower_zmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}),
              isConsistent);
   cubes.join("joint", "lower_zmax", "upper_zmin", joint, isConsistent);

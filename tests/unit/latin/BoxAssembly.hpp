@@ -40,9 +40,11 @@ class BoxAssembly {
   assembly::Assembly assembly_;
 };
 
-/// Two cubes of 2^3 elements, one above the other, the lower one clamped at the bottom.
+/// Two cubes of 2^3 elements, one above the other, the lower one clamped at the bottom; `across`: elements along the
+/// joint instead of 2.
 BoxAssembly twoCubes(const std::shared_ptr<const laws::InterfaceLaw>& joint,
-                     const std::shared_ptr<const laws::InterfaceLaw>& top, int steps = 1, bool isConsistent = false);
+                     const std::shared_ptr<const laws::InterfaceLaw>& top, int steps = 1, bool isConsistent = false,
+                     int across = 2);
 
 /// K u of one body, for its u in columns.
 base::Matrix product(const base::CrsMatrix& stiffness, const base::Matrix& u);

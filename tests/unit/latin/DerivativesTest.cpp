@@ -23,8 +23,8 @@ using Values = std::map<std::string, double>;
 /// load steps depend on what earlier ones have left.
 class Rubbing {
  public:
-  explicit Rubbing(Values values, bool isConsistent = false)
-      : values_(std::move(values)), cubes_(twoCubes(joint(), top(), steps, isConsistent)) {
+  explicit Rubbing(Values values, bool isConsistent = false, int across = 2)
+      : values_(std::move(values)), cubes_(twoCubes(joint(), top(), steps, isConsistent, across)) {
     if (Tpetra::getDefaultComm()->getSize() > 1) cubes_.assembly().owner = {0, 1};
     for (std::size_t i = 0; i < assembly().interfaces.size(); ++i) {
       const assembly::Interface& interface = assembly().interfaces[i];
@@ -35,11 +35,13 @@ class Rubbing {
 
   assembly::Assembly& assembly() { return cubes_.assembly(); }
 
-  ModelParameter parameter(const std::string& name) {
-    return {name, values_.at(name), 1e-6 * sizeOf(name), [this, name](double value) {
+  ModelParameter parameter(const std::string& name, ModelParameter::Side side = ModelParameter::Side::both) {
+    return {name, values_.at(name), 1e-6 * values_.at(name),
+            [this, name](double value) {
               values_[name] = value;
               install();
-            }};
+            },
+            side};
   }
 
   /// Of a parameter: its value, or that of the cubes where it is 0.
@@ -112,7 +114,7 @@ void compareWithDifferences(bool isConsistent) {
   Derivatives derivatives(solver.fixedPoint(), responses);
   const auto found = derivatives.compute(solver.state(), parameters);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    EXPECT_LE(found[i].residual, 1e-7) << names[i];
+    EXPECT_LE(found[i].residuals.back(), 1e-7) << names[i];
     Values more = usual, less = usual;
     const double h = 1e-4 * model.sizeOf(names[i]);
     more[names[i]] += h;
@@ -142,6 +144,123 @@ TEST(Derivatives, AreThoseOfDifferencesOfSolutions) {
 
 TEST(Derivatives, AreThoseOfDifferencesWithAConsistentMass) {
   compareWithDifferences(true);
+}
+
+// Each load step needs directions of its own, all together more than are kept: they had been at an end after some
+// steps.
+TEST(Derivatives, FindDirectionsForEveryLoadStep) {
+  Rubbing model(usual, false, 8);
+  base::Timers timers;
+  LatinSolver solver(model.assembly(), precise(), Tpetra::getDefaultComm(), timers);
+  ASSERT_EQ(solver.solve().outcome, Outcome::certified);
+  const auto responses = model.responses();
+  Derivatives derivatives(solver.fixedPoint(), responses);
+  const auto found = derivatives.compute(solver.state(), {model.parameter("mu"), model.parameter("shear")});
+  for (const auto& one : found) EXPECT_LE(one.residuals.back(), 1e-8);
+  EXPECT_LT(derivatives.directions(), 600);
+}
+
+// At the least or largest value that is admissible: the same where there is no kink.
+TEST(Derivatives, CanBeThoseOfOneSide) {
+  Rubbing model(usual);
+  base::Timers timers;
+  LatinSolver solver(model.assembly(), precise(), Tpetra::getDefaultComm(), timers);
+  ASSERT_EQ(solver.solve().outcome, Outcome::certified);
+  const base::Matrix state = Derivatives::stateOf(solver.state());
+  const auto responses = model.responses();
+  Derivatives derivatives(solver.fixedPoint(), responses);
+  using Side = ModelParameter::Side;
+  for (const std::string name : {"mu", "pressure"}) {
+    const auto both = derivatives.compute(state, {model.parameter(name)});
+    for (const Side side : {Side::above, Side::below}) {
+      double last = usual.at(name);
+      ModelParameter parameter = model.parameter(name, side);
+      const auto set = parameter.set;
+      parameter.set = [&](double value) {
+        if (side == Side::above ? value < usual.at(name) : value > usual.at(name)) ADD_FAILURE() << value;
+        last = value;
+        set(value);
+      };
+      const auto one = derivatives.compute(state, {parameter});
+      EXPECT_EQ(last, usual.at(name));
+      EXPECT_TRUE(one[0].missing.empty());
+      for (std::size_t j = 0; j < responses.size(); ++j) {
+        for (int t = 0; t < Rubbing::steps; ++t) {
+          const double expected = both[0].responses[j][t];
+          EXPECT_NEAR(one[0].responses[j][t], expected, 1e-5 * std::abs(expected) + 1e-8) << name << j << ", " << t;
+        }
+      }
+    }
+  }
+}
+
+// Without friction at first: the slope towards more of it, against one-sided differences of solutions.
+TEST(Derivatives, OfNoFrictionAreThoseOfALittle) {
+  // Held by springs, since nothing else holds the upper cube along the joint.
+  BoxAssembly cubes =
+      twoCubes(laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.0}}),
+               laws::makeLaw("Elastic Foundation", {{"Normal Stiffness", 50.0}, {"Tangential Stiffness", 1.0}}));
+  assembly::Assembly& assembly = cubes.assembly();
+  std::size_t bottom = 0, joint = 0;
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    if (assembly.interfaces[i].name == "bottom") bottom = i;
+    if (assembly.interfaces[i].name == "joint") joint = i;
+  }
+  assembly.interfaces[bottom].law = laws::makeLaw("Prescribed Displacement", {{"X", 0.1}, {"Y", 0.0}, {"Z", 0.05}});
+  const auto friction = [&](double mu) {
+    assembly.interfaces[joint].law = laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", mu}});
+  };
+  const std::vector<std::shared_ptr<const Response>> responses{std::make_shared<ResultantResponse>(
+      "force", std::vector<int>{static_cast<int>(joint)}, std::vector<base::Vector3>{{1, 0, 0}})};
+  const auto force = [&](double mu) {
+    friction(mu);
+    base::Timers timers;
+    LatinSolver solver(assembly, precise(), self(), timers);
+    EXPECT_EQ(solver.solve().outcome, Outcome::certified);
+    return responses[0]->evaluate(solver.state())[0];
+  };
+  const double h = 1e-3;
+  const double slope = (-3.0 * force(0.0) + 4.0 * force(h) - force(2.0 * h)) / (2.0 * h);
+  friction(0.0);
+  base::Timers timers;
+  LatinSolver solver(assembly, precise(), self(), timers);
+  ASSERT_EQ(solver.solve().outcome, Outcome::certified);
+  const auto found = Derivatives(solver.fixedPoint(), responses)
+                         .compute(solver.state(), {{"mu", 0.0, 0.0, friction, ModelParameter::Side::above}});
+  EXPECT_GT(std::abs(slope), 0.1);
+  EXPECT_NEAR(found[0].responses[0][0], slope, 1e-4 * std::abs(slope));
+}
+
+// Two pairs share the largest value, and change otherwise: a kink of the response, not of the state.
+TEST(Derivatives, AreNotThoseOfResponsesAtAKink) {
+  struct Larger final : PairResponse {
+    Larger() : PairResponse("larger", Quantity::stress, {1}) {}
+    void include(const assembly::Interface&, const PairFields&, std::vector<double>&) const override {}
+    std::vector<double> finish(std::vector<double> values) const override {
+      for (double& value : values) value = std::max(4.0, 4.0 + now - 0.9);
+      return values;
+    }
+    double now = 0.9;
+  };
+  Rubbing model(usual);
+  base::Timers timers;
+  LatinSolver solver(model.assembly(), precise(), Tpetra::getDefaultComm(), timers);
+  ASSERT_EQ(solver.solve().outcome, Outcome::certified);
+  const auto larger = std::make_shared<Larger>();
+  ModelParameter shear = model.parameter("shear");
+  const auto set = shear.set;
+  shear.set = [&](double value) {
+    larger->now = value;
+    set(value);
+  };
+  const std::vector<std::shared_ptr<const Response>> responses{larger, model.responses()[0]};
+  const auto found = Derivatives(solver.fixedPoint(), responses).compute(solver.state(), {shear});
+  ASSERT_EQ(found[0].missing.size(), static_cast<std::size_t>(Rubbing::steps));
+  EXPECT_NE(found[0].missing[0].find("\"larger\""), std::string::npos) << found[0].missing[0];
+  for (int t = 0; t < Rubbing::steps; ++t) {
+    EXPECT_TRUE(std::isnan(found[0].responses[0][t]));
+    EXPECT_FALSE(std::isnan(found[0].responses[1][t]));
+  }
 }
 
 // The history matters here: the derivative at the end by the load of the second step alone is not zero.

@@ -106,6 +106,25 @@ TEST(LawParameters, RefuseValuesThatOthersName) {
             std::string::npos);
 }
 
+// What has its value again leaves it to the number of Values that it names.
+TEST(LawParameters, AreFeltByTurns) {
+  std::string text = sampleScene();
+  text.replace(text.find("value=\"0.3\""), 11, "value=\"$mu\"");
+  text.insert(text.find("<ParameterList name=\"Mesh\">"),
+              "<ParameterList name=\"Values\"><Parameter name=\"mu\" type=\"double\" value=\"0\"/></ParameterList>");
+  const laws::LawRegistry laws = laws::builtInLaws();
+  assembly::Assembly none;
+  LawParameters parameters(input::InputTree::fromText(text, "sample.xml"), "sample.xml", {}, laws, none);
+  const std::string friction = "Interfaces/seal/Law/Friction Coefficient";
+  EXPECT_EQ(parameters.parameter(friction).side, latin::ModelParameter::Side::above);
+  EXPECT_EQ(parameters.parameter("Values/mu").side, latin::ModelParameter::Side::above);
+  EXPECT_EQ(parameters.parameter(pressure).side, latin::ModelParameter::Side::both);
+  parameters.set(friction, 0.1);
+  parameters.set(friction, 0.0);
+  parameters.set("Values/mu", 0.4);
+  EXPECT_EQ(parameters.value(friction), 0.4);
+}
+
 // A host's list in memory, with a law of its own, solved and differentiated without a file.
 TEST(LawParameters, ServeScenesInMemory) {
   const auto comm = Tpetra::getDefaultComm();
