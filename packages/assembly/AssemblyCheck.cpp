@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
+#include <string>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -10,6 +12,7 @@
 #include <harmos/assembly/detail/BodyCheck.hpp>
 #include <harmos/assembly/detail/InterfaceCheck.hpp>
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
 
 namespace harmos::assembly {
@@ -107,6 +110,17 @@ void checkOwners(const Assembly& assembly, int ranks, Faults& faults) {
   }
 }
 
+/// Results and messages name bodies.
+void checkNames(const Assembly& assembly, Faults& faults) {
+  std::map<std::string, std::size_t> first;
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+    const auto [before, isNew] = first.emplace(assembly.bodies[b].name, b);
+    if (isNew) continue;
+    faults.add("body " + std::to_string(b) + " " + base::quoted(assembly.bodies[b].name),
+               "body " + std::to_string(before->second) + " has the same name");
+  }
+}
+
 void checkPath(const Assembly& assembly, Faults& faults) {
   const PathControl& path = *assembly.path;
   const int interfaces = static_cast<int>(assembly.interfaces.size());
@@ -144,6 +158,7 @@ const Assembly& demandValid(const Assembly& assembly, const Teuchos::Comm<int>& 
   if (assembly.bodies.empty()) faults.add("bodies", "there are none");
   checkTimes(assembly, faults);
   checkOwners(assembly, comm.getSize(), faults);
+  checkNames(assembly, faults);
   const int bodies = static_cast<int>(assembly.bodies.size());
   for (int b = 0; b < bodies; ++b) checkBody(assembly, b, faults);
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {

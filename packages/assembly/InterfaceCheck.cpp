@@ -40,6 +40,11 @@ class Check {
           ", but there are " + std::to_string(bodies) + ", counted from 0; body2 is -1 on a boundary");
       return;
     }
+    if (interface_.body1 == interface_.body2) {
+      add("it joins body " + std::to_string(interface_.body1) +
+          " with itself; a body whose own faces meet is to be divided between them");
+      return;
+    }
     checkSides();
     checkTrace(0);
     checkTrace(1);

@@ -70,6 +70,7 @@ TEST(AssemblyCheck, NamesWhatIsWrongWithBodies) {
               [](Assembly& a) { a.bodies[0].nodes[2][1] = nan; });
   expectFault("body 0 \"left\": the coordinates of node 3 are not finite, or beyond 1e+100",
               [](Assembly& a) { a.bodies[0].nodes[3][0] = 1e300; });
+  expectFault("body 1 \"left\": body 0 has the same name", [](Assembly& a) { a.bodies[1].name = "left"; });
   expectFault("body 0 \"left\": it has no nodes", [](Assembly& a) { a.bodies[0].nodes.clear(); });
   expectFault("body 1 \"right\": it is congruent to body 1, which is none with", [](Assembly& a) {
     auto congruence = std::make_shared<substructure::Congruence>();
@@ -123,6 +124,7 @@ TEST(AssemblyCheck, NamesWhatIsWrongWithInterfaces) {
   const std::string where = "interface 1 \"joint\": ";
   expectFault(where + "it has no law", [&](Assembly& a) { joint(a).law.reset(); });
   expectFault(where + "it joins bodies 0 and 2, but there are 2", [&](Assembly& a) { joint(a).body2 = 2; });
+  expectFault(where + "it joins body 0 with itself", [&](Assembly& a) { joint(a).body2 = 0; });
   expectFault(where + "the law \"Perfect\" joins two bodies", [&](Assembly& a) {
     joint(a).body2 = -1;
     joint(a).trace2 = {};
