@@ -99,12 +99,18 @@ class FormulaLaw final : public InterfaceLaw {
     if (std::abs(atA) <= small) return traction;
     double b = a - atA / leastSlope, atB = residual(b);
     if (std::abs(atB) <= small) return traction;
+    const auto isRoundOff = [&](double jump, double left) {
+      const auto alone = [&](const base::Vector3& one) { return base::Vector3{tractionAt(one[0]), 0.0, 0.0}; };
+      return std::abs(left) <= 16.0 * compliance * roundOffOf(alone, {jump, 0.0, 0.0}, scale);
+    };
     // The chord meets straight lines at once; from its nearer end for the digits.
     const double slope = (atB - atA) / (b - a);
-    if (!(slope > 0.0)) return std::nullopt;
+    if (!(slope > 0.0)) return isRoundOff(a, atA) ? std::optional((freeJump - a) / compliance) : std::nullopt;
     const double chord = std::abs(atA) < std::abs(atB) ? a - atA / slope : b - atB / slope;
     if (std::abs(residual(chord)) <= small) return traction;
-    if (!((atA < 0.0 && atB > 0.0) || (atA > 0.0 && atB < 0.0))) return std::nullopt;
+    if (!((atA < 0.0 && atB > 0.0) || (atA > 0.0 && atB < 0.0))) {
+      return isRoundOff(b, atB) ? std::optional((freeJump - b) / compliance) : std::nullopt;
+    }
     if (a > b) {
       std::swap(a, b);
       std::swap(atA, atB);
@@ -149,6 +155,9 @@ class FormulaLaw final : public InterfaceLaw {
 
   std::optional<base::Vector3> oneAfterTheOther(const LocalLine& line) const {
     constexpr int rounds = 1000;
+    constexpr double gained = 0.25;  // of the square of a residual
+    const auto tractionAt = [&](const base::Vector3& all) { return graph_->traction(all); };
+    double before = 0.0;
     base::Vector3 jump{};
     for (int r = 0; r < rounds; ++r) {
       for (std::size_t c = 0; c < 3; ++c) {
@@ -161,7 +170,13 @@ class FormulaLaw final : public InterfaceLaw {
         jump[c] = line.freeJump[c] - line.compliance * *found;
       }
       const base::Vector3 traction = graph_->traction(jump);
-      if (LineResidual(line, jump, traction).isSmall()) return traction;
+      const LineResidual residual(line, jump, traction);
+      if (residual.isSmall()) return traction;
+      // Round-off of terms that cancel is looked for where nothing is gained any more.
+      if (residual.square > gained * before && residual.isRoundOffOf(tractionAt, line, jump)) {
+        return (1.0 / line.compliance) * (line.freeJump - jump);
+      }
+      before = residual.square;
     }
     return std::nullopt;
   }

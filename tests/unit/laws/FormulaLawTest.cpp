@@ -92,6 +92,34 @@ TEST(FormulaLaw, CouplesComponents) {
 }
 
 // The slider keeps where it was left: k clip(delta - p), with p as history, is plasticity in one component.
+// Digits that such terms leave are those of the terms: of 1 - exp(-1e-9) there are seven.
+TEST(FormulaLaw, MeetsLinesWhereTermsCancel) {
+  const double strength = 5.0, length = 0.01, coupling = 10.0;
+  const std::map<std::string, double> constants{{"s", strength}, {"d", length}, {"c", coupling}};
+  const Texts texts{"s * (1 - exp(-jump_n / d)) + c * jump_1", "s * (exp(jump_1 / d) - 1) + c * jump_n",
+                    "s * (exp(jump_2 / d) - exp(-jump_2 / d)) / 2", constants};
+  const Texts alone{"s * (1 - exp(-jump_n / d))", "s * (exp(jump_1 / d) - 1)", "s * (exp(jump_2 / d) - 1)", constants};
+  const auto law = formula(texts), uncoupled = formula(alone);
+  Random random(7);
+  for (const double size : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13, 1e-15, 1e-17, 1e-20}) {
+    for (int i = 0; i < 200; ++i) {
+      LocalLine line = randomLine(random);
+      line.compliance = std::pow(10.0, uniform(random, -5.0, -1.0));
+      line.freeJump = size * line.freeJump;
+      for (const auto* one : {&law, &uncoupled}) {
+        Node node(**one, 0.0);
+        const base::Vector3 t = node.solve(line).traction, jump = line.jump(t);
+        const double along = one == &law ? coupling : 0.0;
+        const base::Vector3 expected{
+            -strength * std::expm1(-jump[0] / length) + along * jump[1],
+            strength * std::expm1(jump[1] / length) + along * jump[0],
+            one == &law ? strength * std::sinh(jump[2] / length) : strength * std::expm1(jump[2] / length)};
+        EXPECT_LE(norm(t - expected), 1e-13 * strength + 1e-11 * norm(expected)) << size << ", " << i;
+      }
+    }
+  }
+}
+
 TEST(FormulaLaw, KeepsNumbersFromStepToStep) {
   const auto law = formula({"k * (jump_n - slip)",
                             "0",
