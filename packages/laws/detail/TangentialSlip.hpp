@@ -13,7 +13,7 @@ struct Tangential {
   /// That of a vector (n, t1, t2).
   static Tangential of(const base::Vector3& v) { return {v[1], v[2]}; }
   /// Its length.
-  double norm() const { return std::hypot(t1, t2); }
+  double norm() const { return std::sqrt(t1 * t1 + t2 * t2); }
   friend Tangential operator+(const Tangential& a, const Tangential& b) { return {a.t1 + b.t1, a.t2 + b.t2}; }
   friend Tangential operator-(const Tangential& a, const Tangential& b) { return {a.t1 - b.t1, a.t2 - b.t2}; }
   friend Tangential operator*(double s, const Tangential& a) { return {s * a.t1, s * a.t2}; }
