@@ -19,27 +19,41 @@ std::string atStep(int step) {
   return "load step " + std::to_string(step + 1);
 }
 
-}  // namespace
-
-std::vector<int> kinksOf(const std::vector<std::vector<double>>& values, double floor) {
-  double size = floor;
-  for (const double value : values[1]) size = std::max(size, std::abs(value));
-  std::vector<int> kinks;
-  for (std::size_t t = 0; t < values[1].size(); ++t) {
-    const double first = values[1][t] - values[0][t], second = values[2][t] - values[1][t];
-    const double bend = std::abs(second - first);
-    if (bend <= tooSmall * size || bend <= bent * std::max(std::abs(first), std::abs(second))) continue;
-    kinks.push_back(static_cast<int>(t));
-  }
-  return kinks;
+double bendOf(const std::vector<std::vector<double>>& values, std::size_t t) {
+  return std::abs(values[0][t] - 2.0 * values[1][t] + values[2][t]);
 }
 
-std::string missingFrom(int step, const std::string& parameter, const std::string& interfaceName, bool isSpent) {
+}  // namespace
+
+std::vector<int> bendsOf(const std::vector<std::vector<double>>& values, double size) {
+  std::vector<int> bends;
+  for (std::size_t t = 0; t < values[1].size(); ++t) {
+    const double first = values[1][t] - values[0][t], second = values[2][t] - values[1][t];
+    const double bend = bendOf(values, t);
+    if (bend <= tooSmall * size || bend <= bent * std::max(std::abs(first), std::abs(second))) continue;
+    bends.push_back(static_cast<int>(t));
+  }
+  return bends;
+}
+
+bool isKink(const std::vector<std::vector<double>>& values, const std::vector<std::vector<double>>& nearer,
+            double shorter, int step) {
+  return bendOf(nearer, step) > std::pow(shorter, 1.5) * bendOf(values, step);
+}
+
+std::string missingFrom(int step, const std::string& parameter, const std::string& interfaceName, NoDerivative why) {
   const std::string where = base::quoted(interfaceName);
-  return "there are no derivatives with respect to " + base::quoted(parameter) + " from " + atStep(step) + " on: " +
-         (isSpent
-              ? "there are too few directions to find them, least at " + where
-              : "a pair of " + where + " sits at a kink of its law, at the edge of sticking or of contact; " + remedy);
+  const std::string what =
+      "there are no derivatives with respect to " + base::quoted(parameter) + " from " + atStep(step) + " on: ";
+  switch (why) {
+    case NoDerivative::unbalanced:
+      return what + "nothing balances what it changes at " + where + " unless other numbers change with it";
+    case NoDerivative::directions:
+      return what + "there are too few directions to find them, least at " + where;
+    case NoDerivative::kink:
+      break;
+  }
+  return what + "a pair of " + where + " sits at a kink of its law, at the edge of sticking or of contact; " + remedy;
 }
 
 std::string missingOf(const std::string& response, int step, const std::string& parameter) {

@@ -17,21 +17,21 @@ namespace {
 
 // Tangents are differences with about seven digits; each round gains as many.
 constexpr int rounds = 4;
-// Of a residual, what a round leaves at most unless round-off, or a kink, is
-// all that is left.
+// Of a residual, what a round leaves at most unless round-off, or a kink, is all that is left.
 constexpr double gained = 0.5;
 constexpr int mostDirections = 400;
-// What is left of a direction beside those of the same block: each is known to
-// 1e-7 where little of it was outside of the space, and less than a thousand
-// times that is round-off.
+// What is left of a direction beside those of the same block: each is known to 1e-7 where little of it was outside of
+// the space, and less than a thousand times that is round-off.
 constexpr double leastIndependent = 1e-4;
 // Of a residual: beyond it what was found is no derivative.
 constexpr double noDerivative = 1e-3;
+// Of the step: how far responses that bend are asked once more; kinks are as bent there.
+constexpr double shortened = 0.1;
 // Of a state, over the step: a derivative as small as this is measured by it, since less is round-off.
 constexpr double negligible = 1e-8;
-// Of a state: how far it is moved by a parameter whose value is 0, from the
-// first distance on, which grows so often and so much where nothing moves.
-constexpr double moved = 1e-5;
+// Of a state: how far it is moved by a parameter whose value is 0, from the first distance on, which grows so often and
+// so much where nothing moves.
+constexpr double movedShare = 1e-5;
 constexpr double firstStep = 1e-6;
 constexpr int growths = 3;
 constexpr double growth = 1e4;
@@ -52,8 +52,7 @@ double norm(const StateMetric& metric, const double* a) {
   return std::sqrt(dot(metric, a, a));
 }
 
-/// Parameters have their values and load steps their loads again at the end,
-/// also after an error.
+/// Parameters have their values and load steps their loads again at the end, also after an error.
 struct Restore {
   FixedPoint& fixedPoint;
   const std::vector<ModelParameter>& parameters;
@@ -103,8 +102,7 @@ void Derivatives::demandSameOperators(const ModelParameter& parameter, double of
         const double k = here[c].stiffness, moved = there[c].stiffness;
         if (k == moved || std::abs(k - moved) <= sameStiffness * std::abs(k)) continue;
         throw base::Error("parameter \"" + parameter.name + "\" changes the stiffness of boundary \"" + interface.name +
-                              "\", which stands in the operators. Give the "
-                              "solver the option Elimination::rigid.",
+                              "\", which stands in the operators. Give the solver the option Elimination::rigid.",
                           base::ExitCode::input);
       }
     }
@@ -122,9 +120,8 @@ double Derivatives::stepOf(const ModelParameter& parameter) {
   for (int growing = 0; growing < growths; ++growing) {
     try {
       put(parameter, parameter.value + (parameter.side == ModelParameter::Side::below ? -step : step));
-    } catch (const base::Error&) {  // it has left the values that are
-                                    // admissible, on every rank
-      return firstStep;
+    } catch (const base::Error&) {
+      return firstStep;  // it has left the values that are admissible, on every rank
     }
     fixedPoint_.apply(alpha_, scratch_);
     put(parameter, parameter.value);
@@ -133,7 +130,7 @@ double Derivatives::stepOf(const ModelParameter& parameter) {
       for (int row = 0; row < image.numRows(); ++row) scratch_[t][row] -= image[t][row];
       change = std::max(change, norm(metric, scratch_[t]));
     }
-    if (change > unmoved * size) return step * moved * size / change;
+    if (size > 0.0 && change > unmoved * size) return step * movedShare * size / change;
     step *= growth;
   }
   return firstStep;
@@ -144,16 +141,14 @@ std::unique_ptr<PairDerivatives> Derivatives::perturb(const std::vector<ModelPar
   std::vector<PairDerivatives::Laws> laws;
   dbeta_.clear();
   steps_.clear();
-  differences_.clear();
   for (const ModelParameter& parameter : parameters) {
     const double step = stepOf(parameter);
     demandSameOperators(parameter, parameter.side == ModelParameter::Side::below ? -step : step);
     steps_.push_back(step);
-    differences_.push_back(differenceOf(parameter.side, step));
     laws.emplace_back();
     dbeta_.emplace_back(alpha_.numRows(), alpha_.numCols());
     base::Matrix& change = dbeta_.back();
-    for (const DifferencePoint& point : differences_.back()) {
+    for (const DifferencePoint& point : differenceOf(parameter.side, step)) {
       if (point.weight == 0.0) continue;
       put(parameter, parameter.value + point.offset);
       PairDerivatives::Laws::At at{point, {}};
@@ -203,8 +198,8 @@ bool Derivatives::extend(const std::vector<std::vector<double>>& residuals) {
   return true;
 }
 
-void Derivatives::solve(const base::Matrix& right, const std::vector<double>& size, base::Matrix& dalpha,
-                        base::Matrix& dbeta) {
+std::vector<bool> Derivatives::solve(const base::Matrix& right, const std::vector<double>& size, base::Matrix& dalpha,
+                                     base::Matrix& dbeta) {
   const int rows = right.numRows(), columns = right.numCols();
   std::vector<CorrectionSpace::LeastSquares> fits(columns);
   const auto left = [&] {
@@ -227,9 +222,12 @@ void Derivatives::solve(const base::Matrix& right, const std::vector<double>& si
   for (auto residuals = left(); !residuals.empty(); residuals = left()) {
     if (tangent_->space().size() >= mostDirections || !extend(residuals)) break;
   }
+  std::vector<bool> isSolved;
   for (int j = 0; j < columns; ++j) {
     if (!fits[j].c.empty()) tangent_->space().move(fits[j].c, 1.0, dalpha[j], dbeta[j]);
+    isSolved.push_back(fits[j].left <= noDerivative * size[j]);
   }
+  return isSolved;
 }
 
 void Derivatives::march(PairDerivatives& pairs, std::vector<Result>& results) {
@@ -258,6 +256,7 @@ void Derivatives::march(PairDerivatives& pairs, std::vector<Result>& results) {
     dalpha.putScalar(0.0);
     for (int j = 0; j < columns; ++j) std::copy_n(dbeta_[j][t], rows, dbeta[j]);
     std::vector<double> size(columns, 0.0), before(columns, 0.0), lefts(columns, 0.0);
+    std::vector<bool> isSolved(columns, true);
     for (int round = 0;; ++round) {
       pairs.apply(dbeta, traction);
       for (int j = 0; j < columns; ++j) {
@@ -277,7 +276,7 @@ void Derivatives::march(PairDerivatives& pairs, std::vector<Result>& results) {
         lefts[j] = relative;
       }
       if (isDone || (round > 0 && !isGaining) || round == rounds) break;
-      solve(residual, size, dalpha, dbeta);
+      isSolved = solve(residual, size, dalpha, dbeta);
     }
     for (int j = 0; j < columns; ++j) {
       Result& result = results[j];
@@ -285,7 +284,10 @@ void Derivatives::march(PairDerivatives& pairs, std::vector<Result>& results) {
       result.residuals.push_back(std::max(worst, lefts[j]));
       if (lefts[j] <= noDerivative || worst > noDerivative) continue;
       const bool isSpent = tangent_->space().size() >= mostDirections;
-      result.missing.push_back(missingFrom(t, result.parameter, interfaceOf(residual[j]), isSpent));
+      const NoDerivative why = isSolved[j] ? NoDerivative::kink
+                               : isSpent   ? NoDerivative::directions
+                                           : NoDerivative::unbalanced;
+      result.missing.push_back(missingFrom(t, result.parameter, interfaceOf(residual[j]), why));
     }
     pairs.accept();
     for (int j = 0; j < columns; ++j) std::copy_n(dalpha[j], rows, results[j].dalpha[t]);
@@ -311,37 +313,55 @@ const std::string& Derivatives::interfaceOf(const double* residual) const {
   return assembly.interfaces[std::max_element(shares.begin(), shares.end()) - shares.begin()].name;
 }
 
-void Derivatives::evaluate(const ModelParameter& parameter, const std::vector<DifferencePoint>& difference,
-                           Result& result) {
+Derivatives::Along Derivatives::along(const ModelParameter& parameter, const std::vector<DifferencePoint>& difference,
+                                      const base::Matrix& dalpha) {
   base::Matrix shifted(alpha_.numRows(), alpha_.numCols());
-  std::vector<std::vector<std::vector<double>>> values(responses_.size());  // at the points
-  std::vector<double> floors(responses_.size(), 0.0);
+  Along result{std::vector<std::vector<std::vector<double>>>(responses_.size()), {}};
   for (const DifferencePoint& point : difference) {
     for (int t = 0; t < alpha_.numCols(); ++t) {
       for (int row = 0; row < alpha_.numRows(); ++row) {
-        shifted[t][row] = alpha_[t][row] + point.offset * result.dalpha[t][row];
+        shifted[t][row] = alpha_[t][row] + point.offset * dalpha[t][row];
       }
     }
     put(parameter, parameter.value + point.offset);
     const Iterate& iterate = fixedPoint_.apply(shifted, scratch_);
     const NaturalSizes sizes(iterate);
+    result.sizes.clear();
     for (std::size_t j = 0; j < responses_.size(); ++j) {
-      values[j].push_back(responses_[j]->evaluate(iterate));
-      floors[j] = sizes.floor(*responses_[j]);
+      result.values[j].push_back(responses_[j]->evaluate(iterate));
+      double size = sizes.floor(*responses_[j]);
+      for (const double value : result.values[j].back()) size = std::max(size, std::abs(value));
+      result.sizes.push_back(size);
     }
   }
   put(parameter, parameter.value);
+  return result;
+}
+
+void Derivatives::evaluate(const ModelParameter& parameter, double step, Result& result) {
+  const auto difference = differenceOf(parameter.side, step);
+  const Along all = along(parameter, difference, result.dalpha);
+  std::vector<std::vector<int>> bends(responses_.size());
+  bool isBent = false;
   for (std::size_t j = 0; j < responses_.size(); ++j) {
-    std::vector<double> derivative(alpha_.numCols(), 0.0);
-    for (std::size_t t = 0; t < derivative.size(); ++t) {
-      for (std::size_t v = 0; v < difference.size(); ++v) derivative[t] += difference[v].weight * values[j][v][t];
-      if (result.residuals[t] > noDerivative) derivative[t] = std::numeric_limits<double>::quiet_NaN();
+    result.responses.emplace_back();
+    for (int t = 0; t < alpha_.numCols(); ++t) {
+      result.responses[j].push_back(result.residuals[t] > noDerivative ? std::numeric_limits<double>::quiet_NaN()
+                                                                       : slopeOf(difference, all.values[j], t));
     }
-    result.responses.push_back(std::move(derivative));
-    if (responses_[j]->isLinear()) continue;
-    for (const int t : kinksOf(values[j], floors[j])) {
-      if (std::isnan(result.responses[j][t])) continue;
-      result.responses[j][t] = std::numeric_limits<double>::quiet_NaN();
+    if (!responses_[j]->isLinear()) bends[j] = bendsOf(all.values[j], all.sizes[j]);
+    isBent = isBent || !bends[j].empty();
+  }
+  if (!isBent) return;
+  const auto shorter = differenceOf(parameter.side, shortened * step);
+  const Along near = along(parameter, shorter, result.dalpha);
+  for (std::size_t j = 0; j < responses_.size(); ++j) {
+    for (const int t : bends[j]) {
+      double& derivative = result.responses[j][t];
+      if (std::isnan(derivative)) continue;
+      derivative = slopeOf(shorter, near.values[j], t);
+      if (!isKink(all.values[j], near.values[j], shortened, t)) continue;
+      derivative = std::numeric_limits<double>::quiet_NaN();
       result.missing.push_back(missingOf(responses_[j]->name(), t, result.parameter));
     }
   }
@@ -374,7 +394,7 @@ std::vector<Derivatives::Result> Derivatives::compute(const base::Matrix& state,
   march(*pairs, results);
   fixedPoint_.updateLaws();
   fixedPoint_.selectAll();
-  for (std::size_t j = 0; j < parameters.size(); ++j) evaluate(parameters[j], differences_[j], results[j]);
+  for (std::size_t j = 0; j < parameters.size(); ++j) evaluate(parameters[j], steps_[j], results[j]);
   return results;
 }
 

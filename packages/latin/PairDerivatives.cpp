@@ -8,8 +8,7 @@
 namespace harmos::latin {
 namespace {
 
-// Of the largest traction of an interface: the same calls with the same numbers
-// leave round-off at most.
+// Of the largest traction of an interface: the same calls with the same numbers leave round-off at most.
 constexpr double same = 1e-9;
 
 }  // namespace

@@ -49,9 +49,9 @@ void LawParameters::set(const std::string& entry, double value) {
   std::vector<std::string> overrides = overrides_;
   for (const auto& [path, number] : changes) overrides.push_back(path + "=" + base::toText(number));
   Scene changed = makeScene(input_, path_, overrides, laws_);
+  useLaws(changed, assembly_);  // refuses before it changes anything
   scene_ = std::move(changed);
   changes_ = std::move(changes);
-  useLaws(scene_, assembly_);
 }
 
 bool LawParameters::isAdmissible(const std::string& entry, double number) {

@@ -1,17 +1,14 @@
 #include <harmos/scene/SceneRun.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <exception>
-#include <limits>
 #include <optional>
 
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
 #include <harmos/base/SoleThread.hpp>
 #include <harmos/files/AtomicFile.hpp>

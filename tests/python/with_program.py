@@ -107,7 +107,30 @@ edge[OF_EDGE] = float(abs(stuck.history["T"][-1] / stuck.history["N"][-1]))
 slipping = harmos.run(edge, work / "slipping")
 assert slipping.is_certified
 assert numpy.isnan(slipping.derivatives["T", OF_EDGE]).all(), slipping.derivatives
-assert any(OF_EDGE in remark for remark in slipping.record["remarks"])
+assert any(OF_EDGE in remark and "load step 1" in remark and '"joint"' in remark for remark in slipping.record["remarks"])
+
+# Without friction, at the least value that there is: towards more of it. A prescribed strain that others must follow has none.
+edge[OF_EDGE] = 0.0
+little = harmos.run(edge, work / "little", {OF_EDGE: 1e-3})
+slope = little.history["T"][-1] / 1e-3
+assert abs(harmos.run(edge, work / "smooth").derivatives["T", OF_EDGE][-1] - slope) <= 1e-3 * abs(slope)
+laminate = harmos.read_scene(tests / "verification/periodic/laminate.xml")
+laminate["Output/Derivatives"] = ["Interfaces/x_low/Law/Strain XX"]
+assert any("nothing balances" in remark for remark in harmos.run(laminate, work / "laminate").record["remarks"])
+
+# The tool touches at the start, deeper it may not lie: from one side. As contacts close the responses bend, but are at no kink.
+roller = harmos.read_scene(tests.parent / "xml/rigid_roller.xml")
+RADIUS = "Boundaries/roller/Law/Radius"
+roller["Output/Derivatives"] = [RADIUS]
+of_roller = harmos.run(roller, work / "roller").derivatives
+assert all(numpy.isfinite(of_roller[response, RADIUS]).all() for response in ("force", "lost"))
+
+# More directions than are kept, as many load steps need.
+joint = harmos.read_scene(tests.parent / "xml/bolted_joint.xml")
+joint["Output/Derivatives"] = ["Values/mu"]
+joint["Solver/Mesh Error"] = False
+of_joint = harmos.run(joint, work / "joint")
+assert all(numpy.isfinite(values).all() for values in of_joint.derivatives.values()), of_joint.record["remarks"]
 
 # Too few iterations: an exception, and what was found so far.
 try:

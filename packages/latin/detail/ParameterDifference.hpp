@@ -33,4 +33,12 @@ inline std::vector<DifferencePoint> differenceOf(ModelParameter::Side side, doub
   return points;
 }
 
+/// What these points make of values at them, each a row of load steps, at one of these.
+inline double slopeOf(const std::vector<DifferencePoint>& points, const std::vector<std::vector<double>>& values,
+                      int step) {
+  double sum = 0.0;
+  for (std::size_t v = 0; v < points.size(); ++v) sum += points[v].weight * values[v][step];
+  return sum;
+}
+
 }  // namespace harmos::latin

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -35,13 +36,31 @@ class Model {
             "u", std::vector<latin::DisplacementResponse::Node>{{1, 3, 0.5}, {1, 20, 0.5}}, base::Vector3{1, 0, 0}),
         std::make_shared<latin::DissipationResponse>("lost", std::vector<int>{joint_})};
     const std::vector<latin::ModelParameter> parameters{
-        {"mu", 0.3, 3e-7, [&interfaces, this](double value) { interfaces[joint_].law = joint(value); }},
+        {"mu", 0.3, 3e-7,
+         [&interfaces, this](double value) {
+           leastFriction_ = std::min(leastFriction_, value);
+           interfaces[joint_].law = joint(value);
+         }},
         {"shear", 0.9, 9e-7, [&interfaces, this](double value) { interfaces[top_].law = top(value); }}};
     model_ =
         Teuchos::rcp(new ResponseModel(cubes_.assembly(), options, responses, parameters, Tpetra::getDefaultComm()));
   }
 
   ResponseModel& operator*() { return *model_; }
+  /// dg/dmu at all load steps.
+  std::vector<double> byFriction(double mu) {
+    auto in = model_->createInArgs();
+    in.set_p(0, at(mu, 0.9));
+    auto out = model_->createOutArgs();
+    const auto columns = ::Thyra::createMembers(model_->get_g_space(0), 2);
+    out.set_DgDp(0, 0, Args::Derivative<double>(columns, Args::DERIV_MV_JACOBIAN_FORM));
+    model_->evalModel(in, out);
+    const ::Thyra::ConstDetachedMultiVectorView<double> view(*columns);
+    std::vector<double> result;
+    for (int row = 0; row < view.subDim(); ++row) result.push_back(view(row, 0));
+    return result;
+  }
+  double leastFriction() const { return leastFriction_; }
 
   /// p with other values.
   Vector at(double mu, double shear) const {
@@ -74,6 +93,7 @@ class Model {
 
   latin::BoxAssembly cubes_;
   int joint_ = -1, top_ = -1;
+  double leastFriction_ = 1.0;
   Teuchos::RCP<ResponseModel> model_;
 };
 
@@ -118,6 +138,18 @@ TEST(ResponseModel, HasTheDerivativesOfDifferences) {
       EXPECT_NEAR(gradient(i, row), jacobian(row, i), 1e-7 * largest + 1e-10);
     }
   }
+}
+
+// Towards the inside at a bound, beyond which optimisers never go.
+TEST(ResponseModel, StaysWithinItsBounds) {
+  Model free, bounded;
+  (*bounded).setBounds({0.3, 0.0}, {0.9, 2.0});
+  const auto expected = free.byFriction(0.3), found = bounded.byFriction(0.3);
+  EXPECT_LT(free.leastFriction(), 0.3);
+  EXPECT_EQ(bounded.leastFriction(), 0.3);
+  double largest = 0.0;
+  for (const double value : expected) largest = std::max(largest, std::abs(value));
+  for (std::size_t row = 0; row < expected.size(); ++row) EXPECT_NEAR(found[row], expected[row], 1e-6 * largest);
 }
 
 TEST(ResponseModel, SolvesOnceForOnePoint) {
