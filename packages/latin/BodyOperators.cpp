@@ -201,12 +201,12 @@ void BodyOperators::select(const std::vector<int>& steps) {
     for (std::size_t m = 0; m < members_[g].size(); ++m) {
       for (const int t : steps_) columns.push_back(static_cast<int>(m) * cases_ + t);
     }
-    groups_[g]->select(std::move(columns));
+    groups_[g]->select(std::move(columns), static_cast<int>(members_[g].size()));
   }
 }
 
-void BodyOperators::solve(const base::Matrix& forces, int first, int count, substructure::Precision precision) {
-  const int columns = static_cast<int>(steps_.size());
+void BodyOperators::solve(const base::Matrix& forces, int first, substructure::Precision precision) {
+  const int columns = static_cast<int>(steps_.size()), count = forces.numCols();
   std::vector<std::vector<int>> solved(groups_.size());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     for (std::size_t m = 0; m < members_[g].size(); ++m) {
@@ -216,7 +216,7 @@ void BodyOperators::solve(const base::Matrix& forces, int first, int count, subs
       }
     }
   }
-  addForces(forces, first, count);
+  addForces(forces, first);
   for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g]->solve(solved[g], precision);
 }
 
@@ -226,13 +226,13 @@ double BodyOperators::prepareSingle() {
   return largest;
 }
 
-void BodyOperators::addForces(const base::Matrix& forces, int first, int count) {
+void BodyOperators::addForces(const base::Matrix& forces, int first) {
   const int columns = static_cast<int>(steps_.size());
   for (const BlockMap& block : blocks_) {
     base::Matrix& right = groups_[block.place->group]->forces();
-    for (int t = first; t < first + count; ++t) {
-      const double* from = forces[t] + block.begin;
-      double* to = right[block.place->member * columns + t];
+    for (int j = 0; j < forces.numCols(); ++j) {
+      const double* from = forces[j] + block.begin;
+      double* to = right[block.place->member * columns + first + j];
       for (int p = 0; p < block.trace.points(); ++p, from += dimension_) {
         base::Vector3 turned{};
         if (block.place->rotates) addRotated(block.place->rotation, true, dimension_, from, turned.data());
@@ -260,7 +260,7 @@ void BodyOperators::addUnit(const std::vector<double>& factors) {
 }
 
 void BodyOperators::addBalanced(const base::Matrix& forces) {
-  addForces(forces, 0, static_cast<int>(steps_.size()));
+  addForces(forces, 0);
   for (auto& group : groups_) group->keepSolution();
 }
 

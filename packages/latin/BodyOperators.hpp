@@ -62,9 +62,9 @@ class BodyOperators {
   /// [force]: how large the terms are that A u adds up; where iterations end before round-off, how large they would
   /// have to be for it to leave as much.
   double squaredTerms() const;
-  /// Finds u for all owned bodies and the columns first .. first + count - 1, where r are the nodal forces [force] on
-  /// the traces (rows of `layout`) and l the bodies' own loads. Keeps u; see displacement().
-  void solve(const base::Matrix& forces, int first, int count, substructure::Precision precision);
+  /// Finds u for all owned bodies and the columns from number `first` on, where r are the nodal forces [force] on the
+  /// traces (rows of `layout` x these columns) and l the bodies' own loads. Keeps u; see displacement().
+  void solve(const base::Matrix& forces, int first, substructure::Precision precision);
   /// Prepares solves in single precision; returns the largest SubstructureSolver::singleError() of this rank.
   double prepareSingle();
   /// Keeps the last solve, of one column, as the response to a load factor of 1. A change of the loads ends it.
@@ -111,8 +111,8 @@ class BodyOperators {
     mesh::TraceOperator trace;  // B of the block; for a node the row of its first component in the vectors of the group
   };
 
-  /// Adds forces on traces [force] to those of the groups, the columns first .. first + count - 1.
-  void addForces(const base::Matrix& forces, int first, int count);
+  /// Adds forces on traces [force] to those of the groups, in the columns from number `first` on.
+  void addForces(const base::Matrix& forces, int first);
   void mapBlocks(const assembly::Assembly& assembly, const TraceLayout& layout);
   /// Carries a body's vectors, dofs x steps, into the columns of its group, or back.
   void toGroup(const Place& place, const base::Matrix& own, base::Matrix& group) const;

@@ -61,8 +61,9 @@ CausalCorrection::CausalCorrection(FixedPoint& fixedPoint, substructure::Precisi
 double CausalCorrection::evaluate(int step) {
   std::fill_n(residual_[step], residual_.numRows(), 0.0);  // a rank without bodies has a row that nothing writes
   fixedPoint_.pointwiseStage().solveColumn(step, beta_, residual_);  // f^ first
-  for (int row = 0; row < alpha_.numRows(); ++row) {
-    residual_[step][row] = 2.0 * residual_[step][row] - beta_[step][row] - alpha_[step][row];
+  const double* alpha = (*alpha_)[step];
+  for (int row = 0; row < alpha_->numRows(); ++row) {
+    residual_[step][row] = 2.0 * residual_[step][row] - beta_[step][row] - alpha[row];
   }
   base::Matrix column(Teuchos::View, residual_[step], residual_.stride(), residual_.numRows(), 1);
   fixedPoint_.linearStage().unfelt().remove(column);
@@ -71,18 +72,19 @@ double CausalCorrection::evaluate(int step) {
 
 bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& direction) {
   Step& here = steps_[step];
-  const int rows = alpha_.numRows();
-  const std::vector<double> alpha(alpha_[step], alpha_[step] + rows), beta(beta_[step], beta_[step] + rows);
+  const int rows = alpha_->numRows();
+  double* state = (*alpha_)[step];
+  const std::vector<double> alpha(state, state + rows), beta(beta_[step], beta_[step] + rows);
   double length = 1.0;
   for (int halving = 0; halving <= halvings; ++halving, length *= 0.5) {
-    here.tangent->space().move(direction.c, length, alpha_[step], beta_[step]);
+    here.tangent->space().move(direction.c, length, state, beta_[step]);
     const double reached = evaluate(step);
     if (reached < here.residual) {
       here.isStale = length < 1.0 || reached > misprediction * direction.left;
       here.residual = reached;
       return true;
     }
-    std::copy_n(alpha.begin(), rows, alpha_[step]);
+    std::copy_n(alpha.begin(), rows, state);
     std::copy_n(beta.begin(), rows, beta_[step]);
   }
   evaluate(step);  // the local stage must have met the state that is kept
@@ -105,7 +107,7 @@ void CausalCorrection::reduce(int step) {
     if (direction.left > worthwhile * here.residual) break;
     if (!takeStep(step, direction) && isFresh) break;
   }
-  here.moved = scaledNorm(fixedPoint_.metric(), alpha_[step], (*start_)[step]);
+  here.moved = scaledNorm(fixedPoint_.metric(), (*alpha_)[step], start_.read(step));
   fixedPoint_.pointwiseStage().accept();
 }
 
@@ -175,7 +177,7 @@ substructure::Precision CausalCorrection::precision() {
 }
 
 bool CausalCorrection::extend(const std::vector<int>& steps) {
-  const int rows = alpha_.numRows();
+  const int rows = alpha_->numRows();
   std::vector<int> selected;
   std::vector<std::vector<double>> directions;
   for (const int t : steps) {
@@ -195,18 +197,18 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
   for (int i = 0; i < count; ++i) {
     const int t = selected[i];
     // As large as the state itself, so that the difference has its digits.
-    const double size = std::max(scaledNorm(fixedPoint_.metric(), (*start_)[t], nullptr), steps_[t].residual);
-    for (int row = 0; row < rows; ++row) shifted[i][row] = (*start_)[t][row] + size * directions[i][row];
+    const double* start = start_.read(t);
+    const double size = std::max(scaledNorm(fixedPoint_.metric(), start, nullptr), steps_[t].residual);
+    for (int row = 0; row < rows; ++row) shifted[i][row] = start[row] + size * directions[i][row];
     lengths.push_back(size);
   }
   const substructure::Precision used = precision();
   isRough_ = isRough_ || used == substructure::Precision::single;
-  fixedPoint_.select(selected);
-  fixedPoint_.solveLinear(shifted, image, used);
-  fixedPoint_.selectAll();
+  fixedPoint_.solveLinear(selected, shifted, image, used);
   for (int i = 0; i < count; ++i) {
     const int t = selected[i];
-    for (int row = 0; row < rows; ++row) image[i][row] = (image[i][row] - startImage_[t][row]) / lengths[i];
+    const double* start = startImage_.read(t);
+    for (int row = 0; row < rows; ++row) image[i][row] = (image[i][row] - start[row]) / lengths[i];
     if (!steps_[t].isStale) steps_[t].tangent->restore();
     steps_[t].tangent->add(directions[i].data(), image[i], !steps_[t].isStale);
     ++steps_[t].directions;
@@ -231,13 +233,18 @@ double CausalCorrection::hidden() const {
   return largest;
 }
 
-void CausalCorrection::start(const Iterate& iterate, const base::Matrix& alpha) {
-  for (base::Matrix* field : {&startImage_, &alpha_, &beta_, &residual_}) {
-    field->shapeUninitialized(alpha.numRows(), alpha.numCols());
+void CausalCorrection::start(const Iterate& iterate, base::Matrix& alpha) {
+  const FixedPoint::AllStepsAtEnd restore(fixedPoint_);
+  alpha_ = &alpha;
+  start_ = fixedPoint_.store(alpha.numRows());
+  startImage_ = fixedPoint_.store(alpha.numRows());
+  for (int t = 0; t < alpha.numCols(); ++t) {
+    start_.write(t, alpha[t]);
+    startImage_.write(t, iterate.beta()[t]);
   }
-  start_ = &alpha;
-  alpha_.assign(alpha);
-  for (base::Matrix* field : {&startImage_, &beta_}) field->assign(iterate.beta());
+  beta_ = iterate.beta();
+  fixedPoint_.releaseFields();
+  residual_.shapeUninitialized(alpha.numRows(), alpha.numCols());
   const std::vector<double> squares = fixedPoint_.metric().squaredNorms(alpha);
   first_ = 0;
   noise_ = March::noise * std::sqrt(*std::max_element(squares.begin(), squares.end()));
@@ -252,14 +259,16 @@ void CausalCorrection::start(const Iterate& iterate, const base::Matrix& alpha) 
 }
 
 void CausalCorrection::finish() {
-  for (base::Matrix* field : {&startImage_, &alpha_, &beta_, &residual_}) *field = base::Matrix();
+  for (base::ColumnStore* field : {&start_, &startImage_}) *field = base::ColumnStore();
+  for (base::Matrix* field : {&beta_, &residual_}) *field = base::Matrix();
 }
 
 void CausalCorrection::approach(int stages) {
   // All load steps are met from the unloaded state again at the end, also when a law throws.
   const FixedPoint::AllStepsAtEnd restore(fixedPoint_);
+  fixedPoint_.releaseFields();
   first_ = 0;
-  const int steps = alpha_.numCols(), first = fixedPoint_.linearStage().stages();
+  const int steps = alpha_->numCols(), first = fixedPoint_.linearStage().stages();
   for (begin_ = 0; begin_ < steps; begin_ = end_) {
     end_ = std::min(begin_ + March::stepsAtOnce, steps);
     for (int t = begin_; t < end_; ++t) {
@@ -289,11 +298,11 @@ void CausalCorrection::approachTogether(int stages) {
 
 std::vector<double> CausalCorrection::distancesFromStart() const {
   const StateMetric& metric = fixedPoint_.metric();
-  const auto steps = static_cast<std::size_t>(alpha_.numCols());
+  const auto steps = static_cast<std::size_t>(alpha_->numCols());
   std::vector<double> sums(4 * steps, 0.0);  // per load step: squares of f and k w, and of their differences
   for (std::size_t t = 0; t < steps; ++t) {
     const auto column = static_cast<int>(t);
-    const double *a = alpha_[column], *b = beta_[column], *a0 = (*start_)[column], *b0 = startImage_[column];
+    const double *a = (*alpha_)[column], *b = beta_[column], *a0 = start_.read(column), *b0 = startImage_.read(column);
     for (std::size_t row = 0; row < metric.scale().size(); ++row) {
       const double square = metric.scale()[row] * metric.scale()[row];
       const double da = a[row] - a0[row], db = b[row] - b0[row];
@@ -329,13 +338,17 @@ bool CausalCorrection::sharpen(const Goal& goal) {
 }
 
 const Iterate& CausalCorrection::verify(base::Matrix& image) {
-  const Iterate& iterate = fixedPoint_.apply(alpha_, image);
-  beta_.assign(iterate.beta());
-  base::Matrix residual(image);
-  residual -= alpha_;
-  fixedPoint_.linearStage().unfelt().remove(residual);
-  for (int t = 0; t < alpha_.numCols(); ++t) {
-    steps_[t].residual = scaledNorm(fixedPoint_.metric(), residual[t], nullptr);
+  for (base::Matrix* field : {&beta_, &residual_}) *field = base::Matrix();  // room for both stages
+  const Iterate& iterate = fixedPoint_.apply(*alpha_, image);
+  const int rows = image.numRows();
+  for (int first = 0; first < image.numCols(); first += March::stepsAtOnce) {
+    const int count = std::min(March::stepsAtOnce, image.numCols() - first);
+    base::Matrix residual(Teuchos::Copy, image, rows, count, 0, first);
+    residual -= base::Matrix(Teuchos::View, *alpha_, rows, count, 0, first);
+    fixedPoint_.linearStage().unfelt().remove(residual);
+    for (int j = 0; j < count; ++j) {
+      steps_[first + j].residual = scaledNorm(fixedPoint_.metric(), residual[j], nullptr);
+    }
   }
   return iterate;
 }
@@ -372,6 +385,8 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
     result.iterate = &verify(image);
     if (!(largestResidual() <= promised * said)) {
       allowed_ = substructure::Precision::exact;
+      beta_ = result.iterate->beta();
+      residual_.shapeUninitialized(beta_.numRows(), beta_.numCols());
       approach(stages - (fixedPoint_.linearStage().stages() - first));
       result.iterate = nullptr;
     }
@@ -382,7 +397,6 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
     if (steps_[t].residual > noise_) left = std::max(left, steps_[t].residual / weights[t]);
   }
   result.reduction = left / before;
-  alpha.assign(alpha_);
   finish();
   return result;
 }

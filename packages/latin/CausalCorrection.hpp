@@ -74,7 +74,7 @@ class CausalCorrection {
     double weight = 1.0;  // of the target: its share of this load step, small where small residuals mean long ways
   };
 
-  void start(const Iterate& iterate, const base::Matrix& alpha);
+  void start(const Iterate& iterate, base::Matrix& alpha);
   /// Lets go of the fields of all load steps.
   void finish();
   /// Solves the local stage of a load step; returns |R|, and leaves R in residual_.
@@ -97,7 +97,7 @@ class CausalCorrection {
   static double smallestSingularValue(const Step& step);
   /// Of the load steps from `begin` on and before `end`, over the weights.
   double largestResidual(int begin, int end) const;
-  double largestResidual() const { return largestResidual(0, alpha_.numCols()); }
+  double largestResidual() const { return largestResidual(0, alpha_->numCols()); }
   double hidden() const;
   /// Collective. Distances of the fields f and k w of the load steps from those of the start, the larger one, relative
   /// to the largest f and k w of all [-].
@@ -109,7 +109,8 @@ class CausalCorrection {
   /// Lets the spaces of the load steps at hand grow until these have come to their end, or what is left says that they
   /// will not.
   void approachTogether(int stages);
-  /// Puts the true beta and residuals in the place of those that the images have given; returns the iterate.
+  /// Puts the true residuals in the place of those that the images have given, and lets go of beta_ and residual_;
+  /// returns the iterate.
   const Iterate& verify(base::Matrix& image);
   /// How exactly the images of the next directions are found.
   substructure::Precision precision();
@@ -122,14 +123,14 @@ class CausalCorrection {
   bool isRough_ = false;             // some images were found in single precision
   InterfaceLines lines_;
   std::vector<Step> steps_;
-  int begin_ = 0, end_ = 0;              // of the load steps at hand
-  int first_ = 0;                        // load step that the local stage begins at
-  double target_ = 0.0;                  // largest |R| of a load step at the end, over its weight
-  double share_ = 1.0;                   // of its own |R| at the start, for every load step
-  double noise_ = 0.0;                   // residuals below this one are round-off
-  const base::Matrix* start_ = nullptr;  // alpha and its beta at the beginning
-  base::Matrix startImage_;
-  base::Matrix alpha_, beta_, residual_;
+  int begin_ = 0, end_ = 0;               // of the load steps at hand
+  int first_ = 0;                         // load step that the local stage begins at
+  double target_ = 0.0;                   // largest |R| of a load step at the end, over its weight
+  double share_ = 1.0;                    // of its own |R| at the start, for every load step
+  double noise_ = 0.0;                    // residuals below this one are round-off
+  base::ColumnStore start_, startImage_;  // alpha and its beta at the beginning
+  base::Matrix* alpha_ = nullptr;         // the caller's
+  base::Matrix beta_, residual_;
 };
 
 }  // namespace harmos::latin

@@ -4,6 +4,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/SoleThread.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
 #include <harmos/latin/detail/TractionShare.hpp>
 
 namespace harmos::latin {
@@ -53,6 +54,7 @@ FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& o
               {},
               {}},
       iterates_(iteratesKept, Iterate(fields_, 0)) {
+  if (assembly.steps() > stepsAtOnce) fields_.scratch = options.scratch;
   if (pointwise_ != nullptr) pointwise_->setReference(reference_);
   selectAll();
   share_ = std::make_unique<TractionShare>(assembly, searchDirection_, eliminated_);
@@ -169,6 +171,21 @@ void FixedPoint::select(const std::vector<int>& steps) {
   ++fields_.present;
 }
 
+void FixedPoint::releaseFields() {
+  ++fields_.present;
+  linear_->select({});
+  for (base::Matrix* field : {&fields_.beta, &fields_.hattedTraction}) *field = base::Matrix();
+  releaseDerived();
+}
+
+void FixedPoint::releaseDerived() {
+  fields_.hasHattedTrace = fields_.hasWholeTrace = fields_.hasWholeHattedTrace = fields_.hasBoundaries = false;
+  for (base::Matrix* field : {&fields_.hattedTrace, &fields_.wholeTrace, &fields_.wholeHattedTrace,
+                              &fields_.boundaries.traction, &fields_.boundaries.trace}) {
+    *field = base::Matrix();
+  }
+}
+
 void FixedPoint::updateLaws() {
   eliminated_.update();
   linear_->updateLoads();
@@ -184,11 +201,8 @@ const Iterate& FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image,
   ++fields_.present;
   base::Matrix& beta = fields_.beta;
   base::Matrix& traction = fields_.hattedTraction;
+  releaseDerived();
   linear_->solve(alpha, beta, precision);
-  fields_.hasHattedTrace = false;
-  fields_.hasWholeTrace = false;
-  fields_.hasWholeHattedTrace = false;
-  fields_.hasBoundaries = false;
   const auto running = timers_.start("local");
   local_->solve(beta, traction);
   for (int t = 0; t < alpha.numCols(); ++t) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct StageOptions {
   bool macroProblem = true;                             ///< whether the linear stage has one
   Elimination elimination = Elimination::affine;        ///< of outer boundaries; none in the velocity form
   substructure::SolverOptions solver;                   ///< of the operators of bodies and of the macro problem
+  /// Folder for what of many load steps is not at hand (base::ColumnStore), which must be there; empty: memory.
+  std::string scratch;
 };
 
 /// The LATIN iteration as a map: alpha -> T(alpha), one linear stage (with macro problem) and one local stage.
@@ -43,6 +46,12 @@ class FixedPoint {
   void select(const std::vector<int>& steps);
   /// Selects all load steps again.
   void selectAll();
+  /// Lets go of the fields of both stages, as large as all load steps together, until the next select() or selectAll();
+  /// the local stage stays as it is. Ends the validity of all iterates.
+  void releaseFields();
+  /// Room for a field of all load steps, rows x steps, that is not asked for all the time: of more than
+  /// March::stepsAtOnce in StageOptions::scratch. Throws base::Error as base::ColumnStore.
+  base::ColumnStore store(int rows) const { return {rows, assembly_.steps(), fields_.scratch}; }
   /// From now on the first column follows on the last one of the last apply(). Displacement form only.
   void startFromHere() { local_->startFromHere(); }
   /// From now on the first column follows on the unloaded state again, as after construction.
@@ -124,6 +133,13 @@ class FixedPoint {
     ++fields_.present;
     linear_->solve(alpha, beta, precision);
   }
+  /// The same for these load steps, after releaseFields().
+  void solveLinear(const std::vector<int>& steps, const base::Matrix& alpha, base::Matrix& beta,
+                   substructure::Precision precision) {
+    linear_->select(steps);
+    solveLinear(alpha, beta, precision);
+    linear_->select({});
+  }
 
   /// The assembly that was given.
   const assembly::Assembly& assembly() const { return assembly_; }
@@ -147,6 +163,8 @@ class FixedPoint {
   double searchDirectionScale() const { return options_.searchDirectionScale; }
 
  private:
+  /// Lets go of what of an iterate is computed when asked for.
+  void releaseDerived();
   /// alpha += k (rho1 - rho2).
   void addDifference(const ReferenceMotions& rho1, const ReferenceMotions& rho2, base::Matrix& alpha) const;
   /// Adds tractions [stress] to the present iterate that the bodies do not feel.

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cassert>
+#include <string>
 #include <vector>
 
+#include <harmos/base/ColumnStore.hpp>
 #include <harmos/latin/HeldMotions.hpp>
 #include <harmos/latin/LinearStage.hpp>
 #include <harmos/latin/LocalStage.hpp>
@@ -51,7 +53,8 @@ class Iterate {
     std::vector<int> steps = {};  // load step of every column
     BoundaryFields boundaries = {};
     bool hasBoundaries = false;
-    long present = 0;  // number of the iterate that is valid
+    long present = 0;          // number of the iterate that is valid
+    std::string scratch = {};  // folder of what is not at hand; empty: memory
   };
 
   /// Number `number` of those whose fields a FixedPoint keeps in `fields`, which must outlive it.
@@ -120,6 +123,8 @@ class Iterate {
   const TraceLayout& layout() const { return fields_->layout; }
   /// The norm of states.
   const StateMetric& metric() const { return fields_->metric; }
+  /// As FixedPoint::store().
+  base::ColumnStore store(int rows) const { return {rows, assembly().steps(), fields_->scratch}; }
 
  private:
   /// The rows of the layout of `relative`, and rho there.

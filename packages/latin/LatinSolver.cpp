@@ -79,8 +79,7 @@ LatinSolver::LatinSolver(const base::SoleThread& /*inside*/, const assembly::Ass
       options_(demandValid(options)),
       timers_(timers),
       fixedPoint_(assembly, options.stages, comm, timers),
-      alpha_(fixedPoint_.layout().rows(), assembly.steps()),
-      image_(alpha_) {}
+      alpha_(fixedPoint_.layout().rows(), assembly.steps()) {}
 
 bool LatinSolver::mustStop() const {
   const int here = interrupted_ && interrupted_() ? 1 : 0;
@@ -108,6 +107,7 @@ bool LatinSolver::hasDiverged(const base::Matrix& state) {
 LatinResult LatinSolver::solve(const base::Matrix* start) {
   const base::SoleThread inside(fixedPoint_.layout().comm().getSize());
   fixedPoint_.uncentre(alpha_);
+  image_.shape(alpha_.numRows(), alpha_.numCols());
   if (start != &alpha_) {
     alpha_.putScalar(0.0);
     if (start != nullptr) alpha_.assign(*start);
@@ -362,6 +362,7 @@ void LatinSolver::deliver(LatinResult& result) {
   state_ = &fixedPoint_.apply(alpha_, image_);
   demandGraphs(result);
   fixedPoint_.shareTractions(alpha_, image_, options_.accuracy);
+  image_ = base::Matrix();
   if (!fixedPoint_.reference().isEmpty()) {
     whole_ = alpha_;
     fixedPoint_.addReference(whole_);

@@ -1,5 +1,6 @@
 #include <harmos/latin/LinearStage.hpp>
 
+#include <algorithm>
 #include <utility>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -7,6 +8,12 @@
 #include <harmos/latin/InterfaceMass.hpp>
 
 namespace harmos::latin {
+namespace {
+
+// More columns read factors and the macro problem hardly faster.
+constexpr int columnsAtOnce = 128;
+
+}  // namespace
 
 LinearStage::LinearStage(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                          const TraceLayout& layout, const EliminatedBoundaries& eliminated, Formulation formulation,
@@ -32,7 +39,7 @@ LinearStage::LinearStage(const assembly::Assembly& assembly, const assembly::Sea
 void LinearStage::select(const std::vector<int>& steps) {
   steps_ = steps;
   operators_.select(steps);
-  for (base::Matrix* field : {&forces_, &trace_, &traction_}) {
+  for (base::Matrix* field : {&trace_, &traction_}) {
     field->shape(layout_.rows(), static_cast<int>(steps.size()));
   }
 }
@@ -73,31 +80,32 @@ void LinearStage::setLoads(const std::vector<base::Matrix>& loads, std::vector<b
   if (macro_) macro_->updateLoads(assembly_, operators_);
 }
 
-void LinearStage::applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const {
+base::Matrix LinearStage::forcesOf(const base::Matrix& traction, int first, int count) const {
+  base::Matrix forces(layout_.rows(), count);
   for (const TraceLayout::Block& block : layout_.blocks()) {
     const assembly::Interface& interface = assembly_.interfaces[block.interface];
-    for (int t = first; t < first + count; ++t) {
-      latin::applyMass(interface, layout_.dimension(), traction[t] + block.begin, forces[t] + block.begin);
+    for (int j = 0; j < count; ++j) {
+      latin::applyMass(interface, layout_.dimension(), traction[first + j] + block.begin, forces[j] + block.begin);
     }
   }
+  return forces;
 }
 
 void LinearStage::addBalanced(const base::Matrix& tractions, base::Matrix& beta) {
   traction_ += tractions;
   beta += tractions;
-  applyMass(tractions, forces_, 0, tractions.numCols());
-  operators_.addBalanced(forces_);
+  operators_.addBalanced(forcesOf(tractions, 0, tractions.numCols()));
 }
 
 void LinearStage::solveSteps(base::Matrix& alpha, int first, int count, substructure::Precision precision) {
-  applyMass(alpha, forces_, first, count);
+  base::Matrix forces = forcesOf(alpha, first, count);
   if (macro_) {
     const auto running = timers_.start("macro");
-    macro_->correct(alpha, forces_, first, {steps_.begin() + first, steps_.begin() + first + count});
+    macro_->correct(alpha, forces, first, {steps_.begin() + first, steps_.begin() + first + count});
   }
   {
     const auto running = timers_.start("block solve");
-    operators_.solve(forces_, first, count, precision);
+    operators_.solve(forces, first, precision);
   }
   operators_.trace(trace_, first, count);
 }
@@ -120,7 +128,9 @@ void LinearStage::solve(const base::Matrix& alpha, base::Matrix& beta, substruct
   traction_.assign(alpha);
   const int steps = alpha.numCols();
   if (formulation_ == Formulation::displacement) {
-    solveSteps(traction_, 0, steps, precision);
+    for (int first = 0; first < steps; first += columnsAtOnce) {
+      solveSteps(traction_, first, std::min(columnsAtOnce, steps - first), precision);
+    }
     if (loadFactor_) {
       loadFactor_->add(steps_, traction_, trace_);
       operators_.addUnit(loadFactor_->factors());

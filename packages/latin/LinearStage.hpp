@@ -86,7 +86,8 @@ class LinearStage {
   double softness() const { return macro_ ? macro_->softness() : 1.0; }
 
  private:
-  void applyMass(const base::Matrix& traction, base::Matrix& forces, int first, int count) const;
+  /// h f of the columns first .. first + count - 1 [force], by themselves.
+  base::Matrix forcesOf(const base::Matrix& traction, int first, int count) const;
   /// Solves for the loads that a PathControl multiplies, by themselves. The fields of the last solve are lost.
   void prepareLoadFactor();
   void solveSteps(base::Matrix& alpha, int first, int count, substructure::Precision precision);
@@ -101,7 +102,6 @@ class LinearStage {
   std::unique_ptr<MacroProblem> macro_;
   UnfeltStates unfelt_;
   std::unique_ptr<LoadFactor> loadFactor_;  // null: all loads are given
-  base::Matrix forces_;
   base::Matrix trace_;
   base::Matrix traction_;  // during a solve alpha with the correction of the macro problem
   long columnsSolved_ = 0;

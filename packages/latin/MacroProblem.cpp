@@ -318,7 +318,7 @@ void MacroProblem::correct(Matrix& alpha, Matrix& forces, int first, const std::
     if (unknowns == 0) continue;
     Matrix part(unknowns, count);
     blas.GEMM(Teuchos::TRANS, Teuchos::NO_TRANS, unknowns, count, block.reaction.numRows(), 1.0,
-              block.reaction.values(), block.reaction.stride(), forces[first] + block.begin, forces.stride(), 0.0,
+              block.reaction.values(), block.reaction.stride(), forces.values() + block.begin, forces.stride(), 0.0,
               part.values(), part.stride());
     for (int t = 0; t < count; ++t) {
       for (int j = 0; j < unknowns; ++j) local(body.unknowns[j], t) -= part(j, t);
@@ -339,7 +339,7 @@ void MacroProblem::correct(Matrix& alpha, Matrix& forces, int first, const std::
     if (modes == 0) continue;
     const int rows = block.force.numRows();
     blas.GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, rows, count, modes, 1.0, block.force.values(), block.force.stride(),
-              c.values() + block.modes, c.stride(), 1.0, forces[first] + block.begin, forces.stride());
+              c.values() + block.modes, c.stride(), 1.0, forces.values() + block.begin, forces.stride());
     blas.GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, rows, count, modes, 1.0, block.traction.values(),
               block.traction.stride(), c.values() + block.modes, c.stride(), 1.0, alpha[first] + block.begin,
               alpha.stride());

@@ -80,7 +80,7 @@ March::March(FixedPoint& fixedPoint, int memory, double accuracy, int restarts)
                          ? std::size_t{1}
                          : static_cast<std::size_t>(fixedPoint.assembly().steps()),
                      AndersonAcceleration(fixedPoint.metric(), memory, fixedPoint.assembly().isAffine())),
-      tractions_(fixedPoint.layout().rows(), fixedPoint.assembly().steps()),
+      tractions_(fixedPoint.store(fixedPoint.layout().rows())),
       restarts_(fixedPoint.assembly().isAffine() ? 0 : restarts),
       parts_(static_cast<std::size_t>(fixedPoint.assembly().steps()), 1) {}
 
@@ -110,7 +110,7 @@ void March::restart(const Iterate& iterate, base::Matrix& alpha, base::Matrix& s
       to[row] = f[row] + after[row] / before[row] * (to[row] - f[row]);
   };
   soften(state[0], traction[0]);
-  for (int t = 0; t < alpha.numCols(); ++t) soften(alpha[t], tractions_[t]);
+  for (int t = 0; t < alpha.numCols(); ++t) soften(alpha[t], tractions_.read(t));
   for (AndersonAcceleration& acceleration : accelerations_) acceleration.restart();
   // Where softening holds k, forces keep their size, and the larger one is the safer measure.
   if (fixedPoint_.searchDirection().heldBySoftening().empty()) largestForce_ /= std::sqrt(softer);
@@ -314,7 +314,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   }
   acceleration.pause();
   state.assign(image);
-  std::copy_n(iterate->hattedTraction()[0], state.numRows(), tractions_[step]);
+  tractions_.write(step, iterate->hattedTraction()[0]);
   if (observer_) observer_(step, iteration, *iterate);
   return end;
 }

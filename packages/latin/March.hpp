@@ -6,6 +6,7 @@
 #include <harmos/latin/EquilibriumWatch.hpp>
 #include <harmos/latin/LoadBalance.hpp>
 #include <harmos/latin/StepNewton.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
 
 namespace harmos::latin {
 
@@ -39,7 +40,7 @@ class March {
   /// Iterations of a load step, after its last landing, by which it is left as it is.
   static constexpr int maximumIterations = 100;
   /// Load steps, at most, of which vectors are kept at a time: differences here, directions in a CausalCorrection.
-  static constexpr int stepsAtOnce = 64;
+  static constexpr int stepsAtOnce = latin::stepsAtOnce;
   /// Residuals below this share of the state are round-off.
   static constexpr double noise = 1e-13;
   /// Of the residual from one march to the next, when what has come of the first is not enough.
@@ -111,7 +112,7 @@ class March {
   std::function<bool()> mustStop_;
   std::function<void(int, int, const Iterate&)> observer_;
   std::vector<AndersonAcceleration> accelerations_;  // per load step, or where these are many, one
-  base::Matrix tractions_;                           // f^ of every load step that was visited
+  base::ColumnStore tractions_;                      // f^ of every load step that was visited
   int restarts_;
   bool leavesWithoutDigits_ = false;
   bool lacksDigits_ = false;

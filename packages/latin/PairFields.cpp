@@ -74,6 +74,9 @@ PairFields pairFields(const Iterate& state, int interfaceIndex) {
     for (int side = 0; side < interface.sides(); ++side) fillSide(state, interfaceIndex, side, values);
   }
   state.metric().sum(values);
+  fields.traction.reserve(count);
+  fields.jump.reserve(count);
+  fields.status.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double* value = values.data() + i * width;
     fields.traction.push_back({value[0], value[1], value[2]});

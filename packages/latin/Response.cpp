@@ -28,9 +28,9 @@ std::vector<base::Vector3> placesOf(const assembly::Assembly& assembly, const as
 
 std::vector<double> DisplacementResponse::evaluate(const Iterate& state) const {
   std::vector<double> values(state.assembly().steps(), 0.0);
-  for (const Node& node : nodes_) {
-    if (!state.layout().owns(node.body)) continue;
-    for (int t = 0; t < state.assembly().steps(); ++t) {
+  for (int t = 0; t < state.assembly().steps(); ++t) {
+    for (const Node& node : nodes_) {
+      if (!state.layout().owns(node.body)) continue;
       values[t] += node.weight * dot(state.displacement(node.body, node.node, t), direction_);
     }
   }

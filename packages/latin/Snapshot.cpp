@@ -5,39 +5,64 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/NodalForces.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
 
 namespace harmos::latin {
 namespace {
 
-/// The rows of `field`, and below them sqrt(area) times those of a field of eliminated boundaries.
-base::Matrix withBoundaries(const base::Matrix& field, const base::Matrix& ofBoundaries,
-                            const std::vector<double>& area) {
-  base::Matrix all(field.numRows() + ofBoundaries.numRows(), field.numCols());
-  for (int t = 0; t < field.numCols(); ++t) {
-    double* below = std::copy_n(field[t], field.numRows(), all[t]);
-    for (int row = 0; row < ofBoundaries.numRows(); ++row) below[row] = std::sqrt(area[row]) * ofBoundaries[t][row];
+/// Columns of a field that are looked at together.
+constexpr int columnsAtOnce = stepsAtOnce;
+
+base::Matrix columnsOf(const base::Matrix& field, int first, int count) {
+  return {Teuchos::View, field, field.numRows(), count, 0, first};
+}
+
+/// Puts columns of a field from number `first` on, and below them sqrt(area) times those of eliminated boundaries.
+void keep(const base::Matrix& columns, int first, const base::Matrix& ofBoundaries, const std::vector<double>& area,
+          base::ColumnStore& all) {
+  std::vector<double> column(static_cast<std::size_t>(all.rows()));
+  for (int j = 0; j < columns.numCols(); ++j) {
+    auto below = std::copy_n(columns[j], columns.numRows(), column.begin());
+    for (int row = 0; row < ofBoundaries.numRows(); ++row)
+      *below++ = std::sqrt(area[row]) * ofBoundaries[first + j][row];
+    all.write(first + j, column.data());
+  }
+}
+
+base::ColumnStore forcesOf(const Iterate& state) {
+  const BoundaryFields& boundaries = state.boundaryFields();
+  const base::Matrix& traction = state.hattedTraction();
+  const int ofNodes = nodalForces(state.layout(), columnsOf(traction, 0, 0)).numRows();
+  base::ColumnStore all = state.store(ofNodes + boundaries.traction.numRows());
+  for (int first = 0; first < traction.numCols(); first += columnsAtOnce) {
+    const int count = std::min(columnsAtOnce, traction.numCols() - first);
+    keep(nodalForces(state.layout(), columnsOf(traction, first, count)), first, boundaries.traction, boundaries.area,
+         all);
   }
   return all;
 }
 
-base::Matrix scaledTrace(const Iterate& state) {
-  base::Matrix trace(state.trace());
+base::ColumnStore displacementsOf(const Iterate& state) {
+  const BoundaryFields& boundaries = state.boundaryFields();
+  const std::vector<double>& area = state.layout().area();
+  const base::Matrix& trace = state.trace();
+  base::ColumnStore all = state.store(trace.numRows() + boundaries.trace.numRows());
+  base::Matrix scaled(trace.numRows(), 1);
   for (int t = 0; t < trace.numCols(); ++t) {
-    for (int row = 0; row < trace.numRows(); ++row) {
-      trace[t][row] *= std::sqrt(state.layout().area()[row]);
-    }
+    for (int row = 0; row < trace.numRows(); ++row) scaled(row, 0) = trace[t][row] * std::sqrt(area[row]);
+    keep(scaled, t, boundaries.trace, boundaries.area, all);
   }
-  return withBoundaries(trace, state.boundaryFields().trace, state.boundaryFields().area);
+  return all;
 }
 
 /// Largest over the columns of |a - b|, relative to the largest |a|, whose square counts as at least `floor`.
-double fieldDistance(const base::Matrix& a, const base::Matrix& b, double floor, const StateMetric& metric) {
-  const auto steps = static_cast<std::size_t>(a.numCols());
+double fieldDistance(const base::ColumnStore& a, const base::ColumnStore& b, double floor, const StateMetric& metric) {
+  const auto steps = static_cast<std::size_t>(a.columns());
   std::vector<double> sums(2 * steps, 0.0);  // squares of a, then of the difference
   for (std::size_t t = 0; t < steps; ++t) {
-    const double* x = a[static_cast<int>(t)];
-    const double* y = b[static_cast<int>(t)];
-    for (int row = 0; row < a.numRows(); ++row) {
+    const double* x = a.read(static_cast<int>(t));
+    const double* y = b.read(static_cast<int>(t));
+    for (int row = 0; row < a.rows(); ++row) {
       sums[t] += x[row] * x[row];
       sums[steps + t] += (x[row] - y[row]) * (x[row] - y[row]);
     }
@@ -52,11 +77,7 @@ double fieldDistance(const base::Matrix& a, const base::Matrix& b, double floor,
 }  // namespace
 
 Snapshot::Snapshot(const Iterate& state, const std::vector<std::shared_ptr<const Response>>& responses)
-    : metric_(&state.metric()),
-      sizes_(state),
-      force_(withBoundaries(nodalForces(state.layout(), state.hattedTraction()), state.boundaryFields().traction,
-                            state.boundaryFields().area)),
-      displacement_(scaledTrace(state)) {
+    : metric_(&state.metric()), sizes_(state), force_(forcesOf(state)), displacement_(displacementsOf(state)) {
   for (const auto& response : responses) {
     responses_.push_back(response->evaluate(state));
     const std::vector<double>& values = responses_.back();

@@ -34,8 +34,8 @@ class Snapshot {
   NaturalSizes sizes_;
   std::vector<std::vector<double>> responses_;
   std::vector<double> floors_;
-  base::Matrix force_;         // sum of h f^ over the interfaces at a node, over the square root of its area
-  base::Matrix displacement_;  // w times the square root of h, all rows
+  base::ColumnStore force_;         // sum of h f^ over the interfaces at a node, over the square root of its area
+  base::ColumnStore displacement_;  // w times the square root of h, all rows
 };
 
 }  // namespace harmos::latin

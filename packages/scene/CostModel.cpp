@@ -22,10 +22,10 @@ constexpr double unevenColumns = 1.5;
 constexpr int differences = 15, directions = 12, fields = 20;
 // Of a process: the program with its libraries; how much of matrices, factors in both precisions and of what a column
 // reads (traces are stored beside the factors) is there at the peak; of factors of bodies that nothing iterates on,
-// with the padding of their supernodes; of the stored states; displacement fields of all load steps, and of those whose
-// directions are kept; and what mesh, output and estimates keep for a node.
+// with the padding of their supernodes; of the stored states; displacement fields of the load steps that are looked at
+// together, and of the others; and what mesh, output and estimates keep for a node.
 constexpr double programBytes = 61e6, matrixCopies = 5.9, factorCopies = 0.41, readCopies = 1.23, paddedFactor = 1.3,
-                 fieldShare = 0.6, displacementFields = 2.4, fieldsAtOnce = 4.5, bytesPerNode = 24.0;
+                 fieldShare = 0.6, fieldsAtOnce = 4.5, fieldsOfOthers = 0.4, bytesPerNode = 24.0;
 // Seconds: of the program's start; of reading and assembling, per entry of the matrices; of factors per operation, per
 // entry, per entry that columns of the macro problem read, per entry of the matrices and per unknown; of a linear
 // stage, per entry that a column reads and, for all that is not a solve, per component of an interface side; of the
@@ -140,7 +140,7 @@ void CostSums::reduce(const Teuchos::Comm<int>& comm) {
 
 CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOptions& solver) const {
   CostEstimate cost;
-  const double steps = scope.steps;
+  const double steps = scope.steps, together = std::min<double>(steps, latin::March::stepsAtOnce);
   cost.unknowns = static_cast<std::int64_t>(scope.unknowns);
   cost.interfaceUnknowns = static_cast<std::int64_t>(scope.interfaceUnknowns);
   cost.steps = scope.steps;
@@ -153,15 +153,14 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.iteratedBytes = iteratedEntryBytes * sum_[storedIterated];
   cost.inverseBytes = (entryBytes + singleEntryBytes) * sum_[invertedEntries];
   cost.fieldBytes = entryBytes * storedStates(steps) * scope.interfaceUnknowns;
-  cost.processBytes =
-      programBytes * scope.ranks + matrixEntryBytes * (matrixCopies * sum_[matrixEntries] + sum_[iteratedMatrix]) +
-      factorCopies * (entryBytes * iterated + cost.singleBytes) +
-      readCopies * entryBytes * (sum_[storedEntries] - 2.0 * sum_[looseEntries]) +
-      paddedFactor * entryBytes * sum_[looseEntries] + cost.iteratedBytes + cost.inverseBytes +
-      fieldShare * cost.fieldBytes +
-      entryBytes * scope.unknowns *
-          (displacementFields * steps + fieldsAtOnce * std::min<double>(steps, latin::March::stepsAtOnce)) +
-      bytesPerNode * scope.unknowns / scope.dimension;
+  cost.processBytes = programBytes * scope.ranks +
+                      matrixEntryBytes * (matrixCopies * sum_[matrixEntries] + sum_[iteratedMatrix]) +
+                      factorCopies * (entryBytes * iterated + cost.singleBytes) +
+                      readCopies * entryBytes * (sum_[storedEntries] - 2.0 * sum_[looseEntries]) +
+                      paddedFactor * entryBytes * sum_[looseEntries] + cost.iteratedBytes + cost.inverseBytes +
+                      fieldShare * cost.fieldBytes +
+                      entryBytes * scope.unknowns * (fieldsAtOnce * together + fieldsOfOthers * (steps - together)) +
+                      bytesPerNode * scope.unknowns / scope.dimension;
 
   cost.startSeconds = programSeconds * scope.ranks + assemblySeconds * (sum_[matrixEntries] + sum_[iteratedMatrix]);
   cost.factorSeconds = operationSeconds * sum_[operations] + factorEntrySeconds * sum_[factorEntries] +

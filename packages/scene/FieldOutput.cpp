@@ -9,6 +9,7 @@
 #include <harmos/elasticity/Stress.hpp>
 #include <harmos/files/ResultLayout.hpp>
 #include <harmos/input/EffectiveInput.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
 #include <harmos/scene/FieldFile.hpp>
 #include <harmos/scene/detail/LawOutputs.hpp>
 #include <harmos/scene/detail/PartStress.hpp>
@@ -35,21 +36,26 @@ std::vector<std::size_t> stressesOf(int dimension) {
   return dimension == 2 ? std::vector<std::size_t>{0, 1, 2, 3} : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
 }
 
-/// Means over the elements of all steps at once: the integrals over an element are formed only once. Empty: of bodies
-/// of other ranks.
-std::vector<base::Matrix> elementStresses(const Problem& problem, const latin::Iterate& state) {
-  const int dimension = problem.assembly.dimension, steps = problem.assembly.steps();
+// Load steps whose stresses are found together, so that the integrals over an element are formed only once for them.
+constexpr int stepsAtOnce = latin::stepsAtOnce;
+
+/// Means over the elements of `count` load steps. Empty: of bodies of other ranks.
+std::vector<base::Matrix> elementStresses(const Problem& problem, const latin::Iterate& state, int first, int count) {
+  const int dimension = problem.assembly.dimension;
   std::vector<base::Matrix> stress(problem.bodies.pieces.size());
   for (std::size_t body = 0; body < stress.size(); ++body) {
     if (!state.layout().owns(static_cast<int>(body))) continue;
     const auto& part = problem.bodies.pieces[body];
-    base::Matrix displacement(static_cast<int>(part.nodes.size()) * dimension, steps);
-    for (int t = 0; t < steps; ++t)
+    base::Matrix displacement(static_cast<int>(part.nodes.size()) * dimension, count);
+    for (int j = 0; j < count; ++j)
       for (int node = 0; node < static_cast<int>(part.nodes.size()); ++node) {
-        const auto u = state.relativeDisplacement(static_cast<int>(body), node, t);
-        for (int c = 0; c < dimension; ++c) displacement(node * dimension + c, t) = u[at(c)];
+        const auto u = state.relativeDisplacement(static_cast<int>(body), node, first + j);
+        for (int c = 0; c < dimension; ++c) displacement(node * dimension + c, j) = u[at(c)];
       }
-    const base::Matrix temperature = problem.temperatures->of(part);
+    base::Matrix temperature = problem.temperatures->of(part);
+    if (temperature.numRows() > 0) {
+      temperature = base::Matrix(Teuchos::Copy, temperature, temperature.numRows(), count, 0, first);
+    }
     stress[body] = elasticity::elementStress(problem.mesh, part, *problem.bodies.materials[body],
                                              problem.model.kinematics, displacement, &temperature);
   }
@@ -59,11 +65,14 @@ std::vector<base::Matrix> elementStresses(const Problem& problem, const latin::I
 /// Recovered stress of the parts as nodal variables.
 class NodalStress {
  public:
-  /// Collective. Of the first `steps` load steps.
-  NodalStress(const Problem& problem, const latin::Iterate& state, int steps)
+  explicit NodalStress(const Problem& problem)
       : parts_(PartStress::ofAll(problem.mesh, problem.bodies, problem.model, *problem.temperatures)),
-        components_(stressesOf(problem.assembly.dimension)) {
-    for (const PartStress& part : parts_) stress_.push_back(part.recover(state, 0, steps));
+        components_(stressesOf(problem.assembly.dimension)) {}
+
+  /// Collective. Of `count` load steps.
+  void recover(const latin::Iterate& state, int first, int count) {
+    stress_.clear();
+    for (const PartStress& part : parts_) stress_.push_back(part.recover(state, first, count));
   }
 
   static void addNames(int dimension, std::vector<std::string>& names) {
@@ -71,14 +80,14 @@ class NodalStress {
     for (const char* name : {"nodal_von_mises", "principal_1", "principal_2", "principal_3"}) names.emplace_back(name);
   }
 
-  /// Fills the nodal variables from number `first` on, of the parts that this rank has.
-  void fill(const files::PartsLayout& layout, int t, std::size_t first, ResultStep& step) const {
+  /// Fills the nodal variables from number `first` on, of the parts that this rank has: load step j of those recovered.
+  void fill(const files::PartsLayout& layout, int j, std::size_t first, ResultStep& step) const {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       if (stress_[i].numRows() == 0) continue;
       const std::vector<int>& bodies = parts_[i].bodies();
       for (std::size_t b = 0; b < bodies.size(); ++b) {
         for (int node = 0; node < parts_[i].nodes(b); ++node) {
-          const double* stress = stress_[i][t] + stressComponents * at(parts_[i].node(b, node));
+          const double* stress = stress_[i][j] + stressComponents * at(parts_[i].node(b, node));
           const std::size_t to = at(layout.firstNode[at(bodies[b])] + node);
           std::size_t variable = first;
           for (const std::size_t c : components_) step.nodal[variable++][to] = stress[c];
@@ -151,17 +160,21 @@ std::optional<files::StressPeak> writeParts(const Problem& problem, const latin:
   std::optional<NodalStress> nodal;
   std::optional<std::size_t> nodalVonMises;
   if (choice.nodalStress) {
-    nodal.emplace(problem, state, file.steps());
+    nodal.emplace(problem);
     NodalStress::addNames(dimension, variables.nodal);
     nodalVonMises = firstNodalStress + components.size();
   }
   for (std::size_t c : components) variables.element.push_back(stressNames[c]);
   variables.element.push_back("von_mises");
-  const std::vector<base::Matrix> stress = elementStresses(problem, state);
-
+  std::vector<base::Matrix> stress;
   std::optional<files::StressPeak> peak;
   const auto writer = file.open(path, layout.mesh, variables);
   for (int t = 0; t < file.steps(); ++t) {
+    if (t % stepsAtOnce == 0) {
+      const int count = std::min(stepsAtOnce, file.steps() - t);
+      stress = elementStresses(problem, state, t, count);
+      if (nodal) nodal->recover(state, t, count);
+    }
     ResultStep step = files::zeroStep(layout.mesh, variables, file.time(t));
     for (std::size_t body = 0; body < stress.size(); ++body) {
       if (!state.layout().owns(static_cast<int>(body))) continue;
@@ -171,13 +184,13 @@ std::optional<files::StressPeak> writeParts(const Problem& problem, const latin:
         for (int c = 0; c < dimension; ++c) step.nodal[at(c)][at(layout.firstNode[body] + node)] = u[at(c)];
       }
       for (std::size_t e = 0; e < part.elements.size(); ++e) {
-        const double* values = stress[body][t] + e * stressComponents;
+        const double* values = stress[body][t % stepsAtOnce] + e * stressComponents;
         const auto element = at(layout.element[body][e]);
         for (std::size_t c = 0; c < components.size(); ++c) step.element[c][element] = values[components[c]];
         step.element.back()[element] = elasticity::vonMises(values);
       }
     }
-    if (nodal) nodal->fill(layout, t, firstNodalStress, step);
+    if (nodal) nodal->fill(layout, t % stepsAtOnce, firstNodalStress, step);
     for (auto& values : step.nodal) file.gather(values);
     for (auto& values : step.element) file.gather(values);
     if (writer && t + 1 == file.steps()) peak = peakOf(problem, layout, step, nodalVonMises);

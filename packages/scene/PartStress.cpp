@@ -74,9 +74,9 @@ base::Matrix PartStress::recover(const latin::Iterate& state, int first, int cou
   for (std::size_t i = 0; i < part_.bodies.size(); ++i) {
     const int body = part_.bodies[i];
     if (!state.layout().owns(body)) continue;
-    for (int node = 0; node < static_cast<int>(nodeOfPart_[i].size()); ++node) {
-      const int to = nodeOfPart_[i][node];
-      for (int j = 0; j < count; ++j) {
+    for (int j = 0; j < count; ++j) {
+      for (int node = 0; node < static_cast<int>(nodeOfPart_[i].size()); ++node) {
+        const int to = nodeOfPart_[i][node];
         const base::Vector3 u = strainingDisplacement(state, part_, body, node, first + j);
         for (int c = 0; c < components; ++c) displacements(components * to + c, j) += u[c] / sharing[to];
       }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 #include <optional>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -199,7 +200,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
   Scene scene = makeScene(tree, request.scene, request.overrides, laws);
   SceneRunResult result{{}, {}, {}, {}, files::ResultFiles(request.directory, request.scene)};
   Recorder recorder(result.record, result.files.record, timers, *comm);
-  const latin::LatinOptions& options = scene.solver;
+  latin::LatinOptions options = scene.solver;
   files::demandDistinct(inputFiles(scene), result.files.all());
   Problem problem = makeProblem(scene, *comm, timers, Cutting::automatic);
   for (const auto& [part, pieces] : problem.pieces) scene.input.setInNamed("Parts", part, "Pieces", pieces);
@@ -225,6 +226,8 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
     lastWords.emplace(result.files.record, files::toJson(interrupted));
   }
   recorder.write();
+  // On other machines it may not be there.
+  if (std::filesystem::is_directory(request.directory)) options.stages.scratch = request.directory;
   try {
     latin::LatinSolver solver(problem.assembly, options, comm, timers);
     for (const auto& response : problem.responses) solver.addResponse(response);

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
+#include <harmos/latin/detail/ConstrainedOperator.hpp>
 #include <harmos/latin/detail/HeldStencil.hpp>
-#include <harmos/substructure/BoundaryTerm.hpp>
 #include <harmos/substructure/Substructure.hpp>
 #include <harmos/substructure/SubstructureSolver.hpp>
 
@@ -25,7 +25,9 @@ class OperatorGroup {
   OperatorGroup(const substructure::Substructure& body, const substructure::Substructure& first,
                 substructure::BoundaryTerm term, const substructure::SolverOptions& options);
   /// Whether a body of the same stiffness has this operator, up to round-off, and its solution.
-  bool has(const substructure::BoundaryTerm& term, bool iterates) const;
+  bool has(const substructure::BoundaryTerm& term, bool iterates) const {
+    return solver_.iterates() == iterates && operator_.has(term);
+  }
 
   /// Sets l [force] and g [length] (0 x 0: none), dofs x (bodies * steps). Costs nothing when they are those set last.
   void setLoads(const base::Matrix& loads, const base::Matrix& held);
@@ -33,17 +35,17 @@ class OperatorGroup {
   long loadChanges() const { return loadChanges_; }
   /// P (l - A g); 0 x 0: none.
   const base::Matrix& loads() const { return loads_; }
-  /// Makes room for so many columns in all, and says which column of loads() each takes.
-  void select(std::vector<int> loadColumns);
+  /// Makes room for so many columns in all, and says which column of loads() each takes; so many bodies share them.
+  void select(std::vector<int> loadColumns, int bodies);
 
-  /// Rows of forces(): dofs, or those of the trace.
-  int rows() const { return isTrace() ? static_cast<int>(trace_.size()) : dofs(); }
+  /// Rows of forces() and solution(): dofs that interfaces load.
+  int rows() const { return static_cast<int>(operator_.trace().size()); }
   /// All rows of the operator.
   int dofs() const { return solver_.dofs(); }
   /// Entries of the factors that a column reads; 0 when the solver does not say.
-  std::size_t entries() const { return isTrace() ? trace_.size() * trace_.size() : solver_.factorNonzeros(); }
-  /// Where the first component of a node stands in forces() and solution().
-  int rowOf(int dof) const;
+  std::size_t entries() const;
+  /// Where the first component of a node that an interface loads stands in forces() and solution().
+  int rowOf(int dof) const { return operator_.traceRow(dof); }
   /// f [force], to be filled for the columns that are solved next.
   base::Matrix& forces() { return forces_; }
   /// To be called when forces() has changed in a way that moves no body, after the last solve.
@@ -58,54 +60,64 @@ class OperatorGroup {
   double prepareSingle() { return solver_.prepareSingle(); }
   /// Rows of forces() of the last solve [length].
   const base::Matrix& solution() const { return solution_; }
-  /// All dofs of it.
-  const base::Matrix& wholeSolution() const;
-  /// u [length] of a dof.
+  /// u [length] of a dof. Of many load steps, those of a dof that is neither loaded by interfaces nor held are best
+  /// asked for one load step after the other: a window of them is kept.
   const double* displacement(int dof, int column) const;
   /// S^-1 P f for any f, dofs x columns: without loads and held displacements.
   void solveLinearly(base::Matrix& forces, base::Matrix& solution) const;
   /// Largest component of the solution, and `share` of what the loads do where only the trace is solved.
   double largestDisplacement(double share) const;
 
-  /// Forces [force], rows and columns as loads(), like those that round-off leaves in A u of the last solve: sum over j
-  /// of +-e (a_ii a_jj)^1/2 u_j over the entries of K, e the spacing of numbers at 1, a the diagonal of K + k h. The
-  /// signs are symmetric and depend on `seed`, i and j only. What iterations have left is added. All load steps must
-  /// have been solved.
+  /// Forces [force], rows and columns as loads(), like those that round-off leaves in A u of the last solve, see
+  /// ConstrainedOperator::addRoundOff(). What iterations have left is added. All load steps must have been solved.
   base::Matrix roundOffForces(unsigned seed) const;
   /// Square of the norm of what iterations have left of the last solve [force]; 0 without iterations.
   double squaredResidual() const;
-  /// Euclidean norm of the diagonal of K + k h [force/length].
-  double stiffnessNorm() const;
+  /// See ConstrainedOperator::stiffnessNorm().
+  double stiffnessNorm() const { return operator_.stiffnessNorm(); }
 
   /// Place of a node among those that are held, or -1.
-  int heldPlace(int node) const;
+  int heldPlace(int node) const { return operator_.heldPlace(node); }
   /// Reaction [force] of a held node, of the last solve.
   base::Vector3 reaction(int place, int column) const;
 
  private:
-  bool isTrace() const { return !trace_.empty(); }
-  void solveTogether(const std::vector<int>& columns, substructure::Precision precision);
-  /// Where iterations start: the last solution of the same columns, without held displacements.
-  void guess(const std::vector<int>& columns, base::Matrix& solution) const;
-  /// Adds to all rows of `to` what a field with the columns of loads() holds for a column, the kept response included.
-  void addLoad(const base::Matrix& field, int column, double* to) const;
-  /// Right-hand sides of the last solve, all dofs.
-  base::Matrix wholeForces() const;
+  /// Columns, by their first one of each body, of which all dofs are at hand together.
+  struct Window {
+    int first = 0, count = 0;
+  };
+
+  bool isTrace() const { return solver_.solvesTrace(); }
+  /// Whether all dofs of all columns are at hand once they are solved for; iterations start from them.
+  bool keepsAll() const { return !isTrace() && (solver_.iterates() || columnsOfBody_ <= stepsAtOnce); }
+  /// Whether what held nodes need is found without a solve of the whole: not once that was made, but then to the end.
+  bool usesStencil() const { return stencil_ && (hasStencil_ || window_.count == 0); }
+  std::vector<Window> windows() const;
+  /// The columns of a window, those of a body together.
+  std::vector<int> columnsOf(const Window& window) const;
+  /// All dofs of a column of the last solve [length]; valid until that of another window is asked for.
+  const double* whole(int column) const;
+  void solveWhole(const Window& window) const;
+  void solveTraces(const std::vector<int>& columns, substructure::Precision precision);
+  void solveAll(const std::vector<int>& columns, substructure::Precision precision);
+  /// P (f + l - A g) of columns, all dofs.
+  base::Matrix forcesOf(const std::vector<int>& columns) const;
+  /// u' of columns, all dofs, where keepsAll().
+  base::Matrix movedOf(const std::vector<int>& columns) const;
+  /// What iterations have left of all columns.
   base::Matrix residual() const;
-  void project(base::Matrix& vectors, bool onTrace) const;
-  void multiply(const double* u, const std::vector<int>& rows, double* result) const;
+  /// Adds to all rows of `to` what a field with the columns of loads() holds for a column, the kept response included.
+  void addLoad(const base::Matrix& field, int column, double* to, double times = 1.0) const;
   const base::Matrix& reactions() const;
-  /// Where the stencil of held nodes has the displacement of a dof, or -1 when only the whole solution has it.
-  int stencilRow(int dof) const;
+  /// The reactions of a column from all of its u, or those of the stencil.
+  void react(int column, const double* u) const;
+  /// Lets go of what of a solve is computed when asked for.
+  void forgetDerived();
   /// Displacements [length] of the stencil, one column for each of forces().
   const base::Matrix& stencilSolution() const;
-  std::vector<double> diagonal() const;
 
-  Teuchos::RCP<const base::CrsMatrix> stiffness_;
-  substructure::BoundaryTerm term_;
-  std::vector<int> trace_;  // dofs that interfaces load, ascending, when only these are solved; empty: all are
+  ConstrainedOperator operator_;
   substructure::SubstructureSolver solver_;
-  std::vector<int> heldDofs_;
   mutable std::unique_ptr<HeldStencil> stencil_;  // where traces are inverted: solves are many; null: not worthwhile
   base::Matrix givenLoads_;                       // l as it was given; 0 x 0: none
   bool areLoaded_ = false;                        // the following belong to it and to g
@@ -116,17 +128,22 @@ class OperatorGroup {
   base::Matrix loaded_;     // with a trace: S^-1 loads + g; 0 x 0: none
   base::Matrix heldLoads_;  // l on held nodes
   std::vector<int> loadColumns_;
-  std::vector<int> unitColumns_;     // of loads(), one per body: those of the kept response
-  base::Matrix unitForces_, unit_;   // of it: f and the solution, one column per body
-  std::vector<int> unitOf_;          // body whose response was added to a column
-  std::vector<double> unitFactors_;  // how much of it
+  int columnsOfBody_ = 0;
+  std::vector<int> unitColumns_;                      // of loads(), one per body: those of the kept response
+  base::Matrix unitForces_, unitSolution_, unitAll_;  // of it, one column per body
+  std::vector<double> unitLargest_;                   // largest component of it, where all dofs are at hand
+  std::vector<int> unitOf_;                           // body whose response was added to a column
+  std::vector<double> unitFactors_;                   // how much of it
   base::Matrix forces_;
   base::Matrix solution_;
-  mutable base::Matrix whole_;  // with a trace: all dofs, computed when asked for
-  mutable bool hasWhole_ = false;
-  mutable base::Matrix onStencil_;  // computed when asked for
+  base::Matrix all_;                 // where keepsAll(), else 0 x 0: all dofs of the last solves
+  std::vector<double> largest_;      // elsewhere without a trace: no component of a column is larger
+  mutable base::Matrix whole_;       // all dofs of a window, computed when asked for
+  mutable Window window_;            // no columns: none
+  mutable base::Matrix onStencil_;   // computed when asked for
+  mutable base::Matrix reactions_;   // computed when asked for
+  mutable base::Matrix atHeldDofs_;  // u with them, where there are several windows
   mutable bool hasStencil_ = false;
-  mutable base::Matrix reactions_;  // computed when asked for
   mutable bool hasReactions_ = false;
 };
 

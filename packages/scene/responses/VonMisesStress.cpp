@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <harmos/elasticity/Stress.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
 #include <harmos/scene/detail/PartStress.hpp>
 
 namespace harmos::scene {
@@ -20,11 +21,13 @@ class LargestVonMises : public latin::Response {
     const int steps = state.assembly().steps();
     std::vector<double> largest(steps, 0.0);
     for (const PartStress& part : parts_) {
-      const base::Matrix stress = part.recover(state, 0, steps);
       std::vector<double> mine(steps, 0.0);
-      for (int t = 0; t < stress.numCols(); ++t) {
-        for (int row = 0; row < stress.numRows(); row += 6) {
-          mine[t] = std::max(mine[t], elasticity::vonMises(stress[t] + row));
+      for (int first = 0; first < steps; first += latin::stepsAtOnce) {
+        const base::Matrix stress = part.recover(state, first, std::min(latin::stepsAtOnce, steps - first));
+        for (int j = 0; j < stress.numCols(); ++j) {
+          for (int row = 0; row < stress.numRows(); row += 6) {
+            mine[first + j] = std::max(mine[first + j], elasticity::vonMises(stress[j] + row));
+          }
         }
       }
       state.metric().sum(mine);

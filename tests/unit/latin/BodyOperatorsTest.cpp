@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -76,8 +77,8 @@ TEST(BodyOperators, OfEqualBodiesAreOne) {
 
       base::Matrix forces(own.layout.rows(), steps);
       randomize(forces);
-      own.bodies.solve(forces, 0, steps, substructure::Precision::exact);
-      shared.bodies.solve(forces, 0, steps, substructure::Precision::exact);
+      own.bodies.solve(forces, 0, substructure::Precision::exact);
+      shared.bodies.solve(forces, 0, substructure::Precision::exact);
       base::Matrix trace(own.layout.rows(), steps), sharedTrace(own.layout.rows(), steps);
       own.bodies.trace(trace, 0, steps);
       shared.bodies.trace(sharedTrace, 0, steps);
@@ -117,8 +118,8 @@ TEST(BodyOperators, OfEqualBodiesWithEqualTraceOperatorsAreOne) {
     EXPECT_EQ(shared.bodies.operators(), 1);
     base::Matrix forces(own.layout.rows(), steps), trace(forces), sharedTrace(forces);
     randomize(forces);
-    own.bodies.solve(forces, 0, steps, substructure::Precision::exact);
-    shared.bodies.solve(forces, 0, steps, substructure::Precision::exact);
+    own.bodies.solve(forces, 0, substructure::Precision::exact);
+    shared.bodies.solve(forces, 0, substructure::Precision::exact);
     own.bodies.trace(trace, 0, steps);
     shared.bodies.trace(sharedTrace, 0, steps);
     for (int t = 0; t < steps; ++t) {
@@ -139,10 +140,10 @@ TEST(BodyOperators, SolveAPartOfTheColumns) {
   Operators all(wedges(rotated, true).assembly());
   base::Matrix forces(all.layout.rows(), steps), trace(all.layout.rows(), steps), parts(all.layout.rows(), steps);
   randomize(forces);
-  all.bodies.solve(forces, 0, steps, substructure::Precision::exact);
+  all.bodies.solve(forces, 0, substructure::Precision::exact);
   all.bodies.trace(trace, 0, steps);
   for (int t = 0; t < steps; ++t) {
-    all.bodies.solve(forces, t, 1, substructure::Precision::exact);
+    all.bodies.solve(base::Matrix(Teuchos::Copy, forces, forces.numRows(), 1, 0, t), t, substructure::Precision::exact);
     all.bodies.trace(parts, t, 1);
   }
   for (int t = 0; t < steps; ++t) {
@@ -162,6 +163,54 @@ BoxAssembly pushedBar(double push) {
   return boxes;
 }
 
+// Of many load steps inner displacements are found for some at a time, in whatever order they are asked for, also where
+// traces are inverted.
+TEST(BodyOperators, FindInnerDisplacementsOfManyLoadStepsInParts) {
+  constexpr int many = 150;
+  BoxAssembly boxes({{"bar", {0, 0, 0}, {4, 1, 1}, {8, 2, 2}}}, many);
+  std::vector<double> history(many, 1.0);
+  for (int t = 0; t < many; ++t) history[t] = 1.0 + t % 7;
+  boxes.hold("bar foot", "bar_xmin", clamp());
+  boxes.hold("bar side", "bar_ymax", laws::makeLaw("Unilateral Contact"));
+  boxes.hold("bar head", "bar_xmax", laws::makeLaw("Prescribed Displacement", {{"X", 0.01}}, {{"X", history}}));
+  const int nodes = static_cast<int>(boxes.assembly().bodies[0].nodes.size());
+  boxes.assembly().bodies[0].loads.shape(3 * nodes, many);
+  randomize(boxes.assembly().bodies[0].loads, 5);
+  for (const bool inverts : {false, true}) {
+    substructure::SolverOptions options;
+    options.invertTrace = inverts;
+    Operators all(boxes.assembly(), options), one(boxes.assembly());
+    base::Matrix forces(all.layout.rows(), many);
+    randomize(forces);
+    std::vector<int> every(many);
+    std::iota(every.begin(), every.end(), 0);
+    all.bodies.select(every);
+    all.bodies.solve(forces, 0, substructure::Precision::exact);
+    const auto& held = all.eliminated.nodes(0);
+    ASSERT_GT(held.size(), 0u);
+    for (const int t : {149, 0, 64, 63, 100}) {
+      one.bodies.select({t});
+      one.bodies.solve(base::Matrix(Teuchos::Copy, forces, forces.numRows(), 1, 0, t), 0,
+                       substructure::Precision::exact);
+      double largest = 0.0;
+      for (std::size_t n = 0; n < held.size(); ++n) {
+        for (const double value : one.bodies.reaction(0, n, 0)) largest = std::max(largest, std::abs(value));
+      }
+      EXPECT_GT(largest, 0.0);
+      for (std::size_t n = 0; n < held.size(); ++n) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          EXPECT_NEAR(all.bodies.reaction(0, n, t)[c], one.bodies.reaction(0, n, 0)[c], 1e-11 * largest);
+        }
+      }
+      for (int node = 0; node < nodes; ++node) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          EXPECT_NEAR(all.bodies.displacement(0, node, t)[c], one.bodies.displacement(0, node, 0)[c], 1e-12);
+        }
+      }
+    }
+  }
+}
+
 // Reactions and displacements of held nodes are the same whether they are taken from the whole solution or, where
 // traces are inverted, from what moves these nodes; also after other displacements were set, and with them given back.
 TEST(BodyOperators, MoveHeldNodesWithoutASolveOfTheWhole) {
@@ -176,7 +225,7 @@ TEST(BodyOperators, MoveHeldNodesWithoutASolveOfTheWhole) {
       one->assembly.interfaces[2].law = pushedBar(push).assembly().interfaces[2].law;
       one->eliminated.update();
       one->bodies.updateLoads(one->assembly);
-      one->bodies.solve(forces, 0, steps, substructure::Precision::exact);
+      one->bodies.solve(forces, 0, substructure::Precision::exact);
     }
     const auto& held = whole.eliminated.nodes(0);
     ASSERT_GT(held.size(), 0u);

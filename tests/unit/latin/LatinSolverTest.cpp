@@ -1,6 +1,8 @@
 #include <cmath>
+#include <filesystem>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/LatinSolver.hpp>
@@ -58,6 +60,31 @@ TEST(LatinSolver, SolvesSpringsInSeries) {
   EXPECT_GT(result.iterations, 0);
   EXPECT_GE(result.linearStages, result.iterations);
   EXPECT_EQ(result.responses[0].name, "end");
+}
+
+// Of many load steps fields that are not at hand are kept in files, of which nothing is left.
+TEST(LatinSolver, KeepsFieldsOfManyLoadStepsInFiles) {
+  constexpr int many = 2 * March::stepsAtOnce + 10;
+  std::vector<double> waves;
+  for (int t = 0; t < many; ++t) waves.push_back(std::sin(0.3 * t) - 1.5);
+  const auto scene = [&] { return twoChains(laws::makeLaw("Unilateral Contact"), pull(3.0, waves), many); };
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("harmos_latin_solver_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  LatinOptions options = accurate();
+  const LatinResult inMemory = solve(scene(), options);
+  options.stages.scratch = folder.string();
+  const LatinResult inFiles = solve(scene(), options);
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(inMemory.outcome, Outcome::certified) << inMemory.reason;
+  EXPECT_EQ(inFiles.outcome, inMemory.outcome);
+  EXPECT_EQ(inFiles.linearStages, inMemory.linearStages);
+  EXPECT_EQ(inFiles.errorEstimate, inMemory.errorEstimate);
+  for (std::size_t i = 0; i < inFiles.responses.size(); ++i) {
+    EXPECT_EQ(inFiles.responses[i].values, inMemory.responses[i].values);
+  }
+  EXPECT_THROW(solve(scene(), options), base::Error);  // the folder is gone
 }
 
 // A host may have computed them.

@@ -1,0 +1,169 @@
+#include <harmos/latin/detail/ConstrainedOperator.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include <harmos/substructure/CrsMatrix.hpp>
+
+namespace harmos::latin {
+namespace {
+
+// Relative difference of the entries of two operators that is round-off.
+constexpr double roundOff = 1e-10;
+
+/// The degrees of freedom, ascending, of the nodes at which a boundary term has search directions.
+std::vector<int> traceOf(const substructure::BoundaryTerm& term) {
+  std::set<int> nodes;
+  for (std::size_t dof = 0; dof < term.diagonal.size(); ++dof) {
+    if (term.diagonal[dof] != 0.0) nodes.insert(static_cast<int>(dof) / term.dimension);
+  }
+  for (const substructure::BoundaryTerm::NodeEntry& entry : term.entries) nodes.insert(entry.row);
+  std::vector<int> dofs;
+  for (const int node : nodes) {
+    for (int c = 0; c < term.dimension; ++c) dofs.push_back(node * term.dimension + c);
+  }
+  return dofs;
+}
+
+/// 1 or -1, the same for (row, column) and (column, row), else as if by chance.
+double signOf(unsigned seed, int row, int column) {
+  std::uint64_t x =
+      (static_cast<std::uint64_t>(std::min(row, column)) << 32U) | static_cast<unsigned>(std::max(row, column));
+  x += 0x9e3779b97f4a7c15U * (seed + std::uint64_t{1});
+  // The finaliser of SplitMix64, Steele et al. (2014), doi:10.1145/2660193.2660195.
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
+  return ((x ^ (x >> 31U)) & 1U) != 0U ? 1.0 : -1.0;
+}
+
+bool areEqual(const std::vector<substructure::BoundaryTerm::NodeTensor>& a,
+              const std::vector<substructure::BoundaryTerm::NodeTensor>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double size = base::distance(a[i].value, {});
+    if (a[i].node != b[i].node || base::distance(a[i].value, b[i].value) > roundOff * size) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+ConstrainedOperator::ConstrainedOperator(Teuchos::RCP<const base::CrsMatrix> stiffness, substructure::BoundaryTerm term)
+    : stiffness_(std::move(stiffness)), term_(std::move(term)), trace_(traceOf(term_)) {
+  for (const substructure::BoundaryTerm::NodeTensor& held : term_.free) {
+    for (int c = 0; c < term_.dimension; ++c) heldDofs_.push_back(held.node * term_.dimension + c);
+  }
+}
+
+bool ConstrainedOperator::has(const substructure::BoundaryTerm& term) const {
+  if (term_.entries.size() != term.entries.size()) return false;
+  for (std::size_t i = 0; i < term.entries.size(); ++i) {
+    const auto &a = term_.entries[i], &b = term.entries[i];
+    if (a.row != b.row || a.column != b.column || std::abs(a.value - b.value) > roundOff * std::abs(a.value)) {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < term.diagonal.size(); ++i) {
+    if (std::abs(term_.diagonal[i] - term.diagonal[i]) > roundOff * term_.diagonal[i]) return false;
+  }
+  return areEqual(term_.springs, term.springs) && areEqual(term_.free, term.free);
+}
+
+int ConstrainedOperator::placeOf(const std::vector<int>& dofs, int dof) {
+  const auto at = std::lower_bound(dofs.begin(), dofs.end(), dof);
+  return at != dofs.end() && *at == dof ? static_cast<int>(at - dofs.begin()) : -1;
+}
+
+int ConstrainedOperator::heldPlace(int node) const {
+  const int row = heldRow(node * term_.dimension);
+  return row < 0 ? -1 : row / term_.dimension;
+}
+
+void ConstrainedOperator::projectNode(const substructure::BoundaryTerm::NodeTensor& held, int row,
+                                      base::Matrix& vectors) const {
+  for (int j = 0; j < vectors.numCols(); ++j) {
+    base::Vector3 old{};
+    std::copy_n(vectors[j] + row, term_.dimension, old.begin());
+    const base::Vector3 now = base::product(held.value, old);
+    std::copy_n(now.begin(), term_.dimension, vectors[j] + row);
+  }
+}
+
+void ConstrainedOperator::project(base::Matrix& vectors) const {
+  for (const substructure::BoundaryTerm::NodeTensor& held : term_.free) {
+    projectNode(held, held.node * term_.dimension, vectors);
+  }
+}
+
+void ConstrainedOperator::projectTrace(base::Matrix& vectors) const {
+  for (const substructure::BoundaryTerm::NodeTensor& held : term_.free) {
+    const int row = traceRow(held.node * term_.dimension);
+    if (row >= 0) projectNode(held, row, vectors);
+  }
+}
+
+void ConstrainedOperator::multiply(const double* u, const std::vector<int>& rows, double* result) const {
+  const substructure::CrsView view = substructure::viewOf(*stiffness_, "operator");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const int row = rows[i];
+    double sum = term_.diagonal.empty() ? 0.0 : term_.diagonal[row] * u[row];
+    for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
+      sum += view.values[k] * u[view.columns[k]];
+    }
+    result[i] = sum;
+  }
+  for (const substructure::BoundaryTerm::NodeEntry& entry : term_.entries) {
+    const int at = placeOf(rows, entry.row * term_.dimension);
+    if (at < 0) continue;
+    for (int c = 0; c < term_.dimension; ++c) {
+      result[at + c] += entry.value * u[entry.column * term_.dimension + c];
+    }
+  }
+  for (const substructure::BoundaryTerm::NodeTensor& spring : term_.springs) {
+    const int first = spring.node * term_.dimension;
+    const int at = placeOf(rows, first);
+    if (at < 0) continue;
+    base::Vector3 w{};
+    std::copy_n(u + first, term_.dimension, w.begin());
+    const base::Vector3 force = base::product(spring.value, w);
+    for (int c = 0; c < term_.dimension; ++c) result[at + c] += force[c];
+  }
+}
+
+std::vector<double> ConstrainedOperator::diagonal() const {
+  const substructure::CrsView view = substructure::viewOf(*stiffness_, "operator");
+  std::vector<double> diagonal(term_.diagonal);
+  diagonal.resize(static_cast<std::size_t>(view.rows), 0.0);
+  for (int row = 0; row < view.rows; ++row) {
+    const std::size_t at = view.positionOf(row, row);
+    if (at != view.rowPointers[view.rows]) diagonal[row] += view.values[at];
+  }
+  return diagonal;
+}
+
+double ConstrainedOperator::stiffnessNorm() const {
+  const std::vector<double> values = diagonal();
+  return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
+}
+
+void ConstrainedOperator::addRoundOff(unsigned seed, const std::vector<const double*>& u,
+                                      const std::vector<double*>& forces) const {
+  const substructure::CrsView view = substructure::viewOf(*stiffness_, "operator");
+  std::vector<double> roots = diagonal();
+  for (double& value : roots) value = std::sqrt(value);
+  for (int row = 0; row < view.rows; ++row) {
+    for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
+      const int column = view.columns[k];
+      const double entry =
+          signOf(seed, row, column) * std::numeric_limits<double>::epsilon() * roots[row] * roots[column];
+      for (std::size_t j = 0; j < u.size(); ++j) forces[j][row] += entry * u[j][column];
+    }
+  }
+}
+
+}  // namespace harmos::latin
