@@ -13,9 +13,9 @@ namespace {
 
 // Share of a residual outside of the space below which it is round-off.
 constexpr double roundOff = 1e-9;
-// Singular values below this share of the largest one are those of round-off; below this share of 2, if the largest is
-// larger: I - J has none above it where loads are given. Where they are found (PathControl) single ones are many times
-// as large and would hide others. With images in double precision smaller ones are those of soft springs.
+// Singular values below this share of the largest one are those of round-off. I - J has none above 2 where loads are
+// given; where they are found (PathControl) single ones are many times as large, and in single precision, whose share
+// of them would hide others, 2 stands for them. With images in double precision smaller ones are those of soft springs.
 constexpr double singularInSingle = 1e-7;
 constexpr double singularInDouble = 1e-10;
 constexpr double ordinary = 2.0;
@@ -45,7 +45,7 @@ CorrectionSpace::CorrectionSpace(const StateMetric& metric, substructure::Precis
     : metric_(&metric), singular_(images == substructure::Precision::single ? singularInSingle : singularInDouble) {}
 
 double CorrectionSpace::negligibleShare(const std::vector<double>& values) const {
-  return singular_ * std::min(1.0, ordinary / values.front());
+  return singular_ == singularInDouble ? singular_ : singular_ * std::min(1.0, ordinary / values.front());
 }
 
 std::vector<double> CorrectionSpace::scaled(const double* x) const {

@@ -137,7 +137,10 @@ bool March::solveSoftening(int step, const Iterate& iterate, const base::Matrix&
   const double share = target / forceSize(iterate, false);
   beta.assign(iterate.beta());  // a copy: the field goes with the next solve
   whole.assign(state);
-  if (newton_->solveWith(base::Matrix(rows, 1), whole, beta, target, mostSofteningSteps, mustStop_).isReached) {
+  if (newton_
+          ->solveWith(base::Matrix(rows, 1), whole, beta, target, mostSofteningSteps, StepNewton::StepLength::damped,
+                      mustStop_)
+          .isReached) {
     state.assign(whole);
     return true;
   }

@@ -37,15 +37,23 @@ double StepContinuation::forceOf(const base::Matrix& offset, const base::Matrix&
   return fixedPoint_.metric().norm(force);
 }
 
+bool StepContinuation::solveBoth(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta, double target,
+                                 const std::function<bool()>& mustStop) {
+  for (const StepNewton::StepLength length : {StepNewton::StepLength::damped, StepNewton::StepLength::whole}) {
+    if (newton_.solveWith(offset, state, beta, target, mostSteps, length, mustStop).isReached) return true;
+  }
+  return false;
+}
+
 bool StepContinuation::solvePart(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta, double target,
                                  double share, const std::function<bool()>& mustStop) {
   if (!fixedPoint_.assembly().path) {
-    return newton_.solveWith(offset, state, beta, target, mostSteps, mustStop).isReached;
+    return solveBoth(offset, state, beta, target, mustStop);
   }
   // What is too large at first shrinks with the forces.
   double asked = std::max(target, share * forceOf(offset, beta));
   for (;;) {
-    if (!newton_.solveWith(offset, state, beta, asked, mostSteps, mustStop).isReached) return false;
+    if (!solveBoth(offset, state, beta, asked, mustStop)) return false;
     const double needed = std::max(target, share * forceOf(offset, beta));
     if (asked <= std::max(nearEnough * needed, noise * fixedPoint_.metric().norm(state))) return true;
     asked = std::max(needed, smallestFall * asked);

@@ -13,8 +13,9 @@ namespace harmos::latin {
 /// Newton's method. Loads enter beta of the linear stage linearly, so that the directions of StepNewton serve all
 /// parts. All parts have the history that the load step before has left: what is found at the end solves the load step
 /// itself, and lies on the branch of solutions that grows from the load step before. Parts that do not come to an end
-/// are halved; where a part has become too small, the branch turns back: the structure snaps. Laws and gaps that change
-/// with the load step are those of its end. Displacement form, with the local stage PointwiseLocalStage.
+/// are tried with whole steps of Newton's method, and halved; where a part has become too small, the branch turns back:
+/// the structure snaps. Laws and gaps that change with the load step are those of its end. Displacement form, with the
+/// local stage PointwiseLocalStage.
 class StepContinuation {
  public:
   /// What has become of a load step.
@@ -45,6 +46,9 @@ class StepContinuation {
                const std::function<bool()>& mustStop);
 
  private:
+  /// One part by Newton's method, with steps that are damped, or else whole.
+  bool solveBoth(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta, double target,
+                 const std::function<bool()>& mustStop);
   /// One part, with `offset` added to beta. See solve() for the others.
   bool solvePart(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta, double target, double share,
                  const std::function<bool()>& mustStop);

@@ -117,6 +117,11 @@ double StepNewton::step(const std::vector<double>& c, double size) {
   return reached;
 }
 
+double StepNewton::wholeStep(const std::vector<double>& c) {
+  moveFrom(c, 1.0);
+  return evaluate();
+}
+
 double StepNewton::dampedStep(const std::vector<double>& c, double size) {
   double best = 0.0, least = 0.0, length = 1.0;
   for (int halving = 0; halving <= mostHalvings; ++halving, length *= 0.5) {
@@ -158,22 +163,26 @@ StepNewton::Result StepNewton::solve(base::Matrix& state, const base::Matrix& be
   if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale()) forget();
   const bool isFull = space().size() >= most_;
   offset_.clear();
-  Result result = attempt(state, beta, target, maximumSteps, longPatience, mustStop);
+  const Effort effort{maximumSteps, longPatience};
+  Result result = attempt(state, beta, target, effort, StepLength::damped, mustStop);
   if (result.isReached || !isFull || (mustStop && mustStop())) return result;
   // What it holds are the directions of other states.
   forget();
-  return attempt(state, beta, target, maximumSteps, longPatience, mustStop);
+  return attempt(state, beta, target, effort, StepLength::damped, mustStop);
 }
 
 StepNewton::Result StepNewton::solveWith(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta,
-                                         double target, int steps, const std::function<bool()>& mustStop) {
+                                         double target, int steps, StepLength length,
+                                         const std::function<bool()>& mustStop) {
   if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale() || space().size() >= most_) forget();
   offset_.assign(offset[0], offset[0] + offset.numRows());
   shifted_.shape(offset.numRows(), 1);
-  Result result = attempt(state, beta, target, steps, shortPatience, mustStop);
+  // On its way a whole step may make |R| greater before it makes it small.
+  const Effort effort{steps, length == StepLength::damped ? shortPatience : steps};
+  Result result = attempt(state, beta, target, effort, length, mustStop);
   if (!result.isReached && space().size() >= most_ && !(mustStop && mustStop())) {
     forget();  // many of them are those of other states
-    result = attempt(state, beta, target, steps, shortPatience, mustStop);
+    result = attempt(state, beta, target, effort, length, mustStop);
   }
   if (result.isReached) beta.assign(beta_);
   return result;
@@ -184,8 +193,8 @@ void StepNewton::forget() {
   scale_ = fixedPoint_.searchDirectionScale();
 }
 
-StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& beta, double target, int steps,
-                                       int patience, const std::function<bool()>& mustStop) {
+StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& beta, double target,
+                                       const Effort& effort, StepLength length, const std::function<bool()>& mustStop) {
   const int rows = state.numRows();
   for (base::Matrix* field :
        {&start_, &startImage_, &alpha_, &beta_, &traction_, &residual_, &fromAlpha_, &fromBeta_}) {
@@ -198,7 +207,7 @@ StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& 
   result.residual = evaluate();
   double best = result.residual, last = result.residual, forcing = isDamped_ ? leastForcing : firstForcing;
   int number = 0;
-  for (int sinceBest = 0; number < steps && sinceBest < patience; ++number) {
+  for (int sinceBest = 0; number < effort.steps && sinceBest < effort.patience; ++number) {
     const double goal = enough();
     if (result.residual <= goal) break;
     if (mustStop && mustStop()) break;
@@ -211,7 +220,7 @@ StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& 
     fromBeta_.assign(beta_);
     std::optional<double> reached;
     if (isDamped_) {
-      reached = dampedStep(direction.c, size);
+      reached = length == StepLength::damped ? dampedStep(direction.c, size) : wholeStep(direction.c);
     } else {
       reached = direction.left > unanswered * size ? follow(direction.c) : step(direction.c, size);
     }

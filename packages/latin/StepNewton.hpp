@@ -19,7 +19,7 @@ namespace harmos::latin {
 ///  * what no direction reduces, l = R - (I - J) V c, is a motion that nothing resists: it is followed, twice as far
 ///    each time, until something answers;
 ///  * where R grows and points back along the way d, the step ends where R.d = 0.
-/// Where laws soften, I - T is not monotone: instead of both a step is halved until |R| falls.
+/// Where laws soften, I - T is not monotone: instead of both a step is halved until |R| falls, see StepLength.
 /// Displacement form, with the local stage PointwiseLocalStage. Norms are those of StateMetric.
 /// Source of the method: Alart, Curnier (1991), doi:10.1016/0045-7825(91)90022-X; of the recycling: Parks et al.
 /// (2006), doi:10.1137/040607277.
@@ -30,6 +30,13 @@ class StepNewton {
     bool isReached = false;              ///< |R| <= target
     double residual = 0.0;               ///< |R| at the end [force length, square root]
     double smallestSingularValue = 1.0;  ///< of I - J in the space
+  };
+
+  /// How far a step goes where laws soften.
+  enum class StepLength {
+    damped,  ///< halved until |R| falls: stays near the state that it begins with
+    whole  ///< wherever it leads: over kinks at which |R| grows in every direction, such as a pair that opens while it
+           ///< fails in shear, between whose two tangents damped steps go to and fro
   };
 
   /// Directions that are kept, at most. Where laws soften, what is slow at one state is not what is slow at the next,
@@ -49,15 +56,21 @@ class StepNewton {
   Result solve(base::Matrix& state, const base::Matrix& beta, double target, const std::function<bool()>& mustStop);
 
   /// Collective, one load step selected. The same with other loads: `offset` [stress], one column, is what they add to
-  /// beta of every state. `beta`, in and out, is without it. Takes no more than `steps` steps, of which few without
-  /// progress; begins with no directions where the space is full.
+  /// beta of every state. `beta`, in and out, is without it. Takes no more than `steps` steps, and of damped ones few
+  /// without progress; begins with no directions where the space is full.
   Result solveWith(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta, double target, int steps,
-                   const std::function<bool()>& mustStop);
+                   StepLength length, const std::function<bool()>& mustStop);
 
  private:
+  /// When an attempt gives up.
+  struct Effort {
+    int steps;     ///< at most
+    int patience;  ///< steps in which the best residual must have fallen
+  };
+
   const CorrectionSpace& space() const { return tangent_->space(); }
   /// Newton's method in the space as it is, from a state and its beta, which is without offset_.
-  Result attempt(base::Matrix& state, const base::Matrix& beta, double target, int steps, int patience,
+  Result attempt(base::Matrix& state, const base::Matrix& beta, double target, const Effort& effort, StepLength length,
                  const std::function<bool()>& mustStop);
   /// Begins with an empty space.
   void forget();
@@ -71,6 +84,8 @@ class StepNewton {
   void moveFrom(const std::vector<double>& c, double length);
   /// Newton's step, or where R points back from its end, as much of it as R does not. Returns |R|.
   double step(const std::vector<double>& c, double size);
+  /// All of Newton's step. Returns |R|.
+  double wholeStep(const std::vector<double>& c);
   /// As much of Newton's step as lets |R| fall, or fall most. Returns |R|.
   double dampedStep(const std::vector<double>& c, double size);
   /// Follows what is left of R after this step, until something answers. Returns |R|; none where nothing has answered
