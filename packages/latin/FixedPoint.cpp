@@ -166,8 +166,7 @@ void FixedPoint::select(const std::vector<int>& steps) {
   linear_->select(steps);
   fields_.steps = steps;
   local_->select(steps);
-  fields_.beta.shape(layout_.rows(), static_cast<int>(steps.size()));
-  fields_.hattedTraction.shape(layout_.rows(), static_cast<int>(steps.size()));
+  for (base::Matrix* field : {&fields_.beta, &fields_.hattedTraction}) *field = base::Matrix();
   ++fields_.present;
 }
 
@@ -201,6 +200,10 @@ const Iterate& FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image,
   ++fields_.present;
   base::Matrix& beta = fields_.beta;
   base::Matrix& traction = fields_.hattedTraction;
+  if (beta.numCols() != alpha.numCols()) {
+    // Not before they are needed: of many load steps each is large.
+    for (base::Matrix* field : {&beta, &traction}) field->shape(layout_.rows(), alpha.numCols());
+  }
   releaseDerived();
   linear_->solve(alpha, beta, precision);
   const auto running = timers_.start("local");
