@@ -18,7 +18,9 @@ class ColumnStore {
   /// rows x columns in a file in `folder`; in memory where that is empty. Throws Error naming the folder when the file
   /// cannot be made.
   ColumnStore(int rows, int columns, const std::string& folder);
+  /// Takes the columns of another one, of which nothing but the end may be asked then.
   ColumnStore(ColumnStore&& other) noexcept;
+  /// The same; its own columns are lost.
   ColumnStore& operator=(ColumnStore&& other) noexcept;
   ~ColumnStore();
 
