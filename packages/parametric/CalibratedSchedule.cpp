@@ -234,7 +234,7 @@ void CalibratedSchedule::beginFromNeighbours(Attempt& attempt) {
   ConfigurationIteration& iteration = solver_.iteration();
   iteration.begin(solver_.states(), attempt.configuration.values);
   attempt.result.starts = iteration.starts();
-  iteration.setLimit(limitFromNeighbours());
+  iteration.setLimit(limitFromNeighbours(), ConfigurationIteration::AtLimit::goesOn);
   iteration.startMarch(calibration_.target());
   attempt.isFromNeighbours = attempt.isMarching = true;
 }
@@ -328,7 +328,9 @@ bool CalibratedSchedule::end(Attempt& attempt) {
     result.status = results::Status::failed;
     result.reason = error.what();
   }
-  if (!results::isSolved(result.status) && !certifyAnew(attempt.configuration, result)) return false;
+  const bool isEnded =
+      results::isSolved(result.status) || (attempt.isFromNeighbours && result.status == results::Status::noEquilibrium);
+  if (!isEnded && !certifyAnew(attempt.configuration, result)) return false;
   if (attempt.purpose == Purpose::audit && !attempt.wasAudited) isAuditDue_ = true;
   if (attempt.isFromNeighbours && !attempt.wasAudited)
     record_.addWarm(attempt.distance, result.linearStages - attempt.stagesBefore);

@@ -234,7 +234,7 @@ bool ConfigurationIteration::proceed() {
       propose();
       return isWaiting_ = true;
     }
-    if (!isThere_ && isFirstMarch_ && starts_.empty()) {
+    if (!isThere_ && isFirstMarch_ && atLimit_ == AtLimit::isLost) {
       isLost_ = true;
       return false;
     }

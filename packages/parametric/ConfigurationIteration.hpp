@@ -32,8 +32,14 @@ class ConfigurationIteration {
   /// Asked on every rank before every solve; march() then goes on with the stage of all load steps at once.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
 
+  /// What a load step of the first march that comes to a limit means: that the iteration isLost(), or that this load
+  /// step and those that follow are taken as far as they have come.
+  enum class AtLimit { isLost, goesOn };
   /// march() iterates no longer after so many linear stages since begin(); they may end early within it.
-  void setLimit(double stages) { limit_ = stages; }
+  void setLimit(double stages, AtLimit meaning = AtLimit::isLost) {
+    limit_ = stages;
+    atLimit_ = meaning;
+  }
 
   /// Collective. Begins the configuration whose laws are in the assembly, cold when there are only few `states`.
   /// `values`: of all parameters of the study, in their order.
@@ -41,8 +47,8 @@ class ConfigurationIteration {
   /// Collective. Goes on from a state found elsewhere, with a stage of all load steps.
   Indicators beginAt(const base::Matrix& alpha);
   /// Collective. Iterates every load step until its share of the indicators is at most `target`, or a limit of
-  /// iterations or that of setLimit() is reached, and then all of them once; the fields are those of state(). The first
-  /// march since a cold begin() ends at a load step that comes to a limit: the iteration isLost(), and has no state.
+  /// iterations or that of setLimit() is reached, and then all of them once; the fields are those of state(). An
+  /// iteration that isLost() has no state.
   Indicators march(const Indicators& target);
 
   /// march() in pieces, so that others may march beside it. Begins it; until endMarch(), proceed() wants the laws of
@@ -134,6 +140,7 @@ class ConfigurationIteration {
   std::vector<int> starts_;
   long columns_ = 0;                                        // solved since begin()
   double limit_ = std::numeric_limits<double>::infinity();  // of stages()
+  AtLimit atLimit_ = AtLimit::isLost;
 };
 
 }  // namespace harmos::parametric
