@@ -180,6 +180,7 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
   const Iterate* present = &iterate;
   const bool isSoft = fixedPoint_.assembly().softens();
   base::Matrix kept(alpha.numRows(), alpha.numCols());  // of the pass before
+  double reached = 0.0;                                 // its residual
   for (int pass = 0; pass < maximumPasses; ++pass) {
     if (pass > 0) {
       target *= nextPass;
@@ -187,14 +188,20 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
     }
     const StepwiseCorrection::Result step = correction.correct(*present, result.state, target, targets, stageLimit);
     if (!step.isReached && (pass == 0 || !isSoft)) return result;
-    if (!step.isReached) {
+    double left = 0.0;
+    if (step.isReached) {
+      present = &fixedPoint_.apply(result.state, image);
+      result.iterate = present;
+      left = largest(distances(image, result.state));
+    }
+    // Images promise residuals that their own round-off does not allow: then the pass before has met it already, and
+    // directions out of round-off would pass for soft modes.
+    if (!step.isReached || (isSoft && pass > 0 && left >= reached)) {
       result.state = kept;
       result.iterate = &fixedPoint_.apply(result.state, image);
       break;
     }
-    present = &fixedPoint_.apply(result.state, image);
-    result.iterate = present;
-    const double left = largest(distances(image, result.state));
+    reached = left;
     result.reduction = left <= noise ? 0.0 : left / before;
     const double seen = step.smallestSingularValue * largest(distances(result.state, alpha));
     result.hidden = left <= noise ? 0.0 : left / seen;

@@ -60,6 +60,7 @@ TEST(Cohesive, EndNotchedFlexure) {
     }
     return 4.0 / (3.0 * low) * std::sqrt(G * E * h * h * h);
   };
+  EXPECT_LE(run.result.linearStages, 40);  // 110 when certificates went on below the round-off of images
   EXPECT_NEAR(run.value("P"), load(2.4), 0.02 * load(2.4));
   // Intact: the compliance with the crack as it was; the arms also shear.
   const double first = 0.1 * 2.4, elastic = 96.0 * EI / (2.0 * L * L * L + 3.0 * 52.0 * 52.0 * 52.0);
