@@ -20,9 +20,9 @@ std::shared_ptr<const laws::InterfaceLaw> friction(double mu) {
 
 /// Local stage of two cubes with an interface in a frame that is nowhere along the axes.
 struct Stage {
-  explicit Stage(std::shared_ptr<const laws::InterfaceLaw> law, int steps,
+  explicit Stage(const std::shared_ptr<const laws::InterfaceLaw>& law, int steps,
                  Formulation formulation = Formulation::displacement)
-      : cubes(twoCubes(std::move(law), laws::makeLaw("Symmetry"), steps)),
+      : cubes(twoCubes(law, laws::makeLaw("Symmetry"), steps)),
         k(prepared(), 1.0, *self()),
         eliminated(cubes.assembly(), k, Elimination::none, {}),
         layout(cubes.assembly(), k, eliminated, self()),
