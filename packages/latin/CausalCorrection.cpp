@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <harmos/latin/March.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -270,12 +271,12 @@ void CausalCorrection::approach(int stages) {
   first_ = 0;
   const int steps = alpha_->numCols(), first = fixedPoint_.linearStage().stages();
   for (begin_ = 0; begin_ < steps; begin_ = end_) {
-    end_ = std::min(begin_ + March::stepsAtOnce, steps);
+    end_ = std::min(begin_ + stepsAtOnce, steps);
     for (int t = begin_; t < end_; ++t) {
       if (!steps_[t].tangent) steps_[t].tangent.emplace(fixedPoint_, lines_);
     }
     approachTogether(stages - (fixedPoint_.linearStage().stages() - first));
-    if (steps <= March::stepsAtOnce) continue;
+    if (steps <= stepsAtOnce) continue;
     for (int t = begin_; t < end_; ++t) {
       steps_[t].steepness = smallestSingularValue(steps_[t]);
       steps_[t].tangent.reset();
@@ -341,8 +342,8 @@ const Iterate& CausalCorrection::verify(base::Matrix& image) {
   for (base::Matrix* field : {&beta_, &residual_}) *field = base::Matrix();  // room for both stages
   const Iterate& iterate = fixedPoint_.apply(*alpha_, image);
   const int rows = image.numRows();
-  for (int first = 0; first < image.numCols(); first += March::stepsAtOnce) {
-    const int count = std::min(March::stepsAtOnce, image.numCols() - first);
+  for (int first = 0; first < image.numCols(); first += stepsAtOnce) {
+    const int count = std::min(stepsAtOnce, image.numCols() - first);
     base::Matrix residual(Teuchos::Copy, image, rows, count, 0, first);
     residual -= base::Matrix(Teuchos::View, *alpha_, rows, count, 0, first);
     fixedPoint_.linearStage().unfelt().remove(residual);

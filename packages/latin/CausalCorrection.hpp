@@ -20,8 +20,8 @@ namespace harmos::latin {
 /// no longer predicts the residual, without a solve. Norms are those of StateMetric. Displacement form, with the local
 /// stage PointwiseLocalStage.
 ///
-/// Of many load steps, March::stepsAtOnce are brought to their end together, then the next ones, with the history that
-/// they have left, and spaces last no longer than that: what is kept of directions does not grow with the load steps.
+/// Of many load steps, stepsAtOnce are brought to their end together, then the next ones, with the history that they
+/// have left, and spaces last no longer than that: what is kept of directions does not grow with the load steps.
 ///
 /// Images y may be found in single precision, since they only say where to go: where any was, the way ends with an
 /// application of T in double precision, and what is said of the residual is what that has found. Where it is larger

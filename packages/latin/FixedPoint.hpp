@@ -49,8 +49,8 @@ class FixedPoint {
   /// Lets go of the fields of both stages, as large as all load steps together, until the next select() or selectAll();
   /// the local stage stays as it is. Ends the validity of all iterates.
   void releaseFields();
-  /// Room for a field of all load steps, rows x steps, that is not asked for all the time: of more than
-  /// March::stepsAtOnce in StageOptions::scratch. Throws base::Error as base::ColumnStore.
+  /// Room for a field of all load steps, rows x steps, that is not asked for all the time: of more than stepsAtOnce
+  /// in StageOptions::scratch. Throws base::Error as base::ColumnStore.
   base::ColumnStore store(int rows) const { return {rows, assembly_.steps(), fields_.scratch}; }
   /// From now on the first column follows on the last one of the last apply(). Displacement form only.
   void startFromHere() { local_->startFromHere(); }

@@ -6,6 +6,7 @@
 
 #include <harmos/base/Numerals.hpp>
 #include <harmos/latin/StepContinuation.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
 #include <harmos/latin/detail/SafeRelaxation.hpp>
 #include <harmos/latin/detail/Stagnation.hpp>
 
@@ -137,10 +138,9 @@ bool March::solveSoftening(int step, const Iterate& iterate, const base::Matrix&
   const double share = target / forceSize(iterate, false);
   beta.assign(iterate.beta());  // a copy: the field goes with the next solve
   whole.assign(state);
-  if (newton_
-          ->solveWith(base::Matrix(rows, 1), whole, beta, target, mostSofteningSteps, StepNewton::StepLength::damped,
-                      mustStop_)
-          .isReached) {
+  const base::Matrix none(rows, 1);
+  const auto length = StepNewton::StepLength::damped;
+  if (newton_->solveWith(none, whole, beta, target, mostSofteningSteps, length, mustStop_).isReached) {
     state.assign(whole);
     return true;
   }

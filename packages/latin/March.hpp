@@ -6,7 +6,6 @@
 #include <harmos/latin/EquilibriumWatch.hpp>
 #include <harmos/latin/LoadBalance.hpp>
 #include <harmos/latin/StepNewton.hpp>
-#include <harmos/latin/StepsAtOnce.hpp>
 
 namespace harmos::latin {
 
@@ -39,8 +38,6 @@ class March {
 
   /// Iterations of a load step, after its last landing, by which it is left as it is.
   static constexpr int maximumIterations = 100;
-  /// Load steps, at most, of which vectors are kept at a time: differences here, directions in a CausalCorrection.
-  static constexpr int stepsAtOnce = latin::stepsAtOnce;
   /// Residuals below this share of the state are round-off.
   static constexpr double noise = 1e-13;
   /// Of the residual from one march to the next, when what has come of the first is not enough.

@@ -10,9 +10,6 @@
 namespace harmos::latin {
 namespace {
 
-/// Columns of a field that are looked at together.
-constexpr int columnsAtOnce = stepsAtOnce;
-
 base::Matrix columnsOf(const base::Matrix& field, int first, int count) {
   return {Teuchos::View, field, field.numRows(), count, 0, first};
 }
@@ -34,8 +31,8 @@ base::ColumnStore forcesOf(const Iterate& state) {
   const base::Matrix& traction = state.hattedTraction();
   const int ofNodes = nodalForces(state.layout(), columnsOf(traction, 0, 0)).numRows();
   base::ColumnStore all = state.store(ofNodes + boundaries.traction.numRows());
-  for (int first = 0; first < traction.numCols(); first += columnsAtOnce) {
-    const int count = std::min(columnsAtOnce, traction.numCols() - first);
+  for (int first = 0; first < traction.numCols(); first += stepsAtOnce) {
+    const int count = std::min(stepsAtOnce, traction.numCols() - first);
     keep(nodalForces(state.layout(), columnsOf(traction, first, count)), first, boundaries.traction, boundaries.area,
          all);
   }

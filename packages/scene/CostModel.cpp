@@ -8,7 +8,7 @@
 
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/CorrectionSpace.hpp>
-#include <harmos/latin/March.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
 
 namespace harmos::scene {
 namespace {
@@ -49,7 +49,7 @@ constexpr double growthWithPieces = 0.18, directStages = 4.0;
 
 /// States of all load steps together that an iteration keeps.
 double storedStates(double steps) {
-  constexpr double most = latin::March::stepsAtOnce;
+  constexpr double most = latin::stepsAtOnce;
   const double remembered = steps > most ? 1.0 : steps;
   return latin::AndersonAcceleration::statesPerDifference * differences * remembered +
          latin::CorrectionSpace::statesPerDirection * directions * std::min(steps, most) + fields * steps;
@@ -140,7 +140,7 @@ void CostSums::reduce(const Teuchos::Comm<int>& comm) {
 
 CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOptions& solver) const {
   CostEstimate cost;
-  const double steps = scope.steps, together = std::min<double>(steps, latin::March::stepsAtOnce);
+  const double steps = scope.steps, together = std::min<double>(steps, latin::stepsAtOnce);
   cost.unknowns = static_cast<std::int64_t>(scope.unknowns);
   cost.interfaceUnknowns = static_cast<std::int64_t>(scope.interfaceUnknowns);
   cost.steps = scope.steps;

@@ -36,9 +36,6 @@ std::vector<std::size_t> stressesOf(int dimension) {
   return dimension == 2 ? std::vector<std::size_t>{0, 1, 2, 3} : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
 }
 
-// Load steps whose stresses are found together, so that the integrals over an element are formed only once for them.
-constexpr int stepsAtOnce = latin::stepsAtOnce;
-
 /// Means over the elements of `count` load steps. Empty: of bodies of other ranks.
 std::vector<base::Matrix> elementStresses(const Problem& problem, const latin::Iterate& state, int first, int count) {
   const int dimension = problem.assembly.dimension;
@@ -170,8 +167,9 @@ std::optional<files::StressPeak> writeParts(const Problem& problem, const latin:
   std::optional<files::StressPeak> peak;
   const auto writer = file.open(path, layout.mesh, variables);
   for (int t = 0; t < file.steps(); ++t) {
-    if (t % stepsAtOnce == 0) {
-      const int count = std::min(stepsAtOnce, file.steps() - t);
+    if (t % latin::stepsAtOnce == 0) {
+      // Together, so that the integrals over an element are formed only once for them.
+      const int count = std::min(latin::stepsAtOnce, file.steps() - t);
       stress = elementStresses(problem, state, t, count);
       if (nodal) nodal->recover(state, t, count);
     }
@@ -184,13 +182,13 @@ std::optional<files::StressPeak> writeParts(const Problem& problem, const latin:
         for (int c = 0; c < dimension; ++c) step.nodal[at(c)][at(layout.firstNode[body] + node)] = u[at(c)];
       }
       for (std::size_t e = 0; e < part.elements.size(); ++e) {
-        const double* values = stress[body][t % stepsAtOnce] + e * stressComponents;
+        const double* values = stress[body][t % latin::stepsAtOnce] + e * stressComponents;
         const auto element = at(layout.element[body][e]);
         for (std::size_t c = 0; c < components.size(); ++c) step.element[c][element] = values[components[c]];
         step.element.back()[element] = elasticity::vonMises(values);
       }
     }
-    if (nodal) nodal->fill(layout, t % stepsAtOnce, firstNodalStress, step);
+    if (nodal) nodal->fill(layout, t % latin::stepsAtOnce, firstNodalStress, step);
     for (auto& values : step.nodal) file.gather(values);
     for (auto& values : step.element) file.gather(values);
     if (writer && t + 1 == file.steps()) peak = peakOf(problem, layout, step, nodalVonMises);

@@ -5,6 +5,7 @@
 
 #include <harmos/latin/CausalCorrection.hpp>
 #include <harmos/latin/March.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
@@ -201,7 +202,7 @@ TEST(CausalCorrection, MovesEveryLoadStepThatTellsAnError) {
   for (int t = 0; t < cubes.steps; ++t) EXPECT_LE(after[t], 0.3 * before[t]) << t;
 }
 
-constexpr int manySteps = 2 * March::stepsAtOnce + 10;
+constexpr int manySteps = 2 * stepsAtOnce + 10;
 
 std::vector<double> waves(int steps) {
   std::vector<double> factors;

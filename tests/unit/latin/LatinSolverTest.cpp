@@ -6,6 +6,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/LatinSolver.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
 
 #include "Chains.hpp"
 
@@ -64,7 +65,7 @@ TEST(LatinSolver, SolvesSpringsInSeries) {
 
 // Of many load steps fields that are not at hand are kept in files, of which nothing is left.
 TEST(LatinSolver, KeepsFieldsOfManyLoadStepsInFiles) {
-  constexpr int many = 2 * March::stepsAtOnce + 10;
+  constexpr int many = 2 * stepsAtOnce + 10;
   std::vector<double> waves;
   for (int t = 0; t < many; ++t) waves.push_back(std::sin(0.3 * t) - 1.5);
   const auto scene = [&] { return twoChains(laws::makeLaw("Unilateral Contact"), pull(3.0, waves), many); };

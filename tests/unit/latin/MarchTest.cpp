@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <harmos/latin/March.hpp>
+#include <harmos/latin/StepsAtOnce.hpp>
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
@@ -95,7 +96,7 @@ TEST(March, FindsWhatTheIterationOverAllStepsFinds) {
 
 // Of many load steps what the acceleration remembers of them is not kept: a second march goes on without it.
 TEST(March, GoesOnWithManyLoadSteps) {
-  constexpr int steps = March::stepsAtOnce + 6;
+  constexpr int steps = stepsAtOnce + 6;
   std::vector<double> factors;
   for (int t = 0; t < steps; ++t) factors.push_back(std::sin(0.5 * t));
   Problem problem(twoCubes(
