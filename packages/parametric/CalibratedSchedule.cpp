@@ -139,11 +139,11 @@ bool CalibratedSchedule::takeMarch(const Indicators& indicators, bool isToBeKept
   return true;
 }
 
-bool CalibratedSchedule::certifyTightly(results::ConfigurationResult& result) {
+bool CalibratedSchedule::certifyFromHere(double share, results::ConfigurationResult& result) {
   const base::Matrix start(solver_.iteration().alpha());
   result.linearStages += solver_.iteration().stages();
   try {
-    return solver_.certify(&start, result, tightShare);
+    return solver_.certify(&start, result, share);
   } catch (const base::Error& error) {
     result.status = results::Status::failed;
     result.reason = error.what();
@@ -183,7 +183,7 @@ bool CalibratedSchedule::calibrate(const design::Configuration& configuration, r
     target = {rung * std::min(target.force, indicators_.force), rung * std::min(target.response, indicators_.response)};
     iteration.setLimit(iteration.stages() + stagesToNext);
   }
-  if (!certifyTightly(result)) return false;
+  if (!certifyFromHere(tightShare, result)) return false;
   if (!results::isCertified(result.status)) return true;
   learn(result.errorEstimate);
   ++solver_.summary().calibrations;
@@ -194,7 +194,7 @@ bool CalibratedSchedule::calibrate(const design::Configuration& configuration, r
 bool CalibratedSchedule::audit(const design::Configuration& configuration, results::ConfigurationResult& result) {
   const base::Matrix accepted(solver_.iteration().alpha());
   const results::ConfigurationResult before = result;
-  if (!certifyTightly(result)) return false;
+  if (!certifyFromHere(tightShare, result)) return false;
   Trust& summary = solver_.summary();
   if (!results::isCertified(result.status)) {
     ++summary.openAudits;
@@ -216,13 +216,6 @@ bool CalibratedSchedule::audit(const design::Configuration& configuration, resul
   summary.largestAudit = std::max(summary.largestAudit, error);
   learn(result.errorEstimate);
   solver_.rememberCertified(configuration, result);
-  return true;
-}
-
-bool CalibratedSchedule::certifyFromHere(Attempt& attempt) {
-  const base::Matrix start(solver_.iteration().alpha());
-  if (!solver_.certify(&start, attempt.result)) return false;
-  if (results::isCertified(attempt.result.status)) solver_.rememberCertified(attempt.configuration, attempt.result);
   return true;
 }
 
@@ -251,8 +244,12 @@ bool CalibratedSchedule::endFromNeighbours(Attempt& attempt) {
   const bool isAccepted = calibration_.accepts(indicators_);
   attempt.wasAudited = isAccepted && isAudit;
   if (attempt.wasAudited) return audit(attempt.configuration, attempt.result);
+  if (!isAccepted) {
+    if (!certifyFromHere(1.0, attempt.result)) return false;
+    if (results::isCertified(attempt.result.status)) solver_.rememberCertified(attempt.configuration, attempt.result);
+    return true;
+  }
   attempt.result.linearStages += iteration.stages();
-  if (!isAccepted) return certifyFromHere(attempt);
   deliver(attempt.result);
   if (!results::isSolved(attempt.result.status)) return true;
   solver_.remember(attempt.configuration);

@@ -68,13 +68,12 @@ class CalibratedSchedule {
   /// first march.
   void beginFromNeighbours(Attempt& attempt);
   bool endFromNeighbours(Attempt& attempt);
-  /// Certifies a configuration from what its march has come to; false when interrupted.
-  bool certifyFromHere(Attempt& attempt);
   bool calibrate(const design::Configuration& configuration, results::ConfigurationResult& result);
   /// Replaces the present state, which was accepted, by one that is certified more accurately; audits and calibrates.
   bool audit(const design::Configuration& configuration, results::ConfigurationResult& result);
-  /// Certifies from the present state, far more accurately than asked for; what is thrown makes a failure.
-  bool certifyTightly(results::ConfigurationResult& result);
+  /// Certifies to a share of the accuracy from the present state, whose stages are added; what is thrown makes a
+  /// failure.
+  bool certifyFromHere(double share, results::ConfigurationResult& result);
   /// Calibrates with the way against the state certified last.
   void learn(double uncertainty);
   bool certifyAnew(const design::Configuration& configuration, results::ConfigurationResult& result);
