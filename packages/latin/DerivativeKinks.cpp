@@ -41,6 +41,25 @@ bool isKink(const std::vector<std::vector<double>>& values, const std::vector<st
   return bendOf(nearer, step) > std::pow(shorter, 1.5) * bendOf(values, step);
 }
 
+const std::string& interfaceOf(const double* residual, const FixedPoint& fixedPoint) {
+  const assembly::Assembly& assembly = fixedPoint.assembly();
+  const TraceLayout& layout = fixedPoint.layout();
+  const StateMetric& metric = fixedPoint.metric();
+  std::vector<double> shares(assembly.interfaces.size(), 0.0);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const assembly::Interface& interface = assembly.interfaces[i];
+    for (int side = 0; side < interface.sides(); ++side) {
+      const int begin = layout.begin(static_cast<int>(i), side);
+      if (begin < 0) continue;
+      for (int row = begin; row < begin + interface.pairs() * layout.dimension(); ++row) {
+        shares[i] += std::pow(metric.scale()[row] * residual[row], 2);
+      }
+    }
+  }
+  metric.sum(shares);
+  return assembly.interfaces[std::max_element(shares.begin(), shares.end()) - shares.begin()].name;
+}
+
 std::string missingFrom(int step, const std::string& parameter, const std::string& interfaceName, NoDerivative why) {
   const std::string where = base::quoted(interfaceName);
   const std::string what =

@@ -287,30 +287,11 @@ void Derivatives::march(PairDerivatives& pairs, std::vector<Result>& results) {
       const NoDerivative why = isSolved[j] ? NoDerivative::kink
                                : isSpent   ? NoDerivative::directions
                                            : NoDerivative::unbalanced;
-      result.missing.push_back(missingFrom(t, result.parameter, interfaceOf(residual[j]), why));
+      result.missing.push_back(missingFrom(t, result.parameter, interfaceOf(residual[j], fixedPoint_), why));
     }
     pairs.accept();
     for (int j = 0; j < columns; ++j) std::copy_n(dalpha[j], rows, results[j].dalpha[t]);
   }
-}
-
-const std::string& Derivatives::interfaceOf(const double* residual) const {
-  const assembly::Assembly& assembly = fixedPoint_.assembly();
-  const TraceLayout& layout = fixedPoint_.layout();
-  const StateMetric& metric = fixedPoint_.metric();
-  std::vector<double> shares(assembly.interfaces.size(), 0.0);
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const assembly::Interface& interface = assembly.interfaces[i];
-    for (int side = 0; side < interface.sides(); ++side) {
-      const int begin = layout.begin(static_cast<int>(i), side);
-      if (begin < 0) continue;
-      for (int row = begin; row < begin + interface.pairs() * layout.dimension(); ++row) {
-        shares[i] += std::pow(metric.scale()[row] * residual[row], 2);
-      }
-    }
-  }
-  metric.sum(shares);
-  return assembly.interfaces[std::max_element(shares.begin(), shares.end()) - shares.begin()].name;
 }
 
 Derivatives::Along Derivatives::along(const ModelParameter& parameter, const std::vector<DifferencePoint>& difference,

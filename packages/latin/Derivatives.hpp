@@ -80,8 +80,6 @@ class Derivatives {
                           base::Matrix& dbeta);
   /// New directions from residuals; false when they hold nothing new.
   bool extend(const std::vector<std::vector<double>>& residuals);
-  /// Where most of a residual is.
-  const std::string& interfaceOf(const double* residual) const;
   /// All responses at the points of a difference along dalpha, and how large they are, at least their natural sizes.
   struct Along {
     std::vector<std::vector<std::vector<double>>> values;  // per response, point and load step

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <harmos/latin/FixedPoint.hpp>
+
 namespace harmos::latin {
 
 /// The load steps, from 0, at which a response bends, by its values at three points in equal distance: where it changes
@@ -19,6 +21,9 @@ enum class NoDerivative {
   unbalanced,  ///< the tangents admit no change that balances that of the parameter
   directions   ///< there were too few to tell
 };
+
+/// Collective. The name of the interface with most of the residual of a load step, rows of the layout.
+const std::string& interfaceOf(const double* residual, const FixedPoint& fixedPoint);
 
 /// That there are no derivatives with respect to a parameter from a load step on, counted from 0, because of this
 /// interface. A sentence without a full stop.
