@@ -54,10 +54,10 @@ AdjointProblem::AdjointProblem(FixedPoint& fixedPoint, const Iterate& state, int
       tangents_(fixedPoint.assembly(), lines_),
       kept_(keptJumps(fixedPoint.assembly(), step)) {
   PointwiseLocalStage& local = fixedPoint.pointwiseStage();
-  base::Matrix traction(state.beta().numRows(), state.beta().numCols());
+  std::vector<double> traction(static_cast<std::size_t>(state.beta().numRows()));
   local.begin();
   for (int t = 0; t <= step; ++t) {
-    local.solveColumn(t, state.beta(), traction);
+    local.solveColumn(t, state.beta(), traction.data());
     if (t == step) local.differentiateColumn(t, tangents_);
     local.accept();
   }

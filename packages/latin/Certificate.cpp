@@ -101,11 +101,12 @@ double fieldGap(const Iterate& state) {
     const double* f = state.traction()[t];
     const double* hattedF = state.hattedTraction()[t];
     const double* w = state.trace()[t];
-    const double* hattedW = state.hattedTrace()[t];
+    const double* relativeW = state.relativeTrace()[t];
     for (std::size_t row = 0; row < area.size(); ++row) {
+      const double between = relativeW[row] - state.relativeHattedTrace(static_cast<int>(row), t);
       sums[0] += area[row] * (f[row] - hattedF[row]) * (f[row] - hattedF[row]);
       sums[1] += area[row] * hattedF[row] * hattedF[row];
-      sums[2] += area[row] * (w[row] - hattedW[row]) * (w[row] - hattedW[row]);
+      sums[2] += area[row] * between * between;
       sums[3] += area[row] * w[row] * w[row];
     }
   }

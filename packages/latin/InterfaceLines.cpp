@@ -75,8 +75,7 @@ void InterfaceLines::fill(int interfaceIndex, int column, const base::Matrix& be
   }
 }
 
-double InterfaceLines::write(int interfaceIndex, int column, const laws::LocalState* states,
-                             base::Matrix& traction) const {
+double InterfaceLines::write(int interfaceIndex, const laws::LocalState* states, double* traction) const {
   const assembly::Interface& interface = of(interfaceIndex);
   const Joint& joint = joints_[interfaceIndex];
   const int dimension = layout_.dimension();
@@ -88,8 +87,8 @@ double InterfaceLines::write(int interfaceIndex, int column, const laws::LocalSt
     const base::Vector3 global = local ? base::toGlobal(interface.frame[p], f) : f;
     for (int c = 0; c < dimension; ++c) {
       const double value = global[c];
-      if (joint.begin1 >= 0) traction[column][joint.begin1 + p * dimension + c] = value;
-      if (joint.begin2 >= 0) traction[column][joint.begin2 + p * dimension + c] = -value;
+      if (joint.begin1 >= 0) traction[joint.begin1 + p * dimension + c] = value;
+      if (joint.begin2 >= 0) traction[joint.begin2 + p * dimension + c] = -value;
     }
   }
   return check;

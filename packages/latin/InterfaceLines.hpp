@@ -29,9 +29,9 @@ class InterfaceLines {
   void exchange(const base::Matrix& beta, int first, int count);
   /// Lines [length, length/stress] of all pairs in the frame of the law, from one column that was exchanged.
   void fill(int interfaceIndex, int column, const base::Matrix& beta, std::vector<laws::LocalLine>& lines) const;
-  /// Writes f^ [stress] of the sides owned here: t = f1^ = -f2^, given in the frame of the law. The sum of what was
-  /// written is not finite when one value is not.
-  double write(int interfaceIndex, int column, const laws::LocalState* states, base::Matrix& traction) const;
+  /// Writes f^ [stress] of the sides owned here to the rows of a column: t = f1^ = -f2^, given in the frame of the law.
+  /// The sum of what was written is not finite when one value is not.
+  double write(int interfaceIndex, const laws::LocalState* states, double* traction) const;
 
  private:
   struct Joint {

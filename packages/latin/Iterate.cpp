@@ -32,13 +32,13 @@ const base::Matrix& Iterate::trace() const {
 
 const base::Matrix& Iterate::hattedTrace() const {
   Fields& fields = valid();
-  if (fields.reference.isEmpty()) return relativeHattedTrace();
-  if (!fields.hasWholeHattedTrace) fields.wholeHattedTrace = whole(relativeHattedTrace());
+  if (fields.reference.isEmpty()) return relativeHattedTraces();
+  if (!fields.hasWholeHattedTrace) fields.wholeHattedTrace = whole(relativeHattedTraces());
   fields.hasWholeHattedTrace = true;
   return fields.wholeHattedTrace;
 }
 
-const base::Matrix& Iterate::relativeHattedTrace() const {
+const base::Matrix& Iterate::relativeHattedTraces() const {
   Fields& fields = valid();
   base::Matrix& hatted = fields.hattedTrace;
   if (fields.hasHattedTrace) return hatted;

@@ -71,10 +71,14 @@ class Iterate {
   const base::Matrix& relativeTrace() const { return valid().linear->trace(); }
   /// f [stress] of the linear stage, in equilibrium with the bodies.
   const base::Matrix& traction() const { return valid().linear->traction(); }
-  /// w^ [length] of the local stage.
+  /// w^ [length] of the local stage, stored until the fields change.
   const base::Matrix& hattedTrace() const;
-  /// w^ - rho [length].
-  const base::Matrix& relativeHattedTrace() const;
+  /// w^ - rho [length] of a row and column; unlike hattedTrace() nothing is stored for it in the displacement form.
+  double relativeHattedTrace(int row, int column) const {
+    const Fields& fields = valid();
+    if (fields.formulation == Formulation::velocity) return relativeHattedTraces()[column][row];
+    return (fields.hattedTraction[column][row] - fields.beta[column][row]) / fields.layout.stiffness()[row];
+  }
   /// The motions rho.
   const ReferenceMotions& reference() const { return fields_->reference; }
   /// f^ [stress] of the local stage, which obeys the interface laws.
@@ -127,6 +131,8 @@ class Iterate {
   base::ColumnStore store(int rows) const { return {rows, assembly().steps(), fields_->scratch}; }
 
  private:
+  /// w^ - rho of all rows and columns, stored until the fields change.
+  const base::Matrix& relativeHattedTraces() const;
   /// The rows of the layout of `relative`, and rho there.
   base::Matrix whole(const base::Matrix& relative) const;
   Fields& valid() const {

@@ -57,7 +57,7 @@ double customaryIndicator(const Iterate& state) {
       const double f = state.traction()[t][row];
       const double w = state.trace()[t][row];
       const double df = f - state.hattedTraction()[t][row];
-      const double dw = w - state.hattedTrace()[t][row];
+      const double dw = state.relativeTrace()[t][row] - state.relativeHattedTrace(static_cast<int>(row), t);
       sums[0] += area[row] * (df * df / k[row] + k[row] * dw * dw);
       sums[1] += area[row] * (f * f / k[row] + k[row] * w * w);
     }

@@ -214,10 +214,10 @@ LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double acc
   }
   FaceSums faces(assembly, layout);
   PointwiseLocalStage& stage = fixedPoint.pointwiseStage();
-  base::Matrix traction(iterate.beta().numRows(), iterate.beta().numCols());
+  std::vector<double> traction(static_cast<std::size_t>(iterate.beta().numRows()));
   stage.begin();
-  for (int t = 0; t < traction.numCols(); ++t) {
-    stage.solveColumn(t, iterate.beta(), traction);
+  for (int t = 0; t < iterate.beta().numCols(); ++t) {
+    stage.solveColumn(t, iterate.beta(), traction.data());
     for (auto& [index, watch] : watches) watch.look(stage.met(index, t));
     for (const double ratio : {steeper, flatter}) {
       if (!faces.isEmpty()) faces.begin(1);

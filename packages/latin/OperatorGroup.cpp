@@ -54,12 +54,11 @@ void OperatorGroup::setLoads(const base::Matrix& loads, const base::Matrix& held
   const int columns = loads.numCols();
   const bool areNone = isZero(loads);
   const bool areKnown =
-      areLoaded_ && cases_ == columns && held_ == held && (areNone ? givenLoads_.numCols() == 0 : givenLoads_ == loads);
+      areLoaded_ && cases_ == columns && held_ == held && (areNone ? given().numCols() == 0 : given() == loads);
   if (areKnown) return;
   ++loadChanges_;
   areLoaded_ = false;
   cases_ = columns;
-  givenLoads_ = areNone ? base::Matrix() : loads;
   held_ = held;
   const std::vector<int>& heldDofs = operator_.heldDofs();
   if (!heldDofs.empty()) {
@@ -68,8 +67,9 @@ void OperatorGroup::setLoads(const base::Matrix& loads, const base::Matrix& held
       for (std::size_t i = 0; i < heldDofs.size(); ++i) heldLoads_[j][i] = loads[j][heldDofs[i]];
     }
   }
-  loads_ = loaded_ = base::Matrix();
+  loads_ = loaded_ = givenLoads_ = base::Matrix();
   const bool isHeldAway = held_.numCols() > 0;
+  if (!areNone && isHeld()) givenLoads_ = loads;
   areLoaded_ = areNone && !isHeldAway;
   if (areLoaded_) return;
   loads_ = loads;

@@ -97,7 +97,7 @@ void PairDerivatives::add(int interfaceIndex, int parameter, std::size_t value, 
     states[p].traction = states[p].traction + weight * moved_[p].traction;
   }
   for (std::size_t n = 0; n < newHistory_.size(); ++n) joint.after[parameter][n] += weight * newHistory_[n];
-  if (value + 1 == all.size()) lines_.write(interfaceIndex, parameter, states.data(), traction);
+  if (value + 1 == all.size()) lines_.write(interfaceIndex, states.data(), traction[parameter]);
 }
 
 void PairDerivatives::apply(const base::Matrix& dbeta, base::Matrix& traction) {

@@ -39,7 +39,7 @@ void fillSide(const Iterate& state, int interfaceIndex, int side, std::vector<do
       base::Vector3 f{};
       const int row = begin + static_cast<int>(p) * dimension;
       for (int c = 0; c < dimension; ++c) {
-        w[c] = state.relativeHattedTrace()[t][row + c];
+        w[c] = state.relativeHattedTrace(row + c, t);
         f[c] = state.hattedTraction()[t][row + c];
       }
       const base::Vector3 localTrace = base::toFrame(interface.frame[p], w);

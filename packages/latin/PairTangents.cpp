@@ -86,7 +86,7 @@ void PairTangents::apply(const base::Matrix& y, base::Matrix& traction) const {
       for (std::size_t p = 0; p < tangents.size(); ++p) {
         for (std::size_t c = 0; c < 3; ++c) states[p].traction[c] = dot(tangents[p][c], lines[p].freeJump);
       }
-      lines_.write(index, column, states.data(), traction);
+      lines_.write(index, states.data(), traction[column]);
     }
   }
   if (!faces_.isEmpty()) applyFaces(y, traction);
@@ -114,7 +114,7 @@ void PairTangents::applyFaces(const base::Matrix& y, base::Matrix& traction) con
     if (!lines_.isActive(i)) continue;
     for (int column = 0; column < y.numCols(); ++column) {
       faces_.law(i)->solveTangent(step_, arrays(i, column), sums.of(i, column));
-      lines_.write(i, column, states.data(), traction);
+      lines_.write(i, states.data(), traction[column]);
     }
   }
 }

@@ -49,7 +49,7 @@ void PointwiseLocalStage::solve(const base::Matrix& beta, base::Matrix& traction
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (!lines_.isActive(static_cast<int>(i)) || faces_.law(static_cast<int>(i)) != nullptr) continue;
     for (int t = 0; t < beta.numCols(); ++t) {
-      solveJoint(static_cast<int>(i), t, beta, traction);
+      solveJoint(static_cast<int>(i), t, beta, traction[t]);
       joints_[i].history[0].swap(joints_[i].history[1]);
     }
   }
@@ -58,7 +58,7 @@ void PointwiseLocalStage::solve(const base::Matrix& beta, base::Matrix& traction
   if (areAllKnown) sumFaces(0, beta.numCols(), beta);
   for (int t = 0; t < beta.numCols(); ++t) {
     if (!areAllKnown) sumFaces(t, 1, beta);
-    solveFaces(t, areAllKnown ? t : 0, beta, traction);
+    solveFaces(t, areAllKnown ? t : 0, beta, traction[t]);
     for (const int i : faces_.interfaces()) joints_[i].history[0].swap(joints_[i].history[1]);
   }
 }
@@ -70,7 +70,7 @@ void PointwiseLocalStage::begin() {
   }
 }
 
-void PointwiseLocalStage::solveColumn(int column, const base::Matrix& beta, base::Matrix& traction) {
+void PointwiseLocalStage::solveColumn(int column, const base::Matrix& beta, double* traction) {
   lines_.exchange(beta, column, 1);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (!lines_.isActive(static_cast<int>(i)) || faces_.law(static_cast<int>(i)) != nullptr) continue;
@@ -136,11 +136,11 @@ laws::NodeArrays PointwiseLocalStage::arrays(int interfaceIndex, int column) {
   return nodes;
 }
 
-void PointwiseLocalStage::finishJoint(int interfaceIndex, int column, base::Matrix& traction) {
+void PointwiseLocalStage::finishJoint(int interfaceIndex, int column, double* traction) {
   const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];
   Joint& joint = joints_[interfaceIndex];
   const laws::LocalState* state = joint.state.data() + static_cast<std::size_t>(column) * joint.line.size();
-  const double check = lines_.write(interfaceIndex, column, state, traction);
+  const double check = lines_.write(interfaceIndex, state, traction);
   if (formulation_ == Formulation::velocity) keepJump(joint, state);
   if (!std::isfinite(check)) {
     const auto isBad = [](const laws::LocalState& each) { return !std::isfinite(base::norm(each.traction)); };
@@ -153,7 +153,7 @@ void PointwiseLocalStage::finishJoint(int interfaceIndex, int column, base::Matr
   }
 }
 
-void PointwiseLocalStage::solveJoint(int interfaceIndex, int column, const base::Matrix& beta, base::Matrix& traction) {
+void PointwiseLocalStage::solveJoint(int interfaceIndex, int column, const base::Matrix& beta, double* traction) {
   fillLines(interfaceIndex, column, beta);
   assembly_.interfaces[interfaceIndex].solve(steps_[column], arrays(interfaceIndex, column));
   finishJoint(interfaceIndex, column, traction);
@@ -172,7 +172,7 @@ void PointwiseLocalStage::sumFaces(int first, int count, const base::Matrix& bet
   faces_.finish();
 }
 
-void PointwiseLocalStage::solveFaces(int column, int place, const base::Matrix& beta, base::Matrix& traction) {
+void PointwiseLocalStage::solveFaces(int column, int place, const base::Matrix& beta, double* traction) {
   for (const int i : faces_.interfaces()) {
     if (!lines_.isActive(i)) continue;
     fillLines(i, column, beta);

@@ -40,7 +40,11 @@ class PointwiseLocalStage final : public LocalStage {
   /// call final. solveColumn() is collective, and in the velocity form called once for each column.
   void begin();
   /// Collective. Overwrites one column of `traction`; see begin(). Throws base::Error as solve().
-  void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction);
+  void solveColumn(int column, const base::Matrix& beta, base::Matrix& traction) {
+    solveColumn(column, beta, traction[column]);
+  }
+  /// The same with the rows of one column, where the others are not kept.
+  void solveColumn(int column, const base::Matrix& beta, double* traction);
   /// See begin().
   void accept();
   /// What the law of an interface has met at a column.
@@ -74,12 +78,12 @@ class PointwiseLocalStage final : public LocalStage {
   /// What the law of an interface is asked at a column.
   laws::NodeArrays arrays(int interfaceIndex, int column);
   /// Writes and checks what the law has answered.
-  void finishJoint(int interfaceIndex, int column, base::Matrix& traction);
-  void solveJoint(int interfaceIndex, int column, const base::Matrix& beta, base::Matrix& traction);
+  void finishJoint(int interfaceIndex, int column, double* traction);
+  void solveJoint(int interfaceIndex, int column, const base::Matrix& beta, double* traction);
   /// Collective. Sums over whole faces at the columns first .. first + count - 1.
   void sumFaces(int first, int count, const base::Matrix& beta);
   /// Interfaces of laws over whole faces at a column, which is number `place` of the last sums.
-  void solveFaces(int column, int place, const base::Matrix& beta, base::Matrix& traction);
+  void solveFaces(int column, int place, const base::Matrix& beta, double* traction);
 
   const assembly::Assembly& assembly_;
   InterfaceLines lines_;

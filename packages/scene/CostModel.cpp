@@ -19,7 +19,7 @@ constexpr double entriesInSpace = 25.0, growthInSpace = 4.0 / 3.0, entriesInPlan
 // Of operations per unknown beside the square of the mean length of a column of the factor.
 constexpr double unevenColumns = 1.5;
 // Of a load step as most are: differences in its march, directions in its certificate, and fields of both stages.
-constexpr int differences = 15, directions = 12, fields = 20;
+constexpr int differences = 15, directions = 12, fields = 18;
 // Of a process: the program with its libraries; how much of matrices, factors in both precisions and of what a column
 // reads (traces are stored beside the factors) is there at the peak; of factors of bodies that nothing iterates on,
 // with the padding of their supernodes; of the stored states; displacement fields of the load steps that are looked at

@@ -236,11 +236,13 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
     result.solution = solver.solve();
     const auto writing = timers.start("write");
     const files::ResultFiles& files = pending ? pending->files() : result.files;
-    const int steps = result.solution.solvedSteps;
-    const InterfaceFields fields(solver.state());
-    if (steps > 0) result.record.solution = summarise(problem, solver.state(), fields, steps - 1);
-    result.record.solution.largestVonMises = writeFields(
-        scene, problem, solver.state(), fields, globalsOf(result.solution, scene.times.size()), steps, files, *comm);
+    {
+      const int steps = result.solution.solvedSteps;
+      const InterfaceFields fields(solver.state());  // of many load steps too large to be kept beside the estimates
+      if (steps > 0) result.record.solution = summarise(problem, solver.state(), fields, steps - 1);
+      result.record.solution.largestVonMises = writeFields(
+          scene, problem, solver.state(), fields, globalsOf(result.solution, scene.times.size()), steps, files, *comm);
+    }
     if (pending) {
       files::replaceFile(files.effectiveInput, effectiveScene(scene, result.files.effectiveInput));
       files::writeHistory(files.history, historyOf(result.solution, scene));

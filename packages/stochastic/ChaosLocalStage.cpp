@@ -159,7 +159,7 @@ void ChaosLocalStage::solveJoint(int interfaceIndex, Joint& joint, int t, const 
       std::copy_n(from, 3, state.traction.begin());
       from += 3;
     }
-    check += lines_.write(interfaceIndex, t * terms + a, state_.data(), traction);
+    check += lines_.write(interfaceIndex, state_.data(), traction[t * terms + a]);
   }
   if (!std::isfinite(check)) {
     throw base::Error("interface \"" + interface.name + "\", load step " + std::to_string(step + 1) + ": law \"" +

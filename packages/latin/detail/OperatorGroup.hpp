@@ -88,6 +88,10 @@ class OperatorGroup {
   };
 
   bool isTrace() const { return solver_.solvesTrace(); }
+  /// Whether P (l - A g) is not l.
+  bool isHeld() const { return !operator_.heldDofs().empty() || held_.numCols() > 0; }
+  /// l of the last setLoads(); 0 x 0: none.
+  const base::Matrix& given() const { return isHeld() ? givenLoads_ : loads_; }
   /// Whether all dofs of all columns are at hand once they are solved for; iterations start from them.
   bool keepsAll() const { return !isTrace() && (solver_.iterates() || columnsOfBody_ <= stepsAtOnce); }
   /// Whether what held nodes need is found without a solve of the whole: not once that was made, but then to the end.
@@ -119,7 +123,7 @@ class OperatorGroup {
   ConstrainedOperator operator_;
   substructure::SubstructureSolver solver_;
   mutable std::unique_ptr<HeldStencil> stencil_;  // where traces are inverted: solves are many; null: not worthwhile
-  base::Matrix givenLoads_;                       // l as it was given; 0 x 0: none
+  base::Matrix givenLoads_;                       // l as it was given, where isHeld(); 0 x 0: none
   bool areLoaded_ = false;                        // the following belong to it and to g
   long loadChanges_ = 0;
   int cases_ = 0;           // columns of l and g

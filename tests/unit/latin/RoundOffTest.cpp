@@ -163,6 +163,12 @@ TEST(ReferenceMotions, ChangeNothingButWhereDisplacementsAreCountedFrom) {
   expectEqual(relativeImage, image);
   expectEqual(counted.trace(), trace);
   expectEqual(counted.hattedTrace(), hattedTrace);
+  for (int t = 0; t < trace.numCols(); ++t) {
+    for (int row = 0; row < trace.numRows(); ++row) {
+      const double between = counted.relativeTrace()[t][row] - counted.relativeHattedTrace(row, t);
+      EXPECT_NEAR(between, trace[t][row] - hattedTrace[t][row], 1e-11 * trace.normInf());
+    }
+  }
   expectEqual(counted.hattedTraction(), traction);
   for (const auto& [now, then] :
        {std::pair(pairFields(counted, 2), pairs), std::pair(pairFields(counted, 0), boundary)}) {
