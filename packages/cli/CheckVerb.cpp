@@ -122,6 +122,8 @@ void printStudy(std::ostream& out, const study::Study& study, const study::Study
 int checkScene(const scene::Scene& scene, const study::Study* study, const Arguments& arguments,
                const CommandEnvironment& environment) {
   base::Timers timers;
+  const double freeBytes = scene::memoryOfAllRanks(*environment.communicator);
+  scene::demandRoomForMesh(scene, freeBytes);
   const scene::Problem problem = scene::makeProblem(
       scene, *environment.communicator, timers, study == nullptr ? scene::Cutting::automatic : scene::Cutting::asGiven);
   latin::LatinOptions options = study != nullptr && !study->isChaos() ? study::solverOptions(*study) : scene.solver;
@@ -137,7 +139,7 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
     printCost(environment.out, cost, ofStudy.bytes);
     printWarnings(environment.out, problem.warnings);
   }
-  scene::demandCapacity(cost, environment.communicator->getSize() * scene::memoryPerRank(*environment.communicator));
+  scene::demandCapacity(cost, freeBytes);
   if (study && study->isChaos()) {
     const study::ChaosChoice choice = study::chooseLocalStage(*study, problem, *environment.communicator);
     if (isShown) {

@@ -97,6 +97,7 @@ int run(const Arguments& arguments, const CommandEnvironment& environment) {
   request.scene = path;
   request.overrides = arguments.values("--set");
   request.directory = arguments.value("--output", "results");
+  request.anySize = arguments.has("--any-size");
   request.interrupted = environment.interrupted;
   Progress progress(environment.err, detail, environment.terminal);
   request.observer = [&progress](const latin::IterationReport& report) { progress.report(report); };
@@ -116,6 +117,7 @@ Command runCommand() {
           "Solve a scene and write its results.",
           {{"--output", "DIR", "folder of the results (default: results)"},
            {"--set", "'LIST/NAME=VALUE'", "replace an entry of the scene; may be repeated", true},
+           {"--any-size", "", "run also what is foreseen to need more memory than is free"},
            {"--verbose", "", "one line per iteration"},
            {"--quiet", "", "print only errors"}},
           {"harmos run xml/bolted_joint.xml",

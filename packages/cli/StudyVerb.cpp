@@ -30,6 +30,7 @@ int study(const Arguments& arguments, const CommandEnvironment& environment) {
   request.pointsFile = arguments.value("--points", "");
   request.directory = arguments.value("--output", "results");
   request.restart = arguments.has("--restart");
+  request.anySize = arguments.has("--any-size");
   if (arguments.has("--ranks-per-configuration")) {
     request.ranksPerConfiguration = countOf(arguments.value("--ranks-per-configuration", ""));
   }
@@ -73,6 +74,7 @@ Command studyCommand() {
        {"--output", "DIR", "folder of the results (default: results)"},
        {"--set", "'LIST/NAME=VALUE'", "replace an entry of the study, or with Scene/ before it of its scene", true},
        {"--ranks-per-configuration", "N", "ranks that solve one configuration together (default: 1)"},
+       {"--any-size", "", "study also a mesh that is foreseen to need more memory than is free"},
        {"--restart", "", "forget the results of an earlier run"},
        {"--quiet", "", "print only errors"}},
       {"harmos study xml/bolted_joint_study.xml",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <harmos/base/Vector3.hpp>
 #include <harmos/input/ParameterSpec.hpp>
@@ -54,13 +55,13 @@ class Joint {
  public:
   Joint(double refinement, ElementType element) : refinement_(refinement), element_(element) {}
 
-  Mesh build() {
+  StructuredMesh plan() {
     addPlate("cover_bottom", 0.0, -1.0);
     addPlate("centre", plateThickness, 1.0);
     addPlate("cover_top", 2.0 * plateThickness, -1.0);
     for (const int bolt : {1, 2}) addBolt(bolt);
     addInterfaces();
-    return mesh_.take();
+    return std::move(mesh_);
   }
 
  private:
@@ -152,6 +153,11 @@ class Joint {
   StructuredMesh mesh_{3};
 };
 
+Joint jointOf(const input::Parameters& parameters) {
+  const int nodes = parameters.has("Element") ? std::stoi(parameters.text("Element").substr(3)) : 8;
+  return {parameters.number("Refinement"), *elementTypeFromExodus("HEX", 3, nodes)};
+}
+
 }  // namespace
 
 input::ParameterSpec describeBoltedJoint() {
@@ -171,12 +177,15 @@ input::ParameterSpec describeBoltedJoint() {
 }
 
 Mesh boltedJoint(double refinement, ElementType element) {
-  return Joint(refinement, element).build();
+  return Joint(refinement, element).plan().take();
 }
 
 Mesh boltedJoint(const input::Parameters& parameters) {
-  const int nodes = parameters.has("Element") ? std::stoi(parameters.text("Element").substr(3)) : 8;
-  return boltedJoint(parameters.number("Refinement"), *elementTypeFromExodus("HEX", 3, nodes));
+  return jointOf(parameters).plan().take();
+}
+
+std::vector<BlockSize> boltedJointSizes(const input::Parameters& parameters) {
+  return jointOf(parameters).plan().sizes();
 }
 
 }  // namespace harmos::mesh

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include <harmos/mesh/Mesh.hpp>
+#include <harmos/mesh/MeshSize.hpp>
 
 namespace harmos::input {
 class ParameterSpec;
@@ -24,5 +27,7 @@ input::ParameterSpec describeBoltedJoint();
 Mesh boltedJoint(double refinement = 1.0, ElementType element = ElementType::hex8);
 /// The same from a list that was checked against describeBoltedJoint(). Throws base::Error when it was not.
 Mesh boltedJoint(const input::Parameters& parameters);
+/// The blocks of this mesh, which is not made. Throws as boltedJoint().
+std::vector<BlockSize> boltedJointSizes(const input::Parameters& parameters);
 
 }  // namespace harmos::mesh

@@ -65,26 +65,8 @@ Box readBox(const input::Parameters& parameters) {
   return box;
 }
 
-}  // namespace
-
-input::ParameterSpec describeBoxes() {
-  input::ParameterSpec spec("Boxes");
-  spec.summary(
-      "Any number of boxes of equal cells. Each is a block of its own name with side sets NAME_xmin, "
-      "NAME_xmax and so on; boxes share no nodes.");
-  input::ParameterSpec& box = spec.namedLists("Boxes", true);
-  box.numbers(corners[0]).unit("length").doc("Lowest coordinates, 2 numbers in the plane or 3 in space.");
-  box.numbers(corners[1]).unit("length").doc("Highest coordinates.");
-  box.numbers("Cells").doc("Number of cells in each direction.");
-  box.text("Element")
-      .optional()
-      .oneOf({"Hex8", "Wedge6", "Tet4", "Pyramid5", "Quad4", "Tri3", "Hex20", "Hex27", "Wedge15", "Tet10", "Quad8",
-              "Quad9", "Tri6"})
-      .doc("Element that the cells are divided into; Hex8 in space and Quad4 in the plane when not given.");
-  return spec;
-}
-
-Mesh boxes(const std::vector<Box>& list) {
+/// Throws base::Error(input) as boxes().
+StructuredMesh plan(const std::vector<Box>& list) {
   if (list.empty()) throw base::Error("Boxes: give at least one box.", base::ExitCode::input);
   const int dimension = dimensionOf(list.front().element);
   StructuredMesh mesh(dimension);
@@ -108,7 +90,38 @@ Mesh boxes(const std::vector<Box>& list) {
       mesh.addSideSet(side + "max", box.name, at(box.upper[d]));
     }
   }
-  return mesh.take();
+  return mesh;
+}
+
+/// Throws base::Error(input) with all that is wrong.
+std::vector<Box> boxesOf(const input::Parameters& parameters) {
+  input::ErrorList errors;
+  std::vector<Box> list = readBoxes(parameters, errors);
+  errors.throwIfAny();
+  return list;
+}
+
+}  // namespace
+
+input::ParameterSpec describeBoxes() {
+  input::ParameterSpec spec("Boxes");
+  spec.summary(
+      "Any number of boxes of equal cells. Each is a block of its own name with side sets NAME_xmin, "
+      "NAME_xmax and so on; boxes share no nodes.");
+  input::ParameterSpec& box = spec.namedLists("Boxes", true);
+  box.numbers(corners[0]).unit("length").doc("Lowest coordinates, 2 numbers in the plane or 3 in space.");
+  box.numbers(corners[1]).unit("length").doc("Highest coordinates.");
+  box.numbers("Cells").doc("Number of cells in each direction.");
+  box.text("Element")
+      .optional()
+      .oneOf({"Hex8", "Wedge6", "Tet4", "Pyramid5", "Quad4", "Tri3", "Hex20", "Hex27", "Wedge15", "Tet10", "Quad8",
+              "Quad9", "Tri6"})
+      .doc("Element that the cells are divided into; Hex8 in space and Quad4 in the plane when not given.");
+  return spec;
+}
+
+Mesh boxes(const std::vector<Box>& list) {
+  return plan(list).take();
 }
 
 std::vector<Box> readBoxes(const input::Parameters& parameters, input::ErrorList& errors) {
@@ -124,10 +137,11 @@ std::vector<Box> readBoxes(const input::Parameters& parameters, input::ErrorList
 }
 
 Mesh boxes(const input::Parameters& parameters) {
-  input::ErrorList errors;
-  const std::vector<Box> list = readBoxes(parameters, errors);
-  errors.throwIfAny();
-  return boxes(list);
+  return boxes(boxesOf(parameters));
+}
+
+std::vector<BlockSize> boxesSizes(const input::Parameters& parameters) {
+  return plan(boxesOf(parameters)).sizes();
 }
 
 }  // namespace harmos::mesh

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <harmos/mesh/Mesh.hpp>
+#include <harmos/mesh/MeshSize.hpp>
 
 namespace harmos::input {
 class ErrorList;
@@ -33,6 +34,8 @@ input::ParameterSpec describeBoxes();
 Mesh boxes(const std::vector<Box>& list);
 /// The same from a list that was checked against describeBoxes(). Throws base::Error(input) with all that is wrong.
 Mesh boxes(const input::Parameters& parameters);
+/// The blocks of this mesh, which is not made. Throws as boxes().
+std::vector<BlockSize> boxesSizes(const input::Parameters& parameters);
 
 /// The boxes of an input; reports those that boxes() would refuse to `errors`, each at its place; the list is of
 /// use only when there were none.

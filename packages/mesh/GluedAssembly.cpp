@@ -26,22 +26,8 @@ StructuredMesh::Region box(double x1, double x2, double y1, double y2) {
   };
 }
 
-}  // namespace
-
-input::ParameterSpec describeGluedAssembly() {
-  input::ParameterSpec spec("Glued Assembly");
-  spec.summary("Three plane parts joined by two glue lines; square quadrilaterals, lengths in mm.")
-      .source("after the second example of Champaney, Blanze, Boucard (2004)");
-  spec.number("Cell Size")
-      .unit("length")
-      .defaultValue(0.5)
-      .atLeast(0.01)
-      .atMost(1.0)
-      .doc("Side of the cells, 1 mm divided by a whole number; 0.5 gives 17820 elements.");
-  return spec;
-}
-
-Mesh gluedAssembly(double cellSize) {
+/// Throws base::Error(input) as gluedAssembly().
+StructuredMesh plan(double cellSize) {
   const double perUnit = 1.0 / cellSize;
   if (!(cellSize > 0.0) || perUnit < 0.5 || std::abs(perUnit - std::round(perUnit)) > 1e-6 * perUnit) {
     std::ostringstream message;
@@ -63,11 +49,34 @@ Mesh gluedAssembly(double cellSize) {
   mesh.addSideSet("glue_2_2", "top", box(34.0, 34.0, 95.0, 145.0));
   mesh.addSideSet("loaded", "top", box(34.0, 42.0, 240.0, 240.0));
   mesh.addNodeSet("point_a", "top", box(38.0, 38.0, 240.0, 240.0));
-  return mesh.take();
+  return mesh;
+}
+
+}  // namespace
+
+input::ParameterSpec describeGluedAssembly() {
+  input::ParameterSpec spec("Glued Assembly");
+  spec.summary("Three plane parts joined by two glue lines; square quadrilaterals, lengths in mm.")
+      .source("after the second example of Champaney, Blanze, Boucard (2004)");
+  spec.number("Cell Size")
+      .unit("length")
+      .defaultValue(0.5)
+      .atLeast(0.01)
+      .atMost(1.0)
+      .doc("Side of the cells, 1 mm divided by a whole number; 0.5 gives 17820 elements.");
+  return spec;
+}
+
+Mesh gluedAssembly(double cellSize) {
+  return plan(cellSize).take();
 }
 
 Mesh gluedAssembly(const input::Parameters& parameters) {
   return gluedAssembly(parameters.number("Cell Size"));
+}
+
+std::vector<BlockSize> gluedAssemblySizes(const input::Parameters& parameters) {
+  return plan(parameters.number("Cell Size")).sizes();
 }
 
 }  // namespace harmos::mesh

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include <harmos/mesh/Mesh.hpp>
+#include <harmos/mesh/MeshSize.hpp>
 
 namespace harmos::input {
 class ParameterSpec;
@@ -22,5 +25,7 @@ input::ParameterSpec describeGluedAssembly();
 Mesh gluedAssembly(double cellSize = 0.5);
 /// The same from a list that was checked against describeGluedAssembly().
 Mesh gluedAssembly(const input::Parameters& parameters);
+/// The blocks of this mesh, which is not made. Throws as gluedAssembly().
+std::vector<BlockSize> gluedAssemblySizes(const input::Parameters& parameters);
 
 }  // namespace harmos::mesh

@@ -241,7 +241,9 @@ class Divider {
   double expected_ = 0.0;
 };
 
-ElementType quadratic(ElementType type) {
+}  // namespace
+
+ElementType raised(ElementType type) {
   switch (type) {
     case ElementType::tri3:
       return ElementType::tri6;
@@ -257,8 +259,6 @@ ElementType quadratic(ElementType type) {
       return type;
   }
 }
-
-}  // namespace
 
 Mesh refined(const Mesh& mesh) {
   return Divider(mesh,
@@ -279,7 +279,7 @@ Mesh raised(const Mesh& mesh) {
                      refuse(block, "has pyramids, of which there are only linear ones; mesh it with other elements.");
                    }
                    return std::vector<Subdivision>{
-                       Subdivision(block.type, quadratic(block.type), {nodePlaces(linearType(block.type))})};
+                       Subdivision(block.type, raised(block.type), {nodePlaces(linearType(block.type))})};
                  })
       .divide();
 }

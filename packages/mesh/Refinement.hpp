@@ -20,4 +20,7 @@ Mesh refined(const Mesh& mesh);
 /// Throws base::Error (input) naming the block for pyramids, of which there are only linear ones, and as refined().
 Mesh raised(const Mesh& mesh);
 
+/// The quadratic element that it puts in the place of a linear one; others stay.
+ElementType raised(ElementType type);
+
 }  // namespace harmos::mesh

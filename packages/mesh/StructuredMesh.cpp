@@ -58,17 +58,40 @@ StructuredMesh::StructuredMesh(int dimension) {
 }
 
 void StructuredMesh::addBlock(const std::string& name, ElementType type) {
-  mergeCoincidentNodes();
-  firstNode_ = mesh_.nodes.size();
-  mesh_.blocks.push_back({name, static_cast<std::int64_t>(mesh_.blocks.size()) + 1, type, {}});
+  blocks_.push_back({name, type, {}});
 }
 
 void StructuredMesh::addGrid(const std::array<int, 3>& cells, const Map& map) {
+  blocks_.back().grids.push_back({{cells[0], cells[1], mesh_.dimension == 2 ? 0 : cells[2]}, map});
+}
+
+std::vector<BlockSize> StructuredMesh::sizes() const {
+  std::vector<BlockSize> result;
+  for (const Block& block : blocks_) {
+    double cells = 0.0;
+    for (const Grid& grid : block.grids) {
+      cells += 1.0 * grid.cells[0] * grid.cells[1] * std::max(grid.cells[2], 1);
+    }
+    result.push_back({block.name, block.type, cells * static_cast<double>(elementsOfCell(block.type).size())});
+  }
+  return result;
+}
+
+void StructuredMesh::make(const Block& block) {
+  const std::size_t firstNode = mesh_.nodes.size();
+  mesh_.blocks.push_back({block.name, static_cast<std::int64_t>(mesh_.blocks.size()) + 1, block.type, {}});
+  for (const Grid& grid : block.grids) makeGrid(grid);
+  mergeCoincidentNodes(firstNode);
+}
+
+void StructuredMesh::makeGrid(const Grid& grid) {
   ElementBlock& block = mesh_.blocks.back();
   const bool flat = mesh_.dimension == 2;
-  const std::array<int, 3> n = {cells[0], cells[1], flat ? 0 : cells[2]};
+  const std::array<int, 3>& n = grid.cells;
   const int offset = static_cast<int>(mesh_.nodes.size());
-  const auto place = [&](double i, double j, double k) { return map({i / n[0], j / n[1], flat ? 0.0 : k / n[2]}); };
+  const auto place = [&](double i, double j, double k) {
+    return grid.map({i / n[0], j / n[1], flat ? 0.0 : k / n[2]});
+  };
   for (int k = 0; k <= n[2]; ++k) {
     for (int j = 0; j <= n[1]; ++j) {
       for (int i = 0; i <= n[0]; ++i) mesh_.nodes.push_back(place(i, j, k));
@@ -114,9 +137,8 @@ void StructuredMesh::addNodeSet(const std::string& name, const std::string& bloc
   nodeSets_.push_back({name, block, region});
 }
 
-void StructuredMesh::mergeCoincidentNodes() {
-  if (mesh_.blocks.empty()) return;
-  const std::vector<base::Vector3> points(mesh_.nodes.begin() + static_cast<std::ptrdiff_t>(firstNode_),
+void StructuredMesh::mergeCoincidentNodes(std::size_t firstNode) {
+  const std::vector<base::Vector3> points(mesh_.nodes.begin() + static_cast<std::ptrdiff_t>(firstNode),
                                           mesh_.nodes.end());
   base::Vector3 low = points.empty() ? base::Vector3{} : points.front();
   base::Vector3 high = low;
@@ -129,7 +151,7 @@ void StructuredMesh::mergeCoincidentNodes() {
   const double tolerance = 1e-9 * distance(low, high);
   const PointSearch search(points);
   std::vector<int> number(points.size());
-  mesh_.nodes.resize(firstNode_);
+  mesh_.nodes.resize(firstNode);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto lowest = static_cast<std::size_t>(search.within(points[i], tolerance).front());
     if (lowest < i) {
@@ -139,11 +161,11 @@ void StructuredMesh::mergeCoincidentNodes() {
       mesh_.nodes.push_back(points[i]);
     }
   }
-  for (int& node : mesh_.blocks.back().connectivity) node = number[static_cast<std::size_t>(node) - firstNode_];
+  for (int& node : mesh_.blocks.back().connectivity) node = number[static_cast<std::size_t>(node) - firstNode];
 }
 
 Mesh StructuredMesh::take() {
-  mergeCoincidentNodes();
+  for (const Block& block : blocks_) make(block);
   const Elements elements(mesh_);
   const auto find = [&](const std::string& name) {
     const auto found = std::find_if(mesh_.blocks.begin(), mesh_.blocks.end(),
@@ -176,7 +198,7 @@ Mesh StructuredMesh::take() {
     set.node.erase(std::unique(set.node.begin(), set.node.end()), set.node.end());
     mesh_.nodeSets.push_back(std::move(set));
   }
-  firstNode_ = 0;
+  blocks_.clear();
   sideSets_.clear();
   nodeSets_.clear();
   Mesh result;

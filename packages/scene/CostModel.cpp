@@ -72,6 +72,10 @@ substructure::FactorSize factorOf(double unknowns, int dimension) {
   return size;
 }
 
+double leastBytes(double entries) {
+  return (matrixEntryBytes + iteratedEntryBytes) * entries;
+}
+
 double operatorEntries(double unknowns, int dimension) {
   return entriesOfRow[dimension - 2] * unknowns;
 }

@@ -32,4 +32,8 @@ double memoryPerRank(const Teuchos::Comm<int>& comm) {
   return least;
 }
 
+double memoryOfAllRanks(const Teuchos::Comm<int>& comm) {
+  return comm.getSize() * memoryPerRank(comm);
+}
+
 }  // namespace harmos::scene

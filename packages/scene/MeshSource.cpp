@@ -1,5 +1,6 @@
 #include <harmos/scene/MeshSource.hpp>
 
+#include <cmath>
 #include <filesystem>
 
 #include <harmos/base/Error.hpp>
@@ -17,8 +18,17 @@ namespace {
 struct Source {
   input::ParameterSpec form;
   mesh::Mesh (*make)(const input::Parameters&);
+  std::vector<mesh::BlockSize> (*sizes)(const input::Parameters&);
   std::optional<int> (*dimension)(const input::Parameters&, input::ErrorList&);
 };
+
+int refinementsOf(const input::Parameters& source) {
+  return source.has("Refine") ? source.integer("Refine") : 0;
+}
+
+bool isRaised(const input::Parameters& source) {
+  return source.has("Order") && source.integer("Order") == 2;
+}
 
 template <int dimension>
 std::optional<int> always(const input::Parameters&, input::ErrorList&) {
@@ -33,9 +43,9 @@ std::optional<int> ofBoxes(const input::Parameters& source, input::ErrorList& er
 }
 
 std::vector<Source> generators() {
-  return {{mesh::describeBoltedJoint(), &mesh::boltedJoint, &always<3>},
-          {mesh::describeGluedAssembly(), &mesh::gluedAssembly, &always<2>},
-          {mesh::describeBoxes(), &mesh::boxes, &ofBoxes}};
+  return {{mesh::describeBoltedJoint(), &mesh::boltedJoint, &mesh::boltedJointSizes, &always<3>},
+          {mesh::describeGluedAssembly(), &mesh::gluedAssembly, &mesh::gluedAssemblySizes, &always<2>},
+          {mesh::describeBoxes(), &mesh::boxes, &mesh::boxesSizes, &ofBoxes}};
 }
 
 }  // namespace
@@ -59,6 +69,18 @@ std::optional<int> meshDimension(const input::Parameters& source, input::ErrorLi
     if (generator.form.name() == source.type()) return generator.dimension(source, errors);
   }
   return std::nullopt;
+}
+
+std::vector<mesh::BlockSize> meshSizes(const input::Parameters& source) {
+  std::vector<mesh::BlockSize> sizes;
+  for (const Source& generator : generators()) {
+    if (generator.form.name() == source.type()) sizes = generator.sizes(source);
+  }
+  for (mesh::BlockSize& block : sizes) {
+    block.elements *= std::pow(2.0, mesh::dimensionOf(block.type) * refinementsOf(source));
+    if (isRaised(source)) block.type = mesh::raised(block.type);
+  }
+  return sizes;
 }
 
 std::optional<std::string> meshFile(const input::Parameters& source, const std::string& scenePath) {
@@ -100,9 +122,8 @@ mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePat
     mesh = finer(mesh);
     mesh::moveOnto(curved, first, mesh);
   };
-  const int refinements = source.has("Refine") ? source.integer("Refine") : 0;
-  const bool isRaised = source.has("Order") && source.integer("Order") == 2;
-  const int straight = refinements > 0 || isRaised ? mesh::straightBeside(mesh, curved) : 0;
+  const int refinements = refinementsOf(source);
+  const int straight = refinements > 0 || isRaised(source) ? mesh::straightBeside(mesh, curved) : 0;
   if (straight > 0 && warnings != nullptr) {
     warnings->push_back(
         std::to_string(straight) +
@@ -110,7 +131,7 @@ mesh::Mesh makeMesh(const input::Parameters& source, const std::string& scenePat
         "or overlaps open to faces that are curved. Name side sets of both parts that touch there.");
   }
   for (int i = refinements; i > 0; --i) replace(&mesh::refined);
-  if (isRaised) replace(&mesh::raised);
+  if (isRaised(source)) replace(&mesh::raised);
   return mesh;
 }
 

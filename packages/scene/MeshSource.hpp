@@ -8,6 +8,7 @@
 #include <harmos/input/ParameterSpec.hpp>
 #include <harmos/input/Parameters.hpp>
 #include <harmos/mesh/Mesh.hpp>
+#include <harmos/mesh/MeshSize.hpp>
 
 namespace harmos::scene {
 
@@ -18,6 +19,10 @@ std::vector<input::ParameterSpec> meshForms();
 /// Number of dimensions of the mesh that a generator will make; nothing for a file, which is not read here. Reports
 /// boxes that cannot be to `errors`.
 std::optional<int> meshDimension(const input::Parameters& source, input::ErrorList& errors);
+
+/// The blocks of the mesh that a generator will make, as Refine and Order leave them, in no time; none for a file.
+/// Throws as makeMesh().
+std::vector<mesh::BlockSize> meshSizes(const input::Parameters& source);
 
 /// Path of the file that the mesh is read from: a relative name is looked up from the folder of `scenePath`; nothing
 /// when it is generated.

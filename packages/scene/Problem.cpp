@@ -133,7 +133,7 @@ std::shared_ptr<const laws::SpatialFields> joinCutParts(const Scene& scene, cons
   auto fields = joinParts(scene, {}, comm, problem, errors);
   if (errors.count() > 0) return fields;
   PieceChoice choice = choosePieces(scene, problem.mesh, problem.bodies, problem.assembly.interfaces,
-                                    problem.assembly.dimension, comm.getSize(), comm.getSize() * memoryPerRank(comm));
+                                    problem.assembly.dimension, comm.getSize(), memoryOfAllRanks(comm));
   if (choice.pieces.empty()) {
     for (PartOptions& part : problem.bodies.parts) part.iterates |= choice.iterated.count(part.name) > 0;
     problem.iterated = std::move(choice.iterated);

@@ -15,6 +15,8 @@
 #include <Tpetra_CrsMatrix.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/scene/MemoryPerRank.hpp>
+#include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/detail/CostModel.hpp>
 #include <harmos/substructure/SubstructureSolver.hpp>
 
@@ -90,6 +92,23 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
   return cost;
 }
 
+void demandRoomForMesh(const Scene& scene, double freeBytes) {
+  double nodes = 0.0, bytes = 0.0;
+  std::set<std::pair<mesh::ElementType, double>> different;  // equal bodies share what they are solved with
+  for (const mesh::BlockSize& block : meshSizes(scene.input.list("Mesh"))) {
+    const double mine = block.elements * mesh::nodesForElement(block.type), components = mesh::dimensionOf(block.type);
+    nodes += mine;
+    if (!different.emplace(block.type, block.elements).second) continue;
+    bytes += leastBytes(components * components * mine * mesh::meanNeighbours(block.type));
+  }
+  if (bytes <= uncertainty * freeBytes) return;
+  std::ostringstream message;
+  message << "a mesh of about " << std::setprecision(2) << nodes << " nodes takes " << bytes / 1e9
+          << " GB or more to solve, of which " << freeBytes / 1e9
+          << " GB are free.\n  Take a coarser mesh, or more ranks on other machines.";
+  throw base::Error(message.str(), base::ExitCode::input);
+}
+
 void demandCapacity(const CostEstimate& cost, double freeBytes) {
   std::ostringstream message;
   if (cost.largestFactor > mostEntries) {
@@ -106,6 +125,13 @@ void demandCapacity(const CostEstimate& cost, double freeBytes) {
       << " GB are free.\n  Cut large parts (Pieces), take a coarser mesh or fewer load steps, or more ranks on other "
          "machines.";
   throw base::Error(message.str(), base::ExitCode::input);
+}
+
+void demandCapacity(const Problem& problem, const latin::LatinOptions& solver, const Teuchos::Comm<int>& comm) {
+  const double freeBytes = memoryOfAllRanks(comm);
+  const CostEstimate rough = estimateCost(problem, solver, FactorSizes::fromUnknowns, comm);
+  if (rough.largestFactor <= mostEntries / uncertainty && rough.processBytes <= freeBytes / uncertainty) return;
+  demandCapacity(estimateCost(problem, solver, FactorSizes::fromOrder, comm), freeBytes);
 }
 
 }  // namespace harmos::scene

@@ -21,8 +21,17 @@ enum class FactorSizes {
 CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& solver, FactorSizes sizes,
                           const Teuchos::Comm<int>& comm);
 
+/// Throws base::Error (input) with the remedy when the mesh that a generator would make is so large that a run takes
+/// more than 1.5 times `freeBytes`, however its parts are solved: counted are the stiffness matrices of blocks of
+/// different sizes, and what solving them iteratively takes. Nothing is made. Files of meshes are not looked at.
+void demandRoomForMesh(const Scene& scene, double freeBytes);
+
 /// Throws base::Error (input) with the remedy when a body's factor has more entries than solvers can number, or when
 /// the processes take more than 1.5 times `freeBytes`: what is estimated may be so much too large.
 void demandCapacity(const CostEstimate& cost, double freeBytes);
+
+/// Collective. The same of a problem that is about to be solved with the memory that the ranks may have; the order in
+/// which METIS would factor is asked for only where the numbers of unknowns do not show that there is room.
+void demandCapacity(const Problem& problem, const latin::LatinOptions& solver, const Teuchos::Comm<int>& comm);
 
 }  // namespace harmos::scene

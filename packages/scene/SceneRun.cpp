@@ -18,7 +18,9 @@
 #include <harmos/files/PendingResults.hpp>
 #include <harmos/latin/Derivatives.hpp>
 #include <harmos/scene/LawParameters.hpp>
+#include <harmos/scene/MemoryPerRank.hpp>
 #include <harmos/scene/Problem.hpp>
+#include <harmos/scene/ProblemCost.hpp>
 #include <harmos/scene/detail/EffectiveScene.hpp>
 #include <harmos/scene/detail/FieldOutput.hpp>
 #include <harmos/scene/detail/SolutionSummary.hpp>
@@ -202,7 +204,9 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
   Recorder recorder(result.record, result.files.record, timers, *comm);
   latin::LatinOptions options = scene.solver;
   files::demandDistinct(inputFiles(scene), result.files.all());
+  if (!request.anySize) demandRoomForMesh(scene, memoryOfAllRanks(*comm));
   Problem problem = makeProblem(scene, *comm, timers, Cutting::automatic);
+  if (!request.anySize) demandCapacity(problem, options, *comm);
   for (const auto& [part, pieces] : problem.pieces) scene.input.setInNamed("Parts", part, "Pieces", pieces);
   for (const std::string& part : problem.iterated)
     scene.input.setInNamed("Parts", part, "Linear Solver", std::string("Iterative"));

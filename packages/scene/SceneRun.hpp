@@ -24,6 +24,7 @@ struct SceneRunRequest {
   std::shared_ptr<const input::InputTree> input;  // of a scene in memory, which `scene` only names; or null
   std::vector<std::string> overrides;             // "List/Sublist/Name=value"
   std::string directory = "results";              // of the result files
+  bool anySize = false;                           // also what is foreseen not to fit into the memory that is free
   std::function<void(const latin::IterationReport&)> observer;  // after every iteration, on every rank; may be empty
   std::function<bool()> interrupted;                            // asked after every iteration; may be empty
 };
@@ -41,9 +42,10 @@ struct SceneRunResult {
 /// Nothing of the request is kept.
 ///
 /// The input and the mesh are checked first; if they are wrong, base::Error (input) leaves the directory as it was.
-/// So it does when a result would replace an input. Then the record says "running", and what the record of an earlier
-/// run said, whose other files stay until those of this run are complete and replace them together. The outcome, also
-/// an interruption or a failure, ends up in the record; a failure is thrown as well.
+/// So it does when a result would replace an input, and, unless any size is right, when the run would not fit into the
+/// memory that is free (demandRoomForMesh(), demandCapacity()). Then the record says "running", and what the record of
+/// an earlier run said, whose other files stay until those of this run are complete and replace them together. The
+/// outcome, also an interruption or a failure, ends up in the record; a failure is thrown as well.
 SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry& laws,
                         const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
 

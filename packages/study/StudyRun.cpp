@@ -5,6 +5,8 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/base/SoleThread.hpp>
 #include <harmos/files/OutputGuard.hpp>
+#include <harmos/scene/MemoryPerRank.hpp>
+#include <harmos/scene/ProblemCost.hpp>
 #include <harmos/scene/SceneRun.hpp>
 #include <harmos/study/StudyReader.hpp>
 #include <harmos/study/detail/ChaosStudy.hpp>
@@ -48,6 +50,7 @@ StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry&
   // The points of an adaptive design follow from all results so far.
   StudyTeams teams(comm, study.isAdaptive() ? comm->getSize() : request.ranksPerConfiguration);
 
+  if (!request.anySize) scene::demandRoomForMesh(study.scene, scene::memoryOfAllRanks(*comm));
   // What is wrong with the mesh is known before anything is written.
   const auto groups = groupByOperators(study.parameters, study.configurations);
   std::unique_ptr<StudyGroup> onlyGroup;

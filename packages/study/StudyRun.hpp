@@ -23,6 +23,7 @@ struct StudyRunRequest {
   std::vector<std::string> overrides;  // as for readStudy()
   std::string pointsFile;              // as for readStudy()
   std::string directory = "results";   // of the result files
+  bool anySize = false;                // also a mesh that will not fit into the memory that is free
   bool restart = false;                // forget the results of an earlier run
   int ranksPerConfiguration = 1;       // size of the teams that solve configurations side by side
   /// Once, before the first solution; may be empty. `damaged`: lines of the journal that could not be read.

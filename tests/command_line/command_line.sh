@@ -89,6 +89,15 @@ expect 0 'sideways .*counts as zero: not above 7$' "$harmos" run "$pulled" --out
   "${only_pressed[@]}" --set Responses/sideways/Scale=7
 expect 2 'Responses / sideways / Scale' "$harmos" check "$pulled" --set Responses/sideways/Scale=0
 
+# What is foreseen not to fit into the memory is refused before it is made, and nothing is written.
+glued=$(dirname "$large_scene")/glued_assembly.xml
+for verb in check run; do
+  expect 2 'Take a coarser mesh' sh -c "ulimit -v 8000000; '$harmos' $verb '$glued' --set 'Mesh/Cell Size=0.01' \
+    $([ $verb = run ] && echo "--output '$work/huge'")"
+done
+expect 2 'of which .* are free' sh -c "ulimit -v 800000; '$harmos' run '$large_scene' --set Mesh/Refinement=2 --output '$work/huge'"
+expect 1 '' test -e "$work/huge"
+
 # Interrupted after some iterations: says so, and the files of the last state are readable.
 name=$(basename "$large_scene" .xml)
 "$harmos" run "$large_scene" --output "$work/interrupted" --verbose --set Solver/Accuracy=1e-10 \

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include <harmos/mesh/MeshSize.hpp>
 #include <harmos/mesh/Skin.hpp>
 
 namespace harmos::mesh {
 
-/// Builds a mesh from structured grids that are mapped into place.
+/// Builds a mesh from structured grids that are mapped into place; nothing is made before all of them are known.
 ///
 /// Nodes of the grids of one block are merged where they coincide (within 1e-9 of the block's size), so that a block
 /// may be pieced together from several grids, and a grid may close upon itself; nodes of different blocks stay apart.
@@ -28,24 +29,39 @@ class StructuredMesh {
   /// (all cells cut the same way, so that the faces of neighbours agree), or six pyramids around a node in its middle.
   /// All nodes of quadratic elements are on the map, middles of edges included.
   void addGrid(const std::array<int, 3>& cells, const Map& map);
-  /// The faces on the skin of a finished or current block whose nodes all lie in the region.
+  /// The faces on the skin of a block whose nodes all lie in the region.
   void addSideSet(const std::string& name, const std::string& block, const Region& region);
   /// The nodes of a block that lie in the region.
   void addNodeSet(const std::string& name, const std::string& block, const Region& region);
 
-  /// Hands over the mesh; the builder is empty afterwards.
+  /// Of the blocks in their order.
+  std::vector<BlockSize> sizes() const;
+  /// Makes the mesh and hands it over; the builder is empty afterwards.
   Mesh take();
 
  private:
+  struct Grid {
+    std::array<int, 3> cells;
+    Map map;
+  };
+  struct Block {
+    std::string name;
+    ElementType type;
+    std::vector<Grid> grids;
+  };
   struct SetRequest {
     std::string name, block;
     Region region;
   };
 
-  void mergeCoincidentNodes();
+  /// Adds a block to the mesh, with all of its nodes.
+  void make(const Block& block);
+  void makeGrid(const Grid& grid);
+  /// Of the last block.
+  void mergeCoincidentNodes(std::size_t firstNode);
 
+  std::vector<Block> blocks_;
   Mesh mesh_;
-  std::size_t firstNode_ = 0;  // of the current block
   std::vector<SetRequest> sideSets_, nodeSets_;
 };
 

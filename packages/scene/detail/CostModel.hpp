@@ -27,6 +27,9 @@ struct BodySize {
 /// plane.
 substructure::FactorSize factorOf(double unknowns, int dimension);
 
+/// Memory [byte] that operators with so many entries take at least: they are solved iteratively.
+double leastBytes(double entries);
+
 /// Entries of the operator of a body of so many unknowns and small elements.
 double operatorEntries(double unknowns, int dimension);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/mesh/BoltedJoint.hpp>
@@ -113,6 +114,34 @@ TEST(Boxes, RefusesWhatIsNoBox) {
   EXPECT_THROW(boxes({{"empty", {}, {1.0, 1.0, 1.0}, {1, 0, 1}}}), base::Error);
   EXPECT_THROW(boxes({{"twin", {}, {1.0, 1.0, 1.0}, {1, 1, 1}}, {"twin", {}, {1.0, 1.0, 1.0}, {1, 1, 1}}}),
                base::Error);
+}
+
+// Before it is made: the elements of a mesh, and with them its nodes and the entries of a stiffness matrix in the limit
+// of many cells, from which surfaces keep small meshes away.
+TEST(MeshSize, IsKnownOfEveryElement) {
+  for (const ElementType type :
+       {ElementType::tri3, ElementType::quad4, ElementType::tet4, ElementType::pyramid5, ElementType::wedge6,
+        ElementType::hex8, ElementType::tri6, ElementType::quad8, ElementType::quad9, ElementType::tet10,
+        ElementType::wedge15, ElementType::hex20, ElementType::hex27}) {
+    SCOPED_TRACE(exodusName(type));
+    Box box{"box", {0, 0, 0}, {1, 1, 1}, {12, 12, 12}, type};
+    if (dimensionOf(type) == 2) box.cells = {40, 40, 0};
+    const Mesh mesh = boxes({box});
+    const double nodes = nodesForElement(type) * mesh.blocks[0].elements();
+    EXPECT_GT(static_cast<double>(mesh.nodes.size()), nodes);
+    EXPECT_LT(static_cast<double>(mesh.nodes.size()), 1.3 * nodes);
+    std::vector<std::set<int>> near(mesh.nodes.size());
+    const int count = nodesPerElement(type);
+    for (int e = 0; e < mesh.blocks[0].elements(); ++e) {
+      const int* of = mesh.blocks[0].connectivity.data() + static_cast<std::ptrdiff_t>(e) * count;
+      for (int a = 0; a < count; ++a) near[of[a]].insert(of, of + count);
+    }
+    double pairs = 0.0;
+    for (const std::set<int>& one : near) pairs += static_cast<double>(one.size());
+    const double mean = pairs / static_cast<double>(near.size());
+    EXPECT_LT(mean, meanNeighbours(type));
+    EXPECT_GT(mean, 0.85 * meanNeighbours(type));
+  }
 }
 
 }  // namespace

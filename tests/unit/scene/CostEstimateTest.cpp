@@ -98,5 +98,41 @@ TEST(CostEstimate, OfManyLoadStepsCountsVectorsOfSome) {
   EXPECT_NEAR(fieldsOf(513) - fieldsOf(512), fieldsOf(514) - fieldsOf(513), 1.0);
 }
 
+std::string refusalOfMesh(const std::vector<std::string>& overrides, double freeBytes) {
+  try {
+    demandRoomForMesh(sample(overrides), freeBytes);
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+    return error.what();
+  }
+  return "";
+}
+
+// A billion nodes: nobody makes them to see that they do not fit.
+TEST(CostEstimate, RefusesAMeshBeforeItIsMade) {
+  const std::string huge = "Mesh/Boxes/lower/Cells={1000,1000,1000}";
+  EXPECT_NE(refusalOfMesh({huge}, 1e12).find("a mesh of about 1e+09 nodes"), std::string::npos)
+      << refusalOfMesh({huge}, 1e12);
+  EXPECT_NE(refusalOfMesh({"Mesh/Boxes/lower/Cells={125,125,125}", "Mesh/Refine=3"}, 1e12), "");
+  EXPECT_NE(refusalOfMesh({"Mesh/Boxes/lower/Cells={700,700,700}", "Mesh/Order=2"}, 6e12), "");
+  EXPECT_EQ(refusalOfMesh({"Mesh/Boxes/lower/Cells={700,700,700}"}, 6e12), "");
+  EXPECT_EQ(refusalOfMesh({}, 1e9), "");
+}
+
+// What is refused before a mesh is made is less than what is said of the mesh that is made.
+TEST(CostEstimate, OfAMeshIsMoreThanWhatItTakesAtLeast) {
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  for (const char* const element : {"Hex8", "Hex20", "Hex27", "Tet4", "Tet10"}) {
+    SCOPED_TRACE(element);
+    const Scene scene = sample({"Mesh/Boxes/lower/Cells={12,12,12}", "Mesh/Boxes/upper/Cells={12,12,6}",
+                                std::string("Mesh/Boxes/lower/Element=") + element});
+    const double taken =
+        estimateCost(makeProblem(scene, *comm, timers), scene.solver, FactorSizes::fromOrder, *comm).processBytes;
+    EXPECT_NO_THROW(demandRoomForMesh(scene, taken / 1.5));
+    EXPECT_THROW(demandRoomForMesh(scene, taken / 30.0), base::Error);
+  }
+}
+
 }  // namespace
 }  // namespace harmos::scene
