@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <thread>
 
 #include <pthread.h>
@@ -28,11 +29,12 @@ std::atomic<bool> isStopping = false;
   ::sigemptyset(&signals);
   ::sigaddset(&signals, SIGINT);
   ::sigaddset(&signals, SIGTERM);
+  ::sigaddset(&signals, SIGUSR1);  // mpirun hands it on to the ranks, and waits for them
   return signals;
 }
 
 /// Waits for a signal in a thread of its own; it does nothing else.
-void watch() {
+void watch(bool isRankOfOpenMpi) {
   const ::sigset_t signals = watchedSignals();
   int number = 0;
   while (::sigwait(&signals, &number) != 0) {
@@ -42,7 +44,9 @@ void watch() {
   ::signal(number, SIG_DFL);
   ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   std::this_thread::sleep_for(untilAsked);
-  if (isStopping) std::this_thread::sleep_for(untilWritten);
+  // Asked to end its ranks, mpirun kills them a second later: what is not written by then would be left in parts.
+  const bool isKilledSoon = isRankOfOpenMpi && number == SIGTERM;
+  if (isStopping && !isKilledSoon) std::this_thread::sleep_for(untilWritten);
   harmos::files::removeUnfinished();
   ::_exit(exitCode);
 }
@@ -54,7 +58,7 @@ void watch() {
 void catchInterrupts() {
   const ::sigset_t signals = watchedSignals();
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::thread(watch).detach();
+  std::thread(watch, std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr).detach();
 }
 
 bool wasInterrupted() {

@@ -81,7 +81,7 @@ std::vector<ExitCodeMeaning> exitCodeMeanings() {
        "no equilibrium exists under the given loads, or no path leads to it; for study: of some configurations, "
        "all others are solved"},
       {128 + SIGINT,
-       "interrupted (SIGINT, SIGTERM), within a second; what was complete stays, what was being written is "
+       "interrupted (SIGINT, SIGTERM, SIGUSR1), within a second; what was complete stays, what was being written is "
        "removed"}};
 }
 

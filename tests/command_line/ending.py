@@ -23,11 +23,11 @@ work.mkdir(parents=True)
 failures = 0
 
 
-def end(name: str, number: int, delay: float, words: list[str]) -> float:
-    """Ends `harmos words` after some seconds; returns how long that took."""
+def end(name: str, number: int, delay: float, words: list[str], launcher: tuple[str, ...] = ()) -> float:
+    """Ends `harmos words` after some seconds; returns how long that took. With a launcher, that is what is asked to end."""
     global failures
     output = work / "results"
-    process = subprocess.Popen([harmos, *words, "--output", str(output)], stdout=subprocess.DEVNULL,
+    process = subprocess.Popen([*launcher, harmos, *words, "--output", str(output)], stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE)
     time.sleep(delay)
     begin = time.monotonic()
@@ -38,7 +38,7 @@ def end(name: str, number: int, delay: float, words: list[str]) -> float:
         process.kill()
         _, text = process.communicate()
     seconds = time.monotonic() - begin
-    codes = {130} | ({-number} if delay <= STARTED else set())
+    codes = {1} if launcher and number != signal.SIGUSR1 else {130} | ({-number} if delay <= STARTED else set())
     litter = [str(path) for path in output.glob("**/*.partial.*")]
     if process.returncode not in codes or seconds > LONGEST + SLACK or litter:
         failures += 1
@@ -61,4 +61,10 @@ for name, words in cases.items():
                   for number, delay in ((signal.SIGTERM, 0.02), (signal.SIGINT, 0.6), (signal.SIGTERM, 1.5),
                                         (signal.SIGTERM, 4.0)))
     print(f"{name}: ended within {longest:.2f} s")
+# Of mpirun every rank ends so for SIGUSR1, and mpirun as they do; of SIGTERM it makes an end of its own.
+ranks = ("mpirun", "-n", "2", "--oversubscribe")
+for name in ("iteration", "study"):
+    longest = max(end(f"{name} on two ranks", number, 3.0, cases[name], ranks)
+                  for number in (signal.SIGUSR1, signal.SIGTERM))
+    print(f"{name} on two ranks: ended within {longest:.2f} s")
 sys.exit(failures > 0)
