@@ -120,10 +120,10 @@ void demandCapacity(const CostEstimate& cost, double freeBytes) {
     throw base::Error(message.str(), base::ExitCode::input);
   }
   if (cost.processBytes <= uncertainty * freeBytes) return;
-  message
-      << "a run takes about " << std::setprecision(2) << cost.processBytes / 1e9 << " GB, of which " << freeBytes / 1e9
-      << " GB are free.\n  Cut large parts (Pieces), take a coarser mesh or fewer load steps, or more ranks on other "
-         "machines.";
+  message << "a run takes about " << std::setprecision(2) << cost.processBytes / 1e9 << " GB, of which "
+          << freeBytes / 1e9
+          << " GB are free.\n  Cut large parts (Pieces), solve them iteratively (Linear Solver), take a coarser mesh "
+             "or fewer load steps, or more ranks on other machines.";
   throw base::Error(message.str(), base::ExitCode::input);
 }
 
