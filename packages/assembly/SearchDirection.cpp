@@ -93,7 +93,7 @@ SearchDirection::SearchDirection(const Assembly& assembly, double scale, const T
         for (const mesh::TraceOperator::Entry& entry : interface.trace(side).row(static_cast<int>(p))) {
           const double stiffness = diagonals[body][entry.node];
           if (!(stiffness > 0.0)) {
-            throw base::Error("part \"" + assembly.bodies[body].name +
+            throw base::Error("part \"" + assembly.bodies[body].partName() +
                               "\": the stiffness matrix has the diagonal entry " + std::to_string(stiffness) +
                               " at a node of interface \"" + interface.name +
                               "\"; elastic bodies have positive diagonals");

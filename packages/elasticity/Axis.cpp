@@ -26,7 +26,7 @@ std::vector<bool> nodesOnAxis(const mesh::Mesh& mesh, const mesh::Piece& piece, 
     if (worst < 0 || radius < mesh.nodes[worst][0]) worst = node;
   }
   if (count == 0) return isOnAxis;
-  throw base::Error("Part " + base::quoted(piece.name) + " has " + std::to_string(count) +
+  throw base::Error("Part " + base::quoted(piece.part) + " has " + std::to_string(count) +
                         (count == 1 ? " node" : " nodes") + " with a negative radius x, the farthest " +
                         mesh::nodeName(mesh, worst) +
                         ". In axisymmetry the axis is x = 0 and parts lie at x >= 0: move the mesh.",

@@ -22,7 +22,7 @@ ElasticPart plainOf(const ElasticPart& part) {
 }  // namespace
 
 BodyForce::BodyForce(const ElasticPart& part)
-    : name_(part.piece.name),
+    : name_(part.piece.part),
       components_(componentsOf(part.kinematics)),
       moments_(part.piece.nodes.size(), std::array<double, 4>{}),
       isOnAxis_(nodesOnAxis(part.mesh, part.piece, part.kinematics)) {
@@ -43,7 +43,7 @@ void BodyForce::addTo(base::Matrix& forces, const ElasticPart& part, const Field
   const std::vector<bool> isOnAxis = nodesOnAxis(part.mesh, part.piece, part.kinematics);
   const auto add = [&](const ElementPoints& at, int p, int t) {
     const base::Vector3 here = b(t, at, p), force = at.volume[p] * here;
-    if (components == 2 && here[2] != 0.0) refuseOutOfPlane(part.piece.name, here[2]);
+    if (components == 2 && here[2] != 0.0) refuseOutOfPlane(part.piece.part, here[2]);
     for (int a = 0; a < at.nodes; ++a) {
       const int node = at.node[a];
       for (int c = 0; c < components; ++c) {

@@ -20,13 +20,13 @@ std::vector<ElementGroup> groupsOf(const mesh::Mesh& mesh, const mesh::Piece& pi
     const auto perElement = static_cast<std::size_t>(mesh::nodesPerElement(block.type));
     for (; element != piece.elements.end() && *element < endOfBlock; ++element) {
       const int position = *element - firstOfBlock;
-      if (position < 0) throw base::Error("The elements of part \"" + piece.name + "\" are not in ascending order.");
+      if (position < 0) throw base::Error("The elements of part \"" + piece.part + "\" are not in ascending order.");
       group.inBlock.push_back(position);
       const int* nodes = block.connectivity.data() + static_cast<std::size_t>(position) * perElement;
       for (std::size_t a = 0; a < perElement; ++a) {
         const auto found = std::lower_bound(piece.nodes.begin(), piece.nodes.end(), nodes[a]);
         if (found == piece.nodes.end() || *found != nodes[a]) {
-          throw base::Error("Part " + base::quoted(piece.name) + " lacks " + mesh::nodeName(mesh, nodes[a]) +
+          throw base::Error("Part " + base::quoted(piece.part) + " lacks " + mesh::nodeName(mesh, nodes[a]) +
                             ", which its " + mesh::elementName(mesh, *element) + " has.");
         }
         group.nodes.push_back(static_cast<int>(found - piece.nodes.begin()));
@@ -44,14 +44,14 @@ std::vector<ElementGroup> groupsOf(const mesh::Mesh& mesh, const mesh::Piece& pi
     firstOfBlock = endOfBlock;
   }
   if (element != piece.elements.end()) {
-    throw base::Error("Part \"" + piece.name + "\" has element " + std::to_string(*element + 1) + "; the mesh has " +
+    throw base::Error("Part \"" + piece.part + "\" has element " + std::to_string(*element + 1) + "; the mesh has " +
                       std::to_string(firstOfBlock) + " elements.");
   }
   return groups;
 }
 
 std::string nameOf(const mesh::Mesh& mesh, const mesh::Piece& piece, const ElementGroup& group, int element) {
-  return "part " + base::quoted(piece.name) + ", " +
+  return "part " + base::quoted(piece.part) + ", " +
          mesh::elementName(mesh, piece.elements[group.firstElement + element]);
 }
 

@@ -177,14 +177,14 @@ void checkFormulation(const mesh::Mesh& mesh, const mesh::Piece& piece, const st
   }
   if (formulation == Formulation::incompatibleModes && isAxisymmetric(kinematics)) {
     throw base::Error(
-        "Part \"" + piece.name +
+        "Part \"" + piece.part +
             "\" asks for the formulation Incompatible Modes in axisymmetry, where such modes would change "
             "the stress around the hoop. Use Full Integration, or quadratic elements.",
         base::ExitCode::input);
   }
   if (formulation != Formulation::bBar) return;
   if (kinematics == Kinematics::planeStress) {
-    throw base::Error("Part \"" + piece.name +
+    throw base::Error("Part \"" + piece.part +
                           "\" asks for the formulation B-Bar in plane stress, where nothing locks as "
                           "Poisson's ratio approaches 0.5. Use Full Integration.",
                       base::ExitCode::input);

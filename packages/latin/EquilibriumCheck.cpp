@@ -145,7 +145,7 @@ Imbalance largestImbalance(const Iterate& state, const std::vector<int>& rigidBo
 std::string describe(const Imbalance& imbalance, const assembly::Assembly& assembly) {
   std::ostringstream text;
   text.precision(4);
-  text << "part \"" << assembly.bodies[imbalance.body].name << "\", load step " << imbalance.step + 1
+  text << "part \"" << assembly.bodies[imbalance.body].partName() << "\", load step " << imbalance.step + 1
        << ": unbalanced force (" << imbalance.force[0] << ", " << imbalance.force[1] << ", " << imbalance.force[2]
        << "), moment about its centre (" << imbalance.moment[0] << ", " << imbalance.moment[1] << ", "
        << imbalance.moment[2] << ")";

@@ -283,7 +283,7 @@ void MacroProblem::reportFloating(const assembly::Assembly& assembly, const Matr
     for (int m = 0; m < modes_[i].numCols(); ++m) {
       if (std::abs(vectors(firstMode_[i] + m, 0)) < takesPart) continue;
       for (int side = 0; side < 2; ++side) {
-        names.insert(assembly.bodies[assembly.interfaces[i].body(side)].name);
+        names.insert(assembly.bodies[assembly.interfaces[i].body(side)].partName());
       }
     }
   }

@@ -36,9 +36,9 @@ OperatorGroup::OperatorGroup(const substructure::Substructure& body, const subst
                              substructure::BoundaryTerm term, const substructure::SolverOptions& options)
     : operator_(first.stiffness, std::move(term)),
       solver_(body.iterates ? substructure::SubstructureSolver::iterating(operator_.stiffness(), operator_.term(),
-                                                                          options, body.name, first.nodes)
+                                                                          options, body.partName(), first.nodes)
                             : substructure::SubstructureSolver(operator_.stiffness(), operator_.term(), options,
-                                                               body.name, operator_.trace())) {
+                                                               body.partName(), operator_.trace())) {
   if (!options.invertTrace || !isTrace() || operator_.heldDofs().empty()) return;
   stencil_ = std::make_unique<HeldStencil>(substructure::viewOf(*operator_.stiffness(), "operator"), operator_.term(),
                                            operator_.trace());

@@ -20,7 +20,7 @@ constexpr double resists = 1e-10;
 /// Whether |K r| is more than round-off, for several rigid motions r about a centre: K is read once for all of them.
 std::vector<bool> areResisted(const substructure::Substructure& body, const std::vector<statics::Motion>& motions,
                               const base::Vector3& centre) {
-  const substructure::CrsView k = substructure::viewOf(*body.stiffness, body.name);
+  const substructure::CrsView k = substructure::viewOf(*body.stiffness, body.partName());
   const std::size_t count = motions.size(), dimension = static_cast<std::size_t>(body.dimension);
   const statics::RigidBody rigid{centre, 1.0, {}};
   std::vector<double> displacement(static_cast<std::size_t>(k.rows) * count);  // those of a degree of freedom together

@@ -163,7 +163,9 @@ RigidParts::RigidParts(const Assembly& assembly, const std::vector<ResistedMotio
 std::string RigidParts::nameOf(int rigidBody) const {
   std::vector<std::string> names;
   for (std::size_t b = 0; b < rigidBodyOf_.size(); ++b) {
-    if (rigidBodyOf_[b] == rigidBody) names.push_back(base::quoted(assembly_.bodies[b].name));
+    if (rigidBodyOf_[b] != rigidBody) continue;
+    std::string name = base::quoted(assembly_.bodies[b].partName());
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
   }
   constexpr std::size_t most = 4;
   return (names.size() == 1 ? "part " : "parts ") + base::joinNames(names, most);

@@ -101,7 +101,7 @@ std::string describe(const RoundOff::Estimate& estimate, const std::vector<std::
   text.precision(2);
   text << "double precision does not give this accuracy: round-off alone may change "
        << names[static_cast<std::size_t>(worst - estimate.errors.begin())] << " by " << *worst
-       << ", most of it from part \"" << assembly.bodies[estimate.body].name
+       << ", most of it from part \"" << assembly.bodies[estimate.body].partName()
        << "\", whose stiffness adds up terms far larger than its forces; ";
   const double attainable = *worst / shareOfRoundOff;
   if (attainable < worthAsking) text << "ask for an accuracy of " << attainable << " or more, or ";

@@ -277,6 +277,7 @@ std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh:
     const mesh::Piece& piece = bodies.pieces[b];
     const PartOptions& part = bodies.parts[b];
     assembled[b].name = piece.name;
+    assembled[b].part = piece.part;
     assembled[b].dimension = elasticity::componentsOf(model.kinematics);
     assembled[b].congruence = bodies.congruences[b];
     assembled[b].iterates = part.iterates;

@@ -112,11 +112,12 @@ void SpectralSystem::addBodies(const assembly::Assembly& assembly, std::vector<E
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     const substructure::Substructure& body = assembly.bodies[b];
     if (body.stiffness.is_null()) {
-      throw base::Error("part \"" + body.name + "\": the direct spectral method runs on one process and does not " +
+      throw base::Error("part \"" + body.partName() +
+                            "\": the direct spectral method runs on one process and does not " +
                             "share operators between congruent parts",
                         base::ExitCode::input);
     }
-    const substructure::CrsView view = substructure::viewOf(*body.stiffness, body.name);
+    const substructure::CrsView view = substructure::viewOf(*body.stiffness, body.partName());
     const int first = firstDof_[b];
     for (int row = 0; row < view.rows; ++row) {
       for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {

@@ -22,7 +22,8 @@ struct Congruence : mesh::Congruence {
 ///
 /// Degrees of freedom are numbered node by node: dof = dimension * node + component, components x, y, z.
 struct Substructure {
-  std::string name;                  // of the piece; messages call it the part's
+  std::string name;                  // its own, that no other body has
+  std::string part;                  // that users know and it is a piece of; empty: it is whole, and has its own name
   int dimension = 3;                 // 2 or 3
   std::vector<base::Vector3> nodes;  // coordinates [length], for rigid modes and output
   /// K [force/length], dofs x dofs, symmetric, both triangles stored, on MPI_COMM_SELF. Null on ranks that do not own
@@ -31,6 +32,9 @@ struct Substructure {
   base::Matrix loads;                            // nodal forces [force], dofs x steps; 0 x 0 when there are none
   std::shared_ptr<const Congruence> congruence;  // null: has an operator of its own
   bool iterates = false;                         // its operator is too large to be factored: solved iteratively
+
+  /// What messages call it: the name of the part, whatever pieces it is cut into.
+  const std::string& partName() const { return part.empty() ? name : part; }
 };
 
 }  // namespace harmos::substructure

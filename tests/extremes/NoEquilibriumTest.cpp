@@ -84,7 +84,7 @@ TEST(NoEquilibrium, IsNotCertainWhereMorePressureWouldDo) {
       << run.result().reason;
 }
 
-// Pieces of a part move as one: the part slides as it does when it is whole, and none of them by itself.
+// Pieces of a part move as one: the part slides as it does when it is whole, and none of them by itself or by name.
 TEST(NoEquilibrium, OfAPartInPieces) {
   SceneInput scene = boltedJoint();
   scene.set("Mesh/Refinement=0.25").set("Values/traction=4");
@@ -92,7 +92,8 @@ TEST(NoEquilibrium, OfAPartInPieces) {
   const SolvedRun cut(scene.set("Parts/centre/Pieces=3"));
   for (const SolvedRun* run : {&whole, &cut}) {
     EXPECT_EQ(run->result().outcome, latin::Outcome::noEquilibrium) << run->result().reason;
-    EXPECT_NE(run->result().reason.find("\"centre"), std::string::npos) << run->result().reason;
+    EXPECT_NE(run->result().reason.find("part \"centre\""), std::string::npos) << run->result().reason;
+    EXPECT_EQ(run->result().reason.find("centre."), std::string::npos) << run->result().reason;
   }
   EXPECT_LE(cut.result().linearStages, 2 * whole.result().linearStages);
 }
@@ -129,10 +130,13 @@ TEST(Floating, PartThatNothingTouches) {
 TEST(Floating, PartWithTractionsOnly) {
   SceneInput scene = pressedBlocks();
   scene.remove("Interfaces/contact").remove("Responses");
-  int code = 0;
-  const std::string message = refusal(scene, code);
-  EXPECT_NE(code, 0) << message;
-  EXPECT_NE(message.find("\"upper\""), std::string::npos) << message;
+  for (const char* pieces : {"1", "2"}) {
+    int code = 0;
+    const std::string message = refusal(scene.set(std::string("Parts/upper/Pieces=") + pieces), code);
+    EXPECT_NE(code, 0) << message;
+    EXPECT_NE(message.find("\"upper\""), std::string::npos) << message;
+    EXPECT_EQ(message.find("upper."), std::string::npos) << message;
+  }
 }
 
 TEST(Floating, AssemblyThatNothingHolds) {

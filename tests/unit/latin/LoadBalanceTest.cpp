@@ -65,6 +65,23 @@ TEST(LoadBalance, KnowsWhatMovesAsOne) {
   EXPECT_EQ(LoadBalance(three.assembly(), *self(), timers).rigidBodies(), (std::vector<int>{-1, 0, 0}));
 }
 
+// What moves as one is called by its parts, whatever pieces these are cut into.
+TEST(LoadBalance, NamesPartsAndNotTheirPieces) {
+  BoxAssembly three({{"lower", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
+                     {"upper.1", {0, 0, 1}, {1, 1, 2}, {2, 2, 2}},
+                     {"upper.2", {0, 0, 2}, {1, 1, 3}, {2, 2, 2}}});
+  three.hold("bottom", "lower_zmin", clamp());
+  three.join("contact", "lower_zmax", "upper.1_zmin", friction(0.2));
+  three.join("cut", "upper.1_zmax", "upper.2_zmin", laws::makeLaw("Perfect"));
+  three.hold("top", "upper.2_zmax", push(0.41, -2.0));
+  assembly::Assembly assembly = three.assembly();
+  EXPECT_NE(Answers(assembly).contradiction.find("parts \"upper.1\", \"upper.2\""), std::string::npos)
+      << Answers(assembly).contradiction;
+  for (const std::size_t piece : {1U, 2U}) assembly.bodies[piece].part = "upper";
+  EXPECT_NE(Answers(assembly).contradiction.find("part \"upper\""), std::string::npos)
+      << Answers(assembly).contradiction;
+}
+
 // 2 mu carries what is below it.
 TEST(LoadBalance, KnowsTheLimitOfFriction) {
   const Answers below = answers(friction(0.2), push(0.39, -2.0));
