@@ -23,7 +23,7 @@ inline LocalState frictionalContact(const LocalLine& line, double opening, doubl
     const double limit = -friction * state.traction[0];
     state.traction[1] = (line.freeJump[1] - old[0]) / line.compliance;
     state.traction[2] = (line.freeJump[2] - old[1]) / line.compliance;
-    const double trial = base::tangentialNorm(state.traction);
+    const double trial = Tangential::of(state.traction).norm();
     if (trial >= limit) {
       const double scale = trial > 0.0 ? limit / trial : 0.0;
       state.traction[1] *= scale;
