@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <harmos/base/Names.hpp>
+#include <harmos/base/Numerals.hpp>
 #include <harmos/input/Override.hpp>
 #include <harmos/scene/FaceNames.hpp>
 #include <harmos/study/detail/DistributionSpec.hpp>
@@ -12,6 +13,33 @@ namespace harmos::study {
 
 using input::Parameters;
 using Names = std::vector<std::string>;
+
+namespace {
+
+/// Coefficients of random fields that are not standard normal, which the mean 1 and the spread of the field rest on.
+void checkDraws(const StudyParameter& parameter, const std::string& where, input::ErrorList& errors) {
+  const probability::Distribution* given = parameter.distribution.get();
+  if (given == nullptr || !parameter.sampleFile.empty()) return;
+  const bool isStandard =
+      given->name() == std::string("Normal") && given->mean() == 0.0 && given->standardDeviation() == 1.0;
+  if (isStandard) return;
+  for (const Effect& effect : parameter.effects) {
+    const std::size_t end = effect.entry.find("/Coefficients/");
+    if (effect.entry.rfind("Fields/", 0) != 0 || end == std::string::npos) continue;
+    const std::string field = effect.entry.substr(7, end - 7);
+    errors.add(
+        where,
+        "this is a coefficient of the random field " + base::quoted(field) + ", which is standard normal, not " +
+            given->name() + " with mean " + base::toText(given->mean()) + " and standard deviation " +
+            base::toText(given->standardDeviation()) + ".",
+        "Take Normal with Mean 0 and Standard Deviation 1. The mean of what follows the field stands in its law, "
+        "the spread in the Coefficient of Variation of the field; where it must be positive, let the "
+        "Distribution of the field be Lognormal.");
+    return;
+  }
+}
+
+}  // namespace
 
 void checkStudyName(const Parameters& list, input::ErrorList& errors) {
   const Names taken = {"id", "status", "iterations", "error_estimate", "start"};
@@ -46,6 +74,7 @@ void StudyParameterReader::read(const Parameters& list) {
     parameter.isRandom = true;
     parameter.sampleFile = sampleFileOf(distribution, directory_);
     parameter.distribution = readDistribution(distribution, list.name(), directory_, errors_);
+    checkDraws(parameter, distribution.where(), errors_);
   }
   planned_.push_back(std::move(planned));
   parameters_.push_back(std::move(parameter));
