@@ -52,6 +52,7 @@ class Watch {
     if (law_.lowestSlope() == 0.0) ratios_.push_back(flatter);
     if (law_.dissipates() && !laws::isCoupled(law_)) jumps_.assign(states_.size(), {});
     stored_.assign(jumps_.size(), 0.0);
+    lengths_.assign(jumps_.size(), 0.0);
   }
 
   void look(const PointwiseLocalStage::Met& met) {
@@ -109,7 +110,7 @@ class Watch {
            "the law";
   }
 
-  /// Empty: its energies go together.
+  /// Empty: its energies go together. Digits are taken off already.
   std::string energies() const {
     const double small = smallestEnergy * traction_ * jump_;
     const auto remark = [&](const Worst& worst, const std::string& what) {
@@ -125,7 +126,10 @@ class Watch {
 
  private:
   laws::NodeArrays arrays(const PointwiseLocalStage::Met& met, const std::vector<laws::LocalLine>& lines) {
-    laws::NodeArrays nodes = interface_.nodes(assembly_.times, met.step);
+    return arrays(met, lines, met.step);
+  }
+  laws::NodeArrays arrays(const PointwiseLocalStage::Met& met, const std::vector<laws::LocalLine>& lines, int step) {
+    laws::NodeArrays nodes = interface_.nodes(assembly_.times, step);
     nodes.line = lines.data();
     nodes.oldHistory = met.oldHistory.data();
     nodes.newHistory = now_.data();
@@ -149,8 +153,28 @@ class Watch {
     return digitsOfJump * (norm(met.lines[pair].freeJump) / lines[pair].compliance + norm(met.states[pair].traction));
   }
 
+  /// Which pairs the law answers as it would have in the load step before: nothing that it was given has changed, as
+  /// the place of a tool or a gap with a history does, which do work that its energies know nothing of.
+  std::vector<bool> constantPairs(const PointwiseLocalStage::Met& met) {
+    const std::vector<laws::LocalState> states(states_);
+    const std::vector<double> history(now_);
+    law_.solve(met.step - 1, arrays(met, met.lines, met.step - 1));
+    const auto numbers = static_cast<std::ptrdiff_t>(law_.historySize());
+    std::vector<bool> result(states_.size());
+    for (std::size_t p = 0; p < states_.size(); ++p) {
+      const auto first = static_cast<std::ptrdiff_t>(p) * numbers;
+      result[p] = states[p].traction == states_[p].traction &&
+                  std::equal(history.begin() + first, history.begin() + first + numbers, now_.begin() + first);
+    }
+    now_ = history;
+    return result;
+  }
+
   void balance(const PointwiseLocalStage::Met& met) {
     law_.solve(met.step, arrays(met, met.lines));
+    // What it has stored at the unloaded start is not known, and long load steps do not feel how softening goes on.
+    const std::vector<bool> isConstant =
+        met.step > 0 && law_.lowestSlope() == 0.0 ? constantPairs(met) : std::vector<bool>(states_.size(), false);
     laws::NodeArrays nodes = interface_.nodes(assembly_.times, met.step);
     const auto numbers = static_cast<std::size_t>(law_.historySize());
     for (std::size_t p = 0; p < states_.size(); ++p) {
@@ -165,13 +189,15 @@ class Watch {
       if (!std::isfinite(kept) || !std::isfinite(stored)) {
         broken_.include(std::numeric_limits<double>::max(), met.step, static_cast<int>(p));
       }
-      gain_.include(kept - step.work(), met.step, static_cast<int>(p));
-      // What it has stored at the unloaded start is not known, and long load steps do not feel how softening goes on.
-      if (met.step > 0 && law_.lowestSlope() == 0.0) {
-        excess_.include(stored - stored_[p] - kept, met.step, static_cast<int>(p));
-      }
+      // A jump has the digits of the free jump that it is left of.
+      const double length = norm(met.lines[p].freeJump);
+      const double digits =
+          digitsOfJump * (norm(step.traction) * (length + lengths_[p]) + std::abs(stored) + std::abs(stored_[p]));
+      gain_.include(kept - step.work() - digits, met.step, static_cast<int>(p));
+      if (isConstant[p]) excess_.include(stored - stored_[p] - kept - digits, met.step, static_cast<int>(p));
       jumps_[p] = step.jump;
       stored_[p] = stored;
+      lengths_[p] = length;
     }
   }
 
@@ -183,6 +209,7 @@ class Watch {
   std::vector<double> now_;
   std::vector<base::Vector3> jumps_;  // of the load step before; empty: the law does not dissipate
   std::vector<double> stored_;
+  std::vector<double> lengths_;         // of their free jumps
   double traction_ = 0.0, jump_ = 0.0;  // largest
   Worst difference_, broken_, gain_, excess_;
 };

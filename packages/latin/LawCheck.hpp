@@ -25,7 +25,9 @@ struct LawFindings {
 ///
 /// Where a law that is asked point by point dissipates, no load step may gain energy, t.(delta - delta_old) >=
 /// keptWork(), nor, from the second one on and where it never falls, store more than it keeps, storedEnergy() -
-/// storedEnergy_old <= keptWork().
+/// storedEnergy_old <= keptWork(). The latter is not asked where the law itself has changed from the load step before
+/// (moved tools, gaps with histories): what changes it does work, too. Digits that jumps and energies lose are left
+/// out.
 LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double accuracy);
 
 }  // namespace harmos::latin

@@ -186,6 +186,35 @@ TEST(LawCheck, RemarksOnEnergiesThatDoNotGoTogether) {
       << onLaws(stored)[0];
 }
 
+/// Remarks on a joint that is pressed and then pulled along.
+std::vector<std::string> remarksOn(const std::shared_ptr<const laws::InterfaceLaw>& joint) {
+  const std::shared_ptr<const laws::InterfaceLaw> drive =
+      laws::makeLaw("Prescribed Displacement", {{"X", -0.3}, {"Y", 0.1}, {"Z", 0.07}},
+                    {{"X", {0.31, 0.7, 1.0}}, {"Y", {0.3, 0.7, 0.1}}, {"Z", {0.1, 0.5, 0.3}}});
+  const assembly::Assembly assembly = twoChains(joint, drive, 3);
+  base::Timers timers;
+  LatinSolver solver(assembly, {}, self(), timers);
+  solver.addResponse(std::make_shared<ResultantResponse>("force", std::vector<int>{1}, std::vector<base::Vector3>{}));
+  const LatinResult result = solver.solve();
+  EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
+  return onLaws(result);
+}
+
+// What sticks does no work but that of round-off, and its largest jump is one of round-off, too.
+TEST(LawCheck, TakesRoundOffForNoEnergy) {
+  for (const double friction : {0.7, 1.0, 2.0, 10.0}) {
+    const auto remarks = remarksOn(laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", friction}}));
+    EXPECT_TRUE(remarks.empty()) << friction << ": " << remarks[0];
+  }
+}
+
+// A gap that grows while it is pressed does work on the bodies, which the law keeps nothing of.
+TEST(LawCheck, ExpectsNoBalanceOfLawsThatAreDriven) {
+  const auto remarks = remarksOn(
+      laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", 0.2}, {"Gap", -0.02}}, {{"Gap", {0.0, 1.0, 3.0}}}));
+  EXPECT_TRUE(remarks.empty()) << remarks[0];
+}
+
 TEST(LawCheck, RemarksOnEnergiesThatAreNotFinite) {
   const LatinResult result = solve(own<Slider>(1.0, std::nan("")));
   EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
