@@ -352,7 +352,7 @@ void LatinSolver::demandGraphs(LatinResult& result) {
   if (result.outcome != Outcome::certified) return;
   const auto running = timers_.start("laws again");
   const LawFindings found = checkLaws(fixedPoint_, *state_, options_.accuracy);
-  result.remarks = found.energies;
+  result.remarks = found.remarks;
   if (found.falseGraph.empty()) return;
   result.outcome = Outcome::iterationLimit;
   result.reason = found.falseGraph;

@@ -18,6 +18,8 @@ namespace {
 // Of the compliance of the solver's lines. Softening laws meet only the steeper lines once for sure.
 constexpr double steeper = 0.25;
 constexpr double flatter = 4.0;
+// Of the free jump along the normal or along the surface: how far on a law that says that it never falls is asked.
+constexpr double farther = 1.1;
 // Units in the last place of the free jump, which the law must tell apart.
 constexpr double digitsOfJump = 1e4 * std::numeric_limits<double>::epsilon();
 // Of the largest traction: what laws whose points are found numerically may leave.
@@ -96,6 +98,49 @@ class Watch {
     const std::vector<laws::LocalLine> lines = turned(met, ratio);
     sums.law(index)->solvePoints(met.step, arrays(met, lines), sums.of(index, 0));
     include(met, lines);
+  }
+
+  /// Whether the law says that its traction never falls while the jump grows.
+  bool isMonotone() const { return law_.lowestSlope() == 0.0 && !law_.isAffine() && !laws::isCoupled(law_); }
+
+  /// Asks for a point farther on along the normal (`first` 0, `end` 1) or along the surface (1, 3), with the history of
+  /// the points that were found. A monotone law answers each with (t_a - t_b).(delta_a - delta_b) >= 0, and so it does
+  /// with the components of that direction alone, since the others leave -H |t_a - t_b|^2.
+  void goFarther(const PointwiseLocalStage::Met& met, std::size_t first, std::size_t end) {
+    std::vector<laws::LocalLine> lines(met.lines);
+    for (laws::LocalLine& line : lines) {
+      for (std::size_t c = first; c < end; ++c) line.freeJump[c] *= farther;
+    }
+    try {
+      law_.solve(met.step, arrays(met, lines));
+    } catch (const laws::LawFailure&) {
+      return;  // it has met the lines of the solver
+    }
+    for (std::size_t p = 0; p < lines.size(); ++p) {
+      const base::Vector3& traction = met.states[p].traction;
+      const base::Vector3 change = states_[p].traction - traction;
+      const base::Vector3 way = lines[p].jump(states_[p].traction) - met.lines[p].jump(traction);
+      double work = 0.0, force = 0.0, length = 0.0;
+      for (std::size_t c = first; c < end; ++c) {
+        work += change[c] * way[c];
+        force = std::hypot(force, change[c]);
+        length = std::hypot(length, way[c]);
+      }
+      const double lost = loss(met, lines, p);
+      // Friction depends on the pressure.
+      if (!(work < 0.0) || (first > 0 && std::abs(change[0]) > lost)) continue;
+      falls_.include(-work / (length + lines[p].compliance * force) - lost, met.step, static_cast<int>(p));
+    }
+  }
+
+  /// Empty: it does not fall, or says so.
+  std::string falls(double accuracy) const {
+    if (!(falls_.size > std::max(accuracy, digitsOfLaws) * traction_)) return {};
+    return "law " + base::quoted(law_.name()) + " of interface " + base::quoted(interface_.name) +
+           " says that its traction never falls (lowest slope 0), but it falls while the jump grows, worst in load "
+           "step " +
+           std::to_string(falls_.step + 1) + " at point " + std::to_string(falls_.pair + 1) +
+           ": there may be other solutions; state its lowest slope";
   }
 
   /// Empty: the law has a graph.
@@ -211,7 +256,7 @@ class Watch {
   std::vector<double> stored_;
   std::vector<double> lengths_;         // of their free jumps
   double traction_ = 0.0, jump_ = 0.0;  // largest
-  Worst difference_, broken_, gain_, excess_;
+  Worst difference_, falls_, broken_, gain_, excess_;
 };
 
 /// That of the lowest rank that has one.
@@ -245,7 +290,12 @@ LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double acc
   stage.begin();
   for (int t = 0; t < iterate.beta().numCols(); ++t) {
     stage.solveColumn(t, iterate.beta(), traction.data());
-    for (auto& [index, watch] : watches) watch.look(stage.met(index, t));
+    for (auto& [index, watch] : watches) {
+      watch.look(stage.met(index, t));
+      if (!watch.isMonotone()) continue;
+      watch.goFarther(stage.met(index, t), 0, 1);
+      watch.goFarther(stage.met(index, t), 1, 3);
+    }
     for (const double ratio : {steeper, flatter}) {
       if (!faces.isEmpty()) faces.begin(1);
       for (auto& [index, watch] : watches) {
@@ -270,17 +320,17 @@ LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double acc
     if (findings.falseGraph.empty()) findings.falseGraph = watch.falseGraph(accuracy);
   }
   findings.falseGraph = agreed(findings.falseGraph, layout.comm());
+  const auto remark = [&](const std::string& mine) {
+    const std::string text = agreed(mine, layout.comm());
+    auto& known = findings.remarks;
+    if (!text.empty() && std::find(known.begin(), known.end(), text) == known.end()) known.push_back(text);
+  };
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    if (!assembly.interfaces[i].law->dissipates()) continue;
-    std::string mine;
-    for (const auto& [index, watch] : watches) {
-      if (index == static_cast<int>(i)) mine = watch.energies();
-    }
-    const std::string remark = agreed(mine, layout.comm());
-    const auto& known = findings.energies;
-    if (!remark.empty() && std::find(known.begin(), known.end(), remark) == known.end()) {
-      findings.energies.push_back(remark);
-    }
+    const auto mine = std::find_if(watches.begin(), watches.end(),
+                                   [&](const auto& each) { return each.first == static_cast<int>(i); });
+    const bool isHere = mine != watches.end();
+    remark(isHere ? mine->second.falls(accuracy) : "");
+    if (assembly.interfaces[i].law->dissipates()) remark(isHere ? mine->second.energies() : "");
   }
   return findings;
 }

@@ -9,8 +9,8 @@ namespace harmos::latin {
 
 /// What a second look at the laws of a state has found; the same on all ranks.
 struct LawFindings {
-  std::string falseGraph;             ///< why a law has no graph, with interface, load step and point; empty: all have
-  std::vector<std::string> energies;  ///< remarks on laws whose energies do not go together
+  std::string falseGraph;            ///< why a law has no graph, with interface, load step and point; empty: all have
+  std::vector<std::string> remarks;  ///< on laws that fall and do not say so, and whose energies do not go together
 };
 
 /// Asks the laws of a state again. Collective; `iterate` is the present one of `fixedPoint`, all load steps selected,
@@ -22,6 +22,10 @@ struct LawFindings {
 /// 1e-7, times the largest of the interface. What comes out otherwise solves other equations than the law's, and
 /// depends on the search direction; the certificate, which sees one search direction only, cannot tell. Laws
 /// over whole faces (CoupledLaw) are asked for all points of a face together; those that fall at a jump are not asked.
+///
+/// A law that is asked point by point and says that it never falls is asked a little farther along the normal and along
+/// the surface, too, with the same history: a traction that is less there gives a remark, since there may be other
+/// solutions then. What changes with the pressure is left aside.
 ///
 /// Where a law that is asked point by point dissipates, no load step may gain energy, t.(delta - delta_old) >=
 /// keptWork(), nor, from the second one on and where it never falls, store more than it keeps, storedEnergy() -

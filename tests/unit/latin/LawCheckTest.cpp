@@ -41,6 +41,30 @@ struct Torn {
   }
 };
 
+/// Glue whose traction falls by `fall` per jump beyond a peak, and says that it falls by `says`: a little less than
+/// lines need to meet it once.
+struct Falling {
+  static constexpr const char* name = "Falling";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::two;
+  Falling(double falls, double claim) : fall(falls), says(claim) {}
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext&, const double*, double*) const {
+    constexpr double peak = 0.01;
+    laws::LocalState state;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double free = std::abs(line.freeJump[c]);
+      double traction = stiffness * free / (1.0 + stiffness * line.compliance);
+      if (traction > stiffness * peak) {
+        traction = (stiffness * peak - fall * (free - peak)) / (1.0 - fall * line.compliance);
+      }
+      state.traction[c] = std::copysign(traction, line.freeJump[c]);
+    }
+    return state;
+  }
+  double lowestSlope() const { return -says; }
+  double fall, says;
+};
+
 /// A spring and a slider along n. What it stores is `stored` times right, what it keeps `kept` times.
 struct Slider {
   static constexpr const char* name = "Own Slider";
@@ -169,6 +193,18 @@ TEST(LawCheck, AsksLawsInVelocityForm) {
 TEST(LawCheck, RefusesALawThatFallsAndDoesNotSay) {
   const LatinResult result = solve(own<Torn>());
   EXPECT_NE(result.outcome, Outcome::certified);
+}
+
+// No line tells, since it meets each once.
+TEST(LawCheck, RemarksOnALawThatFallsAndDoesNotSay) {
+  const LatinResult silent = solve(own<Falling>(0.2, 0.0));
+  EXPECT_EQ(silent.outcome, Outcome::certified) << silent.reason;
+  ASSERT_EQ(onLaws(silent).size(), 1U);
+  EXPECT_NE(onLaws(silent)[0].find("law \"Falling\" of interface \"joint\" says that its traction never falls"),
+            std::string::npos)
+      << onLaws(silent)[0];
+  EXPECT_TRUE(onLaws(solve(own<Falling>(0.2, 0.2))).empty());
+  EXPECT_TRUE(onLaws(solve(own<Falling>(0.0, 0.0))).empty());
 }
 
 TEST(LawCheck, RemarksOnEnergiesThatDoNotGoTogether) {
