@@ -11,6 +11,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/LawCheck.hpp>
+#include <harmos/latin/detail/LawDigits.hpp>
 #include <harmos/latin/detail/ResultRemarks.hpp>
 #include <harmos/latin/detail/RoundOff.hpp>
 #include <harmos/latin/detail/UnheldParts.hpp>
@@ -18,6 +19,8 @@
 namespace harmos::latin {
 namespace {
 
+// Linear stages of a march between looks at the digits that its laws have.
+constexpr int stagesBetweenLooks = 100;
 // Promised quantities are compared with those of four iterations before; looking every second time is enough.
 constexpr int iterationsPerSnapshot = 2;
 constexpr std::size_t snapshotsBack = 2;
@@ -222,7 +225,17 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
   March march(fixedPoint_, options_.memory, options_.accuracy, restarts);
   march.setNewton(*newton_);
   if (!assembly_.path) march.setLoadBalance(*balance_);  // loads that are found have no balance before
-  march.setStop([&] { return mustStop() || stages() >= stageLimit(); });
+  int nextLook = stages() + stagesBetweenLooks;
+  const auto lacksDigits = [&] {
+    if (stages() < nextLook) return false;
+    nextLook = stages() + stagesBetweenLooks;
+    const std::string lack = lackOfDigits(fixedPoint_, options_.accuracy);
+    if (lack.empty()) return false;
+    result.outcome = Outcome::roundOff;
+    result.reason = lack;
+    return true;
+  };
+  march.setStop([&] { return mustStop() || stages() >= stageLimit() || lacksDigits(); });
   march.setObserver([&](int step, int iterations, const Iterate& iterate) {
     state_ = &iterate;
     result.iterations += iterations;
@@ -353,9 +366,13 @@ void LatinSolver::demandGraphs(LatinResult& result) {
   const auto running = timers_.start("laws again");
   const LawFindings found = checkLaws(fixedPoint_, *state_, options_.accuracy);
   result.remarks = found.remarks;
-  if (found.falseGraph.empty()) return;
-  result.outcome = Outcome::iterationLimit;
-  result.reason = found.falseGraph;
+  if (!found.falseGraph.empty()) {
+    result.outcome = Outcome::iterationLimit;
+    result.reason = found.falseGraph;
+  } else if (!found.lackOfDigits.empty()) {
+    result.outcome = Outcome::roundOff;
+    result.reason = found.lackOfDigits;
+  }
 }
 
 void LatinSolver::deliver(LatinResult& result) {

@@ -5,11 +5,11 @@
 #include <limits>
 #include <optional>
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
 #include <harmos/latin/FaceSums.hpp>
+#include <harmos/latin/detail/FirstText.hpp>
+#include <harmos/latin/detail/LawDigits.hpp>
 #include <harmos/laws/LawFailure.hpp>
 
 namespace harmos::latin {
@@ -259,20 +259,6 @@ class Watch {
   Worst difference_, falls_, broken_, gain_, excess_;
 };
 
-/// That of the lowest rank that has one.
-std::string agreed(const std::string& mine, const Teuchos::Comm<int>& comm) {
-  const int none = comm.getSize(), here = mine.empty() ? none : comm.getRank();
-  int first = none;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, here, Teuchos::outArg(first));
-  if (first == none) return {};
-  std::string text = mine;
-  int length = static_cast<int>(text.size());
-  Teuchos::broadcast(comm, first, Teuchos::outArg(length));
-  text.resize(static_cast<std::size_t>(length));
-  Teuchos::broadcast(comm, first, length, text.data());
-  return text;
-}
-
 }  // namespace
 
 LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double accuracy) {
@@ -319,11 +305,14 @@ LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double acc
   for (const auto& [index, watch] : watches) {
     if (findings.falseGraph.empty()) findings.falseGraph = watch.falseGraph(accuracy);
   }
-  findings.falseGraph = agreed(findings.falseGraph, layout.comm());
+  findings.falseGraph = firstText(findings.falseGraph, layout.comm());
   const auto remark = [&](const std::string& mine) {
-    const std::string text = agreed(mine, layout.comm());
+    const std::string text = firstText(mine, layout.comm());
     auto& known = findings.remarks;
-    if (!text.empty() && std::find(known.begin(), known.end(), text) == known.end()) known.push_back(text);
+    // Pieces of one interface say the same but for the place.
+    const std::string what = text.substr(0, text.find(", worst"));
+    const auto isKnown = [&](const std::string& other) { return other.rfind(what, 0) == 0; };
+    if (!text.empty() && std::none_of(known.begin(), known.end(), isKnown)) known.push_back(text);
   };
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     const auto mine = std::find_if(watches.begin(), watches.end(),
@@ -332,6 +321,7 @@ LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double acc
     remark(isHere ? mine->second.falls(accuracy) : "");
     if (assembly.interfaces[i].law->dissipates()) remark(isHere ? mine->second.energies() : "");
   }
+  findings.lackOfDigits = lackOfDigits(fixedPoint, accuracy);
   return findings;
 }
 

@@ -9,7 +9,8 @@ namespace harmos::latin {
 
 /// What a second look at the laws of a state has found; the same on all ranks.
 struct LawFindings {
-  std::string falseGraph;            ///< why a law has no graph, with interface, load step and point; empty: all have
+  std::string falseGraph;    ///< why a law has no graph, with interface, load step and point; empty: all have
+  std::string lackOfDigits;  ///< why double precision does not give the accuracy with these laws; empty: it does
   std::vector<std::string> remarks;  ///< on laws that fall and do not say so, and whose energies do not go together
 };
 
@@ -26,6 +27,8 @@ struct LawFindings {
 /// A law that is asked point by point and says that it never falls is asked a little farther along the normal and along
 /// the surface, too, with the same history: a traction that is less there gives a remark, since there may be other
 /// solutions then. What changes with the pressure is left aside.
+///
+/// Where the terms of a law cancel, so that round-off in it is more than half of the accuracy, the accuracy is refused.
 ///
 /// Where a law that is asked point by point dissipates, no load step may gain energy, t.(delta - delta_old) >=
 /// keptWork(), nor, from the second one on and where it never falls, store more than it keeps, storedEnergy() -

@@ -51,6 +51,34 @@ inline base::Vector3 solved(std::array<base::Vector3, 3> a, base::Vector3 b) {
   return x;
 }
 
+/// How tractions scatter about what is smooth in them, over a length around a jump: their sixth differences.
+struct Scatter {
+  /// `tractionAt` is asked at 21 places over `length` [length].
+  template <class TractionAt>
+  Scatter(TractionAt&& tractionAt, const base::Vector3& jump, double length) {
+    constexpr std::array<double, 7> difference{1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0};
+    constexpr double ofRandom = 30.4;  // root of the sum of their squares
+    constexpr std::size_t samples = windows + difference.size() - 1;
+    std::array<base::Vector3, samples> values;
+    for (std::size_t i = 0; i < samples; ++i) {
+      const double moved = length * (static_cast<double>(i) / samples - 0.5);
+      values[i] = tractionAt(base::Vector3{jump[0] + moved, jump[1] + 0.9 * moved, jump[2] + 0.8 * moved});
+      const double size = sumOfSizes(values[i]);
+      largest = size <= largest ? largest : size;  // what is not a number is kept
+    }
+    for (std::size_t i = 0; i < windows; ++i) {
+      base::Vector3 sum{};
+      for (std::size_t k = 0; k < difference.size(); ++k) sum = sum + difference[k] * values[i + k];
+      sizes[i] = sumOfSizes(sum) / ofRandom;
+    }
+    if (std::isfinite(largest)) std::sort(sizes.begin(), sizes.end());
+  }
+
+  static constexpr std::size_t windows = 15;  ///< of seven neighbouring places each
+  std::array<double, windows> sizes{};        ///< ascending, of what scatters the root mean square [stress]
+  double largest = 0.0;                       ///< of all tractions [stress]; not finite: one is not
+};
+
 /// Round-off of a graph near a jump, that of all components together [stress]: where terms cancel, as in 1 - exp(-x),
 /// it is that of the terms. From sixth differences over lengths that are parts of `scale` [length]: those of the graph
 /// itself fall with the length by a power, those of round-off do not; their median leaves out single kinks. 0: none was
@@ -58,33 +86,16 @@ inline base::Vector3 solved(std::array<base::Vector3, 3> a, base::Vector3 b) {
 /// Source: More, Wild, Estimating computational noise, SIAM J. Sci. Comput. 33 (2011) 1292-1314.
 template <class TractionAt>
 double roundOffOf(const TractionAt& tractionAt, const base::Vector3& jump, double scale) {
-  constexpr std::array<double, 7> difference{1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0};
-  constexpr double ofRandom = 30.4;  // root of the sum of their squares
-  constexpr std::size_t windows = 15, samples = windows + difference.size() - 1;
   constexpr double longest = 1e6, shortest = 1e-6;           // parts of the scale
   constexpr double leastFall = 1.0 / 30.0, mostFall = 1e-8;  // of what is the graph's own, to a tenth of the length
   constexpr double resolved = 1e-3;                          // round-off in what varies
   double before = 0.0;
   for (double share = longest; share >= shortest; share *= 0.1) {
-    std::array<base::Vector3, samples> values;
-    double largest = 0.0;
-    for (std::size_t i = 0; i < samples; ++i) {
-      const double moved = share * scale * (static_cast<double>(i) / samples - 0.5);
-      values[i] = tractionAt({jump[0] + moved, jump[1] + 0.9 * moved, jump[2] + 0.8 * moved});
-      const double size = sumOfSizes(values[i]);
-      largest = size <= largest ? largest : size;  // what is not a number is kept
-    }
-    std::array<double, windows> sums;
-    for (std::size_t i = 0; i < windows; ++i) {
-      base::Vector3 sum{};
-      for (std::size_t k = 0; k < difference.size(); ++k) sum = sum + difference[k] * values[i + k];
-      sums[i] = sumOfSizes(sum) / ofRandom;
-    }
-    if (!std::isfinite(largest)) continue;
-    std::nth_element(sums.begin(), sums.begin() + windows / 2, sums.end());
-    const double here = sums[windows / 2];
+    const Scatter scatter(tractionAt, jump, share * scale);
+    if (!std::isfinite(scatter.largest)) continue;
+    const double here = scatter.sizes[Scatter::windows / 2];
     if (before > 0.0 && (here >= leastFall * before || here <= mostFall * before)) return before;
-    before = here <= resolved * largest ? here : 0.0;
+    before = here <= resolved * scatter.largest ? here : 0.0;
   }
   return before;
 }

@@ -268,7 +268,8 @@ std::vector<latin::ResponseRange> ConfigurationIteration::ranges(
 }
 
 std::string ConfigurationIteration::falseGraph() {
-  return latin::checkLaws(fixedPoint_, state(), accuracy_).falseGraph;
+  const latin::LawFindings found = latin::checkLaws(fixedPoint_, state(), accuracy_);
+  return found.falseGraph.empty() ? found.lackOfDigits : found.falseGraph;
 }
 
 base::Matrix ConfigurationIteration::linear() const {

@@ -126,6 +126,31 @@ found = harmos.run_study(study, work / "study")
 assert found.solved.all()
 assert abs(found.curves["u_push"][0] - result.history["u_push"][1:]).max() <= 1e-5 * size
 
+# A law that falls says so, or a remark does.
+(work / "falling.py").write_text('''
+import numpy
+from harmos.laws import Law, number
+
+class Falling(Law):
+    """A spring that holds less the farther it is pulled."""
+    name = "Falling Spring"
+    parameters = (number("Claim", "What it says of its fall.", unit="stress/length", default=0.0),)
+
+    def __init__(self, p):
+        self.lowest_slope = -p["Claim"]
+
+    def traction(self, jump, old, at):
+        size = abs(jump)
+        return numpy.sign(jump) * numpy.where(size < 0.005, 1000.0 * size, 5.0 - 100.0 * (size - 0.005))
+''')
+for claim in (0.0, 100.0):
+    falling = scene("falling", {"Type": "Falling Spring", "Claim": claim}, ["falling.py"])
+    falling["Boundaries/top/Law"] = {"Type": "Prescribed Displacement", "X": 0.0, "Y": 0.0, "Z": 0.02}
+    found = harmos.run(falling, work / "falling")
+    remarks = [remark for remark in found.record["remarks"] if "says that its traction never falls" in remark]
+    assert len(remarks) == (1 if claim == 0.0 else 0), found.record["remarks"]
+    assert claim > 0.0 or 'law "Falling Spring" of interface "contact"' in remarks[0], remarks
+
 
 def messages(input_: harmos.Scene, verb: str = "run") -> tuple[int, str]:
     try:

@@ -65,6 +65,24 @@ struct Falling {
   double fall, says;
 };
 
+/// Glue whose tractions scatter by a share of themselves: of a kind that a line meets alike each time.
+struct Scattering {
+  static constexpr const char* name = "Scattering";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::two;
+  explicit Scattering(double shareOfTraction) : share(shareOfTraction) {}
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext&, const double*, double*) const {
+    laws::LocalState state;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double free = line.freeJump[c];
+      state.traction[c] =
+          stiffness * free / (1.0 + stiffness * line.compliance) * (1.0 + share * std::sin(1e13 * free));
+    }
+    return state;
+  }
+  double share;
+};
+
 /// A spring and a slider along n. What it stores is `stored` times right, what it keeps `kept` times.
 struct Slider {
   static constexpr const char* name = "Own Slider";
@@ -220,6 +238,20 @@ TEST(LawCheck, RemarksOnEnergiesThatDoNotGoTogether) {
   ASSERT_EQ(onLaws(stored).size(), 1U);
   EXPECT_NE(onLaws(stored)[0].find("stores more energy than the work that it keeps"), std::string::npos)
       << onLaws(stored)[0];
+}
+
+// Whether it comes to an end or not, nothing is certified beyond the digits of the law.
+TEST(LawCheck, RefusesAnAccuracyThatALawHasNotTheDigitsFor) {
+  LatinOptions options;
+  for (const double accuracy : {1e-4, 1e-6, 1e-8}) {
+    options.accuracy = accuracy;
+    EXPECT_EQ(solve(own<Scattering>(0.01 * accuracy), options).outcome, Outcome::certified) << accuracy;
+    EXPECT_EQ(solve(own<Falling>(0.0, 0.0), options).outcome, Outcome::certified) << accuracy;
+    const LatinResult refused = solve(own<Scattering>(50.0 * accuracy), options);
+    EXPECT_NE(refused.outcome, Outcome::certified) << accuracy;
+    EXPECT_LE(refused.linearStages, 200) << accuracy << refused.reason;
+    EXPECT_NE(refused.reason.find("law \"Scattering\" of interface \"joint\""), std::string::npos) << refused.reason;
+  }
 }
 
 /// Remarks on a joint that is pressed and then pulled along.
