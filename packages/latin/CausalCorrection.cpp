@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <harmos/latin/March.hpp>
@@ -12,6 +13,8 @@ namespace {
 
 // Share of the way that the residual may hide.
 constexpr double allowedToHide = 0.5;
+// Of what hides most: what goes on together with that.
+constexpr double hidesMuch = 0.5;
 // Gauss-Newton steps of a load step after each linear stage.
 constexpr int gaussNewtonSteps = 3;
 constexpr int halvings = 2;
@@ -140,9 +143,9 @@ double CausalCorrection::longestWay() const {
 }
 
 double CausalCorrection::targetOf(const Step& step) const {
-  const double most = step.weight * target_;
-  if (step.directions >= mostDirections) return most;
-  return std::clamp(share_ * step.before, leastTarget * most, most);
+  const double most = step.weight * step.share * before_;
+  if (!isLater_ || step.directions >= mostDirections) return most;
+  return std::clamp(step.share * step.before, leastTarget * most, most);
 }
 
 double CausalCorrection::smallestSingularValue(const Step& step) {
@@ -165,15 +168,29 @@ std::vector<int> CausalCorrection::unfinished() {
   return result;
 }
 
+std::vector<int> CausalCorrection::foremost(const std::vector<int>& steps) const {
+  if (!isLater_) return steps;
+  std::vector<int> result;
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(result),
+               [this](int t) { return steps_[t].residual > targetOf(steps_[t]); });
+  if (!result.empty()) return result;
+  const auto hidden = [this](int t) { return steps_[t].residual / smallestSingularValue(steps_[t]); };
+  double most = 0.0;
+  for (const int t : steps) most = std::max(most, hidden(t));
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(result),
+               [&](int t) { return hidden(t) >= hidesMuch * most; });
+  return result;
+}
+
 substructure::Precision CausalCorrection::precision() {
   if (allowed_ == substructure::Precision::exact) return allowed_;
   // The image of a direction has this relative error, and a step goes along it as far as its residual asks for.
   double way = longestWay(), least = 1.0;
   for (const Step& step : steps_) {
     way = std::max(way, wayOfResidual * step.residual);
-    least = std::min(least, step.weight);
+    least = std::min(least, step.weight * step.share);
   }
-  return fixedPoint_.prepareSingle() * way <= negligible * least * target_ ? substructure::Precision::single
+  return fixedPoint_.prepareSingle() * way <= negligible * least * before_ ? substructure::Precision::single
                                                                            : substructure::Precision::exact;
 }
 
@@ -290,7 +307,7 @@ void CausalCorrection::approachTogether(int stages) {
   const int first = fixedPoint_.linearStage().stages();
   std::vector<double> residuals{largestResidual(begin_, end_)};  // after every linear stage
   for (std::vector<int> left = unfinished(); !left.empty(); left = unfinished()) {
-    if (fixedPoint_.linearStage().stages() - first >= stages || !extend(left)) break;
+    if (fixedPoint_.linearStage().stages() - first >= stages || !(extend(foremost(left)) || extend(left))) break;
     sweep(left.front());
     residuals.push_back(largestResidual(begin_, end_));
     if (residuals.size() > patience && residuals.back() > slow * residuals[residuals.size() - 1 - patience]) break;
@@ -354,50 +371,59 @@ const Iterate& CausalCorrection::verify(base::Matrix& image) {
   return iterate;
 }
 
+bool CausalCorrection::settleThoseNear(const Goal& goal) {
+  const std::vector<double> distances = distancesFromStart();
+  bool areAllSettled = true;
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    if (distances[t] <= goal.near) continue;
+    steps_[t].share = goal.reduction;
+    areAllSettled = false;
+  }
+  return areAllSettled;
+}
+
 CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image,
                                                    const Goal& goal, int stages) {
   start(iterate, alpha);
-  const double before = largestResidual();
+  before_ = largestResidual();
   Result result;
-  if (before <= noise_) {
+  result.shares.assign(steps_.size(), 0.0);
+  if (before_ <= noise_) {
     finish();
     result.reduction = 0.0;
     return result;
   }
   allowed_ = finest_;
-  const int first = fixedPoint_.linearStage().stages();
-  const auto approachTo = [&](double reduction) {
-    target_ = reduction * before;
-    share_ = goal.roughly > goal.reduction ? reduction : 1.0;
-    approach(stages - (fixedPoint_.linearStage().stages() - first));
-  };
+  isLater_ = goal.roughly > goal.reduction;
   std::vector<double> weights;
-  for (const Step& step : steps_) weights.push_back(step.weight);
-  if (goal.roughly > goal.reduction) approachTo(goal.roughly);
-  const std::vector<double> distances = distancesFromStart();
-  const bool isEnough =
-      goal.roughly > goal.reduction && *std::max_element(distances.begin(), distances.end()) <= goal.near;
-  if (!isEnough) {
-    approachTo(goal.reduction);
-    if (sharpen(goal)) approachTo(goal.reduction);
+  for (Step& step : steps_) {
+    step.share = std::max(goal.reduction, goal.roughly);
+    weights.push_back(step.weight);
   }
+  const int first = fixedPoint_.linearStage().stages();
+  const auto goOn = [&] { approach(stages - (fixedPoint_.linearStage().stages() - first)); };
+  goOn();
+  if (isLater_ && !settleThoseNear(goal)) goOn();
+  if (sharpen(goal)) goOn();
   if (isRough_) {
-    const double said = std::max(largestResidual(), target_);
+    double said = largestResidual();
+    for (const Step& step : steps_) said = std::max(said, step.share * before_);
     result.iterate = &verify(image);
     if (!(largestResidual() <= promised * said)) {
       allowed_ = substructure::Precision::exact;
       beta_ = result.iterate->beta();
       residual_.shapeUninitialized(beta_.numRows(), beta_.numCols());
-      approach(stages - (fixedPoint_.linearStage().stages() - first));
+      goOn();
       result.iterate = nullptr;
     }
   }
   result.hidden = hidden();
-  double left = 0.0;
+  result.reduction = 0.0;
   for (std::size_t t = 0; t < steps_.size(); ++t) {
-    if (steps_[t].residual > noise_) left = std::max(left, steps_[t].residual / weights[t]);
+    const double left = steps_[t].residual > noise_ ? steps_[t].residual / (weights[t] * before_) : 0.0;
+    result.shares[t] = std::max(left, std::min(steps_[t].share, steps_[t].residual / steps_[t].before));
+    result.reduction = std::max(result.reduction, left);
   }
-  result.reduction = left / before;
   finish();
   return result;
 }

@@ -32,6 +32,9 @@ class CausalCorrection {
   /// What a correction has come to.
   struct Result {
     double reduction = 1.0;  ///< largest |R_t| over the load steps t, over that before, both as weighed then
+    /// What each load step keeps of its own residual, no more than it was asked for, or of the largest, if that is
+    /// more.
+    std::vector<double> shares;
     /// What the residual can hide: largest |R_t| / (s_t d), s_t the smallest singular value of I - J in the space of
     /// the step, d the longest way that a step was moved. Slow modes are all but absent from the residual.
     double hidden = 0.0;
@@ -48,17 +51,18 @@ class CausalCorrection {
     /// Of the fields of the result, relative [-]: where the way of a load step tells a larger one, each goes as far as
     /// its own way asks for, in later corrections, too.
     double error = std::numeric_limits<double>::infinity();
-    /// Of later corrections, as `reduction`, larger than it: enough where no load step has moved its fields by more
+    /// Of later corrections, as `reduction`, larger than it: enough for a load step whose fields have not moved by more
     /// than `near`.
     double roughly = 0.0;
     double near = 0.0;  ///< relative to the largest fields [-]
   };
 
   /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
-  /// reduction x the largest |R| of the start, both as weighed, in later corrections also reduction x its own |R| of
-  /// the start, or a tenth of the former where that is more, and no more than half of the way can be hidden; or until
-  /// `stages` linear stages were spent, or the residuals no longer fall. No iterate is valid afterwards but that of the
-  /// result, whose image is in `image` [stress] then. Throws base::Error as LocalStage::solve().
+  /// reduction x the largest |R| of the start, both as weighed, and no more than half of the way can be hidden; in
+  /// later corrections also reduction x its own |R| of the start, or a tenth of the former where that is more, with
+  /// `roughly` in the place of `reduction` where that is enough. Or until `stages` linear stages were spent, or the
+  /// residuals no longer fall. No iterate is valid afterwards but that of the result, whose image is in `image`
+  /// [stress] then. Throws base::Error as LocalStage::solve().
   Result correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, const Goal& goal, int stages);
 
  private:
@@ -69,6 +73,7 @@ class CausalCorrection {
     double residual = 0.0;                // |R|
     double before = 0.0;                  // |R| at the start
     int directions = 0;                   // new ones since then
+    double share = 1.0;                   // that is asked for, of the largest |R| at the start
     double moved = 0.0;                   // |alpha - start|
     bool isLeft = true;                   // has not come to the target
     double weight = 1.0;  // of the target: its share of this load step, small where small residuals mean long ways
@@ -88,6 +93,9 @@ class CausalCorrection {
   void sweep(int first);
   /// Those of the load steps at hand that have not come to their end.
   std::vector<int> unfinished();
+  /// Of unfinished load steps those that go on: in later corrections first those with too large a residual; when these
+  /// have gone their ways, which all are measured by, those where most can be hidden.
+  std::vector<int> foremost(const std::vector<int>& steps) const;
   /// Of the load steps so far; later ones go at least half of their residual.
   double longestWay() const;
   /// |R| that a load step is brought to. Later corrections tell errors by their ways: each load step must go some, or
@@ -104,6 +112,8 @@ class CausalCorrection {
   std::vector<double> distancesFromStart() const;
   /// Collective. Less weight for load steps that would leave more than goal.error; whether there are any.
   bool sharpen(const Goal& goal);
+  /// Collective. Whether no load step has moved its fields by more than goal.near; asks more of those that have.
+  bool settleThoseNear(const Goal& goal);
   /// Brings all load steps to their end, some after the others, within so many linear stages.
   void approach(int stages);
   /// Lets the spaces of the load steps at hand grow until these have come to their end, or what is left says that they
@@ -125,8 +135,8 @@ class CausalCorrection {
   std::vector<Step> steps_;
   int begin_ = 0, end_ = 0;               // of the load steps at hand
   int first_ = 0;                         // load step that the local stage begins at
-  double target_ = 0.0;                   // largest |R| of a load step at the end, over its weight
-  double share_ = 1.0;                    // of its own |R| at the start, for every load step
+  double before_ = 0.0;                   // largest |R| at the start, over the weights
+  bool isLater_ = false;                  // every load step must move
   double noise_ = 0.0;                    // residuals below this one are round-off
   base::ColumnStore start_, startImage_;  // alpha and its beta at the beginning
   base::Matrix* alpha_ = nullptr;         // the caller's

@@ -20,7 +20,7 @@ constexpr double laterTarget = 0.3;
 constexpr double causalLimit = 2.0;
 // Of the largest residual of a load step: what those of others count as, at least, in a stepwise correction.
 constexpr double leastResidual = 0.3;
-// Of a later correction whose way tells an error below this share of the accuracy.
+// Of load steps in a later correction whose way tells an error below this share of the accuracy.
 constexpr double roughTarget = 0.5;
 constexpr double safeShare = 0.9;
 // Of the accuracy: error that the first correction goes for, so that the second one can show that it is small enough.
@@ -150,6 +150,7 @@ Certificate::Correction Certificate::correctCausally(const Iterate& iterate, con
   const CausalCorrection::Result step =
       causal_->correct(iterate, result.state, image, goal, std::min(stages, maximumStages));
   result.reduction = step.reduction;
+  result.shares = step.shares;
   result.isReduced = step.reduction <= causalLimit * goal.reduction;
   result.hidden = step.hidden;
   result.iterate = step.iterate;
@@ -268,18 +269,21 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
       result.stagnated = true;
       return result;
     }
+    step.shares.resize(static_cast<std::size_t>(state.numCols()), step.reduction);
     iterate = step.iterate != nullptr ? step.iterate : &fixedPoint_.apply(step.state, image);
     fixedPoint_.shareTractions(step.state, image, accuracy_);
     auto after = std::make_unique<Snapshot>(*iterate, responses_);
-    std::vector<double> errors = after->distance(*before);
-    const double error = largest(errors);
+    const double error = largest(after->distance(*before));
     if (count > 0) {
       result.contraction = error == 0.0 ? 0.0 : error / previous;
       const bool grew = result.contraction > 1.0 && error > settledShare * accuracy_;
       if (grew && kind == Kind::newton) return result;
-      const double left = kind == Kind::newton ? step.reduction : leastContractionAfter(step.reduction);
-      const double kappa = std::clamp(result.contraction, left, steadyContraction);
-      for (double& e : errors) e /= 1.0 - kappa;
+      std::vector<double> factors;
+      for (const double share : step.shares) {
+        const double left = kind == Kind::newton ? share : leastContractionAfter(share);
+        factors.push_back(1.0 / (1.0 - std::clamp(result.contraction, left, steadyContraction)));
+      }
+      const std::vector<double> errors = after->distance(*before, factors);
       result.conclusive = !grew;
       if (!grew) result.estimates = errors;
       if (!grew &&

@@ -59,6 +59,7 @@ class Certificate {
   struct Correction {
     base::Matrix state;                // corrected
     double reduction = 1.0;            // of the residual
+    std::vector<double> shares;        // that load steps keep of it, as CausalCorrection::Result
     bool isReduced = false;            // the residual, as much as an estimate needs
     double hidden = 0.0;               // as NewtonCorrection::Result::hidden
     const Iterate* iterate = nullptr;  // of `state`, where its image is known

@@ -52,8 +52,9 @@ base::ColumnStore displacementsOf(const Iterate& state) {
   return all;
 }
 
-/// Largest over the columns of |a - b|, relative to the largest |a|, whose square counts as at least `floor`.
-double fieldDistance(const base::ColumnStore& a, const base::ColumnStore& b, double floor, const StateMetric& metric) {
+/// Largest over the columns of factor |a - b|, relative to the largest |a|, whose square counts as at least `floor`.
+double fieldDistance(const base::ColumnStore& a, const base::ColumnStore& b, const std::vector<double>& factors,
+                     double floor, const StateMetric& metric) {
   const auto steps = static_cast<std::size_t>(a.columns());
   std::vector<double> sums(2 * steps, 0.0);  // squares of a, then of the difference
   for (std::size_t t = 0; t < steps; ++t) {
@@ -67,6 +68,7 @@ double fieldDistance(const base::ColumnStore& a, const base::ColumnStore& b, dou
   metric.sum(sums);
   const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(steps);
   const double size = std::max(floor, *std::max_element(sums.begin(), middle));
+  for (std::size_t t = 0; t < steps; ++t) sums[steps + t] *= factors[t] * factors[t];
   const double difference = *std::max_element(middle, sums.end());
   return difference == 0.0 ? 0.0 : std::sqrt(difference / size);
 }
@@ -94,17 +96,20 @@ double Snapshot::size(std::size_t response) const {
   return size;
 }
 
-std::vector<double> Snapshot::distance(const Snapshot& other) const {
+std::vector<double> Snapshot::distance(const Snapshot& other, const std::vector<double>& factors) const {
+  const auto steps = static_cast<std::size_t>(force_.columns());
+  const std::vector<double> weights = factors.empty() ? std::vector<double>(steps, 1.0) : factors;
   std::vector<double> result;
   for (std::size_t i = 0; i < responses_.size(); ++i) {
     double difference = 0.0;
     for (std::size_t t = 0; t < responses_[i].size(); ++t) {
-      difference = std::max(difference, std::abs(responses_[i][t] - other.responses_[i][t]));
+      difference = std::max(difference, weights[t] * std::abs(responses_[i][t] - other.responses_[i][t]));
     }
     result.push_back(difference == 0.0 ? 0.0 : difference / size(i));
   }
-  result.push_back(fieldDistance(force_, other.force_, sizes_.squaredForceFloor(), *metric_));
-  result.push_back(fieldDistance(displacement_, other.displacement_, sizes_.squaredDisplacementFloor(), *metric_));
+  result.push_back(fieldDistance(force_, other.force_, weights, sizes_.squaredForceFloor(), *metric_));
+  result.push_back(
+      fieldDistance(displacement_, other.displacement_, weights, sizes_.squaredDisplacementFloor(), *metric_));
   return result;
 }
 

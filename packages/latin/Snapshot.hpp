@@ -20,8 +20,8 @@ class Snapshot {
 
   /// Collective. Relative distances [-] to another snapshot, largest over the load steps: one per response, then force
   /// field, then displacement field. Each is measured against its own largest value over the steps, but not against
-  /// less than its floor in NaturalSizes.
-  std::vector<double> distance(const Snapshot& other) const;
+  /// less than its floor in NaturalSizes. `factors`: of each load step, times which its differences count; empty: 1.
+  std::vector<double> distance(const Snapshot& other, const std::vector<double>& factors = {}) const;
   /// What the error of a response, from 0, is relative to [its unit]: its largest value, or its floor.
   double size(std::size_t response) const;
   /// Whether all its values are below its floor.
