@@ -7,6 +7,7 @@
 #include <harmos/latin/EquilibriumCheck.hpp>
 #include <harmos/latin/March.hpp>
 #include <harmos/latin/StepwiseCorrection.hpp>
+#include <harmos/latin/detail/ImageNoise.hpp>
 #include <harmos/latin/detail/SafeRelaxation.hpp>
 #include <harmos/latin/detail/UnheldParts.hpp>
 
@@ -171,7 +172,8 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
   };
   Correction result;
   result.state = alpha;
-  const double noise = March::noise * std::sqrt(largest(metric.squaredNorms(alpha)));
+  double noise = March::noise * std::sqrt(largest(metric.squaredNorms(alpha)));
+  bool knowsNoise = false;
   // Every load step must be moved, or what is wrong with one would go unseen beside larger residuals of others.
   std::vector<double> targets = distances(image, alpha);
   const double before = largest(targets);
@@ -203,7 +205,14 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
       result.iterate = &fixedPoint_.apply(result.state, image);
       break;
     }
+    if (isSoft && !knowsNoise && left > causalLimit * target) {
+      noise = std::max(noise, noiseOfImages(fixedPoint_, result.state));
+      knowsNoise = true;
+      present = &fixedPoint_.apply(result.state, image);
+      result.iterate = present;
+    }
     reached = left;
+    result.isAtRoundOff = knowsNoise && left <= noise;
     result.reduction = left <= noise ? 0.0 : left / before;
     const double seen = step.smallestSingularValue * largest(distances(result.state, alpha));
     result.hidden = left <= noise ? 0.0 : left / seen;
@@ -256,6 +265,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
   fixedPoint_.shareTractions(state, image, accuracy_);
   auto before = std::make_unique<Snapshot>(*iterate, responses_);
   double previous = 0.0, hidden = 0.0;
+  bool wasAtRoundOff = false;
   for (int count = 0; count < maximumCorrections; ++count) {
     const double gap = fieldGap(*iterate);
     const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
@@ -293,9 +303,15 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
         result.claimed = true;
         return result;
       }
+      if (step.isAtRoundOff && wasAtRoundOff && result.contraction > steadyContraction) {
+        result.isAtRoundOff = true;
+        result.estimates = errors;
+        return result;
+      }
     }
     previous = error;
     hidden = step.hidden;
+    wasAtRoundOff = step.isAtRoundOff;
     state.assign(step.state);
     if (kind != Kind::newton) {
       before = std::move(after);

@@ -23,9 +23,11 @@ class CausalCorrection;
 /// the place of a1 and is corrected once more.
 ///
 /// Where a causal correction stagnates, and from the beginning where the way there needed StepNewton, a
-/// StepwiseCorrection takes its place. In the velocity form corrections are a NewtonCorrection each: they start anew
-/// each time and need relaxed iterations after each, which smooth their rough residual; they must reduce the residual
-/// to 0.15, and kappa counts as what they leave at least.
+/// StepwiseCorrection takes its place. Where laws soften and a stepwise correction does not come to the residual that
+/// its images promise, the round-off of these is measured, and a residual within it counts as none. In the velocity
+/// form corrections are a NewtonCorrection each: they start anew each time and need relaxed iterations after each,
+/// which smooth their rough residual; they must reduce the residual to 0.15, and kappa counts as what they leave at
+/// least.
 ///
 /// The gap is max(|f - f^| / |f^|, |w - w^| / |w|): with f - f^ = -k (w - w^) one of them is large for any k far from
 /// the stiffness of the bodies, so an absurd k cannot hide behind small changes.
@@ -38,6 +40,9 @@ class Certificate {
     std::vector<double> estimates;  ///< as Snapshot::distance: responses, force field, displacement field
     double contraction = 1.0;       ///< kappa [-]
     bool stagnated = false;         ///< a causal correction did not reduce the residual as much as it must
+    /// Residuals have come to the round-off of their images, and corrections change no less each time: nothing that
+    /// follows makes the estimates smaller.
+    bool isAtRoundOff = false;
   };
 
   /// Of one run, from its beginning on. All arguments must outlive it. `accuracy`: relative [-].
@@ -62,6 +67,7 @@ class Certificate {
     std::vector<double> shares;        // that load steps keep of it, as CausalCorrection::Result
     bool isReduced = false;            // the residual, as much as an estimate needs
     double hidden = 0.0;               // as NewtonCorrection::Result::hidden
+    bool isAtRoundOff = false;         // the residual
     const Iterate* iterate = nullptr;  // of `state`, where its image is known
   };
   Result attemptOnce(Kind kind, const Iterate& iterate, base::Matrix& state, base::Matrix& image, int stageLimit);

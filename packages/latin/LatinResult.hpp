@@ -38,6 +38,7 @@ struct LatinResult {
   double roundOffEstimate = 0.0;              ///< largest share of round-off in them; 0: far below the accuracy
   double indicator = 0.0;                     ///< the customary |s - s^| / |s|: not an error, for comparison only
   std::vector<int> parts;                     ///< in which each load step was solved, where laws soften; 1: as a whole
+  std::vector<bool> snaps;                    ///< of each load step, whether a joint that softens has snapped in it
   int solvedSteps = 0;                        ///< load steps that were solved; later values and fields mean nothing
   int iterations = 0;                         ///< applications of T outside the error estimate, in linear stages
   int linearStages = 0;                       ///< all applications of T, those of the error estimate included

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <sstream>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -152,6 +153,18 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   const bool mustKnow = mayMatter && (attempt.claimed || (isSuspected && !knowsRoundOff_));
   const bool isClaimed = (!mustKnow || standsRoundOff(result)) && attempt.claimed;
   stagesOfCertificates_ += stages() - before;
+  if (attempt.isAtRoundOff && result.outcome != Outcome::roundOff) {
+    result.outcome = Outcome::roundOff;
+    result.roundOffEstimate = *std::max_element(attempt.estimates.begin(), attempt.estimates.end());
+    std::ostringstream text;
+    text.precision(2);
+    text << "double precision does not give this accuracy: residuals have come to the round-off of the linear stage, "
+            "in which corrections go on changing the result by "
+         << result.roundOffEstimate
+         << "; ask for a lower accuracy, let the Scale of the Search Direction be 0.1, or cut slender parts into "
+            "pieces (\"Pieces\"), whose motions as a whole cost no digits";
+    result.reason = text.str();
+  }
   if (isClaimed) {
     result.outcome = Outcome::certified;
     result.reason = "the error estimate is below the accuracy asked for";
@@ -278,6 +291,7 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
     }
   } while (!isOver);
   result.parts = march.parts();
+  result.snaps = march.snaps();
   if (end == March::End::noEquilibrium) {
     result.outcome = Outcome::noEquilibrium;
     result.reason = march.reason();

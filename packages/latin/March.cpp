@@ -83,7 +83,8 @@ March::March(FixedPoint& fixedPoint, int memory, double accuracy, int restarts)
                      AndersonAcceleration(fixedPoint.metric(), memory, fixedPoint.assembly().isAffine())),
       tractions_(fixedPoint.store(fixedPoint.layout().rows())),
       restarts_(fixedPoint.assembly().isAffine() ? 0 : restarts),
-      parts_(static_cast<std::size_t>(fixedPoint.assembly().steps()), 1) {}
+      parts_(static_cast<std::size_t>(fixedPoint.assembly().steps()), 1),
+      snaps_(static_cast<std::size_t>(fixedPoint.assembly().steps()), false) {}
 
 double March::forceSize(const Iterate& iterate, bool withReactions) const {
   const double norm = fixedPoint_.metric().norm(iterate.hattedTraction());
@@ -144,18 +145,27 @@ bool March::solveSoftening(int step, const Iterate& iterate, const base::Matrix&
     state.assign(whole);
     return true;
   }
-  // Parts add round-off to what they have come to already.
-  if (fixedPoint_.assembly().path && parts_[step] > 1) return false;
-  if (step > 0) std::copy_n(alpha[step - 1], rows, before[0]);
-  const double least = fixedPoint_.assembly().path ? share * largestForce_ : target;
-  StepContinuation::Way way{base::Matrix(rows, 1)};
-  if (fixedPoint_.assembly().path) way.times = growth(step);
-  if (step > 1) std::copy_n(alpha[step - 2], rows, way.from[0]);
-  const StepContinuation::Result result =
-      StepContinuation(fixedPoint_, *newton_).solve(step, before, way, state, least, share, mustStop_);
-  if (result.isReached) parts_[step] = std::max(parts_[step], result.parts);
-  share_ = result.share;
-  return result.isReached;
+  const bool isPath = fixedPoint_.assembly().path.has_value();
+  const double least = isPath ? share * largestForce_ : target;
+  // Parts add round-off to what they have come to already, and end where the joint has snapped.
+  const bool isKnown = snaps_[step] || (isPath && parts_[step] > 1);
+  if (!isKnown) {
+    if (step > 0) std::copy_n(alpha[step - 1], rows, before[0]);
+    StepContinuation::Way way{base::Matrix(rows, 1)};
+    if (isPath) way.times = growth(step);
+    if (step > 1) std::copy_n(alpha[step - 2], rows, way.from[0]);
+    const StepContinuation::Result result =
+        StepContinuation(fixedPoint_, *newton_).solve(step, before, way, state, least, share, mustStop_);
+    share_ = result.share;
+    if (result.isReached) {
+      parts_[step] = std::max(parts_[step], result.parts);
+      return true;
+    }
+  }
+  fixedPoint_.solveLinear(state, beta);
+  if (!newton_->settle(state, beta, least, mustStop_).isReached) return false;
+  snaps_[step] = true;
+  return true;
 }
 
 substructure::Precision March::precision() {

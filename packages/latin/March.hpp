@@ -18,9 +18,9 @@ namespace harmos::latin {
 /// is tried. When that fails as well, the search direction k was too stiff for what the bodies do (sliding, hanging on
 /// soft springs): the march goes on with a tenth of it, at most `restarts` times. Neither where all laws are affine,
 /// for then the acceleration is a Krylov method. Where laws soften, Newton's method comes first, then the load step in
-/// parts (StepContinuation), and a step that cannot be solved ends the march: those after it would follow on nothing.
-/// Bodies are solved in single precision as long as its error is far below the residual.
-/// Displacement form only.
+/// parts (StepContinuation), then what it comes to rest at (StepNewton::settle()), and a step that cannot be solved
+/// ends the march: those after it would follow on nothing. Bodies are solved in single precision as long as its error
+/// is far below the residual. Displacement form only.
 class March {
  public:
   /// How a march ended.
@@ -73,6 +73,8 @@ class March {
   const std::string& reason() const { return reason_; }
   /// In how many parts each load step was solved at most, all runs together; 1: as a whole.
   const std::vector<int>& parts() const { return parts_; }
+  /// Of each load step, whether its joint has snapped within it to where it comes to rest, in any run.
+  const std::vector<bool>& snaps() const { return snaps_; }
 
  private:
   /// How many times as far the state of a path is expected to go in a load step as in the one before: what is
@@ -84,8 +86,9 @@ class March {
   bool mayTryNewton() const;
   /// Tries it for a state whose iterate is given; false where it leads nowhere.
   bool solveByNewton(const Iterate& iterate, base::Matrix& state, double target);
-  /// Tries Newton's method for a whole load step, then for it in parts, where laws soften; false where neither leads
-  /// anywhere, which leaves in `state` the best place to go on from.
+  /// Tries Newton's method for a whole load step, then for it in parts, where laws soften, and where the joint snaps on
+  /// that way, goes to where it comes to rest; false where nothing leads anywhere, which leaves in `state` the best
+  /// place to go on from.
   bool solveSoftening(int step, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& state, double target);
   End iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance);
   /// |image - state| of what T feels of both, which is kept for accelerate().
@@ -118,6 +121,7 @@ class March {
   double largestForce_ = 0.0;
   int stepsReached_ = 0;
   std::vector<int> parts_;
+  std::vector<bool> snaps_;
   base::Matrix felt_, feltImage_;  // of a state and its image, see UnfeltStates
   double share_ = 1.0;             // of the present load step, that could be solved in parts
   /// Error of T over the size of the state that would change nothing, from the last residual and what is gone for; 0:

@@ -57,6 +57,15 @@ void addSoftening(const FixedPoint& fixedPoint, bool isSofter, LatinResult& resu
   }
   if (!steps.empty())
     result.remarks.push_back("load steps were followed in parts: " + base::joinNames(steps, mostNames));
+  std::vector<std::string> snaps;
+  for (std::size_t t = 0; t < result.snaps.size(); ++t) {
+    if (result.snaps[t]) snaps.push_back(std::to_string(t + 1));
+  }
+  if (!snaps.empty()) {
+    result.remarks.push_back("a joint snaps in load steps " + base::joinNames(snaps, mostNames) +
+                             ": the branch of solutions ends there, and they are states at which it comes to rest; "
+                             "Path Following may follow it");
+  }
   const std::vector<int>& held = fixedPoint.searchDirection().heldBySoftening();
   if (!isSofter || held.empty()) return;
   result.remarks.push_back("the search direction went down to a tenth, but on " + nameAll(held) +

@@ -32,6 +32,13 @@ constexpr int maximumSteps = 60;
 constexpr int longPatience = 20;
 constexpr int shortPatience = 5;
 constexpr double progress = 0.9;
+// Of a way in pseudo-time: steps, errors of the implicit Euler method over |R| and what they make of the next step.
+constexpr int mostTimeSteps = 300;
+constexpr double largestTimeError = 0.5;
+constexpr double smallTimeError = 0.1;
+constexpr double shorterTime = 0.25;
+constexpr double longerTime = 2.0;
+constexpr double muchLongerTime = 8.0;
 // Residuals below this share of the state are round-off.
 constexpr double noise = 1e-13;
 
@@ -193,22 +200,63 @@ void StepNewton::forget() {
   scale_ = fixedPoint_.searchDirectionScale();
 }
 
-StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& beta, double target,
-                                       const Effort& effort, StepLength length, const std::function<bool()>& mustStop) {
-  const int rows = state.numRows();
+void StepNewton::begin(const base::Matrix& state, const base::Matrix& beta) {
   for (base::Matrix* field :
        {&start_, &startImage_, &alpha_, &beta_, &traction_, &residual_, &fromAlpha_, &fromBeta_}) {
-    field->shape(rows, 1);
+    field->shape(state.numRows(), 1);
   }
   for (base::Matrix* field : {&start_, &alpha_}) field->assign(state);
   for (base::Matrix* field : {&startImage_, &beta_}) field->assign(beta);
-  const auto enough = [&] { return std::max(target, noise * fixedPoint_.metric().norm(alpha_)); };
+}
+
+double StepNewton::enough(double target) const {
+  return std::max(target, noise * fixedPoint_.metric().norm(alpha_));
+}
+
+StepNewton::Result StepNewton::settle(base::Matrix& state, const base::Matrix& beta, double target,
+                                      const std::function<bool()>& mustStop) {
+  if (!tangent_ || scale_ != fixedPoint_.searchDirectionScale()) forget();
+  offset_.clear();
+  begin(state, beta);
+  const StateMetric& metric = fixedPoint_.metric();
+  base::Matrix left(state.numRows(), 1);
+  Result result;
+  result.residual = evaluate();
+  double time = 1.0;
+  for (int number = 0; number < mostTimeSteps && !(result.residual <= enough(target)); ++number) {
+    if (mustStop && mustStop()) break;
+    tangent_->differentiate(0, fixedPoint_.pointwiseStage(), 1.0 / time);
+    const CorrectionSpace::LeastSquares direction = leastSquares(leastForcing * result.residual);
+    fromAlpha_.assign(alpha_);
+    fromBeta_.assign(beta_);
+    const double reached = wholeStep(direction.c);
+    for (int row = 0; row < left.numRows(); ++row) {
+      left(row, 0) = residual_(row, 0) - (alpha_(row, 0) - fromAlpha_(row, 0)) / time;
+    }
+    const double error = metric.norm(left) / result.residual;
+    if (error > largestTimeError) {
+      moveFrom(direction.c, 0.0);
+      evaluate();
+      time *= shorterTime;
+      continue;
+    }
+    result.residual = reached;
+    time *= error > smallTimeError ? longerTime : muchLongerTime;
+  }
+  result.isReached = result.residual <= enough(target);
+  if (result.isReached) state.assign(alpha_);
+  return result;
+}
+
+StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& beta, double target,
+                                       const Effort& effort, StepLength length, const std::function<bool()>& mustStop) {
+  begin(state, beta);
   Result result;
   result.residual = evaluate();
   double best = result.residual, last = result.residual, forcing = isDamped_ ? leastForcing : firstForcing;
   int number = 0;
   for (int sinceBest = 0; number < effort.steps && sinceBest < effort.patience; ++number) {
-    const double goal = enough();
+    const double goal = enough(target);
     if (result.residual <= goal) break;
     if (mustStop && mustStop()) break;
     tangent_->differentiate(0, fixedPoint_.pointwiseStage());
@@ -233,7 +281,7 @@ StepNewton::Result StepNewton::attempt(base::Matrix& state, const base::Matrix& 
     best = std::min(best, result.residual);
   }
   if (number > 0) result.smallestSingularValue = space().smallestSingularValue();
-  result.isReached = result.residual <= enough();
+  result.isReached = result.residual <= enough(target);
   if (result.isReached) state.assign(alpha_);
   return result;
 }

@@ -61,6 +61,14 @@ class StepNewton {
   Result solveWith(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta, double target, int steps,
                    StepLength length, const std::function<bool()>& mustStop);
 
+  /// Collective, one load step selected. Goes the way d alpha/d tau = R(alpha) until |R| <= target, from a state and
+  /// its beta: from where no solution is near to one that the joint comes to rest at, a stable one of the iteration
+  /// alpha <- T(alpha). Each step solves (1 / tau + I - J) d = R, and is taken where the implicit Euler method for it,
+  /// R(alpha + d) = d / tau, holds to half of |R|; tau is then doubled at least, otherwise a quarter. `state` is as it
+  /// was where that leads nowhere.
+  /// Source: pseudo-transient continuation, Kelley, Keyes (1998), doi:10.1137/S0036142996304796.
+  Result settle(base::Matrix& state, const base::Matrix& beta, double target, const std::function<bool()>& mustStop);
+
  private:
   /// When an attempt gives up.
   struct Effort {
@@ -72,6 +80,10 @@ class StepNewton {
   /// Newton's method in the space as it is, from a state and its beta, which is without offset_.
   Result attempt(base::Matrix& state, const base::Matrix& beta, double target, const Effort& effort, StepLength length,
                  const std::function<bool()>& mustStop);
+  /// Shapes the fields and begins at a state.
+  void begin(const base::Matrix& state, const base::Matrix& beta);
+  /// Residuals of the present alpha below this one are near enough.
+  double enough(double target) const;
   /// Begins with an empty space.
   void forget();
   /// R of the present alpha, into residual_; returns |R|.

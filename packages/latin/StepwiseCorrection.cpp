@@ -6,15 +6,19 @@
 
 namespace harmos::latin {
 
-bool StepwiseCorrection::followInParts(int step, const base::Matrix& alpha, base::Matrix& state, double target,
-                                       const std::function<bool()>& mustStop) {
+bool StepwiseCorrection::findAnotherWay(int step, const base::Matrix& alpha, base::Matrix& state, double target,
+                                        const std::function<bool()>& mustStop) {
   if (!fixedPoint_.assembly().softens()) return false;
+  base::Matrix given(state), beta(state.numRows(), 1);
   base::Matrix before(alpha.numRows(), 1);
   if (step > 0) std::copy_n(alpha[step - 1], alpha.numRows(), before[0]);
   const StepContinuation::Way nothingKnown{base::Matrix(alpha.numRows(), 1)};
-  return StepContinuation(fixedPoint_, newton_)
-      .solve(step, before, nothingKnown, state, target, 0.0, mustStop)
-      .isReached;
+  const bool isFollowed =
+      StepContinuation(fixedPoint_, newton_).solve(step, before, nothingKnown, state, target, 0.0, mustStop).isReached;
+  if (isFollowed) return true;
+  state.assign(given);
+  fixedPoint_.solveLinear(state, beta);
+  return newton_.settle(state, beta, target, mustStop).isReached;
 }
 
 StepwiseCorrection::Result StepwiseCorrection::correct(const Iterate& iterate, base::Matrix& alpha, double target,
@@ -34,7 +38,7 @@ StepwiseCorrection::Result StepwiseCorrection::correct(const Iterate& iterate, b
     std::copy_n(images[t], rows, beta[0]);
     StepNewton::Result step = newton_.solve(state, beta, std::min(target, targets[t]), mustStop);
     if (!step.isReached && targets[t] < target) step = newton_.solve(state, beta, target, mustStop);
-    if (!step.isReached && !followInParts(t, alpha, state, target, mustStop)) return result;
+    if (!step.isReached && !findAnotherWay(t, alpha, state, target, mustStop)) return result;
     result.smallestSingularValue = std::min(result.smallestSingularValue, step.smallestSingularValue);
     std::copy_n(state[0], rows, alpha[t]);
     fixedPoint_.pointwiseStage().accept();

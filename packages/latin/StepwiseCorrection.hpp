@@ -10,7 +10,7 @@ namespace harmos::latin {
 /// Corrects a state towards alpha = T(alpha), one load step after the other, each by Newton's method with the history
 /// that the corrected steps before it have left.
 ///
-/// A load step with laws that soften is followed in parts where Newton's method does not lead to its end.
+/// A load step with laws that soften is followed in parts where Newton's method does not lead to its end, or settles.
 /// Unlike a CausalCorrection it takes steps that make |R| greater, which kinks of the laws may ask for, and gives all
 /// load steps the directions of all. Displacement form, with the local stage PointwiseLocalStage.
 class StepwiseCorrection {
@@ -32,10 +32,10 @@ class StepwiseCorrection {
                  int stageLimit);
 
  private:
-  /// Where laws soften: from the load step before, which is corrected, as StepContinuation does; false where that does
-  /// not lead there either.
-  bool followInParts(int step, const base::Matrix& alpha, base::Matrix& state, double target,
-                     const std::function<bool()>& mustStop);
+  /// Where laws soften: from the load step before, which is corrected, as StepContinuation does, or else where the
+  /// joint has snapped, from the state itself to where it comes to rest; false where neither leads there.
+  bool findAnotherWay(int step, const base::Matrix& alpha, base::Matrix& state, double target,
+                      const std::function<bool()>& mustStop);
 
   FixedPoint& fixedPoint_;
   StepNewton& newton_;

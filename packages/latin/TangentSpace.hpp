@@ -10,7 +10,8 @@
 namespace harmos::latin {
 
 /// A CorrectionSpace with the tangent J of T at one state, which gives the g = (I - J) v = v + y - 2 D y of its
-/// directions: products, for which no linear stage is needed, and without what T does not feel (UnfeltStates).
+/// directions: products, for which no linear stage is needed, and without what T does not feel (UnfeltStates). With a
+/// shift they are those of (1 + shift) I - J.
 class TangentSpace {
  public:
   /// The first two, of which the buffers of `lines` are used, must outlive it. `images` as of a CorrectionSpace.
@@ -21,8 +22,8 @@ class TangentSpace {
   /// The directions and what is known of them.
   const CorrectionSpace& space() const { return space_; }
 
-  /// Collective. Takes the tangents of a column that `local` has just met with solveColumn().
-  void differentiate(int column, PointwiseLocalStage& local);
+  /// Collective. Takes the tangents of a column that `local` has just met with solveColumn(), and a shift [-].
+  void differentiate(int column, PointwiseLocalStage& local, double shift = 0.0);
   /// Collective. Adds a direction v that CorrectionSpace::makeIndependent() has made, with its y [stress]. `isCurrent`:
   /// the tangents are those of the state at hand, so that its g is found as well; otherwise differentiate() must
   /// follow.
@@ -43,6 +44,7 @@ class TangentSpace {
   const FixedPoint& fixedPoint_;
   CorrectionSpace space_;
   PairTangents tangents_;
+  double shift_ = 0.0;
 };
 
 }  // namespace harmos::latin

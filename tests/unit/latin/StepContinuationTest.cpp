@@ -66,6 +66,31 @@ TEST(StepContinuation, EndsWhereTheGlueSnaps) {
   EXPECT_LE(result.share, 0.5);
 }
 
+// It falls by more than the chains spring back by: beyond u = 0.151 nothing but the broken glue is in equilibrium.
+TEST(StepNewton, SettlesWhereGlueThatSnapsComesToRest) {
+  PulledGlue glue(10.0, "Displacement", {0.2});
+  glue.fixedPoint.select({0});
+  const int rows = glue.fixedPoint.layout().rows();
+  base::Matrix state(rows, 1), beta(rows, 1);
+  const StepContinuation::Result result =
+      StepContinuation(glue.fixedPoint, glue.newton).solve(0, base::Matrix(rows, 1), {}, state, target, 0.0, {});
+  ASSERT_FALSE(result.isReached);
+  glue.fixedPoint.solveLinear(state, beta);
+  EXPECT_TRUE(glue.newton.settle(state, beta, target, {}).isReached);
+  EXPECT_NEAR(glue.traction(state), 0.0, 1e-8);
+}
+
+// Nothing is at rest under a force that has broken it, and the state is that of before.
+TEST(StepNewton, DoesNotSettleUnderAForceThatNothingHolds) {
+  PulledGlue glue(10.0, "Traction", {2.0});
+  glue.fixedPoint.select({0});
+  const int rows = glue.fixedPoint.layout().rows();
+  base::Matrix state(rows, 1), beta(rows, 1);
+  glue.fixedPoint.solveLinear(state, beta);
+  EXPECT_FALSE(glue.newton.settle(state, beta, target, {}).isReached);
+  for (int row = 0; row < rows; ++row) EXPECT_EQ(state(row, 0), 0.0);
+}
+
 TEST(StepContinuation, StopsWhenAsked) {
   PulledGlue glue(3.0, "Displacement", {0.25});
   glue.fixedPoint.select({0});
@@ -74,6 +99,9 @@ TEST(StepContinuation, StopsWhenAsked) {
   EXPECT_FALSE(StepContinuation(glue.fixedPoint, glue.newton)
                    .solve(0, base::Matrix(rows, 1), {}, state, target, 0.0, [] { return true; })
                    .isReached);
+  base::Matrix beta(rows, 1);
+  glue.fixedPoint.solveLinear(state, beta);
+  EXPECT_FALSE(glue.newton.settle(state, beta, target, [] { return true; }).isReached);
 }
 
 // The march goes along the falling branch and back towards the origin, with the damage that it has done.

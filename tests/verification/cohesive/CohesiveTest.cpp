@@ -45,6 +45,34 @@ TEST(Cohesive, DoubleCantileverBeam) {
   EXPECT_NEAR(run.value("spent", 39) - run.value("spent", 24), cost, 0.05 * cost);
 }
 
+// Four elements in the cohesive zone are too few for a crack that runs smoothly: it snaps from point to point, by
+// itself, and every load step is one at which it has come to rest. The force lies on both sides of the closed form.
+TEST(Cohesive, CrackThatSnapsComesToRest) {
+  const SolvedScene run(
+      SceneInput::fromFile("cohesive/dcb.xml").set(assignment("Interfaces/bond/Law/Normal Strength", 20.0)));
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  EXPECT_LE(run.result.linearStages, 40);  // it takes 10, of 40 load steps each
+  EXPECT_TRUE(hasRemark(run, "a joint snaps in load steps"));
+  constexpr double G = 0.3, EI = E * 8.0 / 12.0;
+  double spent = 0.0;
+  for (int step = 0; step < run.steps(); ++step) {
+    const double opening = 4.0 * (step + 1) / run.steps();
+    EXPECT_GE(run.value("spent", step), spent) << step;
+    spent = run.value("spent", step);
+    if (opening < 2.5) continue;
+    const double load = std::sqrt(2.0 * std::pow(G * EI, 1.5) / (3.0 * EI * opening));
+    EXPECT_NEAR(run.value("P", step), load, 0.06 * load) << "opening " << opening;
+  }
+}
+
+// Short load steps end where the crack stands between two points, and long ones do not.
+TEST(Cohesive, DoubleCantileverBeamInTwiceAsManyLoadSteps) {
+  const SolvedScene run(SceneInput::fromFile("cohesive/dcb.xml").set("Steps/pull/Increments=80"));
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  EXPECT_LE(run.result.linearStages, 40);     // it takes 11, of 80 load steps each
+  EXPECT_NEAR(run.value("P"), 2.429, 0.001);  // as with 40
+}
+
 // A mean shear crack between two beams in bending: C = (2 L^3 + 3 a^3) / (96 E I), L half of the span, I of one arm;
 // G = 9 a^2 P^2 / (16 E h^3). Cracks longer than 0.7 L grow in a stable way.
 TEST(Cohesive, EndNotchedFlexure) {
@@ -65,6 +93,15 @@ TEST(Cohesive, EndNotchedFlexure) {
   // Intact: the compliance with the crack as it was; the arms also shear.
   const double first = 0.1 * 2.4, elastic = 96.0 * EI / (2.0 * L * L * L + 3.0 * 52.0 * 52.0 * 52.0);
   EXPECT_NEAR(run.value("P", 0), elastic * first, 0.05 * elastic * first);
+}
+
+// Bodies on springs that are far stiffer than their arms lose nine digits in the linear stage.
+TEST(Cohesive, StiffSearchDirectionsComeToTheRoundOffOfImages) {
+  const SolvedScene run(
+      SceneInput::fromFile("cohesive/enf.xml").set(assignment("Solver/Search Direction/Scale", 10.0)));
+  ASSERT_TRUE(run.isCertified()) << run.result.reason;
+  EXPECT_LE(run.result.linearStages, 40);        // it takes 21; 106 when residuals had to fall below that
+  EXPECT_NEAR(run.value("P"), 27.6464, 0.0277);  // as with the usual one
 }
 
 // One number for the force below the strength: 10 u / (20 / E + 1 / K), whatever the search direction.

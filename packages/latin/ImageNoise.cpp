@@ -1,0 +1,44 @@
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include <harmos/latin/detail/ImageNoise.hpp>
+
+namespace harmos::latin {
+namespace {
+
+constexpr int draws = 3;
+// Of the largest draw: load steps are many, and the largest residual of all is compared.
+constexpr double safety = 2.0;
+
+}  // namespace
+
+double noiseOfImages(FixedPoint& fixedPoint, const base::Matrix& alpha) {
+  const StateMetric& metric = fixedPoint.metric();
+  const int rows = alpha.numRows();
+  const std::vector<double> squares = metric.squaredNorms(alpha);
+  const int step = static_cast<int>(std::max_element(squares.begin(), squares.end()) - squares.begin());
+  const FixedPoint::AllStepsAtEnd restore(fixedPoint);
+  fixedPoint.select({step});
+  base::Matrix state(rows, 1), image(rows, 1), way(rows, 1), moved(rows, 1), there(rows, 1);
+  std::copy_n(alpha[step], rows, state[0]);
+  fixedPoint.solveLinear(state, image);
+  std::mt19937 random(static_cast<unsigned>(fixedPoint.layout().comm().getRank()) + 1U);
+  double largest = 0.0;
+  for (int draw = 0; draw < draws; ++draw) {
+    for (int row = 0; row < rows; ++row) way(row, 0) = static_cast<double>(random()) / 2147483648.0 - 1.0;
+    const double size = metric.norm(way);
+    way.scale(size > 0.0 ? metric.norm(state) / size : 0.0);
+    base::Matrix left(image);
+    left.scale(-2.0);
+    for (const double sign : {1.0, -1.0}) {
+      for (int row = 0; row < rows; ++row) moved(row, 0) = state(row, 0) + sign * way(row, 0);
+      fixedPoint.solveLinear(moved, there);
+      left += there;
+    }
+    largest = std::max(largest, metric.norm(left));
+  }
+  return safety * largest;
+}
+
+}  // namespace harmos::latin
