@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -93,6 +94,29 @@ std::vector<double> tracesOf(const std::vector<assembly::Interface>& interfaces,
   std::vector<double> counts;
   for (const auto& one : nodes) counts.push_back(dimension * static_cast<double>(one.size()));
   return counts;
+}
+
+substructure::BoundaryTerm couplingsOf(const std::vector<assembly::Interface>& interfaces, std::size_t body,
+                                       int dimension) {
+  substructure::BoundaryTerm term;
+  term.dimension = dimension;
+  std::set<std::pair<int, int>> pairs;
+  for (const assembly::Interface& interface : interfaces) {
+    if (interface.law->prescribesTraction() || isEliminated(interface)) continue;
+    for (int side = 0; side < interface.sides(); ++side) {
+      const mesh::TraceOperator& trace = interface.trace(side);
+      if (interface.body(side) != static_cast<int>(body)) continue;
+      const auto add = [&](int p, int q) {
+        for (const auto& [row, rowWeight] : trace.row(p)) {
+          for (const auto& [column, columnWeight] : trace.row(q)) pairs.emplace(row, column);
+        }
+      };
+      for (const mesh::MassEntry& entry : interface.mass) add(entry.row, entry.column);
+      for (int p = 0; p < interface.pairs() && interface.mass.empty() && !trace.isSelection(); ++p) add(p, p);
+    }
+  }
+  for (const auto& [row, column] : pairs) term.entries.push_back({row, column, 1.0});
+  return term;
 }
 
 std::vector<double> heldOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies) {

@@ -26,8 +26,12 @@ namespace {
 // Numbers of entries are 32-bit integers; so many times what is estimated may be too large.
 constexpr double mostEntries = 2147483647.0, uncertainty = 1.5;
 
-substructure::FactorSize sizeOf(const substructure::Substructure& body, FactorSizes sizes) {
-  if (sizes == FactorSizes::fromOrder) return substructure::SubstructureSolver::predict(*body.stiffness);
+substructure::FactorSize sizeOf(const assembly::Assembly& assembly, std::size_t number, FactorSizes sizes) {
+  const substructure::Substructure& body = assembly.bodies[number];
+  if (sizes == FactorSizes::fromOrder) {
+    return substructure::SubstructureSolver::predict(*body.stiffness,
+                                                     couplingsOf(assembly.interfaces, number, assembly.dimension));
+  }
   return factorOf(static_cast<double>(body.nodes.size()) * body.dimension, body.dimension);
 }
 
@@ -69,7 +73,7 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
     const auto entries = static_cast<double>(first.stiffness->getGlobalNumEntries());
     if (body.iterates) size.iteratedEntries = entries;
     if (!known[master]) {
-      known[master] = body.iterates ? substructure::FactorSize{} : sizeOf(first, sizes);
+      known[master] = body.iterates ? substructure::FactorSize{} : sizeOf(assembly, master, sizes);
       size.matrixEntries = entries;
       mineOfBody[master] = known[master]->nonzeros;
     }

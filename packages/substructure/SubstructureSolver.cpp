@@ -254,8 +254,10 @@ std::size_t SubstructureSolver::factorNonzeros() const {
   return solver_.is_null() ? 0 : solver_->getStatus().getNnzLU();
 }
 
-FactorSize SubstructureSolver::predict(const base::CrsMatrix& stiffness) {
-  const CrsView view = viewOf(stiffness, "stiffness");
+FactorSize SubstructureSolver::predict(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary) {
+  Teuchos::RCP<const base::CrsMatrix> sum = Teuchos::rcpFromRef(stiffness);
+  if (!boundary.entries.empty()) sum = sumOf(stiffness, boundary, "stiffness");
+  const CrsView view = viewOf(*sum, "stiffness");
   return NestedDissection(view.rows, view.rowPointers, view.columns).factorSize();
 }
 

@@ -95,9 +95,9 @@ class SubstructureSolver {
   /// Memory of the factors [byte], estimated from factorNonzeros(), without that of the trace and of single precision.
   std::size_t memory() const { return factorNonzeros() * sizeof(double); }
 
-  /// Predicts the factor of a matrix from its structure, in a small part of the time of factoring it. Throws
-  /// base::Error as viewOf(), and when METIS fails.
-  static FactorSize predict(const base::CrsMatrix& stiffness);
+  /// Predicts the factor of a matrix and the `entries` of a boundary term from their structure, in a small part of the
+  /// time of factoring it. Throws base::Error as the constructor, and when METIS fails.
+  static FactorSize predict(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary);
 
  private:
   SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness, int dimension, std::string partName);

@@ -8,6 +8,7 @@
 #include <harmos/assembly/Interface.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/scene/CostEstimate.hpp>
+#include <harmos/substructure/BoundaryTerm.hpp>
 #include <harmos/substructure/NestedDissection.hpp>
 
 namespace harmos::scene {
@@ -36,6 +37,11 @@ double operatorEntries(double unknowns, int dimension);
 /// Unknowns of every body that interfaces touch, and boundaries that are not eliminated: those with affine laws, as a
 /// rule.
 std::vector<double> tracesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies, int dimension);
+
+/// Pairs of nodes of a body that search directions couple: those that a point sees together where meshes do not match,
+/// and with a consistent interface mass those of points that share a face. The values say nothing.
+substructure::BoundaryTerm couplingsOf(const std::vector<assembly::Interface>& interfaces, std::size_t body,
+                                       int dimension);
 
 /// Points of every body at boundaries that are eliminated: equal bodies share a factor only where they are held alike.
 std::vector<double> heldOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies);

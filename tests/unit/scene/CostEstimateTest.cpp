@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/scene/ProblemCost.hpp>
 #include <harmos/substructure/MultigridLibrary.hpp>
+#include <harmos/substructure/SubstructureSolver.hpp>
 
 #include "Sample.hpp"
 
@@ -132,6 +134,20 @@ TEST(CostEstimate, OfAMeshIsMoreThanWhatItTakesAtLeast) {
     EXPECT_NO_THROW(demandRoomForMesh(scene, taken / 1.5));
     EXPECT_THROW(demandRoomForMesh(scene, taken / 30.0), base::Error);
   }
+}
+
+// What a point sees of a face of eight nodes, no element couples all across.
+TEST(CostEstimate, CountsWhatPointsOfJoinedMeshesCouple) {
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  const Scene scene = sample({"Mesh/Boxes/lower/Element=Hex20", "Mesh/Boxes/lower/Cells={6,6,2}",
+                              "Mesh/Boxes/upper/Element=Hex20", "Mesh/Boxes/upper/Cells={5,5,2}"});
+  const Problem problem = makeProblem(scene, *comm, timers);
+  double uncoupled = 0.0;
+  for (const substructure::Substructure& body : problem.assembly.bodies) {
+    uncoupled = std::max(uncoupled, substructure::SubstructureSolver::predict(*body.stiffness, {}).nonzeros);
+  }
+  EXPECT_GT(estimateCost(problem, scene.solver, FactorSizes::fromOrder, *comm).largestFactor, 1.05 * uncoupled);
 }
 
 }  // namespace

@@ -272,7 +272,17 @@ TEST(SubstructureSolver, predictionIsWhatTheFactorTakes) {
   const Lattice lattice{8};
   const auto stiffness = lattice.matrix();
   const SubstructureSolver solver(stiffness, onOneFace(lattice, 1.0), SolverOptions("tacho"), "part");
-  EXPECT_EQ(SubstructureSolver::predict(*stiffness).nonzeros, static_cast<double>(solver.factorNonzeros()));
+  EXPECT_EQ(SubstructureSolver::predict(*stiffness, {}).nonzeros, static_cast<double>(solver.factorNonzeros()));
+  // Points that see several nodes couple what no element does.
+  BoundaryTerm coupled = onOneFace(lattice, 1.0);
+  const int nodes = lattice.dofs() / coupled.dimension;
+  for (int row = 0; row < nodes; row += 37) {
+    for (int column = 0; column < nodes; column += 37)
+      coupled.entries.push_back({row, column, row == column ? 1.0 : 1e-3});
+  }
+  const SubstructureSolver other(stiffness, coupled, SolverOptions("tacho"), "part");
+  EXPECT_EQ(SubstructureSolver::predict(*stiffness, coupled).nonzeros, static_cast<double>(other.factorNonzeros()));
+  EXPECT_GT(other.factorNonzeros(), solver.factorNonzeros());
 }
 
 }  // namespace
