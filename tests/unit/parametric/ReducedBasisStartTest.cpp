@@ -246,7 +246,8 @@ TEST_F(Dragged, MarchSideBySideAsAlone) {
     stages -= iterations[i]->stages();
     base::Matrix difference(iterations[i]->alpha());
     difference -= alone[i];
-    EXPECT_LT(difference.normInf(), 1e-10 * alone[i].normInf()) << i;
+    // Round-off, which a march to 1e-7 makes larger.
+    EXPECT_LT(difference.normInf(), 1e-9 * alone[i].normInf()) << i;
   }
   EXPECT_EQ(stages, 0);
   EXPECT_LT(together, solves - 5);
