@@ -13,7 +13,18 @@ namespace {
 constexpr double bent = 1e-2;
 constexpr double tooSmall = 1e-9;
 
-const char* const remedy = "runs with a little more and a little less of it tell both slopes";
+/// What tells the slopes of a parameter at a kink.
+std::string remedyFor(const ModelParameter& parameter) {
+  switch (parameter.side) {
+    case ModelParameter::Side::above:
+      return "a run with a little more of it tells the slope on that side";
+    case ModelParameter::Side::below:
+      return "a run with a little less of it tells the slope on that side";
+    case ModelParameter::Side::both:
+      break;
+  }
+  return "runs with a little more and a little less of it tell both slopes";
+}
 
 std::string atStep(int step) {
   return "load step " + std::to_string(step + 1);
@@ -60,10 +71,10 @@ const std::string& interfaceOf(const double* residual, const FixedPoint& fixedPo
   return assembly.interfaces[std::max_element(shares.begin(), shares.end()) - shares.begin()].name;
 }
 
-std::string missingFrom(int step, const std::string& parameter, const std::string& interfaceName, NoDerivative why) {
+std::string missingFrom(int step, const ModelParameter& parameter, const std::string& interfaceName, NoDerivative why) {
   const std::string where = base::quoted(interfaceName);
   const std::string what =
-      "there are no derivatives with respect to " + base::quoted(parameter) + " from " + atStep(step) + " on: ";
+      "there are no derivatives with respect to " + base::quoted(parameter.name) + " from " + atStep(step) + " on: ";
   switch (why) {
     case NoDerivative::unbalanced:
       return what + "nothing balances what it changes at " + where + " unless other numbers change with it";
@@ -72,12 +83,13 @@ std::string missingFrom(int step, const std::string& parameter, const std::strin
     case NoDerivative::kink:
       break;
   }
-  return what + "a pair of " + where + " sits at a kink of its law, at the edge of sticking or of contact; " + remedy;
+  return what + "a pair of " + where + " sits at a kink of its law, at the edge of sticking or of contact; " +
+         remedyFor(parameter);
 }
 
-std::string missingOf(const std::string& response, int step, const std::string& parameter) {
-  return "there is no derivative of " + base::quoted(response) + " with respect to " + base::quoted(parameter) +
-         " at " + atStep(step) + ": the response itself is at a kink there; " + remedy;
+std::string missingOf(const std::string& response, int step, const ModelParameter& parameter) {
+  return "there is no derivative of " + base::quoted(response) + " with respect to " + base::quoted(parameter.name) +
+         " at " + atStep(step) + ": the response itself is at a kink there; " + remedyFor(parameter);
 }
 
 }  // namespace harmos::latin

@@ -230,7 +230,8 @@ std::vector<bool> Derivatives::solve(const base::Matrix& right, const std::vecto
   return isSolved;
 }
 
-void Derivatives::march(PairDerivatives& pairs, std::vector<Result>& results) {
+void Derivatives::march(PairDerivatives& pairs, const std::vector<ModelParameter>& parameters,
+                        std::vector<Result>& results) {
   const assembly::Assembly& assembly = fixedPoint_.assembly();
   const StateMetric& metric = fixedPoint_.metric();
   const int rows = alpha_.numRows(), columns = static_cast<int>(results.size());
@@ -287,7 +288,7 @@ void Derivatives::march(PairDerivatives& pairs, std::vector<Result>& results) {
       const NoDerivative why = isSolved[j] ? NoDerivative::kink
                                : isSpent   ? NoDerivative::directions
                                            : NoDerivative::unbalanced;
-      result.missing.push_back(missingFrom(t, result.parameter, interfaceOf(residual[j], fixedPoint_), why));
+      result.missing.push_back(missingFrom(t, parameters[j], interfaceOf(residual[j], fixedPoint_), why));
     }
     pairs.accept();
     for (int j = 0; j < columns; ++j) std::copy_n(dalpha[j], rows, results[j].dalpha[t]);
@@ -343,7 +344,7 @@ void Derivatives::evaluate(const ModelParameter& parameter, double step, Result&
       derivative = slopeOf(shorter, near.values[j], t);
       if (!isKink(all.values[j], near.values[j], shortened, t)) continue;
       derivative = std::numeric_limits<double>::quiet_NaN();
-      result.missing.push_back(missingOf(responses_[j]->name(), t, result.parameter));
+      result.missing.push_back(missingOf(responses_[j]->name(), t, parameter));
     }
   }
 }
@@ -372,7 +373,7 @@ std::vector<Derivatives::Result> Derivatives::compute(const base::Matrix& state,
   const Restore restore{fixedPoint_, parameters};
   beta_.assign(fixedPoint_.apply(alpha_, scratch_).beta());
   const auto pairs = perturb(parameters);
-  march(*pairs, results);
+  march(*pairs, parameters, results);
   fixedPoint_.updateLaws();
   fixedPoint_.selectAll();
   for (std::size_t j = 0; j < parameters.size(); ++j) evaluate(parameters[j], steps_[j], results[j]);

@@ -73,7 +73,7 @@ class Derivatives {
   /// How far differences are taken.
   double stepOf(const ModelParameter& parameter);
   /// All load steps in turn.
-  void march(PairDerivatives& pairs, std::vector<Result>& results);
+  void march(PairDerivatives& pairs, const std::vector<ModelParameter>& parameters, std::vector<Result>& results);
   /// Adds (I - J)^-1 right to the dalpha and dbeta of a load step, until `tolerance` times `size` is left of it;
   /// whether little enough is for a derivative.
   std::vector<bool> solve(const base::Matrix& right, const std::vector<double>& size, base::Matrix& dalpha,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <harmos/latin/FixedPoint.hpp>
+#include <harmos/latin/ModelParameter.hpp>
 
 namespace harmos::latin {
 
@@ -27,8 +28,8 @@ const std::string& interfaceOf(const double* residual, const FixedPoint& fixedPo
 
 /// That there are no derivatives with respect to a parameter from a load step on, counted from 0, because of this
 /// interface. A sentence without a full stop.
-std::string missingFrom(int step, const std::string& parameter, const std::string& interfaceName, NoDerivative why);
+std::string missingFrom(int step, const ModelParameter& parameter, const std::string& interfaceName, NoDerivative why);
 /// That a response has none at a load step, because it is at a kink itself.
-std::string missingOf(const std::string& response, int step, const std::string& parameter);
+std::string missingOf(const std::string& response, int step, const ModelParameter& parameter);
 
 }  // namespace harmos::latin
