@@ -146,9 +146,9 @@ class Falling(Law):
 for claim in (0.0, 100.0):
     falling = scene("falling", {"Type": "Falling Spring", "Claim": claim}, ["falling.py"])
     falling["Boundaries/top/Law"] = {"Type": "Prescribed Displacement", "X": 0.0, "Y": 0.0, "Z": 0.02}
-    found = harmos.run(falling, work / "falling")
-    remarks = [remark for remark in found.record["remarks"] if "says that its traction never falls" in remark]
-    assert len(remarks) == (1 if claim == 0.0 else 0), found.record["remarks"]
+    pulled = harmos.run(falling, work / "falling")
+    remarks = [remark for remark in pulled.record["remarks"] if "says that its traction never falls" in remark]
+    assert len(remarks) == (1 if claim == 0.0 else 0), pulled.record["remarks"]
     assert claim > 0.0 or 'law "Falling Spring" of interface "contact"' in remarks[0], remarks
 
 
