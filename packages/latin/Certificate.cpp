@@ -93,6 +93,17 @@ double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
+/// Round-off in images of the largest load step of a state, all of which are selected.
+double noiseOfLargest(FixedPoint& fixedPoint, const base::Matrix& alpha) {
+  const std::vector<double> squares = fixedPoint.metric().squaredNorms(alpha);
+  const int step = static_cast<int>(std::max_element(squares.begin(), squares.end()) - squares.begin());
+  base::Matrix state(alpha.numRows(), 1);
+  std::copy_n(alpha[step], alpha.numRows(), state[0]);
+  const FixedPoint::AllStepsAtEnd restore(fixedPoint);
+  fixedPoint.select({step});
+  return noiseOfImages(fixedPoint, state);
+}
+
 }  // namespace
 
 double fieldGap(const Iterate& state) {
@@ -206,7 +217,7 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
       break;
     }
     if (isSoft && !knowsNoise && left > causalLimit * target) {
-      noise = std::max(noise, noiseOfImages(fixedPoint_, result.state));
+      noise = std::max(noise, noiseOfLargest(fixedPoint_, result.state));
       knowsNoise = true;
       present = &fixedPoint_.apply(result.state, image);
       result.iterate = present;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <random>
-#include <vector>
 
 #include <harmos/latin/detail/ImageNoise.hpp>
 
@@ -13,15 +12,10 @@ constexpr double safety = 2.0;
 
 }  // namespace
 
-double noiseOfImages(FixedPoint& fixedPoint, const base::Matrix& alpha) {
+double noiseOfImages(FixedPoint& fixedPoint, const base::Matrix& state) {
   const StateMetric& metric = fixedPoint.metric();
-  const int rows = alpha.numRows();
-  const std::vector<double> squares = metric.squaredNorms(alpha);
-  const int step = static_cast<int>(std::max_element(squares.begin(), squares.end()) - squares.begin());
-  const FixedPoint::AllStepsAtEnd restore(fixedPoint);
-  fixedPoint.select({step});
-  base::Matrix state(rows, 1), image(rows, 1), way(rows, 1), moved(rows, 1), there(rows, 1);
-  std::copy_n(alpha[step], rows, state[0]);
+  const int rows = state.numRows();
+  base::Matrix image(rows, 1), way(rows, 1), moved(rows, 1), there(rows, 1);
   fixedPoint.solveLinear(state, image);
   std::mt19937 random(static_cast<unsigned>(fixedPoint.layout().comm().getRank()) + 1U);
   double largest = 0.0;

@@ -160,9 +160,9 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
     text.precision(2);
     text << "double precision does not give this accuracy: residuals have come to the round-off of the linear stage, "
             "in which corrections go on changing the result by "
-         << result.roundOffEstimate
-         << "; ask for a lower accuracy, let the Scale of the Search Direction be 0.1, or cut slender parts into "
-            "pieces (\"Pieces\"), whose motions as a whole cost no digits";
+         << result.roundOffEstimate << "; ask for an accuracy of " << result.roundOffEstimate / shareOfRoundOff
+         << " or more, let the Scale of the Search Direction be 0.1, or cut slender parts into pieces (\"Pieces\"), "
+            "whose motions as a whole cost no digits";
     result.reason = text.str();
   }
   if (isClaimed) {

@@ -7,6 +7,8 @@
 #include <harmos/base/Numerals.hpp>
 #include <harmos/latin/StepContinuation.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
+#include <harmos/latin/detail/ImageNoise.hpp>
+#include <harmos/latin/detail/ResultRemarks.hpp>
 #include <harmos/latin/detail/SafeRelaxation.hpp>
 #include <harmos/latin/detail/Stagnation.hpp>
 
@@ -213,6 +215,8 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   bool isListening = false, isReached = false;
   const bool isPath = fixedPoint_.assembly().path.has_value();
   int softeningTries = 0;
+  bool wasTried = false;
+  double floor = 0.0;  // of residuals, where it was asked for
   if (newton_ != nullptr && fixedPoint_.assembly().softens() && fixedPoint_.reference().isEmpty()) {
     // Loads that are found are wild at first, and so is the size of the forces that says what is near enough.
     softeningTries = isPath ? maximumNewtonTries : 1;
@@ -252,8 +256,19 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       end = End::stopped;
       break;
     }
+    if (floor == 0.0 && (wasTried || (fixedPoint_.assembly().softens() && iteration == iterationsBeforeListening))) {
+      // Newton's method has come to what its images say, or to what they cannot say.
+      floor = noiseOfImages(fixedPoint_, state);
+      iterate = &fixedPoint_.apply(state, image);
+    }
+    if (size <= floor) {
+      largestForce_ = force;
+      isReached = true;
+      break;
+    }
     if (softeningTries > 0) {
       --softeningTries;
+      wasTried = true;
       if (solveSoftening(step, *iterate, alpha, state, newtonShare * tolerance * force)) {
         acceleration.restart();
         continue;
@@ -318,10 +333,15 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
               ", has no solution near that of the load step before" +
               (share_ < 1.0 ? ": it could be followed through " + base::toText(std::round(1e3 * share_) / 10.0) +
                                   " % of the load step, where the joint snaps"
-                            : "");
-    if (isPath) {
+                            : "") +
+              "; the laws of " + namesOfSoftening(fixedPoint_.assembly()) + " soften";
+    if (!isPath) {
       reason_ +=
-          "; control what the loads open most, such as the mouth of a crack, go on in smaller load steps, or let "
+          ": let the size of the loads be found (Path Following), or refine the mesh along "
+          "the joint or lower its strength, as a crack needs that jumps from point to point";
+    } else {
+      reason_ +=
+          ": control what the loads open most, such as the mouth of a crack, go on in smaller load steps, or let "
           "the Scale of the Search Direction be 0.1 or 0.01, as slender parts need it";
     }
   }

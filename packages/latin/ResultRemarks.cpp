@@ -11,7 +11,24 @@ namespace {
 // Interfaces that a remark names.
 constexpr std::size_t mostNames = 6;
 
+std::string nameAll(const assembly::Assembly& assembly, const std::vector<int>& interfaces) {
+  std::vector<std::string> names;
+  for (const int i : interfaces) {
+    std::string name = base::quoted(assembly.interfaces[i].name);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+  }
+  return base::joinNames(names, mostNames);
+}
+
 }  // namespace
+
+std::string namesOfSoftening(const assembly::Assembly& assembly) {
+  std::vector<int> soft;
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    if (assembly.interfaces[i].law->lowestSlope() < 0.0) soft.push_back(static_cast<int>(i));
+  }
+  return nameAll(assembly, soft);
+}
 
 void addIndeterminacy(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses,
                       double accuracy, LatinResult& result) {
@@ -34,20 +51,8 @@ void addIndeterminacy(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<
 void addSoftening(const FixedPoint& fixedPoint, bool isSofter, LatinResult& result) {
   const assembly::Assembly& assembly = fixedPoint.assembly();
   if (!assembly.softens()) return;
-  const auto nameAll = [&](const std::vector<int>& interfaces) {
-    std::vector<std::string> names;
-    for (const int i : interfaces) {
-      std::string name = base::quoted(assembly.interfaces[i].name);
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
-    }
-    return base::joinNames(names, mostNames);
-  };
-  std::vector<int> soft;
-  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    if (assembly.interfaces[i].law->lowestSlope() < 0.0) soft.push_back(static_cast<int>(i));
-  }
   if (result.outcome == Outcome::certified) {
-    result.remarks.push_back("the laws of " + nameAll(soft) +
+    result.remarks.push_back("the laws of " + namesOfSoftening(assembly) +
                              " soften, so that there may be other solutions: this is the one that the load history "
                              "has led to, load step after load step");
   }
@@ -63,12 +68,12 @@ void addSoftening(const FixedPoint& fixedPoint, bool isSofter, LatinResult& resu
   }
   if (!snaps.empty()) {
     result.remarks.push_back("a joint snaps in load steps " + base::joinNames(snaps, mostNames) +
-                             ": the branch of solutions ends there, and they are states at which it comes to rest; "
-                             "Path Following may follow it");
+                             ": the branch of solutions ends there, and they are states at which it comes to rest" +
+                             (assembly.path ? "" : "; Path Following may follow it"));
   }
   const std::vector<int>& held = fixedPoint.searchDirection().heldBySoftening();
   if (!isSofter || held.empty()) return;
-  result.remarks.push_back("the search direction went down to a tenth, but on " + nameAll(held) +
+  result.remarks.push_back("the search direction went down to a tenth, but on " + nameAll(assembly, held) +
                            " no further than the softening of the law allows");
 }
 

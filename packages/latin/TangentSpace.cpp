@@ -54,7 +54,7 @@ void TangentSpace::subtract(const std::vector<double>& c, std::vector<double>& r
   base::Matrix v(rows, 1), y(rows, 1), moved(rows, 1);
   space_.move(c, 1.0, v[0], y[0]);
   tangents_.apply(y, moved);
-  for (int row = 0; row < rows; ++row) v[0][row] = (1.0 + shift_) * v[0][row] + y[0][row] - 2.0 * moved[0][row];
+  for (int row = 0; row < rows; ++row) v[0][row] = (1.0 + shift_) * v[0][row] + (y[0][row] - 2.0 * moved[0][row]);
   fixedPoint_.linearStage().unfelt().remove(v);
   for (int row = 0; row < rows; ++row) residual[row] -= v[0][row];
 }

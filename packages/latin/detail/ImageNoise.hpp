@@ -4,12 +4,12 @@
 
 namespace harmos::latin {
 
-/// Collective, all load steps selected. Round-off in the images L of the linear stage, in the metric of states [force
-/// length, square root]: L is affine, so that L(a + d) - 2 L(a) + L(a - d) is nothing else. a is the largest column of
-/// `alpha`, d drawn, as large as a.
+/// Collective, one load step selected. Round-off in the images L of the linear stage, in the metric of states [force
+/// length, square root]: L is affine, so that L(a + d) - 2 L(a) + L(a - d) is nothing else. a is `state`, one column, d
+/// drawn, as large as a.
 ///
 /// Slender parts on soft springs lose as many digits as their stiffnesses in bending and in extension are apart.
 /// Costs a few columns of a linear stage. No iterate is valid afterwards.
-double noiseOfImages(FixedPoint& fixedPoint, const base::Matrix& alpha);
+double noiseOfImages(FixedPoint& fixedPoint, const base::Matrix& state);
 
 }  // namespace harmos::latin

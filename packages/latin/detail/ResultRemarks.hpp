@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <harmos/latin/FixedPoint.hpp>
@@ -12,6 +13,9 @@ namespace harmos::latin {
 /// each, and interfaces whose pressures have none. Collective. The last iterate of `fixedPoint` is what is looked at.
 void addIndeterminacy(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses,
                       double accuracy, LatinResult& result);
+
+/// The interfaces whose laws soften, quoted, for the user.
+std::string namesOfSoftening(const assembly::Assembly& assembly);
 
 /// Remarks on laws that soften: that other solutions may exist, and how this one was reached. `isSofter`: restarts have
 /// made the search direction softer than the options want it.
