@@ -223,7 +223,6 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
       result.iterate = present;
     }
     reached = left;
-    result.isAtRoundOff = knowsNoise && left <= noise;
     result.reduction = left <= noise ? 0.0 : left / before;
     const double seen = step.smallestSingularValue * largest(distances(result.state, alpha));
     result.hidden = left <= noise ? 0.0 : left / seen;
@@ -276,7 +275,6 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
   fixedPoint_.shareTractions(state, image, accuracy_);
   auto before = std::make_unique<Snapshot>(*iterate, responses_);
   double previous = 0.0, hidden = 0.0;
-  bool wasAtRoundOff = false;
   for (int count = 0; count < maximumCorrections; ++count) {
     const double gap = fieldGap(*iterate);
     const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
@@ -314,15 +312,9 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
         result.claimed = true;
         return result;
       }
-      if (step.isAtRoundOff && wasAtRoundOff && result.contraction > steadyContraction) {
-        result.isAtRoundOff = true;
-        result.estimates = errors;
-        return result;
-      }
     }
     previous = error;
     hidden = step.hidden;
-    wasAtRoundOff = step.isAtRoundOff;
     state.assign(step.state);
     if (kind != Kind::newton) {
       before = std::move(after);

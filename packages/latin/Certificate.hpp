@@ -40,9 +40,6 @@ class Certificate {
     std::vector<double> estimates;  ///< as Snapshot::distance: responses, force field, displacement field
     double contraction = 1.0;       ///< kappa [-]
     bool stagnated = false;         ///< a causal correction did not reduce the residual as much as it must
-    /// Residuals have come to the round-off of their images, and corrections change no less each time: nothing that
-    /// follows makes the estimates smaller.
-    bool isAtRoundOff = false;
   };
 
   /// Of one run, from its beginning on. All arguments must outlive it. `accuracy`: relative [-].
@@ -67,7 +64,6 @@ class Certificate {
     std::vector<double> shares;        // that load steps keep of it, as CausalCorrection::Result
     bool isReduced = false;            // the residual, as much as an estimate needs
     double hidden = 0.0;               // as NewtonCorrection::Result::hidden
-    bool isAtRoundOff = false;         // the residual
     const Iterate* iterate = nullptr;  // of `state`, where its image is known
   };
   Result attemptOnce(Kind kind, const Iterate& iterate, base::Matrix& state, base::Matrix& image, int stageLimit);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -153,18 +152,6 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   const bool mustKnow = mayMatter && (attempt.claimed || (isSuspected && !knowsRoundOff_));
   const bool isClaimed = (!mustKnow || standsRoundOff(result)) && attempt.claimed;
   stagesOfCertificates_ += stages() - before;
-  if (attempt.isAtRoundOff && result.outcome != Outcome::roundOff) {
-    result.outcome = Outcome::roundOff;
-    result.roundOffEstimate = *std::max_element(attempt.estimates.begin(), attempt.estimates.end());
-    std::ostringstream text;
-    text.precision(2);
-    text << "double precision does not give this accuracy: residuals have come to the round-off of the linear stage, "
-            "in which corrections go on changing the result by "
-         << result.roundOffEstimate << "; ask for an accuracy of " << result.roundOffEstimate / shareOfRoundOff
-         << " or more, let the Scale of the Search Direction be 0.1, or cut slender parts into pieces (\"Pieces\"), "
-            "whose motions as a whole cost no digits";
-    result.reason = text.str();
-  }
   if (isClaimed) {
     result.outcome = Outcome::certified;
     result.reason = "the error estimate is below the accuracy asked for";
