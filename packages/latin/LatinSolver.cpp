@@ -410,6 +410,8 @@ void LatinSolver::deliver(LatinResult& result) {
   const Imbalance imbalance = largestImbalance(*state_);
   result.reason = "iteration limit of " + std::to_string(options_.maximumIterations) + " linear stages; worst " +
                   (imbalance.body < 0 ? "imbalance: none" : describe(imbalance, assembly_));
+  const std::string scatter = scatterOfLaws(fixedPoint_, options_.accuracy);
+  if (!scatter.empty()) result.reason += "; " + scatter;
 }
 
 }  // namespace harmos::latin

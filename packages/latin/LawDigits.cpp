@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <sstream>
 
@@ -27,6 +28,8 @@ constexpr double beyondRoundOff = 100.0;
 constexpr std::size_t quarter = laws::Scatter::windows / 4, half = laws::Scatter::windows / 2;
 constexpr double alike = 0.05;
 constexpr double rare = 3.0;
+// Of the accuracy: round-off of a law in which corrections have come to no end.
+constexpr double disturbing = 1e-4;
 
 /// One pair of an interface, on lines of a compliance like that of the law: stiffer laws hide their round-off behind
 /// softer lines.
@@ -116,11 +119,11 @@ std::pair<double, int> roundOffOfLaw(FixedPoint& fixedPoint, int index) {
   return {least >= alike * usual ? rare * usual : least, met.step};
 }
 
-}  // namespace
-
-std::string lackOfDigits(FixedPoint& fixedPoint, double accuracy) {
+/// 'law "L" of interface "I" leaves its tractions no digits below ... ' of the law with most round-off, more than
+/// `least`, and `remedy` of that round-off; empty: there is none.
+std::string describeWorst(FixedPoint& fixedPoint, double least, const std::function<std::string(double)>& remedy) {
   const assembly::Assembly& assembly = fixedPoint.assembly();
-  double worst = shareOfRoundOff * accuracy;
+  double worst = least;
   std::string mine;
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     const auto index = static_cast<int>(i);
@@ -131,14 +134,33 @@ std::string lackOfDigits(FixedPoint& fixedPoint, double accuracy) {
     worst = roundOff;
     std::ostringstream text;
     text.precision(2);
-    text << "double precision does not give this accuracy: law " << base::quoted(law.name()) << " of interface "
-         << base::quoted(assembly.interfaces[i].name) << " leaves its tractions no digits below " << roundOff
-         << " of the largest, as at load step " << step + 1
-         << ", since large terms cancel in it; ask for an accuracy of " << roundOff / shareOfRoundOff
-         << " or more, or write it without such terms";
+    text << "law " << base::quoted(law.name()) << " of interface " << base::quoted(assembly.interfaces[i].name)
+         << " leaves its tractions no digits below " << roundOff << " of the largest, as at load step " << step + 1
+         << ", since large terms cancel in it" << remedy(roundOff) << ", or write it without such terms";
     mine = text.str();
   }
   return firstText(mine, fixedPoint.layout().comm());
+}
+
+std::string askFor(double accuracy) {
+  std::ostringstream text;
+  text.precision(2);
+  text << "; ask for an accuracy of " << accuracy << " or more";
+  return text.str();
+}
+
+}  // namespace
+
+std::string lackOfDigits(FixedPoint& fixedPoint, double accuracy) {
+  const std::string worst = describeWorst(fixedPoint, shareOfRoundOff * accuracy,
+                                          [](double roundOff) { return askFor(roundOff / shareOfRoundOff); });
+  return worst.empty() ? worst : "double precision does not give this accuracy: " + worst;
+}
+
+std::string scatterOfLaws(FixedPoint& fixedPoint, double accuracy) {
+  return describeWorst(fixedPoint, disturbing * accuracy, [](double roundOff) {
+    return ", and corrections may come to no end in that" + askFor(roundOff / disturbing);
+  });
 }
 
 }  // namespace harmos::latin

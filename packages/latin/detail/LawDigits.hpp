@@ -16,4 +16,8 @@ namespace harmos::latin {
 /// Neither the iteration nor its error estimate sees it, since it is the same whenever a line is met again.
 std::string lackOfDigits(FixedPoint& fixedPoint, double accuracy);
 
+/// Of a run that has come to no end: the law with so much less round-off that it may be why, for the user, with the
+/// accuracy at which it is not; empty: there is none. Collective, as lackOfDigits().
+std::string scatterOfLaws(FixedPoint& fixedPoint, double accuracy);
+
 }  // namespace harmos::latin

@@ -256,6 +256,22 @@ TEST(LawCheck, RefusesAnAccuracyThatALawHasNotTheDigitsFor) {
   }
 }
 
+// Corrections that come to no end in the round-off of a law are told from others.
+TEST(LawCheck, NamesTheLawWhoseRoundOffKeepsCorrectionsFromAnEnd) {
+  LatinOptions options;
+  options.accuracy = 1e-6;
+  options.maximumIterations = 150;
+  const LatinResult result = solve(own<Scattering>(0.1 * options.accuracy), options);
+  ASSERT_EQ(result.outcome, Outcome::iterationLimit);
+  EXPECT_NE(result.reason.find("law \"Scattering\" of interface \"joint\" leaves its tractions no digits below"),
+            std::string::npos)
+      << result.reason;
+  options.maximumIterations = 5;
+  const LatinResult other = solve(own<Falling>(0.0, 0.0), options);
+  ASSERT_EQ(other.outcome, Outcome::iterationLimit);
+  EXPECT_EQ(other.reason.find("digits"), std::string::npos) << other.reason;
+}
+
 /// Remarks on a joint that is pressed and then pulled along.
 std::vector<std::string> remarksOn(const std::shared_ptr<const laws::InterfaceLaw>& joint) {
   const std::shared_ptr<const laws::InterfaceLaw> drive =
