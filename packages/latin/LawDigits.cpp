@@ -28,6 +28,9 @@ constexpr double beyondRoundOff = 100.0;
 constexpr std::size_t quarter = laws::Scatter::windows / 4, half = laws::Scatter::windows / 2;
 constexpr double alike = 0.05;
 constexpr double rare = 3.0;
+// Of k w: tractions below this are round-off themselves, as in a body that only turns, and are measured by it
+// (NaturalSizes).
+constexpr double leastTraction = 1e-7;
 // Of the accuracy: round-off of a law in which corrections have come to no end.
 constexpr double disturbing = 1e-4;
 
@@ -91,7 +94,8 @@ class Probe {
   laws::NodeArrays nodes_;
 };
 
-/// Round-off of the tractions of an interface over the largest of them [-], at a load step.
+/// Round-off of the tractions of an interface over the largest of them, or what they are measured by [-], at a load
+/// step.
 std::pair<double, int> roundOffOfLaw(FixedPoint& fixedPoint, int index) {
   const assembly::Assembly& assembly = fixedPoint.assembly();
   const assembly::Interface& interface = assembly.interfaces[index];
@@ -102,11 +106,13 @@ std::pair<double, int> roundOffOfLaw(FixedPoint& fixedPoint, int index) {
   const auto isLess = [](const laws::LocalState& a, const laws::LocalState& b) {
     return norm(a.traction) < norm(b.traction);
   };
-  const double largest = norm(std::max_element(states.begin(), states.end(), isLess)->traction);
   const PointwiseLocalStage::Met met = stage.met(index, columns - 1);
   const laws::LocalState* const end = met.states + interface.pairs();
   const int pair = static_cast<int>(std::max_element(met.states, end, isLess) - met.states);
   if (!(norm(met.states[pair].traction) > 0.0)) return {0.0, met.step};
+  const laws::LocalLine& line = met.lines[static_cast<std::size_t>(pair)];
+  const double largest = std::max(norm(std::max_element(states.begin(), states.end(), isLess)->traction),
+                                  leastTraction * norm(line.freeJump) / line.compliance);
   Probe probe(assembly, interface, met, pair);
   double least = std::numeric_limits<double>::infinity(), usual = least;
   for (double share = longest;
