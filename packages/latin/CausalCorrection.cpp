@@ -7,6 +7,7 @@
 
 #include <harmos/latin/March.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
+#include <harmos/latin/detail/FieldDistances.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -314,39 +315,9 @@ void CausalCorrection::approachTogether(int stages) {
   }
 }
 
-std::vector<double> CausalCorrection::distancesFromStart() const {
-  const StateMetric& metric = fixedPoint_.metric();
-  const auto steps = static_cast<std::size_t>(alpha_->numCols());
-  std::vector<double> sums(4 * steps, 0.0);  // per load step: squares of f and k w, and of their differences
-  for (std::size_t t = 0; t < steps; ++t) {
-    const auto column = static_cast<int>(t);
-    const double *a = (*alpha_)[column], *b = beta_[column], *a0 = start_.read(column), *b0 = startImage_.read(column);
-    for (std::size_t row = 0; row < metric.scale().size(); ++row) {
-      const double square = metric.scale()[row] * metric.scale()[row];
-      const double da = a[row] - a0[row], db = b[row] - b0[row];
-      sums[4 * t] += square * (a[row] + b[row]) * (a[row] + b[row]);
-      sums[4 * t + 1] += square * (a[row] - b[row]) * (a[row] - b[row]);
-      sums[4 * t + 2] += square * (da + db) * (da + db);
-      sums[4 * t + 3] += square * (da - db) * (da - db);
-    }
-  }
-  metric.sum(sums);
-  double force = 0.0, displacement = 0.0;
-  for (std::size_t t = 0; t < steps; ++t) {
-    force = std::max(force, sums[4 * t]);
-    displacement = std::max(displacement, sums[4 * t + 1]);
-  }
-  std::vector<double> distances(steps, 0.0);
-  for (std::size_t t = 0; t < steps; ++t) {
-    if (force > 0.0) distances[t] = std::sqrt(sums[4 * t + 2] / force);
-    if (displacement > 0.0) distances[t] = std::max(distances[t], std::sqrt(sums[4 * t + 3] / displacement));
-  }
-  return distances;
-}
-
 bool CausalCorrection::sharpen(const Goal& goal) {
   // What is left of the ways when the residuals have fallen as much as they did.
-  std::vector<double> left = distancesFromStart();
+  std::vector<double> left = fieldDistances(fixedPoint_.metric(), *alpha_, beta_, start_, startImage_);
   for (double& error : left) error *= goal.reduction;
   if (!(*std::max_element(left.begin(), left.end()) > nearEnough * goal.error)) return false;
   for (std::size_t t = 0; t < steps_.size(); ++t) {
@@ -372,7 +343,7 @@ const Iterate& CausalCorrection::verify(base::Matrix& image) {
 }
 
 bool CausalCorrection::settleThoseNear(const Goal& goal) {
-  const std::vector<double> distances = distancesFromStart();
+  const std::vector<double> distances = fieldDistances(fixedPoint_.metric(), *alpha_, beta_, start_, startImage_);
   bool areAllSettled = true;
   for (std::size_t t = 0; t < steps_.size(); ++t) {
     if (distances[t] <= goal.near) continue;

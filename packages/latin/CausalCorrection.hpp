@@ -107,9 +107,6 @@ class CausalCorrection {
   double largestResidual(int begin, int end) const;
   double largestResidual() const { return largestResidual(0, alpha_->numCols()); }
   double hidden() const;
-  /// Collective. Distances of the fields f and k w of the load steps from those of the start, the larger one, relative
-  /// to the largest f and k w of all [-].
-  std::vector<double> distancesFromStart() const;
   /// Collective. Less weight for load steps that would leave more than goal.error; whether there are any.
   bool sharpen(const Goal& goal);
   /// Collective. Whether no load step has moved its fields by more than goal.near; asks more of those that have.

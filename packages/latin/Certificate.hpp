@@ -15,12 +15,12 @@ class CausalCorrection;
 ///
 /// From alpha, a first correction (CausalCorrection) moves to a1. A second one, in the same spaces and further
 /// directions, estimates the error of a1: e2 = |q(a1) - q(a2)| for every promised quantity q. With kappa = max e2 / max
-/// e1 the estimate is E = e2 / (1 - kappa), in which kappa counts as 0.6 at least, for the second correction leaves
-/// 0.3 of the residual, as 1 - 4/7 (1 - r) where it leaves r > 0.3, and as 0.8 at most. It is claimed for a1 when E <=
-/// accuracy, e1 <= 0.3, kappa <= 1 (or e2 is a tenth of the accuracy), both corrections reduced the largest residual of
-/// a load step to 0.2 and 0.6 and hide no more than their way in it, the gap between the two fields of the iteration is
-/// below ten times the accuracy, and no body was thrown far away without being held there. If E is too large, a2 takes
-/// the place of a1 and is corrected once more.
+/// e1 the estimate is E, the largest e2 / (1 - kappa) of all load steps, in which kappa counts as 0.6 at least where
+/// the second correction leaves 0.3 of the residual of the load step, as 1 - 4/7 (1 - r) where it leaves r > 0.3, and
+/// as 0.8 at most. It is claimed for a1 when E <= accuracy, e1 <= 0.3, kappa <= 1 (or e2 is a tenth of the accuracy),
+/// both corrections reduced the largest residual of a load step to 0.2 and 0.6 and hide no more than their way in it,
+/// the gap between the two fields of the iteration is below ten times the accuracy, and no body was thrown far away
+/// without being held there. If E is too large, a2 takes the place of a1 and is corrected once more.
 ///
 /// Where a causal correction stagnates, and from the beginning where the way there needed StepNewton, a
 /// StepwiseCorrection takes its place. Where laws soften and a stepwise correction does not come to the residual that
