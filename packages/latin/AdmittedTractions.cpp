@@ -73,19 +73,19 @@ std::vector<laws::LocalState> AdmittedTractions::ask(int step, const std::vector
   return states;
 }
 
-std::vector<TractionSet> AdmittedTractions::next(int step, const std::vector<At>& states, double tolerance) {
+std::vector<AdmittedTractions::Set> AdmittedTractions::next(int step, const std::vector<At>& states, double tolerance) {
   const laws::InterfaceLaw& law = *interface_.law;
-  std::vector<TractionSet> sets;
+  std::vector<Set> sets;
   if (law.isAffine()) {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      sets.push_back(TractionSet::span(states[i].traction,
-                                       rigidAxes(interface_, pairs_[i], assembly_.dimension, step, compliances_[0])));
+      const auto axes = rigidAxes(interface_, pairs_[i], assembly_.dimension, step, compliances_[0]);
+      sets.push_back({TractionSet::span(states[i].traction, axes)});
     }
     return sets;
   }
   const auto admissible = law.admissibleTractions(step);
   if (!admissible || !isContact(*admissible) || law.frame() != laws::Frame::interface) {
-    for (const At& at : states) sets.push_back(TractionSet::point(at.traction));
+    for (const At& at : states) sets.push_back({TractionSet::point(at.traction)});
     return sets;
   }
   std::vector<laws::LocalLine> through, pressed;
@@ -105,12 +105,13 @@ std::vector<TractionSet> AdmittedTractions::next(int step, const std::vector<At>
     const double shear = base::tangentialNorm(answer), slip = compliances_[i] * shear;
     const base::Frame& frame = interface_.frame[pairs_[i]];
     if (at.size == 0.0 || opening > none) {
-      sets.push_back(TractionSet::point(at.traction));
+      sets.push_back({TractionSet::point(at.traction)});
     } else if (admissible->friction > 0.0 && slip > none) {
       const double scale = admissible->friction / shear;
-      sets.push_back(TractionSet::ray(base::toGlobal(frame, {-1.0, scale * answer[1], scale * answer[2]})));
+      sets.push_back({TractionSet::ray(base::toGlobal(frame, {-1.0, scale * answer[1], scale * answer[2]})), true});
     } else {
-      sets.push_back(TractionSet::cone(frame, admissible->friction, assembly_.dimension));
+      const bool slides = admissible->friction > 0.0 && slip > at.uncertainty;
+      sets.push_back({TractionSet::cone(frame, admissible->friction, assembly_.dimension), slides});
     }
   }
   if (!history_.empty()) {

@@ -226,8 +226,9 @@ void FixedPoint::shareTractions(base::Matrix& alpha, base::Matrix& image, double
   if (share_->isEmpty()) return;
   const Iterate& iterate = iterates_[fields_.present % iteratesKept];
   base::Matrix difference(alpha.numRows(), alpha.numCols());
-  for (const TractionShare::Finding& finding : share_->find(iterate, tolerance))
-    share_->addDifference(finding, finding.stress.least(), layout_, difference);
+  for (const TractionShare::Finding& finding : share_->find(iterate, tolerance)) {
+    if (finding.stress.exists()) share_->addDifference(finding, finding.stress.least(), layout_, difference);
+  }
   addBalanced(difference);
   alpha += difference;
   image += difference;

@@ -77,17 +77,21 @@ bool hasFreePressure(const TractionShare::Finding& finding, std::size_t place, c
                      int pair, double tolerance) {
   const auto admissible = interface.law->admissibleTractions(finding.step);
   const base::Vector3& n = interface.frame[pair][0];
-  if (!admissible || admissible->friction == 0.0 || !finding.stress.actsOn(place, n)) return false;
+  if (!admissible || admissible->friction == 0.0) return false;
   double size = 0.0;
   for (const base::Vector3& t : finding.tractions) size = std::max(size, base::norm(t));
-  for (const double sign : {-1.0, 1.0}) {
-    std::vector<base::Vector3> weights(finding.tractions.size(), base::Vector3{});
-    weights[place] = sign * n;
-    const auto farthest = finding.stress.farthest(weights);
-    if (!farthest || std::abs(base::dot((*farthest)[place] - finding.tractions[place], n)) > tolerance * size)
-      return true;
-  }
-  return false;
+  const auto isFreeBy = [&](const SelfStress& stress) {
+    if (!stress.actsOn(place, n)) return false;
+    for (const double sign : {-1.0, 1.0}) {
+      std::vector<base::Vector3> weights(finding.tractions.size(), base::Vector3{});
+      weights[place] = sign * n;
+      const auto farthest = stress.farthest(weights);
+      if (!farthest || std::abs(base::dot((*farthest)[place] - finding.tractions[place], n)) > tolerance * size)
+        return true;
+    }
+    return false;
+  };
+  return isFreeBy(finding.stress) || isFreeBy(finding.pressures);
 }
 
 }  // namespace

@@ -17,6 +17,23 @@ struct TractionShare::Fields {
   std::size_t at(int step, std::size_t place) const { return static_cast<std::size_t>(step) * count + place; }
 };
 
+namespace {
+
+/// TractionShare::Finding::pressures of a group whose pairs admit `sets`, which hold `tractions`.
+SelfStress ofPressures(const assembly::Assembly& assembly, const RedundantGroup& group, std::vector<TractionSet> sets,
+                       const std::vector<bool>& slides, std::vector<base::Vector3> tractions) {
+  for (std::size_t j = 0; j < sets.size(); ++j) {
+    if (!slides[j]) continue;
+    const RedundantGroup::Pair& pair = group.pairs[j];
+    const base::Vector3& n = assembly.interfaces[pair.interface].frame[pair.pair][0];
+    sets[j] = TractionSet::ray(-1.0 * n);
+    tractions[j] = base::dot(tractions[j], n) * n;
+  }
+  return {group, std::move(sets), tractions};
+}
+
+}  // namespace
+
 TractionShare::TractionShare(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                              const EliminatedBoundaries& eliminated)
     : assembly_(assembly),
@@ -111,6 +128,7 @@ std::vector<TractionShare::Finding> TractionShare::find(const Iterate& iterate, 
   }
   std::vector<double> size(count_);  // of the tractions of the group of a pair
   std::vector<TractionSet> sets(count_, TractionSet::point({}));
+  std::vector<bool> slides(count_, false);
   for (int t = 0; t < assembly_.steps(); ++t) {
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       double largest = 0.0;  // where a group carries nothing, what is carried elsewhere tells a touch from a gap
@@ -127,8 +145,11 @@ std::vector<TractionShare::Finding> TractionShare::find(const Iterate& iterate, 
         const std::size_t at = fields.at(t, place);
         states.push_back({fields.traction[at], fields.jump[at], size[place], 2.0 * fields.distance[at]});
       }
-      const std::vector<TractionSet> found = (law++)->next(t, states, tolerance);
-      for (std::size_t j = 0; j < found.size(); ++j) sets[places_[i][j]] = found[j];
+      const std::vector<AdmittedTractions::Set> found = (law++)->next(t, states, tolerance);
+      for (std::size_t j = 0; j < found.size(); ++j) {
+        sets[places_[i][j]] = found[j].tractions;
+        slides[places_[i][j]] = found[j].slides;
+      }
     }
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       if (size[first_[g]] == 0.0) continue;
@@ -138,8 +159,11 @@ std::vector<TractionShare::Finding> TractionShare::find(const Iterate& iterate, 
       };
       const auto tractions = part(fields.traction, fields.at(t, first_[g]));
       SelfStress stress(groups_[g], part(sets, first_[g]), tractions);
-      if (!stress.exists()) continue;
-      Finding finding{g, t, std::move(stress), tractions, part(fields.jump, fields.at(t, first_[g])), {}};
+      SelfStress pressures =
+          ofPressures(assembly_, groups_[g], part(sets, first_[g]), part(slides, first_[g]), tractions);
+      if (!stress.exists() && !pressures.exists()) continue;
+      Finding finding{
+          g, t, std::move(stress), std::move(pressures), tractions, part(fields.jump, fields.at(t, first_[g])), {}};
       finding.oldJumps = t == 0 ? std::vector<base::Vector3>(tractions.size(), base::Vector3{})
                                 : part(fields.jump, fields.at(t - 1, first_[g]));
       findings.push_back(std::move(finding));

@@ -26,14 +26,22 @@ class AdmittedTractions {
     double uncertainty = 0.0;  ///< of the jump [length]
   };
 
+  /// What a pair admits.
+  struct Set {
+    TractionSet tractions;  ///< which holds that of the state
+    /// Whether a contact slides by more than the uncertainty of its jump; its tractions may still be a cone, because so
+    /// little slip counts as none.
+    bool slides = false;
+  };
+
   /// `pairs` of an interface of the assembly, which must outlive it; `compliances` [length/stress] of their nodes, the
   /// size of jumps that a traction makes there.
   AdmittedTractions(const assembly::Assembly& assembly, int interfaceIndex, std::vector<int> pairs,
                     std::vector<double> compliances);
 
-  /// At the next load step, counted from 0, whose states are given pair by pair: the sets, which hold the tractions.
+  /// At the next load step, counted from 0, whose states are given pair by pair.
   /// Openings and slip below the uncertainty, or `tolerance` times the compliance times the size, count as none.
-  std::vector<TractionSet> next(int step, const std::vector<At>& states, double tolerance);
+  std::vector<Set> next(int step, const std::vector<At>& states, double tolerance);
 
  private:
   std::vector<laws::LocalState> ask(int step, const std::vector<laws::LocalLine>& lines, std::vector<double>& history);

@@ -24,11 +24,14 @@ class TractionShare {
 
   /// Whether there is nothing to share by pairs with unknowns, whatever the state.
   bool isEmpty() const { return groups_.empty(); }
-  /// What is known of a group at a load step; nothing where its tractions are determined.
+  /// What is known of a group at a load step; none where both its tractions and its pressures are determined.
   struct Finding {
-    std::size_t group;                     ///< position among the groups
-    int step;                              ///< from 0
-    SelfStress stress;                     ///< what may be added
+    std::size_t group;  ///< position among the groups
+    int step;           ///< from 0
+    SelfStress stress;  ///< what may be added, so that bodies feel nothing
+    /// What may be added to pressures and to tractions of joints that stick or hold, so that bodies feel nothing but
+    /// the friction of pairs that slide: each belongs to another solution, whose slip is another.
+    SelfStress pressures;
     std::vector<base::Vector3> tractions;  ///< f^ on side 1 [stress], global components
     std::vector<base::Vector3> jumps;      ///< w2^ - w1^ [length]
     std::vector<base::Vector3> oldJumps;   ///< at the end of the previous load step

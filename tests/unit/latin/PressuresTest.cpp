@@ -1,0 +1,70 @@
+// Pressures at nodes that several pairs meet at, and the friction that depends on them.
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <Teuchos_DefaultSerialComm.hpp>
+
+#include <harmos/latin/LatinSolver.hpp>
+
+#include "Chains.hpp"
+
+namespace harmos::latin {
+namespace {
+
+std::shared_ptr<const laws::InterfaceLaw> friction(double coefficient) {
+  return laws::makeLaw("Coulomb Friction", {{"Friction Coefficient", coefficient}});
+}
+
+/// A chain that two others are pressed against at one node, the joints "1" and "2", and dragged across; these may be
+/// joined to each other there. The ends press by 0.1 over springs of 10/3, so that both slide.
+assembly::Assembly draggedPair(double friction1, double friction2, bool isJoined, double gap2 = 0.0) {
+  assembly::Assembly assembly;
+  for (const double first : {0.0, 3.0, 3.0})
+    assembly.bodies.push_back(chain("from " + std::to_string(assembly.bodies.size()), first, 4, 10.0));
+  assembly.times = {1.0};
+  const std::shared_ptr<const laws::InterfaceLaw> drag =
+      laws::makeLaw("Prescribed Displacement", {{"X", -0.1}, {"Y", 0.5}, {"Z", 0.0}});
+  assembly.interfaces = {pointInterface("wall", clamp(), 0, 0, -1, 0, 1.0, 0.0, -1.0),
+                         pointInterface("1", friction(friction1), 0, 3, 1, 0),
+                         pointInterface("2", friction(friction2), 0, 3, 2, 0, 1.0, gap2),
+                         pointInterface("end 1", drag, 1, 3), pointInterface("end 2", drag, 2, 3)};
+  if (isJoined) assembly.interfaces.push_back(pointInterface("ring", laws::makeLaw("Perfect"), 1, 0, 2, 0));
+  return assembly;
+}
+
+/// The remark on pressures; empty without one.
+std::string remarkOn(const assembly::Assembly& assembly) {
+  LatinOptions options;
+  options.accuracy = 1e-4;
+  base::Timers timers;
+  LatinSolver solver(assembly, options, Teuchos::rcp(new Teuchos::SerialComm<int>), timers);
+  solver.addResponse(
+      std::make_shared<ResultantResponse>("drag", std::vector<int>{0}, std::vector<base::Vector3>{{0.0, 1.0, 0.0}}));
+  const LatinResult result = solver.solve();
+  EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
+  const auto found = std::find_if(result.remarks.begin(), result.remarks.end(), [](const std::string& text) {
+    return text.rfind("pressures are not determined", 0) == 0;
+  });
+  return found == result.remarks.end() ? "" : *found;
+}
+
+// Bodies feel which of both pairs carries the pressure, by its friction only: any drag between both coefficients times
+// the pressure is in equilibrium.
+TEST(Pressures, AreFreeWhereOnlyFrictionTellsThemApart) {
+  EXPECT_NE(remarkOn(draggedPair(0.1, 0.3, true)).find("where pairs of \"1\", \"2\" meet at one node"),
+            std::string::npos);
+}
+
+TEST(Pressures, AreFreeWhereFrictionIsTheSame) {
+  EXPECT_NE(remarkOn(draggedPair(0.2, 0.2, true)), "");
+}
+
+TEST(Pressures, AreDeterminedWhereBodiesFeelThem) {
+  EXPECT_EQ(remarkOn(draggedPair(0.1, 0.3, false)), "");
+  EXPECT_EQ(remarkOn(draggedPair(0.1, 0.3, true, 0.05)), "") << "one of both is open";
+}
+
+}  // namespace
+}  // namespace harmos::latin
