@@ -1,15 +1,27 @@
 #include <harmos/files/HistoryFile.hpp>
 
+#include <algorithm>
+
 #include <harmos/base/Numerals.hpp>
 #include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/detail/CsvText.hpp>
 
 namespace harmos::files {
 
+std::string meshErrorColumn(const std::string& response) {
+  return response + "_mesh_error";
+}
+
+bool headsAnotherColumn(const std::string& name, const std::vector<std::string>& responses) {
+  return name == "step" || name == "time" ||
+         std::any_of(responses.begin(), responses.end(),
+                     [&](const std::string& response) { return meshErrorColumn(response) == name; });
+}
+
 void writeHistory(const std::string& path, const History& history) {
   std::string text = "step,time";
   for (const auto& name : history.responses) text += "," + quoted(name);
-  for (const auto& error : history.meshErrors) text += "," + quoted(error.response + "_mesh_error");
+  for (const auto& error : history.meshErrors) text += "," + quoted(meshErrorColumn(error.response));
   // A column: programs that read tables know no other place for it.
   if (!history.units.empty()) text += "," + quoted("units: " + history.units);
   text += "\n";

@@ -16,6 +16,12 @@ struct History {
   std::string units = {};  // length, force and time, as the scene declares them; empty: it does not
 };
 
+/// Head of the column with the error of the mesh of a response.
+std::string meshErrorColumn(const std::string& response);
+
+/// Whether another column of a history with these responses has `name` for its head.
+bool headsAnotherColumn(const std::string& name, const std::vector<std::string>& responses);
+
 /// Writes a CSV file "step,time,<response>,...,<response>_mesh_error,..." with one row per time step, counted from 0;
 /// numbers read back exactly. Errors of the mesh are relative [-], and nan in all rows but the last. Declared
 /// units head a column of their own, "units: mm N s", which is nan. Replaces an older file in one step; throws

@@ -1,9 +1,12 @@
 #include <harmos/latin/FixedPoint.hpp>
 
 #include <numeric>
+#include <optional>
+#include <string>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/SoleThread.hpp>
+#include <harmos/latin/LoadBalance.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
 #include <harmos/latin/detail/TractionShare.hpp>
 
@@ -12,6 +15,18 @@ namespace {
 
 // So many applications ago, a reference to an iterate still tells that it is not the present one.
 constexpr int iteratesKept = 7;
+
+/// Parts that nothing holds have no equilibrium only where nothing balances their loads.
+base::Error withLoads(const base::Error& floating, const assembly::Assembly& assembly, const Teuchos::Comm<int>& comm) {
+  const std::string found = floating.what();
+  base::Timers timers;
+  LoadBalance balance(assembly, comm, timers);
+  for (int t = 0; t < assembly.steps(); ++t) {
+    const std::optional<std::string>& contradiction = balance.contradiction(t);
+    if (contradiction) return base::Error(found + "; " + *contradiction, base::ExitCode::noEquilibrium);
+  }
+  return base::Error(found + "; their loads may balance each other, but nothing determines where the parts are");
+}
 
 }  // namespace
 
@@ -91,18 +106,22 @@ std::unique_ptr<LinearStage> FixedPoint::makeLinearStage() {
     if (!reference_.isEmpty()) stage->updateLoads();
     return stage;
   };
-  if (eliminated_.isEmpty()) return make();
-  try {
-    return make();
-  } catch (const base::Error& error) {
-    if (error.code() != base::ExitCode::noEquilibrium) throw;
-  }
+  const auto makeHeld = [&]() -> std::unique_ptr<LinearStage> {
+    try {
+      return make();
+    } catch (const base::Error& error) {
+      if (error.code() != base::ExitCode::noEquilibrium) throw;
+      if (eliminated_.isEmpty()) throw withLoads(error, assembly_, layout_.comm());
+      return nullptr;
+    }
+  };
+  if (auto stage = makeHeld()) return stage;
   // Only the search directions of boundaries hold what the boundaries leave free to move.
   eliminated_.giveUp();
   heldMotions_ = HeldMotions(assembly_, searchDirection_, eliminated_, resisted_);
   layout_ = TraceLayout(assembly_, searchDirection_, eliminated_, layout_.commPointer());
   metric_ = StateMetric(layout_);
-  return make();
+  return makeHeld();
 }
 
 void FixedPoint::rescale(double scale) {

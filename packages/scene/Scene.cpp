@@ -10,6 +10,7 @@
 #include <harmos/base/Numerals.hpp>
 #include <harmos/elasticity/Kinematics.hpp>
 #include <harmos/elasticity/Materials.hpp>
+#include <harmos/files/HistoryFile.hpp>
 #include <harmos/input/Check.hpp>
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/input/Field.hpp>
@@ -314,6 +315,9 @@ class SceneChecker {
 
   void checkResponse(const Parameters& response) {
     checkName(response, "response", errors_);
+    if (files::headsAnotherColumn(response.name(), namesOf(input_.lists("Responses")))) {
+      errors_.add(response.where(), "this name heads another column of the history.", "Take another one.");
+    }
     Names interfaces = namesOf(input_.lists("Interfaces"));
     const Names boundaries = namesOf(input_.lists("Boundaries"));
     interfaces.insert(interfaces.end(), boundaries.begin(), boundaries.end());

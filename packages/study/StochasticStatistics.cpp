@@ -1,5 +1,6 @@
 #include <harmos/study/detail/StochasticStatistics.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <sstream>
@@ -325,6 +326,23 @@ std::shared_ptr<const StochasticSummary> summarise(const Study& study, const res
       return summariser.ofSample();
   }
   return nullptr;
+}
+
+std::string lackOfStatistics(const Study& study, const results::StudyResults& results) {
+  const StochasticPlan& plan = *study.stochastic;
+  const bool isCollocation = plan.method == Method::collocation;
+  if (study.responses.empty() || (!isCollocation && plan.method != Method::sampling)) return "";
+  const auto begin = results.configurations().begin();
+  const auto end = isCollocation ? begin + plan.quadrature.size() : results.configurations().end();
+  const auto solved = std::count_if(begin, end, [&](const design::Configuration& configuration) {
+    const results::ConfigurationResult* result = results.find(configuration.id);
+    return result != nullptr && results::isSolved(result->status);
+  });
+  if (!isCollocation) return solved < 2 ? "none, since fewer than two draws have a solution" : "";
+  const auto lacking = end - begin - solved;
+  if (lacking == 0) return "";
+  return "none, since " + std::to_string(lacking) + " of the " + std::to_string(end - begin) +
+         " points of the quadrature have no solution; the design Latin Hypercube leaves out what has none, and says so";
 }
 
 std::string describe(const ChaosStudy& chaos, latin::Outcome outcome) {

@@ -82,6 +82,8 @@ StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry&
     run.state = runner.isAborted() ? "aborted" : runner.isStopped() ? "interrupted" : "complete";
     if (study.stochastic && run.state == "complete" && (!chaos || chaos->isSolved())) {
       recorder.setStatistics(summarise(study, *run.results, chaos.get()));
+      const std::string lack = teams.ownsFiles() ? lackOfStatistics(study, *run.results) : "";
+      if (!lack.empty()) recorder.note("moments", {lack});
       if (chaos) writeStochasticFields(study, *chaos, run.files.stochastic, *comm);
     }
   } catch (...) {

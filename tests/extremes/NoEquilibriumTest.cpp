@@ -133,8 +133,8 @@ TEST(Floating, PartWithTractionsOnly) {
   for (const char* pieces : {"1", "2"}) {
     int code = 0;
     const std::string message = refusal(scene.set(std::string("Parts/upper/Pieces=") + pieces), code);
-    EXPECT_NE(code, 0) << message;
-    EXPECT_NE(message.find("\"upper\""), std::string::npos) << message;
+    EXPECT_EQ(code, 2) << message;
+    EXPECT_NE(message.find("only prescribed tractions act on part \"upper\""), std::string::npos) << message;
     EXPECT_EQ(message.find("upper."), std::string::npos) << message;
   }
 }
@@ -145,6 +145,19 @@ TEST(Floating, AssemblyThatNothingHolds) {
   int code = 0;
   const std::string message = refusal(scene, code);
   EXPECT_EQ(code, 4) << message;
+  for (const char* part : {"\"lower\"", "\"upper\""}) EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+// There is an equilibrium, of which the place is not determined: no lack of forces may be claimed.
+TEST(Floating, AssemblyThatNothingHoldsUnderLoadsInBalance) {
+  SceneInput scene = pressedBlocks();
+  scene.remove("Boundaries/bottom").remove("Boundaries/pull");
+  scene.add("Boundaries",
+            xmlList("below", xmlText("Side Set", "lower_zmin") +
+                                 xmlList("Law", xmlText("Type", "Pressure") + xmlNumber("Pressure", 20.0))));
+  int code = 0;
+  const std::string message = refusal(scene, code);
+  EXPECT_EQ(code, 1) << message;
   for (const char* part : {"\"lower\"", "\"upper\""}) EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 

@@ -16,6 +16,10 @@ namespace harmos::study {
 std::shared_ptr<const results::StochasticSummary> summarise(const Study& study, const results::StudyResults& results,
                                                             const ChaosStudy* chaos);
 
+/// Why there are no moments of a collocation or a sample whose configurations are done; empty: there are, or it is
+/// another design. On rank 0 of all, which knows all results.
+std::string lackOfStatistics(const Study& study, const results::StudyResults& results);
+
 /// How expansions were solved for, in one sentence.
 std::string describe(const ChaosStudy& chaos, latin::Outcome outcome);
 
