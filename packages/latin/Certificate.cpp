@@ -93,6 +93,16 @@ double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
+/// Error of the forces [-] that residuals which count as round-off of a state, much larger than its forces where bodies
+/// have moved far, may still stand for.
+double leftToRoundOff(const FixedPoint& fixedPoint, const base::Matrix& alpha, const Iterate& iterate) {
+  const double whole = largest(fixedPoint.metric().squaredNorms(alpha));
+  const double forces = largest(fixedPoint.metric().squaredNorms(iterate.hattedTraction()));
+  const double gap = fieldGap(iterate);
+  const double unseen = forces > 0.0 ? std::min(gap, March::noise * std::sqrt(whole / forces)) : gap;
+  return unseen / (1.0 - leastContraction);
+}
+
 /// Round-off in images of the largest load step of a state, all of which are selected.
 double noiseOfLargest(FixedPoint& fixedPoint, const base::Matrix& alpha) {
   const std::vector<double> squares = fixedPoint.metric().squaredNorms(alpha);
@@ -302,7 +312,9 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
         const double left = kind == Kind::newton ? share : leastContractionAfter(share);
         factors.push_back(1.0 / (1.0 - std::clamp(result.contraction, left, steadyContraction)));
       }
-      const std::vector<double> errors = after->distance(*before, factors);
+      std::vector<double> errors = after->distance(*before, factors);
+      const double unseen = leftToRoundOff(fixedPoint_, step.state, *iterate);
+      for (double& one : errors) one += unseen;
       result.conclusive = !grew;
       if (!grew) result.estimates = errors;
       if (!grew &&

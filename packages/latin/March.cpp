@@ -236,12 +236,15 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
     const double force = forceSize(*iterate, iteration % iterationsPerReaction == 0);
     const double whole = metric.norm(image);
     harmless_ = whole > 0.0 ? std::min(negligible * size, tolerance * force) / whole : 0.0;
+    const bool hasMoved = force * manyTimes < whole && force > nothing * whole;
     if (size <= std::max(tolerance * force, noise * whole)) {
       largestForce_ = force;
       isReached = true;
+      // What is reached is the end of the digits, not the tolerance.
+      lacksDigits_ = lacksDigits_ || (leavesWithoutDigits_ && hasMoved && size > tolerance * force);
       break;
     }
-    if (leavesWithoutDigits_ && force * manyTimes < whole && force > nothing * whole &&
+    if (leavesWithoutDigits_ && hasMoved &&
         tolerance * force < withinReachOfRoundOff * fixedPoint_.linearStage().softness() * whole) {
       sinceHalved = size < 0.5 * halved ? 0 : sinceHalved + 1;
       if (sinceHalved == 0) halved = size;

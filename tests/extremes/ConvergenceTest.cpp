@@ -48,6 +48,22 @@ TEST(DraggedBlock, IsFoundForAnyBarAndAnyWay) {
   }
 }
 
+// Each node slides by the same way, along which its friction points, far beyond what strains the block: k w has 1e8
+// times the size of the tractions, and residuals that are nothing beside it are more than the accuracy of these.
+TEST(DraggedBlock, KeepsTheDirectionOfItsFrictionForAnySearchDirection) {
+  SceneInput scene = SceneInput::fromFile("driven_block.xml");
+  for (const double scale : {0.1, 1.0, 10.0, 30.0}) {
+    SCOPED_TRACE(scale);
+    const SolvedRun run(scene.set(assignment("Solver/Search Direction/Scale", scale)));
+    ASSERT_TRUE(run.isCertified()) << run.result().reason;
+    for (const auto& response : run.result().responses) {
+      const double expected = 300.0 / std::sqrt(2.0), error = std::abs(response.values.back() - expected) / expected;
+      EXPECT_LE(error, 2.0 * response.errorEstimate + 1e-12) << response.name;
+    }
+    EXPECT_LE(run.result().linearStages, 100);
+  }
+}
+
 // The block stands where its springs hold it, however far that is, and is not taken for one that was thrown away.
 TEST(LiftedBlock, HangsOnSpringsOfAnyStiffness) {
   for (const double stiffness : {1e-2, 1e-4, 1e-5, 1e-6, 3.16e-7}) {
@@ -77,6 +93,27 @@ TEST(LiftedBlock, HangsBesideAPartThatCarriesNothing) {
   ASSERT_TRUE(run.isCertified()) << run.result().reason;
   EXPECT_NEAR(run.value("height"), 0.5e4, 1e-3 * 0.5e4);
   EXPECT_LE(run.result().linearStages, 200);
+}
+
+// All laws are affine, and a wedge of 6 degrees between two planes of symmetry is free along its height and its radius:
+// a column under a pressure.
+TEST(Sector, IsHeldByItsPlanesOfSymmetry) {
+  SceneInput scene = pressedBlocks();
+  scene.remove("Boundaries/pull").remove("Interfaces/contact/Law/Friction Coefficient");
+  scene.set("Interfaces/contact/Law/Type=Perfect").remove("Boundaries/bottom/Law/X").remove("Boundaries/bottom/Law/Y");
+  for (const std::string face : {"lower_ymin", "lower_ymax", "upper_ymin", "upper_ymax"}) {
+    scene.add("Boundaries", xmlList(face, xmlText("Side Set", face) + xmlList("Law", xmlText("Type", "Symmetry"))));
+  }
+  scene.changeMesh([](mesh::Mesh& mesh) {
+    for (base::Vector3& x : mesh.nodes) {
+      const double angle = 0.1 * x[1] / 16.0, radius = 1.0 + x[0];
+      x = {radius * std::cos(angle), radius * std::sin(angle), x[2]};
+    }
+  });
+  const SolvedRun run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result().reason;
+  EXPECT_NEAR(run.value("settlement"), 20.0 * 16.0 / 210000.0, 1e-3 * 20.0 * 16.0 / 210000.0);
+  EXPECT_LE(run.result().linearStages, 60);
 }
 
 }  // namespace

@@ -57,8 +57,10 @@ TEST_P(AnyScale, GivesOneAnswer) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, AnyScale,
                          testing::Values("contact_patch/plane", "jenkins/jenkins", "perfect/beam", "wedge/wedge",
-                                         "volkersen/volkersen", "../extremes/held_friction",
-                                         "../extremes/pressed_blocks", "../extremes/loose_blocks"),
+                                         "volkersen/volkersen", "joint_laws/block", "joints/one_bolt", "cohesive/snap",
+                                         "../extremes/held_friction", "../extremes/pressed_blocks",
+                                         "../extremes/loose_blocks", "../extremes/dragged_block",
+                                         "../extremes/driven_block", "../extremes/block_on_springs"),
                          [](const auto& test) { return "Number" + std::to_string(test.index); });
 
 class AnyScaleLong : public testing::TestWithParam<const char*> {};
@@ -67,13 +69,16 @@ TEST_P(AnyScaleLong, GivesOneAnswer) {
   expectOneAnswer(runsOf(sceneAt(GetParam())));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, AnyScaleLong,
-                         testing::Values("contact_patch/space", "bolt_diagram/bolt", "cylinders/hertz",
-                                         "cylinders/cattaneo_mindlin", "sliding_block/sliding_block",
-                                         "../../xml/bolted_joint", "../../xml/glued_assembly", "../../xml/gap",
-                                         "../extremes/thin_plates", "../extremes/plates_in_contact",
-                                         "../extremes/lifted_block"),
-                         [](const auto& test) { return "Number" + std::to_string(test.index); });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, AnyScaleLong,
+    testing::Values("contact_patch/space", "bolt_diagram/bolt", "cylinders/hertz", "cylinders/cattaneo_mindlin",
+                    "sliding_block/sliding_block", "../../xml/bolted_joint", "../../xml/glued_assembly",
+                    "../../xml/gap", "../extremes/thin_plates", "../extremes/plates_in_contact",
+                    "../extremes/lifted_block", "results/two_blocks", "periodic/laminate", "pretension/clamped_plates",
+                    "elements/pressed_ring", "nonmatching/partial_cover", "nonmatching/press_fit",
+                    "nonmatching/lap_joint", "../../xml/rigid_roller", "../../xml/bimetal_strip",
+                    "../../xml/glue_by_formula", "../../xml/rough_glue", "../regression/sliding_blocks/sliding_blocks"),
+    [](const auto& test) { return "Number" + std::to_string(test.index); });
 
 const latin::ResponseResult& responseOf(const SolvedRun& run, const std::string& name) {
   const auto& all = run.result().responses;
