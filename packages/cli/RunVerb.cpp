@@ -52,6 +52,18 @@ void printDecision(std::ostream& out, const files::SolutionRecord& solution) {
   printSafety(out, "gaping", solution.gaping);
 }
 
+/// The range at the last load step, or where it is determined there, at the one at which it is widest.
+void printRange(std::ostream& out, const latin::ResponseRange& range, int last) {
+  constexpr double nothing = 1e-3;  // of the largest width: below the digits that are shown
+  const int widest = range.widest();
+  if (widest < 0) return;
+  const double width = range.upper[last] - range.lower[last];
+  const int step = width < nothing * range.width() ? widest : last;
+  out << ", not unique";
+  if (step != last) out << " at load step " << step + 1;
+  out << std::setprecision(5) << ": from " << range.lower[step] << " to " << range.upper[step] << std::setprecision(2);
+}
+
 void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
   const auto& record = result.record;
   printWarnings(out, record.warnings);
@@ -67,11 +79,7 @@ void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
         << response.values[result.solution.solvedSteps - 1] << std::setprecision(2) << "  ";
     if (std::isfinite(response.errorEstimate)) out << "+- " << response.errorEstimate * response.size << ", ";
     printEstimate(out, response.errorEstimate);
-    if (response.range.widest() >= 0) {
-      const auto last = static_cast<std::size_t>(result.solution.solvedSteps - 1);
-      out << std::setprecision(5) << ", not unique: from " << response.range.lower[last] << " to "
-          << response.range.upper[last] << std::setprecision(2);
-    }
+    printRange(out, response.range, result.solution.solvedSteps - 1);
     if (response.isSmall) out << ", counts as zero: not above " << response.size;
     for (const scene::ResponseMeshError& error : result.meshErrors.responses) {
       if (error.response != response.name) continue;
