@@ -11,7 +11,7 @@
 #include "OpenMpiSettings.hpp"
 
 int main(int argc, char** argv) {
-  harmos::base::useFittingBlasKernels(argv);
+  harmos::base::useFittingBlas(argv);
   harmos::base::useOneThread();
   OpenMpiSettings openMpi;
   catchInterrupts();

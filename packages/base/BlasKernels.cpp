@@ -9,12 +9,39 @@
 #include <unistd.h>
 
 // Present when the BLAS is OpenBLAS.
-extern "C" __attribute__((weak)) char* openblas_get_corename();
+extern "C" {
+__attribute__((weak)) char* openblas_get_corename();
+__attribute__((weak)) int openblas_get_num_threads();
+}
 
 namespace harmos::base {
 namespace {
 
-constexpr const char* variable = "OPENBLAS_CORETYPE";
+constexpr const char* kernelsVariable = "OPENBLAS_CORETYPE";
+constexpr const char* threadsVariable = "OPENBLAS_NUM_THREADS";
+
+/// Whether OpenBLAS has been told its kernels now, which it had not been before.
+bool tellKernels() {
+#ifdef __x86_64__
+  if (std::getenv(kernelsVariable) != nullptr || !openblas_get_corename) return false;
+  __builtin_cpu_init();
+  const bool hasAvx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  const bool hasAvx512 = hasAvx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+                         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+                         __builtin_cpu_supports("avx512vl");
+  const std::string kernels = fittingBlasKernels(openblas_get_corename(), hasAvx2, hasAvx512);
+  return !kernels.empty() && setenv(kernelsVariable, kernels.c_str(), 0) == 0;
+#else
+  return false;
+#endif
+}
+
+/// Whether OpenBLAS has been told to start no threads now, which it had done before.
+bool tellThreads() {
+  if (!openblas_get_num_threads || openblas_get_num_threads() <= 1) return false;
+  const char* told = std::getenv(threadsVariable);
+  return (told == nullptr || std::string(told) != "1") && setenv(threadsVariable, "1", 1) == 0;
+}
 
 }  // namespace
 
@@ -26,24 +53,13 @@ std::string fittingBlasKernels(const std::string& chosen, bool hasAvx2, bool has
   return hasAvx2 ? "HASWELL" : "";
 }
 
-void useFittingBlasKernels(char** argv) {
-#ifdef __x86_64__
-  if (std::getenv(variable) != nullptr) return;
-  if (!openblas_get_corename) return;
-  __builtin_cpu_init();
-  const bool hasAvx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  const bool hasAvx512 = hasAvx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
-                         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-                         __builtin_cpu_supports("avx512vl");
-  const std::string kernels = fittingBlasKernels(openblas_get_corename(), hasAvx2, hasAvx512);
-  if (kernels.empty()) return;
-  setenv(variable, kernels.c_str(), 0);
-  // By its own path, so that it keeps its name. Comes back only where it cannot; then the kernels stay as they are.
+void useFittingBlas(char** argv) {
+  const bool areOtherKernels = tellKernels();
+  const bool areOtherThreads = tellThreads();
+  if (!areOtherKernels && !areOtherThreads) return;
+  // By its own path, so that it keeps its name. Comes back only where it cannot; then all stays as it is.
   std::error_code error;
   execv(std::filesystem::read_symlink("/proc/self/exe", error).c_str(), argv);
-#else
-  static_cast<void>(argv);
-#endif
 }
 
 }  // namespace harmos::base

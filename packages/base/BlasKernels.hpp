@@ -13,10 +13,11 @@ namespace harmos::base {
 /// hasAvx2: AVX2 and FMA. hasAvx512: F, CD, BW, DQ and VL besides.
 std::string fittingBlasKernels(const std::string& chosen, bool hasAvx2, bool hasAvx512);
 
-/// Starts the program again, in the same process, with OPENBLAS_CORETYPE set when fittingBlasKernels() says so; to be
-/// called first of all, before MPI and threads start. Does nothing with another BLAS or processor than x86-64, or when
-/// the variable is set; where the program cannot be started again, the kernels stay as they are. `argv` as main() has
-/// it, ended by a null. Linux only.
-void useFittingBlasKernels(char** argv);
+/// Starts the program again, in the same process, with OPENBLAS_CORETYPE set when fittingBlasKernels() says so, and
+/// with OPENBLAS_NUM_THREADS set to 1 where OpenBLAS has started threads: each takes 128 MB of addresses, and one that
+/// gets none (`ulimit -v`) tries for ever, so that the program would not end. To be called first of all, before MPI and
+/// threads start. Does nothing with another BLAS, or where these variables are set so; where the program cannot be
+/// started again, all stays as it is. `argv` as main() has it, ended by a null. Linux only.
+void useFittingBlas(char** argv);
 
 }  // namespace harmos::base

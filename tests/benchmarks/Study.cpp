@@ -28,7 +28,7 @@ double optionOf(std::vector<std::string>& arguments, const std::string& option, 
 }
 
 int runProgram(int argc, char** argv, const std::function<int(std::vector<std::string>)>& program) {
-  base::useFittingBlasKernels(argv);
+  base::useFittingBlas(argv);
   Tpetra::ScopeGuard scope(&argc, &argv);
   try {
     return program({argv + 1, argv + argc});

@@ -100,6 +100,8 @@ if [ -z "${ASAN_OPTIONS:-}" ]; then
   expect 2 'Take a coarser mesh' sh -c "ulimit -v 8000000; '$harmos' check '$glued' --set 'Mesh/Cell Size=0.01'"
   expect 2 'Take a coarser mesh' \
     sh -c "ulimit -v 8000000; '$harmos' run '$glued' --set 'Mesh/Cell Size=0.01' --output '$work/huge'"
+  # Threads of OpenBLAS that get no memory would keep the program from its end.
+  expect 0 'is valid' sh -c "ulimit -v 320000; unset OPENBLAS_NUM_THREADS OMP_NUM_THREADS; timeout 60 '$harmos' check '$pulled'"
   expect 2 'of which .* are free' \
     sh -c "ulimit -v 800000; '$harmos' run '$large_scene' --set Mesh/Refinement=2 --output '$work/huge'"
   expect 1 '' test -e "$work/huge"
