@@ -79,7 +79,7 @@ def pressures(path):
     with netcdf_file(str(path), "r", mmap=False) as file:
         data = file.variables
         def words(name):
-            return [b"".join(row).split(b"\0")[0].decode() for row in data[name].data]
+            return [row.tobytes().split(b"\0")[0].decode() for row in data[name].data]
         nodes = np.unique(data[f"connect{words('eb_names').index('contact') + 1}"].data) - 1
         field = data[f"vals_nod_var{words('name_nod_var').index('contact_pressure') + 1}"].data[-1]
         order = np.argsort(data["coordx"].data[nodes])

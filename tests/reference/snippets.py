@@ -17,7 +17,6 @@ import tempfile
 import xml.etree.ElementTree as ElementTree
 
 import netCDF4
-import numpy
 
 import harmos
 
@@ -90,9 +89,9 @@ def snippet(text: str, name: str) -> harmos.scenes.Lists:
 
 def variables_of(path: pathlib.Path) -> set[str]:
     with netCDF4.Dataset(path) as file:
-        return {b"".join(row.compressed()).decode().strip("\0") for kind in ("nod", "elem")
-                if f"name_{kind}_var" in file.variables
-                for row in numpy.ma.masked_equal(file[f"name_{kind}_var"][:], b"")}
+        file.set_auto_mask(False)
+        return {row.tobytes().split(b"\0")[0].decode() for kind in ("nod", "elem")
+                if f"name_{kind}_var" in file.variables for row in file[f"name_{kind}_var"][:]}
 
 
 def run(program: str, example: harmos.Scene, folder: pathlib.Path) -> tuple[int, str]:

@@ -123,7 +123,8 @@ def _open(path: str) -> Any:
 def _names(variables: Any, name: str) -> list[str]:
     if name not in variables:
         return []
-    return [b"".join(row).split(b"\0")[0].decode() for row in variables[name][:]]
+    # After the zero that ends a name stands whatever the Exodus library had in memory.
+    return [row.tobytes().split(b"\0")[0].decode() for row in variables[name][:]]
 
 
 def _index(name: str, names: list[str]) -> int:

@@ -21,7 +21,7 @@ class JointMesh:
             self.nodes = np.stack([variables["coord" + axis][:] for axis in "xyz"], axis=1)
             blocks = sorted((name for name in variables if name.startswith("connect")), key=lambda name: int(name[7:]))
             self.blocks = [variables[name][:].astype(int) - 1 for name in blocks]
-            names = [b"".join(row).decode().strip("\0 ") for row in variables["ss_names"][:]]
+            names = [row.tobytes().split(b"\0")[0].decode().strip() for row in variables["ss_names"][:]]
             elements = np.concatenate(self.blocks)
             self.faces = {}
             for number, name in enumerate(names, 1):

@@ -11,7 +11,8 @@ from ..scenes.mesh import Floats, Mesh
 
 
 def _names(rows: Floats) -> list[str]:
-    return [b"".join(row).split(b"\0")[0].decode() for row in rows]
+    # After the first zero stands whatever the library had in memory.
+    return [row.tobytes().split(b"\0")[0].decode() for row in rows]
 
 
 def read_displacements(path: pathlib.Path, mesh: Mesh) -> Floats:

@@ -49,8 +49,8 @@ class Run:
             columns = numpy.array([[float(number) for number in row.split(",")] for row in rows]).T
             self.values = dict(zip(header.split(","), columns))
             with netCDF4.Dataset(folder / "block_interfaces.e") as file:
-                names = [b"".join(row.compressed()).decode().strip("\0")
-                         for row in numpy.ma.masked_equal(file["name_nod_var"][:], b"")]
+                file.set_auto_mask(False)
+                names = [row.tobytes().split(b"\0")[0].decode() for row in file["name_nod_var"][:]]
                 self.fields = {n: file[f"vals_nod_var{i + 1}"][:] for i, n in enumerate(names)}
 
     def __getitem__(self, response):
