@@ -6,6 +6,7 @@
     python3 -m campaign run --harmos ../build/drivers/harmos --only rings --first 100 --scenes 20
     python3 -m campaign restate --harmos ../build/drivers/harmos --scenes 80    the same problems in other words
     python3 -m campaign study --harmos ../build/drivers/harmos --scenes 80    numbers of laws vary: each against a run
+    python3 -m campaign crack --harmos ../build/drivers/harmos --scenes 300    glue that fails: cohesive zones
     python3 -m campaign show rings 3 --output DIR                               writes the scene and prints the answer
     python3 -m campaign try rings 3 --harmos ../build/drivers/harmos            one scene, with all responses
 
@@ -25,6 +26,7 @@ from .scenes.restatements import RESTATEMENTS
 from .scenes.scene import Scene
 from .scenes.scene_file import write_scene
 from .trial.campaign import Trial, report, try_scene
+from .trial.cracks import CrackTrial, crack_report, try_crack
 from .trial.program import run_harmos
 from .trial.restatements import Pair, restatement_report, try_restatements
 from .trial.studies import StudyTrial, study_report, try_study
@@ -120,27 +122,39 @@ def _study(options: argparse.Namespace) -> bool:
     return met
 
 
+def _crack(options: argparse.Namespace) -> bool:
+    trials: list[CrackTrial] = []
+    for seed in range(options.first, options.first + options.scenes):
+        trial = try_crack(seed, options.harmos, options.output, options.limit)
+        print(f"glued {seed}: {trial.judgement.verdict.value}, {trial.stages} stages", file=sys.stderr, flush=True)
+        trials.append(trial)
+    text, met = crack_report(trials)
+    print(text)
+    return met
+
+
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="campaign", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     verbs = parser.add_subparsers(required=True)
-    for verb, function in (("run", _run), ("restate", _restate), ("study", _study), ("show", _show), ("try", _try)):
+    for verb, function in (("run", _run), ("restate", _restate), ("study", _study), ("crack", _crack), ("show", _show), ("try", _try)):
         command = verbs.add_parser(verb)
         command.set_defaults(function=function)
         command.add_argument("--output", type=pathlib.Path, default=None, help="folder of scenes; default: a new one")
         if verb != "show":
             command.add_argument("--harmos", type=pathlib.Path, required=True, help="the program")
             command.add_argument("--limit", type=float, default=60.0, help="seconds per run")
-        if verb in ("run", "restate", "study"):
+        if verb in ("run", "restate", "study", "crack"):
             command.add_argument("--scenes", type=int, default=330)
             command.add_argument("--first", type=int, default=0, help="seed to begin with")
+        if verb in ("run", "restate", "study"):
             command.add_argument("--classes", choices=list(GROUPS), default="all",
                                  help="matching: parts on one grid; apart: parts meshed one by one, all elements")
             command.add_argument("--only", action="append", choices=list(CLASSES), help="a class; may be repeated")
             if verb == "restate":
                 command.add_argument("--kind", action="append", choices=list(RESTATEMENTS),
                                      help="of restatement; may be repeated")
-        else:
+        if verb in ("show", "try"):
             command.add_argument("name", choices=list(CLASSES))
             command.add_argument("seed", type=int)
         if verb == "try":

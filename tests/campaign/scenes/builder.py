@@ -108,7 +108,7 @@ class Builder:
             case 2 if joint.law.type in ("Coulomb Friction", "Unilateral Contact"):
                 field = self.draw.one("Contact Pressure", "Opening", "Slip", "Tangential Traction", "Normal Traction")
                 result.append(Response("max_" + joint.name, "Maximum", joint.name, {}, field))
-            case 3 if joint.law.type == "Coulomb Friction":
+            case 3 if joint.law.type in ("Coulomb Friction", "Cohesive Zone"):
                 result.append(Response("D_" + joint.name, "Dissipation", joint.name))
             case 4:
                 result.append(Response("u_" + joint.name, "Mean Displacement", joint.side1,

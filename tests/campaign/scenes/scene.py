@@ -24,9 +24,10 @@ def at_step(number: Number, step: int) -> float:
 
 @dataclasses.dataclass(frozen=True)
 class Law:
-    """A law by its name in the input, with its parameters."""
+    """A law by its name in the input, with its parameters, and the words among its entries."""
     type: str
     parameters: dict[str, Number] = dataclasses.field(default_factory=dict)
+    words: Mapping[str, str] = dataclasses.field(default_factory=dict)
 
 
 @dataclasses.dataclass(frozen=True)

@@ -54,6 +54,8 @@ def _law(parent: xml.Element, law: Law, histories: _Histories) -> None:
     entry(element, "Type", law.type)
     for name, number in law.parameters.items():
         _number(element, name, number, histories)
+    for name, word in law.words.items():
+        entry(element, name, word)
 
 
 def _joint(parent: xml.Element, joint: Joint, histories: _Histories) -> None:
