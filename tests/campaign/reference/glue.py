@@ -21,7 +21,6 @@ from .problem import Problem, assemble
 
 _DIFFERENCE = 1e-7  # of the onset, for derivatives
 _TOLERANCE = 1e-9  # of residuals, over the forces and the onsets
-_CLOSED = 1e-6  # of the onset: points open by no more may press
 _MOST_STEPS = 40
 
 
@@ -111,10 +110,11 @@ class GluedProblem:
         traction = self.glue.traction(self.jumps(displacement), old)
         return np.asarray(self.stiffness @ displacement + self.jump.T @ (self.area[:, None] * traction).ravel())
 
-    def lacking(self, displacement: Floats, old: Floats) -> tuple[float, Floats]:
-        """The force that a state lacks to balance, with the forces of contact that fit best, and these [point]."""
+    def lacking(self, displacement: Floats, old: Floats, near: float) -> tuple[float, Floats]:
+        """The force that a state lacks to balance, with the forces of contact that fit best at points that are open by no
+        more than `near` [length], and these [point]."""
         forces = self._forces(displacement, old)[self.free]
-        closed = np.flatnonzero(self.jumps(displacement)[:, 0] <= _CLOSED * self.glue.onset)
+        closed = np.flatnonzero(self.jumps(displacement)[:, 0] <= near)
         contact = np.zeros(len(self.area))
         left = float(np.linalg.norm(forces))
         if len(closed) > 0:
@@ -126,11 +126,12 @@ class GluedProblem:
         """What acts in a state, at least a hundredth of what the weakest glue could bear."""
         return max(float(np.linalg.norm(self.stiffness @ displacement)), self._least_force)
 
-    def solve(self, start: Floats, old: Floats, step: int) -> Floats | None:
-        """The equilibrium of a load step that Newton's method comes to from a state; none where it does not."""
+    def solve(self, start: Floats, old: Floats, step: int, near: float = 0.0) -> Floats | None:
+        """The equilibrium of a load step that Newton's method comes to from a state, `near` as for lacking(); none where
+        it does not."""
         d = self.dimension
         u = self.prescribe(start, step)
-        contact = self.lacking(start, old)[1]
+        contact = self.lacking(start, old, near)[1]
         for _ in range(_MOST_STEPS):
             jumps = self.jumps(u)
             # Contact is where p > r delta_n, r about the springs of the joint.

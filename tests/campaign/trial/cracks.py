@@ -17,11 +17,11 @@ from ..scenes.scene_file import write_scene
 from .fields import read_displacements
 from .program import Ending, Run, run_harmos
 
-# Of the accuracy: forces that a state may lack to balance, over those in it, and how far another solution is at least.
-# Nodes are stiffer than what the accuracy is of, so that displacements that are as near as was asked for lack more.
-_BALANCED = 30.0
-# Likewise, where another solution is nearer: of bodies that nothing holds any more.
-_EXACT = 1e-3
+# Of the accuracy: a solution that is farther away is another one.
+_FAR = 30.0
+# Of the accuracy: forces that a state may lack to balance if it is beside another solution nearer than that, as where
+# nothing holds a body any more.
+_NEAR_BALANCE = 1e-2
 # Of the scenes: where a joint snaps there may be no state to come to rest at.
 MOST_REFUSED = 0.2
 
@@ -58,17 +58,18 @@ def judge_states(scene: Scene, states: Floats) -> Judgement:
     problem = GluedProblem(scene)
     old = np.zeros(len(problem.area))
     size, force = float(abs(states).max()), max(problem.force(state) for state in states)
+    near = scene.accuracy * size
     error = lacking = beside = 0.0
     for step, state in enumerate(states):
-        lacking = max(lacking, problem.lacking(state, old)[0] / force)
+        lacking = max(lacking, problem.lacking(state, old, near)[0] / force)
         beside = max(beside, float(abs(problem.prescribe(state, step) - state).max()) / size)
-        exact = problem.solve(state, old, step)
+        exact = problem.solve(state, old, step, near)
         error = math.nan if exact is None else np.maximum(error, float(abs(state - exact).max()) / size)
         old = problem.glue.damage(problem.jumps(state), old)
     if error <= scene.accuracy:
         return Judgement(Verdict.RIGHT, error, lacking)
-    far = _BALANCED * scene.accuracy
-    bound = far if math.isnan(error) or error > far else _EXACT * scene.accuracy
+    is_elsewhere = math.isnan(error) or error > _FAR * scene.accuracy
+    bound = scene.accuracy if is_elsewhere else _NEAR_BALANCE * scene.accuracy
     is_balanced = lacking <= bound and beside <= scene.accuracy
     return Judgement(Verdict.BALANCED if is_balanced else Verdict.WRONG, error, lacking)
 
