@@ -249,28 +249,6 @@ std::vector<mesh::InterfaceSurface> cutsOf(const Bodies& bodies, const mesh::Int
   return cuts;
 }
 
-/// Reports parts that nothing touches, or that have prescribed tractions only.
-void demandHeldParts(const Scene& scene, const std::vector<mesh::Piece>& pieces,
-                     const std::vector<mesh::InterfaceSurface>& surfaces, input::ErrorList& errors) {
-  for (const Parameters& part : scene.input.lists("Parts")) {
-    bool isTouched = false, isHeld = false;
-    for (const mesh::InterfaceSurface& surface : surfaces) {
-      const auto is = [&](int piece) { return piece >= 0 && pieces[piece].part == part.name(); };
-      if (!is(surface.piece1) && !is(surface.piece2)) continue;
-      isTouched = true;
-      isHeld = isHeld || !scene.laws.at(surface.name)->prescribesTraction();
-    }
-    if (!isTouched) {
-      errors.add(part.where(), "no interface and no boundary touches this part, so that nothing holds it.",
-                 "Add an interface to another part, or a boundary.");
-    } else if (!isHeld) {
-      errors.add(part.where(),
-                 "only prescribed tractions act on part " + base::quoted(part.name()) + ", so that nothing holds it.",
-                 "Add an interface to another part, or a boundary that holds it.");
-    }
-  }
-}
-
 }  // namespace
 
 Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& model, const Bodies& bodies,
@@ -338,7 +316,16 @@ Surfaces findSurfaces(const Scene& scene, const mesh::Mesh& mesh, const Model& m
     return surfaces;
   }
   if (errors.count() > before) return surfaces;  // else parts would be reported that a faulty interface should touch
-  demandHeldParts(scene, pieces, surfaces.all, errors);
+  for (const Parameters& part : scene.input.lists("Parts")) {
+    const bool isTouched = std::any_of(surfaces.all.begin(), surfaces.all.end(), [&](const auto& surface) {
+      const auto is = [&](int piece) { return piece >= 0 && pieces[piece].part == part.name(); };
+      return is(surface.piece1) || is(surface.piece2);
+    });
+    if (!isTouched) {
+      errors.add(part.where(), "no interface and no boundary touches this part, so that nothing holds it.",
+                 "Add an interface to another part, or a boundary.");
+    }
+  }
   append(cutsOf(bodies, finder));
   return surfaces;
 }

@@ -325,6 +325,8 @@ def outcome(harmos, case, folder):
     if end.returncode == 2:
         words = [line for line in end.stderr.splitlines() if line.strip()]
         return "refused", math.nan, 0, seconds, words[0].removeprefix(f"{path}:") if words else ""
+    if end.returncode == 1 and "nothing holds part(s)" in end.stderr:
+        return "refused", math.nan, 0, seconds, end.stderr.strip().removeprefix("harmos: ")
     if end.returncode not in (0, 3, 4):
         return "CRASHED", math.nan, 0, seconds, f"exit code {end.returncode}: {end.stderr.strip()[-200:]}"
     if case.study is not None:
