@@ -93,6 +93,22 @@ double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
+/// Largest distance of the two fields, of all that Snapshot::distance() gives.
+double ofFields(const std::vector<double>& distances) {
+  return std::max(distances[distances.size() - 2], distances.back());
+}
+
+/// Distances that a correction tells, after those of the one before. One number may hardly move because it turns just
+/// there, or because what moves it has not been found, while the fields, sums of squares, cannot: none counts as having
+/// come nearer than they have.
+void believeFields(const std::vector<double>& before, const std::vector<double>& after, double factor,
+                   std::vector<double>& errors) {
+  const double was = ofFields(before);
+  if (was == 0.0) return;
+  const double left = std::min(1.0, ofFields(after) / was);
+  for (std::size_t i = 0; i + 2 < errors.size(); ++i) errors[i] = std::max(errors[i], factor * left * before[i]);
+}
+
 /// Error of the forces [-] that residuals which count as round-off of a state, much larger than its forces where bodies
 /// have moved far, may still stand for.
 double leftToRoundOff(const FixedPoint& fixedPoint, const base::Matrix& alpha, const Iterate& iterate) {
@@ -285,6 +301,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
   fixedPoint_.shareTractions(state, image, accuracy_);
   auto before = std::make_unique<Snapshot>(*iterate, responses_);
   double previous = 0.0, hidden = 0.0;
+  std::vector<double> distancesBefore;
   for (int count = 0; count < maximumCorrections; ++count) {
     const double gap = fieldGap(*iterate);
     const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
@@ -302,7 +319,8 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
     iterate = step.iterate != nullptr ? step.iterate : &fixedPoint_.apply(step.state, image);
     fixedPoint_.shareTractions(step.state, image, accuracy_);
     auto after = std::make_unique<Snapshot>(*iterate, responses_);
-    const double error = largest(after->distance(*before));
+    std::vector<double> distances = after->distance(*before);
+    const double error = largest(distances);
     if (count > 0) {
       result.contraction = error == 0.0 ? 0.0 : error / previous;
       const bool grew = result.contraction > 1.0 && error > settledShare * accuracy_;
@@ -313,6 +331,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
         factors.push_back(1.0 / (1.0 - std::clamp(result.contraction, left, steadyContraction)));
       }
       std::vector<double> errors = after->distance(*before, factors);
+      believeFields(distancesBefore, distances, largest(factors), errors);
       const double unseen = leftToRoundOff(fixedPoint_, step.state, *iterate);
       for (double& one : errors) one += unseen;
       result.conclusive = !grew;
@@ -326,6 +345,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
       }
     }
     previous = error;
+    distancesBefore = std::move(distances);
     hidden = step.hidden;
     state.assign(step.state);
     if (kind != Kind::newton) {

@@ -251,7 +251,7 @@ TEST(LawCheck, RefusesAnAccuracyThatALawHasNotTheDigitsFor) {
     EXPECT_EQ(solve(own<Falling>(0.0, 0.0), options).outcome, Outcome::certified) << accuracy;
     const LatinResult refused = solve(own<Scattering>(50.0 * accuracy), options);
     EXPECT_NE(refused.outcome, Outcome::certified) << accuracy;
-    EXPECT_LE(refused.linearStages, 200) << accuracy << refused.reason;
+    EXPECT_LE(refused.linearStages, 210) << accuracy << refused.reason;  // its digits are looked at every 100 stages
     EXPECT_NE(refused.reason.find("law \"Scattering\" of interface \"joint\""), std::string::npos) << refused.reason;
   }
 }
