@@ -5,8 +5,9 @@
 namespace harmos::latin {
 
 bool LatinResult::isUnique() const {
-  return std::all_of(responses.begin(), responses.end(),
-                     [](const ResponseResult& response) { return response.range.widest() < 0; });
+  return freePressures.empty() && std::all_of(responses.begin(), responses.end(), [](const ResponseResult& response) {
+           return response.range.widest() < 0;
+         });
 }
 
 }  // namespace harmos::latin

@@ -31,6 +31,7 @@ struct LatinResult {
   Outcome outcome = Outcome::iterationLimit;  ///< how it ended
   std::string reason;                         ///< one sentence for the user
   std::vector<std::string> remarks;           ///< sentences on what the solution does not determine; of a certified one
+  std::vector<std::string> freePressures;     ///< of interfaces whose pressures, and friction, have other solutions
   std::vector<ResponseResult> responses;      ///< in the order of LatinSolver::addResponse()
   double forceErrorEstimate = 0.0;            ///< relative, field of interface forces
   double displacementErrorEstimate = 0.0;     ///< relative, field of interface displacements
@@ -43,7 +44,7 @@ struct LatinResult {
   int iterations = 0;                         ///< applications of T outside the error estimate, in linear stages
   int linearStages = 0;                       ///< all applications of T, those of the error estimate included
 
-  /// Whether the problem determines all responses; known of what is certified only.
+  /// Whether the problem determines all responses and pressures; known of what is certified only.
   bool isUnique() const;
 };
 

@@ -11,6 +11,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/LawCheck.hpp>
+#include <harmos/latin/OtherSolutions.hpp>
 #include <harmos/latin/detail/LawDigits.hpp>
 #include <harmos/latin/detail/ResultRemarks.hpp>
 #include <harmos/latin/detail/RoundOff.hpp>
@@ -43,6 +44,8 @@ constexpr int leastStepsOfBlock = 4;
 // restarts, and so is that.
 constexpr double shareOfFirstTry = 0.5;
 constexpr double shareOfLaterTry = 0.27;
+// Linear stages to look for other solutions with, if the run took fewer.
+constexpr int leastStagesForOthers = 100;
 // Each takes what the one before has left of the motions of bodies.
 constexpr int maximumRecentrings = 3;
 
@@ -376,6 +379,26 @@ void LatinSolver::demandGraphs(LatinResult& result) {
   }
 }
 
+void LatinSolver::lookForOthers(const LatinResult& result, Indeterminacy& found) {
+  const bool canMarch = options_.algorithm == Algorithm::accelerated && !assembly_.path && !assembly_.softens() &&
+                        fixedPoint_.formulation() == Formulation::displacement;
+  if (found.ways.empty() || !canMarch) return;
+  const int most = stages() + std::max(leastStagesForOthers, result.linearStages);
+  OtherSolutions others(fixedPoint_, options_.memory, options_.accuracy,
+                        [&] { return mustStop() || stages() >= most; });
+  for (const base::Matrix& way : found.ways) {
+    base::Matrix start(alpha_);
+    start += way;
+    const auto values = others.from(start, responses_);
+    for (std::size_t i = 0; values && i < values->size(); ++i) {
+      found.responses[i].extend(result.responses[i].values, (*values)[i]);
+    }
+  }
+  image_.shape(alpha_.numRows(), alpha_.numCols());
+  state_ = &fixedPoint_.apply(alpha_, image_);
+  image_ = base::Matrix();
+}
+
 void LatinSolver::deliver(LatinResult& result) {
   state_ = &fixedPoint_.apply(alpha_, image_);
   demandGraphs(result);
@@ -403,7 +426,9 @@ void LatinSolver::deliver(LatinResult& result) {
     const auto running = timers_.start("statics");
     const std::vector<std::string> unheld = describeUnheldParts(*state_);
     result.remarks.insert(result.remarks.begin(), unheld.begin(), unheld.end());
-    addIndeterminacy(fixedPoint_, responses_, options_.accuracy, result);
+    Indeterminacy found = fixedPoint_.indeterminacy(responses_, options_.accuracy);
+    lookForOthers(result, found);
+    addIndeterminacy(found, options_.accuracy, result);
   }
   addSoftening(fixedPoint_, isSofter(), result);
   if (result.outcome != Outcome::iterationLimit || !result.reason.empty()) return;

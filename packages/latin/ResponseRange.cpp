@@ -13,6 +13,9 @@
 namespace harmos::latin {
 namespace {
 
+// Interfaces that a sentence names.
+constexpr std::size_t mostNames = 6;
+
 /// Response::slope() of a pair of a finding, with what the reactions of boundaries at its nodes add that take what it
 /// gives up.
 base::Vector3 wholeSlope(const Iterate& state, const Response& response, const RedundantGroup::Pair& pair,
@@ -72,26 +75,60 @@ std::optional<std::vector<double>> extreme(const TractionShare& share,
   return values;
 }
 
-/// Whether the pressure that friction at a pair lives on may be another by more than `tolerance` of what is there.
-bool hasFreePressure(const TractionShare::Finding& finding, std::size_t place, const assembly::Interface& interface,
-                     int pair, double tolerance) {
+/// How far the pressure that friction at a pair lives on may go.
+struct PressureRange {
+  bool isFree = false;  ///< it may be another by more than the tolerance
+  /// The tractions of the group where it is least and largest, if that has an end.
+  std::vector<std::vector<base::Vector3>> ends;
+};
+
+PressureRange pressureRange(const TractionShare::Finding& finding, std::size_t place,
+                            const assembly::Interface& interface, int pair, double tolerance) {
   const auto admissible = interface.law->admissibleTractions(finding.step);
   const base::Vector3& n = interface.frame[pair][0];
-  if (!admissible || admissible->friction == 0.0) return false;
+  PressureRange range;
+  if (!admissible || admissible->friction == 0.0) return range;
   double size = 0.0;
   for (const base::Vector3& t : finding.tractions) size = std::max(size, base::norm(t));
-  const auto isFreeBy = [&](const SelfStress& stress) {
-    if (!stress.actsOn(place, n)) return false;
-    for (const double sign : {-1.0, 1.0}) {
+  for (const SelfStress* stress : {&finding.stress, &finding.pressures}) {
+    if (!stress->actsOn(place, n)) continue;
+    range.ends.clear();
+    for (const double sign : {1.0, -1.0}) {
       std::vector<base::Vector3> weights(finding.tractions.size(), base::Vector3{});
       weights[place] = sign * n;
-      const auto farthest = stress.farthest(weights);
+      const auto farthest = stress->farthest(weights);
       if (!farthest || std::abs(base::dot((*farthest)[place] - finding.tractions[place], n)) > tolerance * size)
-        return true;
+        range.isFree = true;
+      range.ends.push_back(farthest ? *farthest : finding.tractions);
     }
-    return false;
-  };
-  return isFreeBy(finding.stress) || isFreeBy(finding.pressures);
+    if (range.isFree) break;
+  }
+  return range;
+}
+
+/// Indeterminacy::pressures and ways.
+void addPressures(const TractionShare& share, const std::vector<TractionShare::Finding>& findings, const Iterate& state,
+                  double tolerance, Indeterminacy& result) {
+  std::set<std::string> names;
+  for (const TractionShare::Finding& finding : findings) {
+    const auto& pairs = share.pairs(finding);
+    bool goesSomeWay = false;
+    for (std::size_t j = 0; j < pairs.size(); ++j) {
+      const assembly::Interface& interface = state.assembly().interfaces[pairs[j].interface];
+      if (goesSomeWay && names.count(interface.name) != 0) continue;
+      const PressureRange range = pressureRange(finding, j, interface, pairs[j].pair, tolerance);
+      if (!range.isFree) continue;
+      names.insert(interface.name);
+      if (goesSomeWay) continue;
+      goesSomeWay = true;
+      result.ways.resize(range.ends.size());
+      for (std::size_t i = 0; i < range.ends.size(); ++i) {
+        if (result.ways[i].numRows() == 0) result.ways[i].shape(state.layout().rows(), state.assembly().steps());
+        share.addDifference(finding, range.ends[i], state.layout(), result.ways[i]);
+      }
+    }
+  }
+  result.pressures.assign(names.begin(), names.end());
 }
 
 }  // namespace
@@ -108,11 +145,32 @@ double ResponseRange::width() const {
   return lower.empty() ? 0.0 : upper[widest()] - lower[widest()];
 }
 
+void ResponseRange::extend(const std::vector<double>& values, const std::vector<double>& others) {
+  if (lower.empty()) lower = upper = values;
+  for (std::size_t t = 0; t < others.size(); ++t) {
+    goesToOtherMotions = goesToOtherMotions || others[t] < lower[t] || others[t] > upper[t];
+    lower[t] = std::min(lower[t], others[t]);
+    upper[t] = std::max(upper[t], others[t]);
+  }
+}
+
+std::string describePressures(const std::vector<std::string>& interfaces) {
+  std::vector<std::string> names;
+  for (const std::string& name : interfaces) names.push_back(base::quoted(name));
+  return "pressures are not determined where pairs of " + base::joinNames(names, mostNames) +
+         " meet at one node, and their friction with them: there may be other solutions, with other displacements";
+}
+
 std::string describe(const std::string& response, const ResponseRange& range, const std::vector<double>& values) {
   const int step = range.widest();
   std::ostringstream text;
   text << "response " << base::quoted(response) << " is not determined: at load step " << step + 1 << " ";
   const double lower = range.lower[step], upper = range.upper[step];
+  if (range.goesToOtherMotions) {
+    text << "solutions with other pressures and displacements give from " << lower << " to " << upper
+         << ", and there may be more; " << values[step] << " is that of this one";
+    return text.str();
+  }
   if (std::isinf(lower) && std::isinf(upper)) {
     text << "any value";
   } else if (std::isinf(upper)) {
@@ -139,7 +197,7 @@ Indeterminacy findIndeterminacy(const TractionShare& share, const Iterate& state
           return responses[i]->slope(state.assembly(), {interface, pair, base::Vector3{}, base::Vector3{}});
         })) {
       const std::vector<double> all(state.assembly().steps(), noEnd), none(state.assembly().steps(), -noEnd);
-      result.responses[i] = {none, all};
+      result.responses[i] = {none, all, false};
       continue;
     }
     if (findings.empty()) continue;
@@ -151,18 +209,9 @@ Indeterminacy findIndeterminacy(const TractionShare& share, const Iterate& state
       (*lower)[t] = std::min((*lower)[t], here[t]);
       (*upper)[t] = std::max((*upper)[t], here[t]);
     }
-    result.responses[i] = {std::move(*lower), std::move(*upper)};
+    result.responses[i] = {std::move(*lower), std::move(*upper), false};
   }
-  std::set<std::string> names;
-  for (const TractionShare::Finding& finding : findings) {
-    const auto& pairs = share.pairs(finding);
-    for (std::size_t j = 0; j < pairs.size(); ++j) {
-      const assembly::Interface& interface = state.assembly().interfaces[pairs[j].interface];
-      if (names.count(interface.name) == 0 && hasFreePressure(finding, j, interface, pairs[j].pair, tolerance))
-        names.insert(interface.name);
-    }
-  }
-  result.pressures.assign(names.begin(), names.end());
+  addPressures(share, findings, state, tolerance, result);
   return result;
 }
 

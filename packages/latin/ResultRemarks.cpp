@@ -30,22 +30,16 @@ std::string namesOfSoftening(const assembly::Assembly& assembly) {
   return nameAll(assembly, soft);
 }
 
-void addIndeterminacy(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses,
-                      double accuracy, LatinResult& result) {
-  const Indeterminacy found = fixedPoint.indeterminacy(responses, accuracy);
-  for (std::size_t i = 0; i < responses.size(); ++i) {
+void addIndeterminacy(const Indeterminacy& found, double accuracy, LatinResult& result) {
+  for (std::size_t i = 0; i < found.responses.size(); ++i) {
     const ResponseRange& range = found.responses[i];
     ResponseResult& response = result.responses[i];
     if (!(range.width() > accuracy * response.size)) continue;
     response.range = range;
     result.remarks.push_back(describe(response.name, range, response.values));
   }
-  if (found.pressures.empty()) return;
-  std::vector<std::string> names;
-  for (const std::string& name : found.pressures) names.push_back(base::quoted(name));
-  result.remarks.push_back("pressures are not determined where pairs of " + base::joinNames(names, mostNames) +
-                           " meet at one node, and their friction with them: there may be other solutions, with other "
-                           "displacements");
+  result.freePressures = found.pressures;
+  if (!found.pressures.empty()) result.remarks.push_back(describePressures(found.pressures));
 }
 
 void addSoftening(const FixedPoint& fixedPoint, bool isSofter, LatinResult& result) {

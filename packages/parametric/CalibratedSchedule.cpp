@@ -98,9 +98,11 @@ void CalibratedSchedule::estimate(const Indicators& indicators, results::Configu
 
 bool CalibratedSchedule::addRanges(results::ConfigurationResult& result) {
   const double accuracy = solver_.options().accuracy;
-  const auto ranges = solver_.iteration().ranges(solver_.responses());
+  const latin::Indeterminacy found = solver_.iteration().indeterminacy(solver_.responses());
+  const std::vector<latin::ResponseRange>& ranges = found.responses;
   const latin::Snapshot last(solver_.iteration().state(), solver_.responses());
-  bool isUnique = true;
+  bool isUnique = found.pressures.empty();
+  if (!isUnique) result.reason += "; " + latin::describePressures(found.pressures);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (!(ranges[i].width() > accuracy * last.size(i))) continue;
     isUnique = false;

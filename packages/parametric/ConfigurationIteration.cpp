@@ -262,9 +262,9 @@ Indicators ConfigurationIteration::march(const Indicators& target) {
   return endMarch();
 }
 
-std::vector<latin::ResponseRange> ConfigurationIteration::ranges(
+latin::Indeterminacy ConfigurationIteration::indeterminacy(
     const std::vector<std::shared_ptr<const latin::Response>>& responses) {
-  return fixedPoint_.indeterminacy(responses, accuracy_).responses;
+  return fixedPoint_.indeterminacy(responses, accuracy_);
 }
 
 std::string ConfigurationIteration::falseGraph() {

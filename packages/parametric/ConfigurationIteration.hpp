@@ -77,8 +77,8 @@ class ConfigurationIteration {
     assert(state_ != nullptr && "no stage of all load steps has been made");
     return *state_;
   }
-  /// Collective. What the responses may be at state(), see FixedPoint::indeterminacy().
-  std::vector<latin::ResponseRange> ranges(const std::vector<std::shared_ptr<const latin::Response>>& responses);
+  /// Collective. What is not determined at state(), see FixedPoint::indeterminacy().
+  latin::Indeterminacy indeterminacy(const std::vector<std::shared_ptr<const latin::Response>>& responses);
   /// Collective. Why a law has no graph at state(), see latin::checkLaws(); empty: all have.
   std::string falseGraph();
   /// alpha [stress] of the last stage of all load steps, and its image under the linear part of the linear stage.

@@ -10,9 +10,8 @@
 namespace harmos::latin {
 
 /// What the problem does not determine: ranges of responses wider than `accuracy` times their size, with a remark on
-/// each, and interfaces whose pressures have none. Collective. The last iterate of `fixedPoint` is what is looked at.
-void addIndeterminacy(FixedPoint& fixedPoint, const std::vector<std::shared_ptr<const Response>>& responses,
-                      double accuracy, LatinResult& result);
+/// each, and interfaces whose pressures are free.
+void addIndeterminacy(const Indeterminacy& found, double accuracy, LatinResult& result);
 
 /// The interfaces whose laws soften, quoted, for the user.
 std::string namesOfSoftening(const assembly::Assembly& assembly);

@@ -34,8 +34,7 @@ assembly::Assembly draggedPair(double friction1, double friction2, bool isJoined
   return assembly;
 }
 
-/// The remark on pressures; empty without one.
-std::string remarkOn(const assembly::Assembly& assembly) {
+LatinResult solve(const assembly::Assembly& assembly) {
   LatinOptions options;
   options.accuracy = 1e-4;
   base::Timers timers;
@@ -44,6 +43,13 @@ std::string remarkOn(const assembly::Assembly& assembly) {
       std::make_shared<ResultantResponse>("drag", std::vector<int>{0}, std::vector<base::Vector3>{{0.0, 1.0, 0.0}}));
   const LatinResult result = solver.solve();
   EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
+  return result;
+}
+
+/// The remark on pressures; empty without one.
+std::string remarkOn(const assembly::Assembly& assembly) {
+  const LatinResult result = solve(assembly);
+  EXPECT_EQ(result.isUnique(), result.freePressures.empty());
   const auto found = std::find_if(result.remarks.begin(), result.remarks.end(), [](const std::string& text) {
     return text.rfind("pressures are not determined", 0) == 0;
   });
@@ -55,6 +61,19 @@ std::string remarkOn(const assembly::Assembly& assembly) {
 TEST(Pressures, AreFreeWhereOnlyFrictionTellsThemApart) {
   EXPECT_NE(remarkOn(draggedPair(0.1, 0.3, true)).find("where pairs of \"1\", \"2\" meet at one node"),
             std::string::npos);
+}
+
+// The springs in series and side by side press by 0.1 * 20 / 9, of which either pair can carry all.
+TEST(Pressures, LeaveResponsesARange) {
+  const double pressure = 0.1 * 20.0 / 9.0, tolerance = 1e-4 * 0.3 * pressure;
+  const LatinResult result = solve(draggedPair(0.1, 0.3, true));
+  const ResponseResult& drag = result.responses.at(0);
+  ASSERT_EQ(drag.range.lower.size(), 1U);
+  const auto [least, most] = std::minmax({std::abs(drag.range.lower[0]), std::abs(drag.range.upper[0])});
+  EXPECT_NEAR(least, 0.1 * pressure, tolerance);
+  EXPECT_NEAR(most, 0.3 * pressure, tolerance);
+  EXPECT_FALSE(result.isUnique());
+  EXPECT_NE(describe(drag.name, drag.range, drag.values).find("solutions with other pressures"), std::string::npos);
 }
 
 TEST(Pressures, AreFreeWhereFrictionIsTheSame) {

@@ -1,0 +1,32 @@
+#include <harmos/latin/OtherSolutions.hpp>
+
+#include <utility>
+
+#include <harmos/latin/March.hpp>
+
+namespace harmos::latin {
+namespace {
+
+// Of the accuracy: the residual that is gone to, so that what differs is no error.
+constexpr double shareOfAccuracy = 0.01;
+
+}  // namespace
+
+OtherSolutions::OtherSolutions(FixedPoint& fixedPoint, int memory, double accuracy, std::function<bool()> mustStop)
+    : fixedPoint_(fixedPoint), memory_(memory), accuracy_(accuracy), mustStop_(std::move(mustStop)) {}
+
+std::optional<std::vector<std::vector<double>>> OtherSolutions::from(
+    const base::Matrix& start, const std::vector<std::shared_ptr<const Response>>& responses) {
+  base::Matrix alpha(start), image(start.numRows(), start.numCols());
+  March march(fixedPoint_, memory_, accuracy_, 0);
+  march.setStop(mustStop_);
+  const March::End end = march.run(alpha, shareOfAccuracy * accuracy_, March::Guess::state);
+  if (end != March::End::reached) return std::nullopt;
+  const Iterate& there = fixedPoint_.apply(alpha, image);
+  fixedPoint_.shareTractions(alpha, image, accuracy_);
+  std::vector<std::vector<double>> values;
+  for (const auto& response : responses) values.push_back(response->evaluate(there));
+  return values;
+}
+
+}  // namespace harmos::latin
