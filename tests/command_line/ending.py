@@ -67,6 +67,7 @@ scene = scenes / "bolted_joint.xml"
 subprocess.run([harmos, "run", str(scene), "--output", str(work / "solved"), "--quiet"], check=True)
 for number in (signal.SIGINT, signal.SIGTERM):
     for delay in (1.0, 3.0):
+        shutil.rmtree(work / "vtu", ignore_errors=True)
         process = subprocess.Popen([harmos, "export", str(work / "solved" / "bolted_joint.e"), "--output", str(work / "vtu")],
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
         time.sleep(delay)
