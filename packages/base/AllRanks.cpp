@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <limits>
 #include <ostream>
+#include <string>
 
 #include <mpi.h>
+#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 
 #include <harmos/base/Error.hpp>
@@ -43,6 +45,26 @@ int runOnAllRanks(const Teuchos::Comm<int>& comm, const std::function<int()>& pr
     if (static_cast<int>(failed) == comm.getRank()) err << messageOf(error) << std::endl;
     return (*failures)[failed];
   }
+}
+
+void onFirstRank(const Teuchos::Comm<int>& comm, const std::function<void()>& action) {
+  int code = 0;
+  std::string message;
+  if (comm.getRank() == 0) {
+    try {
+      action();
+    } catch (const std::exception& error) {
+      code = static_cast<int>(exitCodeOf(error));
+      message = messageOf(error);
+    }
+  }
+  Teuchos::broadcast(comm, 0, Teuchos::outArg(code));
+  if (code == 0) return;
+  int length = static_cast<int>(message.size());
+  Teuchos::broadcast(comm, 0, Teuchos::outArg(length));
+  message.resize(length);
+  Teuchos::broadcast(comm, 0, length, message.data());
+  throw Error(message, static_cast<ExitCode>(code));
 }
 
 }  // namespace harmos::base

@@ -16,4 +16,8 @@ namespace harmos::base {
 /// prints its message, and ends all of them with MPI_Abort and the same exit code. Collective.
 int runOnAllRanks(const Teuchos::Comm<int>& comm, const std::function<int()>& program, std::ostream& err);
 
+/// Does on rank 0 what concerns files, which other machines may not see; an error of it is thrown as base::Error on all
+/// ranks. Collective.
+void onFirstRank(const Teuchos::Comm<int>& comm, const std::function<void()>& action);
+
 }  // namespace harmos::base

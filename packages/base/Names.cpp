@@ -12,6 +12,10 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
+std::size_t difference(std::size_t a, std::size_t b) {
+  return a < b ? b - a : a - b;
+}
+
 /// Damerau-Levenshtein distance, restricted to one swap per pair of letters.
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before, last(b.size() + 1), now(b.size() + 1);
@@ -32,9 +36,11 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 
 std::string nearestName(const std::string& given, const std::vector<std::string>& known) {
   std::string nearest;
+  const std::string wanted = lowerCase(given);
   std::size_t least = 2 + given.size() / 4;
   for (const std::string& name : known) {
-    const std::size_t distance = editDistance(lowerCase(given), lowerCase(name));
+    if (difference(given.size(), name.size()) >= least) continue;  // no distance is less
+    const std::size_t distance = editDistance(wanted, lowerCase(name));
     if (distance < least && distance < name.size()) {
       least = distance;
       nearest = name;
@@ -42,7 +48,7 @@ std::string nearestName(const std::string& given, const std::vector<std::string>
   }
   if (!nearest.empty() || given.size() < 3) return nearest;
   for (const std::string& name : known) {
-    if (lowerCase(name).find(lowerCase(given)) == std::string::npos) continue;
+    if (lowerCase(name).find(wanted) == std::string::npos) continue;
     if (!nearest.empty()) return "";
     nearest = name;
   }

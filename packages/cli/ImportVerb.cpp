@@ -2,6 +2,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
+#include <harmos/files/OutputGuard.hpp>
 #include <harmos/files/PythonPackage.hpp>
 
 namespace harmos::cli {
@@ -28,6 +29,7 @@ int import(const Arguments& arguments, const CommandEnvironment& environment) {
   if (!arguments.has("--output"))
     throw base::Error("harmos import: name a folder for the mesh and the scene: --output DIR.", base::ExitCode::input);
   if (!environment.isRoot()) return 0;
+  files::demandFolder(arguments.value("--output", ""));
   std::vector<std::string> words = {"import"};
   for (const CommandOption& option : options()) {
     for (const std::string& value : arguments.values(option.name))

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <ostream>
 
+#include <harmos/base/AllRanks.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/files/AtomicFile.hpp>
 #include <harmos/files/ExodusWriter.hpp>
@@ -18,6 +19,7 @@ int writeMesh(const Arguments& arguments, const CommandEnvironment& environment)
   const scene::Scene scene = scene::readScene(path, arguments.values("--set"), laws::builtInLaws());
   const std::string file = arguments.value("--output", std::filesystem::path(path).stem().string() + "_mesh.e");
   files::demandDistinct(scene::inputFiles(scene), {file});
+  base::onFirstRank(*environment.communicator, [&] { files::demandWritable({file}); });
   const mesh::Mesh mesh = scene::makeMesh(scene.input.list("Mesh"), path);
   if (!environment.isRoot()) return 0;
   files::createFolderOf(file);

@@ -115,6 +115,7 @@ int predict(const Arguments& arguments, const CommandEnvironment& environment) {
   if (!environment.isRoot()) return 0;
   const std::string& path = arguments.operands()[0];
   files::demandDistinct({path, arguments.value("--points", "")}, {arguments.value("--output", "")});
+  files::demandWritable(arguments.values("--output"));
   const results::SurfaceData data = files::readSurfaceData(path);
   if (arguments.has("--points") == arguments.has("--at")) {
     throw base::Error("harmos predict wants either --points or --at. Try \"harmos predict --help\".",

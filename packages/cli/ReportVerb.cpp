@@ -2,6 +2,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
+#include <harmos/files/OutputGuard.hpp>
 #include <harmos/files/PythonPackage.hpp>
 
 namespace harmos::cli {
@@ -16,6 +17,8 @@ int report(const Arguments& arguments, const CommandEnvironment& environment) {
   const std::string study = arguments.operands()[0];
   if (!fs::exists(study)) throw base::Error("Cannot read " + study + ": there is no such file.", base::ExitCode::input);
   const std::string page = arguments.value("--output", fs::path(study).replace_extension(".html").string());
+  files::demandWritable({page});
+  for (const std::string& folder : arguments.values("--pictures")) files::demandFolder(folder);
   std::vector<std::string> words = {"report", study, page};
   for (const std::string option : {"--abscissa", "--pictures"}) {
     if (arguments.has(option)) words.insert(words.end(), {option, arguments.value(option, "")});

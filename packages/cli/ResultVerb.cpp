@@ -3,6 +3,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/cli/detail/ResultVerb.hpp>
+#include <harmos/files/OutputGuard.hpp>
 #include <harmos/files/PythonPackage.hpp>
 
 namespace harmos::cli {
@@ -15,7 +16,13 @@ int runOnResult(const std::string& verb, const std::string& extension, const std
   if (!std::filesystem::exists(result))
     throw base::Error("Cannot read " + result + ": there is no such file.", base::ExitCode::input);
   const std::string beside = std::filesystem::path(result).replace_extension(extension).string();
-  std::vector<std::string> words = {verb, result, arguments.value("--output", beside)};
+  const std::string output = arguments.value("--output", beside);
+  if (extension.empty()) {
+    files::demandFolder(output);
+  } else {
+    files::demandWritable({output});
+  }
+  std::vector<std::string> words = {verb, result, output};
   for (const CommandOption& option : options) {
     if (option.name != "--output" && arguments.has(option.name))
       words.push_back(option.name + "=" + arguments.value(option.name, ""));

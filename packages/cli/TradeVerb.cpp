@@ -2,6 +2,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
+#include <harmos/files/OutputGuard.hpp>
 #include <harmos/files/PythonPackage.hpp>
 
 namespace harmos::cli {
@@ -15,6 +16,7 @@ int trade(const Arguments& arguments, const CommandEnvironment& environment) {
   if (!environment.isRoot()) return 0;
   const std::string input = arguments.operands()[0];
   if (!fs::exists(input)) throw base::Error("Cannot read " + input + ": there is no such file.", base::ExitCode::input);
+  files::demandFolder(arguments.value("--output", "results"));
   // Every run is one of this very program, in a process of its own.
   std::vector<std::string> words = {"trade", input, "--program=" + fs::read_symlink("/proc/self/exe").string()};
   for (const std::string option : {"--output", "--budget", "--memory", "--targets", "--responses"}) {

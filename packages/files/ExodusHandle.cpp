@@ -54,7 +54,12 @@ ExodusHandle::~ExodusHandle() {
 }
 
 void ExodusHandle::check(int status, const std::string& what) const {
-  if (status < 0) throw base::Error(path_ + ": cannot " + what + ": " + lastMessage() + ".", code_);
+  if (status >= 0) return;
+  const bool isWritten = code_ == base::ExitCode::failure;
+  throw base::Error(
+      path_ + ": cannot " + what + ": " + lastMessage() + "." +
+          (isWritten ? "\n  If the disk is full, make room, or write into another folder (--output)." : ""),
+      code_);
 }
 
 void ExodusHandle::close() {

@@ -8,14 +8,20 @@
 
 namespace harmos::files {
 
+namespace {
+
+const std::string ofMeshError = "_mesh_error";
+
+}  // namespace
+
 std::string meshErrorColumn(const std::string& response) {
-  return response + "_mesh_error";
+  return response + ofMeshError;
 }
 
-bool headsAnotherColumn(const std::string& name, const std::vector<std::string>& responses) {
-  return name == "step" || name == "time" ||
-         std::any_of(responses.begin(), responses.end(),
-                     [&](const std::string& response) { return meshErrorColumn(response) == name; });
+bool headsAnotherColumn(const std::string& name, const std::function<bool(const std::string&)>& isResponse) {
+  if (name == "step" || name == "time") return true;
+  const std::size_t stem = name.size() - std::min(name.size(), ofMeshError.size());
+  return name.substr(stem) == ofMeshError && isResponse(name.substr(0, stem));
 }
 
 void writeHistory(const std::string& path, const History& history) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ struct History {
 /// Head of the column with the error of the mesh of a response.
 std::string meshErrorColumn(const std::string& response);
 
-/// Whether another column of a history with these responses has `name` for its head.
-bool headsAnotherColumn(const std::string& name, const std::vector<std::string>& responses);
+/// Whether another column of a history has `name` for its head; `isResponse` tells the names of its responses.
+bool headsAnotherColumn(const std::string& name, const std::function<bool(const std::string&)>& isResponse);
 
 /// Writes a CSV file "step,time,<response>,...,<response>_mesh_error,..." with one row per time step, counted from 0;
 /// numbers read back exactly. Errors of the mesh are relative [-], and nan in all rows but the last. Declared

@@ -20,7 +20,8 @@ class InputErrors : public base::Error {
   std::string list_;
 };
 
-/// Collects the errors of an input, so that the user sees all of them at once, in the order in which they were added.
+/// Collects the errors of an input, so that the user sees all of them at once, in the order in which they were added;
+/// of more than a hundred the first hundred.
 class ErrorList {
  public:
   /// Adds an error, "where: what" and, indented below it, `repair`. `where` as from Parameters::where(); `what` and
@@ -32,7 +33,7 @@ class ErrorList {
   bool collect(const std::string& where, const std::function<void()>& action);
   /// How many errors were added.
   int count() const { return count_; }
-  /// All errors, ended by "N errors; nothing was run."; empty when there are none.
+  /// The errors, ended by "N errors; nothing was run."; empty when there are none.
   std::string message() const;
   /// Throws InputErrors with message(), if there are any.
   void throwIfAny() const;

@@ -18,6 +18,7 @@ namespace harmos::input {
 namespace {
 
 constexpr std::size_t deepestList = 100;  // guards the recursions over the tree
+constexpr int pieceSize = 1 << 20;        // characters that are read at once
 
 /// State of expat's callbacks: the elements that are open, the innermost last.
 struct Reader {
@@ -62,6 +63,53 @@ struct Reader {
     problem = location() + ": " + what + "\n  " + repair;
   }
 };
+
+InputTree treeOf(std::istream& stream, const std::string& source) {
+  const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(XML_ParserCreate(nullptr), &XML_ParserFree);
+  Reader reader;
+  reader.parser = parser.get();
+  reader.source = source;
+  XML_SetUserData(parser.get(), &reader);
+  XML_SetElementHandler(
+      parser.get(),
+      [](void* data, const char* tag, const char** attributes) { static_cast<Reader*>(data)->start(tag, attributes); },
+      [](void* data, const char*) { static_cast<Reader*>(data)->open.pop_back(); });
+  XML_SetCharacterDataHandler(parser.get(), [](void* data, const char* characters, int length) {
+    static_cast<Reader*>(data)->text(characters, length);
+  });
+  // What stands in other files is never read, and expat would pass over it in silence.
+  XML_SetExternalEntityRefHandler(
+      parser.get(), [](XML_Parser parsing, const char*, const char*, const char* file, const char*) -> int {
+        static_cast<Reader*>(XML_GetUserData(parsing))
+            ->refuse("the external entity \"" + std::string(file ? file : "") + "\" is not read.",
+                     "Write its content into the file.");
+        return XML_STATUS_ERROR;
+      });
+  XML_SetNotStandaloneHandler(parser.get(), [](void* data) -> int {
+    static_cast<Reader*>(data)->refuse("the declarations of the DOCTYPE that stand elsewhere are not read.",
+                                       "Remove the DOCTYPE and write what its entities stand for.");
+    return XML_STATUS_ERROR;
+  });
+  // Piece by piece: what is no XML may be without end, such as /dev/zero.
+  std::vector<char> piece(pieceSize);
+  XML_Status status = XML_STATUS_OK;
+  while (status != XML_STATUS_ERROR && stream) {
+    stream.read(piece.data(), pieceSize);
+    status = XML_Parse(parser.get(), piece.data(), static_cast<int>(stream.gcount()), stream ? XML_FALSE : XML_TRUE);
+  }
+  if (status == XML_STATUS_ERROR) {
+    if (reader.problem.empty()) {
+      reader.problem =
+          reader.location() + ": not well-formed XML: " + XML_ErrorString(XML_GetErrorCode(parser.get())) +
+          (reader.open.empty() ? "" : ", inside <" + reader.open.back()->tag + "> of " + reader.open.back()->location) +
+          ".";
+    }
+    throw base::Error(reader.problem + "\n1 error; nothing was run.", base::ExitCode::input);
+  }
+  InputTree tree;
+  tree.root = std::move(reader.root);
+  return tree;
+}
 
 template <class T>
 std::string arrayText(const Teuchos::Array<T>& values) {
@@ -144,7 +192,8 @@ std::string InputNode::name() const {
 
 const InputNode* InputNode::child(const std::string& name) const {
   for (const InputNode& node : children) {
-    if ((node.isList() || node.isParameter()) && node.name() == name) return &node;
+    const std::string* given = node.attribute("name");
+    if ((given ? *given == name : name.empty()) && (node.isList() || node.isParameter())) return &node;
   }
   return nullptr;
 }
@@ -155,53 +204,18 @@ InputNode* InputNode::child(const std::string& name) {
 
 InputTree InputTree::fromFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
   // Reading a directory opens it but fails at the first character.
-  if (!file || !(text << file.rdbuf())) {
-    throw base::Error(path + ": cannot be read (" + (file ? "empty or not a file" : std::strerror(errno)) + ").",
-                      base::ExitCode::input);
+  if (!file || file.peek() == std::ifstream::traits_type::eof()) {
+    throw base::Error(
+        path + ": cannot be read (" + (file.is_open() ? "empty or not a file" : std::strerror(errno)) + ").",
+        base::ExitCode::input);
   }
-  return fromText(text.str(), path);
+  return treeOf(file, path);
 }
 
 InputTree InputTree::fromText(const std::string& xml, const std::string& source) {
-  const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(XML_ParserCreate(nullptr), &XML_ParserFree);
-  Reader reader;
-  reader.parser = parser.get();
-  reader.source = source;
-  XML_SetUserData(parser.get(), &reader);
-  XML_SetElementHandler(
-      parser.get(),
-      [](void* data, const char* tag, const char** attributes) { static_cast<Reader*>(data)->start(tag, attributes); },
-      [](void* data, const char*) { static_cast<Reader*>(data)->open.pop_back(); });
-  XML_SetCharacterDataHandler(parser.get(), [](void* data, const char* characters, int length) {
-    static_cast<Reader*>(data)->text(characters, length);
-  });
-  // What stands in other files is never read, and expat would pass over it in silence.
-  XML_SetExternalEntityRefHandler(
-      parser.get(), [](XML_Parser parsing, const char*, const char*, const char* file, const char*) -> int {
-        static_cast<Reader*>(XML_GetUserData(parsing))
-            ->refuse("the external entity \"" + std::string(file ? file : "") + "\" is not read.",
-                     "Write its content into the file.");
-        return XML_STATUS_ERROR;
-      });
-  XML_SetNotStandaloneHandler(parser.get(), [](void* data) -> int {
-    static_cast<Reader*>(data)->refuse("the declarations of the DOCTYPE that stand elsewhere are not read.",
-                                       "Remove the DOCTYPE and write what its entities stand for.");
-    return XML_STATUS_ERROR;
-  });
-  if (XML_Parse(parser.get(), xml.data(), static_cast<int>(xml.size()), XML_TRUE) == XML_STATUS_ERROR) {
-    if (reader.problem.empty()) {
-      reader.problem =
-          reader.location() + ": not well-formed XML: " + XML_ErrorString(XML_GetErrorCode(parser.get())) +
-          (reader.open.empty() ? "" : ", inside <" + reader.open.back()->tag + "> of " + reader.open.back()->location) +
-          ".";
-    }
-    throw base::Error(reader.problem + "\n1 error; nothing was run.", base::ExitCode::input);
-  }
-  InputTree tree;
-  tree.root = std::move(reader.root);
-  return tree;
+  std::istringstream stream(xml);
+  return treeOf(stream, source);
 }
 
 InputTree InputTree::fromTeuchos(const Teuchos::ParameterList& list, const std::string& source) {

@@ -25,23 +25,20 @@ InputNode& add(InputNode& parent, const char* tag, const std::string& name, cons
   return node;
 }
 
-ParameterType assign(InputNode& list, const std::string& name, ParameterType type, const EntryChange& change) {
-  InputNode* node = list.child(name);
-  if (!node) node = &add(list, InputNode::parameterTag, name, change.location);
-  node->setAttribute("type", xmlType(type));
-  node->setAttribute("value", change.value);
-  node->location = change.location;
-  return type;
-}
-
-std::vector<std::string> childNames(const InputNode& node) {
+// Lists that the input omits are null in these.
+std::vector<std::string> childNames(const InputNode* list) {
   std::vector<std::string> names;
-  for (const InputNode& child : node.children) names.push_back(child.name());
+  if (!list) return names;
+  for (const InputNode& child : list->children) names.push_back(child.name());
   return names;
 }
 
-const ParameterSpec* formOf(const InputNode& node, const ParameterSpec& spec) {
-  const InputNode* type = node.child("Type");
+const InputNode* childOf(const InputNode* list, const std::string& name) {
+  return list ? list->child(name) : nullptr;
+}
+
+const ParameterSpec* formOf(const InputNode* list, const ParameterSpec& spec) {
+  const InputNode* type = childOf(list, "Type");
   const std::string* value = type ? type->attribute("value") : nullptr;
   return value ? spec.findForm(*value) : nullptr;
 }
@@ -66,10 +63,10 @@ void applyOverride(InputTree& input, const ParameterSpec& spec, const std::strin
   applyChange(input, spec, {path, base::trimmed(assignment.substr(equals + 1)), "--set"}, where, errors);
 }
 
-std::optional<ParameterType> applyChange(InputTree& input, const ParameterSpec& spec, const EntryChange& change,
-                                         const std::string& where, ErrorList& errors) {
-  const std::vector<std::string> path = namesIn(change.path);
-  InputNode* node = &input.root;
+std::optional<ParameterType> typeOf(const InputTree& input, const ParameterSpec& spec, const std::string& entry,
+                                    const std::string& where, ErrorList& errors) {
+  const std::vector<std::string> path = namesIn(entry);
+  const InputNode* node = &input.root;
   const ParameterSpec* at = &spec;
   std::string listName = spec.name();
   const auto noSuch = [&](const char* kind, const std::string& name, const std::vector<std::string>& known) {
@@ -82,7 +79,7 @@ std::optional<ParameterType> applyChange(InputTree& input, const ParameterSpec& 
   };
   std::size_t i = 0;
   for (; i + 1 < path.size(); ++i) {
-    const auto sublists = at->sublistsWith(formOf(*node, *at));
+    const auto sublists = at->sublistsWith(formOf(node, *at));
     const ParameterSpec::Sublist* next = nullptr;
     std::vector<std::string> known;
     for (const auto& sublist : sublists) {
@@ -90,34 +87,50 @@ std::optional<ParameterType> applyChange(InputTree& input, const ParameterSpec& 
       if (sublist.name == path[i]) next = &sublist;
     }
     if (!next) return noSuch("list", path[i], known);
-    InputNode* child = node->child(path[i]);
-    node = child ? child : &add(*node, InputNode::listTag, path[i], change.location);
-    if (!node->isList()) return std::nullopt;  // check() says so
+    node = childOf(node, path[i]);
+    if (node && !node->isList()) return std::nullopt;  // check() says so
     listName = path[i];
     if (next->kind == ParameterSpec::ListKind::named) {
       const std::string& name = path[++i];
-      child = node->child(name);
-      if (!child) return noSuch("list", name, childNames(*node));
+      const InputNode* child = childOf(node, name);
+      if (!child) return noSuch("list", name, childNames(node));
       if (!child->isList()) return std::nullopt;
       node = child;
       listName = name;
       if (i + 1 == path.size()) return isList(name);
     } else if (next->kind == ParameterSpec::ListKind::numbers) {
       const std::string& name = path[i + 1];
-      if (i + 2 != path.size() || !node->child(name)) return noSuch("entry", name, childNames(*node));
-      return assign(*node, name, ParameterType::number, change);
+      if (i + 2 != path.size() || !childOf(node, name)) return noSuch("entry", name, childNames(node));
+      return ParameterType::number;
     }
     at = next->spec.get();
   }
   std::vector<std::string> known;
-  for (const ParameterEntry& entry : at->entriesWith(formOf(*node, *at))) {
-    if (entry.name == path.back()) return assign(*node, entry.name, entry.type, change);
-    known.push_back(entry.name);
+  for (const ParameterEntry& declared : at->entriesWith(formOf(node, *at))) {
+    if (declared.name == path.back()) return declared.type;
+    known.push_back(declared.name);
   }
-  for (const ParameterSpec::Sublist& sublist : at->sublistsWith(formOf(*node, *at))) {
+  for (const ParameterSpec::Sublist& sublist : at->sublistsWith(formOf(node, *at))) {
     if (sublist.name == path.back()) return isList(path.back());
   }
   return noSuch("parameter", path.back(), known);
+}
+
+bool applyChange(InputTree& input, const ParameterSpec& spec, const EntryChange& change, const std::string& where,
+                 ErrorList& errors) {
+  const std::optional<ParameterType> type = typeOf(input, spec, change.path, where, errors);
+  if (!type) return false;
+  const std::vector<std::string> path = namesIn(change.path);
+  InputNode* node = &input.root;
+  for (const std::string& name : path) {
+    InputNode* child = node->child(name);
+    const char* tag = &name == &path.back() ? InputNode::parameterTag : InputNode::listTag;
+    node = child ? child : &add(*node, tag, name, change.location);
+  }
+  node->setAttribute("type", xmlType(*type));
+  node->setAttribute("value", change.value);
+  node->location = change.location;
+  return true;
 }
 
 }  // namespace harmos::input

@@ -22,10 +22,14 @@ struct EntryChange {
   std::string location;  // of the changed entry from then on, in messages about its value
 };
 
-/// The same for a change from elsewhere; a path that does not exist is reported at `where`. Returns the type of the
-/// entry, nothing when it was not changed. A list on the way that the input writes as a parameter is left to check(),
-/// which reports it; lists that were added on the way stay, even when the path leads nowhere.
-std::optional<ParameterType> applyChange(InputTree& input, const ParameterSpec& spec, const EntryChange& change,
-                                         const std::string& where, ErrorList& errors);
+/// The same for a change from elsewhere; a path that does not exist is reported at `where`. Returns whether the entry
+/// was changed.
+bool applyChange(InputTree& input, const ParameterSpec& spec, const EntryChange& change, const std::string& where,
+                 ErrorList& errors);
+
+/// The type of the entry "List/Sublist/Name", which the input may omit. Nothing when there is no such path, which is
+/// reported at `where`, or when the input writes a list on the way as a parameter, which check() reports.
+std::optional<ParameterType> typeOf(const InputTree& input, const ParameterSpec& spec, const std::string& entry,
+                                    const std::string& where, ErrorList& errors);
 
 }  // namespace harmos::input

@@ -1,7 +1,5 @@
 #include <harmos/input/Parameters.hpp>
 
-#include <algorithm>
-
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>
 
@@ -13,10 +11,8 @@ const std::vector<double>* Histories::find(const std::string& name) const {
 }
 
 const Parameters::Entry* Parameters::find(const std::string& name) const {
-  for (const Entry& entry : entries_) {
-    if (entry.name == name) return &entry;
-  }
-  return nullptr;
+  const auto found = places_.find(name);
+  return found == places_.end() ? nullptr : &entries_[found->second];
 }
 
 const Parameters::Sublist* Parameters::findList(const std::string& name) const {
@@ -93,28 +89,28 @@ const std::vector<Parameters>& Parameters::lists(const std::string& name) const 
 }
 
 void Parameters::remove(const std::string& name) {
-  const auto isIt = [&](const Entry& entry) { return entry.name == name; };
-  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), isIt), entries_.end());
+  const auto found = places_.find(name);
+  if (found == places_.end()) return;
+  const std::size_t place = found->second;
+  entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(place));
+  places_.erase(found);
+  for (auto& [other, at] : places_) at -= at > place ? 1 : 0;
 }
 
 Parameters& Parameters::set(const std::string& name, Value value, std::string location) {
-  for (Entry& entry : entries_) {
-    if (entry.name == name) {
-      entry.value = std::move(value);
-      entry.location = std::move(location);
-      return *this;
-    }
+  const auto [found, isNew] = places_.emplace(name, entries_.size());
+  if (isNew) {
+    entries_.push_back({name, std::move(value), std::move(location)});
+  } else {
+    entries_[found->second].value = std::move(value);
+    entries_[found->second].location = std::move(location);
   }
-  entries_.push_back({name, std::move(value), std::move(location)});
   return *this;
 }
 
 void Parameters::restrict(const std::string& name, std::shared_ptr<const ParameterEntry> declaration) {
-  for (Entry& entry : entries_) {
-    if (entry.name != name) continue;
-    entry.declaration = std::move(declaration);
-    return;
-  }
+  const auto found = places_.find(name);
+  if (found != places_.end()) entries_[found->second].declaration = std::move(declaration);
 }
 
 Parameters& Parameters::setList(const std::string& name, Parameters list) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -118,6 +119,7 @@ class Parameters {
   const std::vector<Sublist>& sublists() const { return sublists_; }
 
  private:
+  /// The entry of this name; null when there is none.
   const Entry* find(const std::string& name) const;
   const Sublist* findList(const std::string& name) const;
   template <class T>
@@ -125,6 +127,7 @@ class Parameters {
 
   std::string name_, path_, location_;
   std::vector<Entry> entries_;
+  std::unordered_map<std::string, std::size_t> places_;  // of the entries, by name
   std::vector<Sublist> sublists_;
   std::shared_ptr<const Histories> histories_;
 };

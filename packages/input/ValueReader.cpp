@@ -38,7 +38,10 @@ ValueReader::ValueReader(const InputNode& root, ErrorList& errors) : errors_(err
     }
   }
   if (const InputNode* histories = root.child("Histories")) {
-    for (const InputNode& history : histories->children) histories_.push_back(history.name());
+    for (const InputNode& history : histories->children) {
+      histories_.push_back(history.name());
+      isHistory_.insert(history.name());
+    }
   }
 }
 
@@ -139,7 +142,7 @@ std::optional<std::string> ValueReader::text(const std::string& text, const Para
     errors_.add(where, base::quoted(text) + " is not allowed.", base::suggestName(text, entry.choices, "Allowed"));
     return std::nullopt;
   }
-  if (entry.namesHistory && std::find(histories_.begin(), histories_.end(), text) == histories_.end()) {
+  if (entry.namesHistory && isHistory_.count(text) == 0) {
     errors_.add(where, base::quoted(text) + " names no history.", base::suggestName(text, histories_, "Histories has"));
     return std::nullopt;
   }

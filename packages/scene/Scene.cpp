@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <set>
+#include <unordered_map>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
@@ -22,6 +24,7 @@
 #include <harmos/scene/SceneSpec.hpp>
 #include <harmos/scene/detail/Dimensions.hpp>
 #include <harmos/scene/detail/History.hpp>
+#include <harmos/scene/detail/KnownNames.hpp>
 #include <harmos/scene/detail/LawEntry.hpp>
 #include <harmos/scene/detail/LawOutputs.hpp>
 #include <harmos/scene/detail/Names.hpp>
@@ -41,12 +44,6 @@ namespace {
 
 using input::Parameters;
 using Names = std::vector<std::string>;
-
-Names namesOf(const std::vector<Parameters>& lists) {
-  Names names;
-  for (const Parameters& list : lists) names.push_back(list.name());
-  return names;
-}
 
 std::vector<double> stepTimes(const std::vector<Parameters>& steps, input::ErrorList& errors) {
   std::vector<double> times;
@@ -75,7 +72,18 @@ std::vector<double> stepTimes(const std::vector<Parameters>& steps, input::Error
 class SceneChecker {
  public:
   SceneChecker(const laws::LawRegistry& laws, Scene& scene, input::ErrorList& errors)
-      : laws_(laws), scene_(scene), input_(scene.input), errors_(errors) {}
+      : laws_(laws),
+        scene_(scene),
+        input_(scene.input),
+        errors_(errors),
+        parts_(input_.lists("Parts")),
+        materials_(input_.lists("Materials")),
+        fields_(input_.lists("Fields")),
+        joints_(input_.lists("Interfaces")),
+        interfaces_(joints_),
+        responses_(input_.lists("Responses")) {
+    interfaces_.add(input_.lists("Boundaries"));
+  }
 
   void check() {
     scene_.cutLaw = laws_.create(Parameters("cut").set("Type", std::string("Perfect")));
@@ -85,7 +93,7 @@ class SceneChecker {
       errors_.collect(list.where(), [&] { scene_.materials[list.name()] = materials.create(list); });
     }
     for (const Parameters& part : input_.lists("Parts")) {
-      knownName(part, "Material", namesOf(input_.lists("Materials")), "Materials");
+      knownName(part, "Material", materials_, "Materials");
       checkBodyForce(part);
       if (part.has("Linear Solver") && part.text("Linear Solver") == "Iterative")
         errors_.collect(part.where("Linear Solver"), [] { substructure::multigridLibrary(); });
@@ -95,7 +103,7 @@ class SceneChecker {
                  [](const elasticity::Material& m) { return m.thermalExpansion().has_value(); });
     checkOneTemperature();
     for (const Parameters& field : input_.lists("Fields")) {
-      if (field.type() == "Mesh Variable") knownName(field, "Part", namesOf(input_.lists("Parts")), "Parts");
+      if (field.type() == "Mesh Variable") knownName(field, "Part", parts_, "Parts");
     }
     for (const Parameters& interface : input_.lists("Interfaces")) checkInterface(interface);
     for (const Parameters& boundary : input_.lists("Boundaries")) checkBoundary(boundary);
@@ -124,37 +132,44 @@ class SceneChecker {
   }
 
   /// The text `entry`, if given, is one of `known`, the names of the scene's list `list`.
-  bool knownName(const Parameters& parameters, const std::string& entry, const Names& known, const std::string& list) {
+  bool knownName(const Parameters& parameters, const std::string& entry, const KnownNames& known,
+                 const std::string& list) {
     if (!parameters.has(entry)) return true;
     return knownName(parameters.where(entry), parameters.text(entry), known, list);
   }
 
-  bool knownName(const std::string& where, const std::string& name, const Names& known, const std::string& list) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) return true;
+  bool knownName(const std::string& where, const std::string& name, const KnownNames& known, const std::string& list) {
+    if (known.has(name)) return true;
     errors_.add(where, "\"" + name + "\" is not in the list " + list + ".",
-                base::suggestName(name, known, list + " has"));
+                base::suggestName(name, known.inOrder(), list + " has"));
     return false;
+  }
+
+  /// The parts that a list of Loads or Temperatures concerns, those that are there.
+  Names partsOf(const Parameters& list) const {
+    if (!list.has("Parts")) return parts_.inOrder();
+    Names names = list.texts("Parts");
+    names.erase(std::remove_if(names.begin(), names.end(), [&](const auto& name) { return !parts_.has(name); }),
+                names.end());
+    return names;
   }
 
   /// The parts that lists of this kind name are there, and their materials have the constant that they need.
   void checkPartsOf(const std::string& kind, const std::string& constant,
                     const std::function<bool(const elasticity::Material&)>& has) {
-    const Names parts = namesOf(input_.lists("Parts"));
     for (const Parameters& list : input_.lists(kind)) {
       if (list.has("Parts")) {
-        for (const std::string& name : list.texts("Parts")) knownName(list.where("Parts"), name, parts, "Parts");
+        for (const std::string& name : list.texts("Parts")) knownName(list.where("Parts"), name, parts_, "Parts");
       }
-      Names lacking;
-      for (const Parameters& part : input_.lists("Parts")) {
-        const auto material = scene_.materials.find(part.text("Material"));
-        if (!concerns(list, part.name()) || material == scene_.materials.end() || has(*material->second)) continue;
-        if (std::find(lacking.begin(), lacking.end(), material->first) == lacking.end()) {
-          lacking.push_back(material->first);
-        }
+      std::set<std::string> lacking;
+      for (const std::string& part : partsOf(list)) {
+        const auto material = scene_.materials.find(parts_.find(part)->text("Material"));
+        if (material != scene_.materials.end() && !has(*material->second)) lacking.insert(material->first);
       }
       if (lacking.empty()) continue;
       errors_.add(list.where(),
-                  "the materials of its parts have no " + constant + ": " + base::joinNames(lacking) + ".",
+                  "the materials of its parts have no " + constant + ": " +
+                      base::joinNames({lacking.begin(), lacking.end()}) + ".",
                   "Add \"" + constant + "\" to them, or name the parts that have it in \"Parts\".");
     }
   }
@@ -169,27 +184,21 @@ class SceneChecker {
   }
 
   void checkFieldInside(const Parameters& force, const std::string& entry) {
-    const auto& fields = input_.lists("Fields");
-    knownName(force, entry, namesOf(fields), "Fields");
-    for (const Parameters& field : fields) {
-      if (!force.has(entry) || force.text(entry) != field.name() || field.type() != "Random") continue;
-      errors_.add(force.where(entry), base::quoted(field.name()) + " is random, and known on interfaces only.",
-                  "Take a field of Type = Mesh Variable.");
-    }
+    if (!knownName(force, entry, fields_, "Fields") || !force.has(entry)) return;
+    const Parameters& field = *fields_.find(force.text(entry));
+    if (field.type() != "Random") return;
+    errors_.add(force.where(entry), base::quoted(field.name()) + " is random, and known on interfaces only.",
+                "Take a field of Type = Mesh Variable.");
   }
 
   void checkOneTemperature() {
-    for (const Parameters& part : input_.lists("Parts")) {
-      const Parameters* first = nullptr;
-      for (const Parameters& list : input_.lists("Temperatures")) {
-        if (!concerns(list, part.name())) continue;
-        if (first == nullptr) {
-          first = &list;
-        } else {
-          errors_.add(list.where(),
-                      "the part \"" + part.name() + "\" has a temperature already, at " + first->location() + ".",
-                      "Name the parts of each in \"Parts\".");
-        }
+    std::unordered_map<std::string, const Parameters*> firsts;
+    for (const Parameters& list : input_.lists("Temperatures")) {
+      for (const std::string& part : partsOf(list)) {
+        const Parameters* first = firsts.emplace(part, &list).first->second;
+        if (first == &list) continue;
+        errors_.add(list.where(), "the part \"" + part + "\" has a temperature already, at " + first->location() + ".",
+                    "Name the parts of each in \"Parts\".");
       }
     }
   }
@@ -211,10 +220,10 @@ class SceneChecker {
         errors_.add(interface.where(entry), "it belongs to a plane through one part.", "Remove it, or give \"Part\".");
       }
     }
-    const Names parts = namesOf(input_.lists("Parts"));
     for (const char* entry : {"Part 1", "Part 2"}) {
-      const bool isFitting = interface.has(entry) && !fittingNames(interface.text(entry), parts).empty();
-      if (!isFitting) knownName(interface, entry, parts, "Parts");
+      const bool isFitting = interface.has(entry) && isPattern(interface.text(entry)) &&
+                             !fittingNames(interface.text(entry), parts_.inOrder()).empty();
+      if (!isFitting) knownName(interface, entry, parts_, "Parts");
     }
     for (const std::string kind : {"Side", "Part"}) {
       const std::string first = kind + " 1", second = kind + " 2";
@@ -234,7 +243,7 @@ class SceneChecker {
 
   /// An interface on a plane through one part.
   void checkSection(const Parameters& interface) {
-    knownName(interface, "Part", namesOf(input_.lists("Parts")), "Parts");
+    knownName(interface, "Part", parts_, "Parts");
     for (const char* entry : {"Point", "Normal"}) {
       if (interface.has(entry)) continue;
       errors_.add(interface.where(), std::string("the plane through the part has no \"") + entry + "\".", "Give it.");
@@ -243,12 +252,10 @@ class SceneChecker {
       if (!interface.has(entry)) continue;
       errors_.add(interface.where(entry), "the sides of a plane through one part share their nodes.", "Remove it.");
     }
-    for (const Parameters& other : input_.lists("Interfaces")) {
-      if (&other == &interface) break;
-      if (!other.has("Part") || other.text("Part") != interface.text("Part")) continue;
-      errors_.add(interface.where("Part"), "the part is divided already, at " + other.location() + ".",
-                  "Let one plane cut it, or divide the part into several.");
-    }
+    const auto [first, isNew] = divided_.emplace(interface.text("Part"), interface.location());
+    if (isNew) return;
+    errors_.add(interface.where("Part"), "the part is divided already, at " + first->second + ".",
+                "Let one plane cut it, or divide the part into several.");
   }
 
   void checkJoining(const Parameters& interface) {
@@ -268,11 +275,8 @@ class SceneChecker {
 
   void checkBoundary(const Parameters& boundary) {
     checkPlace(boundary, "boundary", "Side Set", errors_);
-    knownName(boundary, "Part", namesOf(input_.lists("Parts")), "Parts");
-    const auto& interfaces = input_.lists("Interfaces");
-    const auto same = std::find_if(interfaces.begin(), interfaces.end(),
-                                   [&](const Parameters& other) { return other.name() == boundary.name(); });
-    if (same != interfaces.end()) {
+    knownName(boundary, "Part", parts_, "Parts");
+    if (const Parameters* same = joints_.find(boundary.name())) {
       errors_.add(boundary.where(), "an interface has the same name, at " + same->location() + ".",
                   "Rename one of them: results are addressed by these names.");
     }
@@ -286,7 +290,7 @@ class SceneChecker {
     laws_.check(parameters, errors_);
     if (errors_.count() > before) return;
     for (const std::string& entry : laws::FieldLaw::fieldEntries(parameters)) {
-      knownName(parameters, entry, namesOf(input_.lists("Fields")), "Fields");
+      knownName(parameters, entry, fields_, "Fields");
     }
     errors_.collect(parameters.where(), [&] {
       auto made = laws_.create(parameters);
@@ -315,17 +319,14 @@ class SceneChecker {
 
   void checkResponse(const Parameters& response) {
     checkName(response, "response", errors_);
-    if (files::headsAnotherColumn(response.name(), namesOf(input_.lists("Responses")))) {
+    if (files::headsAnotherColumn(response.name(), [&](const std::string& name) { return responses_.has(name); })) {
       errors_.add(response.where(), "this name heads another column of the history.", "Take another one.");
     }
-    Names interfaces = namesOf(input_.lists("Interfaces"));
-    const Names boundaries = namesOf(input_.lists("Boundaries"));
-    interfaces.insert(interfaces.end(), boundaries.begin(), boundaries.end());
-    knownName(response, "Interface", interfaces, "Interfaces or Boundaries");
-    knownName(response, "Part", namesOf(input_.lists("Parts")), "Parts");
+    knownName(response, "Interface", interfaces_, "Interfaces or Boundaries");
+    knownName(response, "Part", parts_, "Parts");
     if (response.has("Interfaces")) {
       for (const std::string& name : response.texts("Interfaces")) {
-        knownName(response.where("Interfaces"), name, interfaces, "Interfaces or Boundaries");
+        knownName(response.where("Interfaces"), name, interfaces_, "Interfaces or Boundaries");
       }
     }
     builtInResponses().check(response, errors_);
@@ -335,6 +336,10 @@ class SceneChecker {
   Scene& scene_;
   const Parameters& input_;
   input::ErrorList& errors_;
+  KnownNames parts_, materials_, fields_, joints_;
+  KnownNames interfaces_;  // and boundaries
+  KnownNames responses_;
+  std::unordered_map<std::string, std::string> divided_;  // by the part: where a plane through it is given
   LawOutputs outputs_;
 };
 

@@ -9,6 +9,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/base/AllRanks.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>
 #include <harmos/base/SoleThread.hpp>
@@ -204,6 +205,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
   Recorder recorder(result.record, result.files.record, timers, *comm);
   latin::LatinOptions options = scene.solver;
   files::demandDistinct(inputFiles(scene), result.files.all());
+  base::onFirstRank(*comm, [&] { files::demandWritable(result.files.all()); });
   if (!request.anySize) demandRoomForMesh(scene, memoryOfAllRanks(*comm));
   Problem problem = makeProblem(scene, *comm, timers, Cutting::automatic);
   if (!request.anySize) demandCapacity(problem, options, *comm);

@@ -75,13 +75,18 @@ std::vector<std::string> unusedEntries(const input::InputTree& written, const st
   for (const input::Parameters& field : scene.lists("Fields")) {
     if (fields.count(field.name()) == 0) sentences.push_back(field.where() + ": nothing follows this field.");
   }
+  const input::Histories factors = scene.histories();
   for (const input::Parameters& history : scene.lists("Histories")) {
+    const std::vector<double>* perStep = factors.find(history.name());
     if (histories.count(history.name()) == 0) {
       sentences.push_back(history.where() + ": nothing follows this history.");
     } else if (!times.empty() && beginOf(history) >= times.back()) {
       sentences.push_back(history.where() + ": it begins at time " + base::toText(beginOf(history)) +
                           ", but the last load step ends at time " + base::toText(times.back()) +
                           ", so that what follows it never changes.");
+    } else if (perStep != nullptr && !perStep->empty() &&
+               std::all_of(perStep->begin(), perStep->end(), [](double x) { return x == 0.0; })) {
+      sentences.push_back(history.where() + ": it is 0 at every load step, so that what follows it is 0 throughout.");
     }
   }
   return sentences;

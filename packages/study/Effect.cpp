@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <harmos/input/References.hpp>
 #include <harmos/laws/FieldLaw.hpp>
 
 namespace harmos::study {
@@ -84,11 +83,12 @@ Effect effectOf(const std::string& entry, const scene::Scene& scene) {
   return {Kind::operators, Target::other, "", entry};
 }
 
-std::vector<Effect> effectsOf(const std::string& entry, const input::InputTree& tree, const scene::Scene& scene) {
+std::vector<Effect> effectsOf(const std::string& entry, const input::References& references,
+                              const scene::Scene& scene) {
   const std::vector<std::string> names = split(entry);
   std::vector<std::string> entries = {entry};
   if (names.size() == 2 && names[0] == "Values") {
-    entries = input::entriesThatName(tree, "$" + names[1]);
+    entries = references.to("$" + names[1]);
   }
   std::vector<Effect> effects;
   for (const std::string& each : entries) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <harmos/input/InputTree.hpp>
+#include <harmos/input/References.hpp>
 #include <harmos/scene/Scene.hpp>
 
 namespace harmos::study {
@@ -38,8 +38,8 @@ const char* effectName(Effect::Kind kind);
 /// The effect of an entry outside of Values, by its path "List/Sublist/Name", which is not checked.
 Effect effectOf(const std::string& entry, const scene::Scene& scene);
 
-/// The effects of an entry of `tree`, of which `scene` is made: its own, or for an entry of Values those of all entries
-/// that name it by "$name"; then none when nothing does.
-std::vector<Effect> effectsOf(const std::string& entry, const input::InputTree& tree, const scene::Scene& scene);
+/// The effects of an entry of the input that `scene` is made of, whose `references` are given: its own, or for an entry
+/// of Values those of all entries that name it by "$name"; then none when nothing does.
+std::vector<Effect> effectsOf(const std::string& entry, const input::References& references, const scene::Scene& scene);
 
 }  // namespace harmos::study

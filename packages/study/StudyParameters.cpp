@@ -83,13 +83,10 @@ void StudyParameterReader::read(const Parameters& list) {
 void StudyParameterReader::readEntries(const Parameters& list, StudyParameter& parameter) {
   const std::string where = list.where(list.has("Entry") ? "Entry" : "Entries");
   for (const std::string& entry : parameter.entries) {
-    for (const StudyParameter& other : parameters_) {
-      if (std::find(other.entries.begin(), other.entries.end(), entry) == other.entries.end()) continue;
-      errors_.add(where, "\"" + entry + "\" is set by \"" + other.name + "\" already.");
-    }
-    input::InputTree trial = tree_;
+    const std::string& setter = setters_.emplace(entry, list.name()).first->second;
+    if (setter != list.name()) errors_.add(where, "\"" + entry + "\" is set by \"" + setter + "\" already.");
     const int before = errors_.count();
-    const auto type = input::applyChange(trial, spec_, {entry, "0", where}, where, errors_);
+    const auto type = input::typeOf(tree_, spec_, entry, where, errors_);
     if (errors_.count() > before) continue;
     if (type != input::ParameterType::number && type != input::ParameterType::integer) {
       errors_.add(where, "\"" + entry + "\" is not a number.", "A study varies numbers.");
@@ -100,7 +97,7 @@ void StudyParameterReader::readEntries(const Parameters& list, StudyParameter& p
                   "Vary a history, or make two studies of them.");
       continue;
     }
-    const auto effects = effectsOf(entry, tree_, *scene_);
+    const auto effects = effectsOf(entry, references_, *scene_);
     if (effects.empty()) {
       errors_.add(where, "nothing in the scene uses \"" + entry + "\".",
                   "Write \"$" + entry.substr(entry.find('/') + 1) + "\" as the value of a number of the scene.");

@@ -2,12 +2,14 @@
 
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <harmos/design/Plan.hpp>
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/input/InputTree.hpp>
 #include <harmos/input/Parameters.hpp>
+#include <harmos/input/References.hpp>
 #include <harmos/probability/Distribution.hpp>
 #include <harmos/scene/Scene.hpp>
 #include <harmos/study/Effect.hpp>
@@ -39,6 +41,7 @@ class StudyParameterReader {
   StudyParameterReader(const input::InputTree& tree, const scene::Scene* scene, const input::ParameterSpec& sceneSpec,
                        std::string directory, bool isListed, input::ErrorList& errors)
       : tree_(tree),
+        references_(tree),
         scene_(scene),
         spec_(sceneSpec),
         directory_(std::move(directory)),
@@ -57,11 +60,13 @@ class StudyParameterReader {
   void readLevels(const input::Parameters& list, design::Axis& axis);
 
   const input::InputTree& tree_;
+  input::References references_;
   const scene::Scene* scene_;
   const input::ParameterSpec& spec_;
   std::string directory_;
   bool isListed_;
   input::ErrorList& errors_;
+  std::unordered_map<std::string, std::string> setters_;  // the first parameter that sets an entry of the scene
   std::vector<StudyParameter> parameters_;
   std::vector<design::PlannedParameter> planned_;
 };

@@ -2,7 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
-#include <harmos/base/Error.hpp>
+#include <harmos/base/AllRanks.hpp>
 #include <harmos/study/FailurePolicy.hpp>
 
 namespace harmos::study {
@@ -31,25 +31,16 @@ void forEachLine(const std::string& text, const std::function<void(const std::st
 StudyRecorder::StudyRecorder(const files::StudyFiles& files, bool restart, results::StudyResults& results,
                              StudyTeams& teams)
     : results_(results), teams_(teams) {
-  std::string error, added, lines;
-  int code = 0;
-  if (teams.ownsFiles()) {
-    try {
-      const results::StudyDescription& description = results.description();
-      writer_ = std::make_unique<files::StudyWriter>(files, results, restart);
-      const auto& all = results.configurations();
-      for (std::size_t i = description.configurations.size(); i < all.size(); ++i) {
-        added += files::configurationToJson(all[i]) + "\n";
-      }
-      for (const auto& result : results.all()) lines += files::resultToJson(result) + "\n";
-    } catch (const base::Error& failure) {
-      error = failure.what();
-      code = static_cast<int>(failure.code());
+  std::string added, lines;
+  base::onFirstRank(*teams.all(), [&] {
+    const results::StudyDescription& description = results.description();
+    writer_ = std::make_unique<files::StudyWriter>(files, results, restart);
+    const auto& all = results.configurations();
+    for (std::size_t i = description.configurations.size(); i < all.size(); ++i) {
+      added += files::configurationToJson(all[i]) + "\n";
     }
-  }
-  broadcast(error, *teams.all());
-  Teuchos::broadcast(*teams.all(), 0, Teuchos::outArg(code));
-  if (!error.empty()) throw base::Error(error, static_cast<base::ExitCode>(code));
+    for (const auto& result : results.all()) lines += files::resultToJson(result) + "\n";
+  });
   broadcast(added, *teams.all());
   broadcast(lines, *teams.all());
   if (teams.ownsFiles()) return;

@@ -2,6 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/base/AllRanks.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/base/SoleThread.hpp>
 #include <harmos/files/OutputGuard.hpp>
@@ -45,6 +46,7 @@ StudyRunResult runStudy(const StudyRunRequest& request, const laws::LawRegistry&
                      0};
   const Study& study = *run.study;
   files::demandDistinct(inputFiles(study), run.files.all());
+  base::onFirstRank(*comm, [&] { files::demandWritable(run.files.all()); });
   run.description = std::make_unique<const results::StudyDescription>(describe(study));
   run.results = std::make_unique<results::StudyResults>(*run.description);
   // The points of an adaptive design follow from all results so far.

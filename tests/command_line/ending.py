@@ -3,6 +3,7 @@
 
 ending.py HARMOS SCENES WORK_DIR: SCENES is the folder of the worked scenes.
 """
+import os
 import pathlib
 import shutil
 import signal
@@ -61,6 +62,21 @@ for name, words in cases.items():
                   for number, delay in ((signal.SIGTERM, 0.02), (signal.SIGINT, 0.6), (signal.SIGTERM, 1.5),
                                         (signal.SIGTERM, 4.0)))
     print(f"{name}: ended within {longest:.2f} s")
+# Ctrl-C reaches all that a terminal has started, what the program starts besides included.
+scene = scenes / "bolted_joint.xml"
+subprocess.run([harmos, "run", str(scene), "--output", str(work / "solved"), "--quiet"], check=True)
+for number in (signal.SIGINT, signal.SIGTERM):
+    for delay in (1.0, 3.0):
+        shutil.rmtree(work / "vtu", ignore_errors=True)
+        process = subprocess.Popen([harmos, "export", str(work / "solved" / "bolted_joint.e"), "--output", str(work / "vtu")],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
+        time.sleep(delay)
+        os.killpg(process.pid, number)
+        _, text = process.communicate(timeout=60)
+        litter = list((work / "vtu").glob("*.partial.*"))
+        if process.returncode not in (0, 130) or text or litter:
+            failures += 1
+            print(f"FAILED: export, signal {number} after {delay} s: exit code {process.returncode}, left over: {litter}, {text.decode()}")
 # Of mpirun every rank ends so for SIGUSR1, and mpirun as they do; of SIGTERM it makes an end of its own.
 ranks = ("mpirun", "-n", "2", "--oversubscribe")
 for name in ("iteration", "study"):

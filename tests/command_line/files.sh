@@ -114,6 +114,13 @@ expect 0 '^1$' echo $?
 expect 0 'Cannot write' cat removed.log
 expect 1 '' test -e removed
 
+# Files may not become as large as these want to be (in blocks of 1024 bytes).
+for size in 1 8 40; do
+  expect 1 'annot' sh -c "ulimit -f $size; '$harmos' run '$scene' --output limited --quiet"
+  expect 1 'annot' sh -c "ulimit -f $size; '$harmos' study '$study' --output limited --quiet"
+  expect 0 '^$' find limited -name '*.partial.*'
+done
+
 expect 1 'Cannot create the directory' "$harmos" run "$scene" --output /proc/none
 
 # What cannot be printed is an error.
@@ -121,6 +128,12 @@ for command in "doc" "--help" "check $scene" "run $scene --output full"; do
   expect 0 '^1$' sh -c "'$harmos' $command > /dev/full 2>/dev/null; echo \$?"
 done
 expect 1 'The output cannot be written' sh -c "'$harmos' doc 2>&1 >/dev/full"
+sh -c "'$harmos' run '$scene' --output unread --verbose 2>&1 | true"
+for _ in $(seq 200); do
+  grep -q '"status": "certified' "unread/${name}_result.json" 2>/dev/null && break
+  sleep 0.05
+done
+expect 0 "" cmp "unread/${name}_history.csv" "full/${name}_history.csv"
 expect 0 '' test -s "full/$name.e"
 expect 0 '^1$' sh -c "'$harmos' report studies/$stem.h5 --output page.html >/dev/full 2>/dev/null; echo \$?"
 

@@ -59,7 +59,7 @@ for verb in picture show export; do
   refused 'would replace the input' "$harmos" "$verb" "$name.e" --output "$name.e"
   refused 'would replace the input' "$harmos" "$verb" "$name.e" --output "${name}_interfaces.e"
 done
-refused 'is not a folder' "$harmos" export "$name.e" --output "$name.e"
+refused 'is no folder' "$harmos" export "$name.e" --output "$name.e"
 refused 'there is no step 9' "$harmos" export "$name.e" --step 9 --output new
 refused 'Did you mean "von_mises"' "$harmos" picture "$name.e" --field von_misses --output new
 refused 'there is no step 9' "$harmos" picture "$name.e" --step 9 --output new

@@ -181,6 +181,23 @@ class StrangeMeshes(unittest.TestCase):
                           scene(held=parameter("Node Set", "string", "floor")))
         self.demand_refused(lambda blocks: blocks.side_sets.append(("top", 3, [1], [1])), "two side sets are named \"top\"; rename one")
 
+    def test_sets_of_one_name(self) -> None:
+        def change(blocks: Blocks) -> None:
+            blocks.node_sets = [("bottom", 1, list(range(1, 10))), ("top", 2, [54])]
+        self.demand_right(change)
+        # What the verb `mesh` writes of it is the same mesh.
+        result = subprocess.run([harmos, "mesh", str(work / "scene.xml"), "--output", str(work / "again.e")], capture_output=True,
+                                text=True, check=False)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("2 side sets, 2 node sets", result.stdout)
+        for held in ("Side Set", "Node Set"):
+            (work / "again.xml").write_text(scene(held=parameter(held, "string", "bottom")).replace("mesh.e", "again.e"))
+            command = [harmos, "run", str(work / "again.xml"), "--output", str(work / "out"), "--quiet"]
+            result = subprocess.run(command, capture_output=True, text=True, check=False)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            with open(work / "out" / "again_history.csv", encoding="utf-8") as file:
+                self.assertAlmostEqual(float(list(csv.DictReader(file))[-1]["top"]), -2e-3, 7)
+
     def test_shells_beside_solids(self) -> None:
         def change(blocks: Blocks) -> None:
             blocks.blocks.append(("skin", 30, "SHELL4", blocks.blocks[1][3][4:, 4:]))

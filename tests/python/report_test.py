@@ -156,12 +156,14 @@ class PageTest(unittest.TestCase):
         page = self.folder / "joint.html"
         page.write_text("old")
         with mock.patch("os.replace", side_effect=OSError("disk full")):
-            self.assertEqual(self.run_main(), (1, "harmos report: disk full\n"))
+            self.assertEqual(self.run_main(), (1, f"harmos report: cannot write {page}: disk full.\n"
+                                               "  Make room, or write into another folder (--output).\n"))
         self.assertEqual(page.read_text(), "old")
         self.assertEqual(list(self.folder.glob("*.partial.*")), [])
 
     def test_unknown_curves_are_refused(self) -> None:
-        self.assertEqual(self.run_main("--abscissa", "u"), (2, "harmos report: there is no curve u; there are force\n"))
+        self.assertEqual(self.run_main("--abscissa", "u"), (2, "harmos report: there is no curve u; there are force\n"
+                                                            "Nothing was written.\n"))
 
 
 if __name__ == "__main__":

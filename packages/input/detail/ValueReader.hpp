@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include <harmos/input/ErrorList.hpp>
@@ -31,7 +32,8 @@ class ValueReader {
 
   ErrorList& errors_;
   std::map<std::string, std::optional<double>> values_;  // nothing: given but not a number
-  std::vector<std::string> histories_;
+  std::vector<std::string> histories_;                   // in their order
+  std::unordered_set<std::string> isHistory_;
 };
 
 /// What to write in XML: <Parameter name="..." type="..." value="..."/>.

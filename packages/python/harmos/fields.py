@@ -112,10 +112,15 @@ def _reader(path: str) -> vtk.vtkExodusIIReader:
     return reader
 
 
+def files_of(path: str) -> tuple[str, str, str]:
+    """What is read of a result: the parts, the interfaces, the record."""
+    return path, interfaces_of(path), path.removesuffix(".e") + "_result.json"
+
+
 def record_of(path: str) -> dict[str, Any]:
     """The record beside a result; empty without one."""
     try:
-        record = json.loads(pathlib.Path(path.removesuffix(".e") + "_result.json").read_text(encoding="utf-8"))
+        record = json.loads(pathlib.Path(files_of(path)[2]).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return {}
     return record if isinstance(record, dict) else {}

@@ -287,7 +287,7 @@ def main(words: list[str] | None = None) -> int:
     try:
         if not 100 <= arguments.width <= 10000:
             raise ValueError(f"--width {arguments.width}: give 100 to 10000 pixels")
-        for read in (arguments.result, fields.interfaces_of(arguments.result)):
+        for read in fields.files_of(arguments.result):
             demand_distinct(read, arguments.picture)
         of = fields.contents(arguments.result)
         field = fields.field(arguments.field, of)

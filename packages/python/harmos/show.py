@@ -198,7 +198,7 @@ def main(words: list[str] | None = None) -> int:
     try:
         if arguments.steps < 2:
             raise ValueError(f"--steps {arguments.steps}: give 2 or more, the unloaded start is one of them")
-        for read in (arguments.result, fields.interfaces_of(arguments.result)):
+        for read in fields.files_of(arguments.result):
             demand_distinct(read, arguments.page)
         of = fields.contents(arguments.result)
     except (OSError, ValueError) as error:

@@ -15,7 +15,7 @@ from xml.sax.saxutils import quoteattr
 import vtk
 
 from harmos import fields
-from harmos.outputs import replace_file
+from harmos.outputs import demand_no_folder, replace_file, writing
 
 
 def joined(grids: fields.Grids, units: str) -> vtk.vtkUnstructuredGrid:
@@ -57,8 +57,9 @@ def write(grid: vtk.vtkUnstructuredGrid, path: pathlib.Path) -> None:
     writer.SetInputData(grid)
     try:
         if not writer.Write() or writer.GetErrorCode():
-            raise OSError(f"cannot write {path}")
-        os.replace(partial, path)
+            raise OSError(f"cannot write {path}.\n  Make room, or write into another folder (--output).")
+        with writing(path):
+            os.replace(partial, path)
     finally:
         partial.unlink(missing_ok=True)
 
@@ -69,7 +70,8 @@ def export(path: str, of: fields.Contents, folder: pathlib.Path, steps: list[int
     Raises:
         OSError: they cannot be written.
     """
-    folder.mkdir(parents=True, exist_ok=True)
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
     lists = []
     for half in (path, fields.interfaces_of(path)):
         stem = pathlib.Path(half).stem
@@ -98,6 +100,8 @@ def main(words: list[str] | None = None) -> int:
         steps = list(range(len(of.times))) if arguments.step is None else [fields.step(arguments.step, of)]
         if arguments.folder.exists() and not arguments.folder.is_dir():
             raise ValueError(f"{arguments.folder} is not a folder")
+        for result in fields.files_of(arguments.result)[:2]:
+            demand_no_folder(arguments.folder / f"{pathlib.Path(result).stem}.pvd")
     except (OSError, ValueError) as error:
         print(f"harmos export: {error}\nNothing was written.", file=sys.stderr)
         return 2

@@ -15,6 +15,7 @@ TEST(Names, NearestGrowsWithTheLength) {
   EXPECT_EQ(nearestName("x", {}), "");
   EXPECT_EQ(nearestName("coulomb", {"Coulomb Friction", "Perfect"}), "Coulomb Friction");
   EXPECT_EQ(nearestName("upper", {"upper_zmin", "upper_zmax"}), "");
+  EXPECT_EQ(nearestName("abcdefgh", {"abcdefghxyz", "abcdefghx"}), "abcdefghx");
 }
 
 TEST(Names, LongListsAreCut) {

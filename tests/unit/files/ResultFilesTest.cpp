@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 #include <fcntl.h>
@@ -140,6 +141,45 @@ TEST(OutputGuard, RefusesAnInputUnderAnyName) {
       EXPECT_NE(std::string(error.what()).find(directory + name), std::string::npos) << error.what();
     }
   }
+}
+
+TEST(OutputGuard, RefusesWhatIsInTheWay) {
+  const auto directory = temporaryFile("directory");
+  std::filesystem::create_directories(directory + "/below");
+  std::ofstream(directory + "/file") << "old";
+  std::filesystem::create_symlink("nowhere", directory + "/dangling");
+  EXPECT_NO_THROW(demandWritable({directory + "/file", directory + "/new/folder/file", "new"}));
+  EXPECT_NO_THROW(demandFolder(directory));
+  EXPECT_NO_THROW(demandFolder(directory + "/new/folder/"));
+  EXPECT_FALSE(std::filesystem::exists(directory + "/new"));
+  const auto refused = [](const std::string& text, const std::function<void()>& demand) {
+    try {
+      demand();
+      ADD_FAILURE() << text;
+    } catch (const harmos::base::Error& error) {
+      EXPECT_EQ(error.code(), harmos::base::ExitCode::input);
+      EXPECT_EQ(std::string(error.what()),
+                text + "\n  Write into another folder or under another name (--output). Nothing was written.");
+    }
+  };
+  const auto file = [&](const std::string& output, const std::string& reason) {
+    refused("The result " + output + " cannot be written: " + reason, [&] { demandWritable({output}); });
+  };
+  const auto below = [&](const std::string& folder, const std::string& reason) {
+    const std::string text = "No result can be written into " + folder + ": " + reason;
+    refused(text, [&] { demandWritable({folder + "/new", folder + "/other"}); });
+    refused(text, [&] { demandFolder(folder); });
+  };
+  const std::string tooLong = directory + "/" + std::string(250, 'x');
+  file(directory + "/below", "it is a folder.");
+  file(directory + "/below/", "it names a folder.");
+  file("/dev/null", "it is no file, but a device or the like.");
+  file(tooLong, "its name is too long.");
+  below(directory + "/file", directory + "/file is no folder.");
+  below(directory + "/file/new", directory + "/file is no folder.");
+  below(directory + "/dangling", directory + "/dangling is a link to what is not there.");
+  refused("No result can be written into " + tooLong + "xxxxxx: its name is too long.",
+          [&] { demandFolder(tooLong + "xxxxxx"); });
 }
 
 TEST(ResultFiles, HistoryHasOneRowPerStep) {

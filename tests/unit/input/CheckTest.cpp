@@ -56,6 +56,21 @@ TEST(Check, AcceptsTheListOfAHost) {
             "1 error; nothing was run.");
 }
 
+TEST(Check, ShowsSomeOfManyErrorsAndNoEntryWithoutEnd) {
+  std::string many;
+  for (int i = 0; i < 250; ++i) many += parameter("x" + std::to_string(i), "double", "1");
+  const std::string text = solverError(many);
+  EXPECT_NE(text.find("unknown parameter \"x99\""), std::string::npos);
+  EXPECT_EQ(text.find("unknown parameter \"x100\""), std::string::npos);
+  EXPECT_NE(text.find("\n250 errors; nothing was run. The first 100 are shown."), std::string::npos);
+  // Cut between letters, of which each of these takes two bytes.
+  std::string longValue;
+  for (int i = 0; i < 100000; ++i) longValue += "\u00e4";
+  const std::string cut = solverError(parameter("Accuracy", "double", longValue));
+  EXPECT_LT(cut.size(), 5000U);
+  EXPECT_NE(cut.find("\u00e4 ...\n"), std::string::npos) << cut;
+}
+
 TEST(Check, UnknownParameterNamesTheNearest) {
   EXPECT_EQ(solverError(parameter("Acuracy", "double", "0.1")),
             "s.xml:5: Solver: unknown parameter \"Acuracy\".\n"

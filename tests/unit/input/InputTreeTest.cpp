@@ -53,6 +53,8 @@ TEST(InputTree, MissingFile) {
   EXPECT_EQ(messageOf([] { InputTree::fromFile("no_such.xml"); }),
             "no_such.xml: cannot be read (No such file or directory).");
   EXPECT_EQ(messageOf([] { InputTree::fromFile("/"); }), "/: cannot be read (empty or not a file).");
+  EXPECT_EQ(messageOf([] { InputTree::fromFile("/dev/zero"); }),
+            "/dev/zero:1: not well-formed XML: not well-formed (invalid token).\n1 error; nothing was run.");
 }
 
 }  // namespace

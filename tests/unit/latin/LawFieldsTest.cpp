@@ -181,6 +181,23 @@ TEST(LawFields, ReadWhatTheLawRemembers) {
   }
 }
 
+// The same through the law that users have: nothing is lost while all sliders stick, whatever is stored meanwhile.
+TEST(LawFields, OfParallelIwanLoseNothingBeforeItSlides) {
+  input::Parameters p("law");
+  p.set("Type", std::string("Parallel Iwan")).set("Stiffnesses", std::vector<double>(elements, spring));
+  p.set("Slip Limits", std::vector<double>(slider.begin(), slider.end())).set("Residual Stiffness", 0.0);
+  p.set("Opens", false).set("Normal Stiffness", normalSpring);
+  const assembly::Interface interface = onePair(laws::builtInLaws().create(p));
+  const std::size_t sticking = 4;
+  const LawFields fields = lawFields(
+      interface, along(interface, {{0.1, 0.05, 0}, {0.1, -0.06, 0}, {0.1, 0.06, 0}, {-0.1, 0.0, 0}, {-0.1, 1.0, 0}}));
+  for (std::size_t t = 0; t < sticking; ++t) EXPECT_NEAR(fields.lost[t], 0.0, 1e-9) << t;
+  EXPECT_GT(fields.stored[1], 0.25);
+  double lost = 0.0;
+  for (const double limit : slider) lost += limit * (1.0 - limit / spring);
+  EXPECT_NEAR(fields.lost[sticking], lost, 1e-6);
+}
+
 /// Through the solver: cubes joined by such a law and dragged less than makes the first slider move.
 TEST(DissipationResponse, OfElementsThatStickIsZero) {
   BoxAssembly cubes = twoCubes(

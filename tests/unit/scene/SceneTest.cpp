@@ -162,5 +162,18 @@ TEST(Scene, SaysWhatItHoldsInVain) {
   EXPECT_TRUE(ends(changed[1], "Histories / ramp: nothing follows this history.")) << changed[1];
 }
 
+TEST(Scene, NamesHistoriesThatNeverBegin) {
+  std::string text = sampleScene();
+  const std::string ramp = R"(<Parameter name="Type" type="string" value="Ramp"/>
+      <Parameter name="End" type="double" value="2"/>)";
+  text.replace(text.find(ramp), ramp.size(), R"(<Parameter name="Type" type="string" value="Formula"/>
+      <Parameter name="Formula" type="string" value="t > 3 ? 1 : 0"/>)");
+  const auto warnings =
+      makeScene(input::InputTree::fromText(text, "scene.xml"), "scene.xml", {}, laws::builtInLaws()).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+            "scene.xml:71: Histories / ramp: it is 0 at every load step, so that what follows it is 0 throughout.");
+}
+
 }  // namespace
 }  // namespace harmos::scene

@@ -19,6 +19,7 @@ from harmos.exchange.reading import DECKS, DRAWINGS, Missing, ending, load, read
 from harmos.exchange.scene import Comment, SceneList
 from harmos.exchange.start import Choices, starting_scene
 from harmos.exchange.units import SYSTEMS, UnitSystem
+from harmos.outputs import writing
 
 
 UNCHANGED = "<!-- as imported: {:08x} -->\n"
@@ -93,6 +94,8 @@ def _import(arguments: argparse.Namespace) -> None:
     for output in outputs:
         if output.exists() and output.samefile(path):
             raise Refused(f"the result {output} would replace the input {path}. Name another folder by --output.")
+        if output.is_dir():
+            raise Refused(f"the result {output} cannot be written: it is a folder. Name another folder by --output.")
     if outputs[1].exists() and _was_changed(outputs[1]):
         raise Refused(f"{outputs[1]} is not as it was imported, and its changes would be lost. Rename it, or name another "
                       "folder by --output.")
@@ -114,7 +117,8 @@ def _import(arguments: argparse.Namespace) -> None:
                           _numbers_by_part("--preload", arguments.preload, "a force"))
         scene = starting_scene(mesh, f"{stem}.e", stem, units, bool(arguments.units), choices, findings)
     scene.items.insert(0, _heading(path, findings))
-    folder.mkdir(parents=True, exist_ok=True)
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
     _write_both(outputs, mesh, scene)
     for line in findings.text():
         print(line)
@@ -159,11 +163,14 @@ def _write_both(outputs: list[pathlib.Path], mesh: Mesh, scene: SceneList) -> No
     """Replaces both files when both are complete."""
     partial = [output.with_name(f"{output.name}.partial.{os.getpid()}") for output in outputs]
     try:
-        _write_mesh(str(partial[0]), mesh)
+        with writing(outputs[0]):
+            _write_mesh(str(partial[0]), mesh)
         content = (scene.text() + "\n").encode()
-        partial[1].write_bytes(content + UNCHANGED.format(zlib.crc32(content)).encode())
+        with writing(outputs[1]):
+            partial[1].write_bytes(content + UNCHANGED.format(zlib.crc32(content)).encode())
         for complete, output in zip(partial, outputs):
-            os.replace(complete, output)
+            with writing(output):
+                os.replace(complete, output)
     finally:
         for left in partial:
             left.unlink(missing_ok=True)

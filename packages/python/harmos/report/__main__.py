@@ -30,7 +30,7 @@ def main(words: list[str] | None = None) -> int:
             raise ValueError(f"there is no curve {arguments.abscissa}; there are {', '.join(study.curves)}")
         pictures = Pictures(arguments.pictures, arguments.study)
     except (OSError, ValueError) as error:
-        print(f"harmos report: {error}", file=sys.stderr)
+        print(f"harmos report: {error}\nNothing was written.", file=sys.stderr)
         return 2
     try:
         text = page(study, arguments.abscissa, pictures)

@@ -14,7 +14,7 @@ import numpy
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from harmos.outputs import demand_distinct, replace_file
+from harmos.outputs import demand_distinct, replace_file, writing
 from harmos.results import Study
 
 STYLE = """
@@ -62,7 +62,8 @@ class Pictures:
         if self.folder and self.files:
             for name in self.files:
                 demand_distinct(self.study, self.folder / name)
-            self.folder.mkdir(parents=True, exist_ok=True)
+            with writing(self.folder):
+                self.folder.mkdir(parents=True, exist_ok=True)
             for name, content in self.files.items():
                 replace_file(self.folder / name, content)
 

@@ -10,7 +10,7 @@ import re
 import signal
 import sys
 
-from harmos.outputs import replace_file
+from harmos.outputs import demand_no_folder, replace_file, writing
 from harmos.report.writing import Pictures, percent
 from harmos.trade.document import Document, find
 from harmos.trade.judging import Judge
@@ -26,6 +26,8 @@ ENOUGH = 1 / 3
 """Uncertainty of the reference, over the least target, at which no finer mesh is needed."""
 TIMES = {"s": 1.0, "min": 60.0, "h": 3600.0}
 """Units of a budget of time in seconds."""
+ENDINGS = (".csv", ".h5", ".html")
+"""Of the results."""
 SIZES = {"MB": 1e6, "GB": 1e9}
 """Units of a budget of memory in bytes."""
 
@@ -50,20 +52,32 @@ def main(words: list[str] | None = None) -> int:
         document = Document(arguments.input)
         responses = _responses(arguments.responses, document)
         folder = pathlib.Path(arguments.output)
-        folder.mkdir(parents=True, exist_ok=True)
+        for ending in ENDINGS:
+            demand_no_folder(f"{_base(document, folder)}{ending}")
+        with writing(folder):
+            folder.mkdir(parents=True, exist_ok=True)
         for interruption in (signal.SIGTERM, signal.SIGINT):
             signal.signal(interruption, _end)
+    except (OSError, ValueError) as error:
+        print(f"harmos trade: {error}\nNothing was written.", file=sys.stderr)
+        return 2
+    try:
         with workspace(folder) as work:
             return _trade(document, arguments.program, folder, work, Budget(seconds, memory), targets, responses,
                           arguments.quiet)
     except (OSError, ValueError) as error:
         print(f"harmos trade: {error}", file=sys.stderr)
-        return 2
+        return 1 if isinstance(error, OSError) else 2
 
 
 def _end(*_: object) -> None:
     """Ends the process as an interrupted one, after what runs has been ended and removed."""
     raise SystemExit(130)
+
+
+def _base(document: Document, folder: pathlib.Path) -> pathlib.Path:
+    """What the names of all results but the settings begin with."""
+    return folder / f"{document.path.stem}_trade"
 
 
 def _trade(document: Document, program: str, folder: pathlib.Path, work: pathlib.Path, budget: Budget,
@@ -75,7 +89,7 @@ def _trade(document: Document, program: str, folder: pathlib.Path, work: pathlib
         return 2
     elements = {name: int(count) for name, count in re.findall(r"^  (\S+)\s+\d+ nodes\s+(\d+) elements", words, re.M)}
     knobs = knobs_of(document, lambda entries: runner.check(entries)[0], elements)
-    base = folder / f"{document.path.stem}_trade"
+    base = _base(document, folder)
 
     def report(rung: Rung) -> None:
         if not is_quiet:

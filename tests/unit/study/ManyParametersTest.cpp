@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ctime>
+#include <limits>
+#include <string>
+
+#include <harmos/study/StudyReader.hpp>
+
+#include "../scene/Sample.hpp"
+
+namespace harmos::study {
+namespace {
+
+/// The sample with values, each of which is that of a material of its own.
+std::string sceneWith(int count) {
+  std::string values, materials;
+  for (int i = 0; i < count; ++i) {
+    const std::string name = "v" + std::to_string(i);
+    values += "<Parameter name=\"" + name + "\" type=\"double\" value=\"1000\"/>\n";
+    materials += "<ParameterList name=\"" + name + "\"><Parameter name=\"Type\" type=\"string\" value=\"Isotropic\"/>" +
+                 "<Parameter name=\"Young's Modulus\" type=\"double\" value=\"$" + name + "\"/>" +
+                 "<Parameter name=\"Poisson's Ratio\" type=\"double\" value=\"0\"/></ParameterList>\n";
+  }
+  std::string scene = scene::sampleScene();
+  scene.insert(scene.find("    <ParameterList name=\"steel\">"), materials);
+  scene.insert(scene.find("  <ParameterList name=\"Mesh\">"),
+               "<ParameterList name=\"Values\">" + values + "</ParameterList>\n");
+  return scene;
+}
+
+std::string studyWith(int count) {
+  std::string parameters;
+  for (int i = 0; i < count; ++i) {
+    const std::string name = "v" + std::to_string(i);
+    parameters += "<ParameterList name=\"" + name + "\"><Parameter name=\"Entry\" type=\"string\" value=\"Values/" +
+                  name + "\"/><Parameter name=\"Values\" type=\"Array(double)\" value=\"{2000}\"/></ParameterList>\n";
+  }
+  return "<ParameterList name=\"Harmos Study\"><Parameter name=\"Scene\" type=\"string\" value=\"scene.xml\"/>"
+         "<ParameterList name=\"Parameters\">" +
+         parameters + "</ParameterList></ParameterList>";
+}
+
+/// CPU seconds, the least of some times, so that what else the machine does hardly counts.
+double secondsToRead(int count) {
+  const auto scene = input::InputTree::fromText(sceneWith(count), "scene.xml");
+  const auto study = input::InputTree::fromText(studyWith(count), "study.xml");
+  double least = std::numeric_limits<double>::infinity();
+  for (int time = 0; time < 3; ++time) {
+    const std::clock_t begin = std::clock();
+    makeStudy(study, &scene, "study.xml", {}, "", laws::builtInLaws());
+    least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  return least;
+}
+
+TEST(ManyParameters, AreReadInATimeThatGrowsAsTheirNumber) {
+  constexpr int few = 500, times = 8;
+  const double before = secondsToRead(few), after = secondsToRead(times * few);
+  EXPECT_LT(after / before, 3 * times) << "quadratic growth would be " << times * times << ": " << before << " s and "
+                                       << after << " s";
+}
+
+}  // namespace
+}  // namespace harmos::study
