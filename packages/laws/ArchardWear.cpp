@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <harmos/laws/detail/ContactTraction.hpp>
 #include <harmos/laws/detail/StickingFriction.hpp>
 
@@ -7,12 +9,15 @@ namespace {
 /// Unilateral contact with friction whose surfaces wear off: the depth w opens the gap, delta_n + g + w >= 0, and grows
 /// by K p times the way of slip.
 ///
-/// The pressure is that at the end of the load step. The way in it is foreseen from the velocity at its beginning, and
-/// what it has been more or less is worn off in the next one: so every load step has a graph that is monotone along the
-/// normal, whatever it wears off, and steady slip lags by nothing from its second load step on. (With the way of the
-/// load step itself the pressure would fall with it, and friction with the pressure: more than one solution where K p
-/// mu > 1.) `Cycles` load cycles like a load step wear off as many times as much. History: SlipMemory, w, what is still
-/// to be worn off [length], velocity [length/time]. Source: Archard, Contact and rubbing of flat surfaces (1953).
+/// Pressure is that at the end of the load step; the way in it is foreseen from the velocity at its beginning. What has
+/// been slid and not worn off yet, less what was worn off and not slid, is owed, and is worn off in the next load step
+/// as well, under the pressure of that: so every load step has a graph that is monotone along the normal, more wears
+/// off where the pressure is higher, which evens it out whatever the velocity does, and steady slip lags by nothing
+/// from its second load step on. (With the way of the load step itself the pressure would fall with it, and friction
+/// with the pressure: more than one solution where K p mu > 1. A depth that is owed would come from a pressure that is
+/// no more, and a stiff part whose velocity grows would bring it to few of its points.) `Cycles` load cycles like a
+/// load step wear off as many times as much. History: SlipMemory, w [length], what is owed of the way times cycles
+/// [length], velocity [length/time]. Source: Archard, Contact and rubbing of flat surfaces (1953).
 struct ArchardWear : StickingFriction {
   static constexpr const char* name = "Archard Wear";
   static constexpr int historySize = SlipMemory::size + 3;
@@ -43,15 +48,13 @@ struct ArchardWear : StickingFriction {
     const double *oldWear = old + SlipMemory::size, duration = at.duration();
     double* wear = now + SlipMemory::size;
     const bool goesOn = duration > 0.0;
-    const double rate = coefficient * cycles[at.step];  // depth by pressure and way
-    const double foreseen = goesOn ? oldWear[2] * duration : 0.0;
-    const double before = oldWear[0] + (goesOn ? oldWear[1] : 0.0);
-    const double opening = freeOpening(line, at) + before;
-    const double pressure = -contactTraction(opening, line.compliance + rate * foreseen);
+    const double worn = goesOn ? std::max(0.0, oldWear[1] + cycles[at.step] * oldWear[2] * duration) : 0.0;
+    const double opening = freeOpening(line, at) + oldWear[0];
+    const double pressure = -contactTraction(opening, line.compliance + coefficient * worn);
     const LocalState state = slideUnder(line, at, opening >= 0.0, pressure, old, now);
     const double way = SlipMemory::way(now) - SlipMemory::way(old);
-    wear[0] = before + rate * foreseen * pressure;
-    wear[1] = (goesOn ? 0.0 : oldWear[1]) + rate * pressure * (way - foreseen);
+    wear[0] = oldWear[0] + coefficient * worn * pressure;
+    wear[1] = oldWear[1] + cycles[at.step] * way - (pressure > 0.0 ? worn : 0.0);
     wear[2] = goesOn ? way / duration : oldWear[2];
     return state;
   }
@@ -59,7 +62,7 @@ struct ArchardWear : StickingFriction {
   /// All but what friction takes, and the pressure that follows the surfaces as they wear off.
   static double keptWork(const PairStep& step) {
     const double *old = step.oldHistory + SlipMemory::size, *now = step.history + SlipMemory::size;
-    return SlidingLaw::keptWork(step) + step.traction[0] * (now[0] + now[1] - old[0] - old[1]);
+    return SlidingLaw::keptWork(step) + step.traction[0] * (now[0] - old[0]);
   }
   double storedEnergy(const PairStep& step) const { return shearEnergy(step.traction); }
   static std::vector<OutputField> outputs() {
@@ -69,7 +72,7 @@ struct ArchardWear : StickingFriction {
   void output(const PairStep& step, double* values) const {
     SlidingLaw::output(step, values);
     values[1] = step.history[SlipMemory::size];
-    values[2] = step.history[SlipMemory::size + 1];
+    values[2] = -coefficient * step.traction[0] * step.history[SlipMemory::size + 1];
   }
 
   double coefficient;

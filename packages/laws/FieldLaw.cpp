@@ -21,6 +21,14 @@ std::string whereOf(const input::Parameters& parameters, const std::string& numb
   return parameters.where(parameters.has(formula) ? formula : fieldOf(number));
 }
 
+/// Where an entry was given, as Parameters::set() takes it.
+std::string locationOf(const input::Parameters& parameters, const std::string& name) {
+  for (const auto& entry : parameters.entries()) {
+    if (entry.name == name) return entry.location;
+  }
+  return "";
+}
+
 std::string textOf(const base::Vector3& v) {
   return "(" + base::toText(v[0]) + ", " + base::toText(v[1]) + ", " + base::toText(v[2]) + ")";
 }
@@ -97,9 +105,10 @@ std::vector<std::string> FieldLaw::fieldEntries(const input::Parameters& paramet
   return given;
 }
 
-FieldLaw::FieldLaw(const input::ParameterSpec& declared, const input::Parameters& parameters, Factory make)
+FieldLaw::FieldLaw(const input::ParameterSpec& declared, const input::Parameters& parameters, Factory make, Check check)
     : parameters_(parameters),
       make_(std::move(make)),
+      check_(std::move(check)),
       law_(make_(parameters)),
       steps_(std::max(1, static_cast<int>(parameters.times().size()))) {
   for (const auto& entry : declared.entries()) {
@@ -211,28 +220,43 @@ const InterfaceLaw& FieldLaw::lawAt(const base::Vector3& place) const {
     values.push_back(std::move(perStep));
   }
   auto& law = byValues_[values];
-  if (!law) law = made(values);
+  if (!law) {
+    const input::Parameters here = with(values);
+    demandTogether(here, place);
+    law = make_(here);
+  }
   byPlace_[place] = law.get();
   return *law;
 }
 
 /// A number that varies over the load steps becomes 1 with a history of its own.
-std::unique_ptr<InterfaceLaw> FieldLaw::made(const Values& values) const {
+input::Parameters FieldLaw::with(const Values& values) const {
   input::Parameters here = parameters_;
   auto histories = std::make_shared<input::Histories>(parameters_.histories());
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     const std::string& name = entries_[e].declaration->name;
     if (values[e].size() == 1) {
-      here.set(name, values[e][0]);
+      here.set(name, values[e][0], locationOf(parameters_, name));
       if (entries_[e].declaration->varies) here.remove(name + " History");
     } else {
       const std::string own = name + " at a place";
       histories->add(own, values[e]);
-      here.set(name, 1.0).set(name + " History", own);
+      here.set(name, 1.0, locationOf(parameters_, name)).set(name + " History", own);
     }
   }
   here.attach(histories);
-  return make_(here);
+  return here;
+}
+
+void FieldLaw::demandTogether(const input::Parameters& here, const base::Vector3& place) const {
+  input::ErrorList errors;
+  if (check_) check_(here, errors);
+  try {
+    errors.throwIfAny();
+  } catch (const input::InputErrors& error) {
+    throw base::Error(error.list() + "\n  So formulas and fields make it at " + textOf(place) + ".",
+                      base::ExitCode::input);
+  }
 }
 
 std::vector<const InterfaceLaw*> FieldLaw::all() const {

@@ -26,6 +26,8 @@ class FieldLaw final : public InterfaceLaw {
  public:
   /// Makes a law of checked parameters, see input::Registry.
   using Factory = std::function<std::unique_ptr<InterfaceLaw>(const input::Parameters&)>;
+  /// Reports what parameters must not be beside each other, see input::Registry; may be empty.
+  using Check = std::function<void(const input::Parameters&, input::ErrorList&)>;
 
   /// Declares "<name> Formula" and "<name> Field" for every number of a law.
   static void describe(input::ParameterSpec& law);
@@ -38,7 +40,7 @@ class FieldLaw final : public InterfaceLaw {
 
   /// `declared`: what describe() has been applied to. Throws what `make` throws, and base::Error (input) for formulas
   /// that are none, and for those that look at the time where the number may not.
-  FieldLaw(const input::ParameterSpec& declared, const input::Parameters& parameters, Factory make);
+  FieldLaw(const input::ParameterSpec& declared, const input::Parameters& parameters, Factory make, Check check);
 
   /// Tells what the lists of fields hold now, see SpatialField::with(); for the next bind().
   void tell(std::vector<input::Parameters> lists) { lists_ = std::move(lists); }
@@ -48,7 +50,7 @@ class FieldLaw final : public InterfaceLaw {
   /// Those of bind(); null: none.
   std::shared_ptr<const SpatialFields> fields() const;
   /// Makes the laws of all these places [length]. Throws base::Error (input) with entry and place where a number leaves
-  /// its range or a formula has no value.
+  /// its range, a formula has no value, or numbers do not go together.
   void prepare(const std::vector<base::Vector3>& places) const;
   /// The places at which it has been asked so far.
   std::vector<base::Vector3> places() const;
@@ -92,11 +94,13 @@ class FieldLaw final : public InterfaceLaw {
   const SpatialField& spatialOf(const Entry& entry) const;
   const InterfaceLaw& at(const base::Vector3& place) const;
   const InterfaceLaw& lawAt(const base::Vector3& place) const;  // mutex_ is locked
-  std::unique_ptr<InterfaceLaw> made(const std::vector<std::vector<double>>& values) const;
+  input::Parameters with(const std::vector<std::vector<double>>& values) const;
+  void demandTogether(const input::Parameters& here, const base::Vector3& place) const;
   std::vector<const InterfaceLaw*> all() const;
 
   input::Parameters parameters_;
   Factory make_;
+  Check check_;
   std::shared_ptr<const InterfaceLaw> law_;
   std::vector<Entry> entries_;
   int steps_ = 1;  // load steps for which histories and times are known

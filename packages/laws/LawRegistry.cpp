@@ -6,9 +6,9 @@ namespace harmos::laws {
 
 void addPointwise(LawRegistry& laws, input::ParameterSpec spec, LawRegistry::Factory make, LawRegistry::Check check) {
   FieldLaw::describe(spec);
-  const auto orField = [declared = spec,
-                        make = std::move(make)](const input::Parameters& p) -> std::unique_ptr<InterfaceLaw> {
-    if (FieldLaw::isAskedFor(p)) return std::make_unique<FieldLaw>(declared, p, make);
+  const auto orField = [declared = spec, make = std::move(make),
+                        check](const input::Parameters& p) -> std::unique_ptr<InterfaceLaw> {
+    if (FieldLaw::isAskedFor(p)) return std::make_unique<FieldLaw>(declared, p, make, check);
     return make(p);
   };
   const auto both = [declared = spec, check = std::move(check)](const input::Parameters& p, input::ErrorList& errors) {

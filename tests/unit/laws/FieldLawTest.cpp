@@ -119,6 +119,27 @@ TEST(FieldLaw, RefusesNumbersOutOfTheirRange) {
   }
 }
 
+// Glue whose energy falls below what it takes to reach its strength would never fail.
+TEST(FieldLaw, NamesThePlaceWhereNumbersDoNotGoTogether) {
+  input::Parameters p("law");
+  p.set("Type", std::string("Cohesive Zone")).set("Stiffness", 100.0).set("Softening", std::string("Bilinear"));
+  p.set("Normal Strength", 2.0).set("Shear Strength", 2.0).set("Mixed Mode Exponent", 1.0);
+  p.set("Mode I Fracture Energy", 0.05, "scene.xml:7").set("Mode II Fracture Energy", 0.05);
+  p.set("Mode I Fracture Energy Formula", std::string("x > 2 ? 0.3 : 1"));
+  const auto law = builtInLaws().create(p);
+  try {
+    dynamic_cast<const FieldLaw&>(*law).prepare(places);
+    FAIL() << "accepted";
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::input);
+    const std::string message = error.what();
+    EXPECT_NE(message.find("scene.xml:7: law / Mode I Fracture Energy: 0.015 is not more than the elastic energy"),
+              std::string::npos)
+        << message;
+    EXPECT_NE(message.find("at (3, 0, 0)"), std::string::npos) << message;
+  }
+}
+
 TEST(FieldLaw, IsPreparedForThePlacesOfWhatItReplaces) {
   const auto present = builtInLaws().create(friction("x"));
   dynamic_cast<const FieldLaw&>(*present).prepare(places);

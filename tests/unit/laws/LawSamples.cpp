@@ -101,24 +101,42 @@ input::Parameters scaled(const input::ParameterSpec& spec, const input::Paramete
   return result;
 }
 
-Node::Node(const InterfaceLaw& law, double gap, const base::Frame& frame, double area)
+Node::Node(const InterfaceLaw& law, double gap, const base::Frame& frame, double area, const base::Vector3& place)
     : law_(law),
       gap_(gap),
       area_(area),
       frame_(frame),
+      place_(place),
       old_(static_cast<std::size_t>(law.historySize()), 0.0),
       new_(static_cast<std::size_t>(law.historySize()), std::numeric_limits<double>::quiet_NaN()) {}
+
+NodeArrays Node::arrays() {
+  NodeArrays nodes{1, &line_, &gap_, old_.data(), new_.data(), &state_, &place_, &frame_, &area_};
+  nodes.duration = duration_;
+  nodes.time = (step_ + 1) * duration_;
+  return nodes;
+}
 
 LocalState Node::solve(const LocalLine& line, int step, double duration) {
   // What the law does not write would be left from the step before last.
   std::fill(new_.begin(), new_.end(), std::numeric_limits<double>::quiet_NaN());
-  LocalState state;
-  const base::Vector3 place{1.0, 2.0, 3.0};
-  NodeArrays nodes{1, &line, &gap_, old_.data(), new_.data(), &state, &place, &frame_, &area_};
-  nodes.duration = duration;
-  nodes.time = (step + 1) * duration;
-  law_.solve(step, nodes);
-  return state;
+  line_ = line;
+  step_ = step;
+  duration_ = duration;
+  state_ = {};
+  law_.solve(step, arrays());
+  return state_;
+}
+
+PairStep Node::step() {
+  asked_ = arrays();
+  return {oldJump_,    line_.jump(state_.traction),  state_.traction, old_.data(),
+          new_.data(), NodeContext(step_, asked_, 0)};
+}
+
+void Node::accept() {
+  oldJump_ = line_.jump(state_.traction);
+  old_ = new_;
 }
 
 }  // namespace harmos::laws

@@ -38,20 +38,34 @@ class Node {
  public:
   static constexpr base::Frame axes{{{{{1.0, 0.0, 0.0}}}, {{{0.0, 1.0, 0.0}}}, {{{0.0, 0.0, 1.0}}}}};
 
-  explicit Node(const InterfaceLaw& law, double gap = 0.0, const base::Frame& frame = axes, double area = 1.0);
+  static constexpr base::Vector3 somewhere{{1.0, 2.0, 3.0}};
+
+  explicit Node(const InterfaceLaw& law, double gap = 0.0, const base::Frame& frame = axes, double area = 1.0,
+                const base::Vector3& place = somewhere);
   /// Meets a line; the load step goes on, so that other lines may follow. `duration` of the load step.
   LocalState solve(const LocalLine& line, int step = 0, double duration = 1.0);
+  /// The load step up to the line that was met last; valid until the next call.
+  PairStep step();
   /// Ends the load step at the line that was met last.
-  void accept() { old_ = new_; }
+  void accept();
   const std::vector<double>& oldHistory() const { return old_; }
   const std::vector<double>& newHistory() const { return new_; }
 
  private:
+  NodeArrays arrays();
+
   const InterfaceLaw& law_;
   double gap_;
   double area_;
   base::Frame frame_;
+  base::Vector3 place_;
   std::vector<double> old_, new_;
+  int step_ = 0;
+  double duration_ = 0.0;
+  LocalLine line_{};
+  LocalState state_;
+  base::Vector3 oldJump_{};
+  NodeArrays asked_;
 };
 
 }  // namespace harmos::laws
