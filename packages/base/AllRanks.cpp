@@ -1,9 +1,11 @@
 #include <harmos/base/AllRanks.hpp>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <ostream>
 #include <string>
+#include <utility>
 
 #include <mpi.h>
 #include <Teuchos_CommHelpers.hpp>
@@ -22,6 +24,15 @@ constexpr double patience = 5.0;
 std::size_t firstFailure(const std::vector<int>& failures) {
   const auto failed = std::find_if(failures.begin(), failures.end(), [](int failure) { return failure != 0; });
   return static_cast<std::size_t>(failed - failures.begin());
+}
+
+/// Throws on all ranks an error whose code all have and whose message rank `from` has. Collective.
+[[noreturn]] void throwOf(const Teuchos::Comm<int>& comm, int from, int code, std::string message) {
+  int length = static_cast<int>(message.size());
+  Teuchos::broadcast(comm, from, Teuchos::outArg(length));
+  message.resize(length);
+  Teuchos::broadcast(comm, from, length, message.data());
+  throw Error(message, static_cast<ExitCode>(code));
 }
 
 }  // namespace
@@ -59,12 +70,35 @@ void onFirstRank(const Teuchos::Comm<int>& comm, const std::function<void()>& ac
     }
   }
   Teuchos::broadcast(comm, 0, Teuchos::outArg(code));
-  if (code == 0) return;
-  int length = static_cast<int>(message.size());
-  Teuchos::broadcast(comm, 0, Teuchos::outArg(length));
-  message.resize(length);
-  Teuchos::broadcast(comm, 0, length, message.data());
-  throw Error(message, static_cast<ExitCode>(code));
+  if (code != 0) throwOf(comm, 0, code, std::move(message));
+}
+
+void onEachRank(const Teuchos::Comm<int>& comm, const std::function<void()>& action) {
+  if (comm.getSize() == 1) {
+    action();
+    return;
+  }
+  std::exception_ptr mine;
+  int code = 0;
+  std::string message;
+  try {
+    action();
+  } catch (const std::exception& error) {
+    mine = std::current_exception();
+    code = static_cast<int>(exitCodeOf(error));
+    message = messageOf(error);
+  }
+  const int here = mine ? comm.getRank() : comm.getSize();
+  int first = here;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, here, Teuchos::outArg(first));
+  if (first == comm.getSize()) return;
+  Teuchos::broadcast(comm, first, Teuchos::outArg(code));
+  try {
+    throwOf(comm, first, code, std::move(message));
+  } catch (const Error&) {
+    if (mine) std::rethrow_exception(mine);
+    throw;
+  }
 }
 
 }  // namespace harmos::base

@@ -25,7 +25,8 @@ class LocalStage {
   virtual void startUnloaded() = 0;
 
   /// Collective. Overwrites `traction` with f^ [stress] of every row, given `beta` [stress].
-  /// Throws base::Error naming interface and step when a law returns a value that is not finite.
+  /// Throws base::Error naming interface and step when a law returns a value that is not finite. What a law throws
+  /// on some ranks ends this on all, see base::onEachRank().
   virtual void solve(const base::Matrix& beta, base::Matrix& traction) = 0;
 
   /// Traction and status of the pairs of one interface, columns x pairs, as last solved on this rank; empty if no side

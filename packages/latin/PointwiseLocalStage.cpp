@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include <harmos/base/AllRanks.hpp>
 #include <harmos/base/Error.hpp>
 
 namespace harmos::latin {
@@ -12,6 +13,7 @@ PointwiseLocalStage::PointwiseLocalStage(const assembly::Assembly& assembly,
                                          const assembly::SearchDirection& searchDirection, const TraceLayout& layout,
                                          Formulation formulation)
     : assembly_(assembly),
+      comm_(layout.comm()),
       lines_(assembly, searchDirection, layout),
       faces_(assembly, layout),
       formulation_(formulation),
@@ -46,13 +48,16 @@ void PointwiseLocalStage::startUnloaded() {
 void PointwiseLocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
   lines_.exchange(beta, 0, beta.numCols());
   begin();
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    if (!lines_.isActive(static_cast<int>(i)) || faces_.law(static_cast<int>(i)) != nullptr) continue;
-    for (int t = 0; t < beta.numCols(); ++t) {
-      solveJoint(static_cast<int>(i), t, beta, traction[t]);
-      joints_[i].history[0].swap(joints_[i].history[1]);
+  base::onEachRank(comm_, [&] {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (!lines_.isActive(static_cast<int>(i)) || faces_.law(static_cast<int>(i)) != nullptr) continue;
+      for (int t = 0; t < beta.numCols(); ++t) {
+        solveJoint(static_cast<int>(i), t, beta, traction[t]);
+        joints_[i].history[0].swap(joints_[i].history[1]);
+      }
     }
-  }
+  });
+  if (faces_.isEmpty()) return;
   // In the velocity form a line begins where the load step before has ended.
   const bool areAllKnown = formulation_ == Formulation::displacement;
   if (areAllKnown) sumFaces(0, beta.numCols(), beta);
@@ -72,10 +77,13 @@ void PointwiseLocalStage::begin() {
 
 void PointwiseLocalStage::solveColumn(int column, const base::Matrix& beta, double* traction) {
   lines_.exchange(beta, column, 1);
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    if (!lines_.isActive(static_cast<int>(i)) || faces_.law(static_cast<int>(i)) != nullptr) continue;
-    solveJoint(static_cast<int>(i), column, beta, traction);
-  }
+  base::onEachRank(comm_, [&] {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (!lines_.isActive(static_cast<int>(i)) || faces_.law(static_cast<int>(i)) != nullptr) continue;
+      solveJoint(static_cast<int>(i), column, beta, traction);
+    }
+  });
+  if (faces_.isEmpty()) return;
   sumFaces(column, 1, beta);
   solveFaces(column, 0, beta, traction);
 }
@@ -91,12 +99,14 @@ PointwiseLocalStage::Met PointwiseLocalStage::met(int interfaceIndex, int column
 }
 
 void PointwiseLocalStage::differentiateColumn(int column, PairTangents& tangents) {
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const int index = static_cast<int>(i);
-    if (!lines_.isActive(index)) continue;
-    const Met here = met(index, column);
-    tangents.differentiate(index, here.step, here.lines, here.states, here.oldHistory);
-  }
+  base::onEachRank(comm_, [&] {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const int index = static_cast<int>(i);
+      if (!lines_.isActive(index)) continue;
+      const Met here = met(index, column);
+      tangents.differentiate(index, here.step, here.lines, here.states, here.oldHistory);
+    }
+  });
 }
 
 void PointwiseLocalStage::beginAtLastJump(Joint& joint) {
@@ -160,25 +170,28 @@ void PointwiseLocalStage::solveJoint(int interfaceIndex, int column, const base:
 }
 
 void PointwiseLocalStage::sumFaces(int first, int count, const base::Matrix& beta) {
-  if (faces_.isEmpty()) return;
   faces_.begin(count);
-  for (const int i : faces_.interfaces()) {
-    if (!lines_.isActive(i)) continue;
-    for (int t = 0; t < count; ++t) {
-      fillLines(i, first + t, beta);
-      faces_.add(i, t, steps_[first + t], arrays(i, first + t));
+  base::onEachRank(comm_, [&] {
+    for (const int i : faces_.interfaces()) {
+      if (!lines_.isActive(i)) continue;
+      for (int t = 0; t < count; ++t) {
+        fillLines(i, first + t, beta);
+        faces_.add(i, t, steps_[first + t], arrays(i, first + t));
+      }
     }
-  }
+  });
   faces_.finish();
 }
 
 void PointwiseLocalStage::solveFaces(int column, int place, const base::Matrix& beta, double* traction) {
-  for (const int i : faces_.interfaces()) {
-    if (!lines_.isActive(i)) continue;
-    fillLines(i, column, beta);
-    faces_.law(i)->solvePoints(steps_[column], arrays(i, column), faces_.of(i, place));
-    finishJoint(i, column, traction);
-  }
+  base::onEachRank(comm_, [&] {
+    for (const int i : faces_.interfaces()) {
+      if (!lines_.isActive(i)) continue;
+      fillLines(i, column, beta);
+      faces_.law(i)->solvePoints(steps_[column], arrays(i, column), faces_.of(i, place));
+      finishJoint(i, column, traction);
+    }
+  });
 }
 
 }  // namespace harmos::latin

@@ -56,7 +56,8 @@ class PointwiseLocalStage final : public LocalStage {
   };
   /// Of an interface with a side on this rank, right after solveColumn(); valid until the next call.
   Met met(int interfaceIndex, int column) const;
-  /// The tangents of this stage at a column, right after it was solved with solveColumn(); changes nothing else.
+  /// Collective. The tangents of this stage at a column, right after it was solved with solveColumn(); changes nothing
+  /// else.
   void differentiateColumn(int column, PairTangents& tangents);
 
  private:
@@ -82,10 +83,11 @@ class PointwiseLocalStage final : public LocalStage {
   void solveJoint(int interfaceIndex, int column, const base::Matrix& beta, double* traction);
   /// Collective. Sums over whole faces at the columns first .. first + count - 1.
   void sumFaces(int first, int count, const base::Matrix& beta);
-  /// Interfaces of laws over whole faces at a column, which is number `place` of the last sums.
+  /// Collective. Interfaces of laws over whole faces at a column, which is number `place` of the last sums.
   void solveFaces(int column, int place, const base::Matrix& beta, double* traction);
 
   const assembly::Assembly& assembly_;
+  const Teuchos::Comm<int>& comm_;
   InterfaceLines lines_;
   FaceSums faces_;
   Formulation formulation_;

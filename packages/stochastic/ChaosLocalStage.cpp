@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include <harmos/base/AllRanks.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/laws/CoupledLaw.hpp>
 
@@ -70,28 +71,32 @@ bool ChaosLocalStage::hasMemory() const {
 void ChaosLocalStage::solve(const base::Matrix& beta, base::Matrix& traction) {
   lines_.exchange(beta, 0, beta.numCols());
   sumFaces(beta);
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    if (!lines_.isActive(static_cast<int>(i))) continue;
-    for (Histories& history : joints_[i].histories) history.now = history.start;
-    for (int t = 0; t < count_; ++t) solveJoint(static_cast<int>(i), joints_[i], t, beta, traction);
-  }
+  base::onEachRank(lines_.layout().comm(), [&] {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (!lines_.isActive(static_cast<int>(i))) continue;
+      for (Histories& history : joints_[i].histories) history.now = history.start;
+      for (int t = 0; t < count_; ++t) solveJoint(static_cast<int>(i), joints_[i], t, beta, traction);
+    }
+  });
 }
 
 void ChaosLocalStage::sumFaces(const base::Matrix& beta) {
   if (faces_.isEmpty()) return;
   const int points = projection_->points();
   faces_.begin(count_ * points);
-  for (const int i : faces_.interfaces()) {
-    if (!lines_.isActive(i)) continue;
-    for (int t = 0; t < count_; ++t) {
-      fillLines(i, t, beta);
-      projection_->toPoints(freeJumps_, freeJumpsAtPoints_);
-      for (int q = 0; q < points; ++q) {
-        const auto& law = dynamic_cast<const laws::CoupledLaw&>(*joints_[i].laws[q]);
-        faces_.add(i, t * points + q, first_ + t, arraysAt(i, first_ + t, q), law);
+  base::onEachRank(lines_.layout().comm(), [&] {
+    for (const int i : faces_.interfaces()) {
+      if (!lines_.isActive(i)) continue;
+      for (int t = 0; t < count_; ++t) {
+        fillLines(i, t, beta);
+        projection_->toPoints(freeJumps_, freeJumpsAtPoints_);
+        for (int q = 0; q < points; ++q) {
+          const auto& law = dynamic_cast<const laws::CoupledLaw&>(*joints_[i].laws[q]);
+          faces_.add(i, t * points + q, first_ + t, arraysAt(i, first_ + t, q), law);
+        }
       }
     }
-  }
+  });
   faces_.finish();
 }
 

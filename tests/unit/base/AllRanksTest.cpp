@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 
 #include <Tpetra_Core.hpp>
@@ -22,6 +23,25 @@ TEST(OnFirstRank, WorksOnceAndTellsItsErrorToAll) {
     EXPECT_EQ(error.code(), ExitCode::input);
     EXPECT_STREQ(error.what(), "no room");
   }
+}
+
+TEST(OnEachRank, ThrowsOnAllWhatFailsOnSome) {
+  const auto comm = Tpetra::getDefaultComm();
+  const int rank = comm->getRank(), last = comm->getSize() - 1;
+  int times = 0;
+  onEachRank(*comm, [&] { ++times; });
+  EXPECT_EQ(times, 1);
+  try {
+    onEachRank(*comm, [&] {
+      if (rank == last) throw Error("lost on rank " + std::to_string(rank), ExitCode::noEquilibrium);
+    });
+    ADD_FAILURE() << "rank " << rank << " has heard of nothing";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::noEquilibrium);
+    EXPECT_EQ(error.what(), "lost on rank " + std::to_string(last));
+  }
+  EXPECT_THROW(onEachRank(*comm, [] { throw std::invalid_argument("on all"); }), std::invalid_argument)
+      << "its own kind where it was thrown";
 }
 
 }  // namespace

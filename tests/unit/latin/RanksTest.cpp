@@ -1,13 +1,17 @@
 // The same assembly on 1, 2 and 4 ranks: bodies apart, ranks without a body, an owner that is not the first.
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include <Tpetra_Core.hpp>
 
+#include <harmos/base/Error.hpp>
 #include <harmos/latin/LatinSolver.hpp>
 #include <harmos/latin/PairFields.hpp>
+#include <harmos/laws/PointwiseLaw.hpp>
 
 #include "Chains.hpp"
 
@@ -15,6 +19,21 @@ namespace harmos::latin {
 namespace {
 
 constexpr int steps = 5;
+
+/// Glue that gives up at a load step, on some ranks.
+struct GivingUp {
+  static constexpr const char* name = "Giving Up";
+  static constexpr int historySize = 0;
+  static constexpr laws::Sides sides = laws::Sides::two;
+  explicit GivingUp(bool givesUp) : isTired(givesUp) {}
+  laws::LocalState solve(const laws::LocalLine& line, const laws::NodeContext& at, const double*, double*) const {
+    if (isTired && at.step == 3) throw std::runtime_error("the glue gives up");
+    laws::LocalState state;
+    state.traction = (30.0 / (1.0 + 30.0 * line.compliance)) * line.freeJump;
+    return state;
+  }
+  bool isTired;
+};
 
 /// Five chains in a row, joined by everything there is.
 assembly::Assembly fiveChains() {
@@ -189,6 +208,35 @@ TEST(RanksTogether, SayThatNothingCarriesTheLoad) {
   const LatinResult result = solver.solve();
   EXPECT_EQ(result.outcome, Outcome::noEquilibrium) << result.reason;
   EXPECT_NE(result.reason.find("\"right\""), std::string::npos) << result.reason;
+}
+
+// The rank that meets it throws what the law has thrown, the others its message; all can go on afterwards.
+TEST(RanksTogether, ThrowWhatALawThrowsOnOne) {
+  const auto comm = Tpetra::getDefaultComm();
+  const int last = comm->getSize() - 1;
+  for (const Formulation formulation : {Formulation::displacement, Formulation::velocity}) {
+    assembly::Assembly assembly = fiveChains();
+    assembly.interfaces[3].law = std::make_shared<laws::PointwiseLaw<GivingUp>>(comm->getRank() == last);
+    assembly.owner = {0, 0, 0, last, last};
+    LatinOptions options;
+    options.stages.formulation = formulation;
+    base::Timers timers;
+    LatinSolver solver(assembly, options, comm, timers);
+    std::string message;
+    try {
+      solver.solve();
+    } catch (const base::Error& error) {
+      EXPECT_NE(comm->getRank(), last);
+      message = error.what();
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(comm->getRank(), last);
+      message = error.what();
+    }
+    EXPECT_EQ(message, "the glue gives up");
+    assembly.interfaces[3].law = std::make_shared<laws::PointwiseLaw<GivingUp>>(false);
+    LatinSolver next(assembly, options, comm, timers);
+    EXPECT_EQ(next.solve().outcome, Outcome::certified);
+  }
 }
 
 TEST(RanksTogether, StopWhenOneAsks) {
