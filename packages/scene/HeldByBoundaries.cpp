@@ -5,6 +5,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/laws/AffineComponent.hpp>
+#include <harmos/laws/FieldLaw.hpp>
 #include <harmos/laws/TurnedLaw.hpp>
 
 namespace harmos::scene {
@@ -37,7 +38,7 @@ mortar::HeldDirections heldByBoundaries(const Scene& scene, int components, cons
   for (const input::Parameters& list : scene.input.lists("Boundaries")) {
     const laws::InterfaceLaw& law = *scene.laws.at(list.name());
     if (!law.isAffine() || law.prescribesTraction()) continue;
-    const auto* turned = dynamic_cast<const laws::TurnedLaw*>(&law);
+    const auto* turned = laws::roleOf<laws::TurnedLaw>(law);
     const auto rigid = rigidComponents(law, components, static_cast<int>(scene.times.size()));
     for (const mesh::InterfaceSurface& surface : surfacesOf(list, finder)) {
       for (int p = 0; p < surface.pairs(); ++p) {
