@@ -36,9 +36,9 @@ mortar::HeldDirections heldByBoundaries(const Scene& scene, int components, cons
                                         const mesh::InterfaceFinder& finder) {
   mortar::HeldDirections held;
   for (const input::Parameters& list : scene.input.lists("Boundaries")) {
-    const laws::InterfaceLaw& law = *scene.laws.at(list.name());
+    const laws::InterfaceLaw& law = *laws::roleOf<laws::InterfaceLaw>(*scene.laws.at(list.name()));
     if (!law.isAffine() || law.prescribesTraction()) continue;
-    const auto* turned = laws::roleOf<laws::TurnedLaw>(law);
+    const auto* turned = dynamic_cast<const laws::TurnedLaw*>(&law);
     const auto rigid = rigidComponents(law, components, static_cast<int>(scene.times.size()));
     for (const mesh::InterfaceSurface& surface : surfacesOf(list, finder)) {
       for (int p = 0; p < surface.pairs(); ++p) {

@@ -50,8 +50,8 @@ def drawn(**options: Any) -> harmos.Scene:
 def columns(law: dict[str, Any], elements: str = "Hex8", cells: float = 4.0) -> harmos.Scene:
     """Columns of 1 x 2 x 1, apart from each other on one base, pressed and pushed. They match the base with 4 cells."""
     names = [f"column_{i}" for i in range(COLUMNS)]
-    boxes = {name: {"Lower Corner": [SPACING * i, 0.0, 1.0], "Upper Corner": [SPACING * i + 1.0, 2.0, 2.0], "Cells": [cells, 2.0, 1.0],
-                    "Element": elements} for i, name in enumerate(names)}
+    boxes = {name: {"Lower Corner": [SPACING * i, 0.0, 1.0], "Upper Corner": [SPACING * i + 1.0, 2.0, 2.0],
+                    "Cells": [cells, 2.0, 1.0], "Element": elements} for i, name in enumerate(names)}
     boxes["base"] = {"Lower Corner": [0.0, 0.0, 0.0], "Upper Corner": [SPACING * COLUMNS - 0.25, 2.0, 1.0],
                      "Cells": [5.0 * COLUMNS - 1.0, 2.0, 1.0], "Element": elements}
     return harmos.Scene("blocks", {
@@ -112,6 +112,45 @@ class Cases:
             one["Boundaries/moved/Law/X Formula"] = "1"
             yield element, self.runner.difference(one, other), SAME
 
+    def patch(self) -> Checks:
+        """Blocks that do not match, strained alike all over by what holds their outer faces about the axis z: u = (2 x + y,
+        x - y, z) / 1000. Nodes of edges are held by two or three boundaries, those of the joint by the tie besides."""
+        radial, tangential = "2 * x + y", "x - y"
+        law = {"Type": "Cylindrical Displacement", "Radial": 1e-3, "Tangential": 1e-3, "Axial": 1e-3,
+               "Radial Formula": f"(({radial}) * x + ({tangential}) * y) / sqrt(x^2 + y^2)",
+               "Tangential Formula": f"(({tangential}) * x - ({radial}) * y) / sqrt(x^2 + y^2)", "Axial Formula": "z"}
+        for element in ("Hex8", "Tet10"):
+            wanted = block([4.0, 2.0, 2.0], element, 0.3)
+            wanted["Mesh/Boxes/over"] = {"Lower Corner": [1.0, 0.0, 1.0], "Upper Corner": [5.0, 2.0, 2.0],
+                                         "Cells": [3.0, 3.0, 2.0], "Element": element}
+            wanted["Parts/over"] = {"Material": "m"}
+            wanted["Interfaces"] = {"tie": {"Part 1": "block", "Part 2": "over", "Law": {"Type": "Perfect"}}}
+            faces = [f"{part}_{face}" for part in ("block", "over") for face in ("xmin", "xmax", "ymin", "ymax")]
+            wanted["Boundaries"] = {face: {"Side Set": face, "Law": law} for face in [*faces, "block_zmin", "over_zmax"]}
+            inside = {"block": (3.0, 1.0, 0.5), "over": (1.0 + 4.0 / 3.0, 2.0 / 3.0, 1.5)}
+            wanted["Responses"] = {
+                **{f"{part}_{c}": {"Type": "Point Displacement", "Point": list(place),
+                                   "Direction": [float(c == d) for d in "xyz"]}
+                   for part, place in inside.items() for c in "xyz"},
+                "peak": {"Type": "Maximum", "Interfaces": ["tie"], "Field": "Normal Traction"}}
+            found = self.runner.history(wanted)
+            for part, (x, y, z) in inside.items():
+                worst = max(abs(found[f"{part}_{c}"][-1] - 1e-3 * value)
+                            for c, value in zip("xyz", (2 * x + y, x - y, z)))
+                yield f"{element}, inside of {part}", worst / 1e-2, SAME
+            stress = 1e-3 * (1000.0 / 1.3 + 2.0 * 0.3 * 1000.0 / (1.3 * 0.4))  # 2 G e_zz + lambda tr e
+            yield f"{element}, stress", abs(abs(found["peak"][-1]) / stress - 1), SAME
+
+    def contradictions(self) -> Checks:
+        """Nodes that two boundaries hold at different displacements at a place."""
+        for law in ({"Type": "Prescribed Displacement", "X": 0.01, "X Formula": "y"},
+                    {"Type": "Cylindrical Displacement", "Radial": 0.01, "Radial Formula": "y"}):
+            wanted = block([4.0, 2.0, 1.0])
+            wanted["Boundaries/side"] = {"Side Set": "block_zmin", "Law": law}
+            code, message = self.runner.run(wanted)
+            is_right = code == 2 and "holds 2 nodes, the first at (1, 1, 0)" in message
+            yield law["Type"] + ("" if is_right else f": {code}: {message}"), float(not is_right), 0.5
+
     def cylindrical_field(self) -> Checks:
         """By a variable of the mesh file, whatever the direction."""
         for component in ("Radial", "Tangential", "Axial"):
@@ -165,7 +204,8 @@ class Cases:
                         one[f"Boundaries/over_column_{i}/Law"] = dict(move)
                         one[f"Boundaries/tool_{i}"] = {"Side Set": f"column_{i}_zmin", "Law": {**tool, **law}}
                         for c, d in (("x", [1.0, 0.0, 0.0]), ("z", [0.0, 0.0, 1.0])):
-                            one[f"Responses/force_{c}_{i}"] = {"Type": "Interface Force", "Interface": f"tool_{i}", "Direction": d}
+                            one[f"Responses/force_{c}_{i}"] = {"Type": "Interface Force", "Interface": f"tool_{i}",
+                                                               "Direction": d}
                 yield f"{name}, {element}", self.runner.difference(wanted, twin), SAME
                 forces = self.runner.history(twin)
                 yield f"{name}, {element}: they differ", 0.02 / abs(forces["force_x_1"][2] - forces["force_x_2"][2]), 1.0
@@ -181,7 +221,8 @@ class Cases:
             for name in [key for key, value in entries.items() if isinstance(value, list)]:
                 for cells in (4.0, 3.0):
                     law = {"Type": kind, **entries}
-                    formula, twin = columns({**law, f"{name} Formula": by_column(factors)}, cells=cells), columns(law, cells=cells)
+                    formula = columns({**law, f"{name} Formula": by_column(factors)}, cells=cells)
+                    twin = columns(law, cells=cells)
                     for i, factor in enumerate(factors):
                         twin[f"Interfaces/under_column_{i}/Law/{name}"] = [factor * v for v in entries[name]]
                     yield f"{name}, {cells:g} cells", self.runner.difference(formula, twin), SAME
