@@ -44,7 +44,14 @@ bool Field::isGiven(const Parameters& parameters, const std::string& name) {
 }
 
 Field::Field(const Parameters& parameters, const std::string& name)
-    : schedule_(parameters.schedule(name)), times_(parameters.times()) {
+    : Field(parameters.schedule(name), parameters, name) {}
+
+Field Field::factor(const Parameters& parameters, const std::string& name) {
+  return Field(Schedule(1.0), parameters, name);
+}
+
+Field::Field(Schedule schedule, const Parameters& parameters, const std::string& name)
+    : schedule_(std::move(schedule)), times_(parameters.times()) {
   const std::string companion = companionOf(name);
   if (!parameters.has(companion)) return;
   const std::string where = parameters.where(companion);

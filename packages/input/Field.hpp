@@ -14,7 +14,7 @@ namespace harmos::input {
 /// formula(x, y, z, t), in the unit of the number; t is the time at the end of the load step.
 class Field {
  public:
-  /// Declares the companion text "<name> Formula" of a varying() number.
+  /// Declares the companion text "<name> Formula" of a number or a list of numbers.
   static void describe(ParameterSpec& spec, const std::string& name);
 
   /// The same value everywhere and always.
@@ -22,6 +22,8 @@ class Field {
   /// Reads the number of this name, its history and its formula. Throws base::Error (input) as Parameters::schedule(),
   /// and for a text that is no formula in x, y, z and t.
   Field(const Parameters& parameters, const std::string& name);
+  /// What multiplies a list of numbers of this name: its formula, 1 without one. Throws as the constructor does.
+  static Field factor(const Parameters& parameters, const std::string& name);
 
   /// Whether a formula is given for the number of this name.
   static bool isGiven(const Parameters& parameters, const std::string& name);
@@ -32,6 +34,8 @@ class Field {
   double operator()(int step, const base::Vector3& place) const;
 
  private:
+  Field(Schedule schedule, const Parameters& parameters, const std::string& name);
+
   struct Distribution;
   Schedule schedule_;
   std::vector<double> times_;  // of the load steps

@@ -86,6 +86,12 @@ class ParameterEntry {
     varies = true;
     return *this;
   }
+  /// Number, or list of numbers that all have one factor: the value may vary over a surface. Declares no companions:
+  /// who lets it vary does, see Field::describe().
+  ParameterEntry& overSurface() {
+    variesOverSurface = true;
+    return *this;
+  }
   /// Neither optional nor with a default.
   bool isRequired() const { return !isOptional && !defaultText; }
   /// Whether the number, in the entry's unit, lies in the allowed range; NaN does so in none.
@@ -101,6 +107,7 @@ class ParameterEntry {
   std::optional<std::string> defaultText;                     // as it would be written in XML; nothing: no default
   bool isOptional = false;                                    // may be absent, then without a value
   bool varies = false;                                        // may be multiplied by a history
+  bool variesOverSurface = false;                             // may be multiplied by formulas of the place and fields
   bool namesHistory = false;                                  // the companion of a varying number
   double minimum = -std::numeric_limits<double>::infinity();  // in the entry's unit
   double maximum = std::numeric_limits<double>::infinity();   // in the entry's unit

@@ -26,7 +26,7 @@ class CylindricalDisplacement final : public InterfaceLaw, public TurnedLaw {
     p.equation("w_i = given along the radial, tangential and axial direction; t_i = 0 where nothing is given");
     CylinderAxes::describe(p);
     for (const char* component : components) {
-      p.number(component).example("0.01").unit("length").optional().varying().doc(
+      p.number(component).example("0.01").unit("length").optional().varying().overSurface().doc(
           "Displacement along this direction; absent: free.");
     }
   }

@@ -64,30 +64,25 @@ NodeArrays from(const NodeArrays& nodes, int first, int historySize, int count, 
 }  // namespace
 
 void FieldLaw::describe(input::ParameterSpec& law) {
-  std::vector<std::string> numbers;
+  std::vector<std::string> varying;
   for (const auto& entry : law.entries()) {
-    if (entry->type == input::ParameterType::number) numbers.push_back(entry->name);
+    if (entry->variesOverSurface) varying.push_back(entry->name);
   }
-  for (const std::string& number : numbers) {
-    input::Field::describe(law, number);
-    law.text(fieldOf(number))
-        .optional()
-        .doc("Name of the entry of Fields that multiplies " + number + "; absent: none.");
+  for (const std::string& name : varying) {
+    input::Field::describe(law, name);
+    law.text(fieldOf(name)).optional().doc("Name of the entry of Fields that multiplies " + name + "; absent: none.");
   }
 }
 
 bool FieldLaw::isAskedFor(const input::Parameters& parameters) {
   return std::any_of(parameters.entries().begin(), parameters.entries().end(),
-                     [&](const auto& entry) {
-                       return std::holds_alternative<double>(entry.value) &&
-                              input::Field::isGiven(parameters, entry.name);
-                     }) ||
+                     [&](const auto& entry) { return input::Field::isGiven(parameters, entry.name); }) ||
          !fieldEntries(parameters).empty();
 }
 
 void FieldLaw::check(const input::ParameterSpec& law, const input::Parameters& parameters, input::ErrorList& errors) {
   for (const auto& entry : law.entries()) {
-    if (entry->type != input::ParameterType::number || parameters.has(entry->name)) continue;
+    if (!entry->variesOverSurface || parameters.has(entry->name)) continue;
     for (const std::string& companion : {entry->name + " Formula", fieldOf(entry->name)}) {
       if (!parameters.has(companion)) continue;
       errors.add(parameters.where(companion), "there is no \"" + entry->name + "\" that it multiplies.",
@@ -100,7 +95,7 @@ std::vector<std::string> FieldLaw::fieldEntries(const input::Parameters& paramet
   std::vector<std::string> given;
   for (const auto& entry : parameters.entries()) {
     const std::string field = fieldOf(entry.name);
-    if (std::holds_alternative<double>(entry.value) && parameters.has(field)) given.push_back(field);
+    if (parameters.has(field)) given.push_back(field);
   }
   return given;
 }
@@ -112,10 +107,11 @@ FieldLaw::FieldLaw(const input::ParameterSpec& declared, const input::Parameters
       law_(make_(parameters)),
       steps_(std::max(1, static_cast<int>(parameters.times().size()))) {
   for (const auto& entry : declared.entries()) {
-    if (entry->type != input::ParameterType::number || !parameters.has(entry->name)) continue;
+    if (!entry->variesOverSurface || !parameters.has(entry->name)) continue;
     const std::string spatial = parameters.has(fieldOf(entry->name)) ? parameters.text(fieldOf(entry->name)) : "";
     if (spatial.empty() && !input::Field::isGiven(parameters, entry->name)) continue;
-    input::Field field(parameters, entry->name);
+    const bool isList = entry->type == input::ParameterType::numbers;
+    input::Field field = isList ? input::Field::factor(parameters, entry->name) : input::Field(parameters, entry->name);
     if (!entry->varies && field.looksAt("t")) {
       throw base::Error(parameters.where(entry->name + " Formula") + ": \"" + entry->name +
                             "\" does not vary over the load steps.\n  Take a formula in x, y and z.",
@@ -207,12 +203,7 @@ const InterfaceLaw& FieldLaw::lawAt(const base::Vector3& place) const {
     std::vector<double> perStep;
     for (int step = 0; step < (entry.declaration->varies ? steps_ : 1); ++step) {
       perStep.push_back(valueOf(entry, step, place));
-      if (entry.declaration->allows(perStep.back())) continue;
-      const std::string& name = entry.declaration->name;
-      throw base::Error(whereOf(parameters_, name) + ": the " + (entry.spatial.empty() ? "formula" : "field") +
-                            " makes " + name + " = " + base::toText(perStep.back()) + " at " + textOf(place) +
-                            ".\n  Allowed: " + entry.declaration->range() + ".",
-                        base::ExitCode::input);
+      demandRange(entry, perStep.back(), place);
     }
     if (std::count(perStep.begin(), perStep.end(), perStep[0]) == static_cast<std::ptrdiff_t>(perStep.size())) {
       perStep.resize(1);
@@ -229,13 +220,33 @@ const InterfaceLaw& FieldLaw::lawAt(const base::Vector3& place) const {
   return *law;
 }
 
+void FieldLaw::demandRange(const Entry& entry, double value, const base::Vector3& place) const {
+  const std::string& name = entry.declaration->name;
+  const std::string which = whereOf(parameters_, name) + ": the " + (entry.spatial.empty() ? "formula" : "field");
+  const auto demand = [&](double number, const std::string& what) {
+    if (entry.declaration->allows(number)) return;
+    throw base::Error(which + " makes " + what + " = " + base::toText(number) + " at " + textOf(place) +
+                          ".\n  Allowed: " + entry.declaration->range() + ".",
+                      base::ExitCode::input);
+  };
+  if (!entry.isList()) return demand(value, name);
+  const std::vector<double>& numbers = parameters_.numbers(name);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    demand(value * numbers[i], "number " + std::to_string(i + 1) + " of " + name);
+  }
+}
+
 /// A number that varies over the load steps becomes 1 with a history of its own.
 input::Parameters FieldLaw::with(const Values& values) const {
   input::Parameters here = parameters_;
   auto histories = std::make_shared<input::Histories>(parameters_.histories());
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     const std::string& name = entries_[e].declaration->name;
-    if (values[e].size() == 1) {
+    if (entries_[e].isList()) {
+      std::vector<double> scaled = parameters_.numbers(name);
+      for (double& number : scaled) number *= values[e][0];
+      here.set(name, std::move(scaled), locationOf(parameters_, name));
+    } else if (values[e].size() == 1) {
       here.set(name, values[e][0], locationOf(parameters_, name));
       if (entries_[e].declaration->varies) here.remove(name + " History");
     } else {

@@ -20,8 +20,9 @@ namespace harmos::laws {
 /// A law of which some numbers vary over the surface: at every place the law that has the numbers of this place.
 ///
 /// A number that varies is its value times its history times its formula (input::Field) times the field that it names
-/// (SpatialField). The laws are made where they are first asked for, or by prepare(); places with equal numbers share
-/// one. It costs a look-up per pair, and laws without fields nothing.
+/// (SpatialField); of a list every number is multiplied so. What the law is besides, see roleOf(), varies nowhere. The
+/// laws are made where they are first asked for, or by prepare(); places with equal numbers share one. It costs a
+/// look-up per pair, and laws without fields nothing.
 class FieldLaw final : public InterfaceLaw {
  public:
   /// Makes a law of checked parameters, see input::Registry.
@@ -29,11 +30,11 @@ class FieldLaw final : public InterfaceLaw {
   /// Reports what parameters must not be beside each other, see input::Registry; may be empty.
   using Check = std::function<void(const input::Parameters&, input::ErrorList&)>;
 
-  /// Declares "<name> Formula" and "<name> Field" for every number of a law.
+  /// Declares "<name> Formula" and "<name> Field" for every entry of a law that varies overSurface().
   static void describe(input::ParameterSpec& law);
-  /// Whether a formula or a field is given for any number.
+  /// Whether a formula or a field is given for any entry.
   static bool isAskedFor(const input::Parameters& parameters);
-  /// Reports formulas and fields of numbers that are not given. `law`: what describe() has been applied to.
+  /// Reports formulas and fields of entries that are not given. `law`: what describe() has been applied to.
   static void check(const input::ParameterSpec& law, const input::Parameters& parameters, input::ErrorList& errors);
   /// The entries "<name> Field" that are given.
   static std::vector<std::string> fieldEntries(const input::Parameters& parameters);
@@ -79,11 +80,12 @@ class FieldLaw final : public InterfaceLaw {
   void solve(int step, const NodeArrays& nodes) const override;
 
  private:
-  /// A number that varies.
+  /// A number that varies, or a list.
   struct Entry {
     std::shared_ptr<const input::ParameterEntry> declaration;
-    input::Field field;
+    input::Field field;   // of a list its factor
     std::string spatial;  // name of the field, may be empty
+    bool isList() const { return declaration->type == input::ParameterType::numbers; }
   };
 
   struct PlaceHash {
@@ -91,6 +93,7 @@ class FieldLaw final : public InterfaceLaw {
   };
 
   double valueOf(const Entry& entry, int step, const base::Vector3& place) const;
+  void demandRange(const Entry& entry, double value, const base::Vector3& place) const;
   const SpatialField& spatialOf(const Entry& entry) const;
   const InterfaceLaw& at(const base::Vector3& place) const;
   const InterfaceLaw& lawAt(const base::Vector3& place) const;  // mutex_ is locked
@@ -111,5 +114,12 @@ class FieldLaw final : public InterfaceLaw {
   mutable std::unordered_map<base::Vector3, const InterfaceLaw*, PlaceHash> byPlace_;
   mutable std::map<std::vector<std::vector<double>>, std::unique_ptr<const InterfaceLaw>> byValues_;
 };
+
+/// What a law is besides, such as a TurnedLaw, whatever of its numbers varies over the surface; null: it is none.
+template <class Role>
+const Role* roleOf(const InterfaceLaw& law) {
+  const auto* field = dynamic_cast<const FieldLaw*>(&law);
+  return dynamic_cast<const Role*>(field == nullptr ? &law : &field->plain());
+}
 
 }  // namespace harmos::laws

@@ -4,7 +4,7 @@
 
 namespace harmos::laws {
 
-void addPointwise(LawRegistry& laws, input::ParameterSpec spec, LawRegistry::Factory make, LawRegistry::Check check) {
+void addVarying(LawRegistry& laws, input::ParameterSpec spec, LawRegistry::Factory make, LawRegistry::Check check) {
   FieldLaw::describe(spec);
   const auto orField = [declared = spec, make = std::move(make),
                         check](const input::Parameters& p) -> std::unique_ptr<InterfaceLaw> {
@@ -16,6 +16,13 @@ void addPointwise(LawRegistry& laws, input::ParameterSpec spec, LawRegistry::Fac
     if (check) check(p, errors);
   };
   laws.add(std::move(spec), orField, both);
+}
+
+void addPointwise(LawRegistry& laws, input::ParameterSpec spec, LawRegistry::Factory make, LawRegistry::Check check) {
+  for (const auto& entry : spec.entries()) {
+    if (entry->type == input::ParameterType::number) entry->overSurface();
+  }
+  addVarying(laws, std::move(spec), std::move(make), std::move(check));
 }
 
 }  // namespace harmos::laws

@@ -13,8 +13,11 @@ namespace harmos::laws {
 /// The laws that a scene may name; an object, so that a host can add its own.
 using LawRegistry = input::Registry<InterfaceLaw>;
 
-/// Adds a law that is asked pair by pair, so that its numbers may be fields, see FieldLaw. Throws base::Error when the
-/// name is taken.
+/// Adds a law whose entries that vary overSurface() may be fields, see FieldLaw. Throws base::Error when the name is
+/// taken.
+void addVarying(LawRegistry& laws, input::ParameterSpec spec, LawRegistry::Factory make, LawRegistry::Check check);
+
+/// The same of a law that is asked pair by pair, so that all its numbers may.
 void addPointwise(LawRegistry& laws, input::ParameterSpec spec, LawRegistry::Factory make, LawRegistry::Check check);
 
 /// L::check() of a law that has one.

@@ -21,7 +21,7 @@ class NodalForce final : public InterfaceLaw, public NodalLaw {
         "grow with every refinement; Remote Force spreads one force over a face.");
     p.equation("h t_i = force along x, y and z, of every node");
     for (const char* component : components) {
-      p.number(component).example("5").unit("force").defaultValue(0.0).varying().doc(
+      p.number(component).example("5").unit("force").defaultValue(0.0).varying().overSurface().doc(
           "Force on each node along this axis; in axisymmetry that of the whole circle.");
     }
   }

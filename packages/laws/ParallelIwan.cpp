@@ -21,12 +21,14 @@ struct ParallelIwan : SlipElements {
         .unit("stress/length")
         .required()
         .above(0.0)
+        .overSurface()
         .doc("k_i of the springs.");
     p.numbers("Slip Limits")
         .example("{1, 2, 4}")
         .unit("stress")
         .required()
         .above(0.0)
+        .overSurface()
         .doc("tau_i of the sliders, as many.");
     p.number("Residual Stiffness")
         .unit("stress/length")

@@ -70,6 +70,7 @@ void RigidTool::describeTool(input::ParameterSpec& p) {
       .defaultValue(0.0)
       .atLeast(0.0)
       .varying()
+      .overSurface()
       .doc("Ratio of tangential to normal traction at sliding.");
   p.number("Interference")
       .unit("length")

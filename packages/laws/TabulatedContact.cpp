@@ -50,6 +50,7 @@ struct TabulatedContact : StickingFriction {
         .example("{0, 0.01, 0.02}")
         .unit("length")
         .required()
+        .overSurface()
         .doc(
             "Ascending; negative ones are openings at which there is pressure already. Beyond the last the last slope "
             "goes "
@@ -59,6 +60,7 @@ struct TabulatedContact : StickingFriction {
         .unit("stress")
         .required()
         .atLeast(0.0)
+        .overSurface()
         .doc("One for every overclosure: 0, then none below the one before.");
     StickingFriction::describe(p);
   }

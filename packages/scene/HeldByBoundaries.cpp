@@ -5,6 +5,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/laws/AffineComponent.hpp>
+#include <harmos/laws/FieldLaw.hpp>
 #include <harmos/laws/TurnedLaw.hpp>
 
 namespace harmos::scene {
@@ -35,7 +36,7 @@ mortar::HeldDirections heldByBoundaries(const Scene& scene, int components, cons
                                         const mesh::InterfaceFinder& finder) {
   mortar::HeldDirections held;
   for (const input::Parameters& list : scene.input.lists("Boundaries")) {
-    const laws::InterfaceLaw& law = *scene.laws.at(list.name());
+    const laws::InterfaceLaw& law = *laws::roleOf<laws::InterfaceLaw>(*scene.laws.at(list.name()));
     if (!law.isAffine() || law.prescribesTraction()) continue;
     const auto* turned = dynamic_cast<const laws::TurnedLaw*>(&law);
     const auto rigid = rigidComponents(law, components, static_cast<int>(scene.times.size()));

@@ -7,14 +7,18 @@
 #include <optional>
 #include <set>
 
+#include <harmos/laws/FieldLaw.hpp>
+
 namespace harmos::scene {
 namespace {
 
 // Length of what is left of a unit vector in the span of others, and relative difference of values, that is round-off.
 constexpr double dependent = 1e-6, equal = 1e-6;
 
-/// The displacement of a pair in the frame of an affine law, of the components that do not depend on the traction.
-std::array<std::optional<double>, 3> heldComponents(const laws::InterfaceLaw& law, int step) {
+/// The displacement of a pair in the frame of a law that is affine at every place, of the components that do not depend
+/// on the traction.
+std::array<std::optional<double>, 3> heldComponents(const laws::InterfaceLaw& law, int step,
+                                                    const base::Vector3& place) {
   // On a line without compliance every spring gives way, and nothing else.
   constexpr double tiny = 1e-30;
   const double gap = 0.0;
@@ -22,7 +26,7 @@ std::array<std::optional<double>, 3> heldComponents(const laws::InterfaceLaw& la
   for (const double free : {0.0, 1.0}) {
     const laws::LocalLine line{{free, free, free}, tiny};
     laws::LocalState state;
-    law.solve(step, {1, &line, &gap, nullptr, nullptr, &state});
+    law.solve(step, {1, &line, &gap, nullptr, nullptr, &state, &place});
     jumps[free > 0.0 ? 1 : 0] = line.jump(state.traction);
   }
   std::array<std::optional<double>, 3> held;
@@ -31,6 +35,26 @@ std::array<std::optional<double>, 3> heldComponents(const laws::InterfaceLaw& la
     if (std::abs(jumps[1][c] - jumps[0][c]) < 0.5) held[c] = -jumps[0][c];
   }
   return held;
+}
+
+using Displacements = std::array<std::shared_ptr<const std::vector<double>>, 3>;
+
+/// The same at all load steps; null: not held at one of them.
+Displacements heldComponents(const laws::InterfaceLaw& law, const base::Vector3& place, int steps) {
+  std::array<std::vector<double>, 3> values;
+  for (int t = 0; t < steps; ++t) {
+    const auto held = heldComponents(law, t, place);
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (held[c]) values[c].push_back(*held[c]);
+    }
+  }
+  Displacements result;
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (values[c].size() == static_cast<std::size_t>(steps)) {
+      result[c] = std::make_shared<const std::vector<double>>(std::move(values[c]));
+    }
+  }
+  return result;
 }
 
 /// A direction of those that are held at a node, orthogonal to the ones before.
@@ -86,8 +110,8 @@ HeldNodes::HeldNodes(const std::vector<assembly::Interface>& interfaces, const s
   bond();
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const assembly::Interface& interface = interfaces[i];
-    if (interface.sides() == 1 && interface.trace1.isSelection() && interface.law->isAffine() &&
-        !interface.law->prescribesTraction()) {
+    if (interface.sides() == 1 && interface.trace1.isSelection() &&
+        laws::roleOf<laws::InterfaceLaw>(*interface.law)->isAffine() && !interface.law->prescribesTraction()) {
       hold(static_cast<int>(i));
     }
   }
@@ -114,26 +138,17 @@ void HeldNodes::bond() {
 
 void HeldNodes::hold(int interfaceIndex) {
   const assembly::Interface& interface = interfaces_[interfaceIndex];
-  std::array<std::vector<double>, 3> values;
-  std::array<bool, 3> isHeld{true, true, true};
-  for (int t = 0; t < steps_; ++t) {
-    const auto held = heldComponents(*interface.law, t);
-    for (std::size_t c = 0; c < 3; ++c) {
-      isHeld[c] = isHeld[c] && held[c];
-      values[c].push_back(held[c].value_or(0.0));
-    }
-  }
-  std::array<std::shared_ptr<const std::vector<double>>, 3> shared;
-  for (std::size_t c = 0; c < 3; ++c) shared[c] = std::make_shared<const std::vector<double>>(std::move(values[c]));
   const bool isLocal = interface.law->frame() == laws::Frame::interface;
+  Displacements held;
   for (int p = 0; p < interface.pairs(); ++p) {
+    if (p == 0 || !interface.law->isAffine()) held = heldComponents(*interface.law, interface.position[p], steps_);
     auto& holdings = holdings_[representative_[first_[interface.body1] + interface.trace1.node(p)]];
     for (int c = 0; c < dimension_; ++c) {
-      if (!isHeld[c]) continue;
+      if (!held[c]) continue;
       base::Vector3 axis{};
       axis[c] = 1.0;
-      holdings.push_back({interfaceIndex, interface.body1, interface.trace1.node(p),
-                          isLocal ? interface.frame[p][c] : axis, shared[c]});
+      holdings.push_back(
+          {interfaceIndex, interface.body1, interface.trace1.node(p), isLocal ? interface.frame[p][c] : axis, held[c]});
     }
   }
 }

@@ -99,7 +99,7 @@ Interfaces makeInterfaces(const Scene& scene, int dimension, const std::vector<m
     interface.isCut = surface.piece2 >= 0 && pieces[surface.piece1].part == pieces[surface.piece2].part &&
                       pieces[surface.piece1].side == pieces[surface.piece2].side;
     // Such a traction acts along the normals of the faces, which a mean normal times an area would exaggerate.
-    const auto* turned = dynamic_cast<const laws::TurnedLaw*>(interface.law.get());
+    const auto* turned = laws::roleOf<laws::TurnedLaw>(*interface.law);
     const bool isNodal = isOfNodes(scene, surface.name);
     const bool isAlongNormals = interface.law->prescribesTraction() && interface.law->frame() == laws::Frame::interface;
     for (int p = 0; p < surface.pairs(); ++p) {

@@ -6,6 +6,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
+#include <harmos/laws/FieldLaw.hpp>
 #include <harmos/laws/NodalLaw.hpp>
 
 namespace harmos::scene {
@@ -42,12 +43,12 @@ bool isCopy(const mesh::InterfaceSurface& surface, int p) {
 
 bool isOfNodes(const Scene& scene, const std::string& interface) {
   const auto law = scene.laws.find(interface);
-  return law != scene.laws.end() && dynamic_cast<const laws::NodalLaw*>(law->second.get()) != nullptr;
+  return law != scene.laws.end() && laws::roleOf<laws::NodalLaw>(*law->second) != nullptr;
 }
 
 void demandOnePart(const laws::InterfaceLaw& law, const mesh::Mesh& mesh, const std::vector<mesh::Piece>& pieces,
                    const std::vector<mesh::InterfaceSurface>& surfaces) {
-  if (dynamic_cast<const laws::NodalLaw*>(&law) == nullptr) return;
+  if (laws::roleOf<laws::NodalLaw>(law) == nullptr) return;
   std::map<int, std::string> partOf;
   for (const mesh::InterfaceSurface& surface : surfaces) {
     const mesh::Piece& piece = pieces[surface.piece1];

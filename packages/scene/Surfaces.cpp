@@ -78,7 +78,7 @@ void checkNormals(const laws::InterfaceLaw& law, const std::vector<mesh::Interfa
 /// A law with axes of its own must have them everywhere; distances to it are means between nodes.
 void checkAxes(const laws::InterfaceLaw& law, const Model& model, const mesh::Mesh& mesh, int steps,
                const std::vector<mesh::Piece>& pieces, std::vector<mesh::InterfaceSurface>& surfaces) {
-  const auto* turned = dynamic_cast<const laws::TurnedLaw*>(&law);
+  const auto* turned = laws::roleOf<laws::TurnedLaw>(law);
   if (turned == nullptr) return;
   turned->demandModel(mesh.dimension, elasticity::isAxisymmetric(model.kinematics));
   std::vector<base::Vector3> places;
@@ -122,7 +122,8 @@ void checkFace(const laws::InterfaceLaw& law, const Model& model, int dimension,
 }
 
 /// Whether the tractions of a law need no field of their own: they are given, or what they hold or join, node by node.
-bool actsOnNodes(const laws::InterfaceLaw& law, int steps) {
+bool actsOnNodes(const laws::InterfaceLaw& given, int steps) {
+  const laws::InterfaceLaw& law = *laws::roleOf<laws::InterfaceLaw>(given);  // what joins the sides varies nowhere
   if (law.prescribesTraction()) return true;
   if (laws::isCoupled(law)) {
     const auto* ofFace = dynamic_cast<const laws::FaceLaw*>(&law);
@@ -217,9 +218,7 @@ std::vector<mesh::InterfaceSurface> surfacesOf(const Parameters& list, const mes
 }
 
 /// The pieces of a part share nodes, of which some may be tied already: only what keeps them together acts there.
-void checkSection(const laws::InterfaceLaw& given, int steps) {
-  const auto* field = dynamic_cast<const laws::FieldLaw*>(&given);
-  const laws::InterfaceLaw& law = field == nullptr ? given : field->plain();  // what joins the sides varies nowhere
+void checkSection(const laws::InterfaceLaw& law, int steps) {
   if (law.bonds() || (actsOnNodes(law, steps) && !law.prescribesTraction())) return;
   throw base::Error("\"" + std::string(law.name()) +
                         "\" cannot act on a plane through one part, where both sides stay together.\n  Choose "

@@ -2,6 +2,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
+#include <harmos/laws/FieldLaw.hpp>
 
 namespace harmos::scene {
 
@@ -31,14 +32,14 @@ void demandPlaces(const assembly::Assembly& assembly,
   std::map<std::string, std::vector<base::Vector3>> places;
   for (const assembly::Interface& interface : assembly.interfaces) {
     const auto law = laws.find(interface.name);
-    if (law == laws.end() || dynamic_cast<const laws::TurnedLaw*>(law->second.get()) == nullptr) continue;
+    if (law == laws.end() || laws::roleOf<laws::TurnedLaw>(*law->second) == nullptr) continue;
     const auto more = placesOfNodes(interface.trace1, assembly.bodies[interface.body1].nodes);
     auto& all = places[interface.name];
     all.insert(all.end(), more.begin(), more.end());
   }
   for (const auto& [name, ofName] : places) {
     try {
-      dynamic_cast<const laws::TurnedLaw&>(*laws.at(name)).demandPlaces(ofName, assembly.steps());
+      laws::roleOf<laws::TurnedLaw>(*laws.at(name))->demandPlaces(ofName, assembly.steps());
     } catch (const base::Error& error) {
       throw base::Error(base::quoted(name) + ": " + error.what(), error.code());
     }

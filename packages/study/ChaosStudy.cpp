@@ -9,6 +9,7 @@
 #include <harmos/base/Names.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/laws/FaceLaw.hpp>
+#include <harmos/laws/FieldLaw.hpp>
 #include <harmos/laws/TurnedLaw.hpp>
 #include <harmos/scene/TurnedPlaces.hpp>
 #include <harmos/study/StochasticTails.hpp>
@@ -120,7 +121,7 @@ stochastic::Realisations ChaosStudy::realise(const probability::RandomVector& va
 bool ChaosStudy::demandsPlaces() const {
   const auto& interfaces = problem_.assembly.interfaces;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    if (isRandom_[i] && dynamic_cast<const laws::TurnedLaw*>(interfaces[i].law.get()) != nullptr) return true;
+    if (isRandom_[i] && laws::roleOf<laws::TurnedLaw>(*interfaces[i].law) != nullptr) return true;
   }
   return false;
 }

@@ -15,7 +15,7 @@ void addWholeLaw(LawRegistry& laws) {
   input::ParameterSpec spec(L::lawName);
   L::describe(spec);
   const auto make = [](const input::Parameters& p) -> std::unique_ptr<InterfaceLaw> { return std::make_unique<L>(p); };
-  laws.add(std::move(spec), make, checkOf<L>(0));
+  addVarying(laws, std::move(spec), make, checkOf<L>(0));
 }
 
 }  // namespace harmos::laws

@@ -25,8 +25,9 @@ struct Conflict {
   double expected = 0.0;  // what the earlier ones make of the displacement along the direction [length]
 };
 
-/// Which nodes boundaries hold, and where: of all affine laws that leave a component no choice, whatever its traction.
-/// Nodes that interfaces bond move as one and count as one. Interfaces whose points are no nodes hold and bond none.
+/// Which nodes boundaries hold, and where: of all laws, affine at every place, that leave a component no choice,
+/// whatever its traction. Nodes that interfaces bond move as one and count as one. Interfaces whose points are no nodes
+/// hold and bond none.
 class HeldNodes {
  public:
   /// `nodes`: how many each body has. The interfaces must outlive this.

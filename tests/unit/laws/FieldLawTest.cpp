@@ -1,9 +1,15 @@
 // Numbers of laws that vary over the surface, against the law with the number of each place.
+#include <algorithm>
+#include <array>
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/laws/FaceLaw.hpp>
 #include <harmos/laws/FieldLaw.hpp>
+#include <harmos/laws/NodalLaw.hpp>
+#include <harmos/laws/TurnedLaw.hpp>
 
 #include "LawSamples.hpp"
 
@@ -206,6 +212,74 @@ TEST(FieldLaw, RefusesFormulasOfNumbersThatAreNotGiven) {
     input::ErrorList none;
     builtInLaws().check(p, none);
     EXPECT_EQ(none.count(), 0);
+  }
+}
+
+input::Parameters gasket(const std::string& entry, const std::string& formula) {
+  input::Parameters p("law");
+  p.set("Type", std::string("Tabulated Contact")).set("Gap", 0.0).set("Friction Coefficient", 0.0);
+  p.set("Tangential Stiffness", 1.0).set("Overclosures", std::vector<double>{0.0, 0.1, 0.3});
+  p.set("Pressures", std::vector<double>{0.0, 1.0, 8.0}).set(entry + " Formula", formula);
+  return p;
+}
+
+TEST(FieldLaw, MultipliesAllNumbersOfAList) {
+  for (const std::string entry : {"Overclosures", "Pressures"}) {
+    const auto law = builtInLaws().create(gasket(entry, "1 + x"));
+    Points points(*law);
+    points.solve(*law, 0);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      input::Parameters p = gasket(entry, "1");
+      std::vector<double> numbers = p.numbers(entry);
+      for (double& number : numbers) number *= 1.0 + places[i][0];
+      p.set(entry, numbers).remove(entry + " Formula");
+      const auto alone = builtInLaws().create(p);
+      ASSERT_EQ(dynamic_cast<const FieldLaw*>(alone.get()), nullptr);
+      EXPECT_EQ(points.states[i].traction, Node(*alone).solve(points.lines[i]).traction);
+    }
+  }
+}
+
+TEST(FieldLaw, RefusesListsThatAreNoneAtOnePlace) {
+  const auto message = [](const std::string& entry, const std::string& formula) {
+    try {
+      const auto law = builtInLaws().create(gasket(entry, formula));
+      dynamic_cast<const FieldLaw&>(*law).prepare(places);
+    } catch (const base::Error& error) {
+      EXPECT_EQ(error.code(), base::ExitCode::input);
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  for (const auto& [entry, formula, expected] :
+       {std::array{"Pressures", "2.5 - x", "the formula makes number 2 of Pressures = -0.5 at (3, 0, 0)"},
+        std::array{"Overclosures", "2.5 - x", "is not above the one before"},
+        std::array{"Overclosures", "t", "\"Overclosures\" does not vary over the load steps"}}) {
+    const std::string found = message(entry, formula);
+    EXPECT_NE(found.find(expected), std::string::npos) << found;
+  }
+}
+
+// The axes of a tool and how it moves are those of a rigid body; what rubs on it need not be the same everywhere.
+TEST(FieldLaw, IsWhatItsLawIsBesides) {
+  input::Parameters p("law");
+  p.set("Type", std::string("Rigid Sphere")).set("Centre", std::vector<double>{0.0, 0.0, 5.0}).set("Radius", 4.0);
+  p.set("Part Inside", false).set("Interference", 0.0).set("Friction Coefficient", 0.3);
+  for (const char* component : {"X", "Y", "Z"}) p.set(component, 0.0);
+  const auto plain = builtInLaws().create(p);
+  const auto law = builtInLaws().create(p.set("Friction Coefficient Formula", std::string("x")));
+  ASSERT_NE(roleOf<TurnedLaw>(*law), nullptr);
+  EXPECT_EQ(dynamic_cast<const TurnedLaw*>(law.get()), nullptr);
+  EXPECT_EQ(roleOf<TurnedLaw>(*law)->axesAt(places[2]), roleOf<TurnedLaw>(*plain)->axesAt(places[2]));
+  EXPECT_EQ(roleOf<NodalLaw>(*law), nullptr);
+  const LawRegistry laws = builtInLaws();
+  const auto spec = std::find_if(laws.forms().begin(), laws.forms().end(),
+                                 [](const input::ParameterSpec& form) { return form.name() == "Rigid Sphere"; });
+  std::set<std::string> names;
+  for (const auto& entry : spec->entries()) names.insert(entry->name);
+  EXPECT_EQ(names.count("Friction Coefficient Field"), 1U);
+  for (const char* none : {"X Formula", "Radius Formula", "Centre Formula", "Interference Field"}) {
+    EXPECT_EQ(names.count(none), 0U) << none;
   }
 }
 

@@ -119,6 +119,45 @@ class Cases:
             ends.append(float((self.folder / "block_history.csv").read_text().split()[-1].split(",")[4]))
         yield "cut parts", abs(ends[1] / ends[0] - 1), 1e-5
 
+    def twins(self) -> Checks:
+        """Laws with axes of their own, forces on nodes, tools and lists, against others that follow the same field."""
+        def other(law: dict[str, Any], place: str = "top") -> harmos.Scene:
+            scene = block(field(2, **{"Covariance": "Gaussian", "Correlation Length": 4.0}), cells=8)
+            del scene["Boundaries/top/Law/Pressure Field"]
+            scene[f"Boundaries/{place}/Law"] = law
+            return scene
+
+        along = {"Type": "Prescribed Displacement", "X": 0.0, "Y": -0.01, "Y Field": "rough"}
+        about = {"Type": "Cylindrical Displacement", "Point": [-3.0, -1.0], "Radial": -0.01, "Tangential": -0.01,
+                 "Radial Formula": "2 / sqrt((x + 3)^2 + 4)", "Tangential Formula": "(x + 3) / sqrt((x + 3)^2 + 4)",
+                 "Radial Field": "rough", "Tangential Field": "rough"}
+        per_area = {"Type": "Prescribed Traction", "Y": -2.0, "Y Field": "rough"}
+        on_nodes = {"Type": "Nodal Force", "Y": -1.0, "Y Formula": "x < 0.1 || x > 3.9 ? 0.5 : 1", "Y Field": "rough"}
+        friction = {"Friction Coefficient": 0.2, "Friction Coefficient Field": "rough"}
+        contact = {"Type": "Coulomb Friction", **friction}
+        tool = {"Type": "Rigid Plane", "Point": [0.0, 0.0], "Normal": [0.0, 1.0], **friction}
+        spring = {"Type": "Elastic Foundation", "Normal Stiffness": 50.0, "Tangential Stiffness": 20.0,
+                  "Tangential Stiffness Field": "rough"}
+        iwan = {"Type": "Parallel Iwan", "Normal Stiffness": 50.0, "Stiffnesses": [15.0, 5.0], "Stiffnesses Field": "rough",
+                "Slip Limits": [1e9, 1e9]}
+        drag = {"Type": "Prescribed Traction", "X": 0.1, "Y": -2.0}
+        chaos, collocation = {"Type": "Chaos", "Order": 2}, {"Type": "Collocation", "Points In": "Tensor", "Order": 3}
+        for what, one, two, place, design in (
+                ("about an axis", along, about, "top", chaos), ("about an axis", along, about, "top", collocation),
+                ("forces on nodes", per_area, on_nodes, "top", chaos), ("a tool", contact, tool, "ground", collocation),
+                ("a list", spring, iwan, "ground", collocation)):
+            scenes = [other(law, place) for law in (one, two)]
+            for scene in scenes:
+                if place == "ground":
+                    scene["Boundaries/top/Law"] = drag
+                    scene["Responses/end/Direction"] = [1.0, 0.0]
+            expected, found = (self._moments(scene, 2, **design) for scene in scenes)
+            for name in ("force", "end"):
+                scale = max(abs(expected[name][0]), expected[name][1])
+                worst = max(abs(a - b) for a, b in zip(expected[name], found[name]))
+                yield f"{what}, {design['Type']}: {name}", worst / scale, 20 * ACCURACY
+            yield f"{what}: it varies", 1e-3 / (expected["end"][1] / abs(expected["end"][0])), 1.0
+
     def lengths(self) -> Checks:
         """Points further apart than the correlation length are named, with both lengths; others are not."""
         sentence = 'Correlation Length: it is 0.3, but points of "top" lie up to 0.5 apart'
