@@ -11,8 +11,8 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/LawCheck.hpp>
-#include <harmos/latin/OtherSolutions.hpp>
 #include <harmos/latin/detail/LawDigits.hpp>
+#include <harmos/latin/detail/OtherSolutions.hpp>
 #include <harmos/latin/detail/ResultRemarks.hpp>
 #include <harmos/latin/detail/RoundOff.hpp>
 #include <harmos/latin/detail/UnheldParts.hpp>

@@ -1,4 +1,4 @@
-#include <harmos/latin/OtherSolutions.hpp>
+#include <harmos/latin/detail/OtherSolutions.hpp>
 
 #include <utility>
 
