@@ -56,7 +56,7 @@ void watch(bool isRankOfOpenMpi) {
 // Blocked in all threads, which inherit it, the signals reach nobody but watch(): METIS would take one that comes while
 // it works for an error of its own.
 void catchInterrupts() {
-  // Whoever writes is told as well.
+  // The write fails instead (EFBIG, EPIPE), so that results are not lost to a pipe that nobody reads.
   for (const int number : {SIGXFSZ, SIGPIPE}) ::signal(number, SIG_IGN);
   const ::sigset_t signals = watchedSignals();
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);

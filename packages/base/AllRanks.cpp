@@ -1,7 +1,6 @@
 #include <harmos/base/AllRanks.hpp>
 
 #include <algorithm>
-#include <exception>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -78,27 +77,23 @@ void onEachRank(const Teuchos::Comm<int>& comm, const std::function<void()>& act
     action();
     return;
   }
-  std::exception_ptr mine;
   int code = 0;
   std::string message;
   try {
     action();
   } catch (const std::exception& error) {
-    mine = std::current_exception();
     code = static_cast<int>(exitCodeOf(error));
     message = messageOf(error);
+  } catch (...) {
+    code = static_cast<int>(ExitCode::failure);
+    message = "what was thrown is no exception of the standard library";
   }
-  const int here = mine ? comm.getRank() : comm.getSize();
+  const int here = code != 0 ? comm.getRank() : comm.getSize();
   int first = here;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, here, Teuchos::outArg(first));
   if (first == comm.getSize()) return;
   Teuchos::broadcast(comm, first, Teuchos::outArg(code));
-  try {
-    throwOf(comm, first, code, std::move(message));
-  } catch (const Error&) {
-    if (mine) std::rethrow_exception(mine);
-    throw;
-  }
+  throwOf(comm, first, code, std::move(message));
 }
 
 }  // namespace harmos::base

@@ -20,9 +20,9 @@ int runOnAllRanks(const Teuchos::Comm<int>& comm, const std::function<int()>& pr
 /// ranks. Collective.
 void onFirstRank(const Teuchos::Comm<int>& comm, const std::function<void()>& action);
 
-/// Does on every rank what may fail on some, without collective calls in it: when it does, all ranks throw. Those that
-/// failed throw what they have met, the others a base::Error with the message and the exit code of the lowest one that
-/// failed. On one rank it is the action alone. Collective.
+/// Does on every rank what may fail on some, without collective calls in it: when it does, all ranks throw the same, so
+/// that all go on alike: a base::Error with the message and the exit code of the lowest one that failed. On one rank it
+/// is the action alone. Collective.
 void onEachRank(const Teuchos::Comm<int>& comm, const std::function<void()>& action);
 
 }  // namespace harmos::base

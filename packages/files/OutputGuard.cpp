@@ -36,14 +36,18 @@ std::string faultOfFolder(const fs::path& folder) {
     existing = existing.parent_path().empty() ? fs::path(".") : existing.parent_path();
   }
   const auto because = [&](const std::string& reason) {
-    return "No result can be written into " + folder.string() + ": " + reason + ".\n";
+    return "No result can be written into " + (folder.empty() ? "the present folder" : folder.string()) + ": " +
+           reason + ".\n";
   };
   std::error_code error;
   const fs::file_status status = fs::status(existing, error);
   if (isTooLong(folder.string())) return because("its name is too long");
   if (!fs::exists(status)) return because(existing.string() + " is a link to what is not there");
   if (!fs::is_directory(status)) return because(existing.string() + " is no folder");
-  if (::access(existing.c_str(), W_OK | X_OK) != 0) return because(existing.string() + ": " + std::strerror(errno));
+  if (::access(existing.c_str(), W_OK | X_OK) != 0) {
+    const std::string reason = std::strerror(errno);
+    return because(existing == folder || folder.empty() ? reason : existing.string() + ": " + reason);
+  }
   return "";
 }
 

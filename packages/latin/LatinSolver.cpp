@@ -379,31 +379,40 @@ void LatinSolver::demandGraphs(LatinResult& result) {
   }
 }
 
-void LatinSolver::lookForOthers(const LatinResult& result, Indeterminacy& found) {
+void LatinSolver::share() {
+  fixedPoint_.shareTractions(alpha_, image_, options_.accuracy);
+  image_ = base::Matrix();
+}
+
+void LatinSolver::lookForOthers(LatinResult& result, Indeterminacy& found) {
   const bool canMarch = options_.algorithm == Algorithm::accelerated && !assembly_.path && !assembly_.softens() &&
                         fixedPoint_.formulation() == Formulation::displacement;
   if (found.ways.empty() || !canMarch) return;
-  const int most = stages() + std::max(leastStagesForOthers, result.linearStages);
+  const auto running = timers_.start("other solutions");
+  const int enough = std::max(leastStagesForOthers, result.linearStages), before = stages();
+  int most = before;
   OtherSolutions others(fixedPoint_, options_.memory, options_.accuracy,
                         [&] { return mustStop() || stages() >= most; });
-  for (const base::Matrix& way : found.ways) {
-    base::Matrix start(alpha_);
-    start += way;
-    const auto values = others.from(start, responses_);
+  for (base::Matrix& way : found.ways) {
+    most = stages() + enough;
+    way += alpha_;
+    const auto values = others.from(way, responses_);
     for (std::size_t i = 0; values && i < values->size(); ++i) {
-      found.responses[i].extend(result.responses[i].values, (*values)[i]);
+      const ResponseResult& known = result.responses[i];
+      found.responses[i].extend(known.values, (*values)[i], options_.accuracy * known.size);
     }
+    way = base::Matrix();
   }
+  result.linearStages += stages() - before;
   image_.shape(alpha_.numRows(), alpha_.numCols());
   state_ = &fixedPoint_.apply(alpha_, image_);
-  image_ = base::Matrix();
+  share();
 }
 
 void LatinSolver::deliver(LatinResult& result) {
   state_ = &fixedPoint_.apply(alpha_, image_);
   demandGraphs(result);
-  fixedPoint_.shareTractions(alpha_, image_, options_.accuracy);
-  image_ = base::Matrix();
+  share();
   if (!fixedPoint_.reference().isEmpty()) {
     whole_ = alpha_;
     fixedPoint_.addReference(whole_);

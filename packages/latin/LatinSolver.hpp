@@ -72,8 +72,11 @@ class LatinSolver {
   /// Collective. The first image that it sees is the measure of all others.
   bool hasDiverged(const base::Matrix& image);
   void deliver(LatinResult& result);
-  /// Where pressures are free: extends the ranges of responses by what other solutions say, if any are found.
-  void lookForOthers(const LatinResult& result, Indeterminacy& found);
+  /// Where pressures are free: extends the ranges of responses by what other solutions say, if any are found, and adds
+  /// the linear stages that it takes.
+  void lookForOthers(LatinResult& result, Indeterminacy& found);
+  /// Gives the iterate of alpha_ the tractions that are defined where bodies feel only their sum; lets go of image_.
+  void share();
   /// Takes a certificate back where a law answers the lines of other search directions otherwise, see checkLaws().
   void demandGraphs(LatinResult& result);
   /// Load step after load step; where restarts of the march lead nowhere, from the beginning with fewer of them.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include <harmos/base/AllRanks.hpp>
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
 #include <harmos/latin/FaceSums.hpp>
@@ -276,28 +277,34 @@ LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double acc
   stage.begin();
   for (int t = 0; t < iterate.beta().numCols(); ++t) {
     stage.solveColumn(t, iterate.beta(), traction.data());
-    for (auto& [index, watch] : watches) {
-      watch.look(stage.met(index, t));
-      if (!watch.isMonotone()) continue;
-      watch.goFarther(stage.met(index, t), 0, 1);
-      watch.goFarther(stage.met(index, t), 1, 3);
-    }
+    base::onEachRank(layout.comm(), [&] {
+      for (auto& [index, watch] : watches) {
+        watch.look(stage.met(index, t));
+        if (!watch.isMonotone()) continue;
+        watch.goFarther(stage.met(index, t), 0, 1);
+        watch.goFarther(stage.met(index, t), 1, 3);
+      }
+    });
     for (const double ratio : {steeper, flatter}) {
       if (!faces.isEmpty()) faces.begin(1);
-      for (auto& [index, watch] : watches) {
-        if (!watch.answers(ratio)) continue;
-        if (faces.law(index) == nullptr) {
-          watch.compare(stage.met(index, t), ratio);
-        } else {
-          watch.addToSums(stage.met(index, t), ratio, index, faces);
+      base::onEachRank(layout.comm(), [&] {
+        for (auto& [index, watch] : watches) {
+          if (!watch.answers(ratio)) continue;
+          if (faces.law(index) == nullptr) {
+            watch.compare(stage.met(index, t), ratio);
+          } else {
+            watch.addToSums(stage.met(index, t), ratio, index, faces);
+          }
         }
-      }
+      });
       if (faces.isEmpty()) continue;
       faces.finish();
-      for (auto& [index, watch] : watches) {
-        if (faces.law(index) != nullptr && watch.answers(ratio))
-          watch.compare(stage.met(index, t), ratio, index, faces);
-      }
+      base::onEachRank(layout.comm(), [&] {
+        for (auto& [index, watch] : watches) {
+          if (faces.law(index) != nullptr && watch.answers(ratio))
+            watch.compare(stage.met(index, t), ratio, index, faces);
+        }
+      });
     }
     stage.accept();
   }

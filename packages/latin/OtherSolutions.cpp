@@ -1,5 +1,9 @@
 #include <harmos/latin/detail/OtherSolutions.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <new>
 #include <utility>
 
 #include <harmos/latin/March.hpp>
@@ -17,16 +21,27 @@ OtherSolutions::OtherSolutions(FixedPoint& fixedPoint, int memory, double accura
 
 std::optional<std::vector<std::vector<double>>> OtherSolutions::from(
     const base::Matrix& start, const std::vector<std::shared_ptr<const Response>>& responses) {
-  base::Matrix alpha(start), image(start.numRows(), start.numCols());
-  March march(fixedPoint_, memory_, accuracy_, 0);
-  march.setStop(mustStop_);
-  const March::End end = march.run(alpha, shareOfAccuracy * accuracy_, March::Guess::state);
-  if (end != March::End::reached) return std::nullopt;
-  const Iterate& there = fixedPoint_.apply(alpha, image);
-  fixedPoint_.shareTractions(alpha, image, accuracy_);
-  std::vector<std::vector<double>> values;
-  for (const auto& response : responses) values.push_back(response->evaluate(there));
-  return values;
+  try {
+    base::Matrix alpha(start);
+    March march(fixedPoint_, memory_, accuracy_, 0);
+    march.setStop(mustStop_);
+    const March::End end = march.run(alpha, shareOfAccuracy * accuracy_, March::Guess::state);
+    if (end != March::End::reached) return std::nullopt;
+    base::Matrix image(alpha.numRows(), alpha.numCols());
+    const Iterate& there = fixedPoint_.apply(alpha, image);
+    fixedPoint_.shareTractions(alpha, image, accuracy_);
+    std::vector<std::vector<double>> values;
+    for (const auto& response : responses) {
+      values.push_back(response->evaluate(there));
+      const auto isNumber = [](double value) { return std::isfinite(value); };
+      if (!std::all_of(values.back().begin(), values.back().end(), isNumber)) return std::nullopt;
+    }
+    return values;
+  } catch (const std::bad_alloc&) {
+    throw;  // of one rank alone
+  } catch (const std::exception&) {
+    return std::nullopt;  // what a law cannot answer there costs the solution that is known nothing
+  }
 }
 
 }  // namespace harmos::latin

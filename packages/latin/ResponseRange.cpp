@@ -145,10 +145,15 @@ double ResponseRange::width() const {
   return lower.empty() ? 0.0 : upper[widest()] - lower[widest()];
 }
 
-void ResponseRange::extend(const std::vector<double>& values, const std::vector<double>& others) {
-  if (lower.empty()) lower = upper = values;
+void ResponseRange::extend(const std::vector<double>& values, const std::vector<double>& others, double tolerance) {
+  const std::vector<double> least = lower.empty() ? values : lower, most = upper.empty() ? values : upper;
   for (std::size_t t = 0; t < others.size(); ++t) {
-    goesToOtherMotions = goesToOtherMotions || others[t] < lower[t] || others[t] > upper[t];
+    if (others[t] >= least[t] - tolerance && others[t] <= most[t] + tolerance) continue;
+    if (lower.empty()) {
+      lower = values;
+      upper = values;
+    }
+    goesToOtherMotions = true;
     lower[t] = std::min(lower[t], others[t]);
     upper[t] = std::max(upper[t], others[t]);
   }
@@ -166,7 +171,7 @@ std::string describe(const std::string& response, const ResponseRange& range, co
   std::ostringstream text;
   text << "response " << base::quoted(response) << " is not determined: at load step " << step + 1 << " ";
   const double lower = range.lower[step], upper = range.upper[step];
-  if (range.goesToOtherMotions) {
+  if (range.goesToOtherMotions && std::isfinite(lower) && std::isfinite(upper)) {
     text << "solutions with other pressures and displacements give from " << lower << " to " << upper
          << ", and there may be more; " << values[step] << " is that of this one";
     return text.str();

@@ -24,8 +24,9 @@ struct ResponseRange {
   int widest() const;
   /// Largest width over the load steps [unit of the response]; 0 where the response is determined.
   double width() const;
-  /// Makes it hold what another solution says, beside the `values` that are given, both per load step.
-  void extend(const std::vector<double>& values, const std::vector<double>& others);
+  /// Makes it hold what another solution says, beside the `values` that are given, both per load step, where that is
+  /// outside by more than `tolerance` [unit of the response].
+  void extend(const std::vector<double>& values, const std::vector<double>& others, double tolerance);
 };
 
 /// 'response "N" is not determined: at load step 2 it may be anything from 1 to 3 ...', one sentence for the user.

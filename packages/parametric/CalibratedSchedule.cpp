@@ -102,12 +102,12 @@ bool CalibratedSchedule::addRanges(results::ConfigurationResult& result) {
   const std::vector<latin::ResponseRange>& ranges = found.responses;
   const latin::Snapshot last(solver_.iteration().state(), solver_.responses());
   bool isUnique = found.pressures.empty();
-  if (!isUnique) result.reason += "; " + latin::describePressures(found.pressures);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (!(ranges[i].width() > accuracy * last.size(i))) continue;
     isUnique = false;
     result.reason += "; " + latin::describe(solver_.responses()[i]->name(), ranges[i], result.curves[i]);
   }
+  if (!found.pressures.empty()) result.reason += "; " + latin::describePressures(found.pressures);
   return isUnique;
 }
 

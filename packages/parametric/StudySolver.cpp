@@ -165,12 +165,14 @@ bool StudySolver::certify(const base::Matrix* start, results::ConfigurationResul
 
 bool StudySolver::take(const latin::LatinResult& solution, results::ConfigurationResult& result) {
   result.reason = solution.reason;
+  bool isUnique = solution.freePressures.empty();
   for (const auto& response : solution.responses) {
     if (!(response.range.width() > options_.accuracy * response.size)) continue;
+    isUnique = false;
     result.reason += "; " + latin::describe(response.name, response.range, response.values);
   }
   if (!solution.freePressures.empty()) result.reason += "; " + latin::describePressures(solution.freePressures);
-  result.status = statusOf(solution.outcome, solution.isUnique());
+  result.status = statusOf(solution.outcome, isUnique);
   result.iterations += solution.iterations;
   result.linearStages += solution.linearStages;
   result.errorEstimate = solution.errorEstimate;

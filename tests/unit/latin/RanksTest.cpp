@@ -210,7 +210,7 @@ TEST(RanksTogether, SayThatNothingCarriesTheLoad) {
   EXPECT_NE(result.reason.find("\"right\""), std::string::npos) << result.reason;
 }
 
-// The rank that meets it throws what the law has thrown, the others its message; all can go on afterwards.
+// All ranks throw its message, and can go on afterwards.
 TEST(RanksTogether, ThrowWhatALawThrowsOnOne) {
   const auto comm = Tpetra::getDefaultComm();
   const int last = comm->getSize() - 1;
@@ -226,10 +226,10 @@ TEST(RanksTogether, ThrowWhatALawThrowsOnOne) {
     try {
       solver.solve();
     } catch (const base::Error& error) {
-      EXPECT_NE(comm->getRank(), last);
+      EXPECT_GT(comm->getSize(), 1);
       message = error.what();
     } catch (const std::runtime_error& error) {
-      EXPECT_EQ(comm->getRank(), last);
+      EXPECT_EQ(comm->getSize(), 1);
       message = error.what();
     }
     EXPECT_EQ(message, "the glue gives up");
