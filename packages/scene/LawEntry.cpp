@@ -69,7 +69,8 @@ void demandLawEntry(const input::InputTree& input, const std::string& entry) {
            "only numbers of laws can be parameters: Interfaces/NAME/Law/ENTRY, Boundaries/NAME/Law/ENTRY, "
            "Fields/NAME/Coefficients/ENTRY, or Values/NAME that such entries name.");
   }
-  for (const std::string& user : input::References(input).to("$" + names[1])) {
+  const input::References references(input);
+  for (const std::string& user : references.to("$" + names[1])) {
     if (!isOfLaw(split(user))) refuse(entry, "\"" + user + "\" names it, too, which is no number of a law.");
   }
 }
