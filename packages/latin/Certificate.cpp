@@ -116,7 +116,7 @@ double leftToRoundOff(const FixedPoint& fixedPoint, const base::Matrix& alpha, c
   const double forces = largest(fixedPoint.metric().squaredNorms(iterate.hattedTraction()));
   const double gap = fieldGap(iterate);
   const double unseen = forces > 0.0 ? std::min(gap, March::noise * std::sqrt(whole / forces)) : gap;
-  return unseen / (1.0 - leastContraction);
+  return unseen / (1.0 - steadyContraction);
 }
 
 /// Round-off in images of the largest load step of a state, all of which are selected.
