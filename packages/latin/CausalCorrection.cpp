@@ -266,7 +266,7 @@ void CausalCorrection::start(const Iterate& iterate, base::Matrix& alpha) {
   residual_.shapeUninitialized(alpha.numRows(), alpha.numCols());
   const std::vector<double> squares = fixedPoint_.metric().squaredNorms(alpha);
   first_ = 0;
-  noise_ = March::noise * std::sqrt(*std::max_element(squares.begin(), squares.end()));
+  noise_ = fixedPoint_.roundOff(std::sqrt(*std::max_element(squares.begin(), squares.end())));
   fixedPoint_.pointwiseStage().begin();
   for (int t = 0; t < alpha.numCols(); ++t) {
     steps_[t].residual = steps_[t].before = evaluate(t);

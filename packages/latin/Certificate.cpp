@@ -112,11 +112,11 @@ void believeFields(const std::vector<double>& before, const std::vector<double>&
 /// Error of the forces [-] that residuals which count as round-off of a state, much larger than its forces where bodies
 /// have moved far, may still stand for.
 double leftToRoundOff(const FixedPoint& fixedPoint, const base::Matrix& alpha, const Iterate& iterate) {
-  const double whole = largest(fixedPoint.metric().squaredNorms(alpha));
-  const double forces = largest(fixedPoint.metric().squaredNorms(iterate.hattedTraction()));
+  const double whole = std::sqrt(largest(fixedPoint.metric().squaredNorms(alpha)));
+  const double forces = std::sqrt(largest(fixedPoint.metric().squaredNorms(iterate.hattedTraction())));
   const double gap = fieldGap(iterate);
-  const double unseen = forces > 0.0 ? std::min(gap, March::noise * std::sqrt(whole / forces)) : gap;
-  return unseen / (1.0 - steadyContraction);
+  const double unseen = forces > 0.0 ? std::min(gap, fixedPoint.roundOff(whole) / forces) : gap;
+  return errorOfRoundOff * unseen;
 }
 
 /// Round-off in images of the largest load step of a state, all of which are selected.
@@ -209,7 +209,7 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
   };
   Correction result;
   result.state = alpha;
-  double noise = March::noise * std::sqrt(largest(metric.squaredNorms(alpha)));
+  double noise = fixedPoint_.roundOff(std::sqrt(largest(metric.squaredNorms(alpha))));
   bool knowsNoise = false;
   // Every load step must be moved, or what is wrong with one would go unseen beside larger residuals of others.
   std::vector<double> targets = distances(image, alpha);

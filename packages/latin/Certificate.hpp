@@ -89,6 +89,9 @@ class Certificate {
 /// The gap that a claim allows, over the accuracy.
 inline constexpr double allowedGap = 10.0;
 
+/// Of residuals that count as round-off, which does not contract: errors that they may stand for.
+inline constexpr double errorOfRoundOff = 5.0;
+
 /// The gap between the fields of both stages, see Certificate. Collective.
 double fieldGap(const Iterate& state);
 

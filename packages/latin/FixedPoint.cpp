@@ -1,5 +1,7 @@
 #include <harmos/latin/FixedPoint.hpp>
 
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -15,6 +17,8 @@ namespace {
 
 // So many applications ago, a reference to an iterate still tells that it is not the present one.
 constexpr int iteratesKept = 7;
+// Of jumps that laws see: they are added up, and laws take what they are made of from them, such as gaps.
+constexpr double roundOffOfJumps = 2.0 * std::numeric_limits<double>::epsilon();
 
 /// Parts that nothing holds have no equilibrium only where nothing balances their loads.
 base::Error withLoads(const base::Error& floating, const assembly::Assembly& assembly, const Teuchos::Comm<int>& comm) {
@@ -138,6 +142,7 @@ void FixedPoint::rescale(double scale) {
   fields_.searchDirectionScale = scale;
   fields_.boundaries = {};
   share_ = std::make_unique<TractionShare>(assembly_, searchDirection_, eliminated_);
+  if (!reference_.isEmpty()) referenceJumps_ = jumpsOfReference();
   select(std::vector<int>(fields_.steps));
 }
 
@@ -155,9 +160,35 @@ void FixedPoint::addDifference(const ReferenceMotions& rho1, const ReferenceMoti
   }
 }
 
+std::vector<double> FixedPoint::jumpsOfReference() const {
+  const auto dimension = static_cast<std::size_t>(layout_.dimension());
+  std::vector<double> jumps(static_cast<std::size_t>(assembly_.steps()), 0.0);
+  for (const TraceLayout::Block& block : layout_.blocks()) {
+    const assembly::Interface& interface = assembly_.interfaces[block.interface];
+    for (std::size_t t = 0; t < jumps.size(); ++t) {
+      auto row = static_cast<std::size_t>(block.begin);
+      for (int p = 0; p < block.pairs; ++p, row += dimension) {
+        const double jump = base::norm(reference_.jump(interface, p, static_cast<int>(t)));
+        jumps[t] += layout_.area()[row] * layout_.stiffness()[row] * jump * jump;
+      }
+    }
+  }
+  metric_.sum(jumps);
+  for (double& jump : jumps) jump = std::sqrt(jump);
+  return jumps;
+}
+
+double FixedPoint::roundOff(double norm) const {
+  double largest = noise * norm;
+  if (referenceJumps_.empty()) return largest;
+  for (const int t : fields_.steps) largest = std::max(largest, roundOffOfJumps * referenceJumps_[t]);
+  return largest;
+}
+
 void FixedPoint::recentre(const Iterate& iterate, base::Matrix& alpha) {
   const ReferenceMotions before = reference_;
   reference_.add(iterate.relativeTrace(), layout_);
+  referenceJumps_ = jumpsOfReference();
   addDifference(before, reference_, alpha);
   linear_->updateLoads();
   ++fields_.present;
@@ -167,6 +198,7 @@ void FixedPoint::uncentre(base::Matrix& alpha) {
   if (reference_.isEmpty()) return;
   addReference(alpha);
   reference_.clear();
+  referenceJumps_.clear();
   linear_->updateLoads();
   ++fields_.present;
 }

@@ -101,6 +101,11 @@ class FixedPoint {
   bool canRecentre() const {
     return options_.formulation == Formulation::displacement && pointwise_ != nullptr && !assembly_.path;
   }
+  /// Residuals below this share of a state are round-off.
+  static constexpr double noise = 1e-13;
+  /// Residuals [force length, square root] below this one are round-off in states of this norm, of the selected load
+  /// steps: that of the linear stage, and that of laws, which see the motions that displacements are counted from.
+  double roundOff(double norm) const;
   /// What displacements are counted from.
   const ReferenceMotions& reference() const { return reference_; }
 
@@ -167,6 +172,8 @@ class FixedPoint {
   void releaseDerived();
   /// alpha += k (rho1 - rho2).
   void addDifference(const ReferenceMotions& rho1, const ReferenceMotions& rho2, base::Matrix& alpha) const;
+  /// Collective. Norm of k times the jumps of the motions [force length, square root], per load step.
+  std::vector<double> jumpsOfReference() const;
   /// Adds tractions [stress] to the present iterate that the bodies do not feel.
   void addBalanced(const base::Matrix& tractions);
   /// Throws base::Error (input) where a PathControl multiplies what the linear stage does not prescribe.
@@ -184,6 +191,7 @@ class FixedPoint {
   TraceLayout layout_;
   StateMetric metric_;
   ReferenceMotions reference_;
+  std::vector<double> referenceJumps_;  // per load step: norm of k times its jumps; empty: none
   std::unique_ptr<LinearStage> linear_;
   PointwiseLocalStage* pointwise_ = nullptr;  // local_, or null when that is another one
   std::unique_ptr<LocalStage> local_;

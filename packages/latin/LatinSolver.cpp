@@ -268,6 +268,12 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
     guess = March::Guess::state;
     if (end != March::End::reached || stages() >= stageLimit()) break;
     isOver = certify(*state_, result);
+    const double ofMotions = errorOfRoundOff * fixedPoint_.roundOff(0.0), forces = march.largestForce();
+    if (!isOver && forces > 0.0 && ofMotions > options_.accuracy * forces) {
+      result.outcome = Outcome::roundOff;
+      result.reason = describeFarMotions(ofMotions / forces);
+      break;
+    }
     if (result.outcome == Outcome::roundOff && recentrings > 0 && isOfMotions) {
       // Much of it was that of motions, perhaps of such as were known too roughly when they were left out.
       isOfMotions = false;

@@ -237,7 +237,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
     const double whole = metric.norm(image);
     harmless_ = whole > 0.0 ? std::min(negligible * size, tolerance * force) / whole : 0.0;
     const bool hasMoved = force * manyTimes < whole && force > nothing * whole;
-    if (size <= std::max(tolerance * force, noise * whole)) {
+    if (size <= std::max(tolerance * force, fixedPoint_.roundOff(whole))) {
       largestForce_ = force;
       isReached = true;
       // What is reached is the end of the digits, not the tolerance.

@@ -38,8 +38,6 @@ class March {
 
   /// Iterations of a load step, after its last landing, by which it is left as it is.
   static constexpr int maximumIterations = 100;
-  /// Residuals below this share of the state are round-off.
-  static constexpr double noise = 1e-13;
   /// Of the residual from one march to the next, when what has come of the first is not enough.
   static constexpr double tightening = 0.1;
 
@@ -67,6 +65,8 @@ class March {
   /// maximumIterations after its last landing is left as it is. After an early end the remaining columns hold the last
   /// state, or where the guess is the state, what they held.
   End run(base::Matrix& alpha, double tolerance, Guess guess);
+  /// Norm of the tractions of the largest load step yet, in the metric of states [force length, square root].
+  double largestForce() const { return largestForce_; }
   /// How many load steps, from the first, the last run came to the end of.
   int stepsReached() const { return stepsReached_; }
   /// What the laws cannot carry, after End::noEquilibrium, or what has not been reached, in words for the user.

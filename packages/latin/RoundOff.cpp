@@ -94,6 +94,16 @@ RoundOff::Estimate RoundOff::estimate(const Iterate& iterate, const base::Matrix
   return result;
 }
 
+std::string describeFarMotions(double error) {
+  std::ostringstream text;
+  text.precision(2);
+  text << "double precision does not give this accuracy: parts move so far beyond what strains them that the jumps of "
+          "their joints leave the forces no digits below "
+       << error << " of the largest; ask for an accuracy of " << error / shareOfRoundOff
+       << " or more, or let gaps and ways be smaller";
+  return text.str();
+}
+
 std::string describe(const RoundOff::Estimate& estimate, const std::vector<std::string>& names,
                      const assembly::Assembly& assembly) {
   const auto worst = std::max_element(estimate.errors.begin(), estimate.errors.end());

@@ -16,8 +16,6 @@ constexpr int mostSteps = 12;
 // little of itself at most.
 constexpr double nearEnough = 1.5;
 constexpr double smallestFall = 1e-3;
-// Residuals below this share of the state are round-off.
-constexpr double noise = 1e-13;
 constexpr double longer = 1.5;
 constexpr double shorter = 0.5;
 
@@ -55,7 +53,7 @@ bool StepContinuation::solvePart(const base::Matrix& offset, base::Matrix& state
   for (;;) {
     if (!solveBoth(offset, state, beta, asked, mustStop)) return false;
     const double needed = std::max(target, share * forceOf(offset, beta));
-    if (asked <= std::max(nearEnough * needed, noise * fixedPoint_.metric().norm(state))) return true;
+    if (asked <= std::max(nearEnough * needed, fixedPoint_.roundOff(fixedPoint_.metric().norm(state)))) return true;
     asked = std::max(needed, smallestFall * asked);
   }
 }

@@ -39,8 +39,6 @@ constexpr double smallTimeError = 0.1;
 constexpr double shorterTime = 0.25;
 constexpr double longerTime = 2.0;
 constexpr double muchLongerTime = 8.0;
-// Residuals below this share of the state are round-off.
-constexpr double noise = 1e-13;
 
 }  // namespace
 
@@ -161,7 +159,7 @@ std::optional<double> StepNewton::follow(std::vector<double> c) {
     moveFrom(along, length);
     const double reached = evaluate();
     if (metric.dot(residual_, motion) < answered * squared) return reached;
-    if (noise * metric.norm(alpha_) > visible * std::sqrt(squared)) return std::nullopt;
+    if (fixedPoint_.roundOff(metric.norm(alpha_)) > visible * std::sqrt(squared)) return std::nullopt;
   }
 }
 
@@ -210,7 +208,7 @@ void StepNewton::begin(const base::Matrix& state, const base::Matrix& beta) {
 }
 
 double StepNewton::enough(double target) const {
-  return std::max(target, noise * fixedPoint_.metric().norm(alpha_));
+  return std::max(target, fixedPoint_.roundOff(fixedPoint_.metric().norm(alpha_)));
 }
 
 StepNewton::Result StepNewton::settle(base::Matrix& state, const base::Matrix& beta, double target,

@@ -110,7 +110,7 @@ bool ConfigurationIteration::meetsTarget() {
   }
   fixedPoint_.metric().sum(sums);
   residual_ = std::sqrt(sums[0]);
-  if (residual_ <= latin::March::noise * std::sqrt(sums[2])) return true;
+  if (residual_ <= latin::FixedPoint::noise * std::sqrt(sums[2])) return true;
   const bool isCold = isFirstMarch_ && starts_.empty();
   const double traction = isCold ? std::sqrt((traction_ * traction_ * step_ + sums[1]) / (step_ + 1.0)) : traction_;
   if (residual_ > target_.force * traction) return false;

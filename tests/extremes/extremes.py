@@ -91,10 +91,9 @@ def cases():
         yield Case("friction", f"mu {mu:g}, drawn at slip", shear_held(mu, 1.0), {"drag": mu}, "either")
         yield Case("friction", f"mu {mu:g}, drawn at 1.001 of slip", shear_held(mu, 1.001), must="refused")
     yield Case("friction", "mu 0, drawn", column(contact(0.0), shear=1e-6, cells=[[1, 1, 1]] * 2, sides=False), must="refused")
-    for gap in (0.0, 1e-15, 1e-6, 1.0, 1e6):
-        # Beyond 1e9 times what the load strains, processors that add up in another order leave too few digits.
-        yield Case("gap", f"closed by the load, gap {gap:g}", column(contact(gap=gap)), pressed(extra=gap),
-                   "either" if gap > 1e3 else "right")
+    for gap in (0.0, 1e-15, 1e-6, 1.0, 1e4, 1e6):
+        yield Case("gap", f"closed by the load, gap {gap:g}", column(contact(gap=gap)), pressed(extra=gap))
+    yield Case("gap", "closed by the load, gap 1e+08", column(contact(gap=1e8)), must="refused", reason="no digits")
     yield Case("gap", "larger than any motion", column(contact(gap=1.0), displaced=-0.1), {"top": -0.1, "force": 0.0})
     for gap in (-1e-12, -1e-3, -0.1):
         yield Case("gap", f"interference {-gap:g} between held ends", column(contact(gap=gap), displaced=0.0),

@@ -47,6 +47,9 @@ class RoundOff {
 std::string describe(const RoundOff::Estimate& estimate, const std::vector<std::string>& names,
                      const assembly::Assembly& assembly);
 
+/// The same where parts have moved so far that their forces are known to `error` [-] only.
+std::string describeFarMotions(double error);
+
 /// Of the accuracy, what round-off may take at most.
 inline constexpr double shareOfRoundOff = 0.5;
 
