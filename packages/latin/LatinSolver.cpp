@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -11,6 +10,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/LawCheck.hpp>
+#include <harmos/latin/detail/CustomaryIndicator.hpp>
 #include <harmos/latin/detail/LawDigits.hpp>
 #include <harmos/latin/detail/OtherSolutions.hpp>
 #include <harmos/latin/detail/ResultRemarks.hpp>
@@ -44,33 +44,12 @@ constexpr int leastStepsOfBlock = 4;
 // restarts, and so is that.
 constexpr double shareOfFirstTry = 0.5;
 constexpr double shareOfLaterTry = 0.27;
-// Linear stages to look for other solutions with, if the run took fewer.
-constexpr int leastStagesForOthers = 100;
 // Each takes what the one before has left of the motions of bodies.
 constexpr int maximumRecentrings = 3;
 
 // A state this many times larger than the first one was extrapolated beyond all measure: the digits of the forces are
 // lost in k w, and everything finite would look small beside it.
 constexpr double divergedSize = 1e8;
-
-/// The customary indicator |s - s^| / |s| with s = (f, w) in the norm that k makes.
-double customaryIndicator(const Iterate& state) {
-  const std::vector<double>& area = state.layout().area();
-  const std::vector<double>& k = state.layout().stiffness();
-  std::vector<double> sums(2, 0.0);
-  for (int t = 0; t < state.assembly().steps(); ++t) {
-    for (std::size_t row = 0; row < area.size(); ++row) {
-      const double f = state.traction()[t][row];
-      const double w = state.trace()[t][row];
-      const double df = f - state.hattedTraction()[t][row];
-      const double dw = state.relativeTrace()[t][row] - state.relativeHattedTrace(static_cast<int>(row), t);
-      sums[0] += area[row] * (df * df / k[row] + k[row] * dw * dw);
-      sums[1] += area[row] * (f * f / k[row] + k[row] * w * w);
-    }
-  }
-  state.metric().sum(sums);
-  return sums[1] > 0.0 ? std::sqrt(sums[0] / sums[1]) : 0.0;
-}
 
 }  // namespace
 
@@ -395,20 +374,9 @@ void LatinSolver::lookForOthers(LatinResult& result, Indeterminacy& found) {
                         fixedPoint_.formulation() == Formulation::displacement;
   if (found.ways.empty() || !canMarch) return;
   const auto running = timers_.start("other solutions");
-  const int enough = std::max(leastStagesForOthers, result.linearStages), before = stages();
-  int most = before;
-  OtherSolutions others(fixedPoint_, options_.memory, options_.accuracy,
-                        [&] { return mustStop() || stages() >= most; });
-  for (base::Matrix& way : found.ways) {
-    most = stages() + enough;
-    way += alpha_;
-    const auto values = others.from(way, responses_);
-    for (std::size_t i = 0; values && i < values->size(); ++i) {
-      const ResponseResult& known = result.responses[i];
-      found.responses[i].extend(known.values, (*values)[i], options_.accuracy * known.size);
-    }
-    way = base::Matrix();
-  }
+  const int before = stages();
+  OtherSolutions others(fixedPoint_, options_.memory, options_.accuracy, [&] { return mustStop(); });
+  others.extend(found, alpha_, responses_, result);
   result.linearStages += stages() - before;
   image_.shape(alpha_.numRows(), alpha_.numCols());
   state_ = &fixedPoint_.apply(alpha_, image_);
@@ -424,19 +392,7 @@ void LatinSolver::deliver(LatinResult& result) {
     fixedPoint_.addReference(whole_);
   }
   result.indicator = customaryIndicator(*state_);
-  const Snapshot last(*state_, responses_);
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t i = 0; i < responses_.size(); ++i) {
-    result.responses.push_back({responses_[i]->name(),
-                                last.responses()[i],
-                                estimates_.empty() ? unknown : estimates_[i],
-                                last.size(i),
-                                last.isSmall(i),
-                                {}});
-  }
-  result.forceErrorEstimate = estimates_.empty() ? unknown : estimates_[estimates_.size() - 2];
-  result.displacementErrorEstimate = estimates_.empty() ? unknown : estimates_.back();
-  result.errorEstimate = estimates_.empty() ? unknown : *std::max_element(estimates_.begin(), estimates_.end());
+  addResponses(*state_, responses_, estimates_, result);
   if (result.outcome == Outcome::certified) {
     const auto running = timers_.start("statics");
     const std::vector<std::string> unheld = describeUnheldParts(*state_);

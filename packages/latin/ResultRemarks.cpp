@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include <harmos/base/Names.hpp>
+#include <harmos/latin/Snapshot.hpp>
 #include <harmos/latin/detail/ResultRemarks.hpp>
 
 namespace harmos::latin {
@@ -28,6 +30,23 @@ std::string namesOfSoftening(const assembly::Assembly& assembly) {
     if (assembly.interfaces[i].law->lowestSlope() < 0.0) soft.push_back(static_cast<int>(i));
   }
   return nameAll(assembly, soft);
+}
+
+void addResponses(const Iterate& state, const std::vector<std::shared_ptr<const Response>>& responses,
+                  const std::vector<double>& estimates, LatinResult& result) {
+  const Snapshot last(state, responses);
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    result.responses.push_back({responses[i]->name(),
+                                last.responses()[i],
+                                estimates.empty() ? unknown : estimates[i],
+                                last.size(i),
+                                last.isSmall(i),
+                                {}});
+  }
+  result.forceErrorEstimate = estimates.empty() ? unknown : estimates[estimates.size() - 2];
+  result.displacementErrorEstimate = estimates.empty() ? unknown : estimates.back();
+  result.errorEstimate = estimates.empty() ? unknown : *std::max_element(estimates.begin(), estimates.end());
 }
 
 void addIndeterminacy(const Indeterminacy& found, double accuracy, LatinResult& result) {

@@ -9,6 +9,11 @@
 
 namespace harmos::latin {
 
+/// The responses at a state with the estimates of their errors, those of the fields last, see Snapshot::distance();
+/// empty: not known. Collective.
+void addResponses(const Iterate& state, const std::vector<std::shared_ptr<const Response>>& responses,
+                  const std::vector<double>& estimates, LatinResult& result);
+
 /// What the problem does not determine: ranges of responses wider than `accuracy` times their size, with a remark on
 /// each, and interfaces whose pressures are free.
 void addIndeterminacy(const Indeterminacy& found, double accuracy, LatinResult& result);
