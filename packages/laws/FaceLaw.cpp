@@ -1,12 +1,12 @@
 #include <harmos/laws/FaceLaw.hpp>
 
-#include <harmos/laws/FieldLaw.hpp>
+#include <harmos/laws/FieldFollower.hpp>
 
 namespace harmos::laws {
 
 std::shared_ptr<const InterfaceLaw> inPlaceOf(const InterfaceLaw& present, std::shared_ptr<const InterfaceLaw> law) {
-  const auto* field = dynamic_cast<const FieldLaw*>(law.get());
-  const auto* presentField = dynamic_cast<const FieldLaw*>(&present);
+  const auto* field = dynamic_cast<const FieldFollower*>(law.get());
+  const auto* presentField = dynamic_cast<const FieldFollower*>(&present);
   if (field != nullptr && presentField != nullptr) {
     if (presentField->fields()) field->bind(presentField->fields());
     field->prepare(presentField->places());

@@ -34,7 +34,7 @@ class FaceLaw {
 };
 
 /// `law`, which is to replace `present` on an interface: bound to the same face when it is a FaceLaw, prepared
-/// for the same places when both are a FieldLaw, else as it is.
+/// for the same places when both are a FieldFollower, else as it is.
 std::shared_ptr<const InterfaceLaw> inPlaceOf(const InterfaceLaw& present, std::shared_ptr<const InterfaceLaw> law);
 
 }  // namespace harmos::laws

@@ -77,7 +77,8 @@ void FieldLaw::describe(input::ParameterSpec& law) {
 bool FieldLaw::isAskedFor(const input::Parameters& parameters) {
   return std::any_of(parameters.entries().begin(), parameters.entries().end(),
                      [&](const auto& entry) { return input::Field::isGiven(parameters, entry.name); }) ||
-         !fieldEntries(parameters).empty();
+         std::any_of(parameters.entries().begin(), parameters.entries().end(),
+                     [&](const auto& entry) { return parameters.has(fieldOf(entry.name)); });
 }
 
 void FieldLaw::check(const input::ParameterSpec& law, const input::Parameters& parameters, input::ErrorList& errors) {
@@ -89,15 +90,6 @@ void FieldLaw::check(const input::ParameterSpec& law, const input::Parameters& p
                  "Give it, or remove this entry.");
     }
   }
-}
-
-std::vector<std::string> FieldLaw::fieldEntries(const input::Parameters& parameters) {
-  std::vector<std::string> given;
-  for (const auto& entry : parameters.entries()) {
-    const std::string field = fieldOf(entry.name);
-    if (parameters.has(field)) given.push_back(field);
-  }
-  return given;
 }
 
 FieldLaw::FieldLaw(const input::ParameterSpec& declared, const input::Parameters& parameters, Factory make, Check check)
@@ -129,16 +121,11 @@ FieldLaw::FieldLaw(const input::ParameterSpec& declared, const input::Parameters
 
 void FieldLaw::bind(std::shared_ptr<const SpatialFields> fields) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  fields_ = std::move(fields);
-  own_.clear();
+  std::vector<std::string> names;
   for (const Entry& entry : entries_) {
-    const auto shared = fields_->find(entry.spatial);
-    if (shared == fields_->end()) continue;
-    const auto list =
-        std::find_if(lists_.begin(), lists_.end(), [&](const auto& each) { return each.name() == entry.spatial; });
-    const auto own = list == lists_.end() ? nullptr : shared->second->with(*list);
-    own_[entry.spatial] = own ? own : shared->second;
+    if (!entry.spatial.empty()) names.push_back(entry.spatial);
   }
+  fields_.bind(std::move(fields), names);
   for (const Entry& entry : entries_) {
     const std::string& name = entry.declaration->name;
     if (entry.spatial.empty() || entry.declaration->varies || !spatialOf(entry).varies()) continue;
@@ -151,15 +138,11 @@ void FieldLaw::bind(std::shared_ptr<const SpatialFields> fields) const {
 
 std::shared_ptr<const SpatialFields> FieldLaw::fields() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return fields_;
+  return fields_.shared();
 }
 
 const SpatialField& FieldLaw::spatialOf(const Entry& entry) const {
-  const auto found = own_.find(entry.spatial);
-  if (found != own_.end()) return *found->second;
-  throw base::Error(
-      parameters_.where(fieldOf(entry.declaration->name)) + ": there is no field \"" + entry.spatial + "\" here.",
-      base::ExitCode::input);
+  return fields_.find(entry.spatial, parameters_.where(fieldOf(entry.declaration->name)));
 }
 
 double FieldLaw::valueOf(const Entry& entry, int step, const base::Vector3& place) const {

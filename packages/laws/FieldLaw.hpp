@@ -12,8 +12,8 @@
 #include <harmos/input/Field.hpp>
 #include <harmos/input/ParameterSpec.hpp>
 #include <harmos/input/Parameters.hpp>
+#include <harmos/laws/FieldFollower.hpp>
 #include <harmos/laws/InterfaceLaw.hpp>
-#include <harmos/laws/SpatialField.hpp>
 
 namespace harmos::laws {
 
@@ -23,7 +23,7 @@ namespace harmos::laws {
 /// (SpatialField); of a list every number is multiplied so. What the law is besides, see roleOf(), varies nowhere. The
 /// laws are made where they are first asked for, or by prepare(); places with equal numbers share one. It costs a
 /// look-up per pair, and laws without fields nothing.
-class FieldLaw final : public InterfaceLaw {
+class FieldLaw final : public InterfaceLaw, public FieldFollower {
  public:
   /// Makes a law of checked parameters, see input::Registry.
   using Factory = std::function<std::unique_ptr<InterfaceLaw>(const input::Parameters&)>;
@@ -36,25 +36,19 @@ class FieldLaw final : public InterfaceLaw {
   static bool isAskedFor(const input::Parameters& parameters);
   /// Reports formulas and fields of entries that are not given. `law`: what describe() has been applied to.
   static void check(const input::ParameterSpec& law, const input::Parameters& parameters, input::ErrorList& errors);
-  /// The entries "<name> Field" that are given.
-  static std::vector<std::string> fieldEntries(const input::Parameters& parameters);
 
   /// `declared`: what describe() has been applied to. Throws what `make` throws, and base::Error (input) for formulas
   /// that are none, and for those that look at the time where the number may not.
   FieldLaw(const input::ParameterSpec& declared, const input::Parameters& parameters, Factory make, Check check);
 
-  /// Tells what the lists of fields hold now, see SpatialField::with(); for the next bind().
-  void tell(std::vector<input::Parameters> lists) { lists_ = std::move(lists); }
-  /// Gives the fields that its numbers name; shared, and none are asked for before. Must come before any place is asked
-  /// for. Throws base::Error (input) where a number that does not vary over the load steps names a field that does.
-  void bind(std::shared_ptr<const SpatialFields> fields) const;
-  /// Those of bind(); null: none.
-  std::shared_ptr<const SpatialFields> fields() const;
+  void tell(std::vector<input::Parameters> lists) override { fields_.tell(std::move(lists)); }
+  /// Throws base::Error (input) where a number that does not vary over the load steps names a field that does.
+  void bind(std::shared_ptr<const SpatialFields> fields) const override;
+  std::shared_ptr<const SpatialFields> fields() const override;
   /// Makes the laws of all these places [length]. Throws base::Error (input) with entry and place where a number leaves
   /// its range, a formula has no value, or numbers do not go together.
-  void prepare(const std::vector<base::Vector3>& places) const;
-  /// The places at which it has been asked so far.
-  std::vector<base::Vector3> places() const;
+  void prepare(const std::vector<base::Vector3>& places) const override;
+  std::vector<base::Vector3> places() const override;
 
   /// The law with the numbers as they are written, without formulas and fields.
   const InterfaceLaw& plain() const { return *law_; }
@@ -107,9 +101,7 @@ class FieldLaw final : public InterfaceLaw {
   std::shared_ptr<const InterfaceLaw> law_;
   std::vector<Entry> entries_;
   int steps_ = 1;  // load steps for which histories and times are known
-  std::vector<input::Parameters> lists_;
-  mutable std::shared_ptr<const SpatialFields> fields_;
-  mutable SpatialFields own_;  // those of its numbers, with what the lists hold
+  mutable FollowedFields fields_;
   mutable std::mutex mutex_;
   mutable std::unordered_map<base::Vector3, const InterfaceLaw*, PlaceHash> byPlace_;
   mutable std::map<std::vector<std::vector<double>>, std::unique_ptr<const InterfaceLaw>> byValues_;

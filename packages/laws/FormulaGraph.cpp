@@ -24,12 +24,15 @@ const std::string oldSuffix = "_old";
 void FormulaGraph::describe(input::ParameterSpec& spec) {
   const char* const what =
       " as a formula in jump_n, jump_1, jump_2, gap, x, y, z [length], t, dt (end and duration of the load step "
-      "[time]), the Constants, and of every entry of History its value at the end of this load step and, with _old "
-      "behind its name, of the one before.";
+      "[time]), the Constants, the Fields, and of every entry of History its value at the end of this load step and, "
+      "with _old behind its name, of the one before.";
   for (std::size_t i = 0; i < entries.size(); ++i) {
     spec.text(entries[i]).example(examples[i]).defaultValue("0").doc("Traction on side 1 [stress]" + std::string(what));
   }
   spec.namedNumbers("Constants").summary("Numbers that the formulas use by name; a study may vary them.");
+  spec.texts("Fields").optional().doc(
+      "Entries of the list Fields of the scene, such as {coating}, that the formulas use by name, with their value at "
+      "the place and load step.");
   input::ParameterSpec& history = spec.namedLists("History");
   history.summary(
       "Numbers kept at every point from one load step to the next, 0 at the start, and written to the results; later "
@@ -63,6 +66,8 @@ FormulaGraph::FormulaGraph(const input::Parameters& parameters) {
     histories_.push_back(list.name());
     outputs_.push_back({list.name(), list.text("Unit"), "History of the law by formulas."});
   }
+  if (parameters.has("Fields")) fields_ = parameters.texts("Fields");
+  for (const std::string& field : fields_) add(field, parameters.where("Fields"));
   if (parameters.hasList("Constants")) {
     const input::Parameters& numbers = parameters.list("Constants");
     for (const input::Parameters::Entry& entry : numbers.entries()) {
@@ -121,9 +126,11 @@ FormulaGraph::Expression FormulaGraph::compiled(const input::Parameters& list, c
   return result;
 }
 
-void FormulaGraph::place(Expression& expression, const NodeContext& at, const double* old) const {
+void FormulaGraph::place(Expression& expression, const NodeContext& at, const double* old,
+                         const std::vector<double>& fields) const {
   double* const slots = expression.formula.slots();
   for (std::size_t h = 0; h < histories_.size(); ++h) slots[firstHistory + 2 * h + 1] = old[h];
+  std::copy(fields.begin(), fields.end(), slots + firstHistory + 2 * histories_.size());
   if (!expression.hasPlace) return;
   const base::Vector3 where = at.position();
   slots[gap] = at.gap;
@@ -132,9 +139,9 @@ void FormulaGraph::place(Expression& expression, const NodeContext& at, const do
   slots[duration] = at.duration();
 }
 
-void FormulaGraph::goTo(const NodeContext& at, const double* old) {
-  for (Expression& update : updates_) place(update, at, old);
-  for (Expression& traction : tractions_) place(traction, at, old);
+void FormulaGraph::goTo(const NodeContext& at, const double* old, const std::vector<double>& fields) {
+  for (Expression& update : updates_) place(update, at, old, fields);
+  for (Expression& traction : tractions_) place(traction, at, old, fields);
 }
 
 /// The histories that it uses have their values.

@@ -7,6 +7,7 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include <harmos/laws/FieldFollower.hpp>
 #include <harmos/laws/LawRegistry.hpp>
 #include <harmos/laws/NewtonOnLine.hpp>
 #include <harmos/laws/NoIntersection.hpp>
@@ -21,7 +22,7 @@ constexpr double roundOff = std::numeric_limits<double>::epsilon();
 /// on the line: of g(delta) = delta + H t(delta) - delta_free, whose slope is 1 at least, the root lies between 0 and
 /// -g(0). Else Newton's method with differences, and where that comes to no end the components in turn, bracketed
 /// alike.
-class FormulaLaw final : public InterfaceLaw {
+class FormulaLaw final : public InterfaceLaw, public FieldFollower {
  public:
   static constexpr const char* lawName = "Formula";
 
@@ -39,7 +40,8 @@ class FormulaLaw final : public InterfaceLaw {
   }
 
   explicit FormulaLaw(const input::Parameters& p)
-      : graph_(std::make_unique<FormulaGraph>(p)),
+      : whereFields_(p.where("Fields")),
+        graph_(std::make_unique<FormulaGraph>(p)),
         lowestSlope_(p.number("Lowest Slope")),
         dissipates_(p.flag("Dissipates")) {}
 
@@ -53,13 +55,34 @@ class FormulaLaw final : public InterfaceLaw {
   std::vector<OutputField> outputs() const override { return graph_->outputs(); }
   void output(const PairStep& step, double* values) const override { std::copy_n(step.history, historySize(), values); }
 
+  void tell(std::vector<input::Parameters> lists) override { followed_.tell(std::move(lists)); }
+  void bind(std::shared_ptr<const SpatialFields> fields) const override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    followed_.bind(std::move(fields), graph_->fields());
+  }
+  std::shared_ptr<const SpatialFields> fields() const override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return followed_.shared();
+  }
+  void prepare(const std::vector<base::Vector3>& places) const override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (graph_->fields().empty()) return;
+    for (const base::Vector3& place : places) readFields(0, place);
+    places_.insert(places_.end(), places.begin(), places.end());
+  }
+  std::vector<base::Vector3> places() const override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return places_;
+  }
+
   void solve(int step, const NodeArrays& nodes) const override {
     const std::lock_guard<std::mutex> lock(mutex_);  // formulas are no matter of several threads
     const int size = historySize();
     for (int i = 0; i < nodes.count; ++i) {
       const NodeContext at(step, nodes, i);
       const LocalLine& line = nodes.line[i];
-      graph_->goTo(at, nodes.oldHistory + static_cast<std::ptrdiff_t>(i) * size);
+      readFields(step, at.position());
+      graph_->goTo(at, nodes.oldHistory + static_cast<std::ptrdiff_t>(i) * size, values_);
       nodes.state[i] = {graph_->isUncoupled() ? byComponents(line, at) : together(line, at), Status::bonded};
       if (size > 0) {
         graph_->update(line.jump(nodes.state[i].traction), nodes.newHistory + static_cast<std::ptrdiff_t>(i) * size);
@@ -68,6 +91,19 @@ class FormulaLaw final : public InterfaceLaw {
   }
 
  private:
+  /// The values of the fields that the formulas see.
+  void readFields(int step, const base::Vector3& place) const {
+    values_.clear();
+    for (const std::string& name : graph_->fields()) {
+      const SpatialField& field = followed_.find(name, whereFields_);
+      try {
+        values_.push_back(field.at(step, place));
+      } catch (const base::Error& error) {
+        throw base::Error(whereFields_ + ": " + error.what(), error.code());
+      }
+    }
+  }
+
   base::Vector3 byComponents(const LocalLine& line, const NodeContext& at) const {
     base::Vector3 traction{};
     for (std::size_t c = 0; c < 3; ++c) {
@@ -181,7 +217,12 @@ class FormulaLaw final : public InterfaceLaw {
     return std::nullopt;
   }
 
-  std::unique_ptr<FormulaGraph> graph_;  // locked by mutex_
+  std::string whereFields_;
+  // Locked by mutex_, as all that is mutable.
+  std::unique_ptr<FormulaGraph> graph_;
+  mutable FollowedFields followed_;
+  mutable std::vector<base::Vector3> places_;  // for which it was prepared
+  mutable std::vector<double> values_;         // of the fields where it is asked
   mutable std::mutex mutex_;
   double lowestSlope_;
   bool dissipates_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include <harmos/laws/FieldLaw.hpp>
+#include <harmos/laws/FieldFollower.hpp>
 #include <harmos/laws/RandomField.hpp>
 #include <harmos/scene/detail/MeshField.hpp>
 
@@ -13,8 +13,8 @@ namespace {
 
 /// Whether a number of the law of an interface or boundary follows the field.
 bool follows(const input::Parameters& law, const std::string& field) {
-  const std::vector<std::string> entries = laws::FieldLaw::fieldEntries(law);
-  return std::any_of(entries.begin(), entries.end(), [&](const auto& entry) { return law.text(entry) == field; });
+  const std::vector<laws::FieldName> names = laws::fieldNames(law);
+  return std::any_of(names.begin(), names.end(), [&](const auto& each) { return each.name == field; });
 }
 
 /// The points of all interfaces and boundaries that follow a field, none where nothing does; at one place there may be

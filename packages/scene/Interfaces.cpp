@@ -61,7 +61,7 @@ void prepareFields(const std::vector<assembly::Interface>& interfaces,
                    const std::shared_ptr<const laws::SpatialFields>& fields) {
   input::ErrorList errors;
   for (const assembly::Interface& interface : interfaces) {
-    const auto* law = dynamic_cast<const laws::FieldLaw*>(interface.law.get());
+    const auto* law = dynamic_cast<const laws::FieldFollower*>(interface.law.get());
     if (law == nullptr) continue;
     errors.collect(base::quoted(interface.name), [&] {
       law->bind(fields);

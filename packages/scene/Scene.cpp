@@ -17,7 +17,7 @@
 #include <harmos/input/ErrorList.hpp>
 #include <harmos/input/Field.hpp>
 #include <harmos/laws/FaceLaw.hpp>
-#include <harmos/laws/FieldLaw.hpp>
+#include <harmos/laws/FieldFollower.hpp>
 #include <harmos/scene/FaceNames.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/Plugins.hpp>
@@ -289,12 +289,12 @@ class SceneChecker {
     const int before = errors_.count();
     laws_.check(parameters, errors_);
     if (errors_.count() > before) return;
-    for (const std::string& entry : laws::FieldLaw::fieldEntries(parameters)) {
-      knownName(parameters, entry, fields_, "Fields");
+    for (const laws::FieldName& field : laws::fieldNames(parameters)) {
+      knownName(parameters.where(field.entry), field.name, fields_, "Fields");
     }
     errors_.collect(parameters.where(), [&] {
       auto made = laws_.create(parameters);
-      if (auto* field = dynamic_cast<laws::FieldLaw*>(made.get())) field->tell(input_.lists("Fields"));
+      if (auto* field = dynamic_cast<laws::FieldFollower*>(made.get())) field->tell(input_.lists("Fields"));
       law = std::move(made);
     });
     if (!law) return;

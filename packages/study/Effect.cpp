@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <harmos/laws/FieldLaw.hpp>
+#include <harmos/laws/FieldFollower.hpp>
 
 namespace harmos::study {
 
@@ -33,10 +33,9 @@ std::vector<Effect> effectsOfField(const std::string& field, const std::string& 
   for (const char* kind : {"Interfaces", "Boundaries"}) {
     for (const input::Parameters& interface : scene.input.lists(kind)) {
       const input::Parameters& law = interface.list("Law");
-      const std::vector<std::string> followed = laws::FieldLaw::fieldEntries(law);
-      if (std::none_of(followed.begin(), followed.end(), [&](const auto& each) { return law.text(each) == field; })) {
+      const std::vector<laws::FieldName> followed = laws::fieldNames(law);
+      if (std::none_of(followed.begin(), followed.end(), [&](const auto& each) { return each.name == field; }))
         continue;
-      }
       Effect effect = effectOf(std::string(kind) + "/" + interface.name() + "/Law/", scene);
       effect.entry = entry;
       effects.push_back(std::move(effect));

@@ -28,8 +28,12 @@ class FormulaGraph {
   /// Whether every component of the traction follows from the same component of the jump alone.
   bool isUncoupled() const { return isUncoupled_; }
 
-  /// What formulas see of a point from now on: place, time, gap, and the histories at the end of the load step before.
-  void goTo(const NodeContext& at, const double* old);
+  /// Names of the fields that formulas may use, in the order of the input.
+  const std::vector<std::string>& fields() const { return fields_; }
+
+  /// What formulas see of a point from now on: place, time, gap, the histories at the end of the load step before, and
+  /// the values of the fields() there.
+  void goTo(const NodeContext& at, const double* old, const std::vector<double>& fields);
   /// The traction [stress] at a jump [length]; NaN where a formula has no value.
   base::Vector3 traction(const base::Vector3& jump);
   /// Component `c` of the traction where the graph isUncoupled(), at that component of the jump.
@@ -47,12 +51,13 @@ class FormulaGraph {
   };
 
   Expression compiled(const input::Parameters& list, const std::string& entry, std::size_t known) const;
-  void place(Expression& expression, const NodeContext& at, const double* old) const;
+  void place(Expression& expression, const NodeContext& at, const double* old, const std::vector<double>& fields) const;
   double valueOf(Expression& expression, const base::Vector3& jump);
   double alone(Expression& expression, const base::Vector3& jump);
 
   std::vector<std::string> histories_;
   std::vector<OutputField> outputs_;
+  std::vector<std::string> fields_;
   std::vector<std::string> names_;     // of all that formulas may use, in the order of their slots
   std::vector<double> constants_;      // values of the last of them
   std::vector<Expression> updates_;    // of the histories

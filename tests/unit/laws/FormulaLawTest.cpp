@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/laws/FaceLaw.hpp>
+#include <harmos/laws/FieldFollower.hpp>
 #include <harmos/laws/NoIntersection.hpp>
 
 #include "LawSamples.hpp"
@@ -17,6 +19,7 @@ struct Texts {
   std::map<std::string, double> constants = {};
   std::vector<std::pair<std::string, std::string>> history = {};
   double lowestSlope = 0.0;
+  std::vector<std::string> fields = {};
 };
 
 std::unique_ptr<InterfaceLaw> formula(const Texts& texts) {
@@ -25,6 +28,7 @@ std::unique_ptr<InterfaceLaw> formula(const Texts& texts) {
   law.set("Type", std::string("Formula")).set("Lowest Slope", texts.lowestSlope).set("Dissipates", false);
   law.set("Normal Traction", texts.n).set("Tangential Traction 1", texts.t1).set("Tangential Traction 2", texts.t2);
   law.setList("Constants", constants);
+  if (!texts.fields.empty()) law.set("Fields", texts.fields);
   for (const auto& [name, text] : texts.history) {
     law.addNamed("History", input::Parameters(name).set("Formula", text).set("Unit", std::string("-")));
   }
@@ -55,6 +59,48 @@ void expectSame(const InterfaceLaw& law, const InterfaceLaw& closed, double digi
       other.accept();
     }
   }
+}
+
+/// Place and load step tell its value.
+struct Ramp final : SpatialField {
+  bool varies() const override { return true; }
+  double at(int step, const base::Vector3& place) const override {
+    if (place[0] > 10.0) throw base::Error("too far", base::ExitCode::input);
+    return place[0] + step;
+  }
+};
+
+TEST(FormulaLaw, SeesFieldsByTheirNames) {
+  Texts texts;
+  texts.n = "k * coating * jump_n";
+  texts.constants = {{"k", 2.0}};
+  texts.fields = {"coating"};
+  const std::shared_ptr<const InterfaceLaw> law = formula(texts), other = formula(texts);
+  const auto& follower = dynamic_cast<const FieldFollower&>(*law);
+  EXPECT_THROW(follower.prepare({{1.0, 0.0, 0.0}}), base::Error);  // no field is known yet
+  follower.bind(std::make_shared<const SpatialFields>(SpatialFields{{"coating", std::make_shared<Ramp>()}}));
+  follower.prepare({{1.0, 0.0, 0.0}, {3.0, 0.0, 0.0}});
+  EXPECT_THROW(follower.prepare({{11.0, 0.0, 0.0}}), base::Error);
+  inPlaceOf(*law, other);  // has its fields and places
+  EXPECT_EQ(dynamic_cast<const FieldFollower&>(*other).places(), follower.places());
+  const LocalLine line{{3.0, 1.0, -1.0}, 0.25};
+  for (const InterfaceLaw* each : {law.get(), other.get()}) {
+    for (const double x : {1.0, 3.0}) {
+      for (const int step : {0, 2}) {
+        const double k = 2.0 * (x + step);
+        Node node(*each, 0.0, Node::axes, 1.0, {x, 0.0, 0.0});
+        EXPECT_NEAR(node.solve(line, step).traction[0], 3.0 * k / (1.0 + 0.25 * k), 1e-14 * k);
+      }
+    }
+  }
+}
+
+TEST(FormulaLaw, RefusesFieldsThatCannotStandInAFormula) {
+  Texts texts;
+  texts.fields = {"my coating"};
+  expectRefused(texts, "\"my coating\" cannot stand in a formula");
+  texts.fields = {"gap"};
+  expectRefused(texts, "\"gap\" means something else already");
 }
 
 TEST(FormulaLaw, IsSpringsWhereItSaysSo) {

@@ -232,6 +232,21 @@ class Cases:
         yield from self._compare("(1 + x) * 2", value, "chosen", entries={"Time Step": 2}, file={"times": times})
         yield from self._compare("(1 + x) * 4", value, "the last", file={"times": times})
 
+    def formulas(self) -> Iterator[tuple[str, float, float]]:
+        """The law "Formula" reads the field itself, also where it follows time."""
+        value: Place = lambda x, y, z, t: (1 + x) * (1 + t)
+        for what, entries, factor in (("at a time", {"Time Step": 2}, "2 * (1 + x)"),
+                                      ("in time", {"Follows Time": True}, "(1 + x) * (1 + t)")):
+            tangential = {f"Tangential Traction {c}": f"300 * jump_{c}" for c in (1, 2)}
+            followed, expected = scene(), scene()
+            self.runner.on_file(followed, "map", value, times=(0.0, 1.0, 3.0))
+            followed["Interfaces/joint/Law"] = {"Type": "Formula", "Fields": ["map"], "Constants": {"k": 500.0},
+                                                "Normal Traction": "k * map * jump_n", **tangential}
+            followed["Fields"] = {"map": {"Type": "Mesh Variable", "Variable": "map", **entries}}
+            expected["Interfaces/joint/Law"] = {"Type": "Formula", "Normal Traction": f"500 * {factor} * jump_n",
+                                                **tangential}
+            yield what, self.runner.difference(followed, expected), SAME
+
     def with_others(self) -> Iterator[tuple[str, float, float]]:
         """Beside a formula and a history, each multiplies."""
         history = {"half": {"Type": "Table", "Times": [0.0, 2.0], "Values": [0.0, 0.5]}}

@@ -140,12 +140,15 @@ class Cases:
                   "Tangential Stiffness Field": "rough"}
         iwan = {"Type": "Parallel Iwan", "Normal Stiffness": 50.0, "Stiffnesses": [15.0, 5.0], "Stiffnesses Field": "rough",
                 "Slip Limits": [1e9, 1e9]}
+        formula = {"Type": "Formula", "Fields": ["rough"], "Constants": {"k": 20.0}, "Normal Traction": "50 * jump_n",
+                   "Tangential Traction 1": "k * rough * jump_1"}
         drag = {"Type": "Prescribed Traction", "X": 0.1, "Y": -2.0}
         chaos, collocation = {"Type": "Chaos", "Order": 2}, {"Type": "Collocation", "Points In": "Tensor", "Order": 3}
         for what, one, two, place, design in (
                 ("about an axis", along, about, "top", chaos), ("about an axis", along, about, "top", collocation),
                 ("forces on nodes", per_area, on_nodes, "top", chaos), ("a tool", contact, tool, "ground", collocation),
-                ("a list", spring, iwan, "ground", collocation)):
+                ("a list", spring, iwan, "ground", collocation), ("a formula", spring, formula, "ground", collocation),
+                ("a formula", spring, formula, "ground", chaos)):
             scenes = [other(law, place) for law in (one, two)]
             for scene in scenes:
                 if place == "ground":
