@@ -3,6 +3,7 @@
 #include <ostream>
 #include <sstream>
 
+#include <harmos/base/BlasBuffer.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/cli/detail/Progress.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
@@ -92,6 +93,7 @@ void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
 }
 
 int run(const Arguments& arguments, const CommandEnvironment& environment) {
+  base::reserveBlasBuffer();
   arguments.requireOperands({"SCENE.xml"});
   const std::string& path = arguments.operands()[0];
   if (study::isStudyFile(path)) {

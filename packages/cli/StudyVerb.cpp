@@ -1,5 +1,6 @@
 #include <ostream>
 
+#include <harmos/base/BlasBuffer.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>
 #include <harmos/cli/detail/StudyProgress.hpp>
@@ -20,6 +21,7 @@ int countOf(const std::string& text) {
 }
 
 int study(const Arguments& arguments, const CommandEnvironment& environment) {
+  base::reserveBlasBuffer();
   arguments.requireOperands({"STUDY.xml"});
   const bool isQuiet = arguments.has("--quiet");
   const bool isShown = environment.isRoot() && !isQuiet;

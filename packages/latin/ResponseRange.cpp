@@ -211,8 +211,10 @@ Indeterminacy findIndeterminacy(const TractionShare& share, const Iterate& state
     if (!lower || !upper) continue;
     const std::vector<double> here = responses[i]->evaluate(state);
     for (std::size_t t = 0; t < here.size(); ++t) {
-      (*lower)[t] = std::min((*lower)[t], here[t]);
-      (*upper)[t] = std::max((*upper)[t], here[t]);
+      // A largest magnitude also grows where its slope, that of tractions that are nearly nothing, says it falls.
+      const auto [least, most] = std::minmax({(*lower)[t], (*upper)[t], here[t]});
+      (*lower)[t] = least;
+      (*upper)[t] = most;
     }
     result.responses[i] = {std::move(*lower), std::move(*upper), false};
   }

@@ -127,7 +127,8 @@ class StudySolver {
   std::vector<Place> places_;
   int present_ = 0;
   SolvedStates states_;
-  SolvedStates lacking_;  // without fields
+  SolvedStates lacking_;    // of configurations that statics leaves without equilibrium; without fields
+  SolvedStates unreached_;  // of those to which no path leads; without fields
   Observer observer_;
   std::function<bool()> interrupted_;
   Trust summary_;

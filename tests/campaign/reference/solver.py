@@ -36,8 +36,8 @@ class Answer:
     """What the reference says of a scene.
 
     histories: the fields by several ways, of which the first one counts. values: per response [step]. sizes: by which
-    errors are measured. spread: largest relative difference between the ways, per response. quadrature: change of a
-    response, over its size, when joins are integrated half as finely. failed_step: the first without solution.
+    errors are measured. spread: largest relative difference between the ways, per response. quadrature: what the
+    integrals over joins leave open of a response, over its size, twice what it changes by when these are coarser. failed_step: the first without solution.
     balances: statics per load step.
     """
     outcome: Outcome
@@ -161,11 +161,15 @@ def _compare(scene: Scene, histories: list[History], balances: list[Balance]) ->
 def _quadrature(scene: Scene, problem: Problem, answer: Answer) -> dict[str, float]:
     if problem.uncertain < RESOLVED:
         return dict.fromkeys(answer.values, 0.0)
-    coarser = _March(scene, assemble(scene, FINEST // 2), 0).run()
-    if coarser is None:
-        return dict.fromkeys(answer.values, float("inf"))
-    return {response.name: float(abs(coarser.response(response) - answer.values[response.name]).max())
-            / answer.sizes[response.name] for response in scene.responses}
+    # What is left falls as the parts do, but by fits: two steps tell more than one, and not the last digit of it.
+    largest = dict.fromkeys(answer.values, 0.0)
+    for parts, left in ((FINEST // 2, 1.0), (FINEST // 4, 0.5)):
+        coarser = _March(scene, assemble(scene, parts), 0).run()
+        for response in scene.responses:
+            change = float("inf") if coarser is None else \
+                float(abs(coarser.response(response) - answer.values[response.name]).max())
+            largest[response.name] = max(largest[response.name], 2 * left * change / answer.sizes[response.name])
+    return largest
 
 
 def solve(scene: Scene, ways: int = 3) -> Answer:
