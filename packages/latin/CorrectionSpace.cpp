@@ -8,6 +8,11 @@
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
 
+// By divide and conquer: at 200 directions a tenth of the time of GELSS, which Teuchos has.
+extern "C" void dgelsd_(const int* m, const int* n, const int* nrhs, double* a, const int* lda, double* b,
+                        const int* ldb, double* s, const double* rcond, int* rank, double* work, const int* lwork,
+                        int* iwork, int* info);
+
 namespace harmos::latin {
 namespace {
 
@@ -37,6 +42,23 @@ std::vector<double> singularValues(const std::vector<std::vector<double>>& trian
   Teuchos::LAPACK<int, double>().GESVD('N', 'N', size, size, matrix.values(), matrix.stride(), values.data(), &unused,
                                        1, &unused, 1, work.data(), static_cast<int>(work.size()), &unused, &info);
   return values;
+}
+
+/// The shortest x with the least |matrix x - b|, where singular values below `least` of the largest count as none;
+/// destroys the matrix.
+void solveWithoutSmall(base::Matrix& matrix, std::vector<double>& b, double least) {
+  const int size = matrix.numRows(), stride = matrix.stride(), one = 1, ask = -1;
+  std::vector<double> values(b.size());
+  double wanted = 0.0;
+  int rank = 0, info = 0, wantedIntegers = 0;
+  dgelsd_(&size, &size, &one, matrix.values(), &stride, b.data(), &size, values.data(), &least, &rank, &wanted, &ask,
+          &wantedIntegers, &info);
+  const int room = static_cast<int>(wanted);
+  std::vector<double> work(static_cast<std::size_t>(room));
+  std::vector<int> integers(static_cast<std::size_t>(std::max(1, wantedIntegers)));
+  dgelsd_(&size, &size, &one, matrix.values(), &stride, b.data(), &size, values.data(), &least, &rank, work.data(),
+          &room, integers.data(), &info);
+  if (info != 0) std::fill(b.begin(), b.end(), 0.0);  // of what is no number: no step
 }
 
 }  // namespace
@@ -141,7 +163,8 @@ void CorrectionSpace::append(const double* g) {
 void CorrectionSpace::findSingularValues() const {
   if (hasSingularValues_) return;
   const std::vector<double> values = singularValues(triangle_, known_);
-  const double least = negligibleShare(values) * values.front();
+  negligible_ = negligibleShare(values);
+  const double least = negligible_ * values.front();
   isSingular_ = values.back() <= least;
   const auto last = std::find_if(values.rbegin(), values.rend(), [&](double value) { return value > least; });
   smallest_ = last == values.rend() ? 0.0 : std::min(1.0, *last);
@@ -161,20 +184,15 @@ CorrectionSpace::LeastSquares CorrectionSpace::solve(const double* residual) con
   LeastSquares result = projected(residual);
   if (size_ == 0) return result;
   base::Matrix matrix = dense(triangle_, size_);
-  int info = 0;
-  const Teuchos::LAPACK<int, double> lapack;
   findSingularValues();
   if (!isSingular_) {
-    lapack.TRTRS('U', 'N', 'N', size_, 1, matrix.values(), matrix.stride(), result.c.data(), size_, &info);
+    int info = 0;
+    Teuchos::LAPACK<int, double>().TRTRS('U', 'N', 'N', size_, 1, matrix.values(), matrix.stride(), result.c.data(),
+                                         size_, &info);
     return result;
   }
   const std::vector<double> right = result.c;
-  std::vector<double> values = singularValues(triangle_, size_), work(static_cast<std::size_t>(64 * (size_ + 1)));
-  const double least = negligibleShare(values);
-  int rank = 0;
-  double unused = 0.0;
-  lapack.GELSS(size_, size_, 1, matrix.values(), matrix.stride(), result.c.data(), size_, values.data(), least, &rank,
-               work.data(), static_cast<int>(work.size()), &unused, &info);
+  solveWithoutSmall(matrix, result.c, negligible_);
   result.left = std::hypot(result.left, leftInside(right, result.c));
   return result;
 }

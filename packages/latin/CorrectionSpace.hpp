@@ -107,6 +107,7 @@ class CorrectionSpace {
   mutable bool hasSingularValues_ = false;     // of R, found when asked for
   mutable bool isSingular_ = false;
   mutable double smallest_ = 1.0;
+  mutable double negligible_ = 0.0;  // singular values below this share of the largest count as none
 };
 
 }  // namespace harmos::latin

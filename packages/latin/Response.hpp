@@ -68,6 +68,8 @@ class Response {
   /// How the value at the load step grows with the traction on side 1 of a pair while all displacements stay [its unit
   /// / stress]; of a value that is not linear a direction in which it grows. 0: it does not depend on it.
   virtual base::Vector3 slope(const assembly::Assembly& /*assembly*/, const At& /*at*/) const { return {}; }
+  /// Whether it is a magnitude, which large tractions make large whichever way they point.
+  virtual bool isMagnitude() const { return false; }
 
  private:
   std::string name_;
@@ -181,6 +183,7 @@ class MaximumResponse : public PairResponse {
   void include(const assembly::Interface& interface, const PairFields& fields,
                std::vector<double>& values) const override;
   base::Vector3 slope(const assembly::Assembly& assembly, const At& at) const override;
+  bool isMagnitude() const override { return true; }
 
  private:
   Field field_;

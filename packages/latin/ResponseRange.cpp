@@ -211,7 +211,8 @@ Indeterminacy findIndeterminacy(const TractionShare& share, const Iterate& state
     if (!lower || !upper) continue;
     const std::vector<double> here = responses[i]->evaluate(state);
     for (std::size_t t = 0; t < here.size(); ++t) {
-      // A largest magnitude also grows where its slope, that of tractions that are nearly nothing, says it falls.
+      // A magnitude also grows where its slope, perhaps that of tractions that are nearly nothing, says it falls.
+      if (responses[i]->isMagnitude() && std::isinf((*lower)[t])) (*lower)[t] = noEnd;
       const auto [least, most] = std::minmax({(*lower)[t], (*upper)[t], here[t]});
       (*lower)[t] = least;
       (*upper)[t] = most;

@@ -30,8 +30,7 @@ class Verdict(enum.Enum):
 
 
 # Verdicts of which none may occur; of those in MISSED, at most this share of the scenes without equilibrium.
-FORBIDDEN = (Verdict.WRONG, Verdict.REFUSED, Verdict.EQUILIBRIUM_WRONG, Verdict.NOT_DETERMINED_UNSAID, Verdict.CRASHED,
-             Verdict.HUNG, Verdict.INPUT)
+FORBIDDEN = (Verdict.WRONG, Verdict.REFUSED, Verdict.EQUILIBRIUM_WRONG, Verdict.CRASHED, Verdict.HUNG, Verdict.INPUT)
 MOST_MISSED = 0.02
 # How remarks begin that say that more than the responses they name may be different: parts that are free to move, and
 # friction that depends on pressures which are not determined.

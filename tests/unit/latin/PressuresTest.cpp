@@ -1,5 +1,6 @@
 // Pressures at nodes that several pairs meet at, and the friction that depends on them.
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -74,6 +75,36 @@ TEST(Pressures, LeaveResponsesARange) {
   EXPECT_NEAR(most, 0.3 * pressure, tolerance);
   EXPECT_FALSE(result.isUnique());
   EXPECT_NE(describe(drag.name, drag.range, drag.values).find("solutions with other pressures"), std::string::npos);
+}
+
+// What is glued and pulled may press besides, as far as the glue pulls more.
+TEST(Pressures, OfContactBesideGlueHaveNoEnd) {
+  assembly::Assembly assembly;
+  for (const double first : {0.0, 3.0})
+    assembly.bodies.push_back(chain("from " + std::to_string(first), first, 4, 10.0));
+  assembly.times = {1.0};
+  assembly.interfaces = {
+      pointInterface("wall", clamp(), 0, 0, -1, 0, 1.0, 0.0, -1.0),
+      pointInterface("contact", laws::makeLaw("Unilateral Contact"), 0, 3, 1, 0),
+      pointInterface("glue", laws::makeLaw("Perfect"), 0, 3, 1, 0),
+      pointInterface("end", laws::makeLaw("Prescribed Displacement", {{"X", 0.1}, {"Y", 0.0}, {"Z", 0.0}}), 1, 3)};
+  LatinOptions options;
+  options.accuracy = 1e-4;
+  base::Timers timers;
+  LatinSolver solver(assembly, options, Teuchos::rcp(new Teuchos::SerialComm<int>), timers);
+  using Field = MaximumResponse::Field;
+  for (const Field field : {Field::contactPressure, Field::normalTraction}) {
+    solver.addResponse(std::make_shared<MaximumResponse>("largest", std::vector<int>{1}, field));
+  }
+  const LatinResult result = solver.solve();
+  ASSERT_EQ(result.outcome, Outcome::certified) << result.reason;
+  EXPECT_FALSE(result.isUnique());
+  for (const ResponseResult& largest : result.responses) {
+    ASSERT_EQ(largest.range.lower.size(), 1U);
+    EXPECT_NEAR(largest.values[0], 0.0, 1e-12);
+    EXPECT_NEAR(largest.range.lower[0], 0.0, 1e-12);
+    EXPECT_EQ(largest.range.upper[0], std::numeric_limits<double>::infinity());
+  }
 }
 
 TEST(Pressures, AreFreeWhereFrictionIsTheSame) {
