@@ -42,7 +42,7 @@ LatinResult solve(const assembly::Assembly& assembly) {
   LatinSolver solver(assembly, options, Teuchos::rcp(new Teuchos::SerialComm<int>), timers);
   solver.addResponse(
       std::make_shared<ResultantResponse>("drag", std::vector<int>{0}, std::vector<base::Vector3>{{0.0, 1.0, 0.0}}));
-  const LatinResult result = solver.solve();
+  LatinResult result = solver.solve();
   EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
   return result;
 }
