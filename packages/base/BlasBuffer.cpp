@@ -14,8 +14,8 @@ extern "C" __attribute__((weak)) char* openblas_get_corename();
 namespace harmos::base {
 namespace {
 
-// What OpenBLAS asks for at once, and some more [byte].
-constexpr std::size_t wanted = std::size_t{160} << 20U;
+// What OpenBLAS asks for at once, and a little more [byte].
+constexpr std::size_t wanted = std::size_t{129} << 20U;
 
 }  // namespace
 

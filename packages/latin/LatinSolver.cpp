@@ -178,7 +178,6 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
     const double share = restarts == options_.restarts ? shareOfFirstTry : shareOfLaterTry;
     const int stagesOfTry = static_cast<int>(share * options_.maximumIterations);
     endWhenSofter_ = restarts > 0 ? stages() + stagesOfTry : options_.maximumIterations;
-    result.reason.clear();
     tryToMarch(result, guess, restarts);
     if (result.outcome != Outcome::iterationLimit || !isSofter() || stages() >= options_.maximumIterations) break;
     fixedPoint_.rescale(options_.stages.searchDirectionScale);
@@ -268,13 +267,12 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
   } while (!isOver);
   result.parts = march.parts();
   result.snaps = march.snaps();
-  const bool wasSolved = result.solvedSteps == assembly_.steps();
-  if (end == March::End::noEquilibrium && !wasSolved) {
+  if (end == March::End::noEquilibrium) {
     result.outcome = Outcome::noEquilibrium;
     result.reason = march.reason();
-  } else if (end == March::End::noEquilibrium || end == March::End::unreached) {
+  } else if (end == March::End::unreached) {
     result.reason = march.reason();
-    if (wasSolved) {
+    if (result.solvedSteps == assembly_.steps()) {
       result.reason += "; all load steps had been solved with larger residuals before, but their errors were not known";
     }
   } else if (end == March::End::stopped && mustStop()) {

@@ -71,8 +71,7 @@ StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
       stepSolver_(fixedPoint_,
                   options.stages.solver.invertTrace ? substructure::Precision::single : substructure::Precision::exact),
       states_(statesThatFit(fixedPoint_.layout(), assembly.steps())),
-      lacking_(static_cast<int>(mostStates)),
-      unreached_(static_cast<int>(mostStates)) {
+      lacking_(static_cast<int>(mostStates)) {
   for (const auto& response : responses_) solver_.addResponse(response);
   addPlace();
 }
@@ -137,7 +136,6 @@ bool StudySolver::install(const design::Configuration& configuration, results::C
 void StudySolver::widen(const std::vector<double>& values) {
   states_.widen(values);
   lacking_.widen(values);
-  unreached_.widen(values);
 }
 
 bool StudySolver::lacksEquilibrium(const design::Configuration& configuration, results::ConfigurationResult& result) {
@@ -195,14 +193,7 @@ bool StudySolver::certifyAnew(const design::Configuration& configuration, result
     if (!certify(nullptr, result)) return false;
     if (results::isCertified(result.status)) rememberCertified(configuration, result);
     const bool mayGoFurther = given_.restarts > options_.restarts || given_.recentres;
-    if (!mayGoFurther) return true;
-    if (result.status == results::Status::notConverged) return certifyAlone(configuration, result);
-    if (result.status != results::Status::noEquilibrium) return true;
-    // To those near others without a path there is hardly one either.
-    const std::vector<double>& values = configuration.values;
-    const bool isNearOthers = unreached_.distance(values) < states_.distance(values);
-    if (!isNearOthers && !certifyAlone(configuration, result)) return false;
-    if (result.status == results::Status::noEquilibrium) unreached_.add(configuration.id, values, {}, {});
+    if (result.status == results::Status::notConverged && mayGoFurther) return certifyAlone(configuration, result);
   } catch (const base::Error& error) {
     result.status = results::Status::failed;
     result.reason = error.what();

@@ -127,8 +127,7 @@ class StudySolver {
   std::vector<Place> places_;
   int present_ = 0;
   SolvedStates states_;
-  SolvedStates lacking_;    // of configurations that statics leaves without equilibrium; without fields
-  SolvedStates unreached_;  // of those to which no path leads; without fields
+  SolvedStates lacking_;  // without fields
   Observer observer_;
   std::function<bool()> interrupted_;
   Trust summary_;
