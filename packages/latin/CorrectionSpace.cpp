@@ -8,7 +8,7 @@
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
 
-// By divide and conquer: at 200 directions a tenth of the time of GELSS, which Teuchos has.
+// By divide and conquer, faster where directions are many than GELSS, which Teuchos has.
 extern "C" void dgelsd_(const int* m, const int* n, const int* nrhs, double* a, const int* lda, double* b,
                         const int* ldb, double* s, const double* rcond, int* rank, double* work, const int* lwork,
                         int* iwork, int* info);

@@ -6,10 +6,14 @@
 
 namespace harmos::laws {
 
+std::string fieldEntryOf(const std::string& number) {
+  return number + " Field";
+}
+
 std::vector<FieldName> fieldNames(const input::Parameters& law) {
   std::vector<FieldName> names;
   for (const auto& entry : law.entries()) {
-    const std::string companion = entry.name + " Field";
+    const std::string companion = fieldEntryOf(entry.name);
     if (law.has(companion)) names.push_back({companion, law.text(companion)});
     const auto* read = entry.name == "Fields" ? std::get_if<std::vector<std::string>>(&entry.value) : nullptr;
     for (std::size_t i = 0; read != nullptr && i < read->size(); ++i) names.push_back({entry.name, (*read)[i]});

@@ -15,6 +15,9 @@ struct FieldName {
   std::string entry;  ///< that holds it
   std::string name;   ///< an entry of the list Fields of the scene
 };
+/// The entry that names the field which multiplies a number of a law.
+std::string fieldEntryOf(const std::string& number);
+
 /// The fields that a law follows: those that entries "<number> Field" name, which multiply a number, and those of the
 /// entry "Fields", a list of texts, which the law reads itself.
 std::vector<FieldName> fieldNames(const input::Parameters& law);

@@ -11,14 +11,10 @@ namespace {
 
 using Values = std::vector<std::vector<double>>;  // of every entry at every load step, or one for all of them
 
-std::string fieldOf(const std::string& number) {
-  return number + " Field";
-}
-
 /// Where the entries stand that make a number vary.
 std::string whereOf(const input::Parameters& parameters, const std::string& number) {
   const std::string formula = number + " Formula";
-  return parameters.where(parameters.has(formula) ? formula : fieldOf(number));
+  return parameters.where(parameters.has(formula) ? formula : fieldEntryOf(number));
 }
 
 /// Where an entry was given, as Parameters::set() takes it.
@@ -70,21 +66,22 @@ void FieldLaw::describe(input::ParameterSpec& law) {
   }
   for (const std::string& name : varying) {
     input::Field::describe(law, name);
-    law.text(fieldOf(name)).optional().doc("Name of the entry of Fields that multiplies " + name + "; absent: none.");
+    law.text(fieldEntryOf(name))
+        .optional()
+        .doc("Name of the entry of Fields that multiplies " + name + "; absent: none.");
   }
 }
 
 bool FieldLaw::isAskedFor(const input::Parameters& parameters) {
-  return std::any_of(parameters.entries().begin(), parameters.entries().end(),
-                     [&](const auto& entry) { return input::Field::isGiven(parameters, entry.name); }) ||
-         std::any_of(parameters.entries().begin(), parameters.entries().end(),
-                     [&](const auto& entry) { return parameters.has(fieldOf(entry.name)); });
+  return std::any_of(parameters.entries().begin(), parameters.entries().end(), [&](const auto& entry) {
+    return input::Field::isGiven(parameters, entry.name) || parameters.has(fieldEntryOf(entry.name));
+  });
 }
 
 void FieldLaw::check(const input::ParameterSpec& law, const input::Parameters& parameters, input::ErrorList& errors) {
   for (const auto& entry : law.entries()) {
     if (!entry->variesOverSurface || parameters.has(entry->name)) continue;
-    for (const std::string& companion : {entry->name + " Formula", fieldOf(entry->name)}) {
+    for (const std::string& companion : {entry->name + " Formula", fieldEntryOf(entry->name)}) {
       if (!parameters.has(companion)) continue;
       errors.add(parameters.where(companion), "there is no \"" + entry->name + "\" that it multiplies.",
                  "Give it, or remove this entry.");
@@ -100,7 +97,8 @@ FieldLaw::FieldLaw(const input::ParameterSpec& declared, const input::Parameters
       steps_(std::max(1, static_cast<int>(parameters.times().size()))) {
   for (const auto& entry : declared.entries()) {
     if (!entry->variesOverSurface || !parameters.has(entry->name)) continue;
-    const std::string spatial = parameters.has(fieldOf(entry->name)) ? parameters.text(fieldOf(entry->name)) : "";
+    const std::string spatial =
+        parameters.has(fieldEntryOf(entry->name)) ? parameters.text(fieldEntryOf(entry->name)) : "";
     if (spatial.empty() && !input::Field::isGiven(parameters, entry->name)) continue;
     const bool isList = entry->type == input::ParameterType::numbers;
     input::Field field = isList ? input::Field::factor(parameters, entry->name) : input::Field(parameters, entry->name);
@@ -129,7 +127,7 @@ void FieldLaw::bind(std::shared_ptr<const SpatialFields> fields) const {
   for (const Entry& entry : entries_) {
     const std::string& name = entry.declaration->name;
     if (entry.spatial.empty() || entry.declaration->varies || !spatialOf(entry).varies()) continue;
-    throw base::Error(parameters_.where(fieldOf(name)) + ": \"" + name +
+    throw base::Error(parameters_.where(fieldEntryOf(name)) + ": \"" + name +
                           "\" does not vary over the load steps, and the field \"" + entry.spatial +
                           "\" does.\n  Take one time step of it.",
                       base::ExitCode::input);
@@ -142,7 +140,7 @@ std::shared_ptr<const SpatialFields> FieldLaw::fields() const {
 }
 
 const SpatialField& FieldLaw::spatialOf(const Entry& entry) const {
-  return fields_.find(entry.spatial, parameters_.where(fieldOf(entry.declaration->name)));
+  return fields_.find(entry.spatial, parameters_.where(fieldEntryOf(entry.declaration->name)));
 }
 
 double FieldLaw::valueOf(const Entry& entry, int step, const base::Vector3& place) const {
@@ -151,7 +149,7 @@ double FieldLaw::valueOf(const Entry& entry, int step, const base::Vector3& plac
   try {
     return value * spatialOf(entry).at(step, place);
   } catch (const base::Error& error) {
-    throw base::Error(parameters_.where(fieldOf(entry.declaration->name)) + ": " + error.what(), error.code());
+    throw base::Error(parameters_.where(fieldEntryOf(entry.declaration->name)) + ": " + error.what(), error.code());
   }
 }
 

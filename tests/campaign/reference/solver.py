@@ -37,7 +37,8 @@ class Answer:
 
     histories: the fields by several ways, of which the first one counts. values: per response [step]. sizes: by which
     errors are measured. spread: largest relative difference between the ways, per response. quadrature: what the
-    integrals over joins leave open of a response, over its size, twice what it changes by when these are coarser. failed_step: the first without solution.
+    integrals over joins leave open of a response, over its size, twice what it changes by when these are coarser.
+    failed_step: the first without solution.
     balances: statics per load step.
     """
     outcome: Outcome
