@@ -38,7 +38,7 @@ OperatorGroup::OperatorGroup(const substructure::Substructure& body, const subst
       solver_(body.iterates ? substructure::SubstructureSolver::iterating(operator_.stiffness(), operator_.term(),
                                                                           options, body.partName(), first.nodes)
                             : substructure::SubstructureSolver(operator_.stiffness(), operator_.term(), options,
-                                                               body.partName(), operator_.trace())) {
+                                                               body.partName(), operator_.trace(), first.nodes)) {
   if (!options.invertTrace || !isTrace() || operator_.heldDofs().empty()) return;
   stencil_ = std::make_unique<HeldStencil>(substructure::viewOf(*operator_.stiffness(), "operator"), operator_.term(),
                                            operator_.trace());

@@ -11,6 +11,7 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
+#include <harmos/substructure/TraceInverse.hpp>
 #include <harmos/substructure/detail/BoundedStiffness.hpp>
 #include <harmos/substructure/detail/TooLarge.hpp>
 
@@ -41,6 +42,16 @@ base::MultiVector vectorsOf(const base::Matrix& matrix, const Teuchos::RCP<const
   const Vectors::t_dev view(matrix.values(), static_cast<std::size_t>(matrix.numRows()),
                             static_cast<std::size_t>(matrix.numCols()));
   return {map, Vectors(view, view)};
+}
+
+/// What the rows of a trace stand for; nothing without nodes.
+std::vector<MirrorPlanes::Row> rowsOf(const std::vector<int>& trace, const std::vector<base::Vector3>& nodes,
+                                      int dimension) {
+  std::vector<MirrorPlanes::Row> rows;
+  for (std::size_t i = 0; !nodes.empty() && i < trace.size(); ++i) {
+    rows.push_back({nodes[trace[i] / dimension], trace[i] % dimension});
+  }
+  return rows;
 }
 
 /// Translations and small rotations, dofs x 3 or 6, about the first node and of about the same size.
@@ -75,7 +86,7 @@ SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>
 
 SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
                                        const BoundaryTerm& boundary, const SolverOptions& options, std::string partName,
-                                       const std::vector<int>& trace)
+                                       const std::vector<int>& trace, const std::vector<base::Vector3>& nodes)
     : SubstructureSolver(stiffness, boundary.dimension, std::move(partName)) {
   mayPrepareSingle_ = options.allowsSingle;
   const Teuchos::RCP<base::CrsMatrix> sum = makeSum(boundary);
@@ -84,7 +95,7 @@ SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>
   checkSolution(*sum);
   trace_ = traceFactor(*solver_);
   if (trace_ && options.invertTrace) {
-    inverse_ = std::make_unique<TraceInverse>(*trace_);
+    inverse_ = std::make_unique<TraceInverse>(*trace_, rowsOf(trace, nodes, dimension_));
     trace_.reset();
   }
   // Frees the values of the sum where the solver is known to need its factors only.
@@ -248,6 +259,16 @@ void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision
   const base::MultiVector right = vectorsOf(b, map);
   base::MultiVector left = vectorsOf(x, map);
   solver_->solve(&left, &right);
+}
+
+void SubstructureSolver::solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision) const {
+  if (!inverse_) {
+    trace_->solve(b, x);
+  } else if (precision == Precision::single && singleError_ > 0.0) {
+    inverse_->solveRoughly(b, x);
+  } else {
+    inverse_->solve(b, x);
+  }
 }
 
 std::size_t SubstructureSolver::factorNonzeros() const {

@@ -14,9 +14,10 @@
 #include <harmos/substructure/NestedDissection.hpp>
 #include <harmos/substructure/SolverFactory.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
-#include <harmos/substructure/TraceInverse.hpp>
 
 namespace harmos::substructure {
+
+class TraceInverse;
 
 /// How exactly a system is solved.
 enum class Precision {
@@ -36,13 +37,15 @@ class SubstructureSolver {
   /// to K; solvers other than cholmod and tacho keep A, too.
   ///
   /// stiffness: K [force/length], symmetric, both triangles stored. boundary: k h. partName: for messages. trace: dofs,
-  /// ascending, that right-hand sides of solveTrace() load; empty: none.
+  /// ascending, that right-hand sides of solveTrace() load; empty: none. nodes: coordinates [length], by which an
+  /// inverted trace finds where it is its own mirror image; empty: nowhere.
   /// Throws base::Error naming the part when the sum is singular (a part that nothing holds) or indefinite; then says
   /// which node has an unusable diagonal entry, if one has. Also when memory does not suffice, K is not as viewOf()
   /// wants it, or the boundary term has other rows; as requireSolver(). Limit: an LU solver such as klu2 factors
   /// indefinite matrices without complaint; only the diagonal and the energy of one solve are checked then.
   SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness, const BoundaryTerm& boundary,
-                     const SolverOptions& options, std::string partName, const std::vector<int>& trace = {});
+                     const SolverOptions& options, std::string partName, const std::vector<int>& trace = {},
+                     const std::vector<base::Vector3>& nodes = {});
   /// Iterates instead of factoring, see IterativeSolver, up to the tolerance of the options. `nodes`: coordinates
   /// [length]. Throws the same, and where conjugate gradients do not converge.
   static SubstructureSolver iterating(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
@@ -78,15 +81,7 @@ class SubstructureSolver {
   bool solvesTrace() const { return trace_ || inverse_; }
   /// x = B A^-1 B^T b with B the restriction to the trace: rows as in `trace`, which is not checked, any number of
   /// columns, different objects. x is reshaped when it does not have the shape of b. Only if solvesTrace().
-  void solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision = Precision::exact) const {
-    if (!inverse_) {
-      trace_->solve(b, x);
-    } else if (precision == Precision::single && singleError_ > 0.0) {
-      inverse_->solveRoughly(b, x);
-    } else {
-      inverse_->solve(b, x);
-    }
-  }
+  void solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision = Precision::exact) const;
 
   /// Rows of A.
   int dofs() const { return dofs_; }
