@@ -2,6 +2,8 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/base/Tensor3.hpp>
+
 namespace harmos::latin {
 InterfaceLines::InterfaceLines(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                                const TraceLayout& layout)
@@ -49,17 +51,32 @@ void InterfaceLines::exchange(const base::Matrix& beta, int first, int count) {
   Teuchos::waitAll(layout_.comm(), requests());
 }
 
+InterfaceLines::Sides InterfaceLines::betas(int interfaceIndex, int column, const base::Matrix& beta) const {
+  const assembly::Interface& interface = of(interfaceIndex);
+  const Joint& joint = joints_[interfaceIndex];
+  const double* remote =
+      joint.remote.data() + static_cast<std::size_t>(column) * interface.pairs() * layout_.dimension();
+  Sides result{joint.begin1 >= 0 ? beta[column] + joint.begin1 : remote, nullptr};
+  if (interface.sides() == 2) result.second = joint.begin2 >= 0 ? beta[column] + joint.begin2 : remote;
+  return result;
+}
+
+void InterfaceLines::put(const Joint& joint, int pair, const base::Vector3& t, double* traction) const {
+  const int dimension = layout_.dimension();
+  for (int c = 0; c < dimension; ++c) {
+    if (joint.begin1 >= 0) traction[joint.begin1 + pair * dimension + c] = t[c];
+    if (joint.begin2 >= 0) traction[joint.begin2 + pair * dimension + c] = -t[c];
+  }
+}
+
 void InterfaceLines::fill(int interfaceIndex, int column, const base::Matrix& beta,
                           std::vector<laws::LocalLine>& lines) const {
   const assembly::Interface& interface = of(interfaceIndex);
-  const Joint& joint = joints_[interfaceIndex];
   const std::vector<double>& k = searchDirection_.of(interfaceIndex);
   const int dimension = layout_.dimension();
   const int pairs = interface.pairs();
   const bool local = interface.law->frame() == laws::Frame::interface;
-  const double* remote = joint.remote.data() + static_cast<std::size_t>(column) * pairs * dimension;
-  const double* beta1 = joint.begin1 >= 0 ? beta[column] + joint.begin1 : remote;
-  const double* beta2 = interface.sides() == 1 ? nullptr : joint.begin2 >= 0 ? beta[column] + joint.begin2 : remote;
+  const auto [beta1, beta2] = betas(interfaceIndex, column, beta);
   const double sides = interface.sides();
   lines.resize(pairs);
   for (int p = 0; p < pairs; ++p) {
@@ -77,21 +94,28 @@ void InterfaceLines::fill(int interfaceIndex, int column, const base::Matrix& be
 
 double InterfaceLines::write(int interfaceIndex, const laws::LocalState* states, double* traction) const {
   const assembly::Interface& interface = of(interfaceIndex);
-  const Joint& joint = joints_[interfaceIndex];
-  const int dimension = layout_.dimension();
   const bool local = interface.law->frame() == laws::Frame::interface;
   double check = 0.0;
   for (int p = 0; p < interface.pairs(); ++p) {
     const base::Vector3& f = states[p].traction;
     check += f[0] + f[1] + f[2];
-    const base::Vector3 global = local ? base::toGlobal(interface.frame[p], f) : f;
-    for (int c = 0; c < dimension; ++c) {
-      const double value = global[c];
-      if (joint.begin1 >= 0) traction[joint.begin1 + p * dimension + c] = value;
-      if (joint.begin2 >= 0) traction[joint.begin2 + p * dimension + c] = -value;
-    }
+    put(joints_[interfaceIndex], p, local ? base::toGlobal(interface.frame[p], f) : f, traction);
   }
   return check;
+}
+
+void InterfaceLines::map(int interfaceIndex, const std::vector<base::Frame>& matrices, int column,
+                         const base::Matrix& beta, double* traction) const {
+  const int dimension = layout_.dimension();
+  const auto [beta1, beta2] = betas(interfaceIndex, column, beta);
+  for (std::size_t p = 0; p < matrices.size(); ++p) {
+    const auto first = static_cast<std::ptrdiff_t>(p) * dimension;
+    base::Vector3 difference{};
+    for (int c = 0; c < dimension; ++c) {
+      difference[c] = beta1[first + c] - (beta2 != nullptr ? beta2[first + c] : 0.0);
+    }
+    put(joints_[interfaceIndex], static_cast<int>(p), base::product(matrices[p], difference), traction);
+  }
 }
 
 }  // namespace harmos::latin

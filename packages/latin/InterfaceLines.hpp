@@ -32,6 +32,10 @@ class InterfaceLines {
   /// Writes f^ [stress] of the sides owned here to the rows of a column: t = f1^ = -f2^, given in the frame of the law.
   /// The sum of what was written is not finite when one value is not.
   double write(int interfaceIndex, const laws::LocalState* states, double* traction) const;
+  /// The same of t = M (beta1 - beta2) of a column that was exchanged (outer boundary: M beta1), one M [-] per pair,
+  /// row by row, in (x, y, z).
+  void map(int interfaceIndex, const std::vector<base::Frame>& matrices, int column, const base::Matrix& beta,
+           double* traction) const;
 
  private:
   struct Joint {
@@ -42,7 +46,16 @@ class InterfaceLines {
     std::vector<double> remote;  // beta of the side owned elsewhere, pairs x dimension x columns
   };
 
+  /// beta of both sides of an interface; null: there is no second side.
+  struct Sides {
+    const double* first;
+    const double* second;
+  };
+
   const assembly::Interface& of(int interfaceIndex) const { return assembly_.interfaces[interfaceIndex]; }
+  Sides betas(int interfaceIndex, int column, const base::Matrix& beta) const;
+  /// Writes t of a pair, in (x, y, z), to the rows of the sides owned here.
+  void put(const Joint& joint, int pair, const base::Vector3& t, double* traction) const;
 
   const assembly::Assembly& assembly_;
   const assembly::SearchDirection& searchDirection_;

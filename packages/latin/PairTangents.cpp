@@ -58,6 +58,12 @@ void PairTangents::differentiate(int interfaceIndex, int step, const std::vector
       shifted[p].freeJump[c] = lines[p].freeJump[c];
     }
   }
+  // From here on they meet fields of many directions, whose components are these.
+  const bool isLocal = interface.law->frame() == laws::Frame::interface;
+  for (std::size_t p = 0; p < pairs; ++p) {
+    if (isLocal) tangents[p] = base::turnedBack(interface.frame[p], tangents[p]);
+    for (base::Vector3& row : tangents[p]) row = (lines[p].compliance / interface.sides()) * row;
+  }
 }
 
 void PairTangents::transpose() {
@@ -74,19 +80,11 @@ void PairTangents::apply(const base::Matrix& y, base::Matrix& traction) const {
   lines_.reserve(y.numCols());
   lines_.exchange(y, 0, y.numCols());
   traction.shape(y.numRows(), y.numCols());
-  std::vector<laws::LocalLine> lines;
-  std::vector<laws::LocalState> states;
   for (std::size_t i = 0; i < tangents_.size(); ++i) {
     const int index = static_cast<int>(i);
     if (!lines_.isActive(index) || faces_.law(index) != nullptr) continue;
-    const std::vector<base::Frame>& tangents = tangents_[i];
-    states.resize(tangents.size());
     for (int column = 0; column < y.numCols(); ++column) {
-      lines_.fill(index, column, y, lines);
-      for (std::size_t p = 0; p < tangents.size(); ++p) {
-        for (std::size_t c = 0; c < 3; ++c) states[p].traction[c] = dot(tangents[p][c], lines[p].freeJump);
-      }
-      lines_.write(index, states.data(), traction[column]);
+      lines_.map(index, tangents_[i], column, y, traction[column]);
     }
   }
   if (!faces_.isEmpty()) applyFaces(y, traction);

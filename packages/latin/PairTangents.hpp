@@ -36,7 +36,7 @@ class PairTangents {
 
   const assembly::Assembly& assembly_;
   InterfaceLines& lines_;
-  std::vector<std::vector<base::Frame>> tangents_;  // per interface and pair: row by row
+  std::vector<std::vector<base::Frame>> tangents_;  // per interface and pair: df^/dbeta in (x, y, z), row by row
   FaceSums faces_;
   int step_ = 0;  // of the tangents
 };
