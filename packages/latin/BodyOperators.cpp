@@ -114,14 +114,18 @@ void BodyOperators::fromGroup(const Place& place, const base::Matrix& group, bas
 
 void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
   const int steps = assembly.steps(), cases = assembly.loadCases();
+  const auto dofsOf = [this](const substructure::Substructure& body) {
+    return static_cast<int>(body.nodes.size()) * dimension_;
+  };
   std::vector<base::Matrix> loads(places_.size()), held(places_.size());
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     if (places_[b].group < 0) continue;
     const substructure::Substructure& body = assembly.bodies[b];
-    loads[b].shape(static_cast<int>(body.nodes.size()) * dimension_, cases);
-    for (int t = 0; t < body.loads.numCols(); ++t) std::copy_n(body.loads[t], body.loads.numRows(), loads[b][t]);
-    held[b].shape(loads[b].numRows(), cases);
     const auto& nodes = eliminated_.nodes(static_cast<int>(b));
+    // What has no load needs no room for it: laws are replaced far more often than loads change.
+    if (body.loads.numCols() > 0 || !nodes.empty()) loads[b].shape(dofsOf(body), cases);
+    for (int t = 0; t < body.loads.numCols(); ++t) std::copy_n(body.loads[t], body.loads.numRows(), loads[b][t]);
+    if (!nodes.empty()) held[b].shape(dofsOf(body), cases);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       for (int t = 0; t < cases; ++t) {
         base::Vector3 force = eliminated_.force(static_cast<int>(b), n, t);
@@ -143,6 +147,7 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
     const assembly::Interface& interface = assembly.interfaces[i];
     if (!interface.law->prescribesTraction() || places_[interface.body1].group < 0) continue;
     base::Matrix& sums = loads[interface.body1];
+    if (sums.numCols() == 0) sums.shape(dofsOf(assembly.bodies[interface.body1]), cases);
     const bool isScaled = assembly.path && assembly.path->scales(static_cast<int>(i));
     for (int t = 0; t < (isScaled ? 1 : steps); ++t) {
       interface.trace1.addTransposed(dimension_, prescribedForces(interface, assembly.times, dimension_, t).data(),
