@@ -121,15 +121,16 @@ class Watch {
       const base::Vector3& traction = met.states[p].traction;
       const base::Vector3 change = states_[p].traction - traction;
       const base::Vector3 way = lines[p].jump(states_[p].traction) - met.lines[p].jump(traction);
-      double work = 0.0, force = 0.0, length = 0.0;
+      double work = 0.0;
+      for (std::size_t c = first; c < end; ++c) work += change[c] * way[c];
+      if (!(work < 0.0)) continue;
+      const double lost = loss(met, lines, p);
+      if (first > 0 && std::abs(change[0]) > lost) continue;  // friction depends on the pressure
+      double force = 0.0, length = 0.0;
       for (std::size_t c = first; c < end; ++c) {
-        work += change[c] * way[c];
         force = std::hypot(force, change[c]);
         length = std::hypot(length, way[c]);
       }
-      const double lost = loss(met, lines, p);
-      // Friction depends on the pressure.
-      if (!(work < 0.0) || (first > 0 && std::abs(change[0]) > lost)) continue;
       falls_.include(-work / (length + lines[p].compliance * force) - lost, met.step, static_cast<int>(p));
     }
   }

@@ -21,6 +21,11 @@ constexpr double slow = 0.5;
 // Differences across many changes of status mislead as well.
 constexpr std::size_t iterationsToFallLater = 8;
 
+/// The values themselves, whose copies are views as well.
+base::Matrix viewOf(const base::Matrix& matrix) {
+  return {Teuchos::View, matrix.values(), matrix.stride(), matrix.numRows(), matrix.numCols()};
+}
+
 }  // namespace
 
 ConfigurationIteration::ConfigurationIteration(latin::FixedPoint& fixedPoint, StepSolver& solver,
@@ -126,7 +131,7 @@ void ConfigurationIteration::findStart() {
   isThere_ = meetsTarget();
   if (isThere_) return;
   if (!start_.hasTangents()) start_.differentiate();
-  acceleration_.seed({start_.residualTangents()}, {start_.imageTangents()});
+  acceleration_.seed({viewOf(start_.residualTangents())}, {viewOf(start_.imageTangents())});
 }
 
 void ConfigurationIteration::extrapolate() {

@@ -31,10 +31,12 @@ void addResultants(const latin::TraceLayout& layout, const double* traction, Pla
   for (const latin::TraceLayout::Block& block : layout.blocks()) {
     const int at = place(block);
     if (at < 0) continue;
-    for (int i = 0; i < block.pairs * dimension; ++i) {
-      const int row = block.begin + i;
-      sums[at * 3 + i % dimension] += layout.area()[row] * traction[row];
+    base::Vector3 sum{};
+    int row = block.begin;
+    for (int p = 0; p < block.pairs; ++p) {
+      for (int c = 0; c < dimension; ++c, ++row) sum[c] += layout.area()[row] * traction[row];
     }
+    for (int c = 0; c < dimension; ++c) sums[at * 3 + c] += sum[c];
   }
 }
 
