@@ -68,3 +68,12 @@ if(HARMOS_CHOLMOD)
   find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
   harmos_dependency(cholmod INCLUDE ${CHOLMOD_INCLUDE} LIBRARIES ${CHOLMOD_LIBRARY})
 endif()
+
+# Optional: without it every rank factors the whole macro problem, however large. Trilinos' Amesos2 links it in Debian,
+# but was built without its interface to it.
+find_path(MUMPS_INCLUDE dmumps_c.h)
+find_library(MUMPS_LIBRARY dmumps)
+if(MUMPS_INCLUDE AND MUMPS_LIBRARY)
+  set(HARMOS_HAS_MUMPS ON)
+  harmos_dependency(mumps INCLUDE ${MUMPS_INCLUDE} LIBRARIES ${MUMPS_LIBRARY} MPI::MPI_CXX)
+endif()

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <random>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include <Teuchos_BLAS.hpp>
@@ -13,10 +10,8 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
-#include <harmos/base/Numerals.hpp>
+#include <harmos/latin/detail/MacroFactor.hpp>
 #include <harmos/latin/detail/RigidMotions.hpp>
-#include <harmos/latin/detail/SymmetricEigen.hpp>
-#include <harmos/substructure/CrsMatrix.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -28,8 +23,6 @@ constexpr double roundOff = 1e-10;
 constexpr std::size_t mostNames = 4;
 // Share in the floating motion from which on the parts of an interface are named.
 constexpr double takesPart = 1e-3;
-// Of an inverse iteration, whose result is wanted to a factor of two.
-constexpr int softnessIterations = 8;
 // Columns of X that are solved together.
 constexpr int columnsAtOnce = 48;
 // X is kept on loaded rows where they are so few of all; else loads that change cost a solve.
@@ -48,6 +41,38 @@ std::vector<int> loadedRows(const Matrix& loads) {
     if (isLoaded[row]) rows.push_back(static_cast<int>(row));
   }
   return rows;
+}
+
+/// Names the parts that take part in the motion, of which `modes` are the columns and firstMode the first unknowns.
+[[noreturn]] void throwNotHeld(const assembly::Assembly& assembly, const std::vector<Matrix>& modes,
+                               const std::vector<int>& firstMode, const MacroFactor::NotPositiveDefinite& failure) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    for (int m = 0; m < modes[i].numCols(); ++m) {
+      if (std::abs(failure.motion[firstMode[i] + m]) < takesPart) continue;
+      for (int side = 0; side < 2; ++side) {
+        names.insert(assembly.bodies[assembly.interfaces[i].body(side)].partName());
+      }
+    }
+  }
+  if (failure.eigenvalue < -roundOff) {
+    std::vector<std::string> quoted;
+    for (const std::string& name : names) quoted.push_back("\"" + name + "\"");
+    throw base::Error(
+        "double precision does not suffice for the chain of part(s) " + base::joinNames(quoted, mostNames) +
+            ": round-off has made the macro problem indefinite (smallest eigenvalue " + failure.eigenvalues +
+            "); make the stiffnesses of parts that are joined differ less, or the chain shorter",
+        base::ExitCode::notConverged);
+  }
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "\"" : ", \"") + name + "\"";
+  throw base::Error("nothing holds part(s) " + list +
+                        ": they can move as rigid bodies without deforming any part (smallest eigenvalue of the macro "
+                        "problem " +
+                        failure.eigenvalues +
+                        "); add a boundary with prescribed displacement, symmetry or foundation, or join them to a "
+                        "held part",
+                    base::ExitCode::noEquilibrium);
 }
 
 }  // namespace
@@ -79,7 +104,7 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
     blocks_.push_back(std::move(block));
   }
 
-  std::vector<Matrix> contributions;
+  std::vector<MacroFactor::Share> shares;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     respond(assembly, operators, static_cast<int>(b));
     const int count = static_cast<int>(bodies_[b].unknowns.size());
@@ -95,12 +120,27 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
       }
       column += modes;
     }
-    contributions.push_back(std::move(contribution));
+    shares.push_back({bodies_[b].unknowns, contribution});
   }
   updateLoads(assembly, operators);
-  factor(assembly, options, contributions);
-  softness_ = findSoftness();
+  if (unknowns_ == 0) return;
+  // Two interfaces are coupled when they meet at a body; every rank knows that pattern.
+  std::vector<std::vector<int>> coupled(assembly.bodies.size());
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    for (int side = 0; side < assembly.interfaces[i].sides(); ++side) {
+      auto& list = coupled[assembly.interfaces[i].body(side)];
+      for (int m = 0; m < modes_[i].numCols(); ++m) list.push_back(firstMode_[i] + m);
+    }
+  }
+  try {
+    factor_ = std::make_unique<MacroFactor>(unknowns_, coupled, shares, options, layout.commPointer());
+  } catch (const MacroFactor::NotPositiveDefinite& failure) {
+    throwNotHeld(assembly, modes_, firstMode_, failure);
+  }
+  softness_ = factor_->softness();
 }
+
+MacroProblem::~MacroProblem() = default;
 
 void MacroProblem::respond(const assembly::Assembly& assembly, const BodyOperators& operators, int local) {
   Body& body = bodies_[local];
@@ -158,21 +198,6 @@ Matrix MacroProblem::displacementOf(const Body& body, const BodyOperators& opera
   return operators.solveBody(body.body, loads);
 }
 
-double MacroProblem::findSoftness() const {
-  if (unknowns_ == 0) return 1.0;
-  Matrix x(unknowns_, 1), y(unknowns_, 1);
-  std::mt19937 random;  // its sequence is fixed by the standard, that of the distributions is not
-  for (int i = 0; i < unknowns_; ++i) x(i, 0) = random() / 2147483648.0 - 1.0;
-  double length = x.normFrobenius();
-  for (int i = 0; i < softnessIterations; ++i) {
-    x.scale(1.0 / length);
-    solver_->solve(x, y);
-    length = y.normFrobenius();
-    x.assign(y);
-  }
-  return std::max(1.0, length);
-}
-
 void MacroProblem::updateLoads(const assembly::Assembly& assembly, const BodyOperators& operators) {
   std::vector<Matrix> displacements;
   for (Body& body : bodies_) {
@@ -223,90 +248,6 @@ void MacroProblem::buildModes(const assembly::Assembly& assembly, const assembly
   }
 }
 
-void MacroProblem::factor(const assembly::Assembly& assembly, const substructure::SolverOptions& options,
-                          const std::vector<Matrix>& contributions) {
-  if (unknowns_ == 0) return;
-  // Two interfaces are coupled when they meet at a body; every rank knows that pattern.
-  std::vector<std::set<int>> coupled(unknowns_);
-  std::vector<std::vector<int>> ofBody(assembly.bodies.size());
-  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    for (int side = 0; side < assembly.interfaces[i].sides(); ++side) {
-      auto& list = ofBody[assembly.interfaces[i].body(side)];
-      for (int m = 0; m < modes_[i].numCols(); ++m) list.push_back(firstMode_[i] + m);
-    }
-  }
-  for (const auto& list : ofBody) {
-    for (int row : list) coupled[row].insert(list.begin(), list.end());
-  }
-  std::vector<std::size_t> rowPointers{0};
-  std::vector<int> columns;
-  for (const auto& row : coupled) {
-    columns.insert(columns.end(), row.begin(), row.end());
-    rowPointers.push_back(columns.size());
-  }
-  std::vector<double> local(columns.size(), 0.0);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const auto& unknowns = bodies_[b].unknowns;
-    for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      const auto begin = columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[unknowns[i]]);
-      const auto end = columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[unknowns[i] + 1]);
-      for (std::size_t j = 0; j < unknowns.size(); ++j) {
-        const auto at = static_cast<std::size_t>(std::lower_bound(begin, end, unknowns[j]) - columns.begin());
-        // The mean of both triangles removes the round-off asymmetry of X.
-        local[at] += 0.5 * (contributions[b](static_cast<int>(i), static_cast<int>(j)) +
-                            contributions[b](static_cast<int>(j), static_cast<int>(i)));
-      }
-    }
-  }
-  std::vector<double> values(local.size());
-  Teuchos::reduceAll(layout_.comm(), Teuchos::REDUCE_SUM, static_cast<int>(local.size()), local.data(), values.data());
-  try {
-    const auto matrix = substructure::makeCrsMatrix(rowPointers, columns, values);
-    solver_ = std::make_unique<substructure::SubstructureSolver>(matrix, substructure::BoundaryTerm{}, options,
-                                                                 "macro problem");
-  } catch (const base::Error&) {
-    Matrix dense(unknowns_, unknowns_);
-    for (int row = 0; row < unknowns_; ++row) {
-      for (std::size_t at = rowPointers[row]; at < rowPointers[row + 1]; ++at) {
-        dense(row, columns[at]) = values[at];
-      }
-    }
-    reportFloating(assembly, dense);
-  }
-}
-
-void MacroProblem::reportFloating(const assembly::Assembly& assembly, const Matrix& matrix) const {
-  Matrix vectors(matrix);
-  const std::vector<double> values = symmetricEigen(vectors);
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    for (int m = 0; m < modes_[i].numCols(); ++m) {
-      if (std::abs(vectors(firstMode_[i] + m, 0)) < takesPart) continue;
-      for (int side = 0; side < 2; ++side) {
-        names.insert(assembly.bodies[assembly.interfaces[i].body(side)].partName());
-      }
-    }
-  }
-  if (values.front() < -roundOff) {
-    std::vector<std::string> quoted;
-    for (const std::string& name : names) quoted.push_back("\"" + name + "\"");
-    throw base::Error("double precision does not suffice for the chain of part(s) " +
-                          base::joinNames(quoted, mostNames) +
-                          ": round-off has made the macro problem indefinite (smallest eigenvalue " +
-                          base::toText(values.front()) + ", largest " + base::toText(values.back()) +
-                          "); make the stiffnesses of parts that are joined differ less, or the chain shorter",
-                      base::ExitCode::notConverged);
-  }
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "\"" : ", \"") + name + "\"";
-  std::ostringstream message;
-  message << "nothing holds part(s) " << list
-          << ": they can move as rigid bodies without deforming any part (smallest eigenvalue of the macro problem "
-          << std::setprecision(3) << values.front() << ", largest " << values.back()
-          << "); add a boundary with prescribed displacement, symmetry or foundation, or join them to a held part";
-  throw base::Error(message.str(), base::ExitCode::noEquilibrium);
-}
-
 void MacroProblem::correct(Matrix& alpha, Matrix& forces, int first, const std::vector<int>& steps) const {
   if (unknowns_ == 0) return;
   const Teuchos::BLAS<int, double> blas;
@@ -333,7 +274,7 @@ void MacroProblem::correct(Matrix& alpha, Matrix& forces, int first, const std::
   Matrix right(unknowns_, count);
   Teuchos::reduceAll(layout_.comm(), Teuchos::REDUCE_SUM, unknowns_ * count, local.values(), right.values());
   Matrix c(unknowns_, count);
-  solver_->solve(right, c);
+  factor_->solve(right, c);
   for (const Block& block : blocks_) {
     const int modes = block.force.numCols();
     if (modes == 0) continue;

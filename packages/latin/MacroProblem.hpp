@@ -9,6 +9,8 @@
 
 namespace harmos::latin {
 
+class MacroFactor;
+
 /// Coarse problem of the linear stage: force and moment resultants of every two-sided interface are in balance.
 ///
 /// The descent direction becomes f = alpha + k P c - k w, with P the rigid motions of the interface (3 in 2-D, 6 in
@@ -24,6 +26,11 @@ class MacroProblem {
   /// Collective. `layout` must outlive it. Throws base::Error (no equilibrium) naming the bodies that nothing holds.
   MacroProblem(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                const TraceLayout& layout, const BodyOperators& operators, const substructure::SolverOptions& options);
+
+  /// Frees the factor.
+  ~MacroProblem();
+  MacroProblem(const MacroProblem&) = delete;
+  MacroProblem& operator=(const MacroProblem&) = delete;
 
   /// Reads the loads of the bodies and the places where they are held anew.
   void updateLoads(const assembly::Assembly& assembly, const BodyOperators& operators);
@@ -65,11 +72,6 @@ class MacroProblem {
   /// S^-1 l, from which X^T l follows as well, where loads act on other rows than those kept, else nothing; one column
   /// for every load case.
   static base::Matrix displacementOf(const Body& body, const BodyOperators& operators);
-  double findSoftness() const;
-  void factor(const assembly::Assembly& assembly, const substructure::SolverOptions& options,
-              const std::vector<base::Matrix>& contributions);
-  [[noreturn]] void reportFloating(const assembly::Assembly& assembly, const base::Matrix& matrix) const;
-
   const TraceLayout& layout_;
   int unknowns_ = 0;
   double softness_ = 1.0;
@@ -77,7 +79,7 @@ class MacroProblem {
   std::vector<int> firstMode_;       // per interface
   std::vector<Block> blocks_;
   std::vector<Body> bodies_;
-  std::unique_ptr<substructure::SubstructureSolver> solver_;
+  std::unique_ptr<MacroFactor> factor_;
 };
 
 }  // namespace harmos::latin

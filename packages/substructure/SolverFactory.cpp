@@ -38,7 +38,9 @@ std::string lowerCase(std::string text) {
 SolverOptions::SolverOptions() : name(defaultSolver) {}
 
 SolverOptions::SolverOptions(const input::Parameters& given)
-    : name(given.text("Name")), allowsSingle(given.text("Precision") == "Automatic") {}
+    : name(given.text("Name")),
+      sharedFrom(given.integer("Shared From")),
+      allowsSingle(given.text("Precision") == "Automatic") {}
 
 double SolverOptions::denseTraceWorth() const {
   return invertTrace ? entriesOfTraceInverse : entriesOfTraceFactor;
@@ -59,6 +61,13 @@ void SolverOptions::describe(input::ParameterSpec& spec) {
           "Of what only leads to a solution. Automatic: in single precision as long as its error, measured for every "
           "part, is far below what is left to be found; that takes half as much memory again as the factors. What is "
           "delivered, and what is said of its error, is always computed in double precision.");
+  spec.integer("Shared From")
+      .defaultValue(SolverOptions().sharedFrom)
+      .atLeast(1)
+      .doc(
+          "Unknowns of the macro problem, six for every interface between two pieces, from which on several ranks "
+          "share "
+          "its factor (MUMPS). With fewer, or where the program was built without MUMPS, every rank has all of it.");
 }
 
 std::vector<std::string> availableSolvers() {

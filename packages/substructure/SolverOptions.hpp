@@ -36,6 +36,8 @@ struct SolverOptions {
   bool invertTrace = false;
   /// Energy error [-] at which solutions of bodies that are too large to be factored end, see IterativeSolver.
   double iterationTolerance = 1e-9;
+  /// Unknowns of the macro problem from which on ranks share its factor, see DistributedSolver, where that exists.
+  int sharedFrom = 20000;
   bool allowsSingle = true;  ///< whether SubstructureSolver::prepareSingle() may prepare anything
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 
 #include <Amesos2_Solver.hpp>
@@ -14,27 +13,16 @@
 #include <harmos/substructure/TraceInverse.hpp>
 #include <harmos/substructure/detail/BoundedStiffness.hpp>
 #include <harmos/substructure/detail/TooLarge.hpp>
+#include <harmos/substructure/detail/TrialSolution.hpp>
 
 namespace harmos::substructure {
 namespace {
 
 // Of the diagonal: makes a singular matrix factorable, but no indefinite one.
 constexpr double shift = 1e-8;
-// Residual of a random right-hand side, times the square root of the unknowns, above which a matrix is singular.
-constexpr double singularResidual = 1e-3;
 // Right-hand sides by which single precision is measured, and the error from which on it is of no use.
 constexpr int trials = 3;
 constexpr double worstSingle = 1e-3;
-
-/// Columns of entries between -1 and 1, as if by chance.
-base::Matrix randomForces(int rows, int columns) {
-  base::Matrix b(rows, columns);
-  std::mt19937 random;  // its sequence is fixed by the standard, that of the distributions is not
-  for (int j = 0; j < columns; ++j) {
-    for (int row = 0; row < rows; ++row) b(row, j) = random() / 2147483648.0 - 1.0;
-  }
-  return b;
-}
 
 /// The matrix as a block of vectors, not copied. Amesos2 wants the right-hand side const but has no const view.
 base::MultiVector vectorsOf(const base::Matrix& matrix, const Teuchos::RCP<const base::MultiVector::map_type>& map) {
@@ -165,27 +153,20 @@ void SubstructureSolver::factor(const Teuchos::RCP<base::CrsMatrix>& sum) {
   throwSingular();
 }
 
-/// For every null vector v of A the residual r = b - A x of any x has v.r = v.b. A pseudo-random b has a component of
-/// about |b|/sqrt(dofs) along v, so that no solver can hide a singular matrix; a regular one leaves rounding errors
-/// only.
 void SubstructureSolver::checkSolution(const base::CrsMatrix& sum) const {
   const CrsView view = viewOf(sum, part_);
   const base::Matrix b = randomForces(dofs_, 1);
   base::Matrix x(dofs_, 1);
   solve(b, x);
-  double residual = 0.0, norm = 0.0, energy = 0.0;
+  std::vector<double> product(dofs_, 0.0);
   for (int row = 0; row < dofs_; ++row) {
-    double value = b(row, 0);
     for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
-      value -= view.values[k] * x(view.columns[k], 0);
+      product[row] += view.values[k] * x(view.columns[k], 0);
     }
-    residual += value * value;
-    norm += b(row, 0) * b(row, 0);
-    energy += b(row, 0) * x(row, 0);
   }
-  const double limit = singularResidual / std::sqrt(static_cast<double>(dofs_));
-  if (!(std::sqrt(residual / norm) <= limit)) throwSingular();
-  if (!(energy > 0.0)) throwIndefinite();
+  const Definiteness found = judge(b, x, product);
+  if (found == Definiteness::singular) throwSingular();
+  if (found == Definiteness::indefinite) throwIndefinite();
 }
 
 void SubstructureSolver::throwSingular() const {

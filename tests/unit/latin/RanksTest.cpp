@@ -75,7 +75,8 @@ struct Answer {
 };
 
 Answer solve(assembly::Assembly assembly, const std::vector<int>& owner,
-             const Teuchos::RCP<const Teuchos::Comm<int>>& comm, Formulation formulation) {
+             const Teuchos::RCP<const Teuchos::Comm<int>>& comm, Formulation formulation,
+             int sharedFrom = substructure::SolverOptions().sharedFrom) {
   assembly.owner = owner;
   for (std::size_t b = 0; b < owner.size(); ++b) {
     if (owner[b] != comm->getRank()) assembly.bodies[b].stiffness = Teuchos::null;
@@ -83,6 +84,7 @@ Answer solve(assembly::Assembly assembly, const std::vector<int>& owner,
   LatinOptions options;
   options.accuracy = 1e-9;
   options.stages.formulation = formulation;
+  options.stages.solver.sharedFrom = sharedFrom;
   base::Timers timers;
   LatinSolver solver(assembly, options, comm, timers);
   solver.addResponse(std::make_shared<DisplacementResponse>(
@@ -100,7 +102,8 @@ Answer solve(assembly::Assembly assembly, const std::vector<int>& owner,
 
 class Ranks : public testing::TestWithParam<Formulation> {};
 
-void expectTheSame(const assembly::Assembly& chains, Formulation formulation) {
+void expectTheSame(const assembly::Assembly& chains, Formulation formulation,
+                   int sharedFrom = substructure::SolverOptions().sharedFrom) {
   const auto comm = Tpetra::getDefaultComm();
   const int size = comm->getSize();
   const Answer exact = solve(chains, {0, 0, 0, 0, 0}, self(), formulation);
@@ -108,7 +111,7 @@ void expectTheSame(const assembly::Assembly& chains, Formulation formulation) {
   for (const std::vector<int>& owner :
        {std::vector<int>{0, 1 % size, 2 % size, 3 % size, 0}, std::vector<int>{size - 1, size - 1, 0, size - 1, 0},
         std::vector<int>{size - 1, size - 1, size - 1, size - 1, size - 1}}) {
-    const Answer found = solve(chains, owner, comm, formulation);
+    const Answer found = solve(chains, owner, comm, formulation, sharedFrom);
     EXPECT_EQ(found.result.outcome, Outcome::certified) << found.result.reason;
     // Sums in another order change the last digits, and Anderson acceleration amplifies them: not the iterations, but
     // the answer within the accuracy agrees.
@@ -134,6 +137,10 @@ TEST_P(Ranks, FindTheSame) {
 
 TEST_P(Ranks, FindTheSameBetweenMeansOfNodes) {
   expectTheSame(fiveChainsInTheMean(), GetParam());
+}
+
+TEST_P(Ranks, FindTheSameWithTheMacroProblemShared) {
+  expectTheSame(fiveChains(), GetParam(), 1);
 }
 
 /// Three chains that meet in one place, joined there in a ring with areas 1, 2 and 3.
@@ -236,6 +243,26 @@ TEST(RanksTogether, ThrowWhatALawThrowsOnOne) {
     assembly.interfaces[3].law = std::make_shared<laws::PointwiseLaw<GivingUp>>(false);
     LatinSolver next(assembly, options, comm, timers);
     EXPECT_EQ(next.solve().outcome, Outcome::certified);
+  }
+}
+
+// The same words on all ranks, whether each has the factor or all share it.
+TEST(RanksTogether, NameWhatFloatsInASharedMacroProblem) {
+  const auto comm = Tpetra::getDefaultComm();
+  for (const int sharedFrom : {1, 1000}) {
+    assembly::Assembly assembly = fiveChains();
+    for (const int end : {0, 5}) assembly.interfaces[end].law = laws::makeLaw("Prescribed Traction", {{"X", 3.0}});
+    assembly.owner = {0, 0, 0, 0, comm->getSize() - 1};
+    StageOptions options;
+    options.solver.sharedFrom = sharedFrom;
+    base::Timers timers;
+    try {
+      const FixedPoint fixedPoint(assembly, options, comm, timers);
+      ADD_FAILURE() << "nothing holds the chains";
+    } catch (const base::Error& error) {
+      EXPECT_NE(std::string(error.what()).find("nothing holds part(s) \"chain 0\", \"chain 1\""), std::string::npos)
+          << error.what();
+    }
   }
 }
 
