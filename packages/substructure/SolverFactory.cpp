@@ -66,8 +66,8 @@ void SolverOptions::describe(input::ParameterSpec& spec) {
       .atLeast(1)
       .doc(
           "Unknowns of the macro problem, six for every interface between two pieces, from which on several ranks "
-          "share "
-          "its factor (MUMPS). With fewer, or where the program was built without MUMPS, every rank has all of it.");
+          "share its factor (MUMPS). With fewer, or where the program was built without MUMPS, every rank has all of "
+          "it.");
 }
 
 std::vector<std::string> availableSolvers() {
