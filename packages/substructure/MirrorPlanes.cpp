@@ -72,7 +72,7 @@ bool MirrorPlanes::leaves(const Plane& plane, const base::Matrix& matrix) {
     image[row] = row;
     sign[row] = plane.isOdd[row] ? -1.0 : 1.0;
   }
-  for (const Plane::Pair& pair : plane.pairs) {
+  for (const Pair& pair : plane.pairs) {
     image[pair.first] = pair.second;
     image[pair.second] = pair.first;
     sign[pair.first] = sign[pair.second] = pair.sign;
@@ -94,7 +94,7 @@ void MirrorPlanes::change(base::Matrix& x) const {
   for (const Plane& plane : planes_) {
     for (int j = 0; j < x.numCols(); ++j) {
       double* column = x[j];
-      for (const Plane::Pair& pair : plane.pairs) {
+      for (const Pair& pair : plane.pairs) {
         const double a = share * column[pair.first], b = share * pair.sign * column[pair.second];
         column[pair.first] = a + b;
         column[pair.second] = pair.sign * (a - b);

@@ -37,13 +37,13 @@ class MirrorPlanes {
   std::vector<std::vector<int>> blocks() const;
 
  private:
-  /// Of the rows, each with its mirror image and s.
+  /// A row, its mirror image that lies apart from it, and s.
+  struct Pair {
+    int first, second;
+    double sign;
+  };
   struct Plane {
-    struct Pair {
-      int first, second;
-      double sign;
-    };
-    std::vector<Pair> pairs;  // that lie apart
+    std::vector<Pair> pairs;
     std::vector<bool> isOdd;  // of the unknowns after the change
   };
 
