@@ -40,10 +40,10 @@ constexpr double marchShare = 1.0;
 constexpr double shareOfLargeFactors = 5.0;
 constexpr double largeFactors = 1e7;
 constexpr int leastStepsOfBlock = 4;
-// Of the linear stages of a run: a first try whose restarts have led to no certificate is given up for one that begins
-// with a softer search direction, and that for one without restarts.
+// Of the linear stages of a run: a first try whose restarts have led to no certificate is given up for one with fewer
+// restarts, and so is that.
 constexpr double shareOfFirstTry = 0.5;
-constexpr double shareOfSofterTry = 0.35;
+constexpr double shareOfLaterTry = 0.27;
 // Each takes what the one before has left of the motions of bodies.
 constexpr int maximumRecentrings = 3;
 
@@ -172,49 +172,22 @@ int LatinSolver::stageLimit() const {
   return isSofter() ? std::min(options_.maximumIterations, endWhenSofter_) : options_.maximumIterations;
 }
 
-bool LatinSolver::mayTryAgain(const LatinResult& result) const {
-  return result.outcome == Outcome::iterationLimit && isSofter() && stages() < options_.maximumIterations;
-}
-
 void LatinSolver::march(LatinResult& result, March::Guess guess) {
   stagesOfCertificates_ = 0;
-  lacksPath_ = false;
-  endWhenSofter_ = static_cast<int>(shareOfFirstTry * options_.maximumIterations);
-  tryToMarch(result, guess, options_.restarts);
-  if (mayTryAgain(result) || (lacksPath_ && options_.restarts > 0)) marchSofter(result);
-  if (mayTryAgain(result)) {
-    endWhenSofter_ = options_.maximumIterations;
-    beginAnew(options_.stages.searchDirectionScale);
-    tryToMarch(result, March::Guess::extrapolation, 0);
+  for (int restarts = options_.restarts; restarts >= 0; --restarts) {
+    const double share = restarts == options_.restarts ? shareOfFirstTry : shareOfLaterTry;
+    const int stagesOfTry = static_cast<int>(share * options_.maximumIterations);
+    endWhenSofter_ = restarts > 0 ? stages() + stagesOfTry : options_.maximumIterations;
+    tryToMarch(result, guess, restarts);
+    if (result.outcome != Outcome::iterationLimit || !isSofter() || stages() >= options_.maximumIterations) break;
+    fixedPoint_.rescale(options_.stages.searchDirectionScale);
+    certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
+    estimates_.clear();
+    fixedPoint_.uncentre(alpha_);
+    alpha_.putScalar(0.0);
+    guess = March::Guess::extrapolation;
   }
   result.iterations = stages() - stagesOfCertificates_;
-}
-
-void LatinSolver::beginAnew(double searchDirectionScale) {
-  fixedPoint_.rescale(searchDirectionScale);
-  certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
-  estimates_.clear();
-  fixedPoint_.uncentre(alpha_);
-  alpha_.putScalar(0.0);
-}
-
-void LatinSolver::marchSofter(LatinResult& result) {
-  const LatinResult before = result;
-  const double scale = fixedPoint_.searchDirectionScale();
-  fixedPoint_.uncentre(alpha_);
-  const base::Matrix alpha = alpha_;
-  const bool lacksPath = before.outcome == Outcome::noEquilibrium;
-  const double share = lacksPath ? shareOfFirstTry : shareOfSofterTry;
-  endWhenSofter_ = stages() + static_cast<int>(share * options_.maximumIterations);
-  beginAnew(March::softer * options_.stages.searchDirectionScale);
-  result = LatinResult();
-  tryToMarch(result, March::Guess::extrapolation, options_.restarts);
-  const bool isEnd = result.outcome == Outcome::certified || result.outcome == Outcome::interrupted ||
-                     result.outcome == before.outcome;
-  if (isEnd || !lacksPath) return;
-  beginAnew(scale);
-  alpha_ = alpha;
-  result = before;
 }
 
 void LatinSolver::recentre() {
@@ -297,7 +270,6 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
   if (end == March::End::noEquilibrium) {
     result.outcome = Outcome::noEquilibrium;
     result.reason = march.reason();
-    lacksPath_ = balance_->hasForces(march.stepsReached());
   } else if (end == March::End::unreached) {
     result.reason = march.reason();
     if (result.solvedSteps == assembly_.steps()) {

@@ -79,16 +79,8 @@ class LatinSolver {
   void share();
   /// Takes a certificate back where a law answers the lines of other search directions otherwise, see checkLaws().
   void demandGraphs(LatinResult& result);
-  /// Load step after load step; where restarts lead nowhere, from the beginning, see marchSofter(), and without them.
+  /// Load step after load step; where restarts of the march lead nowhere, from the beginning with fewer of them.
   void march(LatinResult& result, March::Guess guess);
-  /// Whether a try that was restarted with a softer search direction has left nothing but linear stages for another.
-  bool mayTryAgain(const LatinResult& result) const;
-  /// Forgets what a march has left and goes back to no state, with this scale of the search direction.
-  void beginAnew(double searchDirectionScale);
-  /// From the beginning with a softer search direction: a joint that has slid far on trial under a stiffer one may go
-  /// elsewhere. Where forces exist but no path was found that leads to them, `result` and alpha_ stay as they are if it
-  /// comes to no certificate.
-  void marchSofter(LatinResult& result);
   /// Collective. The residual that the first march goes to, over the size of the forces.
   double firstTolerance() const;
   /// Once, to ever smaller residuals, until the certificate claims.
@@ -129,7 +121,6 @@ class LatinSolver {
   int stagesBefore_ = 0;
   int stagesOfCertificates_ = 0;
   int endWhenSofter_ = 0;                             // stages at which a try with a softer search direction ends
-  bool lacksPath_ = false;                            // forces exist where no equilibrium was found
   bool knowsRoundOff_ = false;                        // of a state of this run
   std::vector<double> estimates_;                     // of the last certificate that was conclusive; empty: none was
   std::vector<std::unique_ptr<Snapshot>> snapshots_;  // of the last iterations that were looked at
