@@ -127,7 +127,7 @@ class StudySolver {
   std::vector<Place> places_;
   int present_ = 0;
   SolvedStates states_;
-  SolvedStates lacking_;  // without fields
+  SolvedStates lacking_;  // of configurations that statics leaves without equilibrium; without fields
   Observer observer_;
   std::function<bool()> interrupted_;
   Trust summary_;
