@@ -293,7 +293,13 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       }
       iterate = &fixedPoint_.apply(state, image);
     }
-    if (isStagnant && restarts_ > 0) {
+    const bool isTooStiff = isStagnant && restarts_ > 0;
+    const EquilibriumWatch::Finding finding =
+        isTooStiff ? EquilibriumWatch::Finding::nothing : watch.look(fixedPoint_, iterate, state, image);
+    // Where forces exist, softer lines may build the pressures that these do not come to.
+    const bool mayBeReached = finding == EquilibriumWatch::Finding::noEquilibrium && restarts_ > 0 &&
+                              balance_ != nullptr && balance_->hasForces(step);
+    if (isTooStiff || mayBeReached) {
       restart(*iterate, alpha, state);
       watch = unused;
       stagnation = Stagnation();
@@ -301,7 +307,6 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       isListening = false;
       continue;
     }
-    const EquilibriumWatch::Finding finding = watch.look(fixedPoint_, iterate, state, image);
     if (finding == EquilibriumWatch::Finding::landing) {
       acceleration.restart();
       stagnation = Stagnation();
