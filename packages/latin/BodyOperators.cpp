@@ -112,33 +112,63 @@ void BodyOperators::fromGroup(const Place& place, const base::Matrix& group, bas
   }
 }
 
-void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
-  const int steps = assembly.steps(), cases = assembly.loadCases();
-  const auto dofsOf = [this](const substructure::Substructure& body) {
-    return static_cast<int>(body.nodes.size()) * dimension_;
-  };
-  std::vector<base::Matrix> loads(places_.size()), held(places_.size());
+std::vector<double> BodyOperators::readGiven(const assembly::Assembly& assembly) const {
+  std::vector<double> given;
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     if (places_[b].group < 0) continue;
-    const substructure::Substructure& body = assembly.bodies[b];
-    const auto& nodes = eliminated_.nodes(static_cast<int>(b));
-    // What has no load needs no room for it: laws are replaced far more often than loads change.
-    if (body.loads.numCols() > 0 || !nodes.empty()) loads[b].shape(dofsOf(body), cases);
-    for (int t = 0; t < body.loads.numCols(); ++t) std::copy_n(body.loads[t], body.loads.numRows(), loads[b][t]);
-    if (!nodes.empty()) held[b].shape(dofsOf(body), cases);
+    const int number = static_cast<int>(b);
+    const auto& nodes = eliminated_.nodes(number);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      for (int t = 0; t < cases; ++t) {
-        base::Vector3 force = eliminated_.force(static_cast<int>(b), n, t);
-        base::Vector3 place = eliminated_.held(static_cast<int>(b), n, t);
+      for (int t = 0; t < assembly.loadCases(); ++t) {
+        base::Vector3 force = eliminated_.force(number, n, t);
+        base::Vector3 place = eliminated_.held(number, n, t);
         if (reference_ != nullptr && !reference_->isEmpty()) {
-          const int number = static_cast<int>(b), node = nodes[n].node;
+          const int node = nodes[n].node;
           force = force - base::product(nodes[n].springs, reference_->at(number, node, t));
           const base::Vector3 below = reference_->below(place, number, node, t);
           place = below - base::product(nodes[n].free, below);
         }
+        given.insert(given.end(), force.begin(), force.end());
+        given.insert(given.end(), place.begin(), place.end());
+      }
+    }
+  }
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const assembly::Interface& interface = assembly.interfaces[i];
+    if (!interface.law->prescribesTraction() || places_[interface.body1].group < 0) continue;
+    const bool isScaled = assembly.path && assembly.path->scales(static_cast<int>(i));
+    for (int t = 0; t < (isScaled ? 1 : assembly.steps()); ++t) {
+      const std::vector<double> forces = prescribedForces(interface, assembly.times, dimension_, t);
+      given.insert(given.end(), forces.begin(), forces.end());
+    }
+  }
+  return given;
+}
+
+void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
+  const int steps = assembly.steps(), cases = assembly.loadCases();
+  std::vector<double> given = readGiven(assembly);
+  const bool hasBodyForces = std::any_of(assembly.bodies.begin(), assembly.bodies.end(),
+                                         [](const auto& body) { return body.loads.numCols() > 0; });
+  // Laws are replaced far more often than loads change.
+  if (!hasBodyForces && cases_ == cases && given_ == given) return;
+  const auto dofsOf = [this](const substructure::Substructure& body) {
+    return static_cast<int>(body.nodes.size()) * dimension_;
+  };
+  std::vector<base::Matrix> loads(places_.size()), held(places_.size());
+  const double* next = given.data();
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+    if (places_[b].group < 0) continue;
+    const substructure::Substructure& body = assembly.bodies[b];
+    const auto& nodes = eliminated_.nodes(static_cast<int>(b));
+    if (body.loads.numCols() > 0 || !nodes.empty()) loads[b].shape(dofsOf(body), cases);
+    for (int t = 0; t < body.loads.numCols(); ++t) std::copy_n(body.loads[t], body.loads.numRows(), loads[b][t]);
+    if (!nodes.empty()) held[b].shape(dofsOf(body), cases);
+    for (const EliminatedBoundaries::Node& node : nodes) {
+      for (int t = 0; t < cases; ++t, next += 6) {
         for (int c = 0; c < dimension_; ++c) {
-          loads[b](nodes[n].node * dimension_ + c, t) += force[c];
-          held[b](nodes[n].node * dimension_ + c, t) = place[c];
+          loads[b](node.node * dimension_ + c, t) += next[c];
+          held[b](node.node * dimension_ + c, t) = next[3 + c];
         }
       }
     }
@@ -149,16 +179,17 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
     base::Matrix& sums = loads[interface.body1];
     if (sums.numCols() == 0) sums.shape(dofsOf(assembly.bodies[interface.body1]), cases);
     const bool isScaled = assembly.path && assembly.path->scales(static_cast<int>(i));
-    for (int t = 0; t < (isScaled ? 1 : steps); ++t) {
-      interface.trace1.addTransposed(dimension_, prescribedForces(interface, assembly.times, dimension_, t).data(),
-                                     sums[isScaled ? steps : t]);
+    for (int t = 0; t < (isScaled ? 1 : steps); ++t, next += interface.pairs() * dimension_) {
+      interface.trace1.addTransposed(dimension_, next, sums[isScaled ? steps : t]);
     }
   }
   cases_ = cases;
   setLoads(loads, std::move(held));
+  given_ = std::move(given);
 }
 
 void BodyOperators::setLoads(const std::vector<base::Matrix>& loads, std::vector<base::Matrix> held) {
+  given_.reset();
   held_ = std::move(held);
   for (const base::Matrix& one : loads) {
     if (one.numRows() > 0) cases_ = one.numCols();
@@ -341,11 +372,13 @@ void BodyOperators::perturb(const assembly::Assembly& assembly, unsigned seed, d
     }
   }
   perturbations_ = std::move(forces);
+  given_.reset();
   updateLoads(assembly);
 }
 
 void BodyOperators::unperturb(const assembly::Assembly& assembly) {
   perturbations_.clear();
+  given_.reset();
   updateLoads(assembly);
 }
 

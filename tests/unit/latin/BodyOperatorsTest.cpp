@@ -248,6 +248,41 @@ TEST(BodyOperators, MoveHeldNodesWithoutASolveOfTheWhole) {
   }
 }
 
+// Loads that are the same as before are not read again, unless others were in their place.
+TEST(BodyOperators, HaveTheirOwnLoadsAfterOthers) {
+  BoxAssembly boxes = wedges(translated, false);
+  boxes.assembly().bodies[1].loads = base::Matrix();
+  Operators one(boxes.assembly());
+  const base::Matrix own = one.bodies.loads(0);
+  EXPECT_GT(own.normInf(), 0.0);
+  const long changes = one.bodies.loadChanges();
+  one.bodies.updateLoads(one.assembly);
+  EXPECT_EQ(one.bodies.loadChanges(), changes);
+
+  std::vector<base::Matrix> others;
+  for (const auto& body : one.assembly.bodies) others.emplace_back(3 * static_cast<int>(body.nodes.size()), steps);
+  one.bodies.setLoads(others, std::vector<base::Matrix>(others.size()));
+  EXPECT_EQ(one.bodies.loads(0).normInf(), 0.0);
+  one.bodies.updateLoads(one.assembly);
+  EXPECT_EQ(one.bodies.loads(0), own);
+
+  const auto pressure = one.assembly.interfaces[2].law;
+  one.assembly.interfaces[2].law = laws::makeLaw("Pressure", {{"Pressure", 6.0}}, {{"Pressure", {1, 2}}});
+  one.bodies.updateLoads(one.assembly);
+  EXPECT_NEAR(one.bodies.loads(0).normInf(), 2.0 * own.normInf(), 1e-12 * own.normInf());
+  one.assembly.interfaces[2].law = pressure;
+  one.bodies.updateLoads(one.assembly);
+  EXPECT_EQ(one.bodies.loads(0), own);
+
+  base::Matrix forces(one.layout.rows(), steps);
+  randomize(forces);
+  one.bodies.solve(forces, 0, substructure::Precision::exact);
+  one.bodies.perturb(one.assembly, 1, 1.0);
+  EXPECT_NE(one.bodies.loads(0), own);
+  one.bodies.unperturb(one.assembly);
+  EXPECT_EQ(one.bodies.loads(0), own);
+}
+
 TEST(BodyOperators, TurnPrescribedTractionsIntoLoads) {
   assembly::Assembly assembly = wedges(translated, false).assembly();
   const Operators operators(assembly);
