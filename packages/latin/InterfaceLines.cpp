@@ -1,10 +1,35 @@
 #include <harmos/latin/InterfaceLines.hpp>
 
+#include <type_traits>
+
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Tensor3.hpp>
 
 namespace harmos::latin {
+namespace {
+
+/// Calls with the dimension as a constant, so that loops over components are no loops.
+template <class Call>
+void withDimension(int dimension, const Call& call) {
+  if (dimension == 3) {
+    call(std::integral_constant<int, 3>());
+  } else {
+    call(std::integral_constant<int, 2>());
+  }
+}
+
+}  // namespace
+
+template <int dimension>
+base::Vector3 InterfaceLines::Sides::difference(int pair) const {
+  base::Vector3 result{};
+  for (int c = 0; c < dimension; ++c) {
+    result[c] = first[pair * dimension + c] - (second != nullptr ? second[pair * dimension + c] : 0.0);
+  }
+  return result;
+}
+
 InterfaceLines::InterfaceLines(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
                                const TraceLayout& layout)
     : assembly_(assembly), searchDirection_(searchDirection), layout_(layout) {
@@ -61,61 +86,65 @@ InterfaceLines::Sides InterfaceLines::betas(int interfaceIndex, int column, cons
   return result;
 }
 
-void InterfaceLines::put(const Joint& joint, int pair, const base::Vector3& t, double* traction) const {
-  const int dimension = layout_.dimension();
-  for (int c = 0; c < dimension; ++c) {
-    if (joint.begin1 >= 0) traction[joint.begin1 + pair * dimension + c] = t[c];
-    if (joint.begin2 >= 0) traction[joint.begin2 + pair * dimension + c] = -t[c];
-  }
+template <class OfPair>
+void InterfaceLines::put(int interfaceIndex, const OfPair& t, double* traction) const {
+  const Joint& joint = joints_[interfaceIndex];
+  double* const first = joint.begin1 >= 0 ? traction + joint.begin1 : nullptr;
+  double* const second = joint.begin2 >= 0 ? traction + joint.begin2 : nullptr;
+  const int pairs = of(interfaceIndex).pairs();
+  withDimension(layout_.dimension(), [&](auto dimension) {
+    for (int p = 0; p < pairs; ++p) {
+      const base::Vector3 here = t(p);
+      for (int c = 0; c < dimension; ++c) {
+        if (first != nullptr) first[p * dimension + c] = here[c];
+        if (second != nullptr) second[p * dimension + c] = -here[c];
+      }
+    }
+  });
 }
 
 void InterfaceLines::fill(int interfaceIndex, int column, const base::Matrix& beta,
                           std::vector<laws::LocalLine>& lines) const {
   const assembly::Interface& interface = of(interfaceIndex);
   const std::vector<double>& k = searchDirection_.of(interfaceIndex);
-  const int dimension = layout_.dimension();
   const int pairs = interface.pairs();
   const bool local = interface.law->frame() == laws::Frame::interface;
-  const auto [beta1, beta2] = betas(interfaceIndex, column, beta);
-  const double sides = interface.sides();
+  const Sides sides = betas(interfaceIndex, column, beta);
+  const double count = interface.sides();
   lines.resize(pairs);
-  for (int p = 0; p < pairs; ++p) {
-    const double compliance = 1.0 / k[p];
-    base::Vector3 free{};
-    for (int c = 0; c < dimension; ++c) {
-      const double b2 = beta2 != nullptr ? beta2[p * dimension + c] : 0.0;
-      free[c] = compliance * (beta1[p * dimension + c] - b2);
+  withDimension(layout_.dimension(), [&](auto dimension) {
+    for (int p = 0; p < pairs; ++p) {
+      const double compliance = 1.0 / k[p];
+      const base::Vector3 free = compliance * sides.difference<dimension>(p);
+      laws::LocalLine& line = lines[p];
+      line.compliance = count * compliance;
+      line.freeJump = local ? base::toFrame(interface.frame[p], free) : free;
     }
-    laws::LocalLine& line = lines[p];
-    line.compliance = sides * compliance;
-    line.freeJump = local ? base::toFrame(interface.frame[p], free) : free;
-  }
+  });
 }
 
 double InterfaceLines::write(int interfaceIndex, const laws::LocalState* states, double* traction) const {
   const assembly::Interface& interface = of(interfaceIndex);
   const bool local = interface.law->frame() == laws::Frame::interface;
   double check = 0.0;
-  for (int p = 0; p < interface.pairs(); ++p) {
-    const base::Vector3& f = states[p].traction;
-    check += f[0] + f[1] + f[2];
-    put(joints_[interfaceIndex], p, local ? base::toGlobal(interface.frame[p], f) : f, traction);
-  }
+  put(
+      interfaceIndex,
+      [&](int p) {
+        const base::Vector3& f = states[p].traction;
+        check += f[0] + f[1] + f[2];
+        return local ? base::toGlobal(interface.frame[p], f) : f;
+      },
+      traction);
   return check;
 }
 
 void InterfaceLines::map(int interfaceIndex, const std::vector<base::Frame>& matrices, int column,
                          const base::Matrix& beta, double* traction) const {
-  const int dimension = layout_.dimension();
-  const auto [beta1, beta2] = betas(interfaceIndex, column, beta);
-  for (std::size_t p = 0; p < matrices.size(); ++p) {
-    const auto first = static_cast<std::ptrdiff_t>(p) * dimension;
-    base::Vector3 difference{};
-    for (int c = 0; c < dimension; ++c) {
-      difference[c] = beta1[first + c] - (beta2 != nullptr ? beta2[first + c] : 0.0);
-    }
-    put(joints_[interfaceIndex], static_cast<int>(p), base::product(matrices[p], difference), traction);
-  }
+  const Sides sides = betas(interfaceIndex, column, beta);
+  withDimension(layout_.dimension(), [&](auto dimension) {
+    put(
+        interfaceIndex, [&](int p) { return base::product(matrices[p], sides.difference<dimension>(p)); }, traction);
+  });
 }
 
 }  // namespace harmos::latin

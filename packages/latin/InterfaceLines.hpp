@@ -50,12 +50,17 @@ class InterfaceLines {
   struct Sides {
     const double* first;
     const double* second;
+
+    /// beta1 - beta2 of a pair (outer boundary: beta1).
+    template <int dimension>
+    base::Vector3 difference(int pair) const;
   };
 
   const assembly::Interface& of(int interfaceIndex) const { return assembly_.interfaces[interfaceIndex]; }
   Sides betas(int interfaceIndex, int column, const base::Matrix& beta) const;
-  /// Writes t of a pair, in (x, y, z), to the rows of the sides owned here.
-  void put(const Joint& joint, int pair, const base::Vector3& t, double* traction) const;
+  /// Writes t of all pairs, in (x, y, z), to the rows of the sides owned here.
+  template <class OfPair>
+  void put(int interfaceIndex, const OfPair& t, double* traction) const;
 
   const assembly::Assembly& assembly_;
   const assembly::SearchDirection& searchDirection_;

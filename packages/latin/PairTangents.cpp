@@ -79,7 +79,11 @@ void PairTangents::transpose() {
 void PairTangents::apply(const base::Matrix& y, base::Matrix& traction) const {
   lines_.reserve(y.numCols());
   lines_.exchange(y, 0, y.numCols());
-  traction.shape(y.numRows(), y.numCols());
+  if (lines_.layout().blocks().empty()) {
+    traction.shape(y.numRows(), y.numCols());  // the row that stands for none
+  } else if (traction.numRows() != y.numRows() || traction.numCols() != y.numCols()) {
+    traction.shapeUninitialized(y.numRows(), y.numCols());
+  }
   for (std::size_t i = 0; i < tangents_.size(); ++i) {
     const int index = static_cast<int>(i);
     if (!lines_.isActive(index) || faces_.law(index) != nullptr) continue;
