@@ -42,18 +42,22 @@ struct Worst {
   }
 };
 
+/// What is looked for: laws without a graph, or also those that fall and energies that do not go together.
+enum class Search { graphs, all };
+
 /// One interface along the load steps.
 class Watch {
  public:
-  Watch(const assembly::Assembly& assembly, int index)
+  Watch(const assembly::Assembly& assembly, int index, Search search)
       : assembly_(assembly),
         interface_(assembly.interfaces[index]),
         law_(*interface_.law),
+        search_(search),
         states_(static_cast<std::size_t>(interface_.pairs())),
         now_(states_.size() * static_cast<std::size_t>(law_.historySize())) {
     if (std::isfinite(law_.lowestSlope())) ratios_.push_back(steeper);
     if (law_.lowestSlope() == 0.0) ratios_.push_back(flatter);
-    if (law_.dissipates() && !laws::isCoupled(law_)) jumps_.assign(states_.size(), {});
+    if (search_ == Search::all && law_.dissipates() && !laws::isCoupled(law_)) jumps_.assign(states_.size(), {});
     stored_.assign(jumps_.size(), 0.0);
     lengths_.assign(jumps_.size(), 0.0);
   }
@@ -101,8 +105,10 @@ class Watch {
     include(met, lines);
   }
 
-  /// Whether the law says that its traction never falls while the jump grows.
-  bool isMonotone() const { return law_.lowestSlope() == 0.0 && !law_.isAffine() && !laws::isCoupled(law_); }
+  /// Whether it is asked farther on: the law says that its traction never falls while the jump grows.
+  bool isAskedFarther() const {
+    return search_ == Search::all && law_.lowestSlope() == 0.0 && !law_.isAffine() && !laws::isCoupled(law_);
+  }
 
   /// Asks for a point farther on along the normal (`first` 0, `end` 1) or along the surface (1, 3), with the history of
   /// the points that were found. A monotone law answers each with (t_a - t_b).(delta_a - delta_b) >= 0, and so it does
@@ -251,6 +257,7 @@ class Watch {
   const assembly::Assembly& assembly_;
   const assembly::Interface& interface_;
   const laws::InterfaceLaw& law_;
+  Search search_;
   std::vector<double> ratios_;
   std::vector<laws::LocalState> states_;  // scratch, as the next
   std::vector<double> now_;
@@ -261,16 +268,18 @@ class Watch {
   Worst difference_, falls_, broken_, gain_, excess_;
 };
 
-}  // namespace
+/// Watches of interfaces, by their numbers.
+using Watches = std::vector<std::pair<int, Watch>>;
 
-LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double accuracy) {
+/// Asks the laws of all interfaces of this rank. Collective.
+Watches ask(FixedPoint& fixedPoint, const Iterate& iterate, Search search) {
   const assembly::Assembly& assembly = fixedPoint.assembly();
   const TraceLayout& layout = fixedPoint.layout();
-  std::vector<std::pair<int, Watch>> watches;
+  Watches watches;
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     const auto index = static_cast<int>(i);
     if (layout.begin(index, 0) < 0) continue;
-    watches.emplace_back(index, Watch(assembly, index));
+    watches.emplace_back(index, Watch(assembly, index, search));
   }
   FaceSums faces(assembly, layout);
   PointwiseLocalStage& stage = fixedPoint.pointwiseStage();
@@ -281,7 +290,7 @@ LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double acc
     base::onEachRank(layout.comm(), [&] {
       for (auto& [index, watch] : watches) {
         watch.look(stage.met(index, t));
-        if (!watch.isMonotone()) continue;
+        if (!watch.isAskedFarther()) continue;
         watch.goFarther(stage.met(index, t), 0, 1);
         watch.goFarther(stage.met(index, t), 1, 3);
       }
@@ -309,11 +318,32 @@ LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double acc
     }
     stage.accept();
   }
-  LawFindings findings;
+  return watches;
+}
+
+/// Collective. Empty: all laws have a graph.
+std::string falseGraph(const Watches& watches, double accuracy, const Teuchos::Comm<int>& comm) {
+  std::string mine;
   for (const auto& [index, watch] : watches) {
-    if (findings.falseGraph.empty()) findings.falseGraph = watch.falseGraph(accuracy);
+    if (mine.empty()) mine = watch.falseGraph(accuracy);
   }
-  findings.falseGraph = firstText(findings.falseGraph, layout.comm());
+  return firstText(mine, comm);
+}
+
+}  // namespace
+
+std::string lackOfGraph(FixedPoint& fixedPoint, const Iterate& iterate, double accuracy) {
+  const Watches watches = ask(fixedPoint, iterate, Search::graphs);
+  const std::string found = falseGraph(watches, accuracy, fixedPoint.layout().comm());
+  return found.empty() ? lackOfDigits(fixedPoint, accuracy) : found;
+}
+
+LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double accuracy) {
+  const assembly::Assembly& assembly = fixedPoint.assembly();
+  const TraceLayout& layout = fixedPoint.layout();
+  const Watches watches = ask(fixedPoint, iterate, Search::all);
+  LawFindings findings;
+  findings.falseGraph = falseGraph(watches, accuracy, layout.comm());
   const auto remark = [&](const std::string& mine) {
     const std::string text = firstText(mine, layout.comm());
     auto& known = findings.remarks;

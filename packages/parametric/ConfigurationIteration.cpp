@@ -273,8 +273,7 @@ latin::Indeterminacy ConfigurationIteration::indeterminacy(
 }
 
 std::string ConfigurationIteration::falseGraph() {
-  const latin::LawFindings found = latin::checkLaws(fixedPoint_, state(), accuracy_);
-  return found.falseGraph.empty() ? found.lackOfDigits : found.falseGraph;
+  return latin::lackOfGraph(fixedPoint_, state(), accuracy_);
 }
 
 base::Matrix ConfigurationIteration::linear() const {

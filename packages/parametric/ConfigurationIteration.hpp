@@ -79,7 +79,7 @@ class ConfigurationIteration {
   }
   /// Collective. What is not determined at state(), see FixedPoint::indeterminacy().
   latin::Indeterminacy indeterminacy(const std::vector<std::shared_ptr<const latin::Response>>& responses);
-  /// Collective. Why a law has no graph at state(), see latin::checkLaws(); empty: all have.
+  /// Collective. Why a law has no graph at state(), see latin::lackOfGraph(); empty: all have.
   std::string falseGraph();
   /// alpha [stress] of the last stage of all load steps, and its image under the linear part of the linear stage.
   const base::Matrix& alpha() const { return alpha_; }
