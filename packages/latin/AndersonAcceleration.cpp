@@ -52,30 +52,23 @@ void AndersonAcceleration::reserve(Step& step, int rows, int count) const {
 void AndersonAcceleration::seed(const std::vector<base::Matrix>& residuals, const std::vector<base::Matrix>& images) {
   restart();
   if (residuals.empty()) return;
-  const Teuchos::BLAS<int, double> blas;
   const int rows = residuals[0].numRows();
   const int count = residuals[0].numCols();
   begin(static_cast<int>(residuals.size()));
   for (Step& step : steps_) reserve(step, rows, count);
   const auto size = static_cast<std::size_t>(count) * static_cast<std::size_t>(count);
-  std::vector<double> products(size * steps_.size());
+  std::vector<double> products;
   for (std::size_t t = 0; t < steps_.size(); ++t) {
     for (int j = 0; j < count; ++j) {
       std::copy_n(residuals[t][j], rows, steps_[t].residuals[j]);
       std::copy_n(images[t][j], rows, steps_[t].images[j]);
     }
-    blas.SYRK(Teuchos::UPPER_TRI, Teuchos::TRANS, count, rows, 1.0, steps_[t].residuals.values(),
-              steps_[t].residuals.stride(), 0.0, products.data() + t * size, count);
+    const base::Matrix gram = gramMatrix(residuals[t]);
+    products.insert(products.end(), gram.values(), gram.values() + size);
   }
   metric_.sum(products);
   for (std::size_t t = 0; t < steps_.size(); ++t) {
-    for (int j = 0; j < count; ++j) {
-      for (int i = 0; i <= j; ++i) {
-        const double product = products[t * size + static_cast<std::size_t>(j * count + i)];
-        steps_[t].gram(i, j) = product;
-        steps_[t].gram(j, i) = product;
-      }
-    }
+    for (int j = 0; j < count; ++j) std::copy_n(products.data() + t * size + j * count, count, steps_[t].gram[j]);
   }
   stored_ = count;
   next_ = count % memory_;

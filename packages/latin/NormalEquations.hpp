@@ -6,6 +6,10 @@
 
 namespace harmos::latin {
 
+/// V^T V, both triangles; the share of this rank where the rows of V are spread over ranks. For few long columns, which
+/// BLAS copies before it multiplies them.
+base::Matrix gramMatrix(const base::Matrix& columns);
+
 /// Coefficients c of least squares from the normal equations G c = b of the leading `size` columns.
 ///
 /// Columns are scaled to length one and eliminated in the order of their independence (Cholesky with diagonal

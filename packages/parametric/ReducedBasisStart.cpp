@@ -163,18 +163,13 @@ std::vector<double> ReducedBasisStart::leastSquares() const {
   const int rows = columns_.numRows();
   const int count = columns_.numCols();
   const auto size = static_cast<std::size_t>(count);
-  std::vector<double> products(size * size + size);
-  blas.SYRK(Teuchos::UPPER_TRI, Teuchos::TRANS, count, rows, 1.0, residualTangents_.values(),
-            residualTangents_.stride(), 0.0, products.data(), count);
+  base::Matrix gram = latin::gramMatrix(residualTangents_);
+  std::vector<double> products(gram.values(), gram.values() + size * size);
+  products.resize(size * size + size);
   blas.GEMV(Teuchos::TRANS, rows, count, -1.0, residualTangents_.values(), residualTangents_.stride(), residual_.data(),
             1, 0.0, products.data() + size * size, 1);
   fixedPoint_.metric().sum(products);
-  base::Matrix gram(count, count);
-  for (int j = 0; j < count; ++j) {
-    for (int k = 0; k <= j; ++k) {
-      gram(k, j) = gram(j, k) = products[static_cast<std::size_t>(j) * size + static_cast<std::size_t>(k)];
-    }
-  }
+  std::copy_n(products.data(), size * size, gram.values());
   return latin::solveNormalEquations(gram, count, products.data() + size * size);
 }
 

@@ -187,6 +187,20 @@ std::vector<double> productsWith(const base::Matrix& columns, const std::vector<
   return result;
 }
 
+// More columns and rows than are multiplied at once, and remainders of both.
+TEST(GramMatrix, HoldsTheProductsOfAllColumns) {
+  for (const int rows : {1, 7, 256, 601}) {
+    for (int count = 1; count < 9; ++count) {
+      base::Matrix columns(rows, count);
+      randomize(columns);
+      const base::Matrix gram = gramMatrix(columns), exact = gramOf(columns);
+      for (int a = 0; a < count; ++a) {
+        for (int b = 0; b < count; ++b) EXPECT_NEAR(gram(a, b), exact(a, b), 1e-14 * rows);
+      }
+    }
+  }
+}
+
 TEST(LeastSquares, FindsTheCoefficients) {
   base::Matrix columns(8, 4);
   randomize(columns);
