@@ -12,7 +12,9 @@
 An error is the largest distance of the load-displacement curve, over its largest value; bolt forces and contact pressures
 likewise where a program prints them. Every program must be within --accuracy before times are compared: else exit code 1.
 CPU time and memory are medians, ratios to bare harmos medians of those of each turn. --study compares configurations of
-xml/bolted_joint_study.xml per configuration, with the largest force of each.
+xml/bolted_joint_study.xml per configuration, with the largest force of each: 27 that are far apart, or with --sample N
+all of them, of which the rival solves N spread over the grid. To what it needs for one of these beyond the first it then
+gets its share of the first, which condenses: as if it had solved all.
 
   rivals/compare.py --harmos build/drivers/harmos --build build --refinements 0.5 1 1.5 --runs 5 --study
 """
@@ -38,7 +40,7 @@ TIGHT = 1e-8
 # What a residual leaves of errors: found by trying on refinement 0.5, the loosest of 10^-n that are accurate to 1e-3.
 GETFEM_RESIDUAL = 1e-5
 # Overrides of the grid of the study, 27 of its 1296 configurations.
-COUNTS = {"mu": 3, "preload_1": 3, "preload_2": 3}
+COARSE = {"mu": 3, "preload_1": 3, "preload_2": 3}
 
 
 def read_table(text):
@@ -146,12 +148,13 @@ def compare_runs(arguments, refinement):
         return not wrong
 
 
-def levels(study):
-    """The configurations of the smaller grid, as overrides, in the order of Harmos."""
+def levels(study, counts):
+    """The configurations of the grid, with other counts where they are given, as overrides, in the order of Harmos."""
     result = [[]]
     for parameter in entry_of(study, "Parameters"):
         first, last = (float(entry_of(parameter, name).get("value")) for name in ("From", "To"))
-        place, count = entry_of(parameter, "Entry").get("value"), COUNTS[parameter.get("name")]
+        place = entry_of(parameter, "Entry").get("value")
+        count = counts.get(parameter.get("name")) or int(entry_of(parameter, "Count").get("value"))
         values = [first + (last - first) * i / (count - 1) for i in range(count)]
         result = [[*one, f"{place}={value!r}"] for one in result for value in values]
     return result
@@ -165,43 +168,54 @@ def compare_studies(arguments):
     path = ROOT / "xml" / "bolted_joint_study.xml"
     study = xml.parse(path).getroot()
     overrides = [one.strip() for one in entry_of(study, "Scene Overrides").get("value").strip("{}").split(",")]
-    configurations = levels(study)
+    counts = {} if arguments.sample else COARSE
+    configurations = levels(study, counts)
+    every = max(1, len(configurations) // arguments.sample) if arguments.sample else 1
+    chosen = range(0, len(configurations), every)
     with tempfile.TemporaryDirectory() as folder:
         rivals = Rivals(arguments, overrides, folder)
-        table = os.path.join(folder, "configurations")
-        pathlib.Path(table).write_text("".join(" ".join(one) + "\n" for one in configurations))
+
+        def condensed(residual, numbers):
+            table = os.path.join(folder, "configurations")
+            pathlib.Path(table).write_text("".join(" ".join(configurations[number]) + "\n" for number in numbers))
+            return rivals.newton("condensed", residual, "--configurations", table)
 
         def newton(residual):
-            cpu, memory, columns, _ = rivals.newton("condensed", residual, "--configurations", table)
-            largest = [max(f for f, c in zip(columns["reaction"], columns["configuration"]) if c == number)
-                       for number in range(len(configurations))]
-            return cpu, memory, largest
+            cpu, memory, columns, _ = condensed(residual, chosen)
+            largest = [max(f for f, c in zip(columns["reaction"], columns["configuration"]) if c == place)
+                       for place in range(len(chosen))]
+            if len(chosen) == len(configurations):
+                return cpu / len(chosen), memory, largest
+            first = condensed(residual, chosen[:1])[0]
+            return (cpu - first) / (len(chosen) - 1) + first / len(configurations), memory, largest
 
         def harmos(accuracy):
             command = [arguments.harmos, "study", path, "--output", folder, "--set", f"Accuracy={accuracy:g}"]
-            for name, count in COUNTS.items():
+            for name, count in counts.items():
                 command += ["--set", f"Parameters/{name}/Count={count}"]
             cpu, memory, _ = rivals.run(command)
             found = read_numbers(os.path.join(folder, "bolted_joint_study.csv"))
             for file in pathlib.Path(folder).glob("bolted_joint_study*"):
                 file.unlink()
-            return cpu, memory, found
+            return cpu / len(configurations), memory, [found[number] for number in chosen]
 
         exact = newton(TIGHT)
-        programs = {"harmos, 1e-2": lambda: harmos(1e-2), "harmos, 1e-3": lambda: harmos(1e-3),
-                    f"condensed, residual {arguments.residual:g}": lambda: newton(arguments.residual)}
+        programs = {"harmos, 1e-2": lambda: harmos(1e-2)}
+        if not arguments.sample:
+            programs["harmos, 1e-3"] = lambda: harmos(1e-3)
+        programs[f"condensed, residual {arguments.residual:g}"] = lambda: newton(arguments.residual)
         runs = {name: [] for name in programs}
         for _ in range(arguments.study_runs):
             for name, program in programs.items():
                 runs[name].append(program())
         runs[f"condensed, residual {TIGHT:g}"] = [exact]
-        print(f"\nStudy, {len(configurations)} configurations:\n\n| | largest error of F_max | CPU s per configuration | "
-              "peak memory MB |\n|---|---|---|---|")
+        print(f"\nStudy, {len(configurations)} configurations, errors at {len(chosen)}:\n\n| | largest error of F_max | "
+              "CPU s per configuration | peak memory MB |\n|---|---|---|---|")
         is_right = True
         for name, all_runs in runs.items():
             error = max(abs(a / b - 1) for one in all_runs for a, b in zip(one[2], exact[2], strict=True))
             cpu, memory = (statistics.median(one[i] for one in all_runs) for i in (0, 1))
-            print(f"| {name} | {error:.1e} | {cpu / len(configurations):.3f} | {memory:.0f} |", flush=True)
+            print(f"| {name} | {error:.1e} | {cpu:.3f} | {memory:.0f} |", flush=True)
             is_right = is_right and error <= 1e-2
         return is_right
 
@@ -226,6 +240,8 @@ def main():
     parser.add_argument("--penalty", type=float, default=7e5, help="of CalculiX, pressure per overclosure")
     parser.add_argument("--study", action="store_true", help="compare studies, too")
     parser.add_argument("--study-runs", type=int, default=1)
+    parser.add_argument("--sample", type=int, default=0, help="with --study: all configurations, of which the rival "
+                        "solves so many; 0: 27 of them")
     arguments = parser.parse_args()
     arguments.harmos, arguments.build = os.path.abspath(arguments.harmos), os.path.abspath(arguments.build)
     right = [compare_runs(arguments, refinement) for refinement in arguments.refinements]
