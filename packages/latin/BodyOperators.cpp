@@ -185,7 +185,7 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
   }
   cases_ = cases;
   setLoads(loads, std::move(held));
-  given_ = std::move(given);
+  if (!hasBodyForces) given_ = std::move(given);
 }
 
 void BodyOperators::setLoads(const std::vector<base::Matrix>& loads, std::vector<base::Matrix> held) {

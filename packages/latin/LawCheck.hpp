@@ -38,7 +38,7 @@ struct LawFindings {
 LawFindings checkLaws(FixedPoint& fixedPoint, const Iterate& iterate, double accuracy);
 
 /// Why a law has no graph at a state, or else why double precision does not give the accuracy; empty: neither. What
-/// checkLaws() finds but for the remarks, in less than half of its time. Collective, as checkLaws().
+/// checkLaws() finds but for the remarks, with fewer questions to the laws. Collective, as checkLaws().
 std::string lackOfGraph(FixedPoint& fixedPoint, const Iterate& iterate, double accuracy);
 
 }  // namespace harmos::latin
