@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include <harmos/latin/PrescribedForces.hpp>
 #include <harmos/latin/detail/BodyTerm.hpp>
+#include <harmos/latin/detail/GivenLoads.hpp>
 #include <harmos/latin/detail/OperatorGroup.hpp>
 
 namespace harmos::latin {
@@ -112,77 +112,23 @@ void BodyOperators::fromGroup(const Place& place, const base::Matrix& group, bas
   }
 }
 
-std::vector<double> BodyOperators::readGiven(const assembly::Assembly& assembly) const {
-  std::vector<double> given;
-  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
-    if (places_[b].group < 0) continue;
-    const int number = static_cast<int>(b);
-    const auto& nodes = eliminated_.nodes(number);
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-      for (int t = 0; t < assembly.loadCases(); ++t) {
-        base::Vector3 force = eliminated_.force(number, n, t);
-        base::Vector3 place = eliminated_.held(number, n, t);
-        if (reference_ != nullptr && !reference_->isEmpty()) {
-          const int node = nodes[n].node;
-          force = force - base::product(nodes[n].springs, reference_->at(number, node, t));
-          const base::Vector3 below = reference_->below(place, number, node, t);
-          place = below - base::product(nodes[n].free, below);
-        }
-        given.insert(given.end(), force.begin(), force.end());
-        given.insert(given.end(), place.begin(), place.end());
-      }
-    }
-  }
-  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    const assembly::Interface& interface = assembly.interfaces[i];
-    if (!interface.law->prescribesTraction() || places_[interface.body1].group < 0) continue;
-    const bool isScaled = assembly.path && assembly.path->scales(static_cast<int>(i));
-    for (int t = 0; t < (isScaled ? 1 : assembly.steps()); ++t) {
-      const std::vector<double> forces = prescribedForces(interface, assembly.times, dimension_, t);
-      given.insert(given.end(), forces.begin(), forces.end());
-    }
-  }
-  return given;
-}
-
 void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
-  const int steps = assembly.steps(), cases = assembly.loadCases();
-  std::vector<double> given = readGiven(assembly);
+  const int cases = assembly.loadCases();
+  std::vector<bool> owned;
+  for (const Place& place : places_) owned.push_back(place.group >= 0);
+  auto given = std::make_unique<GivenLoads>(assembly, eliminated_, reference_, owned);
   const bool hasBodyForces = std::any_of(assembly.bodies.begin(), assembly.bodies.end(),
                                          [](const auto& body) { return body.loads.numCols() > 0; });
   // Laws are replaced far more often than loads change.
-  if (!hasBodyForces && cases_ == cases && given_ == given) return;
-  const auto dofsOf = [this](const substructure::Substructure& body) {
-    return static_cast<int>(body.nodes.size()) * dimension_;
-  };
+  if (!hasBodyForces && cases_ == cases && given_ && *given_ == *given) return;
   std::vector<base::Matrix> loads(places_.size()), held(places_.size());
-  const double* next = given.data();
-  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
-    if (places_[b].group < 0) continue;
-    const substructure::Substructure& body = assembly.bodies[b];
-    const auto& nodes = eliminated_.nodes(static_cast<int>(b));
-    if (body.loads.numCols() > 0 || !nodes.empty()) loads[b].shape(dofsOf(body), cases);
-    for (int t = 0; t < body.loads.numCols(); ++t) std::copy_n(body.loads[t], body.loads.numRows(), loads[b][t]);
-    if (!nodes.empty()) held[b].shape(dofsOf(body), cases);
-    for (const EliminatedBoundaries::Node& node : nodes) {
-      for (int t = 0; t < cases; ++t, next += 6) {
-        for (int c = 0; c < dimension_; ++c) {
-          loads[b](node.node * dimension_ + c, t) += next[c];
-          held[b](node.node * dimension_ + c, t) = next[3 + c];
-        }
-      }
-    }
+  for (std::size_t b = 0; b < places_.size(); ++b) {
+    const base::Matrix& forces = assembly.bodies[b].loads;
+    if (!owned[b] || forces.numCols() == 0) continue;
+    loads[b].shape(forces.numRows(), cases);
+    for (int t = 0; t < forces.numCols(); ++t) std::copy_n(forces[t], forces.numRows(), loads[b][t]);
   }
-  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    const assembly::Interface& interface = assembly.interfaces[i];
-    if (!interface.law->prescribesTraction() || places_[interface.body1].group < 0) continue;
-    base::Matrix& sums = loads[interface.body1];
-    if (sums.numCols() == 0) sums.shape(dofsOf(assembly.bodies[interface.body1]), cases);
-    const bool isScaled = assembly.path && assembly.path->scales(static_cast<int>(i));
-    for (int t = 0; t < (isScaled ? 1 : steps); ++t, next += interface.pairs() * dimension_) {
-      interface.trace1.addTransposed(dimension_, next, sums[isScaled ? steps : t]);
-    }
-  }
+  given->addTo(assembly, eliminated_, loads, held);
   cases_ = cases;
   setLoads(loads, std::move(held));
   if (!hasBodyForces) given_ = std::move(given);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
@@ -13,6 +12,7 @@
 
 namespace harmos::latin {
 
+class GivenLoads;
 class OperatorGroup;
 
 /// The factored operators of the bodies that this rank owns; congruent bodies share one.
@@ -112,9 +112,6 @@ class BodyOperators {
     mesh::TraceOperator trace;  // B of the block; for a node the row of its first component in the vectors of the group
   };
 
-  /// All that updateLoads() reads but body forces: force [force] and place [length] of every node that is held, then
-  /// prescribed nodal forces [force], load case by load case.
-  std::vector<double> readGiven(const assembly::Assembly& assembly) const;
   /// Adds forces on traces [force] to those of the groups, in the columns from number `first` on.
   void addForces(const base::Matrix& forces, int first);
   void mapBlocks(const assembly::Assembly& assembly, const TraceLayout& layout);
@@ -137,7 +134,7 @@ class BodyOperators {
   std::vector<base::Matrix> perturbations_;  // of each group; empty: none
   std::vector<double> perturbation_;
   std::vector<base::Matrix> held_;
-  std::optional<std::vector<double>> given_;  // what the loads on the groups were made of; none: of other things
+  std::unique_ptr<GivenLoads> given_;  // what the loads on the groups were made of; null: of other things
 };
 
 }  // namespace harmos::latin
