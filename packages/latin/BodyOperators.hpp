@@ -8,7 +8,8 @@
 #include <harmos/latin/EliminatedBoundaries.hpp>
 #include <harmos/latin/ReferenceMotions.hpp>
 #include <harmos/latin/TraceLayout.hpp>
-#include <harmos/substructure/SubstructureSolver.hpp>
+#include <harmos/substructure/Precision.hpp>
+#include <harmos/substructure/SolverOptions.hpp>
 
 namespace harmos::latin {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <harmos/latin/StateMetric.hpp>
-#include <harmos/substructure/SubstructureSolver.hpp>
+#include <harmos/substructure/Precision.hpp>
 
 namespace harmos::latin {
 

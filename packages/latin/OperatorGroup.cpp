@@ -45,11 +45,6 @@ OperatorGroup::OperatorGroup(const substructure::Substructure& body, const subst
   if (!stencil_->isWorthwhile()) stencil_.reset();
 }
 
-std::size_t OperatorGroup::entries() const {
-  const std::size_t trace = operator_.trace().size();
-  return isTrace() ? trace * trace : solver_.factorNonzeros();
-}
-
 void OperatorGroup::setLoads(const base::Matrix& loads, const base::Matrix& held) {
   const int columns = loads.numCols();
   const bool areNone = isZero(loads);

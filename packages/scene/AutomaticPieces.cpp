@@ -12,6 +12,7 @@
 #include <harmos/base/Names.hpp>
 #include <harmos/mesh/Elements.hpp>
 #include <harmos/scene/detail/CostModel.hpp>
+#include <harmos/substructure/MirrorPlanes.hpp>
 #include <harmos/substructure/MultigridLibrary.hpp>
 
 namespace harmos::scene {
@@ -36,14 +37,20 @@ constexpr double shareOfCuts = 0.8, addedNodes = 0.8;
 /// A body with what has to be known to cut it.
 struct Whole {
   BodySize size;
+  substructure::FactorSize plain;  // of its operator, if no mirror plane cut it
   double nodes = 0.0;
   bool isOpen = false;      // it may be cut
   bool mayIterate = false;  // it may be solved iteratively
   std::string part;
 };
 
-/// Stiffness and factor from the neighbours of nodes: those of its elements.
-void measure(const mesh::Elements& elements, const mesh::Piece& piece, int dimension, BodySize& size) {
+/// Nodes that share elements, as compressed rows, each node with itself.
+struct NodeGraph {
+  std::vector<std::size_t> first{0};
+  std::vector<int> columns;
+};
+
+NodeGraph graphOf(const mesh::Elements& elements, const mesh::Piece& piece) {
   std::vector<std::vector<int>> near(piece.nodes.size());
   for (const int element : piece.elements) {
     std::vector<int> own;
@@ -52,26 +59,60 @@ void measure(const mesh::Elements& elements, const mesh::Piece& piece, int dimen
       own.push_back(mesh::localNode(piece, nodes[a]));
     for (const int node : own) near[node].insert(near[node].end(), own.begin(), own.end());
   }
-  std::vector<std::size_t> first{0};
-  std::vector<int> columns;
+  NodeGraph graph;
   for (std::vector<int>& row : near) {
     std::sort(row.begin(), row.end());
-    columns.insert(columns.end(), row.begin(), std::unique(row.begin(), row.end()));
-    first.push_back(columns.size());
+    graph.columns.insert(graph.columns.end(), row.begin(), std::unique(row.begin(), row.end()));
+    graph.first.push_back(graph.columns.size());
   }
+  return graph;
+}
+
+/// Stiffness and factor from the neighbours of nodes.
+void measure(const NodeGraph& graph, int dimension, BodySize& size) {
   const double components = dimension;
-  size.matrixEntries = components * components * static_cast<double>(columns.size());
+  size.matrixEntries = components * components * static_cast<double>(graph.columns.size());
   size.factor =
-      substructure::NestedDissection(static_cast<int>(near.size()), first.data(), columns.data()).factorSize();
+      substructure::NestedDissection(static_cast<int>(graph.first.size()) - 1, graph.first.data(), graph.columns.data())
+          .factorSize();
   size.factor.nonzeros *= components * components;
   size.factor.operations *= components * components * components;
   size.factor.bytes *= components * components;
 }
 
+/// The factors of a body that is cut by the mirror planes of its nodes, their neighbours, its trace and what holds it.
+substructure::FactorSize mirrored(const substructure::FactorSize& plain, const std::vector<base::Vector3>& nodes,
+                                  const NodeGraph& graph, int dimension, const std::vector<int>& trace,
+                                  const std::vector<int>& held) {
+  substructure::MirrorPlanes planes(nodes, dimension);
+  planes.keepThoseOf(trace);
+  planes.keepThoseOf(held);
+  // As a matrix on the first components, all entries of which are alike.
+  std::vector<std::size_t> pointers{0};
+  std::vector<int> columns;
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    for (std::size_t k = graph.first[node]; k < graph.first[node + 1]; ++k)
+      columns.push_back(graph.columns[k] * dimension);
+    pointers.insert(pointers.end(), static_cast<std::size_t>(dimension), columns.size());
+  }
+  const std::vector<double> values(columns.size(), 1.0);
+  planes.keepThoseOf({static_cast<int>(pointers.size()) - 1, pointers.data(), columns.data(), values.data()});
+  substructure::FactorSize size = plain;
+  size.blocks = 1 << planes.count();
+  const double entries = std::pow(size.blocks, 1.0 - growthOfEntries[dimension - 2]);
+  size.nonzeros *= entries;
+  size.bytes *= entries;
+  size.operations *= std::pow(size.blocks, 1.0 - growthOfOperations[dimension - 2]);
+  return size;
+}
+
 std::vector<Whole> measureAll(const Scene& scene, const mesh::Mesh& mesh, const Bodies& bodies,
                               const std::vector<assembly::Interface>& interfaces, int dimension) {
-  const std::vector<double> trace = tracesOf(interfaces, bodies.pieces.size(), dimension);
-  const std::vector<double> held = heldOf(interfaces, bodies.pieces.size());
+  std::vector<std::vector<int>> trace, held;
+  for (std::size_t b = 0; b < bodies.pieces.size(); ++b) {
+    trace.push_back(traceOf(interfaces, b, dimension));
+    held.push_back(heldOf(interfaces, b, dimension));
+  }
   const std::vector<double> touching = interfacesOf(interfaces, bodies.pieces.size());
   std::set<std::string> given, solverGiven;
   for (const input::Parameters& part : scene.input.lists("Parts")) {
@@ -86,7 +127,7 @@ std::vector<Whole> measureAll(const Scene& scene, const mesh::Mesh& mesh, const 
     body.part = piece.part;
     body.nodes = static_cast<double>(piece.nodes.size());
     body.size.unknowns = dimension * body.nodes;
-    body.size.trace = trace[b];
+    body.size.trace = static_cast<double>(trace[b].size());
     body.size.interfaces = touching[b];
     const bool isLarge = body.size.unknowns >= leastUnknowns;
     body.mayIterate = isLarge && solverGiven.count(piece.part) == 0;
@@ -105,14 +146,23 @@ std::vector<Whole> measureAll(const Scene& scene, const mesh::Mesh& mesh, const 
     while (!isEqual(master)) ++master;
     if (master < b) {
       body.size.factor = all[master].size.factor;
+      body.plain = all[master].plain;
       for (std::size_t a = master; a < b; ++a) {
-        if (isEqual(a) && trace[a] == trace[b] && held[a] == held[b]) body.size.isFactored = false;
+        if (isEqual(a) && trace[a].size() == trace[b].size() && held[a].size() == held[b].size())
+          body.size.isFactored = false;
       }
       continue;
     }
     body.size.factor = factorOf(body.size.unknowns, dimension);
     body.size.matrixEntries = operatorEntries(body.size.unknowns, dimension);
-    if (isLarge) measure(elements, piece, dimension, body.size);
+    body.plain = body.size.factor;
+    if (!isLarge) continue;
+    const NodeGraph graph = graphOf(elements, piece);
+    measure(graph, dimension, body.size);
+    body.plain = body.size.factor;
+    std::vector<base::Vector3> nodes;
+    for (const int node : piece.nodes) nodes.push_back(mesh.nodes[node]);
+    body.size.factor = mirrored(body.plain, nodes, graph, dimension, trace[b], held[b]);
   }
   return all;
 }
@@ -177,9 +227,9 @@ class Estimator {
     piece.interfaces = whole.size.interfaces / count + neighbours[at];
     piece.matrixEntries = operatorEntries(piece.unknowns, scope_.dimension);
     const double share = piece.unknowns / whole.size.unknowns, entries = std::pow(share, growthOfEntries[at]);
-    piece.factor.nonzeros = entries * whole.size.factor.nonzeros;
-    piece.factor.bytes = entries * whole.size.factor.bytes;
-    piece.factor.operations = std::pow(share, growthOfOperations[at]) * whole.size.factor.operations;
+    piece.factor.nonzeros = entries * whole.plain.nonzeros;
+    piece.factor.bytes = entries * whole.plain.bytes;
+    piece.factor.operations = std::pow(share, growthOfOperations[at]) * whole.plain.operations;
     scope.unknowns += count * piece.unknowns - whole.size.unknowns;
     scope.interfaceUnknowns += count * cutUnknowns;
     return piece;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -62,6 +63,27 @@ bool isEliminated(const assembly::Interface& interface) {
          !interface.law->prescribesTraction();
 }
 
+/// Unknowns of a body, ascending, that some interfaces touch.
+template <class IsOne>
+std::vector<int> unknownsAt(const std::vector<assembly::Interface>& interfaces, std::size_t body, int dimension,
+                            const IsOne& isOne) {
+  std::set<int> nodes;
+  for (const assembly::Interface& interface : interfaces) {
+    if (!isOne(interface)) continue;
+    for (int side = 0; side < interface.sides(); ++side) {
+      if (interface.body(side) != static_cast<int>(body)) continue;
+      for (int p = 0; p < interface.pairs(); ++p) {
+        for (const auto& [node, weight] : interface.trace(side).row(p)) nodes.insert(node);
+      }
+    }
+  }
+  std::vector<int> unknowns;
+  for (const int node : nodes) {
+    for (int c = 0; c < dimension; ++c) unknowns.push_back(node * dimension + c);
+  }
+  return unknowns;
+}
+
 }  // namespace
 
 substructure::FactorSize factorOf(double unknowns, int dimension) {
@@ -81,50 +103,48 @@ double operatorEntries(double unknowns, int dimension) {
   return entriesOfRow[dimension - 2] * unknowns;
 }
 
-std::vector<double> tracesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies, int dimension) {
-  std::vector<std::set<int>> nodes(bodies);
-  for (const assembly::Interface& interface : interfaces) {
-    if (interface.law->prescribesTraction() || isEliminated(interface)) continue;
-    for (int side = 0; side < interface.sides(); ++side) {
-      for (int p = 0; p < interface.pairs(); ++p) {
-        for (const auto& [node, weight] : interface.trace(side).row(p)) nodes[interface.body(side)].insert(node);
-      }
-    }
-  }
-  std::vector<double> counts;
-  for (const auto& one : nodes) counts.push_back(dimension * static_cast<double>(one.size()));
-  return counts;
+std::vector<int> traceOf(const std::vector<assembly::Interface>& interfaces, std::size_t body, int dimension) {
+  return unknownsAt(interfaces, body, dimension, [](const assembly::Interface& interface) {
+    return !interface.law->prescribesTraction() && !isEliminated(interface);
+  });
 }
 
-substructure::BoundaryTerm couplingsOf(const std::vector<assembly::Interface>& interfaces, std::size_t body,
-                                       int dimension) {
+std::vector<int> heldOf(const std::vector<assembly::Interface>& interfaces, std::size_t body, int dimension) {
+  return unknownsAt(interfaces, body, dimension, isEliminated);
+}
+
+substructure::BoundaryTerm boundaryOf(const std::vector<assembly::Interface>& interfaces, std::size_t body,
+                                      int dimension, std::size_t nodes) {
   substructure::BoundaryTerm term;
   term.dimension = dimension;
-  std::set<std::pair<int, int>> pairs;
+  term.diagonal.assign(nodes * static_cast<std::size_t>(dimension), 0.0);
+  std::map<std::pair<int, int>, double> pairs;
   for (const assembly::Interface& interface : interfaces) {
     if (interface.law->prescribesTraction() || isEliminated(interface)) continue;
     for (int side = 0; side < interface.sides(); ++side) {
       const mesh::TraceOperator& trace = interface.trace(side);
       if (interface.body(side) != static_cast<int>(body)) continue;
-      const auto add = [&](int p, int q) {
+      const auto add = [&](int p, int q, double value) {
         for (const auto& [row, rowWeight] : trace.row(p)) {
-          for (const auto& [column, columnWeight] : trace.row(q)) pairs.emplace(row, column);
+          for (const auto& [column, columnWeight] : trace.row(q))
+            pairs[{row, column}] += rowWeight * columnWeight * value;
         }
       };
-      for (const mesh::MassEntry& entry : interface.mass) add(entry.row, entry.column);
-      for (int p = 0; p < interface.pairs() && interface.mass.empty() && !trace.isSelection(); ++p) add(p, p);
+      for (const mesh::MassEntry& entry : interface.mass) add(entry.row, entry.column, entry.value);
+      for (int p = 0; p < interface.pairs() && interface.mass.empty(); ++p) {
+        if (!trace.isSelection()) {
+          add(p, p, interface.area[p]);
+          continue;
+        }
+        for (int c = 0; c < dimension; ++c) term.diagonal[trace.node(p) * dimension + c] += interface.area[p];
+      }
     }
   }
-  for (const auto& [row, column] : pairs) term.entries.push_back({row, column, 1.0});
-  return term;
-}
-
-std::vector<double> heldOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies) {
-  std::vector<double> counts(bodies, 0.0);
-  for (const assembly::Interface& interface : interfaces) {
-    if (isEliminated(interface)) counts[interface.body1] += interface.pairs();
+  for (const auto& [place, value] : pairs) term.entries.push_back({place.first, place.second, value});
+  for (const int row : heldOf(interfaces, body, dimension)) {
+    if (row % dimension == 0) term.free.push_back({row / dimension, {}});
   }
-  return counts;
+  return term;
 }
 
 std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies) {
@@ -136,7 +156,7 @@ std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfa
 }
 
 void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
-  const double square = body.trace * body.trace, entries = body.factor.nonzeros;
+  const double square = body.trace * body.trace / body.factor.blocks, entries = body.factor.nonzeros;
   const bool isDense = body.trace > 0.0 && square <= solver.stages.solver.denseTraceWorth() * entries;
   sum_[body.iteratedEntries > 0.0 ? iteratedMatrix : matrixEntries] += body.matrixEntries;
   if (body.iteratedEntries > 0.0) {
@@ -150,7 +170,7 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
     sum_[factorEntries] += entries;
     if (body.trace == 0.0) sum_[looseEntries] += entries;
     // A trace that is kept dense is eliminated last.
-    sum_[operations] += body.factor.operations + (isDense ? square * body.trace / 3.0 : 0.0);
+    sum_[operations] += body.factor.operations + (isDense ? square * body.trace / body.factor.blocks / 3.0 : 0.0);
     if (solver.stages.solver.invertTrace && isDense) sum_[invertedEntries] += square / 2.0;  // of a triangle
     if (body.trace > 0.0) sum_[macroReads] += 2.0 * motionsOfInterface * body.interfaces * entries;
   }

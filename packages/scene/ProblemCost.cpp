@@ -29,8 +29,9 @@ constexpr double mostEntries = 2147483647.0, uncertainty = 1.5;
 substructure::FactorSize sizeOf(const assembly::Assembly& assembly, std::size_t number, FactorSizes sizes) {
   const substructure::Substructure& body = assembly.bodies[number];
   if (sizes == FactorSizes::fromOrder) {
-    return substructure::SubstructureSolver::predict(*body.stiffness,
-                                                     couplingsOf(assembly.interfaces, number, assembly.dimension));
+    return substructure::SubstructureSolver::predict(
+        *body.stiffness, boundaryOf(assembly.interfaces, number, assembly.dimension, body.nodes.size()),
+        traceOf(assembly.interfaces, number, assembly.dimension), body.nodes);
   }
   return factorOf(static_cast<double>(body.nodes.size()) * body.dimension, body.dimension);
 }
@@ -47,7 +48,6 @@ double mostPieces(const std::vector<mesh::Piece>& pieces) {
 CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& solver, FactorSizes sizes,
                           const Teuchos::Comm<int>& comm) {
   const assembly::Assembly& assembly = problem.assembly;
-  const std::vector<double> trace = tracesOf(assembly.interfaces, assembly.bodies.size(), assembly.dimension);
   const std::vector<double> interfaces = interfacesOf(assembly.interfaces, assembly.bodies.size());
   CostScope scope;
   scope.dimension = assembly.dimension;
@@ -57,9 +57,8 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
   scope.pieces = mostPieces(problem.bodies.pieces);
   CostSums sums;
   std::vector<std::optional<substructure::FactorSize>> known(assembly.bodies.size());
-  const std::vector<double> held = heldOf(assembly.interfaces, assembly.bodies.size());
   // Those of equal bodies that are touched and held alike are one.
-  std::set<std::tuple<std::size_t, double, double>> operators;
+  std::set<std::tuple<std::size_t, double, std::size_t>> operators;
   std::vector<double> mineOfBody(assembly.bodies.size(), 0.0), ofBody(assembly.bodies.size(), 0.0);
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     const substructure::Substructure& body = assembly.bodies[b];
@@ -78,9 +77,10 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
       mineOfBody[master] = known[master]->nonzeros;
     }
     size.factor = *known[master];
-    size.trace = trace[b];
+    size.trace = static_cast<double>(traceOf(assembly.interfaces, b, assembly.dimension).size());
     size.interfaces = interfaces[b];
-    size.isFactored = operators.emplace(master, trace[b], held[b]).second;
+    size.isFactored =
+        operators.emplace(master, size.trace, heldOf(assembly.interfaces, b, assembly.dimension).size()).second;
     sums.add(size, solver);
   }
   sums.reduce(comm);

@@ -40,17 +40,21 @@ Teuchos::RCP<base::CrsMatrix> withEntries(const CrsView& matrix, const Entries& 
   return makeCrsMatrix(pointers, columns, values);
 }
 
-/// What the boundary adds, by row and column; entries that a projection fills are there with 0.
-Entries entriesOf(const CrsView& matrix, const BoundaryTerm& boundary, const std::string& part) {
+void add(Entries& entries, int rows, const std::string& part, int row, int column, double value) {
+  if (row < 0 || column < 0 || row >= rows || column >= rows) {
+    throw base::Error("The boundary term of part \"" + part + "\" has an entry at row " + std::to_string(row) +
+                      ", column " + std::to_string(column) + "; its stiffness matrix has " + std::to_string(rows) +
+                      " rows.");
+  }
+  entries[{row, column}] += value;
+}
+
+/// k h + s, by row and column.
+Entries addedEntries(int rows, const BoundaryTerm& boundary, const std::string& part) {
   Entries entries;
   const int dimension = boundary.dimension;
   const auto add = [&](int row, int column, double value) {
-    if (row < 0 || column < 0 || row >= matrix.rows || column >= matrix.rows) {
-      throw base::Error("The boundary term of part \"" + part + "\" has an entry at row " + std::to_string(row) +
-                        ", column " + std::to_string(column) + "; its stiffness matrix has " +
-                        std::to_string(matrix.rows) + " rows.");
-    }
-    entries[{row, column}] += value;
+    substructure::add(entries, rows, part, row, column, value);
   };
   for (std::size_t row = 0; row < boundary.diagonal.size(); ++row) {
     if (boundary.diagonal[row] != 0.0) add(static_cast<int>(row), static_cast<int>(row), boundary.diagonal[row]);
@@ -65,6 +69,16 @@ Entries entriesOf(const CrsView& matrix, const BoundaryTerm& boundary, const std
       }
     }
   }
+  return entries;
+}
+
+/// What the boundary adds, by row and column; entries that a projection fills are there with 0.
+Entries entriesOf(const CrsView& matrix, const BoundaryTerm& boundary, const std::string& part) {
+  Entries entries = addedEntries(matrix.rows, boundary, part);
+  const int dimension = boundary.dimension;
+  const auto add = [&](int row, int column, double value) {
+    substructure::add(entries, matrix.rows, part, row, column, value);
+  };
   for (const BoundaryTerm::NodeTensor& held : boundary.free) {
     std::set<int> neighbours{held.node};
     for (int c = 0; c < dimension; ++c) {
@@ -86,6 +100,19 @@ Entries entriesOf(const CrsView& matrix, const BoundaryTerm& boundary, const std
     }
   }
   return entries;
+}
+
+Teuchos::RCP<base::CrsMatrix> matrixOf(const Entries& entries, int rows) {
+  std::vector<std::size_t> pointers(static_cast<std::size_t>(rows) + 1, 0);
+  std::vector<int> columns;
+  std::vector<double> values;
+  for (const auto& [place, value] : entries) {
+    ++pointers[static_cast<std::size_t>(place.first) + 1];
+    columns.push_back(place.second);
+    values.push_back(value);
+  }
+  for (int row = 0; row < rows; ++row) pointers[row + 1] += pointers[row];
+  return makeCrsMatrix(pointers, columns, values);
 }
 
 }  // namespace
@@ -111,6 +138,23 @@ Teuchos::RCP<base::CrsMatrix> sumOf(const base::CrsMatrix& stiffness, const Boun
   auto sum = Teuchos::rcp(new base::CrsMatrix(stiffness.getCrsGraph(), values));
   sum->fillComplete(stiffness.getDomainMap(), stiffness.getRangeMap());
   return sum;
+}
+
+Teuchos::RCP<base::CrsMatrix> addedMatrix(const BoundaryTerm& boundary, int rows) {
+  return matrixOf(addedEntries(rows, boundary, "boundary term"), rows);
+}
+
+Teuchos::RCP<base::CrsMatrix> heldMatrix(const BoundaryTerm& boundary, int rows) {
+  Entries entries;
+  for (const BoundaryTerm::NodeTensor& held : boundary.free) {
+    const int first = held.node * boundary.dimension;
+    for (int i = 0; i < boundary.dimension; ++i) {
+      for (int j = 0; j < boundary.dimension; ++j) {
+        entries[{first + i, first + j}] = (i == j ? 1.0 : 0.0) - held.value[i][j];
+      }
+    }
+  }
+  return matrixOf(entries, rows);
 }
 
 void project(base::CrsMatrix& matrix, const BoundaryTerm& boundary) {

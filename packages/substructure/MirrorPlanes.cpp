@@ -8,96 +8,142 @@
 namespace harmos::substructure {
 namespace {
 
-// Of the extent of the points: how far apart mirror images may lie.
-constexpr double coincide = 1e-9;
-// Of the norm of the matrix: what factoring it may have left of its symmetry.
+// Of the extent of the nodes: how far apart mirror images may lie.
+constexpr double coincide = 1e-14;
+// Of an entry: what adding it up may have left of its symmetry.
 constexpr double roundOff = 1e-12;
+// Weights of the distances along the plane and from it, by which nodes are sorted: few others have the same sum.
+constexpr double alongWeights[] = {0.7548776662466927, 0.5698402909980532}, heightWeight = 0.3247179572447460;
 
 }  // namespace
 
-MirrorPlanes::MirrorPlanes(const std::vector<Row>& rows, const base::Matrix& matrix) : rows_(matrix.numRows()) {
-  for (int axis = 0; axis < 3; ++axis) {
-    Plane plane = across(axis, rows);
-    if (!plane.pairs.empty() && leaves(plane, matrix)) planes_.push_back(std::move(plane));
+MirrorPlanes::MirrorPlanes(const std::vector<base::Vector3>& nodes, int dimension)
+    : rows_(static_cast<int>(nodes.size()) * dimension) {
+  for (int axis = 0; axis < dimension && !nodes.empty(); ++axis) {
+    Plane plane = across(axis, nodes, dimension);
+    if (!plane.image.empty()) planes_.push_back(std::move(plane));
   }
 }
 
-MirrorPlanes::Plane MirrorPlanes::across(int axis, const std::vector<Row>& rows) {
-  base::Vector3 lower, upper;
-  lower.fill(std::numeric_limits<double>::infinity());
-  upper.fill(-std::numeric_limits<double>::infinity());
-  for (const Row& row : rows) {
+MirrorPlanes::Plane MirrorPlanes::across(int axis, const std::vector<base::Vector3>& nodes, int dimension) {
+  base::Vector3 lower = nodes.front(), upper = nodes.front();
+  for (const base::Vector3& node : nodes) {
     for (std::size_t c = 0; c < 3; ++c) {
-      lower[c] = std::min(lower[c], row.position[c]);
-      upper[c] = std::max(upper[c], row.position[c]);
+      lower[c] = std::min(lower[c], node[c]);
+      upper[c] = std::max(upper[c], node[c]);
     }
   }
-  const auto across = static_cast<std::size_t>(axis);
-  const double near = coincide * base::distance(lower, upper), twice = lower[across] + upper[across];
-  // Along the first axis that lies in the plane, so that images are looked for among few.
-  const std::size_t along = axis == 0 ? 1 : 0;
-  std::vector<int> order(rows.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return rows[a].position[along] < rows[b].position[along]; });
-  Plane plane;
-  plane.isOdd.assign(rows.size(), false);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Row& row = rows[i];
-    base::Vector3 image = row.position;
-    image[across] = twice - image[across];
-    const double sign = row.component == axis ? -1.0 : 1.0, height = 2.0 * row.position[across] - twice;
-    if (std::abs(height) <= near) {
-      plane.isOdd[i] = sign < 0.0;
-      continue;
+  const auto across = static_cast<std::size_t>(axis), first = across == 0 ? std::size_t{1} : 0,
+             second = 3 - across - first;
+  const double near = coincide * base::distance(lower, upper), middle = 0.5 * (lower[across] + upper[across]);
+  std::vector<std::pair<double, int>> order;
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    const double key = alongWeights[0] * (nodes[a][first] - lower[first]) +
+                       alongWeights[1] * (nodes[a][second] - lower[second]) +
+                       heightWeight * std::abs(nodes[a][across] - middle);
+    order.emplace_back(key, static_cast<int>(a));
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<int> image(nodes.size(), -1);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const int a = order[i].second;
+    const double height = nodes[a][across] - middle;
+    if (std::abs(height) <= near) image[a] = a;
+    if (image[a] >= 0) continue;
+    base::Vector3 mirrored = nodes[a];
+    mirrored[across] = middle - height;
+    for (std::size_t j = i + 1; j < order.size() && order[j].first <= order[i].first + 4.0 * near; ++j) {
+      const int b = order[j].second;
+      if (image[b] >= 0 || base::distance(nodes[b], mirrored) > near) continue;
+      image[a] = b;
+      image[b] = a;
+      break;
     }
-    auto other = std::lower_bound(order.begin(), order.end(), image[along] - near,
-                                  [&](int a, double value) { return rows[a].position[along] < value; });
-    const auto isImage = [&](int a) {
-      return rows[a].component == row.component && base::distance(rows[a].position, image) <= near;
-    };
-    while (other != order.end() && rows[*other].position[along] <= image[along] + near && !isImage(*other)) ++other;
-    if (other == order.end() || !isImage(*other)) return {};
-    plane.isOdd[i] = height > 0.0;
-    if (height < 0.0) plane.pairs.push_back({static_cast<int>(i), *other, sign});
+    if (image[a] < 0) return {};
+  }
+  Plane plane;
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    const bool isOn = image[a] == static_cast<int>(a);
+    for (int c = 0; c < dimension; ++c) {
+      plane.image.push_back(image[a] * dimension + c);
+      plane.turns.push_back(c == axis);
+      plane.isOdd.push_back(isOn ? c == axis : nodes[a][across] > middle);
+    }
   }
   return plane;
 }
 
-bool MirrorPlanes::leaves(const Plane& plane, const base::Matrix& matrix) {
-  const int rows = matrix.numRows();
-  std::vector<int> image(static_cast<std::size_t>(rows));
-  std::vector<double> sign(image.size());
-  for (int row = 0; row < rows; ++row) {
-    image[row] = row;
-    sign[row] = plane.isOdd[row] ? -1.0 : 1.0;
+bool MirrorPlanes::leaves(const Plane& plane, const CrsView& matrix) {
+  std::vector<double> size, mirrored(static_cast<std::size_t>(matrix.rows), 0.0);
+  for (int row = 0; row < matrix.rows; ++row) {
+    const std::size_t at = matrix.positionOf(row, row);
+    size.push_back(at == matrix.rowPointers[matrix.rows] ? 0.0 : std::sqrt(matrix.values[at]));
   }
-  for (const Pair& pair : plane.pairs) {
-    image[pair.first] = pair.second;
-    image[pair.second] = pair.first;
-    sign[pair.first] = sign[pair.second] = pair.sign;
-  }
-  double difference = 0.0, norm = 0.0;
-  for (int j = 0; j < rows; ++j) {
-    const double* mirrored = matrix[image[j]];
-    for (int i = 0; i < rows; ++i) {
-      const double entry = matrix[j][i], change = sign[i] * sign[j] * mirrored[image[i]] - entry;
-      difference += change * change;
-      norm += entry * entry;
+  for (int row = 0; row < matrix.rows; ++row) {
+    const int image = plane.image[row];
+    if (image < row) continue;
+    const std::size_t begin = matrix.rowPointers[image], end = matrix.rowPointers[image + 1];
+    for (std::size_t k = begin; k < end; ++k) mirrored[matrix.columns[k]] = matrix.values[k];
+    bool isSame = true;
+    for (std::size_t k = matrix.rowPointers[row]; k < matrix.rowPointers[row + 1]; ++k) {
+      const int column = matrix.columns[k];
+      double& entry = mirrored[plane.image[column]];
+      const double difference = plane.sign(row) * plane.sign(column) * entry - matrix.values[k];
+      isSame = isSame && std::abs(difference) <= roundOff * size[row] * size[column];
+      entry = 0.0;
     }
+    for (std::size_t k = begin; k < end; ++k) {
+      double& entry = mirrored[matrix.columns[k]];
+      isSame = isSame && std::abs(entry) <= roundOff * size[image] * size[matrix.columns[k]];
+      entry = 0.0;
+    }
+    if (!isSame) return false;
   }
-  return difference <= roundOff * roundOff * norm;
+  return true;
+}
+
+void MirrorPlanes::keepThoseOf(const CrsView& matrix) {
+  planes_.erase(
+      std::remove_if(planes_.begin(), planes_.end(), [&](const Plane& plane) { return !leaves(plane, matrix); }),
+      planes_.end());
+}
+
+void MirrorPlanes::keepThoseOf(const std::vector<int>& rows) {
+  const auto isAmong = [&rows](int row) { return std::binary_search(rows.begin(), rows.end(), row); };
+  planes_.erase(std::remove_if(planes_.begin(), planes_.end(),
+                               [&](const Plane& plane) {
+                                 return !std::all_of(rows.begin(), rows.end(),
+                                                     [&](int row) { return isAmong(plane.image[row]); });
+                               }),
+                planes_.end());
+}
+
+MirrorPlanes MirrorPlanes::restrictedTo(const std::vector<int>& rows) const {
+  MirrorPlanes result(static_cast<int>(rows.size()));
+  for (const Plane& plane : planes_) {
+    Plane part;
+    for (const int row : rows) {
+      const auto image = std::lower_bound(rows.begin(), rows.end(), plane.image[row]);
+      part.image.push_back(static_cast<int>(image - rows.begin()));
+      part.turns.push_back(plane.turns[row]);
+      part.isOdd.push_back(plane.isOdd[row]);
+    }
+    result.planes_.push_back(std::move(part));
+  }
+  return result;
 }
 
 void MirrorPlanes::change(base::Matrix& x) const {
   const double share = std::sqrt(0.5);
   for (const Plane& plane : planes_) {
-    for (int j = 0; j < x.numCols(); ++j) {
-      double* column = x[j];
-      for (const Pair& pair : plane.pairs) {
-        const double a = share * column[pair.first], b = share * pair.sign * column[pair.second];
-        column[pair.first] = a + b;
-        column[pair.second] = pair.sign * (a - b);
+    for (int row = 0; row < rows_; ++row) {
+      if (plane.isOdd[row] || plane.isOn(row)) continue;
+      const int image = plane.image[row];
+      const double sign = plane.sign(row);
+      for (int j = 0; j < x.numCols(); ++j) {
+        const double a = share * x[j][row], b = share * sign * x[j][image];
+        x[j][row] = a + b;
+        x[j][image] = sign * (a - b);
       }
     }
   }
@@ -110,9 +156,76 @@ std::vector<std::vector<int>> MirrorPlanes::blocks() const {
     for (const Plane& plane : planes_) block = 2 * block + (plane.isOdd[row] ? 1 : 0);
     blocks[block].push_back(row);
   }
-  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), [](const auto& block) { return block.empty(); }),
-               blocks.end());
   return blocks;
+}
+
+MirrorPlanes::Share MirrorPlanes::shareIn(int member, int row) const {
+  Share share{row, 1.0};
+  for (const Plane& plane : planes_) {
+    const bool isOdd = plane.isOdd[member];
+    if (plane.isOn(row)) {
+      if (plane.isOdd[row] != isOdd) return {-1, 0.0};
+      continue;
+    }
+    share.factor *= std::sqrt(0.5);
+    if (plane.isOdd[row] != isOdd) {
+      share.column = plane.image[share.column];
+      share.factor *= plane.sign(row);
+    } else if (isOdd) {
+      share.factor = -share.factor;
+    }
+  }
+  return share;
+}
+
+Teuchos::RCP<base::CrsMatrix> MirrorPlanes::blockOf(const CrsView& matrix, const std::vector<int>& block) const {
+  const std::size_t count = block.size();
+  std::vector<int> number(static_cast<std::size_t>(rows_), -1);
+  for (std::size_t i = 0; i < count; ++i) number[block[i]] = static_cast<int>(i);
+  std::vector<Share> shares;
+  for (int row = 0; row < rows_; ++row) {
+    shares.push_back(shareIn(block.front(), row));
+    if (shares.back().column >= 0) shares.back().column = number[shares.back().column];
+  }
+  // A column of T A T within the block is as even or odd as the block, so that one row of A, whose images tell the
+  // same, gives an entry. Columns are met in any order: as the block is symmetric, its transpose has them ascending.
+  std::vector<std::size_t> begin(count + 1, 0);
+  std::vector<int> columns, place(count, -1);
+  std::vector<double> values;
+  std::vector<std::size_t> ends;
+  for (std::size_t i = 0; i < count; ++i) {
+    int row = block[i];
+    for (const Plane& plane : planes_) {
+      if (plane.isOdd[row] && !plane.isOn(row)) row = plane.image[row];
+    }
+    const double factor = 1.0 / shares[row].factor;
+    const std::size_t first = columns.size();
+    for (std::size_t k = matrix.rowPointers[row]; k < matrix.rowPointers[row + 1]; ++k) {
+      const Share& share = shares[matrix.columns[k]];
+      if (share.column < 0) continue;
+      int& at = place[share.column];
+      if (at < static_cast<int>(first)) {
+        at = static_cast<int>(columns.size());
+        columns.push_back(share.column);
+        values.push_back(0.0);
+        ++begin[static_cast<std::size_t>(share.column) + 1];
+      }
+      values[at] += factor * share.factor * matrix.values[k];
+    }
+    ends.push_back(columns.size());
+  }
+  for (std::size_t i = 0; i < count; ++i) begin[i + 1] += begin[i];
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  std::vector<int> ascending(columns.size());
+  std::vector<double> sorted(values.size());
+  for (std::size_t i = 0, k = 0; i < count; ++i) {
+    for (; k < ends[i]; ++k) {
+      const std::size_t at = next[columns[k]]++;
+      ascending[at] = static_cast<int>(i);
+      sorted[at] = values[k];
+    }
+  }
+  return makeCrsMatrix(begin, ascending, sorted);
 }
 
 }  // namespace harmos::substructure

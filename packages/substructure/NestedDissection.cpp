@@ -10,6 +10,9 @@
 namespace harmos::substructure {
 namespace {
 
+// Of a block: the components of a node in space.
+constexpr int mostRows = 3;
+
 bool haveBlocksOf(int size, int rows, const std::size_t* rowPointers, const int* columns) {
   if (rows % size != 0) return false;
   for (int first = 0; first < rows; first += size) {
@@ -30,30 +33,48 @@ bool haveBlocksOf(int size, int rows, const std::size_t* rowPointers, const int*
   return true;
 }
 
+/// Where blocks of equal structure begin, and the number of rows.
+std::vector<int> blocksOf(int rows, const std::size_t* rowPointers, const int* columns) {
+  std::vector<int> first;
+  for (const int size : {3, 2}) {
+    if (!haveBlocksOf(size, rows, rowPointers, columns)) continue;
+    for (int row = 0; row <= rows; row += size) first.push_back(row);
+    return first;
+  }
+  const auto isAsTheOneBefore = [&](int row) {
+    const int *before = columns + rowPointers[row - 1], *here = columns + rowPointers[row];
+    return std::equal(before, here, here, columns + rowPointers[row + 1]);
+  };
+  for (int row = 0; row < rows; ++row) {
+    if (first.empty() || row - first.back() == mostRows || !isAsTheOneBefore(row)) first.push_back(row);
+  }
+  first.push_back(rows);
+  return first;
+}
+
 }  // namespace
 
 NestedDissection::NestedDissection(int rows, const std::size_t* rowPointers, const int* columns,
                                    const std::vector<int>& last) {
-  if (haveBlocksOf(3, rows, rowPointers, columns)) {
-    blockSize_ = 3;
-  } else if (haveBlocksOf(2, rows, rowPointers, columns)) {
-    blockSize_ = 2;
-  }
-  const int count = rows / blockSize_;
+  firstRow_ = blocksOf(rows, rowPointers, columns);
+  const int count = static_cast<int>(firstRow_.size()) - 1;
+  std::vector<int> blockOf;
+  for (int block = 0; block < count; ++block) blockOf.insert(blockOf.end(), sizeOf(block), block);
   pointers_.assign(1, 0);
   pointers_.reserve(static_cast<std::size_t>(count) + 1);
-  neighbours_.reserve(rowPointers[rows] / static_cast<std::size_t>(blockSize_ * blockSize_));
+  neighbours_.reserve(rows == 0 ? 0 : rowPointers[rows] * static_cast<std::size_t>(count) / rows);
   for (int block = 0; block < count; ++block) {
-    const int row = block * blockSize_;
-    for (std::size_t k = rowPointers[row]; k < rowPointers[row + 1]; k += static_cast<std::size_t>(blockSize_)) {
-      const int neighbour = columns[k] / blockSize_;
-      if (neighbour != block) neighbours_.push_back(neighbour);
+    const int row = firstRow_[block];
+    for (std::size_t k = rowPointers[row]; k < rowPointers[row + 1]; ++k) {
+      const int neighbour = blockOf[columns[k]];
+      const bool isKnown = static_cast<int>(neighbours_.size()) > pointers_.back() && neighbours_.back() == neighbour;
+      if (neighbour != block && !isKnown) neighbours_.push_back(neighbour);
     }
     pointers_.push_back(static_cast<int>(neighbours_.size()));
   }
 
   std::vector<bool> isLast(count, false);
-  for (const int row : last) isLast[row / blockSize_] = true;
+  for (const int row : last) isLast[blockOf[row]] = true;
   std::vector<int> first;
   for (int block = 0; block < count; ++block) {
     if (!isLast[block]) first.push_back(block);
@@ -68,7 +89,7 @@ NestedDissection::NestedDissection(int rows, const std::size_t* rowPointers, con
   }
 
   const auto append = [&](int block, bool trailing) {
-    for (int row = block * blockSize_; row < (block + 1) * blockSize_; ++row) {
+    for (int row = firstRow_[block]; row < firstRow_[block + 1]; ++row) {
       if (std::binary_search(last.begin(), last.end(), row) == trailing) ordering_.old.push_back(row);
     }
   };
@@ -105,11 +126,14 @@ void NestedDissection::order(const std::vector<int>& blocks) {
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_SEED] = 0;
   auto vertices = static_cast<idx_t>(blocks.size());
+  std::vector<idx_t> weights;
+  for (const int block : blocks) weights.push_back(sizeOf(block));
+  const bool areAlike = std::all_of(weights.begin(), weights.end(), [&](idx_t w) { return w == weights.front(); });
   std::vector<int> old(blocks.size()), position(blocks.size());
-  const int status =
-      METIS_NodeND(&vertices, pointers.data(), neighbours.data(), nullptr, options, old.data(), position.data());
+  const int status = METIS_NodeND(&vertices, pointers.data(), neighbours.data(), areAlike ? nullptr : weights.data(),
+                                  options, old.data(), position.data());
   if (status != METIS_OK) {
-    throw base::Error("METIS could not order a matrix of " + std::to_string(vertices * blockSize_) + " rows.");
+    throw base::Error("METIS could not order a matrix of " + std::to_string(firstRow_.back()) + " rows.");
   }
   for (const int at : old) blocks_.old.push_back(blocks[at]);
 }
@@ -126,15 +150,15 @@ FactorSize NestedDissection::factorSize() const {
       if (column > row) continue;
       for (; visited[column] != row; column = parent[column]) {
         visited[column] = row;
-        ++below[column];
+        below[column] += sizeOf(blocks_.old[row]);
         if (parent[column] < 0) parent[column] = row;
       }
     }
   }
   FactorSize size;
-  for (const int blocksBelow : below) {
-    for (int within = 0; within < blockSize_; ++within) {
-      const double length = double(blockSize_) * blocksBelow + blockSize_ - within;
+  for (std::size_t position = 0; position < count; ++position) {
+    for (int own = sizeOf(blocks_.old[position]); own > 0; --own) {
+      const double length = double(below[position]) + own;
       size.nonzeros += length;
       size.operations += length * length;
     }

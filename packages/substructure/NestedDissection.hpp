@@ -16,13 +16,14 @@ struct FactorSize {
   double nonzeros = 0.0;    ///< entries of L, of the lower triangle with the diagonal
   double operations = 0.0;  ///< floating point operations of the numeric factorisation
   double bytes = 0.0;       ///< [byte] memory of L in double precision, without the padding of supernodes
+  int blocks = 1;           ///< that the matrix falls into, each with a factor; the others are sums over them
 };
 
 /// Orders a symmetric matrix by METIS nested dissection and predicts its factor, from the structure alone.
 ///
-/// Consecutive rows of equal structure (the components of a node) are ordered as one, which costs a third of the time.
-/// Gives the same order in every run. Source: Karypis, Kumar (1998), doi:10.1137/S1064827595287997; sizes after Liu
-/// (1990), doi:10.1137/0611010.
+/// Consecutive rows of equal structure (the components of a node, up to three) are ordered as one, which costs a third
+/// of the time. Gives the same order in every run. Source: Karypis, Kumar (1998), doi:10.1137/S1064827595287997; sizes
+/// after Liu (1990), doi:10.1137/0611010.
 class NestedDissection {
  public:
   /// Compressed rows with both triangles and ascending columns, as in CrsView; copied. `last`: rows, ascending, to be
@@ -36,8 +37,9 @@ class NestedDissection {
 
  private:
   void order(const std::vector<int>& blocks);
+  int sizeOf(int block) const { return firstRow_[block + 1] - firstRow_[block]; }
 
-  int blockSize_ = 1;
+  std::vector<int> firstRow_;               // of every block, and the number of rows
   std::vector<int> pointers_, neighbours_;  // graph of the blocks without the diagonal
   Ordering blocks_, ordering_;
 };

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include <Amesos2_Solver.hpp>
 #include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_MultiVector.hpp>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
-#include <harmos/substructure/TraceInverse.hpp>
 #include <harmos/substructure/detail/BoundedStiffness.hpp>
+#include <harmos/substructure/detail/MultiVectorView.hpp>
 #include <harmos/substructure/detail/TooLarge.hpp>
 #include <harmos/substructure/detail/TrialSolution.hpp>
 
@@ -23,23 +22,21 @@ constexpr double shift = 1e-8;
 // Right-hand sides by which single precision is measured, and the error from which on it is of no use.
 constexpr int trials = 3;
 constexpr double worstSingle = 1e-3;
+// Operators with fewer rows are not cut into blocks: there is little to gain, and every factor costs something.
+constexpr int fewRows = 300;
 
-/// The matrix as a block of vectors, not copied. Amesos2 wants the right-hand side const but has no const view.
-base::MultiVector vectorsOf(const base::Matrix& matrix, const Teuchos::RCP<const base::MultiVector::map_type>& map) {
-  using Vectors = base::MultiVector::dual_view_type;
-  const Vectors::t_dev view(matrix.values(), static_cast<std::size_t>(matrix.numRows()),
-                            static_cast<std::size_t>(matrix.numCols()));
-  return {map, Vectors(view, view)};
-}
-
-/// What the rows of a trace stand for; nothing without nodes.
-std::vector<MirrorPlanes::Row> rowsOf(const std::vector<int>& trace, const std::vector<base::Vector3>& nodes,
-                                      int dimension) {
-  std::vector<MirrorPlanes::Row> rows;
-  for (std::size_t i = 0; !nodes.empty() && i < trace.size(); ++i) {
-    rows.push_back({nodes[trace[i] / dimension], trace[i] % dimension});
-  }
-  return rows;
+/// Those in which the part is its own mirror image, with all that belongs to its operator.
+MirrorPlanes planesOf(const std::vector<base::Vector3>& nodes, const base::CrsMatrix& stiffness,
+                      const BoundaryTerm& boundary, const std::vector<int>& trace) {
+  const CrsView view = viewOf(stiffness, "stiffness");
+  if (view.rows < fewRows || nodes.empty()) return MirrorPlanes(view.rows);
+  MirrorPlanes planes(nodes, boundary.dimension);
+  planes.keepThoseOf(trace);
+  // What is added may be far smaller than the stiffness and is compared with itself.
+  if (planes.count() > 0) planes.keepThoseOf(viewOf(*addedMatrix(boundary, view.rows), "boundary term"));
+  if (planes.count() > 0) planes.keepThoseOf(viewOf(*heldMatrix(boundary, view.rows), "boundary term"));
+  planes.keepThoseOf(view);
+  return planes;
 }
 
 /// Translations and small rotations, dofs x 3 or 6, about the first node and of about the same size.
@@ -68,43 +65,36 @@ std::string nodeOf(int dof, int dimension) {
 
 }  // namespace
 
-SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness, int dimension,
-                                       std::string partName)
-    : part_(std::move(partName)), dimension_(dimension), stiffness_(stiffness) {}
+SubstructureSolver::SubstructureSolver(int dimension, std::string partName)
+    : part_(std::move(partName)), dimension_(dimension) {}
 
 SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
                                        const BoundaryTerm& boundary, const SolverOptions& options, std::string partName,
                                        const std::vector<int>& trace, const std::vector<base::Vector3>& nodes)
-    : SubstructureSolver(stiffness, boundary.dimension, std::move(partName)) {
+    : SubstructureSolver(boundary.dimension, std::move(partName)) {
   mayPrepareSingle_ = options.allowsSingle;
-  const Teuchos::RCP<base::CrsMatrix> sum = makeSum(boundary);
-  solver_ = makeSolver(options, sum, trace);
-  factor(sum);
+  const Teuchos::RCP<base::CrsMatrix> sum = makeSum(*stiffness, boundary);
+  planes_ = planesOf(nodes, *stiffness, boundary, trace);
+  factor(sum, options, trace);
   checkSolution(*sum);
-  trace_ = traceFactor(*solver_);
-  if (trace_ && options.invertTrace) {
-    inverse_ = std::make_unique<TraceInverse>(*trace_, rowsOf(trace, nodes, dimension_));
-    trace_.reset();
-  }
-  // Frees the values of the sum where the solver is known to need its factors only.
-  if (solver_->name() == "Cholmod" || solver_->name() == "Tacho") solver_->setA(stiffness_, Amesos2::NUMFACT);
 }
 
 SubstructureSolver SubstructureSolver::iterating(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
                                                  const BoundaryTerm& boundary, const SolverOptions& options,
                                                  std::string partName, const std::vector<base::Vector3>& nodes) {
-  SubstructureSolver result(stiffness, boundary.dimension, std::move(partName));
-  const Teuchos::RCP<base::CrsMatrix> sum = result.makeSum(boundary);
+  SubstructureSolver result(boundary.dimension, std::move(partName));
+  const Teuchos::RCP<base::CrsMatrix> sum = result.makeSum(*stiffness, boundary);
   base::Matrix motions = rigidMotions(nodes, boundary.dimension);
-  const auto nearKernel = Teuchos::rcp(new base::MultiVector(vectorsOf(motions, sum->getRowMap()), Teuchos::Copy));
+  const auto nearKernel = Teuchos::rcp(new base::MultiVector(viewOf(motions, sum->getRowMap()), Teuchos::Copy));
   result.iterative_ =
       std::make_unique<IterativeSolver>(sum, nearKernel, boundary.dimension, options.iterationTolerance);
   result.checkSolution(*sum);
   return result;
 }
 
-Teuchos::RCP<base::CrsMatrix> SubstructureSolver::makeSum(const BoundaryTerm& boundary) {
-  Teuchos::RCP<base::CrsMatrix> sum = sumOf(*stiffness_, boundary, part_);
+Teuchos::RCP<base::CrsMatrix> SubstructureSolver::makeSum(const base::CrsMatrix& stiffness,
+                                                          const BoundaryTerm& boundary) {
+  Teuchos::RCP<base::CrsMatrix> sum = sumOf(stiffness, boundary, part_);
   project(*sum, boundary);
   const CrsView view = viewOf(*sum, part_);
   dofs_ = view.rows;
@@ -128,25 +118,50 @@ void SubstructureSolver::checkDiagonal(const CrsView& matrix) const {
   }
 }
 
-void SubstructureSolver::factor(const Teuchos::RCP<base::CrsMatrix>& sum) {
+void SubstructureSolver::factor(const Teuchos::RCP<base::CrsMatrix>& sum, const SolverOptions& options,
+                                const std::vector<int>& trace) {
+  tracePlanes_ = planes_.restrictedTo(trace);
+  const std::vector<std::vector<int>> rows = planes_.blocks(), traceRows = tracePlanes_.blocks();
+  blocks_.clear();
+  int traces = 0, wanted = 0;
+  for (std::size_t b = 0; b < rows.size(); ++b) {
+    if (rows[b].empty()) continue;
+    std::vector<int> within;  // the trace of the block
+    for (const int row : traceRows[b]) {
+      within.push_back(
+          static_cast<int>(std::lower_bound(rows[b].begin(), rows[b].end(), trace[row]) - rows[b].begin()));
+    }
+    const Teuchos::RCP<base::CrsMatrix> matrix =
+        planes_.count() == 0 ? sum : planes_.blockOf(viewOf(*sum, part_), rows[b]);
+    blocks_.push_back({rows[b], traceRows[b], factorOf(matrix, options, within)});
+    if (!within.empty()) ++wanted;
+    if (blocks_.back().factor.solvesTrace()) ++traces;
+  }
+  solvesTrace_ = traces > 0 && traces == wanted;
+  if (traces > 0 && !solvesTrace_) factor(sum, options, {});
+}
+
+DirectFactor SubstructureSolver::factorOf(const Teuchos::RCP<base::CrsMatrix>& matrix, const SolverOptions& options,
+                                          const std::vector<int>& trace) const {
   try {
-    solver_->numericFactorization();
-    return;
+    return {matrix, options, trace};
   } catch (const std::bad_alloc&) {
     throw base::Error("Part \"" + part_ + "\" with " + std::to_string(dofs_) +
                       " unknowns is too large to be factored in the memory at hand. Cut it into pieces (\"Pieces\").");
   } catch (const TooLarge& error) {
     throw base::Error("Part \"" + part_ + "\" with " + std::to_string(dofs_) +
                       " unknowns is too large to be factored (" + error.what() + "). Cut it into pieces (\"Pieces\").");
+  } catch (const base::Error&) {
+    throw;
   } catch (const std::runtime_error&) {
     // Not positive definite: what follows finds out why.
   }
   // A singular matrix differs from an indefinite one in that a small shift makes it factorable.
-  const CrsView view = viewOf(*sum, part_);
-  const auto local = sum->getLocalMatrixHost();
-  for (int row = 0; row < dofs_; ++row) local.values(view.positionOf(row, row)) *= 1.0 + shift;
+  const CrsView view = viewOf(*matrix, part_);
+  const auto local = matrix->getLocalMatrixHost();
+  for (int row = 0; row < view.rows; ++row) local.values(view.positionOf(row, row)) *= 1.0 + shift;
   try {
-    solver_->numericFactorization();
+    const DirectFactor shifted(matrix, options, trace);
   } catch (const std::exception&) {
     throwIndefinite();
   }
@@ -185,17 +200,26 @@ void SubstructureSolver::throwIndefinite() const {
 double SubstructureSolver::prepareSingle() {
   if (!mayPrepareSingle_) return singleError_;
   mayPrepareSingle_ = false;
-  if (!solvesTrace()) single_ = singleFactor(*solver_);
-  if (!single_ && !inverse_) return singleError_;
-  const base::Matrix b = randomForces(inverse_ ? inverse_->rows() : dofs_, trials);
-  base::Matrix exact(b.numRows(), trials), single(exact);
-  if (inverse_) {
-    inverse_->solve(b, exact);
-    inverse_->solveRoughly(b, single);
-  } else {
-    solve(b, exact);
-    single_->solve(b, single);
+  bool hasSingle = false;
+  for (Block& block : blocks_) {
+    block.factor.prepareSingle();
+    hasSingle = hasSingle || block.factor.hasSingle();
   }
+  if (!hasSingle) return singleError_;
+  singleError_ = std::numeric_limits<double>::infinity();  // so that solves are in single precision
+  std::size_t rows = 0;
+  for (const Block& block : blocks_) rows += (solvesTrace_ ? block.traceRows : block.rows).size();
+  const base::Matrix b = randomForces(static_cast<int>(rows), trials);
+  base::Matrix exact(b.numRows(), trials), single(exact);
+  for (const Precision precision : {Precision::exact, Precision::single}) {
+    base::Matrix& x = precision == Precision::exact ? exact : single;
+    if (solvesTrace_) {
+      solveTrace(b, x, precision);
+    } else {
+      solve(b, x, precision);
+    }
+  }
+  double largest = 0.0;
   for (int j = 0; j < trials; ++j) {
     double distance = 0.0, norm = 0.0;
     for (int row = 0; row < b.numRows(); ++row) {
@@ -204,12 +228,41 @@ double SubstructureSolver::prepareSingle() {
     }
     const double error = std::sqrt(distance / norm);
     if (!(error <= worstSingle)) {  // also when numbers of single precision do not reach so far
-      single_.reset();
+      for (Block& block : blocks_) block.factor.dropSingle();
       return singleError_ = 0.0;
     }
-    singleError_ = std::max(singleError_, error);
+    largest = std::max(largest, error);
   }
-  return singleError_;
+  return singleError_ = largest;
+}
+
+template <class Apply>
+void SubstructureSolver::solveBlocks(const MirrorPlanes& planes, std::vector<int> Block::*rows, const base::Matrix& b,
+                                     base::Matrix& x, const Apply& apply) const {
+  if (planes.count() == 0) {
+    apply(blocks_.front().factor, b, x);
+    return;
+  }
+  const int columns = b.numCols();
+  base::Matrix changed(b), part, product;
+  planes.change(changed);
+  for (const Block& block : blocks_) {
+    const std::vector<int>& own = block.*rows;
+    const int count = static_cast<int>(own.size());
+    if (count == 0) continue;
+    part.shapeUninitialized(count, columns);
+    product.shapeUninitialized(count, columns);
+    for (int j = 0; j < columns; ++j) {
+      for (int i = 0; i < count; ++i) part[j][i] = changed[j][own[i]];
+    }
+    apply(block.factor, part, product);
+    for (int j = 0; j < columns; ++j) {
+      for (int i = 0; i < count; ++i) changed[j][own[i]] = product[j][i];
+    }
+  }
+  planes.change(changed);
+  if (x.numRows() != b.numRows() || x.numCols() != columns) x.shapeUninitialized(b.numRows(), columns);
+  for (int j = 0; j < columns; ++j) std::copy_n(changed[j], changed.numRows(), x[j]);
 }
 
 void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision precision) const {
@@ -222,10 +275,6 @@ void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision
     throw base::Error("The solution for part \"" + part_ + "\" must be stored without gaps between its columns.");
   }
   if (b.numCols() == 0) return;
-  if (single_ && precision == Precision::single) {
-    single_->solve(b, x);
-    return;
-  }
   if (iterative_) {
     try {
       iterative_->solve(b, x);
@@ -236,31 +285,53 @@ void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision
     }
     return;
   }
-  const auto map = stiffness_->getRowMap();
-  const base::MultiVector right = vectorsOf(b, map);
-  base::MultiVector left = vectorsOf(x, map);
-  solver_->solve(&left, &right);
+  const bool roughly = precision == Precision::single && singleError_ > 0.0;
+  solveBlocks(planes_, &Block::rows, b, x,
+              [roughly](const DirectFactor& factor, const base::Matrix& from, base::Matrix& to) {
+                factor.solve(from, to, roughly);
+              });
 }
 
 void SubstructureSolver::solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision) const {
-  if (!inverse_) {
-    trace_->solve(b, x);
-  } else if (precision == Precision::single && singleError_ > 0.0) {
-    inverse_->solveRoughly(b, x);
-  } else {
-    inverse_->solve(b, x);
-  }
+  const bool roughly = precision == Precision::single && singleError_ > 0.0;
+  solveBlocks(tracePlanes_, &Block::traceRows, b, x,
+              [roughly](const DirectFactor& factor, const base::Matrix& from, base::Matrix& to) {
+                factor.solveTrace(from, to, roughly);
+              });
 }
 
 std::size_t SubstructureSolver::factorNonzeros() const {
-  return solver_.is_null() ? 0 : solver_->getStatus().getNnzLU();
+  std::size_t sum = 0;
+  for (const Block& block : blocks_) sum += block.factor.nonzeros();
+  return sum;
 }
 
-FactorSize SubstructureSolver::predict(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary) {
-  Teuchos::RCP<const base::CrsMatrix> sum = Teuchos::rcpFromRef(stiffness);
-  if (!boundary.entries.empty()) sum = sumOf(stiffness, boundary, "stiffness");
+std::size_t SubstructureSolver::entriesMet() const {
+  if (!solvesTrace_) return factorNonzeros();
+  std::size_t sum = 0;
+  for (const Block& block : blocks_) sum += block.traceRows.size() * block.traceRows.size();
+  return sum;
+}
+
+FactorSize SubstructureSolver::predict(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary,
+                                       const std::vector<int>& trace, const std::vector<base::Vector3>& nodes) {
+  const Teuchos::RCP<const base::CrsMatrix> sum = sumOf(stiffness, boundary, "stiffness");
   const CrsView view = viewOf(*sum, "stiffness");
-  return NestedDissection(view.rows, view.rowPointers, view.columns).factorSize();
+  const MirrorPlanes planes = planesOf(nodes, stiffness, boundary, trace);
+  if (planes.count() == 0) return NestedDissection(view.rows, view.rowPointers, view.columns).factorSize();
+  FactorSize size;
+  size.blocks = 0;
+  for (const std::vector<int>& rows : planes.blocks()) {
+    if (rows.empty()) continue;
+    const Teuchos::RCP<const base::CrsMatrix> block = planes.blockOf(view, rows);
+    const CrsView own = viewOf(*block, "stiffness");
+    const FactorSize one = NestedDissection(own.rows, own.rowPointers, own.columns).factorSize();
+    size.nonzeros += one.nonzeros;
+    size.operations += one.operations;
+    size.bytes += one.bytes;
+    ++size.blocks;
+  }
+  return size;
 }
 
 }  // namespace harmos::substructure

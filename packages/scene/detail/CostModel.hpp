@@ -34,17 +34,19 @@ double leastBytes(double entries);
 /// Entries of the operator of a body of so many unknowns and small elements.
 double operatorEntries(double unknowns, int dimension);
 
-/// Unknowns of every body that interfaces touch, and boundaries that are not eliminated: those with affine laws, as a
-/// rule.
-std::vector<double> tracesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies, int dimension);
+/// Unknowns of a body, ascending, that interfaces touch, and boundaries that are not eliminated: those with affine
+/// laws, as a rule.
+std::vector<int> traceOf(const std::vector<assembly::Interface>& interfaces, std::size_t body, int dimension);
 
-/// Pairs of nodes of a body that search directions couple: those that a point sees together where meshes do not match,
-/// and with a consistent interface mass those of points that share a face. The values say nothing.
-substructure::BoundaryTerm couplingsOf(const std::vector<assembly::Interface>& interfaces, std::size_t body,
-                                       int dimension);
+/// What search directions and boundaries make of a body's stiffness, as far as it decides on the size of its factor:
+/// the interface mass, as if all search directions were 1, and nodes at which boundaries are eliminated, as if they
+/// were held in all directions.
+substructure::BoundaryTerm boundaryOf(const std::vector<assembly::Interface>& interfaces, std::size_t body,
+                                      int dimension, std::size_t nodes);
 
-/// Points of every body at boundaries that are eliminated: equal bodies share a factor only where they are held alike.
-std::vector<double> heldOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies);
+/// Unknowns of a body, ascending, at boundaries that are eliminated: equal bodies share a factor only where they are
+/// held alike.
+std::vector<int> heldOf(const std::vector<assembly::Interface>& interfaces, std::size_t body, int dimension);
 
 /// How many interfaces and boundaries touch every body.
 std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies);

@@ -14,6 +14,10 @@ namespace harmos::substructure {
 Teuchos::RCP<base::CrsMatrix> sumOf(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary,
                                     const std::string& part);
 
+/// k h + s, and 1 - P, of so many rows.
+Teuchos::RCP<base::CrsMatrix> addedMatrix(const BoundaryTerm& boundary, int rows);
+Teuchos::RCP<base::CrsMatrix> heldMatrix(const BoundaryTerm& boundary, int rows);
+
 /// Makes P A P + d (1 - P) of A, which has the entries of all components of the nodes that are held, as sumOf() gives
 /// it; d is the mean diagonal of the node.
 void project(base::CrsMatrix& matrix, const BoundaryTerm& boundary);

@@ -136,12 +136,12 @@ TEST(CostEstimate, OfAMeshIsMoreThanWhatItTakesAtLeast) {
   }
 }
 
-// What a point sees of a face of eight nodes, no element couples all across.
+// What a point sees of a face of six nodes, no element couples all across.
 TEST(CostEstimate, CountsWhatPointsOfJoinedMeshesCouple) {
   const auto comm = Tpetra::getDefaultComm();
   base::Timers timers;
-  const Scene scene = sample({"Mesh/Boxes/lower/Element=Hex20", "Mesh/Boxes/lower/Cells={6,6,2}",
-                              "Mesh/Boxes/upper/Element=Hex20", "Mesh/Boxes/upper/Cells={5,5,2}"});
+  const Scene scene = sample({"Mesh/Boxes/lower/Element=Tet10", "Mesh/Boxes/lower/Cells={6,6,2}",
+                              "Mesh/Boxes/upper/Element=Tet10", "Mesh/Boxes/upper/Cells={5,5,2}"});
   const Problem problem = makeProblem(scene, *comm, timers);
   double uncoupled = 0.0;
   for (const substructure::Substructure& body : problem.assembly.bodies) {

@@ -1,141 +1,155 @@
-#include <algorithm>
+#include <harmos/substructure/MirrorPlanes.hpp>
+
 #include <cmath>
 #include <numeric>
-#include <random>
 
 #include <gtest/gtest.h>
-#include <Teuchos_LAPACK.hpp>
+#include <Tpetra_CrsMatrix.hpp>
 
-#include <harmos/substructure/TraceInverse.hpp>
+#include <harmos/substructure/SubstructureSolver.hpp>
+
+#include "MirroredLattice.hpp"
 
 namespace harmos::substructure {
 namespace {
 
-/// The corners of uneven bricks that lie evenly about x = 1, y = 2 and z = 3, in an order as if by chance, and a
-/// symmetric matrix that its mirror images in planes across x and y leave as it is.
 class MirrorPlanesTest : public testing::Test {
  protected:
-  MirrorPlanesTest() {
-    for (const double x : {-1.0, -0.3, 0.3, 1.0}) {
-      for (const double y : {-2.0, 0.0, 2.0}) {
-        for (const double z : {-1.0, 1.0}) {
-          for (int c = 0; c < 3; ++c) rows_.push_back({{1.0 + x, 2.0 + y, 3.0 + z}, c});
-        }
-      }
-    }
-    std::shuffle(rows_.begin(), rows_.end(), random_);
-    const int count = static_cast<int>(rows_.size());
-    base::Matrix any(count, count);
-    for (int j = 0; j < count; ++j) {
-      for (int i = 0; i <= j; ++i) any(i, j) = any(j, i) = number();
-    }
-    matrix_.shape(count, count);
-    for (int j = 0; j < count; ++j) {
-      for (int i = 0; i < count; ++i) {
-        for (const auto& mirrored : {0, 1, 2, 3}) {
-          const auto [row, rowSign] = image(i, mirrored);
-          const auto [column, columnSign] = image(j, mirrored);
-          matrix_(i, j) += 0.25 * rowSign * columnSign * any(row, column);
-        }
-      }
-      matrix_(j, j) += count;
-    }
+  CrsView view() const { return viewOf(*lattice_.matrix, "lattice"); }
+  MirrorPlanes planes() const {
+    MirrorPlanes planes(lattice_.nodes, 3);
+    planes.keepThoseOf(view());
+    return planes;
+  }
+  /// Springs of this stiffness on all rows where a coordinate is so large.
+  BoundaryTerm springs(std::size_t axis, double coordinate, double stiffness) const {
+    BoundaryTerm term;
+    term.diagonal.assign(lattice_.rows(), 0.0);
+    for (const int row : lattice_.rowsAt(axis, coordinate)) term.diagonal[row] = stiffness;
+    return term;
+  }
+  SubstructureSolver solver(const BoundaryTerm& term, const std::vector<int>& trace, bool looksForPlanes,
+                            bool invertTrace = false) const {
+    SolverOptions options;
+    options.invertTrace = invertTrace;
+    return {lattice_.matrix, term,  options,
+            "lattice",       trace, looksForPlanes ? lattice_.nodes : std::vector<base::Vector3>{}};
+  }
+  static double difference(base::Matrix a, const base::Matrix& b) {
+    a -= b;
+    return a.normFrobenius() / b.normFrobenius();
   }
 
-  double number() { return random_() / 2147483648.0 - 1.0; }
-
-  /// Across x (bit 1) and y (bit 2): the row on which one falls, and its sign.
-  std::pair<int, double> image(int row, int mirrored) const {
-    MirrorPlanes::Row to = rows_[row];
-    double sign = 1.0;
-    for (int axis = 0; axis < 2; ++axis) {
-      if ((mirrored >> axis & 1) == 0) continue;
-      to.position[axis] = 2.0 * (1.0 + axis) - to.position[axis];
-      if (to.component == axis) sign = -sign;
-    }
-    const auto at = std::find_if(rows_.begin(), rows_.end(), [&](const MirrorPlanes::Row& other) {
-      return other.component == to.component && base::distance(other.position, to.position) < 1e-12;
-    });
-    return {static_cast<int>(at - rows_.begin()), sign};
-  }
-
-  base::Matrix transposed(const base::Matrix& matrix) const { return {matrix, Teuchos::TRANS}; }
-
-  std::mt19937 random_{7};
-  std::vector<MirrorPlanes::Row> rows_;
-  base::Matrix matrix_;
+  MirroredLattice lattice_{7};
 };
 
 TEST_F(MirrorPlanesTest, AreThoseThatLeaveTheMatrixAsItIs) {
-  EXPECT_EQ(MirrorPlanes(rows_, matrix_).count(), 2);
-  EXPECT_EQ(MirrorPlanes({}, matrix_).count(), 0);
-  EXPECT_EQ(MirrorPlanes({}, matrix_).blocks().size(), 1U);
-  base::Matrix other(matrix_);
-  other(0, 1) = other(1, 0) = other(0, 1) + 1e-6;
-  EXPECT_LT(MirrorPlanes(rows_, other).count(), 2);
-  std::vector<MirrorPlanes::Row> moved(rows_);
-  moved.front().position[0] += 1e-6;
-  EXPECT_LT(MirrorPlanes(moved, matrix_).count(), 2);
+  EXPECT_EQ(MirrorPlanes(lattice_.nodes, 3).count(), 2);  // across z the bricks lie unevenly
+  EXPECT_EQ(planes().count(), 2);
+  EXPECT_EQ(MirrorPlanes(lattice_.rows()).blocks().size(), 1U);
+  std::vector<base::Vector3> moved(lattice_.nodes);
+  moved.front()[0] += 1e-9;
+  EXPECT_LT(MirrorPlanes(moved, 3).count(), 2);
+  lattice_.matrix->getLocalMatrixHost().values(1) *= 1.0 + 1e-9;
+  EXPECT_LT(planes().count(), 2);
 }
 
 TEST_F(MirrorPlanesTest, SeparateWhatIsEvenFromWhatIsOdd) {
-  const MirrorPlanes planes(rows_, matrix_);
-  base::Matrix changed(matrix_);
+  const int rows = lattice_.rows();
+  const MirrorPlanes planes = this->planes();
+  base::Matrix dense(rows, rows);
+  for (int row = 0; row < rows; ++row) {
+    for (std::size_t k = view().rowPointers[row]; k < view().rowPointers[row + 1]; ++k)
+      dense(row, view().columns[k]) = view().values[k];
+  }
+  base::Matrix changed(dense);
   planes.change(changed);
   base::Matrix again(changed);
   planes.change(again);
-  again -= matrix_;
-  EXPECT_LT(again.normInf(), 1e-12);
-  changed = transposed(changed);
+  EXPECT_LT(difference(again, dense), 1e-15);
+  changed = base::Matrix(changed, Teuchos::TRANS);
   planes.change(changed);
   const std::vector<std::vector<int>> blocks = planes.blocks();
   ASSERT_EQ(blocks.size(), 4U);
-  std::vector<std::size_t> block(rows_.size(), blocks.size());
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    for (const int row : blocks[b]) block[row] = b;
+  std::size_t sum = 0;
+  for (const std::vector<int>& block : blocks) {
+    sum += block.size();
+    const auto part = planes.blockOf(view(), block);
+    const CrsView partView = viewOf(*part, "block");
+    ASSERT_EQ(partView.rows, static_cast<int>(block.size()));
+    // What is left of the rows is what the block has no entry for, in the block and beside it.
+    for (int i = 0; i < partView.rows; ++i) {
+      for (std::size_t k = partView.rowPointers[i]; k < partView.rowPointers[i + 1]; ++k)
+        changed(block[i], block[partView.columns[k]]) -= partView.values[k];
+    }
   }
-  EXPECT_EQ(std::count(block.begin(), block.end(), blocks.size()), 0);
-  for (int j = 0; j < changed.numCols(); ++j) {
-    for (int i = 0; i < changed.numRows(); ++i) {
-      if (block[i] == block[j]) continue;
-      ASSERT_NEAR(changed(i, j), 0.0, 1e-12);
+  EXPECT_EQ(sum, static_cast<std::size_t>(rows));
+  EXPECT_LT(changed.normFrobenius(), 1e-14 * dense.normFrobenius());
+}
+
+TEST_F(MirrorPlanesTest, GiveTheSolutionsOfTheWhole) {
+  // Also where springs hold the part that are far softer than it: translations are then as large.
+  for (const double stiffness : {1.0, 1e-8}) {
+    const BoundaryTerm term = springs(2, 2.0, stiffness);
+    const SubstructureSolver blocks = solver(term, {}, true), whole = solver(term, {}, false);
+    EXPECT_EQ(blocks.mirrorPlanes(), 2);
+    EXPECT_EQ(whole.mirrorPlanes(), 0);
+    EXPECT_LT(blocks.factorNonzeros(), whole.factorNonzeros());
+    for (const int columns : {1, 5}) {
+      const base::Matrix b = lattice_.numbers(lattice_.rows(), columns);
+      base::Matrix exact, found;
+      whole.solve(b, exact);
+      blocks.solve(b, found);
+      EXPECT_LT(difference(found, exact), 1e-13 / stiffness);
     }
   }
 }
 
-TEST_F(MirrorPlanesTest, LeaveTheInverseOfATraceAsItIsInHalfOfItsRoom) {
-  const int count = matrix_.numRows();
-  TraceFactor factor{std::vector<int>(rows_.size()), LowerTriangle(count)};
-  std::iota(factor.order.begin(), factor.order.end(), 0);
-  std::shuffle(factor.order.begin(), factor.order.end(), random_);
-  base::Matrix permuted(count, count);
-  for (int j = 0; j < count; ++j) {
-    for (int i = 0; i < count; ++i) permuted(i, j) = matrix_(factor.order[i], factor.order[j]);
+TEST_F(MirrorPlanesTest, ArePredicted) {
+  const BoundaryTerm term = springs(2, 2.0, 1.0);
+  SolverOptions options("tacho");
+  const SubstructureSolver blocks(lattice_.matrix, term, options, "lattice", {}, lattice_.nodes);
+  const FactorSize size = SubstructureSolver::predict(*lattice_.matrix, term, {}, lattice_.nodes);
+  EXPECT_EQ(size.blocks, 4);
+  EXPECT_EQ(size.nonzeros, static_cast<double>(blocks.factorNonzeros()));
+}
+
+TEST_F(MirrorPlanesTest, AreNotThoseOfAPartThatIsHeldOtherwise) {
+  EXPECT_EQ(solver(springs(0, 0.0, 1.0), {}, true).mirrorPlanes(), 1);
+  BoundaryTerm unevenly = springs(2, 2.0, 1.0);
+  for (const int row : lattice_.rowsAt(0, 0.0)) {
+    if (unevenly.diagonal[row] == 0.0) unevenly.diagonal[row] = 1e-13;
   }
-  int info = 0;
-  Teuchos::LAPACK<int, double>().POTRF('L', count, permuted.values(), permuted.stride(), &info);
-  ASSERT_EQ(info, 0);
-  for (int j = 0; j < count; ++j) {
-    for (int i = j; i < count; ++i) factor.lower(i, j) = permuted(i, j);
+  EXPECT_EQ(solver(unevenly, {}, true).mirrorPlanes(), 1) << "however soft the springs are";
+  EXPECT_EQ(solver(springs(1, 0.0, 1.0), {}, true).mirrorPlanes(), 1);
+  BoundaryTerm held;
+  for (const int row : lattice_.rowsAt(0, 0.0)) {
+    if (row % 3 == 0) held.free.push_back({row / 3, base::Tensor3{}});
   }
-  const TraceInverse whole(factor), blocks(factor, rows_);
-  EXPECT_LT(2 * blocks.entries(), whole.entries());
-  for (const int columns : {1, 5}) {
-    base::Matrix b(count, columns), exact, found, rough;
-    for (int j = 0; j < columns; ++j) {
-      for (int i = 0; i < count; ++i) b(i, j) = number();
-    }
-    whole.solve(b, exact);
-    blocks.solve(b, found);
-    blocks.solveRoughly(b, rough);
-    for (int j = 0; j < columns; ++j) {
-      for (int i = 0; i < count; ++i) {
-        double product = 0.0;
-        for (int k = 0; k < count; ++k) product += matrix_(i, k) * found(k, j);
-        ASSERT_NEAR(product, b(i, j), 1e-12);
-        ASSERT_NEAR(found(i, j), exact(i, j), 1e-14);
-        ASSERT_NEAR(rough(i, j), exact(i, j), 1e-7);
-      }
+  EXPECT_EQ(solver(held, {}, true).mirrorPlanes(), 1);
+  // The trace must be its own mirror image, too.
+  EXPECT_EQ(solver(springs(2, 2.0, 1.0), lattice_.rowsAt(0, 0.0), true).mirrorPlanes(), 1);
+}
+
+TEST_F(MirrorPlanesTest, CutTraces) {
+  if (availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD has traces";
+  const std::vector<int> trace = lattice_.rowsAt(2, 2.0);
+  const BoundaryTerm term = springs(2, 2.0, 1.0);
+  for (const bool invertTrace : {false, true}) {
+    SubstructureSolver blocks = solver(term, trace, true, invertTrace), whole = solver(term, trace, false, invertTrace);
+    ASSERT_TRUE(blocks.solvesTrace());
+    ASSERT_TRUE(whole.solvesTrace());
+    EXPECT_LT(3 * blocks.entriesMet(), whole.entriesMet());
+    EXPECT_EQ(blocks.prepareSingle() > 0.0, invertTrace);
+    EXPECT_LT(blocks.singleError(), 1e-6);
+    for (const int columns : {1, 5}) {
+      const base::Matrix b = lattice_.numbers(static_cast<int>(trace.size()), columns);
+      base::Matrix exact, found, rough;
+      whole.solveTrace(b, exact);
+      blocks.solveTrace(b, found);
+      blocks.solveTrace(b, rough, Precision::single);
+      EXPECT_LT(difference(found, exact), 1e-13);
+      EXPECT_LT(difference(rough, exact), 1e-6);
     }
   }
 }

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <harmos/substructure/MirrorPlanes.hpp>
+
 #include "Lattice.hpp"
+#include "MirroredLattice.hpp"
 
 namespace harmos::substructure {
 namespace {
@@ -61,6 +64,19 @@ TEST(NestedDissection, predictsTheFactorExactly) {
     const Lattice lattice{4, dimension};
     const auto matrix = lattice.matrix();
     const CrsView view = viewOf(*matrix, "part");
+    const NestedDissection dissection(view.rows, view.rowPointers, view.columns);
+    EXPECT_EQ(dissection.factorSize().nonzeros, entriesByElimination(view, dissection.ordering()));
+  }
+}
+
+TEST(NestedDissection, predictsTheFactorOfNodesWithDifferentNumbersOfComponents) {
+  // Nodes on a mirror plane have two components that are even and one that is odd.
+  const MirroredLattice lattice(3);
+  MirrorPlanes planes(lattice.nodes, 3);
+  planes.keepThoseOf(viewOf(*lattice.matrix, "lattice"));
+  for (const std::vector<int>& rows : planes.blocks()) {
+    const auto block = planes.blockOf(viewOf(*lattice.matrix, "lattice"), rows);
+    const CrsView view = viewOf(*block, "block");
     const NestedDissection dissection(view.rows, view.rowPointers, view.columns);
     EXPECT_EQ(dissection.factorSize().nonzeros, entriesByElimination(view, dissection.ordering()));
   }
