@@ -18,7 +18,7 @@
 #include <harmos/scene/MemoryPerRank.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/detail/CostModel.hpp>
-#include <harmos/substructure/SubstructureSolver.hpp>
+#include <harmos/substructure/FactorPrediction.hpp>
 
 namespace harmos::scene {
 namespace {
@@ -29,9 +29,9 @@ constexpr double mostEntries = 2147483647.0, uncertainty = 1.5;
 substructure::FactorSize sizeOf(const assembly::Assembly& assembly, std::size_t number, FactorSizes sizes) {
   const substructure::Substructure& body = assembly.bodies[number];
   if (sizes == FactorSizes::fromOrder) {
-    return substructure::SubstructureSolver::predict(
-        *body.stiffness, boundaryOf(assembly.interfaces, number, assembly.dimension, body.nodes.size()),
-        traceOf(assembly.interfaces, number, assembly.dimension), body.nodes);
+    return substructure::predictFactor(*body.stiffness,
+                                       boundaryOf(assembly.interfaces, number, assembly.dimension, body.nodes.size()),
+                                       traceOf(assembly.interfaces, number, assembly.dimension), body.nodes);
   }
   return factorOf(static_cast<double>(body.nodes.size()) * body.dimension, body.dimension);
 }

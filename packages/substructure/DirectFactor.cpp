@@ -5,8 +5,8 @@
 #include <Tpetra_MultiVector.hpp>
 
 #include <harmos/substructure/CrsMatrix.hpp>
-#include <harmos/substructure/TraceInverse.hpp>
 #include <harmos/substructure/detail/MultiVectorView.hpp>
+#include <harmos/substructure/detail/TraceInverse.hpp>
 
 namespace harmos::substructure {
 namespace {

@@ -11,6 +11,7 @@
 #include <harmos/substructure/CrsMatrix.hpp>
 #include <harmos/substructure/detail/BoundedStiffness.hpp>
 #include <harmos/substructure/detail/MultiVectorView.hpp>
+#include <harmos/substructure/detail/OperatorPlanes.hpp>
 #include <harmos/substructure/detail/TooLarge.hpp>
 #include <harmos/substructure/detail/TrialSolution.hpp>
 
@@ -22,22 +23,6 @@ constexpr double shift = 1e-8;
 // Right-hand sides by which single precision is measured, and the error from which on it is of no use.
 constexpr int trials = 3;
 constexpr double worstSingle = 1e-3;
-// Operators with fewer rows are not cut into blocks: there is little to gain, and every factor costs something.
-constexpr int fewRows = 300;
-
-/// Those in which the part is its own mirror image, with all that belongs to its operator.
-MirrorPlanes planesOf(const std::vector<base::Vector3>& nodes, const base::CrsMatrix& stiffness,
-                      const BoundaryTerm& boundary, const std::vector<int>& trace) {
-  const CrsView view = viewOf(stiffness, "stiffness");
-  if (view.rows < fewRows || nodes.empty()) return MirrorPlanes(view.rows);
-  MirrorPlanes planes(nodes, boundary.dimension);
-  planes.keepThoseOf(trace);
-  // What is added may be far smaller than the stiffness and is compared with itself.
-  if (planes.count() > 0) planes.keepThoseOf(viewOf(*addedMatrix(boundary, view.rows), "boundary term"));
-  if (planes.count() > 0) planes.keepThoseOf(viewOf(*heldMatrix(boundary, view.rows), "boundary term"));
-  planes.keepThoseOf(view);
-  return planes;
-}
 
 /// Translations and small rotations, dofs x 3 or 6, about the first node and of about the same size.
 base::Matrix rigidMotions(const std::vector<base::Vector3>& nodes, int dimension) {
@@ -74,7 +59,7 @@ SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>
     : SubstructureSolver(boundary.dimension, std::move(partName)) {
   mayPrepareSingle_ = options.allowsSingle;
   const Teuchos::RCP<base::CrsMatrix> sum = makeSum(*stiffness, boundary);
-  planes_ = planesOf(nodes, *stiffness, boundary, trace);
+  planes_ = operatorPlanes(nodes, *stiffness, boundary, trace);
   factor(sum, options, trace);
   checkSolution(*sum);
 }
@@ -311,27 +296,6 @@ std::size_t SubstructureSolver::entriesMet() const {
   std::size_t sum = 0;
   for (const Block& block : blocks_) sum += block.traceRows.size() * block.traceRows.size();
   return sum;
-}
-
-FactorSize SubstructureSolver::predict(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary,
-                                       const std::vector<int>& trace, const std::vector<base::Vector3>& nodes) {
-  const Teuchos::RCP<const base::CrsMatrix> sum = sumOf(stiffness, boundary, "stiffness");
-  const CrsView view = viewOf(*sum, "stiffness");
-  const MirrorPlanes planes = planesOf(nodes, stiffness, boundary, trace);
-  if (planes.count() == 0) return NestedDissection(view.rows, view.rowPointers, view.columns).factorSize();
-  FactorSize size;
-  size.blocks = 0;
-  for (const std::vector<int>& rows : planes.blocks()) {
-    if (rows.empty()) continue;
-    const Teuchos::RCP<const base::CrsMatrix> block = planes.blockOf(view, rows);
-    const CrsView own = viewOf(*block, "stiffness");
-    const FactorSize one = NestedDissection(own.rows, own.rowPointers, own.columns).factorSize();
-    size.nonzeros += one.nonzeros;
-    size.operations += one.operations;
-    size.bytes += one.bytes;
-    ++size.blocks;
-  }
-  return size;
 }
 
 }  // namespace harmos::substructure

@@ -13,7 +13,6 @@
 #include <harmos/substructure/DirectFactor.hpp>
 #include <harmos/substructure/IterativeSolver.hpp>
 #include <harmos/substructure/MirrorPlanes.hpp>
-#include <harmos/substructure/NestedDissection.hpp>
 #include <harmos/substructure/Precision.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
 
@@ -89,12 +88,6 @@ class SubstructureSolver {
   std::size_t entriesMet() const;
   /// Memory of the factors [byte], estimated from factorNonzeros(), without that of the trace and of single precision.
   std::size_t memory() const { return factorNonzeros() * sizeof(double); }
-
-  /// Predicts the factors of the sum of a matrix and a boundary term from its structure, in a small part of the time of
-  /// factoring it. `trace`, `nodes`: as the constructor's, for mirror planes. Throws base::Error as the constructor,
-  /// and when METIS fails.
-  static FactorSize predict(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary,
-                            const std::vector<int>& trace = {}, const std::vector<base::Vector3>& nodes = {});
 
  private:
   /// What is even and odd about the same planes.

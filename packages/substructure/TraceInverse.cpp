@@ -1,4 +1,4 @@
-#include <harmos/substructure/TraceInverse.hpp>
+#include <harmos/substructure/detail/TraceInverse.hpp>
 
 #include <Teuchos_LAPACK.hpp>
 

@@ -7,8 +7,8 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/scene/ProblemCost.hpp>
+#include <harmos/substructure/FactorPrediction.hpp>
 #include <harmos/substructure/MultigridLibrary.hpp>
-#include <harmos/substructure/SubstructureSolver.hpp>
 
 #include "Sample.hpp"
 
@@ -146,7 +146,7 @@ TEST(CostEstimate, CountsWhatPointsOfJoinedMeshesCouple) {
   double uncoupled = 0.0;
   for (const substructure::Substructure& body : problem.assembly.bodies) {
     if (body.stiffness.is_null()) continue;  // of another rank
-    uncoupled = std::max(uncoupled, substructure::SubstructureSolver::predict(*body.stiffness, {}).nonzeros);
+    uncoupled = std::max(uncoupled, substructure::predictFactor(*body.stiffness, {}).nonzeros);
   }
   EXPECT_GT(estimateCost(problem, scene.solver, FactorSizes::fromOrder, *comm).largestFactor, 1.05 * uncoupled);
 }

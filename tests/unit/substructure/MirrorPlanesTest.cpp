@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <Tpetra_CrsMatrix.hpp>
 
+#include <harmos/substructure/FactorPrediction.hpp>
 #include <harmos/substructure/SubstructureSolver.hpp>
 
 #include "MirroredLattice.hpp"
@@ -109,7 +110,7 @@ TEST_F(MirrorPlanesTest, ArePredicted) {
   const BoundaryTerm term = springs(2, 2.0, 1.0);
   SolverOptions options("tacho");
   const SubstructureSolver blocks(lattice_.matrix, term, options, "lattice", {}, lattice_.nodes);
-  const FactorSize size = SubstructureSolver::predict(*lattice_.matrix, term, {}, lattice_.nodes);
+  const FactorSize size = predictFactor(*lattice_.matrix, term, {}, lattice_.nodes);
   EXPECT_EQ(size.blocks, 4);
   EXPECT_EQ(size.nonzeros, static_cast<double>(blocks.factorNonzeros()));
 }

@@ -1,0 +1,138 @@
+#include <harmos/scene/detail/WholePart.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <harmos/mesh/Elements.hpp>
+#include <harmos/substructure/MirrorPlanes.hpp>
+
+namespace harmos::scene {
+namespace {
+
+/// Nodes that share elements, as compressed rows, each node with itself.
+struct NodeGraph {
+  std::vector<std::size_t> first{0};
+  std::vector<int> columns;
+};
+
+NodeGraph graphOf(const mesh::Elements& elements, const mesh::Piece& piece) {
+  std::vector<std::vector<int>> near(piece.nodes.size());
+  for (const int element : piece.elements) {
+    std::vector<int> own;
+    const int* nodes = elements.nodes(element);
+    for (int a = 0; a < mesh::nodesPerElement(elements.type(element)); ++a)
+      own.push_back(mesh::localNode(piece, nodes[a]));
+    for (const int node : own) near[node].insert(near[node].end(), own.begin(), own.end());
+  }
+  NodeGraph graph;
+  for (std::vector<int>& row : near) {
+    std::sort(row.begin(), row.end());
+    graph.columns.insert(graph.columns.end(), row.begin(), std::unique(row.begin(), row.end()));
+    graph.first.push_back(graph.columns.size());
+  }
+  return graph;
+}
+
+/// Stiffness and factor from the neighbours of nodes.
+void measure(const NodeGraph& graph, int dimension, BodySize& size) {
+  const double components = dimension;
+  size.matrixEntries = components * components * static_cast<double>(graph.columns.size());
+  size.factor =
+      substructure::NestedDissection(static_cast<int>(graph.first.size()) - 1, graph.first.data(), graph.columns.data())
+          .factorSize();
+  size.factor.nonzeros *= components * components;
+  size.factor.operations *= components * components * components;
+  size.factor.bytes *= components * components;
+}
+
+/// The factors of a body that is cut by the mirror planes of its nodes, their neighbours, its trace and what holds it.
+substructure::FactorSize mirrored(const substructure::FactorSize& plain, const std::vector<base::Vector3>& nodes,
+                                  const NodeGraph& graph, int dimension, const std::vector<int>& trace,
+                                  const std::vector<int>& held) {
+  substructure::MirrorPlanes planes(nodes, dimension);
+  planes.keepThoseOf(trace);
+  planes.keepThoseOf(held);
+  // As a matrix on the first components, all entries of which are alike.
+  std::vector<std::size_t> pointers{0};
+  std::vector<int> columns;
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    for (std::size_t k = graph.first[node]; k < graph.first[node + 1]; ++k)
+      columns.push_back(graph.columns[k] * dimension);
+    pointers.insert(pointers.end(), static_cast<std::size_t>(dimension), columns.size());
+  }
+  const std::vector<double> values(columns.size(), 1.0);
+  planes.keepThoseOf({static_cast<int>(pointers.size()) - 1, pointers.data(), columns.data(), values.data()});
+  substructure::FactorSize size = plain;
+  size.blocks = 1 << planes.count();
+  const double entries = std::pow(size.blocks, 1.0 - growthOfEntries[dimension - 2]);
+  size.nonzeros *= entries;
+  size.bytes *= entries;
+  size.operations *= std::pow(size.blocks, 1.0 - growthOfOperations[dimension - 2]);
+  return size;
+}
+
+}  // namespace
+
+std::vector<WholePart> measureParts(const Scene& scene, const mesh::Mesh& mesh, const Bodies& bodies,
+                                    const std::vector<assembly::Interface>& interfaces, int dimension) {
+  std::vector<std::vector<int>> trace, held;
+  for (std::size_t b = 0; b < bodies.pieces.size(); ++b) {
+    trace.push_back(traceOf(interfaces, b, dimension));
+    held.push_back(heldOf(interfaces, b, dimension));
+  }
+  const std::vector<double> touching = interfacesOf(interfaces, bodies.pieces.size());
+  std::set<std::string> given, solverGiven;
+  for (const input::Parameters& part : scene.input.lists("Parts")) {
+    if (part.has("Pieces")) given.insert(part.name());
+    if (part.has("Linear Solver")) solverGiven.insert(part.name());
+  }
+  const mesh::Elements elements(mesh);
+  std::vector<WholePart> all;
+  for (std::size_t b = 0; b < bodies.pieces.size(); ++b) {
+    const mesh::Piece& piece = bodies.pieces[b];
+    WholePart& body = all.emplace_back();
+    body.part = piece.part;
+    body.nodes = static_cast<double>(piece.nodes.size());
+    body.size.unknowns = dimension * body.nodes;
+    body.size.trace = static_cast<double>(trace[b].size());
+    body.size.interfaces = touching[b];
+    const bool isLarge = body.size.unknowns >= leastUnknowns;
+    body.mayIterate = isLarge && solverGiven.count(piece.part) == 0;
+    body.isOpen = isLarge && piece.side == 0 && given.count(piece.part) == 0 && !bodies.parts[b].iterates;
+    if (bodies.parts[b].iterates) {
+      body.size.iteratedEntries = operatorEntries(body.size.unknowns, dimension);
+      continue;
+    }
+    // Parts of as many nodes and elements are taken for equal.
+    const auto isEqual = [&](std::size_t a) {
+      return bodies.pieces[a].nodes.size() == piece.nodes.size() && bodies.materials[a] == bodies.materials[b] &&
+             bodies.pieces[a].elements.size() == piece.elements.size() &&
+             bodies.parts[a].formulation == bodies.parts[b].formulation;
+    };
+    std::size_t master = 0;
+    while (!isEqual(master)) ++master;
+    if (master < b) {
+      body.size.factor = all[master].size.factor;
+      body.plain = all[master].plain;
+      for (std::size_t a = master; a < b; ++a) {
+        if (isEqual(a) && trace[a].size() == trace[b].size() && held[a].size() == held[b].size())
+          body.size.isFactored = false;
+      }
+      continue;
+    }
+    body.size.factor = factorOf(body.size.unknowns, dimension);
+    body.size.matrixEntries = operatorEntries(body.size.unknowns, dimension);
+    body.plain = body.size.factor;
+    if (!isLarge) continue;
+    const NodeGraph graph = graphOf(elements, piece);
+    measure(graph, dimension, body.size);
+    body.plain = body.size.factor;
+    std::vector<base::Vector3> nodes;
+    for (const int node : piece.nodes) nodes.push_back(mesh.nodes[node]);
+    body.size.factor = mirrored(body.plain, nodes, graph, dimension, trace[b], held[b]);
+  }
+  return all;
+}
+
+}  // namespace harmos::scene

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include <harmos/base/Tpetra.hpp>
+#include <harmos/base/Vector3.hpp>
+#include <harmos/substructure/BoundaryTerm.hpp>
+#include <harmos/substructure/MirrorPlanes.hpp>
+
+namespace harmos::substructure {
+
+/// The planes in which a part is its own mirror image with all that belongs to its operator: `nodes` [length],
+/// stiffness K, what a boundary adds and holds, and the rows of its trace, ascending. None without nodes and in small
+/// parts.
+MirrorPlanes operatorPlanes(const std::vector<base::Vector3>& nodes, const base::CrsMatrix& stiffness,
+                            const BoundaryTerm& boundary, const std::vector<int>& trace);
+
+}  // namespace harmos::substructure
