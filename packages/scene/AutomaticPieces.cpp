@@ -11,7 +11,7 @@
 
 #include <harmos/base/Names.hpp>
 #include <harmos/scene/detail/CostModel.hpp>
-#include <harmos/scene/detail/WholePart.hpp>
+#include <harmos/scene/detail/MeasuredPart.hpp>
 #include <harmos/substructure/MultigridLibrary.hpp>
 
 namespace harmos::scene {
@@ -41,7 +41,7 @@ struct Candidate {
 
 class Estimator {
  public:
-  Estimator(const latin::LatinOptions& solver, const CostScope& scope, const std::vector<WholePart>& wholes)
+  Estimator(const latin::LatinOptions& solver, const CostScope& scope, const std::vector<MeasuredPart>& wholes)
       : solver_(solver), scope_(scope), wholes_(wholes) {}
 
   /// Of pieces of about so many unknowns.
@@ -49,7 +49,7 @@ class Estimator {
     Candidate result;
     CostScope scope = scope_;
     std::vector<BodySize> bodies;
-    for (const WholePart& whole : wholes_) {
+    for (const MeasuredPart& whole : wholes_) {
       const int count = whole.isOpen ? static_cast<int>(std::lround(whole.size.unknowns / unknownsOfPiece)) : 1;
       if (count < 2) {
         bodies.push_back(whole.size);
@@ -69,7 +69,7 @@ class Estimator {
     Candidate result;
     result.iterated = parts;
     std::vector<BodySize> bodies;
-    for (const WholePart& whole : wholes_) {
+    for (const MeasuredPart& whole : wholes_) {
       bodies.push_back(whole.size);
       if (parts.count(whole.part) == 0) continue;
       bodies.back().iteratedEntries = operatorEntries(whole.size.unknowns, scope_.dimension);
@@ -81,7 +81,7 @@ class Estimator {
 
  private:
   /// One of `count` pieces; adds what cuts add to the scope.
-  BodySize pieceOf(const WholePart& whole, int count, CostScope& scope) const {
+  BodySize pieceOf(const MeasuredPart& whole, int count, CostScope& scope) const {
     const int space = scope_.dimension == 2 ? 2 : 3, at = space - 2;
     const double side = std::pow(whole.nodes / count, 1.0 / space), components = scope_.dimension;
     const double cutUnknowns = shareOfCuts * components * 2.0 * space * std::pow(side, space - 1);
@@ -130,7 +130,7 @@ class Estimator {
 
   const latin::LatinOptions& solver_;
   const CostScope& scope_;
-  const std::vector<WholePart>& wholes_;
+  const std::vector<MeasuredPart>& wholes_;
 };
 
 bool fits(const Candidate& candidate, double freeBytes) {
@@ -138,16 +138,16 @@ bool fits(const Candidate& candidate, double freeBytes) {
 }
 
 /// Those whose factors are the largest, until all fits; of no parts: it never does, or nothing can iterate.
-Candidate iterateUntilItFits(const Estimator& estimator, const std::vector<WholePart>& wholes, double freeBytes) {
-  std::vector<const WholePart*> order;
-  for (const WholePart& whole : wholes) {
+Candidate iterateUntilItFits(const Estimator& estimator, const std::vector<MeasuredPart>& wholes, double freeBytes) {
+  std::vector<const MeasuredPart*> order;
+  for (const MeasuredPart& whole : wholes) {
     if (whole.mayIterate) order.push_back(&whole);
   }
-  std::stable_sort(order.begin(), order.end(), [](const WholePart* a, const WholePart* b) {
+  std::stable_sort(order.begin(), order.end(), [](const MeasuredPart* a, const MeasuredPart* b) {
     return a->size.factor.nonzeros > b->size.factor.nonzeros;
   });
   std::set<std::string> parts;
-  for (const WholePart* whole : order) {
+  for (const MeasuredPart* whole : order) {
     if (!parts.insert(whole->part).second) continue;
     Candidate candidate = estimator.iterate(parts);
     if (fits(candidate, freeBytes)) return candidate;
@@ -199,14 +199,14 @@ PieceChoice choosePieces(const Scene& scene, const mesh::Mesh& mesh, const Bodie
     return dimension * static_cast<double>(piece.nodes.size()) < leastUnknowns;
   });
   if (isSmall) return {};
-  const std::vector<WholePart> wholes = measureParts(scene, mesh, whole, interfaces, dimension);
+  const std::vector<MeasuredPart> wholes = measureParts(scene, mesh, whole, interfaces, dimension);
   CostScope scope;
   scope.dimension = dimension;
   scope.ranks = ranks;
   scope.steps = static_cast<int>(scene.times.size());
   scope.isAffine =
       std::all_of(interfaces.begin(), interfaces.end(), [](const auto& one) { return one.law->isAffine(); });
-  for (const WholePart& body : wholes) scope.unknowns += body.size.unknowns;
+  for (const MeasuredPart& body : wholes) scope.unknowns += body.size.unknowns;
   for (const assembly::Interface& interface : interfaces)
     scope.interfaceUnknowns += static_cast<double>(interface.pairs()) * interface.sides() * dimension;
   const Estimator estimator(scene.solver, scope, wholes);

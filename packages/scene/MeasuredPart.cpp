@@ -1,4 +1,4 @@
-#include <harmos/scene/detail/WholePart.hpp>
+#include <harmos/scene/detail/MeasuredPart.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -74,8 +74,8 @@ substructure::FactorSize mirrored(const substructure::FactorSize& plain, const s
 
 }  // namespace
 
-std::vector<WholePart> measureParts(const Scene& scene, const mesh::Mesh& mesh, const Bodies& bodies,
-                                    const std::vector<assembly::Interface>& interfaces, int dimension) {
+std::vector<MeasuredPart> measureParts(const Scene& scene, const mesh::Mesh& mesh, const Bodies& bodies,
+                                       const std::vector<assembly::Interface>& interfaces, int dimension) {
   std::vector<std::vector<int>> trace, held;
   for (std::size_t b = 0; b < bodies.pieces.size(); ++b) {
     trace.push_back(traceOf(interfaces, b, dimension));
@@ -88,10 +88,10 @@ std::vector<WholePart> measureParts(const Scene& scene, const mesh::Mesh& mesh, 
     if (part.has("Linear Solver")) solverGiven.insert(part.name());
   }
   const mesh::Elements elements(mesh);
-  std::vector<WholePart> all;
+  std::vector<MeasuredPart> all;
   for (std::size_t b = 0; b < bodies.pieces.size(); ++b) {
     const mesh::Piece& piece = bodies.pieces[b];
-    WholePart& body = all.emplace_back();
+    MeasuredPart& body = all.emplace_back();
     body.part = piece.part;
     body.nodes = static_cast<double>(piece.nodes.size());
     body.size.unknowns = dimension * body.nodes;

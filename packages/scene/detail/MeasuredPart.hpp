@@ -18,7 +18,7 @@ constexpr double leastUnknowns = 6e4;
 constexpr double growthOfEntries[] = {1.1, 1.42}, growthOfOperations[] = {1.5, 2.0};
 
 /// A body with what has to be known to cut it.
-struct WholePart {
+struct MeasuredPart {
   BodySize size;
   substructure::FactorSize plain;  ///< of its operator, if no mirror plane cut it
   double nodes = 0.0;
@@ -29,7 +29,7 @@ struct WholePart {
 
 /// Of every body as the scene gives them, with their `interfaces`. The same on every rank. Throws base::Error when
 /// METIS fails.
-std::vector<WholePart> measureParts(const Scene& scene, const mesh::Mesh& mesh, const Bodies& bodies,
-                                    const std::vector<assembly::Interface>& interfaces, int dimension);
+std::vector<MeasuredPart> measureParts(const Scene& scene, const mesh::Mesh& mesh, const Bodies& bodies,
+                                       const std::vector<assembly::Interface>& interfaces, int dimension);
 
 }  // namespace harmos::scene
