@@ -116,7 +116,7 @@ class Estimator {
     }
     result.cost = all.estimate(scope, solver_);
     for (const BodySize& body : bodies)
-      result.cost.largestFactor = std::max(result.cost.largestFactor, body.factor.nonzeros);
+      result.cost.largestFactor = std::max(result.cost.largestFactor, body.factor.nonzeros / body.factor.blocks);
     for (std::size_t rank = 0; rank < sums.size(); ++rank) {
       CostScope own = scope;
       own.ranks = 1;

@@ -74,7 +74,7 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
     if (!known[master]) {
       known[master] = body.iterates ? substructure::FactorSize{} : sizeOf(assembly, master, sizes);
       size.matrixEntries = entries;
-      mineOfBody[master] = known[master]->nonzeros;
+      mineOfBody[master] = known[master]->nonzeros / known[master]->blocks;
     }
     size.factor = *known[master];
     size.trace = static_cast<double>(traceOf(assembly.interfaces, b, assembly.dimension).size());

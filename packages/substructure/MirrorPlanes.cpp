@@ -136,14 +136,14 @@ MirrorPlanes MirrorPlanes::restrictedTo(const std::vector<int>& rows) const {
 void MirrorPlanes::change(base::Matrix& x) const {
   const double share = std::sqrt(0.5);
   for (const Plane& plane : planes_) {
-    for (int row = 0; row < rows_; ++row) {
-      if (plane.isOdd[row] || plane.isOn(row)) continue;
-      const int image = plane.image[row];
-      const double sign = plane.sign(row);
-      for (int j = 0; j < x.numCols(); ++j) {
-        const double a = share * x[j][row], b = share * sign * x[j][image];
-        x[j][row] = a + b;
-        x[j][image] = sign * (a - b);
+    for (int j = 0; j < x.numCols(); ++j) {
+      double* column = x[j];
+      for (int row = 0; row < rows_; ++row) {
+        if (plane.isOdd[row] || plane.isOn(row)) continue;
+        double& other = column[plane.image[row]];
+        const double sign = plane.sign(row), a = share * column[row], b = share * sign * other;
+        column[row] = a + b;
+        other = sign * (a - b);
       }
     }
   }
