@@ -56,6 +56,24 @@ class ForeignTest(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, f"{self.path} is damaged: reading it does not end"):
                 read_foreign(self.path, loop)
 
+    def test_an_interruption_at_the_fork_is_not_lost(self) -> None:
+        class Interrupted(Exception):
+            pass
+
+        def interrupt(*_: object) -> None:
+            raise Interrupted
+
+        due = [True]
+
+        def send() -> None:
+            if due and due.pop():
+                os.kill(os.getpid(), signal.SIGTERM)
+
+        os.register_at_fork(after_in_parent=send)  # as logging does for its locks
+        self.addCleanup(signal.signal, signal.SIGTERM, signal.signal(signal.SIGTERM, interrupt))
+        with self.assertRaises(Interrupted):
+            read_foreign(self.path, lambda: None)
+
 
 if __name__ == "__main__":
     unittest.main()

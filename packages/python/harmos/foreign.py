@@ -27,7 +27,12 @@ def read_foreign(path: str | os.PathLike[str], read: Callable[[], Content], effo
     size = os.stat(path).st_size
     seconds, memory = int(effort * (SECONDS + SECONDS_PER_BYTE * size)), int(effort * (BYTES + BYTES_PER_BYTE * size))
     receiver, sender = os.pipe()
-    child = os.fork()
+    # What a handler raises while Python calls what modules have registered for forks would be ignored.
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGTERM, signal.SIGINT))
+    try:
+        child = os.fork()
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
     if child == 0:
         os.close(receiver)
         _read_in_child(sender, path, seconds, memory, read)
