@@ -24,7 +24,7 @@ namespace harmos::parametric {
 class StudySolver {
  public:
   /// Memory [byte] that states may take on a rank, the same on all.
-  static constexpr double memoryForStates = 256.0 * 1024.0 * 1024.0;
+  static constexpr double memoryForStates = 160.0 * 1024.0 * 1024.0;
   /// Puts the laws for these parameter values into the assembly; throws base::Error when they are inadmissible.
   using Install = std::function<void(const std::vector<double>& values)>;
   /// Told the fields of every solution, also of one that replaces an earlier one. Nobody needs them afterwards: it may
