@@ -21,7 +21,15 @@ MirrorPlanes::MirrorPlanes(const std::vector<base::Vector3>& nodes, int dimensio
     : rows_(static_cast<int>(nodes.size()) * dimension) {
   for (int axis = 0; axis < dimension && !nodes.empty(); ++axis) {
     Plane plane = across(axis, nodes, dimension);
-    if (!plane.image.empty()) planes_.push_back(std::move(plane));
+    if (plane.image.empty()) continue;
+    // Images of nodes that coincide are any of them, and may not be images of each other in two planes.
+    const bool commutes = std::all_of(planes_.begin(), planes_.end(), [&](const Plane& other) {
+      for (int row = 0; row < rows_; ++row) {
+        if (plane.image[other.image[row]] != other.image[plane.image[row]]) return false;
+      }
+      return true;
+    });
+    if (commutes) planes_.push_back(std::move(plane));
   }
 }
 
@@ -178,6 +186,15 @@ MirrorPlanes::Share MirrorPlanes::shareIn(int member, int row) const {
   return share;
 }
 
+std::vector<int> MirrorPlanes::imagesOf(int row) const {
+  std::vector<int> images{row};
+  for (const Plane& plane : planes_) {
+    const std::size_t known = plane.isOn(row) ? 0 : images.size();
+    for (std::size_t i = 0; i < known; ++i) images.push_back(plane.image[images[i]]);
+  }
+  return images;
+}
+
 Teuchos::RCP<base::CrsMatrix> MirrorPlanes::blockOf(const CrsView& matrix, const std::vector<int>& block) const {
   const std::size_t count = block.size();
   std::vector<int> number(static_cast<std::size_t>(rows_), -1);
@@ -187,30 +204,28 @@ Teuchos::RCP<base::CrsMatrix> MirrorPlanes::blockOf(const CrsView& matrix, const
     shares.push_back(shareIn(block.front(), row));
     if (shares.back().column >= 0) shares.back().column = number[shares.back().column];
   }
-  // A column of T A T within the block is as even or odd as the block, so that one row of A, whose images tell the
-  // same, gives an entry. Columns are met in any order: as the block is symmetric, its transpose has them ascending.
+  // Entries are sums over all images of a row. One of them would do for a matrix that is its own mirror image to the
+  // last digit; of others the sum keeps the symmetry, and the rigid motions without forces. Columns are met in any
+  // order: as the block is symmetric, its transpose has them ascending.
   std::vector<std::size_t> begin(count + 1, 0);
   std::vector<int> columns, place(count, -1);
   std::vector<double> values;
   std::vector<std::size_t> ends;
   for (std::size_t i = 0; i < count; ++i) {
-    int row = block[i];
-    for (const Plane& plane : planes_) {
-      if (plane.isOdd[row] && !plane.isOn(row)) row = plane.image[row];
-    }
-    const double factor = 1.0 / shares[row].factor;
     const std::size_t first = columns.size();
-    for (std::size_t k = matrix.rowPointers[row]; k < matrix.rowPointers[row + 1]; ++k) {
-      const Share& share = shares[matrix.columns[k]];
-      if (share.column < 0) continue;
-      int& at = place[share.column];
-      if (at < static_cast<int>(first)) {
-        at = static_cast<int>(columns.size());
-        columns.push_back(share.column);
-        values.push_back(0.0);
-        ++begin[static_cast<std::size_t>(share.column) + 1];
+    for (const int row : imagesOf(block[i])) {
+      for (std::size_t k = matrix.rowPointers[row]; k < matrix.rowPointers[row + 1]; ++k) {
+        const Share& share = shares[matrix.columns[k]];
+        if (share.column < 0) continue;
+        int& at = place[share.column];
+        if (at < static_cast<int>(first)) {
+          at = static_cast<int>(columns.size());
+          columns.push_back(share.column);
+          values.push_back(0.0);
+          ++begin[static_cast<std::size_t>(share.column) + 1];
+        }
+        values[at] += shares[row].factor * share.factor * matrix.values[k];
       }
-      values[at] += factor * share.factor * matrix.values[k];
     }
     ends.push_back(columns.size());
   }

@@ -61,6 +61,8 @@ class MirrorPlanes {
     double factor;
   };
   Share shareIn(int member, int row) const;
+  /// The row and its mirror images.
+  std::vector<int> imagesOf(int row) const;
 
   int rows_;
   std::vector<Plane> planes_;

@@ -15,7 +15,8 @@ constexpr int fewRows = 300;
 MirrorPlanes operatorPlanes(const std::vector<base::Vector3>& nodes, const base::CrsMatrix& stiffness,
                             const BoundaryTerm& boundary, const std::vector<int>& trace) {
   const CrsView view = viewOf(stiffness, "stiffness");
-  if (view.rows < fewRows || nodes.empty()) return MirrorPlanes(view.rows);
+  if (view.rows < fewRows || static_cast<int>(nodes.size()) * boundary.dimension != view.rows)
+    return MirrorPlanes(view.rows);
   MirrorPlanes planes(nodes, boundary.dimension);
   planes.keepThoseOf(trace);
   // What is added may be far smaller than the stiffness and is compared with itself.

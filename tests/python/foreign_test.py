@@ -73,6 +73,8 @@ class ForeignTest(unittest.TestCase):
         self.addCleanup(signal.signal, signal.SIGTERM, signal.signal(signal.SIGTERM, interrupt))
         with self.assertRaises(Interrupted):
             read_foreign(self.path, lambda: None)
+        with self.assertRaises(ChildProcessError, msg="the child was not waited for"):
+            os.waitpid(-1, os.WNOHANG)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,9 @@ Content = TypeVar("Content")
 SECONDS, SECONDS_PER_BYTE = 30, 1e-6
 """Processor time that reading may take, whatever the size of the file, and with it."""
 
+INTERRUPTIONS = (signal.SIGTERM, signal.SIGINT)
+"""Of these the child ends without a word."""
+
 BYTES, BYTES_PER_BYTE = 1e9, 100.0
 """Memory that reading may take beyond what the process has, in the same way."""
 
@@ -28,17 +31,20 @@ def read_foreign(path: str | os.PathLike[str], read: Callable[[], Content], effo
     seconds, memory = int(effort * (SECONDS + SECONDS_PER_BYTE * size)), int(effort * (BYTES + BYTES_PER_BYTE * size))
     receiver, sender = os.pipe()
     # What a handler raises while Python calls what modules have registered for forks would be ignored.
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGTERM, signal.SIGINT))
-    try:
-        child = os.fork()
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, INTERRUPTIONS)
+    child = os.fork()
     if child == 0:
         os.close(receiver)
         _read_in_child(sender, path, seconds, memory, read)
     os.close(sender)
     with os.fdopen(receiver, "rb") as pipe:
-        answer = pipe.read()
+        try:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+            answer = pipe.read()
+        except BaseException:
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+            raise
     status = os.waitpid(child, 0)[1]
     if os.WIFSIGNALED(status):
         number = os.WTERMSIG(status)
@@ -57,8 +63,9 @@ def _read_in_child(sender: int, path: str | os.PathLike[str], seconds: int, memo
     """Never returns."""
     status = 1
     try:
-        for number in (signal.SIGSEGV, signal.SIGBUS, signal.SIGABRT, signal.SIGFPE, signal.SIGXCPU):
+        for number in (signal.SIGSEGV, signal.SIGBUS, signal.SIGABRT, signal.SIGFPE, signal.SIGXCPU, *INTERRUPTIONS):
             signal.signal(number, signal.SIG_DFL)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, INTERRUPTIONS)
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, resource.getrlimit(resource.RLIMIT_CPU)[1]))
         with open("/proc/self/statm", encoding="ascii") as own:

@@ -16,7 +16,8 @@ namespace harmos::substructure {
 /// x and y. Null vectors are the translations.
 class MirroredLattice {
  public:
-  explicit MirroredLattice(unsigned seed) : random_(seed) {
+  /// `unevenness`: of the stiffness of a spring, by which its mirror images are stiffer.
+  explicit MirroredLattice(unsigned seed, double unevenness = 0.0) : random_(seed) {
     for (const double x : {-1.0, -0.3, 0.3, 1.0}) {
       for (const double y : {-2.0, -0.7, 0.0, 0.7, 2.0}) {
         for (const double z : {-1.0, -0.8, -0.6, 0.1, 0.4, 1.0}) nodes.push_back({1.0 + x, 2.0 + y, 3.0 + z});
@@ -38,6 +39,7 @@ class MirroredLattice {
             for (int j = 0; j < 3; ++j) {
               double value = 0.0;
               for (const auto& row : factor) value += sign(i, mirrored) * sign(j, mirrored) * row[i] * row[j];
+              if (mirrored > 0) value *= 1.0 + unevenness;
               for (int end = 0; end < 2; ++end) {
                 entries[{3 * ends[end] + i, 3 * ends[end] + j}] += value;
                 entries[{3 * ends[end] + i, 3 * ends[1 - end] + j}] -= value;
