@@ -33,11 +33,11 @@ class DirectFactor {
 
   /// x = A^-1 b; both have the rows of A and no gaps between columns, different objects. `roughly`: in single
   /// precision, where hasSingle().
-  void solve(const base::Matrix& b, base::Matrix& x, bool roughly = false) const;
+  void solve(const base::Matrix& b, base::Matrix& x, bool roughly) const;
   /// True when solveTrace() exists because it is cheaper than solve().
   bool solvesTrace() const { return trace_ || inverse_; }
   /// x = B A^-1 B^T b with B the restriction to the trace. Only if solvesTrace().
-  void solveTrace(const base::Matrix& b, base::Matrix& x, bool roughly = false) const;
+  void solveTrace(const base::Matrix& b, base::Matrix& x, bool roughly) const;
 
   /// Prepares what solves in single precision need, of the trace if solvesTrace(), where the solver has it.
   void prepareSingle();

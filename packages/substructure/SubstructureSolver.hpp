@@ -21,8 +21,8 @@ namespace harmos::substructure {
 /// The operator A = K + k h [force/length] of one substructure, factored, for any number of right-hand sides at once: x
 /// [length] from b [force]. K is the stiffness, k the search direction [stress/length], h the interface mass [area].
 /// Where a part is its own mirror image, with what is added and with its trace, what is even and what is odd about the
-/// plane are factored by themselves: two factors of half the size, which take a half to a quarter of the operations,
-/// and less than four fifths of the entries. Where it is too large to be factored it is solved iteratively instead;
+/// plane are factored by themselves: for every plane two factors of half the size, which in space take half of the
+/// operations and four fifths of the entries. Where it is too large to be factored it is solved iteratively instead;
 /// then there is nothing for its trace or in single precision.
 ///
 /// Not collective: the matrix lives on one process. Not for several threads at once: solves share workspaces.
