@@ -1,16 +1,14 @@
 #include <harmos/latin/detail/MacroFactor.hpp>
 
 #include <algorithm>
-#include <iomanip>
+#include <functional>
 #include <random>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/latin/detail/SymmetricEigen.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
 
 namespace harmos::latin {
@@ -18,12 +16,29 @@ namespace {
 
 using base::Matrix;
 using substructure::DistributedSolver;
+using substructure::SubstructureSolver;
 using substructure::SymmetricEntries;
+
+/// A matrix by rows, columns ascending.
+struct CompressedRows {
+  std::vector<std::size_t> rowPointers{0};
+  std::vector<int> columns;
+  std::vector<double> values;
+
+  /// Where an entry of the pattern lies.
+  std::size_t at(int row, int column) const {
+    const auto begin = columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[row]);
+    const auto end = columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[row + 1]);
+    return static_cast<std::size_t>(std::lower_bound(begin, end, column) - columns.begin());
+  }
+};
 
 // Of an inverse iteration, whose result is wanted to a factor of two.
 constexpr int softnessIterations = 8;
 // What is added to the diagonal, where an interface alone has 1, until it makes a matrix definite.
 constexpr double leastShift = 1e-8, mostShift = 1.0, growthOfShift = 100.0;
+// An eigenvalue as small as the round-off of one that is zero, whatever its sign.
+constexpr double noStiffness = 1e-13;
 
 /// The mean of both triangles removes the round-off asymmetry.
 double meanOf(const Matrix& values, std::size_t i, std::size_t j) {
@@ -31,16 +46,15 @@ double meanOf(const Matrix& values, std::size_t i, std::size_t j) {
   return 0.5 * (values(row, column) + values(column, row));
 }
 
-/// |A^-1 x| after some iterations x <- A^-1 x / |A^-1 x|; x becomes the eigenvector of the smallest eigenvalue, about.
-template <class Solver>
-double iterateInversely(const Solver& solver, Matrix& x) {
+/// |G^-1 x| after some iterations x <- G^-1 x / |G^-1 x|; x becomes the eigenvector of the smallest eigenvalue, about.
+double iterateInversely(const MacroFactor& factor, Matrix& x) {
   std::mt19937 random;  // its sequence is fixed by the standard, that of the distributions is not
   for (int i = 0; i < x.numRows(); ++i) x(i, 0) = random() / 2147483648.0 - 1.0;
   double length = x.normFrobenius();
   Matrix y(x.numRows(), 1);
   for (int i = 0; i < softnessIterations; ++i) {
     x.scale(1.0 / length);
-    solver.solve(x, y);
+    factor.solve(x, y);
     length = y.normFrobenius();
     x.assign(y);
   }
@@ -48,72 +62,36 @@ double iterateInversely(const Solver& solver, Matrix& x) {
   return length;
 }
 
-std::string inWords(double value) {
-  std::ostringstream text;
-  text << std::setprecision(3) << value;
-  return text.str();
-}
-
-std::vector<double> firstColumn(const Matrix& matrix) {
-  return {matrix[0], matrix[0] + matrix.numRows()};
-}
-
-}  // namespace
-
-MacroFactor::MacroFactor(int unknowns, const std::vector<std::vector<int>>& coupled, const std::vector<Share>& shares,
-                         const substructure::SolverOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
-    : unknowns_(unknowns) {
-  if (DistributedSolver::exists() && comm->getSize() > 1 && unknowns >= options.sharedFrom) {
-    factorTogether(shares, comm);
-  } else {
-    factorAlone(coupled, shares, options, *comm);
-  }
-}
-
-void MacroFactor::factorAlone(const std::vector<std::vector<int>>& coupled, const std::vector<Share>& shares,
-                              const substructure::SolverOptions& options, const Teuchos::Comm<int>& comm) {
-  std::vector<std::set<int>> row(unknowns_);
+/// Collective. What the bodies of all ranks add up to.
+CompressedRows sumOf(int unknowns, const std::vector<std::vector<int>>& coupled,
+                     const std::vector<MacroFactor::Share>& shares, const Teuchos::Comm<int>& comm) {
+  std::vector<std::set<int>> row(unknowns);
   for (const auto& list : coupled) {
     for (const int unknown : list) row[unknown].insert(list.begin(), list.end());
   }
-  std::vector<std::size_t> rowPointers{0};
-  std::vector<int> columns;
-  for (const auto& entries : row) {
-    columns.insert(columns.end(), entries.begin(), entries.end());
-    rowPointers.push_back(columns.size());
+  CompressedRows sum;
+  for (int unknown = 0; unknown < unknowns; ++unknown) {
+    row[unknown].insert(unknown);
+    sum.columns.insert(sum.columns.end(), row[unknown].begin(), row[unknown].end());
+    sum.rowPointers.push_back(sum.columns.size());
   }
-  std::vector<double> local(columns.size(), 0.0);
-  for (const Share& share : shares) {
+  std::vector<double> local(sum.columns.size(), 0.0);
+  for (const MacroFactor::Share& share : shares) {
     for (std::size_t i = 0; i < share.unknowns.size(); ++i) {
-      const auto begin = columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[share.unknowns[i]]);
-      const auto end = columns.begin() + static_cast<std::ptrdiff_t>(rowPointers[share.unknowns[i] + 1]);
       for (std::size_t j = 0; j < share.unknowns.size(); ++j) {
-        const auto at = static_cast<std::size_t>(std::lower_bound(begin, end, share.unknowns[j]) - columns.begin());
-        local[at] += meanOf(share.values, i, j);
+        local[sum.at(share.unknowns[i], share.unknowns[j])] += meanOf(share.values, i, j);
       }
     }
   }
-  std::vector<double> values(local.size());
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(local.size()), local.data(), values.data());
-  try {
-    const auto matrix = substructure::makeCrsMatrix(rowPointers, columns, values);
-    own_ = std::make_unique<substructure::SubstructureSolver>(matrix, substructure::BoundaryTerm{}, options,
-                                                              "macro problem");
-  } catch (const base::Error&) {
-    Matrix dense(unknowns_, unknowns_);
-    for (int i = 0; i < unknowns_; ++i) {
-      for (std::size_t at = rowPointers[i]; at < rowPointers[i + 1]; ++at) dense(i, columns[at]) = values[at];
-    }
-    const std::vector<double> eigenvalues = symmetricEigen(dense);
-    throw NotPositiveDefinite(eigenvalues.front(),
-                              inWords(eigenvalues.front()) + ", largest " + inWords(eigenvalues.back()),
-                              firstColumn(dense));
-  }
+  sum.values.resize(local.size());
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(local.size()), local.data(), sum.values.data());
+  return sum;
 }
 
-void MacroFactor::factorTogether(const std::vector<Share>& shares, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+/// What the bodies of this rank add.
+SymmetricEntries addendsOf(const std::vector<MacroFactor::Share>& shares) {
   SymmetricEntries addends;
-  for (const Share& share : shares) {
+  for (const MacroFactor::Share& share : shares) {
     for (std::size_t i = 0; i < share.unknowns.size(); ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
         addends.rows.push_back(std::max(share.unknowns[i], share.unknowns[j]));
@@ -122,37 +100,48 @@ void MacroFactor::factorTogether(const std::vector<Share>& shares, const Teuchos
       }
     }
   }
-  try {
-    shared_ = std::make_unique<DistributedSolver>(unknowns_, addends, comm);
-    return;
-  } catch (const DistributedSolver::NotPositiveDefinite&) {
-    // What follows finds out why.
-  }
-  const std::size_t count = addends.values.size();
-  for (double shift = leastShift; shift <= mostShift; shift *= growthOfShift) {
-    for (std::vector<int>* numbers : {&addends.rows, &addends.columns}) numbers->resize(count);
-    addends.values.resize(count);
-    for (int row = 0; row < unknowns_ && comm->getRank() == 0; ++row) {
-      addends.rows.push_back(row);
-      addends.columns.push_back(row);
-      addends.values.push_back(shift);
-    }
-    Matrix motion(unknowns_, 1);
-    double length = 0.0;
-    try {
-      const DistributedSolver shifted(unknowns_, addends, comm);
-      length = iterateInversely(shifted, motion);
-    } catch (const DistributedSolver::NotPositiveDefinite&) {
-      continue;
-    }
-    throw NotPositiveDefinite(1.0 / length - shift, inWords(1.0 / length - shift), firstColumn(motion));
-  }
-  throw base::Error("the macro problem is indefinite");
+  return addends;
 }
 
-double MacroFactor::softness() const {
-  Matrix x(unknowns_, 1);
-  return std::max(1.0, iterateInversely(*this, x));
+}  // namespace
+
+MacroFactor::MacroFactor(int unknowns, const std::vector<std::vector<int>>& coupled, const std::vector<Share>& shares,
+                         const substructure::SolverOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+    : unknowns_(unknowns) {
+  std::function<void(double)> factorShifted;
+  if (DistributedSolver::exists() && comm->getSize() > 1 && unknowns >= options.sharedFrom) {
+    factorShifted = [this, &comm, addends = addendsOf(shares)](double shift) {
+      SymmetricEntries shifted(addends);
+      for (int row = 0; row < unknowns_ && shift > 0.0 && comm->getRank() == 0; ++row) {
+        shifted.rows.push_back(row);
+        shifted.columns.push_back(row);
+        shifted.values.push_back(shift);
+      }
+      shared_ = std::make_unique<DistributedSolver>(unknowns_, std::move(shifted), comm);
+    };
+  } else {
+    factorShifted = [this, &options, sum = sumOf(unknowns, coupled, shares, *comm)](double shift) {
+      std::vector<double> shifted(sum.values);
+      for (int row = 0; row < unknowns_; ++row) shifted[sum.at(row, row)] += shift;
+      const auto matrix = substructure::makeCrsMatrix(sum.rowPointers, sum.columns, shifted);
+      own_ = std::make_unique<SubstructureSolver>(matrix, substructure::BoundaryTerm{}, options, "macro problem");
+    };
+  }
+  for (double shift = 0.0;; shift = std::max(leastShift, growthOfShift * shift)) {
+    try {
+      factorShifted(shift);
+    } catch (const base::Error&) {
+      if (shift >= mostShift) throw;
+      continue;
+    }
+    Matrix motion(unknowns_, 1);
+    const double length = iterateInversely(*this, motion);
+    if (shift > 0.0) throw NotPositiveDefinite(1.0 / length - shift, {motion[0], motion[0] + motion.numRows()});
+    if (noStiffness * length < 1.0) {
+      softness_ = std::max(1.0, length);
+      return;
+    }
+  }
 }
 
 }  // namespace harmos::latin

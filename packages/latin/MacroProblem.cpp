@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include <Teuchos_BLAS.hpp>
@@ -55,21 +57,23 @@ std::vector<int> loadedRows(const Matrix& loads) {
       }
     }
   }
+  std::ostringstream eigenvalue;
+  eigenvalue << std::setprecision(3) << failure.eigenvalue;
   if (failure.eigenvalue < -roundOff) {
     std::vector<std::string> quoted;
     for (const std::string& name : names) quoted.push_back("\"" + name + "\"");
-    throw base::Error(
-        "double precision does not suffice for the chain of part(s) " + base::joinNames(quoted, mostNames) +
-            ": round-off has made the macro problem indefinite (smallest eigenvalue " + failure.eigenvalues +
-            "); make the stiffnesses of parts that are joined differ less, or the chain shorter",
-        base::ExitCode::notConverged);
+    throw base::Error("double precision does not suffice for the chain of part(s) " +
+                          base::joinNames(quoted, mostNames) +
+                          ": round-off has made the macro problem indefinite (smallest eigenvalue " + eigenvalue.str() +
+                          "); make the stiffnesses of parts that are joined differ less, or the chain shorter",
+                      base::ExitCode::notConverged);
   }
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "\"" : ", \"") + name + "\"";
   throw base::Error("nothing holds part(s) " + list +
                         ": they can move as rigid bodies without deforming any part (smallest eigenvalue of the macro "
                         "problem " +
-                        failure.eigenvalues +
+                        eigenvalue.str() +
                         "); add a boundary with prescribed displacement, symmetry or foundation, or join them to a "
                         "held part",
                     base::ExitCode::noEquilibrium);
@@ -137,10 +141,13 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
   } catch (const MacroFactor::NotPositiveDefinite& failure) {
     throwNotHeld(assembly, modes_, firstMode_, failure);
   }
-  softness_ = factor_->softness();
 }
 
 MacroProblem::~MacroProblem() = default;
+
+double MacroProblem::softness() const {
+  return factor_ ? factor_->softness() : 1.0;
+}
 
 void MacroProblem::respond(const assembly::Assembly& assembly, const BodyOperators& operators, int local) {
   Body& body = bodies_[local];

@@ -41,7 +41,7 @@ class MacroProblem {
 
   /// 1 over the smallest eigenvalue of G, about, in the norm in which P^T h k P = 1: how many times further resultants
   /// that are not in balance move the softest chain of bodies than they move one; 1 without unknowns.
-  double softness() const { return softness_; }
+  double softness() const;
 
   /// P of every interface, rows of one side x modes [length], P^T h k P = 1.
   const std::vector<base::Matrix>& modes() const { return modes_; }
@@ -74,7 +74,6 @@ class MacroProblem {
   static base::Matrix displacementOf(const Body& body, const BodyOperators& operators);
   const TraceLayout& layout_;
   int unknowns_ = 0;
-  double softness_ = 1.0;
   std::vector<base::Matrix> modes_;  // per interface: P, pairs*dimension x modes, orthonormal in h k
   std::vector<int> firstMode_;       // per interface
   std::vector<Block> blocks_;

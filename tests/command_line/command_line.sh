@@ -66,7 +66,7 @@ expect 0 '' test -s "$work/limit/$name.e"
 # loads that lack a balance it is no lack of equilibrium.
 floating=$(dirname "$0")/floating_blocks.xml
 for ranks in 1 2; do
-  expect 1 'smallest eigenvalue of the macro problem [-0-9.]*[1-9][0-9.]*e-[0-9]*, largest [0-9.]*[1-9]' \
+  expect 1 'smallest eigenvalue of the macro problem [-0-9.]*[1-9][0-9.]*e-[0-9]*)' \
     mpirun -np $ranks "$harmos" run "$floating" --output "$work/floating"
   expect 0 '^1$' sh -c "mpirun -np $ranks '$harmos' run '$floating' --output '$work/floating' 2>&1 | grep -c 'nothing holds'"
 done

@@ -2,12 +2,16 @@
 import pathlib
 import tempfile
 import unittest
+from collections.abc import Callable
+from unittest import mock
 
 import numpy
 
 from harmos.trade.document import Document, Entry, value_of
 from harmos.trade.knobs import Role, knobs_of
 from harmos.trade.limits import limit_of
+from harmos.trade.promises import TRIALS, Promise, keep
+from harmos.trade.running import Outcome
 
 SCENE = """<ParameterList name="Harmos">
   <!-- kept -->
@@ -120,6 +124,43 @@ class DocumentTest(unittest.TestCase):
                          (Entry("Parts/a/Formulation", "string", "Incompatible Modes"),))
         self.assertEqual([entry.value for entry in knobs["pieces per part"].levels[-1].entries], ["4", "1"])
         self.assertIs(knobs["interface mass"].role, Role.FAMILY)
+
+
+class PromiseTest(unittest.TestCase):
+    """Settings that are tried in the order of their costs."""
+
+    def kept(self, outcome: Callable[[int], Outcome]) -> Promise:
+        """What comes of a target of 5 % where the run of settings n, which should cost n, ends with outcome(n)."""
+        settings = [(n,) for n in range(3 * TRIALS)]
+        ladder, judge, runner, document = (mock.MagicMock() for _ in range(4))
+        ladder.budget.left.return_value = 1.0
+        ladder.predicted.side_effect = lambda settings, what: float(settings[0]) if what == "cpu" else 0.1
+        ladder.knobs = []
+        judge.doubt.return_value = 0.0
+        judge.promised.side_effect = lambda rung: 0.01 if rung.outcome.certified else numpy.inf
+        runs = iter(range(len(settings)))
+        runner.run_file.side_effect = lambda path, seconds, memory: outcome(next(runs))
+        with mock.patch("harmos.trade.promises.expected_costs", lambda *_: [(float(n), 0.02, (n,)) for (n,) in settings]):
+            return keep(0.05, ladder, judge, runner, document, pathlib.Path("out"), pathlib.Path("work"))
+
+    def test_settings_that_are_refused_are_no_trials(self) -> None:
+        """As many pieces as a coarse mesh has no elements for, over and over, before those that keep the promise."""
+        many = 2 * TRIALS
+        promise = self.kept(lambda n: Outcome("refused: Pieces", refused=True) if n < many else Outcome("", True))
+        assert promise.rung is not None
+        self.assertEqual(promise.rung.settings, (many,))
+        self.assertEqual(promise.error, 0.01)
+
+    def test_few_settings_are_tried_that_do_not_keep_it(self) -> None:
+        """Each costs a run."""
+        self.assertIsNone(self.kept(lambda n: Outcome("", certified=n >= TRIALS)).rung)
+        self.assertIsNotNone(self.kept(lambda n: Outcome("", certified=n >= TRIALS - 1)).rung)
+
+    def test_a_reason_is_given_where_all_are_refused(self) -> None:
+        """The first one's."""
+        promise = self.kept(lambda n: Outcome(f"refused: {n}", refused=True))
+        self.assertIsNone(promise.rung)
+        self.assertIn("refused: 0", promise.reason)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 
 #include <memory>
 #include <stdexcept>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include <Teuchos_Comm.hpp>
@@ -23,17 +23,15 @@ class MacroFactor {
     std::vector<int> unknowns;  ///< of the interfaces of the body
     base::Matrix values;        ///< between them, symmetric but for round-off
   };
-  /// G is not positive definite.
+  /// G is not positive definite: round-off hides what its smallest eigenvalue is, whatever its sign, or it is negative.
   class NotPositiveDefinite : public std::runtime_error {
    public:
-    NotPositiveDefinite(double smallest, const std::string& range, std::vector<double> itsMotion)
-        : std::runtime_error("the macro problem is not positive definite: smallest eigenvalue " + range),
+    NotPositiveDefinite(double smallest, std::vector<double> itsMotion)
+        : std::runtime_error("the macro problem is not positive definite"),
           eigenvalue(smallest),
-          eigenvalues(range),
           motion(std::move(itsMotion)) {}
-    double eigenvalue;           ///< the smallest one
-    std::string eigenvalues;     ///< the same in words, and what is known of the largest
-    std::vector<double> motion;  ///< eigenvector of the smallest one, of length 1
+    double eigenvalue;           ///< the smallest one, about
+    std::vector<double> motion;  ///< its eigenvector, of length 1
   };
 
   /// Collective. `coupled`: the unknowns of the interfaces of every body of the assembly, between which G may have
@@ -45,17 +43,14 @@ class MacroFactor {
   void solve(const base::Matrix& right, base::Matrix& c) const {
     shared_ ? shared_->solve(right, c) : own_->solve(right, c);
   }
-  /// 1 over the smallest eigenvalue of G, about. Collective.
-  double softness() const;
+  /// 1 over the smallest eigenvalue of G, about, at least 1.
+  double softness() const { return softness_; }
 
  private:
-  void factorAlone(const std::vector<std::vector<int>>& coupled, const std::vector<Share>& shares,
-                   const substructure::SolverOptions& options, const Teuchos::Comm<int>& comm);
-  void factorTogether(const std::vector<Share>& shares, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
-
   int unknowns_;
   std::unique_ptr<substructure::SubstructureSolver> own_;
   std::unique_ptr<substructure::DistributedSolver> shared_;  // instead of it
+  double softness_ = 1.0;
 };
 
 }  // namespace harmos::latin

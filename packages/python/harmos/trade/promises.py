@@ -11,7 +11,7 @@ from harmos.trade.ladder import GROWTH, Ladder, Rung, Settings
 from harmos.trade.running import Runner
 
 TRIALS = 4
-"""Settings that are tried for one promise, at most."""
+"""Settings that are tried for one promise, at most; those that are refused do not count."""
 SAFETY = 0.9
 """Share of a target that the expected error of settings may reach."""
 WITHIN = "_within_"
@@ -72,7 +72,10 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
     candidates = [one for one in expected_costs(ladder, judge) if one[1] <= SAFETY * target]
     if not candidates:
         promise.reason = "no settings that were measured come so near"
-    for _, _, settings in candidates[:TRIALS]:
+    trials = 0
+    for _, _, settings in candidates:
+        if trials == TRIALS:
+            break
         if GROWTH * (ladder.predicted(settings, "wall") or 0.0) > ladder.budget.left():
             promise.reason = "the budget does not allow the run that would show it"
             continue
@@ -81,6 +84,10 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
         remark = (f"{REMARK} for errors below {100 * target:g} % in every response: {ladder.words(settings)}")
         trial = document.write(entries, work / name, remark)[0]
         outcome = runner.run_file(trial, max(ladder.budget.left(), 1.0), ladder.budget.memory)
+        if outcome.refused:  # levels that fit the meshes they were measured on, not this one: nothing has been tried
+            promise.reason = promise.reason or f"settings that were expected to keep it are {outcome.status}"
+            continue
+        trials += 1
         rung = Rung(settings, outcome, ladder.predicted(settings, "cpu") or math.nan, f"within {100 * target:g} %")
         error = judge.promised(rung)
         if error <= target:

@@ -35,6 +35,7 @@ class Outcome:
         cpu: of the whole process [s].
         wall: from its start to its end [s].
         memory: its largest resident set [byte].
+        refused: whether Harmos does not take the input.
     """
 
     status: str
@@ -46,6 +47,7 @@ class Outcome:
     cpu: float = 0.0
     wall: float = 0.0
     memory: int = 0
+    refused: bool = False
 
 
 class Runner:
@@ -90,7 +92,9 @@ class Runner:
     def _read(self, base: pathlib.Path, exit_code: int) -> Outcome:
         if exit_code not in (0, 3, 4):
             words = (self._folder / "messages").read_text(errors="replace").strip().splitlines()
-            return Outcome("refused: " + words[0] if words and exit_code == 2 else f"failed, exit code {exit_code}")
+            if exit_code == 2:
+                return Outcome("refused: " + words[0] if words else "refused", refused=True)
+            return Outcome(f"failed, exit code {exit_code}")
         try:
             return Outcome(*read_outcome(self._document, base))
         except (OSError, ValueError, KeyError) as error:
