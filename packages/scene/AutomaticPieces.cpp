@@ -21,8 +21,6 @@ namespace {
 constexpr double unknownsOfPieces[] = {3e4, 1.5e4, 8e3, 4e3};
 // Of the time of the whole part: the model is not better than that.
 constexpr double worthwhile = 0.75;
-// Of the memory that is free, and of the entries that solvers can number.
-constexpr double shareOfMemory = 0.8, mostEntries = 2147483647.0 / 1.5;
 // Iterations across cuts were measured down to this accuracy.
 constexpr double finestAccuracy = 1e-5;
 // In the plane and in space: interfaces of a piece that METIS cuts.
@@ -134,7 +132,8 @@ class Estimator {
 };
 
 bool fits(const Candidate& candidate, double freeBytes) {
-  return candidate.cost.largestFactor <= mostEntries && candidate.cost.processBytes <= shareOfMemory * freeBytes;
+  return candidate.cost.largestFactor <= mostEntriesOfFactor / uncertaintyOfCost &&
+         candidate.cost.processBytes <= freeBytes / uncertaintyOfCost;
 }
 
 /// Those whose factors are the largest, until all fits; of no parts: it never does, or nothing can iterate.

@@ -5,6 +5,11 @@
 
 namespace harmos::scene {
 
+/// Entries and memory that are estimated are right within this factor.
+inline constexpr double uncertaintyOfCost = 1.5;
+/// Direct solvers number the entries of a factor by 32-bit integers.
+inline constexpr double mostEntriesOfFactor = 2147483647.0;
+
 /// What solving a problem will take, on all ranks together, from its sizes and measured rates; seconds are of CPU.
 struct CostEstimate {
   std::int64_t unknowns = 0;           // displacements of all bodies

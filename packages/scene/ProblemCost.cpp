@@ -23,9 +23,6 @@
 namespace harmos::scene {
 namespace {
 
-// Numbers of entries are 32-bit integers; so many times what is estimated may be too large.
-constexpr double mostEntries = 2147483647.0, uncertainty = 1.5;
-
 substructure::FactorSize sizeOf(const assembly::Assembly& assembly, std::size_t number, FactorSizes sizes) {
   const substructure::Substructure& body = assembly.bodies[number];
   if (sizes == FactorSizes::fromOrder) {
@@ -105,7 +102,7 @@ void demandRoomForMesh(const Scene& scene, double freeBytes) {
     if (!different.emplace(block.type, block.elements).second) continue;
     bytes += leastBytes(components * components * mine * mesh::meanNeighbours(block.type));
   }
-  if (bytes <= uncertainty * freeBytes) return;
+  if (bytes <= uncertaintyOfCost * freeBytes) return;
   std::ostringstream message;
   message << "a mesh of about " << std::setprecision(2) << nodes << " nodes takes " << bytes / 1e9
           << " GB or more to solve, of which " << freeBytes / 1e9
@@ -115,15 +112,15 @@ void demandRoomForMesh(const Scene& scene, double freeBytes) {
 
 void demandCapacity(const CostEstimate& cost, double freeBytes) {
   std::ostringstream message;
-  if (cost.largestFactor > mostEntries) {
+  if (cost.largestFactor > mostEntriesOfFactor) {
     message << "part \"" << cost.largestBody << "\": its factor would have " << std::setprecision(2)
-            << cost.largestFactor << " entries, more than direct solvers can number (" << mostEntries
+            << cost.largestFactor << " entries, more than direct solvers can number (" << mostEntriesOfFactor
             << ").\n  Cut it: add <Parameter name=\"Pieces\" type=\"int\" value=\"" << std::setprecision(0)
-            << std::fixed << std::ceil(2.0 * std::pow(cost.largestFactor / mostEntries, 0.75))
+            << std::fixed << std::ceil(2.0 * std::pow(cost.largestFactor / mostEntriesOfFactor, 0.75))
             << "\"/> to the part, or solve it iteratively (\"Linear Solver\").";
     throw base::Error(message.str(), base::ExitCode::input);
   }
-  if (cost.processBytes <= uncertainty * freeBytes) return;
+  if (cost.processBytes <= uncertaintyOfCost * freeBytes) return;
   message << "a run takes about " << std::setprecision(2) << cost.processBytes / 1e9 << " GB, of which "
           << freeBytes / 1e9
           << " GB are free.\n  Cut large parts (Pieces), solve them iteratively (Linear Solver), take a coarser mesh "
@@ -134,7 +131,9 @@ void demandCapacity(const CostEstimate& cost, double freeBytes) {
 void demandCapacity(const Problem& problem, const latin::LatinOptions& solver, const Teuchos::Comm<int>& comm) {
   const double freeBytes = memoryOfAllRanks(comm);
   const CostEstimate rough = estimateCost(problem, solver, FactorSizes::fromUnknowns, comm);
-  if (rough.largestFactor <= mostEntries / uncertainty && rough.processBytes <= freeBytes / uncertainty) return;
+  if (rough.largestFactor <= mostEntriesOfFactor / uncertaintyOfCost &&
+      rough.processBytes <= freeBytes / uncertaintyOfCost)
+    return;
   demandCapacity(estimateCost(problem, solver, FactorSizes::fromOrder, comm), freeBytes);
 }
 
