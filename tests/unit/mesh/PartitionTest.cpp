@@ -129,6 +129,26 @@ TEST(Partition, KeepsElementsAtGivenNodesTogether) {
   EXPECT_THROW(cutPart(flat, makePiece(flat, "box", {"box"}), 2, {{all, ""}}), base::Error);
 }
 
+// They may weigh as much as many pieces; the others are even all the same.
+TEST(Partition, CutsWhatIsNotKeptTogetherEvenly) {
+  const Mesh mesh = boxes({{"box", {}, {12.0, 12.0, 12.0}, {12, 12, 12}}});
+  const Piece piece = makePiece(mesh, "box", {"box"});
+  std::vector<Together> together(1);
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+    if (mesh.nodes[node][2] <= 3.0) together[0].nodes.push_back(static_cast<int>(node));
+  }
+  for (const int count : {8, 20}) {
+    auto pieces = cutPart(mesh, piece, count, together);
+    expectPartition(mesh, piece, pieces, static_cast<std::size_t>(count));
+    std::sort(pieces.begin(), pieces.end(),
+              [](const Piece& one, const Piece& other) { return one.elements.size() < other.elements.size(); });
+    EXPECT_GE(pieces.back().elements.size(), 4u * 144u);
+    const double mean = 8.0 * 144.0 / (count - 1);
+    EXPECT_GE(pieces.front().elements.size(), 0.8 * mean) << count << " pieces";
+    EXPECT_LE(pieces[static_cast<std::size_t>(count) - 2].elements.size(), 1.2 * mean) << count << " pieces";
+  }
+}
+
 TEST(Piece, NamesUnknownAndRepeatedBlocks) {
   const Mesh mesh = boxes({{"plate", {}, {1.0, 1.0, 1.0}, {1, 1, 1}}});
   try {
