@@ -1,9 +1,11 @@
 #include <harmos/scene/detail/MeasuredPart.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
+#include <harmos/elasticity/Material.hpp>
 #include <harmos/mesh/Elements.hpp>
 #include <harmos/substructure/MirrorPlanes.hpp>
 
@@ -46,22 +48,56 @@ void measure(const NodeGraph& graph, int dimension, BodySize& size) {
   size.factor.bytes *= components * components;
 }
 
-/// The factors of a body that is cut by the mirror planes of its nodes, their neighbours, its trace and what holds it.
+/// Components c, d of displacement that a material couples where it is not its own mirror image across one of them: the
+/// largest |C_ij| / sqrt(C_ii C_jj) whose strains i and j change their signs unlike across c and d, and 1 on the
+/// diagonal.
+std::array<std::array<double, 3>, 3> couplingOf(const elasticity::ElasticityMatrix& elasticity) {
+  constexpr int shears[3][2] = {{0, 1}, {1, 2}, {2, 0}};  // the last three strains
+  std::array<std::array<double, 3>, 3> coupling{};
+  for (std::size_t c = 0; c < 3; ++c) coupling[c][c] = 1.0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = std::max(i + 1, std::size_t{3}); j < 6; ++j) {
+      std::set<int> turned(shears[j - 3], shears[j - 3] + 2);
+      for (int k = 0; k < 2 && i >= 3; ++k) {
+        if (!turned.insert(shears[i - 3][k]).second) turned.erase(shears[i - 3][k]);
+      }
+      double& entry = coupling[*turned.begin()][*turned.rbegin()];
+      entry = std::max(entry, std::abs(elasticity[i][j]) / std::sqrt(elasticity[i][i] * elasticity[j][j]));
+      coupling[*turned.rbegin()][*turned.begin()] = entry;
+    }
+  }
+  return coupling;
+}
+
+/// The factors of a body that is cut by the mirror planes of its nodes, their neighbours, its material, its trace and
+/// what holds it.
 substructure::FactorSize mirrored(const substructure::FactorSize& plain, const std::vector<base::Vector3>& nodes,
-                                  const NodeGraph& graph, int dimension, const std::vector<int>& trace,
-                                  const std::vector<int>& held) {
+                                  const NodeGraph& graph, int dimension, const elasticity::ElasticityMatrix& elasticity,
+                                  const std::vector<int>& trace, const std::vector<int>& held) {
   substructure::MirrorPlanes planes(nodes, dimension);
   planes.keepThoseOf(trace);
   planes.keepThoseOf(held);
-  // As a matrix on the first components, all entries of which are alike.
+  // A matrix with the same planes: neighbours are alike in the first components, a node by itself as the material.
+  const auto coupling = couplingOf(elasticity);
   std::vector<std::size_t> pointers{0};
   std::vector<int> columns;
-  for (std::size_t node = 0; node < nodes.size(); ++node) {
-    for (std::size_t k = graph.first[node]; k < graph.first[node + 1]; ++k)
-      columns.push_back(graph.columns[k] * dimension);
-    pointers.insert(pointers.end(), static_cast<std::size_t>(dimension), columns.size());
+  std::vector<double> values;
+  const auto add = [&](int column, double value) {
+    columns.push_back(column);
+    values.push_back(value);
+  };
+  for (int node = 0; node < static_cast<int>(nodes.size()); ++node) {
+    for (int c = 0; c < dimension; ++c) {
+      for (std::size_t k = graph.first[node]; k < graph.first[node + 1]; ++k) {
+        if (graph.columns[k] != node) {
+          if (c == 0) add(graph.columns[k] * dimension, 1.0);
+          continue;
+        }
+        for (int d = 0; d < dimension; ++d) add(node * dimension + d, coupling[c][d]);
+      }
+      pointers.push_back(columns.size());
+    }
   }
-  const std::vector<double> values(columns.size(), 1.0);
   planes.keepThoseOf({static_cast<int>(pointers.size()) - 1, pointers.data(), columns.data(), values.data()});
   substructure::FactorSize size = plain;
   size.blocks = 1 << planes.count();
@@ -107,30 +143,33 @@ std::vector<MeasuredPart> measureParts(const Scene& scene, const mesh::Mesh& mes
     // Parts of as many nodes and elements are taken for equal.
     const auto isEqual = [&](std::size_t a) {
       return bodies.pieces[a].nodes.size() == piece.nodes.size() && bodies.materials[a] == bodies.materials[b] &&
-             bodies.pieces[a].elements.size() == piece.elements.size() &&
+             bodies.pieces[a].elements.size() == piece.elements.size() && !bodies.parts[a].iterates &&
              bodies.parts[a].formulation == bodies.parts[b].formulation;
     };
     std::size_t master = 0;
     while (!isEqual(master)) ++master;
-    if (master < b) {
-      body.size.factor = all[master].size.factor;
-      body.plain = all[master].plain;
-      for (std::size_t a = master; a < b; ++a) {
-        if (isEqual(a) && trace[a].size() == trace[b].size() && held[a].size() == held[b].size())
-          body.size.isFactored = false;
-      }
-      continue;
+    if (master == b) {
+      body.size.factor = factorOf(body.size.unknowns, dimension);
+      body.size.matrixEntries = operatorEntries(body.size.unknowns, dimension);
+      body.plain = body.size.factor;
+    } else {
+      body.size.factor = body.plain = all[master].plain;
     }
-    body.size.factor = factorOf(body.size.unknowns, dimension);
-    body.size.matrixEntries = operatorEntries(body.size.unknowns, dimension);
-    body.plain = body.size.factor;
-    if (!isLarge) continue;
+    for (std::size_t a = master; a < b; ++a) {
+      if (!isEqual(a) || trace[a].size() != trace[b].size() || held[a].size() != held[b].size()) continue;
+      body.size.factor = all[a].size.factor;
+      body.size.isFactored = false;
+    }
+    if (!isLarge || !body.size.isFactored) continue;
     const NodeGraph graph = graphOf(elements, piece);
-    measure(graph, dimension, body.size);
-    body.plain = body.size.factor;
+    if (master == b) {
+      measure(graph, dimension, body.size);
+      body.plain = body.size.factor;
+    }
     std::vector<base::Vector3> nodes;
     for (const int node : piece.nodes) nodes.push_back(mesh.nodes[node]);
-    body.size.factor = mirrored(body.plain, nodes, graph, dimension, trace[b], held[b]);
+    body.size.factor =
+        mirrored(body.plain, nodes, graph, dimension, bodies.materials[b]->elasticity(), trace[b], held[b]);
   }
   return all;
 }
