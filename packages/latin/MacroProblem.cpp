@@ -48,29 +48,26 @@ std::vector<int> loadedRows(const Matrix& loads) {
 /// Names the parts that take part in the motion, of which `modes` are the columns and firstMode the first unknowns.
 [[noreturn]] void throwNotHeld(const assembly::Assembly& assembly, const std::vector<Matrix>& modes,
                                const std::vector<int>& firstMode, const MacroFactor::NotPositiveDefinite& failure) {
-  std::set<std::string> names;
+  std::set<std::string> moving;
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     for (int m = 0; m < modes[i].numCols(); ++m) {
       if (std::abs(failure.motion[firstMode[i] + m]) < takesPart) continue;
       for (int side = 0; side < 2; ++side) {
-        names.insert(assembly.bodies[assembly.interfaces[i].body(side)].partName());
+        moving.insert(base::quoted(assembly.bodies[assembly.interfaces[i].body(side)].partName()));
       }
     }
   }
+  const std::vector<std::string> names(moving.begin(), moving.end());
   std::ostringstream eigenvalue;
   eigenvalue << std::setprecision(3) << failure.eigenvalue;
   if (failure.eigenvalue < -roundOff) {
-    std::vector<std::string> quoted;
-    for (const std::string& name : names) quoted.push_back("\"" + name + "\"");
     throw base::Error("double precision does not suffice for the chain of part(s) " +
-                          base::joinNames(quoted, mostNames) +
+                          base::joinNames(names, mostNames) +
                           ": round-off has made the macro problem indefinite (smallest eigenvalue " + eigenvalue.str() +
                           "); make the stiffnesses of parts that are joined differ less, or the chain shorter",
                       base::ExitCode::notConverged);
   }
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "\"" : ", \"") + name + "\"";
-  throw base::Error("nothing holds part(s) " + list +
+  throw base::Error("nothing holds part(s) " + base::joinNames(names, names.size()) +
                         ": they can move as rigid bodies without deforming any part (smallest eigenvalue of the macro "
                         "problem " +
                         eigenvalue.str() +

@@ -102,19 +102,6 @@ Entries entriesOf(const CrsView& matrix, const BoundaryTerm& boundary, const std
   return entries;
 }
 
-Teuchos::RCP<base::CrsMatrix> matrixOf(const Entries& entries, int rows) {
-  std::vector<std::size_t> pointers(static_cast<std::size_t>(rows) + 1, 0);
-  std::vector<int> columns;
-  std::vector<double> values;
-  for (const auto& [place, value] : entries) {
-    ++pointers[static_cast<std::size_t>(place.first) + 1];
-    columns.push_back(place.second);
-    values.push_back(value);
-  }
-  for (int row = 0; row < rows; ++row) pointers[row + 1] += pointers[row];
-  return makeCrsMatrix(pointers, columns, values);
-}
-
 }  // namespace
 
 Teuchos::RCP<base::CrsMatrix> sumOf(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary,
@@ -141,7 +128,7 @@ Teuchos::RCP<base::CrsMatrix> sumOf(const base::CrsMatrix& stiffness, const Boun
 }
 
 Teuchos::RCP<base::CrsMatrix> addedMatrix(const BoundaryTerm& boundary, int rows) {
-  return matrixOf(addedEntries(rows, boundary, "boundary term"), rows);
+  return makeCrsMatrix(addedEntries(rows, boundary, "boundary term"), rows);
 }
 
 Teuchos::RCP<base::CrsMatrix> heldMatrix(const BoundaryTerm& boundary, int rows) {
@@ -154,7 +141,7 @@ Teuchos::RCP<base::CrsMatrix> heldMatrix(const BoundaryTerm& boundary, int rows)
       }
     }
   }
-  return matrixOf(entries, rows);
+  return makeCrsMatrix(entries, rows);
 }
 
 void project(base::CrsMatrix& matrix, const BoundaryTerm& boundary) {

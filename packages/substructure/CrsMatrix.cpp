@@ -54,6 +54,19 @@ Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::vector<std::size_t>& rowP
   return matrix;
 }
 
+Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::map<std::pair<int, int>, double>& entries, int rows) {
+  std::vector<std::size_t> pointers(static_cast<std::size_t>(rows) + 1, 0);
+  std::vector<int> columns;
+  std::vector<double> values;
+  for (const auto& [place, value] : entries) {
+    ++pointers[static_cast<std::size_t>(place.first) + 1];
+    columns.push_back(place.second);
+    values.push_back(value);
+  }
+  for (int row = 0; row < rows; ++row) pointers[row + 1] += pointers[row];
+  return makeCrsMatrix(pointers, columns, values);
+}
+
 CrsView viewOf(const base::CrsMatrix& matrix, const std::string& name) {
   const auto fail = [&name](const std::string& reason) {
     throw base::Error("The matrix of part \"" + name + "\" " + reason +

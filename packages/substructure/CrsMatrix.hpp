@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <harmos/base/Tpetra.hpp>
@@ -16,6 +18,8 @@ namespace harmos::substructure {
 /// must be running.
 Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::vector<std::size_t>& rowPointers,
                                             const std::vector<int>& columns, const std::vector<double>& values);
+/// The same of entries by row and column.
+Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::map<std::pair<int, int>, double>& entries, int rows);
 
 /// The compressed rows of a matrix, owned by the matrix and valid as long as it lives and keeps its structure.
 struct CrsView {

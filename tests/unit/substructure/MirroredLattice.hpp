@@ -49,16 +49,7 @@ class MirroredLattice {
         }
       }
     }
-    std::vector<std::size_t> pointers(static_cast<std::size_t>(rows()) + 1, 0);
-    std::vector<int> columns;
-    std::vector<double> values;
-    for (const auto& [place, value] : entries) {
-      ++pointers[static_cast<std::size_t>(place.first) + 1];
-      columns.push_back(place.second);
-      values.push_back(value);
-    }
-    for (int row = 0; row < rows(); ++row) pointers[row + 1] += pointers[row];
-    matrix = makeCrsMatrix(pointers, columns, values);
+    matrix = makeCrsMatrix(entries, rows());
   }
 
   int count() const { return static_cast<int>(nodes.size()); }
