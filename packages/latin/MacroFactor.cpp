@@ -36,7 +36,7 @@ struct CompressedRows {
 // Of an inverse iteration, whose result is wanted to a factor of two.
 constexpr int softnessIterations = 8;
 // What is added to the diagonal, where an interface alone has 1, until it makes a matrix definite.
-constexpr double leastShift = 1e-8, mostShift = 1.0, growthOfShift = 100.0;
+constexpr double leastShift = 1e-8, mostShift = 1.0, growthOfShift = 10.0;
 // An eigenvalue as small as the round-off of one that is zero, whatever its sign.
 constexpr double noStiffness = 1e-13;
 
@@ -108,8 +108,9 @@ SymmetricEntries addendsOf(const std::vector<MacroFactor::Share>& shares) {
 MacroFactor::MacroFactor(int unknowns, const std::vector<std::vector<int>>& coupled, const std::vector<Share>& shares,
                          const substructure::SolverOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
     : unknowns_(unknowns) {
+  const bool isShared = DistributedSolver::exists() && comm->getSize() > 1 && unknowns >= options.sharedFrom;
   std::function<void(double)> factorShifted;
-  if (DistributedSolver::exists() && comm->getSize() > 1 && unknowns >= options.sharedFrom) {
+  if (isShared) {
     factorShifted = [this, &comm, addends = addendsOf(shares)](double shift) {
       SymmetricEntries shifted(addends);
       for (int row = 0; row < unknowns_ && shift > 0.0 && comm->getRank() == 0; ++row) {
@@ -127,16 +128,30 @@ MacroFactor::MacroFactor(int unknowns, const std::vector<std::vector<int>>& coup
       own_ = std::make_unique<SubstructureSolver>(matrix, substructure::BoundaryTerm{}, options, "macro problem");
     };
   }
+  double tooLittle =
+      0.0;  // a shift that has not made it definite, so that the smallest eigenvalue is below its negative
   for (double shift = 0.0;; shift = std::max(leastShift, growthOfShift * shift)) {
+    own_.reset();  // room for the next one; and the shared one is freed by all ranks here, not where something is
+                   // thrown
+    shared_.reset();
     try {
       factorShifted(shift);
-    } catch (const base::Error&) {
-      if (shift >= mostShift) throw;
+    } catch (const base::Error& error) {
+      const bool lacksMemory =
+          isShared && dynamic_cast<const DistributedSolver::NotPositiveDefinite*>(&error) == nullptr;
+      if (lacksMemory || growthOfShift * shift > mostShift) throw;
+      tooLittle = shift;
       continue;
     }
     Matrix motion(unknowns_, 1);
     const double length = iterateInversely(*this, motion);
-    if (shift > 0.0) throw NotPositiveDefinite(1.0 / length - shift, {motion[0], motion[0] + motion.numRows()});
+    if (shift > 0.0) {
+      own_.reset();
+      shared_.reset();
+      const double smallest = 1.0 / length - shift;
+      throw NotPositiveDefinite(tooLittle > 0.0 ? std::min(smallest, -tooLittle) : smallest,
+                                {motion[0], motion[0] + motion.numRows()});
+    }
     if (noStiffness * length < 1.0) {
       softness_ = std::max(1.0, length);
       return;

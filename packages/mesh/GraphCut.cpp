@@ -113,8 +113,9 @@ std::vector<idx_t> cutConnected(FaceGraph graph, int pieces) {
   return best;
 }
 
-/// Vertices that weigh more than one of so many pieces does on average, when each of them is a piece by itself.
-std::vector<bool> heavyVertices(const FaceGraph& graph, int pieces) {
+/// Vertices that weigh more than one of so many pieces does on average, when each of them is a piece by itself; `mean`
+/// becomes the weight of the other pieces.
+std::vector<bool> heavyVertices(const FaceGraph& graph, int pieces, idx_t& mean) {
   std::vector<bool> isHeavy(graph.weight.size(), false);
   auto rest = std::accumulate(graph.weight.begin(), graph.weight.end(), idx_t{0});
   for (bool isDone = false; !isDone;) {
@@ -127,6 +128,7 @@ std::vector<bool> heavyVertices(const FaceGraph& graph, int pieces) {
       isDone = false;
     }
   }
+  mean = rest / pieces;
   return isHeavy;
 }
 
@@ -146,17 +148,28 @@ std::vector<int> shares(const std::vector<int>& sizes, int pieces) {
 }
 
 std::vector<idx_t> cutGraph(const FaceGraph& graph, int pieces) {
-  // Beside heavy vertices METIS finds bad cuts of the others, so they are set apart.
-  const std::vector<bool> isHeavy = heavyVertices(graph, pieces);
+  // Beside heavy vertices METIS finds bad cuts of the others, so they are set apart, with what little they enclose.
+  idx_t mean = 0;
+  const std::vector<bool> isHeavy = heavyVertices(graph, pieces, mean);
   std::vector<idx_t> colour(isHeavy.size(), 0);
   for (std::size_t at = 0; at < colour.size(); ++at) colour[at] = isHeavy[at] ? static_cast<idx_t>(at) + 1 : 0;
   int count = 0;
-  const std::vector<idx_t> group = connectedGroups(graph, colour, count);
+  std::vector<idx_t> group = connectedGroups(graph, colour, count);
+  std::vector<idx_t> size(count, 0), enclosing(count, 0);
+  for (std::size_t at = 0; at < group.size(); ++at) {
+    size[group[at]] += graph.weight[at];
+    for (idx_t k = graph.first[at]; k < graph.first[at + 1]; ++k)
+      enclosing[group[at]] = std::max(enclosing[group[at]], colour[graph.neighbour[k]]);
+  }
+  for (std::size_t at = 0; at < group.size(); ++at) {
+    if (2 * size[group[at]] < mean) colour[at] = enclosing[group[at]];
+  }
+  group = connectedGroups(graph, colour, count);
   if (count == 1 || count > pieces) return cutConnected(graph, pieces);
   std::vector<int> weight(count, 0), vertices(count, 0);
   for (std::size_t at = 0; at < group.size(); ++at) {
     ++vertices[group[at]];
-    if (!isHeavy[at]) weight[group[at]] += graph.weight[at];
+    if (colour[at] == 0) weight[group[at]] += graph.weight[at];
   }
   const std::vector<int> share = shares(weight, pieces);
   std::vector<idx_t> result(group.size());

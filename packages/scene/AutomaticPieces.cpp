@@ -21,6 +21,8 @@ namespace {
 constexpr double unknownsOfPieces[] = {3e4, 1.5e4, 8e3, 4e3};
 // Of the time of the whole part: the model is not better than that.
 constexpr double worthwhile = 0.75;
+// Of the free memory, that what takes less than a whole part may be expected to take: it need not be certain to fit.
+constexpr double shareOfMemory = 0.8;
 // Iterations across cuts were measured down to this accuracy.
 constexpr double finestAccuracy = 1e-5;
 // In the plane and in space: interfaces of a piece that METIS cuts.
@@ -131,9 +133,10 @@ class Estimator {
   const std::vector<MeasuredPart>& wholes_;
 };
 
-bool fits(const Candidate& candidate, double freeBytes) {
+/// Whether it takes no more than this share of the memory that is free.
+bool fits(const Candidate& candidate, double share, double freeBytes) {
   return candidate.cost.largestFactor <= mostEntriesOfFactor / uncertaintyOfCost &&
-         candidate.cost.processBytes <= freeBytes / uncertaintyOfCost;
+         candidate.cost.processBytes <= share * freeBytes;
 }
 
 /// Those whose factors are the largest, until all fits; of no parts: it never does, or nothing can iterate.
@@ -149,7 +152,7 @@ Candidate iterateUntilItFits(const Estimator& estimator, const std::vector<Measu
   for (const MeasuredPart* whole : order) {
     if (!parts.insert(whole->part).second) continue;
     Candidate candidate = estimator.iterate(parts);
-    if (fits(candidate, freeBytes)) return candidate;
+    if (fits(candidate, shareOfMemory, freeBytes)) return candidate;
   }
   return {};
 }
@@ -210,13 +213,13 @@ PieceChoice choosePieces(const Scene& scene, const mesh::Mesh& mesh, const Bodie
     scope.interfaceUnknowns += static_cast<double>(interface.pairs()) * interface.sides() * dimension;
   const Estimator estimator(scene.solver, scope, wholes);
   const Candidate uncut = estimator.cut(2.0 * scope.unknowns);
-  const bool isTooLarge = !fits(uncut, freeBytes);
+  const bool isTooLarge = !fits(uncut, 1.0 / uncertaintyOfCost, freeBytes);
   std::optional<Candidate> best;
   const bool isCutting = mayCut(scene, interfaces);
   for (const double unknowns : unknownsOfPieces) {
     if (!isCutting) break;
     Candidate candidate = estimator.cut(unknowns);
-    if (candidate.pieces.empty() || !fits(candidate, freeBytes)) continue;
+    if (candidate.pieces.empty() || !fits(candidate, shareOfMemory, freeBytes)) continue;
     if (!isTooLarge && candidate.seconds > worthwhile * uncut.seconds) continue;
     if (!best || candidate.seconds < best->seconds) best = std::move(candidate);
   }

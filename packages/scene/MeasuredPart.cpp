@@ -51,12 +51,13 @@ void measure(const NodeGraph& graph, int dimension, BodySize& size) {
 /// Components c, d of displacement that a material couples where it is not its own mirror image across one of them: the
 /// largest |C_ij| / sqrt(C_ii C_jj) whose strains i and j change their signs unlike across c and d, and 1 on the
 /// diagonal.
-std::array<std::array<double, 3>, 3> couplingOf(const elasticity::ElasticityMatrix& elasticity) {
+/// In the plane without the shears across it.
+std::array<std::array<double, 3>, 3> couplingOf(const elasticity::ElasticityMatrix& elasticity, int dimension) {
   constexpr int shears[3][2] = {{0, 1}, {1, 2}, {2, 0}};  // the last three strains
   std::array<std::array<double, 3>, 3> coupling{};
   for (std::size_t c = 0; c < 3; ++c) coupling[c][c] = 1.0;
   for (std::size_t i = 0; i < 6; ++i) {
-    for (std::size_t j = std::max(i + 1, std::size_t{3}); j < 6; ++j) {
+    for (std::size_t j = std::max(i + 1, std::size_t{3}); j < (dimension == 2 ? 4 : 6); ++j) {
       std::set<int> turned(shears[j - 3], shears[j - 3] + 2);
       for (int k = 0; k < 2 && i >= 3; ++k) {
         if (!turned.insert(shears[i - 3][k]).second) turned.erase(shears[i - 3][k]);
@@ -78,7 +79,7 @@ substructure::FactorSize mirrored(const substructure::FactorSize& plain, const s
   planes.keepThoseOf(trace);
   planes.keepThoseOf(held);
   // A matrix with the same planes: neighbours are alike in the first components, a node by itself as the material.
-  const auto coupling = couplingOf(elasticity);
+  const auto coupling = couplingOf(elasticity, dimension);
   std::vector<std::size_t> pointers{0};
   std::vector<int> columns;
   std::vector<double> values;

@@ -19,30 +19,11 @@ CELLS = 27
 ROOM, NO_ROOM = 1.2e9, 0.6e9
 """Address space of the program [byte], with its libraries. A run that factors takes 1.2 GB resident."""
 
-SKEW = """<ParameterList name="skew"><Parameter name="Type" type="string" value="Orthotropic"/>
-  <Parameter name="Young's Modulus 1" type="double" value="1200000"/>
-  <Parameter name="Young's Modulus 2" type="double" value="1000000"/>
-  <Parameter name="Young's Modulus 3" type="double" value="900000"/>
-  <Parameter name="Poisson's Ratio 12" type="double" value="0.3"/>
-  <Parameter name="Poisson's Ratio 23" type="double" value="0.3"/>
-  <Parameter name="Poisson's Ratio 13" type="double" value="0.3"/>
-  <Parameter name="Shear Modulus 12" type="double" value="400000"/>
-  <Parameter name="Shear Modulus 23" type="double" value="350000"/>
-  <Parameter name="Shear Modulus 13" type="double" value="380000"/>
-  <Parameter name="Axis 1" type="Array(double)" value="{3, 2, 1}"/>
-  <Parameter name="Axis 2" type="Array(double)" value="{-1, 2, 1}"/></ParameterList></ParameterList>
-<ParameterList name="Parts">"""
-"""A material without mirror planes along the block, whose factors would fit in blocks of even and odd unknowns."""
-
 harmos, work = sys.argv[1], pathlib.Path(sys.argv[2])
 work.mkdir(parents=True, exist_ok=True)
 path = work / "block.xml"
 # Glued, which takes few iterations; more accurately than parts are cut.
-text = re.sub(r'Coulomb Friction"/>\s*<Parameter name="Friction Coefficient" [^>]*>', 'Perfect"/>',
-              iterative_parts.scene(CELLS, 1, 9e-6, ""))
-text = re.sub(r'</ParameterList>\s*<ParameterList name="Parts">', SKEW, text, count=1)
-path.write_text(text.replace('"block"><Parameter name="Material" type="string" value="m"/>',
-                             '"block"><Parameter name="Material" type="string" value="skew"/>'))
+path.write_text(iterative_parts.scene(CELLS, 1, 9e-6, "", law="Perfect"))
 failures = 0
 
 

@@ -135,7 +135,7 @@ class PromiseTest(unittest.TestCase):
         ladder, judge, runner, document = (mock.MagicMock() for _ in range(4))
         ladder.budget.left.return_value = 1.0
         ladder.predicted.side_effect = lambda settings, what: float(settings[0]) if what == "cpu" else 0.1
-        ladder.knobs = []
+        ladder.knobs, ladder.refused = [], set()
         judge.doubt.return_value = 0.0
         judge.promised.side_effect = lambda rung: 0.01 if rung.outcome.certified else numpy.inf
         runs = iter(range(len(settings)))

@@ -30,7 +30,7 @@ class MacroFactor {
         : std::runtime_error("the macro problem is not positive definite"),
           eigenvalue(smallest),
           motion(std::move(itsMotion)) {}
-    double eigenvalue;           ///< the smallest one, about
+    double eigenvalue;           ///< the smallest one, to a factor of ten
     std::vector<double> motion;  ///< its eigenvector, of length 1
   };
 

@@ -32,6 +32,32 @@ TEST(MacroFactor, TellsHowSoftItIs) {
   }
 }
 
+// Whatever the sign of a rough guess: many unknowns, of which the softest is lost among others.
+TEST(MacroFactor, KnowsThatItIsIndefinite) {
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  constexpr int count = 100;
+  std::vector<int> all(count);
+  base::Matrix values(count, count);
+  for (int i = 0; i < count; ++i) {
+    all[i] = i;
+    values(i, i) = i == count / 2 ? -1e-4 : 1e-3 + 0.01 * i;
+  }
+  std::vector<MacroFactor::Share> shares;
+  if (comm->getRank() == 0) shares.push_back({all, values});
+  for (const int sharedFrom : {1, 2 * count}) {
+    substructure::SolverOptions options;
+    options.sharedFrom = sharedFrom;
+    try {
+      const MacroFactor factor(count, {all}, shares, options, comm);
+      ADD_FAILURE();
+    } catch (const MacroFactor::NotPositiveDefinite& failure) {
+      EXPECT_LE(failure.eigenvalue, -1e-5);
+      EXPECT_GE(failure.eigenvalue, -1e-3);
+      EXPECT_GT(std::abs(failure.motion[count / 2]), 0.9);
+    }
+  }
+}
+
 // Also where a factor exists by luck.
 TEST(MacroFactor, TakesRoundOffForNoStiffnessWhateverItsSign) {
   for (const int sharedFrom : {1, 10}) {

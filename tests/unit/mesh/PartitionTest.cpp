@@ -149,6 +149,18 @@ TEST(Partition, CutsWhatIsNotKeptTogetherEvenly) {
   }
 }
 
+// Not even a piece of its own.
+TEST(Partition, LeavesTheLittleThatIsEnclosedToWhatIsKeptTogether) {
+  const Mesh mesh = boxes({{"box", {}, {12.0, 12.0, 12.0}, {12, 12, 12}}});
+  std::vector<Together> together(1);
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+    if (mesh.nodes[node][2] >= 2.0 && mesh.nodes[node][2] <= 4.0) together[0].nodes.push_back(static_cast<int>(node));
+  }
+  const auto pieces = cutPart(mesh, makePiece(mesh, "box", {"box"}), 4, together);
+  ASSERT_EQ(pieces.size(), 4u);
+  for (const Piece& piece : pieces) EXPECT_GE(piece.elements.size(), 300u);  // the lowest layer has 144
+}
+
 TEST(Piece, NamesUnknownAndRepeatedBlocks) {
   const Mesh mesh = boxes({{"plate", {}, {1.0, 1.0, 1.0}, {1, 1, 1}}});
   try {

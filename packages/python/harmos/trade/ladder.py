@@ -71,6 +71,7 @@ class Ladder:
     Attributes:
         knobs: what can be turned.
         rungs: by their settings, in the order of their runs.
+        refused: settings beside them that Harmos does not take.
         budget: what may be used.
         accuracy: level of that knob at which meshes are compared.
         cheap: level of the mesh that side knobs are measured on.
@@ -83,6 +84,7 @@ class Ladder:
         self.knobs, self.dimension, self.budget = knobs, dimension, budget
         self._least_target = 0.0
         self.rungs: dict[Settings, Rung] = {}
+        self.refused: set[Settings] = set()
         self._runner, self._report = runner, report
         self._mesh = self.index("mesh")
         self.accuracy, self.cheap = knobs[self.index("accuracy")].given, 0

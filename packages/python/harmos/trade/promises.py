@@ -76,6 +76,9 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
     for _, _, settings in candidates:
         if trials == TRIALS:
             break
+        if settings in ladder.refused:
+            promise.reason = promise.reason or "settings that were expected to keep it are refused"
+            continue
         if GROWTH * (ladder.predicted(settings, "wall") or 0.0) > ladder.budget.left():
             promise.reason = "the budget does not allow the run that would show it"
             continue
@@ -84,7 +87,8 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
         remark = (f"{REMARK} for errors below {100 * target:g} % in every response: {ladder.words(settings)}")
         trial = document.write(entries, work / name, remark)[0]
         outcome = runner.run_file(trial, max(ladder.budget.left(), 1.0), ladder.budget.memory)
-        if outcome.refused:  # levels that fit the meshes they were measured on, not this one: nothing has been tried
+        if outcome.refused:  # such as pieces, which fit the meshes they were measured on but not this one
+            ladder.refused.add(settings)
             promise.reason = promise.reason or f"settings that were expected to keep it are {outcome.status}"
             continue
         trials += 1
