@@ -128,12 +128,14 @@ MacroFactor::MacroFactor(int unknowns, const std::vector<std::vector<int>>& coup
       own_ = std::make_unique<SubstructureSolver>(matrix, substructure::BoundaryTerm{}, options, "macro problem");
     };
   }
-  double tooLittle =
-      0.0;  // a shift that has not made it definite, so that the smallest eigenvalue is below its negative
-  for (double shift = 0.0;; shift = std::max(leastShift, growthOfShift * shift)) {
-    own_.reset();  // room for the next one; and the shared one is freed by all ranks here, not where something is
-                   // thrown
+  // All ranks free a shared factor here, which none does where it throws.
+  const auto release = [this] {
+    own_.reset();
     shared_.reset();
+  };
+  double tooLittle = 0.0;  // a shift with which it is not definite: the smallest eigenvalue is below -tooLittle
+  for (double shift = 0.0;; shift = std::max(leastShift, growthOfShift * shift)) {
+    release();
     try {
       factorShifted(shift);
     } catch (const base::Error& error) {
@@ -146,8 +148,7 @@ MacroFactor::MacroFactor(int unknowns, const std::vector<std::vector<int>>& coup
     Matrix motion(unknowns_, 1);
     const double length = iterateInversely(*this, motion);
     if (shift > 0.0) {
-      own_.reset();
-      shared_.reset();
+      release();
       const double smallest = 1.0 / length - shift;
       throw NotPositiveDefinite(tooLittle > 0.0 ? std::min(smallest, -tooLittle) : smallest,
                                 {motion[0], motion[0] + motion.numRows()});

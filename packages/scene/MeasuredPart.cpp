@@ -50,21 +50,21 @@ void measure(const NodeGraph& graph, int dimension, BodySize& size) {
 
 /// Components c, d of displacement that a material couples where it is not its own mirror image across one of them: the
 /// largest |C_ij| / sqrt(C_ii C_jj) whose strains i and j change their signs unlike across c and d, and 1 on the
-/// diagonal.
-/// In the plane without the shears across it.
+/// diagonal. In the plane without the shears across it.
 std::array<std::array<double, 3>, 3> couplingOf(const elasticity::ElasticityMatrix& elasticity, int dimension) {
-  constexpr int shears[3][2] = {{0, 1}, {1, 2}, {2, 0}};  // the last three strains
+  constexpr int turned[] = {0, 0, 0, 0b011, 0b110, 0b101};  // strains change their signs across these axes
+  const std::size_t strains = dimension == 2 ? 4 : 6;
   std::array<std::array<double, 3>, 3> coupling{};
-  for (std::size_t c = 0; c < 3; ++c) coupling[c][c] = 1.0;
-  for (std::size_t i = 0; i < 6; ++i) {
-    for (std::size_t j = std::max(i + 1, std::size_t{3}); j < (dimension == 2 ? 4 : 6); ++j) {
-      std::set<int> turned(shears[j - 3], shears[j - 3] + 2);
-      for (int k = 0; k < 2 && i >= 3; ++k) {
-        if (!turned.insert(shears[i - 3][k]).second) turned.erase(shears[i - 3][k]);
+  for (std::size_t c = 0; c < 3; ++c) {
+    coupling[c][c] = 1.0;
+    for (std::size_t d = 0; d < c; ++d) {
+      for (std::size_t i = 0; i < strains; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          if ((turned[i] ^ turned[j]) != (1 << c | 1 << d)) continue;
+          const double size = std::sqrt(elasticity[i][i] * elasticity[j][j]);
+          coupling[c][d] = coupling[d][c] = std::max(coupling[c][d], std::abs(elasticity[i][j]) / size);
+        }
       }
-      double& entry = coupling[*turned.begin()][*turned.rbegin()];
-      entry = std::max(entry, std::abs(elasticity[i][j]) / std::sqrt(elasticity[i][i] * elasticity[j][j]));
-      coupling[*turned.rbegin()][*turned.begin()] = entry;
     }
   }
   return coupling;

@@ -4,9 +4,10 @@ it with friction, whose operator is factored, cut by METIS, and solved by conjug
 
   iterative_parts.py [--harmos PROGRAM] [--cells 16 24 32] [--order 1] [--increments K] [--accuracy A] [--pieces UNKNOWNS]
 
-The block's material has skew axes, so that no mirror plane cuts its operator, as none cuts those of most parts. Prints the CPU time of whole processes and of their phases, peak memory, linear stages, and the distance of the response
-from that of the factored block. A size that cannot be factored is compared with its pieces. Exit code 1 when a run is
-not certified, or further off than the accuracy asked for.
+The block's material has skew axes, so that no mirror plane cuts its operator. Prints the CPU time of whole processes and
+of their phases, peak memory, linear stages, and the distance of the response from that of the factored block. A size that
+cannot be factored is compared with its pieces. Exit code 1 when a run is not certified, or further off than the accuracy
+asked for.
 """
 import argparse
 import json

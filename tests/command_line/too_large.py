@@ -17,7 +17,7 @@ import iterative_parts
 CELLS = 27
 """Of the block in each direction: 65 856 unknowns, the least of a part that is not simply factored."""
 ROOM, NO_ROOM = 1.2e9, 0.6e9
-"""Address space of the program [byte], with its libraries. A run that factors takes 1.2 GB resident."""
+"""Address space of the program [byte], with its libraries. A run that factors takes 1.06 GB resident."""
 
 harmos, work = sys.argv[1], pathlib.Path(sys.argv[2])
 work.mkdir(parents=True, exist_ok=True)
