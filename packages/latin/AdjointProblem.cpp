@@ -233,12 +233,13 @@ std::vector<AdjointProblem::Adjoint> AdjointProblem::solve(const std::vector<Res
       for (int row = 0; row < rows; ++row) y[i][row] = (y[i][row] - column.image[row]) / column.size;
     }
     const base::Matrix moved = meet(y);
+    base::Matrix g(rows, selected);
     for (int i = 0; i < selected; ++i) {
       space.setImage(first + i, y[i]);
-      std::vector<double> g(space.direction(first + i), space.direction(first + i) + rows);
-      for (int row = 0; row < rows; ++row) g[row] -= moved[i][row];
-      space.append(g.data());
+      const double* direction = space.direction(first + i);
+      for (int row = 0; row < rows; ++row) g[i][row] = direction[row] - moved[i][row];
     }
+    space.append(g);
     active.clear();
     for (int j = 0; j < cases; ++j) {
       if (columns[j].size > 0.0 && isLeft(space, hidden, columns[j])) active.push_back(j);

@@ -26,6 +26,8 @@ constexpr double singularInDouble = 1e-10;
 constexpr double ordinary = 2.0;
 // Of least squares that are damped: some thousand times what images in double precision resolve.
 constexpr double damping = 2e-7;
+// Of new columns of Q: more are orthonormalised among themselves, by products with vectors, than matrices gain.
+constexpr int columnsAtOnce = 32;
 
 base::Matrix dense(const std::vector<std::vector<double>>& triangle, int size) {
   base::Matrix matrix(size, size);
@@ -42,6 +44,19 @@ std::vector<double> singularValues(const std::vector<std::vector<double>>& trian
   Teuchos::LAPACK<int, double>().GESVD('N', 'N', size, size, matrix.values(), matrix.stride(), values.data(), &unused,
                                        1, &unused, 1, work.data(), static_cast<int>(work.size()), &unused, &info);
   return values;
+}
+
+/// y = kept y + factor B x, or of B^T, for columns of x. A matrix of one column takes GEMM longer than GEMV.
+void multiply(Teuchos::ETransp transposed, const double* b, int rows, int count, double factor, const double* x,
+              int columns, double kept, double* y) {
+  const Teuchos::BLAS<int, double> blas;
+  const bool isTransposed = transposed == Teuchos::TRANS;
+  const int inner = isTransposed ? rows : count, outer = isTransposed ? count : rows;
+  if (columns == 1) {
+    blas.GEMV(transposed, rows, count, factor, b, rows, x, 1, kept, y, 1);
+  } else {
+    blas.GEMM(transposed, Teuchos::NO_TRANS, outer, columns, inner, factor, b, rows, x, inner, kept, y, outer);
+  }
 }
 
 /// The shortest x with the least |matrix x - b|, where singular values below `least` of the largest count as none;
@@ -76,23 +91,35 @@ std::vector<double> CorrectionSpace::scaled(const double* x) const {
   return result;
 }
 
-double CorrectionSpace::norm(const std::vector<double>& scaled) const {
-  std::vector<double> sum{std::inner_product(scaled.begin(), scaled.end(), scaled.begin(), 0.0)};
+double CorrectionSpace::norm(const double* scaled) const {
+  std::vector<double> sum{std::inner_product(scaled, scaled + rows(), scaled, 0.0)};
   metric_->sum(sum);
   return std::sqrt(sum[0]);
 }
 
-std::vector<double> CorrectionSpace::project(int count, std::vector<double>& x) const {
-  const Teuchos::BLAS<int, double> blas;
-  std::vector<double> total(count, 0.0), products(count);
-  for (int pass = 0; pass < 2 && count > 0; ++pass) {
-    blas.GEMV(Teuchos::TRANS, rows(), count, 1.0, orthonormal_.data(), rows(), x.data(), 1, 0.0, products.data(), 1);
-    metric_->sum(products);
-    blas.GEMV(Teuchos::NO_TRANS, rows(), count, -1.0, orthonormal_.data(), rows(), products.data(), 1, 1.0, x.data(),
-              1);
-    for (int j = 0; j < count; ++j) total[j] += products[j];
+std::vector<double> CorrectionSpace::project(int first, int count, double* x, int columns) const {
+  std::vector<double> products(static_cast<std::size_t>(count) * static_cast<std::size_t>(columns), 0.0);
+  if (count == 0) return products;
+  const double* basis = orthonormal_.data() + at(first);
+  multiply(Teuchos::TRANS, basis, rows(), count, 1.0, x, columns, 0.0, products.data());
+  metric_->sum(products);
+  multiply(Teuchos::NO_TRANS, basis, rows(), count, -1.0, products.data(), columns, 1.0, x);
+  return products;
+}
+
+base::Matrix CorrectionSpace::orthonormalise(int first, int count) {
+  base::Matrix triangle(count, count);
+  for (int j = 0; j < count; ++j) {
+    double* x = orthonormal_.data() + at(first + j);
+    for (int pass = 0; pass < 2; ++pass) {
+      const std::vector<double> products = project(first, j, x, 1);
+      for (int i = 0; i < j; ++i) triangle[j][i] += products[i];
+    }
+    const double length = norm(x);
+    triangle[j][j] = length;
+    if (length > 0.0) std::for_each(x, x + rows(), [length](double& value) { value /= length; });
   }
-  return total;
+  return triangle;
 }
 
 std::vector<double> CorrectionSpace::coefficients(const double* v) const {
@@ -108,31 +135,31 @@ std::vector<double> CorrectionSpace::coefficients(const double* v) const {
 
 bool CorrectionSpace::makeIndependent(double* v) const {
   const Teuchos::BLAS<int, double> blas;
-  const double before = norm(scaled(v));
+  const double before = norm(scaled(v).data());
   for (int pass = 0; pass < 2 && size_ > 0; ++pass) {
     const std::vector<double> products = coefficients(v);
     blas.GEMV(Teuchos::NO_TRANS, rows(), size_, -1.0, directions_.data(), rows(), products.data(), 1, 1.0, v, 1);
   }
-  const double length = norm(scaled(v));
+  const double length = norm(scaled(v).data());
   if (!(length > roundOff * before)) return false;
   blas.SCAL(rows(), 1.0 / length, v, 1);
   return true;
 }
 
-void CorrectionSpace::makeRoom(std::vector<double>& columns) const {
-  const std::size_t wanted = columns.size() + at(1);
+void CorrectionSpace::makeRoom(std::vector<double>& columns, int count) const {
+  const std::size_t wanted = columns.size() + at(count);
   if (columns.capacity() < wanted) columns.reserve(std::max(wanted, columns.size() + columns.size() / 4));
 }
 
 void CorrectionSpace::add(const double* v, const double* y) {
-  for (std::vector<double>* columns : {&directions_, &images_}) makeRoom(*columns);
+  for (std::vector<double>* columns : {&directions_, &images_}) makeRoom(*columns, 1);
   directions_.insert(directions_.end(), v, v + rows());
   images_.insert(images_.end(), y, y + rows());
   ++size_;
 }
 
 void CorrectionSpace::add(const double* v) {
-  for (std::vector<double>* columns : {&directions_, &images_}) makeRoom(*columns);
+  for (std::vector<double>* columns : {&directions_, &images_}) makeRoom(*columns, 1);
   directions_.insert(directions_.end(), v, v + rows());
   images_.resize(directions_.size(), 0.0);
   ++size_;
@@ -142,21 +169,39 @@ void CorrectionSpace::setImage(int direction, const double* y) {
   std::copy_n(y, rows(), images_.begin() + static_cast<std::ptrdiff_t>(at(direction)));
 }
 
-void CorrectionSpace::append(const double* g) {
-  assert(known_ < size_ && "all directions have their g");
-  std::vector<double> x = scaled(g);
-  std::vector<double> column = project(known_, x);
-  const double length = norm(x);
-  column.push_back(length);
-  if (length > 0.0) {
-    for (double& value : x) value /= length;
+void CorrectionSpace::append(const base::Matrix& g) {
+  assert(known_ + g.numCols() <= size_ && "all directions have their g");
+  for (int first = 0; first < g.numCols(); first += columnsAtOnce) {
+    appendTogether(g, first, std::min(columnsAtOnce, g.numCols() - first));
   }
+}
+
+void CorrectionSpace::appendTogether(const base::Matrix& g, int first, int count) {
   orthonormal_.resize(at(known_));
-  makeRoom(orthonormal_);
-  orthonormal_.insert(orthonormal_.end(), x.begin(), x.end());
+  makeRoom(orthonormal_, count);
+  for (int j = first; j < first + count; ++j) {
+    const std::vector<double> x = scaled(g[j]);
+    orthonormal_.insert(orthonormal_.end(), x.begin(), x.end());
+  }
+  // Twice, since what the first pass leaves of a column that Q nearly holds is no longer orthogonal to Q.
+  double* columns = orthonormal_.data() + at(known_);
+  const std::vector<double> inBasis = project(0, known_, columns, count);
+  const base::Matrix among = orthonormalise(known_, count);
+  const std::vector<double> inBasisAgain = project(0, known_, columns, count);
+  const base::Matrix amongAgain = orthonormalise(known_, count);
   triangle_.resize(known_);
-  triangle_.push_back(std::move(column));
-  ++known_;
+  for (int j = 0; j < count; ++j) {
+    std::vector<double> column(inBasis.begin() + static_cast<std::ptrdiff_t>(j) * known_,
+                               inBasis.begin() + static_cast<std::ptrdiff_t>(j + 1) * known_);
+    column.resize(static_cast<std::size_t>(known_) + j + 1);
+    for (int k = 0; k <= j; ++k) {
+      for (int i = 0; i < known_; ++i)
+        column[i] += inBasisAgain[static_cast<std::size_t>(k) * known_ + i] * among[j][k];
+      for (int i = 0; i <= k; ++i) column[known_ + i] += amongAgain[k][i] * among[j][k];
+    }
+    triangle_.push_back(std::move(column));
+  }
+  known_ += count;
   hasSingularValues_ = false;
 }
 
@@ -175,8 +220,10 @@ CorrectionSpace::LeastSquares CorrectionSpace::projected(const double* residual)
   assert(known_ == size_ && "a direction lacks its g");
   std::vector<double> x = scaled(residual);
   LeastSquares result;
-  result.c = project(size_, x);
-  result.left = norm(x);
+  result.c = project(0, size_, x.data(), 1);
+  const std::vector<double> again = project(0, size_, x.data(), 1);
+  for (int j = 0; j < size_; ++j) result.c[j] += again[j];
+  result.left = norm(x.data());
   return result;
 }
 

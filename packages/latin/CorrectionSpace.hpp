@@ -38,8 +38,9 @@ class CorrectionSpace {
   void add(const double* v);
   /// The y of a direction that was added without. Not collective.
   void setImage(int direction, const double* y);
-  /// Adds the g [stress] of the next direction that has none.
-  void append(const double* g);
+  /// Adds the g [stress], rows of the layout, of the next directions that have none.
+  /// Source: Barlow, Smoktunowicz, Reorthogonalized block classical Gram-Schmidt (2013), doi:10.1007/s00211-012-0496-2.
+  void append(const base::Matrix& g);
   /// Lets go of Q, which takes as much as all v, and keeps R: after it, forgetTangent() and append() of all g must come
   /// before append(), solve() and rest(). Not collective.
   void releaseBasis() {
@@ -80,12 +81,16 @@ class CorrectionSpace {
 
  private:
   std::size_t at(int column) const { return static_cast<std::size_t>(rows()) * static_cast<std::size_t>(column); }
-  /// For one more column, and no more than a few: there is a space for every load step.
-  void makeRoom(std::vector<double>& columns) const;
-  /// Removes from x, scaled, what the leading `count` columns of Q hold, twice, and returns the sum of both
-  /// coefficients.
-  std::vector<double> project(int count, std::vector<double>& x) const;
-  double norm(const std::vector<double>& scaled) const;
+  /// For `count` more columns, and no more than a few: there is a space for every load step.
+  void makeRoom(std::vector<double>& columns, int count) const;
+  /// append() of some columns of g together.
+  void appendTogether(const base::Matrix& g, int first, int count);
+  /// Removes from columns x, scaled, what `count` columns of Q from `first` on hold; returns their coefficients, count
+  /// x columns.
+  std::vector<double> project(int first, int count, double* x, int columns) const;
+  /// Makes `count` columns of Q from `first` on orthonormal among themselves; returns the triangle that they were.
+  base::Matrix orthonormalise(int first, int count);
+  double norm(const double* scaled) const;
   /// Q^T r, and the norm of what of r lies outside of Q, before any of it is fitted.
   LeastSquares projected(const double* residual) const;
   /// |right - R c|.

@@ -16,7 +16,7 @@ void TangentSpace::append(int first) {
     for (int row = 0; row < rows; ++row) g[j][row] = (1.0 + shift_) * v[row] + y[j][row] - 2.0 * g[j][row];
   }
   fixedPoint_.linearStage().unfelt().remove(g);
-  for (int j = 0; j < count; ++j) space_.append(g[j]);
+  space_.append(g);
 }
 
 void TangentSpace::differentiate(int column, PointwiseLocalStage& local, double shift) {
