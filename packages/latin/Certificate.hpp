@@ -22,12 +22,12 @@ class CausalCorrection;
 /// the gap between the two fields of the iteration is below ten times the accuracy, and no body was thrown far away
 /// without being held there. If E is too large, a2 takes the place of a1 and is corrected once more.
 ///
-/// Where a causal correction stagnates, and from the beginning where the way there needed StepNewton, a
-/// StepwiseCorrection takes its place. Where laws soften and a stepwise correction does not come to the residual that
-/// its images promise, the round-off of these is measured, and a residual within it counts as none. In the velocity
-/// form corrections are a NewtonCorrection each: they start anew each time and need relaxed iterations after each,
-/// which smooth their rough residual; they must reduce the residual to 0.15, and kappa counts as what they leave at
-/// least.
+/// Where a causal correction stagnates, the attempt ends without a claim; where one does in a later attempt, or laws
+/// soften, and from the beginning where the way there needed StepNewton, a StepwiseCorrection takes its place. Where
+/// laws soften and a stepwise correction does not come to the residual that its images promise, the round-off of these
+/// is measured, and a residual within it counts as none. In the velocity form corrections are a NewtonCorrection each:
+/// they start anew each time and need relaxed iterations after each, which smooth their rough residual; they must
+/// reduce the residual to 0.15, and kappa counts as what they leave at least.
 ///
 /// The gap is max(|f - f^| / |f^|, |w - w^| / |w|): with f - f^ = -k (w - w^) one of them is large for any k far from
 /// the stiffness of the bodies, so an absurd k cannot hide behind small changes.
@@ -84,6 +84,7 @@ class Certificate {
   StepNewton& stepNewton_;
   NewtonCorrection newton_;
   std::unique_ptr<CausalCorrection> causal_;  // displacement form
+  bool hasStagnated_ = false;                 // a causal correction, before
 };
 
 /// The gap that a claim allows, over the accuracy.
