@@ -14,8 +14,8 @@ namespace {
 
 // Fewer solved states are worth less than a cold start: the iteration first has to get rid of their contact status.
 constexpr int fewestStates = 3;
-// Tangents of the start mislead when the contact status has moved on: without them when the residual has not fallen to
-// this share over so many iterations.
+// Tangents mislead when the contact status has moved on: they are found anew when the residual has not fallen to this
+// share over so many iterations.
 constexpr std::size_t iterationsToFall = 4;
 constexpr double slow = 0.5;
 // Differences across many changes of status mislead as well.
@@ -131,7 +131,19 @@ void ConfigurationIteration::findStart() {
   isThere_ = meetsTarget();
   if (isThere_) return;
   if (!start_.hasTangents()) start_.differentiate();
+  seed();
+}
+
+void ConfigurationIteration::seed() {
   acceleration_.seed({viewOf(start_.residualTangents())}, {viewOf(start_.imageTangents())});
+}
+
+void ConfigurationIteration::seedHere() {
+  acceleration_.restart();
+  if (starts_.empty()) return;
+  const auto running = timers_.start("start");
+  start_.differentiate();
+  seed();
 }
 
 void ConfigurationIteration::extrapolate() {
@@ -170,6 +182,10 @@ void ConfigurationIteration::startStep() {
     std::copy_n(beta_[step_], column_.numRows(), columnBeta_[0]);
     applyLaws();
     isThere_ = meetsTarget();
+    if (!isThere_ && !starts_.empty()) {
+      start_.gather(step_);
+      seedHere();
+    }
   }
   residuals_.clear();
   back_ = iterationsToFall;
@@ -181,7 +197,7 @@ void ConfigurationIteration::startStep() {
 void ConfigurationIteration::propose() {
   residuals_.push_back(residual_);
   if (residuals_.size() > back_ && residual_ > slow * residuals_[residuals_.size() - 1 - back_]) {
-    acceleration_.restart();
+    seedHere();
     residuals_.clear();
     back_ = iterationsToFallLater;
   }

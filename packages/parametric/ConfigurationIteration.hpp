@@ -94,6 +94,10 @@ class ConfigurationIteration {
   /// Finds the start of the present load step.
   void startStep();
   void findStart();
+  /// Gives the acceleration the columns of the start with their tangents.
+  void seed();
+  /// Begins the acceleration anew, with the tangents at the present state.
+  void seedHere();
   void extrapolate();
   /// Finds what column_ changes by next.
   void propose();

@@ -47,7 +47,9 @@ class ReducedBasisStart {
   const base::Matrix& beta() const { return beta_; }
   /// Whether find() needed the tangents; else differentiate() provides them.
   bool hasTangents() const { return hasTangents_; }
-  /// Collective. Computes the tangents at state(), right after the local stage has solved its beta().
+  /// Collective. Makes V the columns of a load step without looking for its start: for a later march through it.
+  void gather(int step);
+  /// Collective. Computes the tangents along V at the state whose beta the local stage has solved last.
   void differentiate();
   /// How residual (in the scale of the metric) and image change along the columns of V: what
   /// latin::AndersonAcceleration::seed() takes.
@@ -61,7 +63,6 @@ class ReducedBasisStart {
  private:
   /// Solves the local stage; returns the squared norm of the scaled residual, which it leaves in `residual`.
   double evaluate(const base::Matrix& alpha, const base::Matrix& beta, std::vector<double>& residual);
-  void gather(int step);
   void minimise(double tolerance);
   /// c of the least |residual + tangents c|.
   std::vector<double> leastSquares() const;
