@@ -292,7 +292,7 @@ Certificate::Result Certificate::attempt(const Iterate& first, base::Matrix& alp
   if (stepNewton_.isUsed()) return attemptOnce(Kind::stepwise, first, alpha, image, stageLimit);
   Result result = attemptOnce(Kind::causal, first, alpha, image, stageLimit);
   if (!result.stagnated) return result;
-  // The iteration may come nearer for a hundredth of what it costs to correct load steps one by one.
+  // The iteration may come nearer for much less than it costs to correct load steps one by one.
   const bool isFirst = !std::exchange(hasStagnated_, true);
   if (isFirst && !fixedPoint_.assembly().softens()) return result;
   return attemptOnce(Kind::stepwise, fixedPoint_.apply(alpha, image), alpha, image, stageLimit);

@@ -107,14 +107,19 @@ std::vector<double> CorrectionSpace::project(int first, int count, double* x, in
   return products;
 }
 
+std::vector<double> CorrectionSpace::projectTwice(int first, int count, double* x) const {
+  std::vector<double> products = project(first, count, x, 1);
+  const std::vector<double> again = project(first, count, x, 1);
+  for (int i = 0; i < count; ++i) products[i] += again[i];
+  return products;
+}
+
 base::Matrix CorrectionSpace::orthonormalise(int first, int count) {
   base::Matrix triangle(count, count);
   for (int j = 0; j < count; ++j) {
     double* x = orthonormal_.data() + at(first + j);
-    for (int pass = 0; pass < 2; ++pass) {
-      const std::vector<double> products = project(first, j, x, 1);
-      for (int i = 0; i < j; ++i) triangle[j][i] += products[i];
-    }
+    const std::vector<double> products = projectTwice(first, j, x);
+    std::copy(products.begin(), products.end(), triangle[j]);
     const double length = norm(x);
     triangle[j][j] = length;
     if (length > 0.0) std::for_each(x, x + rows(), [length](double& value) { value /= length; });
@@ -220,9 +225,7 @@ CorrectionSpace::LeastSquares CorrectionSpace::projected(const double* residual)
   assert(known_ == size_ && "a direction lacks its g");
   std::vector<double> x = scaled(residual);
   LeastSquares result;
-  result.c = project(0, size_, x.data(), 1);
-  const std::vector<double> again = project(0, size_, x.data(), 1);
-  for (int j = 0; j < size_; ++j) result.c[j] += again[j];
+  result.c = projectTwice(0, size_, x.data());
   result.left = norm(x.data());
   return result;
 }

@@ -88,6 +88,8 @@ class CorrectionSpace {
   /// Removes from columns x, scaled, what `count` columns of Q from `first` on hold; returns their coefficients, count
   /// x columns.
   std::vector<double> project(int first, int count, double* x, int columns) const;
+  /// The same of one column, twice: the sum of both coefficients.
+  std::vector<double> projectTwice(int first, int count, double* x) const;
   /// Makes `count` columns of Q from `first` on orthonormal among themselves; returns the triangle that they were.
   base::Matrix orthonormalise(int first, int count);
   double norm(const double* scaled) const;
