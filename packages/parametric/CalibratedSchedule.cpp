@@ -89,42 +89,6 @@ int CalibratedSchedule::freePlace() const {
   return place;
 }
 
-void CalibratedSchedule::estimate(const Indicators& indicators, results::ConfigurationResult& result) const {
-  Indicators ofResponses = indicators;
-  ofResponses.force = 0.0;
-  result.errorEstimate = calibration_.estimate(indicators);
-  result.curveErrors.assign(solver_.responses().size(), calibration_.estimate(ofResponses));
-}
-
-bool CalibratedSchedule::addRanges(results::ConfigurationResult& result) {
-  const double accuracy = solver_.options().accuracy;
-  const latin::Indeterminacy found = solver_.iteration().indeterminacy(solver_.responses());
-  const std::vector<latin::ResponseRange>& ranges = found.responses;
-  const latin::Snapshot last(solver_.iteration().state(), solver_.responses());
-  bool isUnique = found.pressures.empty();
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
-    if (!(ranges[i].width() > accuracy * last.size(i))) continue;
-    isUnique = false;
-    result.reason += "; " + latin::describe(solver_.responses()[i]->name(), ranges[i], result.curves[i]);
-  }
-  if (!found.pressures.empty()) result.reason += "; " + latin::describePressures(found.pressures);
-  return isUnique;
-}
-
-void CalibratedSchedule::deliver(results::ConfigurationResult& result) {
-  if (const std::string falseGraph = solver_.iteration().falseGraph(); !falseGraph.empty()) {
-    result.status = results::Status::notConverged;
-    result.reason = falseGraph;
-    return;
-  }
-  result.reason = "the calibrated error estimate is below the accuracy asked for";
-  result.curves.clear();
-  for (const auto& response : solver_.responses())
-    result.curves.push_back(response->evaluate(solver_.iteration().state()));
-  estimate(indicators_, result);
-  result.status = addRanges(result) ? results::Status::calibrated : results::Status::calibratedNotUnique;
-}
-
 bool CalibratedSchedule::march(const Indicators& target, bool isToBeKept, results::ConfigurationResult& result) {
   return takeMarch(solver_.iteration().march(target), isToBeKept, result);
 }
@@ -193,6 +157,13 @@ bool CalibratedSchedule::calibrate(const design::Configuration& configuration, r
   return true;
 }
 
+void CalibratedSchedule::accept(const design::Configuration& configuration, results::ConfigurationResult& result) {
+  delivery_.deliver(indicators_, result);
+  if (!results::isSolved(result.status)) return;
+  solver_.remember(configuration);
+  accepted_[configuration.id] = {configuration, result, indicators_};
+}
+
 bool CalibratedSchedule::audit(const design::Configuration& configuration, results::ConfigurationResult& result) {
   const base::Matrix accepted(solver_.iteration().alpha());
   const results::ConfigurationResult before = result;
@@ -204,10 +175,7 @@ bool CalibratedSchedule::audit(const design::Configuration& configuration, resul
     result = before;
     indicators_ = solver_.iteration().beginAt(accepted);
     result.linearStages = stages + solver_.iteration().stages();
-    deliver(result);
-    if (!results::isSolved(result.status)) return true;
-    solver_.remember(configuration);
-    accepted_[configuration.id] = {configuration, result, indicators_};
+    accept(configuration, result);
     return true;
   }
   const latin::Snapshot reference(solver_.certifiedState(), solver_.responses());
@@ -252,10 +220,7 @@ bool CalibratedSchedule::endFromNeighbours(Attempt& attempt) {
     return true;
   }
   attempt.result.linearStages += iteration.stages();
-  deliver(attempt.result);
-  if (!results::isSolved(attempt.result.status)) return true;
-  solver_.remember(attempt.configuration);
-  accepted_[attempt.configuration.id] = {attempt.configuration, attempt.result, indicators_};
+  accept(attempt.configuration, attempt.result);
   return true;
 }
 
@@ -361,7 +326,7 @@ void CalibratedSchedule::reopen(results::ResultSink& sink) {
   reopened_.clear();
   for (auto& [id, one] : accepted_) {
     if (calibration_.accepts(one.indicators)) {
-      estimate(one.indicators, one.result);
+      delivery_.estimate(one.indicators, one.result);
       sink.record(one.result);
     } else {
       reopened_.push_back(one.configuration);

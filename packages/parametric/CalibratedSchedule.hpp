@@ -6,6 +6,7 @@
 
 #include <harmos/latin/Snapshot.hpp>
 #include <harmos/parametric/Calibration.hpp>
+#include <harmos/parametric/Delivery.hpp>
 #include <harmos/parametric/StartRecord.hpp>
 #include <harmos/parametric/StudySolver.hpp>
 #include <harmos/results/ResultSink.hpp>
@@ -21,7 +22,10 @@ namespace harmos::parametric {
 class CalibratedSchedule {
  public:
   /// `solver` must outlive it; its accuracy is what is met.
-  explicit CalibratedSchedule(StudySolver& solver) : solver_(solver), calibration_(solver.options().accuracy) {}
+  explicit CalibratedSchedule(StudySolver& solver)
+      : solver_(solver), calibration_(solver.options().accuracy), delivery_(solver, calibration_) {}
+
+  CalibratedSchedule(const CalibratedSchedule&) = delete;
 
   /// Collective. Leaves early when interrupted; what is in flight is not recorded. Returns the configurations that are
   /// left because none could be had to calibrate: nothing can be said of them without a certificate.
@@ -69,6 +73,8 @@ class CalibratedSchedule {
   void beginFromNeighbours(Attempt& attempt);
   bool endFromNeighbours(Attempt& attempt);
   bool calibrate(const design::Configuration& configuration, results::ConfigurationResult& result);
+  /// Delivers the present state, and keeps it in mind.
+  void accept(const design::Configuration& configuration, results::ConfigurationResult& result);
   /// Replaces the present state, which was accepted, by one that is certified more accurately; audits and calibrates.
   bool audit(const design::Configuration& configuration, results::ConfigurationResult& result);
   /// Certifies to a share of the accuracy from the present state, whose stages are added; what is thrown makes a
@@ -82,13 +88,9 @@ class CalibratedSchedule {
   bool takeMarch(const Indicators& indicators, bool isToBeKept, results::ConfigurationResult& result);
   double limitFromNeighbours() const;
 
-  void deliver(results::ConfigurationResult& result);
-  /// Adds to the reason which responses the problem does not determine; true when it determines all.
-  bool addRanges(results::ConfigurationResult& result);
-  void estimate(const Indicators& indicators, results::ConfigurationResult& result) const;
-
   StudySolver& solver_;
   Calibration calibration_;
+  Delivery delivery_;
   int number_ = 0;                    // of configurations that were new
   int attempts_ = 0;                  // to calibrate
   std::map<int, Accepted> accepted_;  // by id
