@@ -4,7 +4,8 @@ import unittest
 import numpy as np
 
 from .scenes.classes import make_scene
-from .scenes.studies import draw_study
+from .scenes.scene import Varying
+from .scenes.studies import draw_study, with_values
 from .trial.program import Ending, Run
 from .trial.studies import FORBIDDEN, Configuration, Judgement, StudyTrial, Verdict, judge_configuration, study_report
 
@@ -52,6 +53,19 @@ class JudgingConfigurations(unittest.TestCase):
             self.assertEqual(list(values), sorted(set(values)))
             self.assertNotIn(0.0, values)
         self.assertIn([len(values) for values in study.values.values()], ([4], [3, 3]))
+
+    def test_a_configuration_has_the_values_of_the_study(self) -> None:
+        scene = make_scene("rings", 4)
+        study = draw_study(scene, "rings", 4)
+        assert study is not None
+        values = {path: one[0] for path, one in study.values.items()}
+        configured = with_values(scene, values)
+        self.assertEqual(with_values(scene, {}), scene)
+        self.assertNotEqual(configured, scene)
+        for path, value in values.items():
+            _, joint, _, name = path.split("/")
+            number = configured.joint(joint).law.parameters[name]
+            self.assertEqual(number.value if isinstance(number, Varying) else number, value)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import random
 import xml.etree.ElementTree as xml
 from collections.abc import Mapping
 
-from .scene import Scene, Varying
+from .scene import Joint, Law, Number, Scene, Varying
 from .scene_file import entry, sublist
 
 # Of the number that the scene has; 1 is the scene itself.
@@ -25,16 +25,34 @@ class Study:
     ranks: int
 
 
+def _list_path(joint: Joint, name: str) -> str:
+    return f"{'Boundaries' if joint.side2 is None else 'Interfaces'}/{joint.name}/Law/{name}"
+
+
 def _numbers(scene: Scene) -> dict[str, float]:
     """All numbers of laws that are not 0, by list path."""
     found = {}
     for joint in scene.joints:
-        group = "Boundaries" if joint.side2 is None else "Interfaces"
         for name, number in joint.law.parameters.items():
             value = number.value if isinstance(number, Varying) else number
             if value != 0:
-                found[f"{group}/{joint.name}/Law/{name}"] = float(value)
+                found[_list_path(joint, name)] = float(value)
     return found
+
+
+def with_values(scene: Scene, values: Mapping[str, float]) -> Scene:
+    """The scene with other numbers of laws, by list path."""
+    def number(path: str, old: Number) -> Number:
+        new = values.get(path)
+        if new is None:
+            return old
+        return dataclasses.replace(old, value=new) if isinstance(old, Varying) else new
+
+    def law(joint: Joint) -> Law:
+        return dataclasses.replace(joint.law, parameters={
+            name: number(_list_path(joint, name), old) for name, old in joint.law.parameters.items()})
+
+    return dataclasses.replace(scene, joints=[dataclasses.replace(joint, law=law(joint)) for joint in scene.joints])
 
 
 def draw_study(scene: Scene, name: str, seed: int) -> Study | None:
