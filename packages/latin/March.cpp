@@ -353,6 +353,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
           "the Scale of the Search Direction be 0.1 or 0.01, as slender parts need it";
     }
   }
+  isNearEnough_ = isNearEnough_ && isReached;
   acceleration.pause();
   state.assign(image);
   tractions_.write(step, iterate->hattedTraction()[0]);
@@ -368,6 +369,7 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
   const FixedPoint::AllStepsAtEnd restore(fixedPoint_);
   fixedPoint_.startUnloaded();
   stepsReached_ = 0;
+  isNearEnough_ = true;
   lacksDigits_ = false;
   harmless_ = 0.0;
   for (int t = 0; t < alpha.numCols(); ++t) {

@@ -69,6 +69,8 @@ class March {
   double largestForce() const { return largestForce_; }
   /// How many load steps, from the first, the last run came to the end of.
   int stepsReached() const { return stepsReached_; }
+  /// Whether each of these has come to the tolerance, or to round-off; one that has not was left as it was.
+  bool isNearEnough() const { return isNearEnough_; }
   /// What the laws cannot carry, after End::noEquilibrium, or what has not been reached, in words for the user.
   const std::string& reason() const { return reason_; }
   /// In how many parts each load step was solved at most, all runs together; 1: as a whole.
@@ -120,6 +122,7 @@ class March {
   std::string reason_;
   double largestForce_ = 0.0;
   int stepsReached_ = 0;
+  bool isNearEnough_ = true;
   std::vector<int> parts_;
   std::vector<bool> snaps_;
   base::Matrix felt_, feltImage_;  // of a state and its image, see UnfeltStates

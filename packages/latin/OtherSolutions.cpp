@@ -42,7 +42,7 @@ std::optional<std::vector<std::vector<double>>> OtherSolutions::from(
     March march(fixedPoint_, memory_, accuracy_, 0);
     march.setStop([this] { return mustStop_() || fixedPoint_.linearStage().stages() >= end_; });
     const March::End end = march.run(alpha, shareOfAccuracy * accuracy_, March::Guess::state);
-    if (end != March::End::reached) return std::nullopt;
+    if (end != March::End::reached || !march.isNearEnough()) return std::nullopt;
     base::Matrix image(alpha.numRows(), alpha.numCols());
     const Iterate& there = fixedPoint_.apply(alpha, image);
     fixedPoint_.shareTractions(alpha, image, accuracy_);

@@ -56,12 +56,8 @@ class Answer:
         return [name for name, spread in self.spread.items() if spread <= SAME]
 
 
-def follow(answer: Answer, displacement: Floats) -> Answer:
-    """The answer with one more way: that of an equilibrium next to given displacements [step, dof], if there is one."""
-    first = answer.histories[0]
-    scene, problem = first.scene, first.problem
-    if displacement.shape != first.displacement.shape:
-        return answer
+def equilibrium_near(scene: Scene, problem: Problem, displacement: Floats) -> History | None:
+    """An equilibrium next to given displacements [step, dof], if there is one."""
     shift = np.full(problem.stiffness.shape[0] + len(problem.kind), SHIFT)
     old = np.zeros(len(problem.kind))
     displacements, forces = [], []
@@ -69,12 +65,22 @@ def follow(answer: Answer, displacement: Floats) -> Answer:
         start = State(u, forces_for(problem, step, u), np.inf)
         state = solve_step(problem, step, old, Choice(shift, 1.0, start)).state
         if not state.converged:
-            return answer
+            return None
         displacements.append(state.displacement)
         forces.append(state.force)
         old = problem.jump @ state.displacement
-    found = History(scene, problem, np.array(displacements), np.array(forces))
-    return dataclasses.replace(_compare(scene, [found, *answer.histories], answer.balances),
+    return History(scene, problem, np.array(displacements), np.array(forces))
+
+
+def follow(answer: Answer, displacement: Floats) -> Answer:
+    """The answer with one more way: that of an equilibrium next to given displacements [step, dof], if there is one."""
+    first = answer.histories[0]
+    if displacement.shape != first.displacement.shape:
+        return answer
+    found = equilibrium_near(first.scene, first.problem, displacement)
+    if found is None:
+        return answer
+    return dataclasses.replace(_compare(first.scene, [found, *answer.histories], answer.balances),
                                quadrature=answer.quadrature)
 
 

@@ -11,7 +11,8 @@ import subprocess
 import h5py
 import numpy as np
 
-from ..reference.solver import follow, solve
+from ..reference.problem import assemble
+from ..reference.solver import equilibrium_near
 from ..scenes.classes import make_scene
 from ..scenes.mesh import Floats
 from ..scenes.scene import Scene
@@ -132,11 +133,16 @@ def judge_configuration(said: Configuration, run: Run, sizes: dict[str, float], 
 def _judge_again(scene: Scene, said: Configuration, fields: list[Floats], accuracy: float,
                  judgement: Judgement) -> Judgement:
     """A second look at what seems wrong: a study starts from what it has solved, and where friction may jam or let go,
-    that leads to another equilibrium than a run. The reference must find it, next to the fields of another run."""
-    answer = solve(with_values(scene, said.values))
-    for displacement in fields if answer.histories else []:
-        near = follow(answer, displacement)
-        if near is not answer and _largest_error(said, near.values, near.sizes, accuracy)[0] <= 1 + _TIGHTER:
+    that leads to another equilibrium than a run. The reference must find it, next to the fields of a run."""
+    configured = with_values(scene, said.values)
+    problem = assemble(configured)
+    for displacement in fields:
+        found = equilibrium_near(configured, problem, displacement)
+        if found is None:
+            continue
+        values = {one.name: found.response(one) for one in scene.responses}
+        sizes = {one.name: found.size(one) for one in scene.responses}
+        if _largest_error(said, values, sizes, accuracy)[0] <= 1 + _TIGHTER:
             return dataclasses.replace(judgement, verdict=Verdict.OTHER)
     return judgement
 
@@ -153,22 +159,28 @@ def try_study(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path,
     read = _run_study(program, study, write_study(study, path), 5 * limit)
     if isinstance(read, str):
         return StudyTrial(name, seed, [Judgement(Verdict.FAILED, detail=read)], (0, 0))
-    accuracy = max(study.accuracy * _TIGHTER, _TIGHTEST)
+
+    def run(said: Configuration, accuracy: float) -> Run:
+        sets = [word for path_, value in said.values.items() for word in ("--set", f"{path_}={value!r}")]
+        done = run_harmos(program, path, limit, *sets, "--set", f"Solver/Accuracy={accuracy!r}",
+                          "--set", "Solver/Mesh Error=false")
+        if done.ending is Ending.CERTIFIED:
+            fields.append(read_displacements(place / "results" / "scene.e", scene.mesh))
+        return done
+
     judgements: list[Judgement] = []
     fields: list[Floats] = []  # of the runs
     stages = 0
     for said in read:
-        sets = [word for path_, value in said.values.items() for word in ("--set", f"{path_}={value!r}")]
-        run = run_harmos(program, path, limit, *sets, "--set", f"Solver/Accuracy={accuracy!r}",
-                         "--set", "Solver/Mesh Error=false")
+        own = run(said, max(study.accuracy * _TIGHTER, _TIGHTEST))
         record = place / "results" / "scene_result.json"
         sizes = json.loads(record.read_text())["response_sizes"] if record.exists() else {}
-        judgements.append(judge_configuration(said, run, sizes, study.accuracy))
-        stages += run.stages
-        if run.ending is Ending.CERTIFIED:
-            fields.append(read_displacements(place / "results" / "scene.e", scene.mesh))
-    judgements = [_judge_again(scene, said, fields, study.accuracy, one) if one.verdict is Verdict.WRONG else one
-                  for said, one in zip(read, judgements)]
+        judgements.append(judge_configuration(said, own, sizes, study.accuracy))
+        stages += own.stages
+    for i, said in enumerate(read):
+        if judgements[i].verdict is Verdict.WRONG:
+            run(said, study.accuracy)
+            judgements[i] = _judge_again(scene, said, fields, study.accuracy, judgements[i])
     if not any(judgement.verdict in FORBIDDEN for judgement in judgements):
         shutil.rmtree(place)
     return StudyTrial(name, seed, judgements, (sum(said.stages for said in read), stages))

@@ -112,6 +112,20 @@ TEST(March, GoesOnWithManyLoadSteps) {
   EXPECT_LE(problem.fixedPoint.metric().distance(image, alpha), 1e-6 * size);
 }
 
+// With lines a million times too steep, what memory of one iteration finds is far from a solution after a hundred.
+TEST(March, KnowsWhetherItHasLeftAStepAsItWas) {
+  StageOptions steep;
+  steep.searchDirectionScale = 1e6;
+  Problem problem(draggedCubes()), slow(draggedCubes(), steep);
+  base::Matrix alpha = problem.zero();
+  March march(problem.fixedPoint, 1, accuracy, 0), slowMarch(slow.fixedPoint, 1, accuracy, 0);
+  EXPECT_EQ(march.run(alpha, 1e-6, March::Guess::extrapolation), March::End::reached);
+  EXPECT_TRUE(march.isNearEnough());
+  alpha = slow.zero();
+  EXPECT_EQ(slowMarch.run(alpha, 1e-6, March::Guess::extrapolation), March::End::reached);
+  EXPECT_FALSE(slowMarch.isNearEnough());
+}
+
 TEST(March, StaysWhereItIsRight) {
   Problem problem(draggedCubes());
   base::Matrix alpha = problem.converged();
