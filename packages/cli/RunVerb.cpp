@@ -116,7 +116,7 @@ int run(const Arguments& arguments, const CommandEnvironment& environment) {
   if (environment.isRoot() && !isQuiet) printSummary(environment.out, result);
   if (environment.isRoot() && isQuiet && result.record.exitCode != 0)
     environment.err << result.record.status << ": " << result.record.reason << "\n";
-  return result.record.exitCode;
+  return result.record.exitCode.value();
 }
 
 }  // namespace

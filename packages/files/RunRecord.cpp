@@ -55,7 +55,7 @@ std::string toJson(const RunRecord& record) {
                {"status", record.status},
                {"reason", record.reason},
                {"remarks", record.remarks},
-               {"exit_code", record.exitCode},
+               {"exit_code", record.exitCode ? Json(*record.exitCode) : Json()},
                {"accuracy", record.accuracy},
                {"error_estimate", record.errorEstimate},
                {"round_off_estimate", record.roundOffEstimate},

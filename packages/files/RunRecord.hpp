@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,7 +28,7 @@ struct RunRecord {
   std::string status;
   std::string reason;                // why it stopped, one sentence
   std::vector<std::string> remarks;  // on what the solution does not determine, one sentence each
-  int exitCode = 0;                  // of the process, see base::ExitCode; 130: interrupted
+  std::optional<int> exitCode;       // of the process, see base::ExitCode; 130: interrupted; nothing while it runs
   double accuracy = 0.0;             // relative error that was asked for
   double roundOffEstimate = 0.0;     // relative, what round-off takes of it at most; 0: far below the accuracy
   double errorEstimate = std::numeric_limits<double>::quiet_NaN();  // relative, of the whole solution; NaN: none

@@ -168,7 +168,7 @@ const double* LoadBalance::sumsAt(int step) const {
   return sums_.data() + static_cast<std::size_t>(step) * sumsPerStep;
 }
 
-bool LoadBalance::isShareOfAnother(int step) {
+int LoadBalance::largestLike(int step) const {
   const std::size_t bodies = assembly_.bodies.size(), stride = steps_.size() * sumsPerStep;
   const double* mine = sumsAt(step);
   const auto sizeAt = [&](int t) {
@@ -177,14 +177,13 @@ bool LoadBalance::isShareOfAnother(int step) {
     return size;
   };
   const double size = sizeAt(step);
-  if (size == 0.0) return true;
+  if (size == 0.0) return -1;
   std::vector<double> extents;
   for (const auto& body : assembly_.bodies) extents.push_back(extentOf(body.nodes));
-  // The largest of those that are proportional, so that one programme answers for a whole ramp.
   int largest = step;
   for (int t = 0; t < assembly_.steps(); ++t) {
-    const double share = size / sizeAt(t);
-    if (t == step || !(share < size / sizeAt(largest))) continue;
+    const double share = size / sizeAt(t), least = size / sizeAt(largest);
+    if (!(share < least || (share == least && t < largest))) continue;
     bool isProportional = hasSameLaws(assembly_, step, t);
     for (std::size_t b = 0; isProportional && b < bodies; ++b) {
       for (std::size_t i = 0; isProportional && i < sumsPerStep; ++i) {
@@ -195,7 +194,7 @@ bool LoadBalance::isShareOfAnother(int step) {
     }
     if (isProportional) largest = t;
   }
-  return largest != step && !contradiction(largest);
+  return largest;
 }
 
 const std::optional<std::string>& LoadBalance::contradiction(int step) {
@@ -203,7 +202,9 @@ const std::optional<std::string>& LoadBalance::contradiction(int step) {
   if (answer.isAsked) return answer.contradiction;
   answer.isAsked = true;
   const auto running = timers_.start("statics");
-  if (isShareOfAnother(step)) return answer.contradiction;
+  // What is admissible balances less of the same loads as well, so that one programme answers for a whole ramp.
+  const int largest = largestLike(step);
+  if (largest < 0 || (largest != step && !contradiction(largest))) return answer.contradiction;
   const RigidParts parts(assembly_, resisted_, step, RigidParts::Unknown::carriesAll);
   const Loads loads = loadsOn(assembly_, parts, sumsAt(step), steps_.size() * sumsPerStep);
   statics::RigidAssembly rigid = parts.rigid();

@@ -31,6 +31,9 @@ class LoadBalance {
   bool isSure(int step);
   /// For certain forces balance the loads, when friction helps: pressures that nothing brings about may be needed.
   bool hasForces(int step);
+  /// The load step whose answer counts for this one, too: the largest of those with the same laws whose loads are the
+  /// same but for a factor, the first of those that are equally large; none (-1) without loads.
+  int largestLike(int step) const;
   /// Of every body a number that those have in common which laws that bear every traction join at all load steps, such
   /// as the pieces of a part: they move as one; -1: joined to the ground in that way, at all load steps.
   const std::vector<int>& rigidBodies() const { return rigidBodies_; }
@@ -42,8 +45,6 @@ class LoadBalance {
     std::optional<bool> isSure, hasForces;
   };
   const double* sumsAt(int step) const;
-  /// Whether what is admissible balances larger loads of the same kind, or there are none: less of them as well.
-  bool isShareOfAnother(int step);
   bool balances(int step, bool withFriction) const;
 
   const assembly::Assembly& assembly_;

@@ -208,4 +208,8 @@ TEST(ResultFiles, RecordIsJsonAlsoWithoutNumbers) {
   EXPECT_NE(text.find("\"error_estimate\": null"), std::string::npos) << text;
   EXPECT_NE(text.find("\"u_load\": 0.002"), std::string::npos) << text;
   EXPECT_NE(text.find("\"cpu_seconds\": 0.25"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"exit_code\": null"), std::string::npos) << text;
+  record.exitCode = 3;
+  writeRunRecord(path, record);
+  EXPECT_NE(contentOf(path).find("\"exit_code\": 3"), std::string::npos) << contentOf(path);
 }

@@ -102,6 +102,17 @@ TEST(LoadBalance, IsSureWithoutFriction) {
   EXPECT_TRUE(answers(laws::makeLaw("Perfect"), push(3.0, 2.0)).isSure);
 }
 
+// One programme answers for a ramp and for loads that stay, not for what turns them round.
+TEST(LoadBalance, AsksOfLikeLoadsOnce) {
+  const std::vector<double> factors = {0.0, 0.5, 1.0, 1.0, 0.7, -1.0, -1.0};
+  BoxAssembly cubes = twoCubes(friction(0.2), laws::makeLaw("Prescribed Traction", {{"X", 0.1}}, {{"X", factors}}), 7);
+  base::Timers timers;
+  const LoadBalance balance(cubes.assembly(), *self(), timers);
+  std::vector<int> like;
+  for (int t = 0; t < 7; ++t) like.push_back(balance.largestLike(t));
+  EXPECT_EQ(like, (std::vector<int>{-1, 2, 2, 2, 2, 5, 5}));
+}
+
 // A bolt that is tightened pulls at both sides with its force, and bears everything else.
 TEST(LoadBalance, CountsForcesOfBolts) {
   const Law bolt = laws::makeLaw("Pretension", {{"Force", 2.0}});

@@ -81,8 +81,11 @@ def _write_sets(file: netCDF4.Dataset, short: str, word: str, sets: dict[str, Ar
     _write_ids(file, short, dimension, len(sets))
     _write_names(file, short + "_names", dimension, list(sets))
     for number, entries in enumerate(sets.values(), 1):
+        if len(entries) == 0:
+            file.variables[short + "_status"][number - 1] = 0  # a set of which nothing else is written
+            continue
         size = f"num_{'side_ss' if short == 'ss' else 'nod_ns'}{number}"
-        file.createDimension(size, max(1, len(entries)))
+        file.createDimension(size, len(entries))
         columns = [("elem_ss", entries[:, 0]), ("side_ss", entries[:, 1])] if short == "ss" else [("node_ns", entries)]
         for name, column in columns:
             file.createVariable(f"{name}{number}", "i4", (size,))[:] = column + 1
