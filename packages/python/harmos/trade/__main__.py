@@ -12,13 +12,15 @@ import sys
 
 from harmos.outputs import demand_no_folder, replace_file, writing
 from harmos.report.writing import Pictures, percent
-from harmos.trade.document import Document, find
+from harmos.trade.budget import Budget, free_memory
+from harmos.trade.document import Document, find, scene_beside
 from harmos.trade.judging import Judge
-from harmos.trade.knobs import dimension_of, knobs_of
-from harmos.trade.ladder import Budget, Ladder, Rung
+from harmos.trade.knobs import Knob, dimension_of, elements_of, knobs_of
+from harmos.trade.ladder import Ladder, Rung
 from harmos.trade.page import MEGABYTE, page
-from harmos.trade.promises import Promise, keep, settings_files
-from harmos.trade.running import Runner
+from harmos.trade.promises import MADE, Promise, keep, settings_files, settings_name
+from harmos.trade.publishing import publish
+from harmos.trade.running import Runner, check, die_with_parent
 from harmos.trade.tables import all_rungs, pareto, write_csv, write_hdf5
 from harmos.trade.workspace import workspace
 
@@ -30,6 +32,8 @@ ENDINGS = (".csv", ".h5", ".html")
 """Of the results."""
 SIZES = {"MB": 1e6, "GB": 1e9}
 """Units of a budget of memory in bytes."""
+FREE = 0.8
+"""Share of the free memory that a run may take."""
 
 
 def main(words: list[str] | None = None) -> int:
@@ -45,25 +49,35 @@ def main(words: list[str] | None = None) -> int:
     parser.add_argument("--responses", default="")
     parser.add_argument("--quiet", action="store_true")
     arguments = parser.parse_args(words)
+    parent = os.getppid()
     try:
         seconds = _measured(arguments.budget, TIMES, "--budget", "10min")
-        memory = _measured(arguments.memory, SIZES, "--memory", "8GB") if arguments.memory else _free_memory()
+        memory = _measured(arguments.memory, SIZES, "--memory", "8GB") if arguments.memory else FREE * free_memory()
         targets = sorted((_target(word) for word in arguments.targets.split(",")), reverse=True)
         document = Document(arguments.input)
         responses = _responses(arguments.responses, document)
         folder = pathlib.Path(arguments.output)
-        for ending in ENDINGS:
-            demand_no_folder(f"{_base(document, folder)}{ending}")
+        for file in _results(document, folder, targets):
+            demand_no_folder(file)
+        is_valid, said = check(arguments.program, document.path)
+        if not is_valid:
+            print(said, end="", file=sys.stderr)
+            return 2
         with writing(folder):
             folder.mkdir(parents=True, exist_ok=True)
         for interruption in (signal.SIGTERM, signal.SIGINT):
             signal.signal(interruption, _end)
+        die_with_parent()
+        if os.getppid() != parent:  # it has died before that was asked for
+            _end()
     except (OSError, ValueError) as error:
         print(f"harmos trade: {error}\nNothing was written.", file=sys.stderr)
         return 2
     try:
         with workspace(folder) as work:
-            return _trade(document, arguments.program, folder, work, Budget(seconds, memory), targets, responses,
+            runner = Runner(arguments.program, document, work)
+            knobs = knobs_of(document, runner.accepts, elements_of(document.names("Parts"), said))
+            return _trade(document, runner, knobs, folder, work, Budget(seconds, memory), targets, responses,
                           arguments.quiet)
     except (OSError, ValueError) as error:
         print(f"harmos trade: {error}", file=sys.stderr)
@@ -80,17 +94,15 @@ def _base(document: Document, folder: pathlib.Path) -> pathlib.Path:
     return folder / f"{document.path.stem}_trade"
 
 
-def _trade(document: Document, program: str, folder: pathlib.Path, work: pathlib.Path, budget: Budget,
-           targets: list[float], responses: list[str], is_quiet: bool) -> int:
-    runner = Runner(program, document, work)
-    is_valid, words = runner.check([])
-    if not is_valid:
-        print(words, end="", file=sys.stderr)
-        return 2
-    elements = {name: int(count) for name, count in re.findall(r"^  (\S+)\s+\d+ nodes\s+(\d+) elements", words, re.M)}
-    knobs = knobs_of(document, lambda entries: runner.check(entries)[0], elements)
-    base = _base(document, folder)
+def _results(document: Document, folder: pathlib.Path, targets: list[float]) -> list[pathlib.Path]:
+    """All files that may be written."""
+    settings = [folder / settings_name(document, target) for target in targets]
+    scenes = [scene_beside(file) for file in settings] if document.study is not None else []
+    return [*(pathlib.Path(f"{_base(document, folder)}{ending}") for ending in ENDINGS), *settings, *scenes]
 
+
+def _trade(document: Document, runner: Runner, knobs: list[Knob], folder: pathlib.Path, work: pathlib.Path, budget: Budget,
+           targets: list[float], responses: list[str], is_quiet: bool) -> int:
     def report(rung: Rung) -> None:
         if not is_quiet:
             predicted = f", expected {rung.predicted:.2f}" if rung.predicted == rung.predicted else ""
@@ -104,13 +116,16 @@ def _trade(document: Document, program: str, folder: pathlib.Path, work: pathlib
     judge = Judge(ladder, responses)
     promises = [keep(target, ladder, judge, runner, document, folder, work) for target in targets]
     rungs = all_rungs(ladder, promises)
+    made = work / MADE
+    made.mkdir(exist_ok=True)
+    base = _base(document, made)
     write_csv(f"{base}.csv", ladder, judge, rungs)
     write_hdf5(f"{base}.h5", ladder, judge, rungs)
     text = page(f"What accuracy costs: {document.path.stem}", ladder, judge, rungs, promises, Pictures())
     replace_file(f"{base}.html", text.encode())
-    for old in settings_files(document, folder) - {file for promise in promises for file in promise.files}:
-        old.unlink()
+    publish(made, folder, settings_files(document, folder) - {file for promise in promises for file in promise.files})
     _print(ladder, judge, rungs, promises)
+    base = _base(document, folder)
     print(f"{base}.html\n{base}.csv\n{base}.h5", flush=True)
     return 0 if all(promise.rung is not None for promise in promises) else 3
 
@@ -172,10 +187,6 @@ def _responses(text: str, document: Document) -> list[str]:
         if name not in known:
             raise ValueError(f"--responses: there is no response \"{name}\"; there are {', '.join(known)}.")
     return chosen
-
-
-def _free_memory() -> float:
-    return 0.8 * os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
 
 
 if __name__ == "__main__":

@@ -2,11 +2,16 @@
 import copy
 import os
 import pathlib
+import re
 import xml.etree.ElementTree as xml
 from collections.abc import Iterable
 from dataclasses import dataclass
 
 from harmos.outputs import replace_file
+
+
+_NAME = re.compile(r"\$([^,{}]*[^,{}\s])")
+"""The name of one of the Values, alone or in an array."""
 
 
 @dataclass(frozen=True)
@@ -54,50 +59,70 @@ class Document:
         self._overrides = _listed(value_of(self.study, "Scene Overrides")) if self.study is not None else []
 
     def value(self, path: str, otherwise: str) -> str:
-        """The entry of the scene, as the study's overrides leave it; `otherwise` when there is none."""
+        """The entry of the scene, as the study's overrides leave it and without names of Values; `otherwise`: there is none."""
+        value = self._written(path)
+        return otherwise if value is None else _NAME.sub(
+            lambda name: self._written(f"Values/{name.group(1)}") or name.group(0), value)
+
+    def is_varied(self, path: str) -> bool:
+        """Whether a parameter of the study sets the entry of the scene, or a number of Values that it names."""
+        parameters = find(self.study, "Parameters") if self.study is not None else None
+        varied = {value_of(one, "Entry") for one in parameters} if parameters is not None else set()
+        names = _NAME.findall(self._written(path) or "")
+        return not varied.isdisjoint({path, *(f"Values/{name}" for name in names)})
+
+    def _written(self, path: str) -> str | None:
         for override in self._overrides:
             name, _, text = override.partition("=")
             if name.strip() == path:
                 return text.strip()
-        value = value_of(self.scene, path)
-        return otherwise if value is None else value
+        return value_of(self.scene, path)
 
     def names(self, path: str) -> list[str]:
         """Names of the lists in a list of the scene, in their order."""
         found = find(self.scene, path)
         return [] if found is None else [one.get("name", "") for one in found if one.tag == "ParameterList"]
 
-    def write(self, entries: Iterable[Entry], target: pathlib.Path, remark: str) -> list[pathlib.Path]:
+    def write(self, entries: Iterable[Entry], target: pathlib.Path, remark: str,
+              home: pathlib.Path | None = None) -> list[pathlib.Path]:
         """Writes it with changes; entries that begin with "Study/" are the study's. The scene of a study is written beside.
 
         Args:
             entries: what changes.
             target: file of the scene, or of the study.
             remark: a comment at the head of it.
+            home: folder that `target` will be moved into; None: it stays.
 
         Returns:
             The files, `target` first.
         """
         changes = list(entries)
+        home = home or target.parent
         scene = copy.deepcopy(self.scene)
         for entry in changes:
             if not entry.path.startswith("Study/"):
                 _set(scene, entry)
         if self.study is None:
-            _write(scene, self.path.parent, target, remark)
+            _write(scene, self.path.parent, target, home, remark)
             return [target]
         study = copy.deepcopy(self.study)
         for entry in changes:
             if entry.path.startswith("Study/"):
                 _set(study, Entry(entry.path.removeprefix("Study/"), entry.kind, entry.value))
         changed = {entry.path for entry in changes}
-        kept = [one for one in self._overrides if one.partition("=")[0].strip() not in changed]
+        kept = [_moved_override(one, self.scene_path.parent, home) for one in self._overrides
+                if one.partition("=")[0].strip() not in changed]
         _set(study, Entry("Scene Overrides", "Array(string)", "{" + ", ".join(kept) + "}" if kept else None))
-        scene_target = target.with_name(f"{target.stem}_scene.xml")
+        scene_target = scene_beside(target)
         _set(study, Entry("Scene", "string", scene_target.name))
-        _write(scene, self.scene_path.parent, scene_target, remark)
-        _write(study, self.path.parent, target, remark)
+        _write(scene, self.scene_path.parent, scene_target, home, remark)
+        _write(study, self.path.parent, target, home, remark)
         return [target, scene_target]
+
+
+def scene_beside(study: pathlib.Path) -> pathlib.Path:
+    """Where the scene of a study is written."""
+    return study.with_name(f"{study.stem}_scene.xml")
 
 
 def find(root: xml.Element, path: str) -> xml.Element | None:
@@ -117,6 +142,8 @@ def value_of(root: xml.Element, path: str) -> str | None:
 
 
 def _read(path: pathlib.Path) -> xml.Element:
+    if path.is_dir():
+        raise ValueError(f"{path} is a folder.\n  Give the file of a scene or of a study.")
     parser = xml.XMLParser(target=xml.TreeBuilder(insert_comments=True))
     try:
         return xml.parse(path, parser).getroot()
@@ -149,16 +176,23 @@ def _set(root: xml.Element, entry: Entry) -> None:
     old.set("value", entry.value)
 
 
-def _write(root: xml.Element, source: pathlib.Path, target: pathlib.Path, remark: str) -> None:
-    def moved(file: str) -> str:
-        return file if os.path.isabs(file) else os.path.relpath(source / file, target.parent)
+def _moved(file: str, source: pathlib.Path, home: pathlib.Path) -> str:
+    """A path that counts from one folder, as it counts from another; links are followed, since ".." of one is not its own."""
+    return file if os.path.isabs(file) else os.path.relpath(os.path.realpath(source / file), os.path.realpath(home))
 
+
+def _moved_override(override: str, source: pathlib.Path, home: pathlib.Path) -> str:
+    path, _, text = override.partition("=")
+    return f"{path}={_moved(text.strip(), source, home)}" if path.strip().split("/")[-1] == "File" else override
+
+
+def _write(root: xml.Element, source: pathlib.Path, target: pathlib.Path, home: pathlib.Path, remark: str) -> None:
     for one in root.iter("Parameter"):
         value = one.get("value", "")
         if one.get("name") == "File":
-            one.set("value", moved(value))
+            one.set("value", _moved(value, source, home))
         elif one.get("name") == "Plugins":
-            one.set("value", "{" + ", ".join(moved(file) for file in _listed(value)) + "}")
+            one.set("value", "{" + ", ".join(_moved(file, source, home) for file in _listed(value)) + "}")
     xml.indent(root)
     text = xml.tostring(root, encoding="unicode")
     replace_file(target, f"<!-- {remark.replace('--', '- -')} -->\n{text}\n".encode())

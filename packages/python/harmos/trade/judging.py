@@ -41,7 +41,7 @@ class Reference:
 
     def doubt(self) -> float:
         """The largest uncertainty, relative."""
-        return float(self.uncertainty.max()) / self.size if self.size > 0 else 0.0
+        return _over(self.uncertainty, self.size)
 
 
 class Judge:
@@ -163,8 +163,10 @@ class Judge:
         for doubt, other, _, _ in candidates[1:]:
             if doubt < math.inf:  # where two do not agree, one of them is wrong
                 uncertainty = numpy.maximum(uncertainty, abs(other.values - space.values) - other.uncertainty)
+        uncertainty = uncertainty + finest.outcome.design.get(name, 0.0)
         sides, shift = {}, numpy.zeros(space.values.shape)
         base = ladder.rungs[ladder.base()]
+        foreign = _foreign(base.outcome.values[name], space.values)
         for knob in ladder.indices(Role.SIDE):
             rungs = [rung for rung in ladder.side(knob) if name in rung.outcome.values]
             sizes = [ladder.knobs[knob].levels[rung.settings[knob]].size for rung in rungs]
@@ -174,10 +176,19 @@ class Judge:
                                     numpy.full(space.values.shape, math.nan), "the tightest")
             else:
                 sides[knob] = limit_of(sizes, [rung.outcome.values[name] for rung in rungs], self._noise(rungs[-1], name))
-            shift = shift + sides[knob].values - base.outcome.values[name]
-            uncertainty = uncertainty + sides[knob].uncertainty
+            own_shift = sides[knob].values - base.outcome.values[name]
+            shift = shift + own_shift
+            uncertainty = uncertainty + sides[knob].uncertainty + foreign * abs(own_shift)
         size = max(float(abs(space.values).max()), finest.outcome.sizes.get(name, 0.0))
         return Reference(space.values + shift, uncertainty, size, space, family, sides)
+
+
+def _foreign(measured: Floats, limit: Floats) -> Floats:
+    """Share of what a knob does on a mesh that may not carry over to fine ones: how far the mesh itself is off, [value]."""
+    distance = abs(measured - limit)
+    share = numpy.divide(distance, abs(limit), out=numpy.ones(limit.shape), where=limit != 0)
+    capped: Floats = numpy.minimum(share, 1.0)
+    return capped
 
 
 def _doubted(limit: Limit, finest: Outcome, name: str) -> Floats:
@@ -193,7 +204,12 @@ def _doubted(limit: Limit, finest: Outcome, name: str) -> Floats:
 
 
 def _relative(distance: Floats, reference: Reference) -> float:
+    return _over(distance, reference.size)
+
+
+def _over(distance: Floats, size: float) -> float:
+    """The largest distance, relative; what is exactly 0 is known only where nothing is off."""
     largest = float(distance.max())
     if largest == 0.0:
         return 0.0
-    return largest / reference.size if reference.size > 0 else math.inf
+    return largest / size if size > 0 else math.inf

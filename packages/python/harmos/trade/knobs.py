@@ -1,6 +1,7 @@
 """What can be traded in a scene or a study: knobs with levels, each a few entries of the input."""
 import enum
 import math
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -16,6 +17,8 @@ CHAOS_ACCURACIES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 """Accuracies asked of an expansion, relative to standard deviations."""
 PIECES = (1, 2, 4)
 """Pieces of the largest part; others get fewer, by their elements."""
+QUADRATIC = ("Hex20", "Hex27", "Wedge15", "Tet10", "Quad8", "Quad9", "Tri6")
+"""Elements of boxes whose order nothing raises."""
 
 
 class Role(enum.Enum):
@@ -77,7 +80,25 @@ def knobs_of(document: Document, accepts: Accepts, elements: dict[str, int]) -> 
         knobs += [_order(document), _method(document)]
     elif document.study is None:
         knobs.append(_pieces(elements))
-    return knobs
+    return [_pinned(document, knob) for knob in knobs]
+
+
+def elements_of(parts: list[str], words: str) -> dict[str, int]:
+    """Counts of elements by part, from what `harmos check` says; it lists pieces of a part as PART.1, PART.2 and so on."""
+    counts: dict[str, int] = {}
+    for name, count in re.findall(r"^  (\S.*?)\s+\d+ nodes\s+(\d+) elements", words, re.M):
+        part = name if name in parts else re.sub(r"\.\d+$", "", name)
+        if part in parts:
+            counts[part] = counts.get(part, 0) + int(count)
+    return counts
+
+
+def _pinned(document: Document, knob: Knob) -> Knob:
+    """The knob, which nothing turns where a parameter of the study sets one of its entries."""
+    paths = {entry.path for level in knob.levels for entry in level.entries}
+    if not any(document.is_varied(path) for path in paths):
+        return knob
+    return Knob(knob.name, knob.role, (Level("as the study varies it", (), knob.levels[knob.given].size),), 0)
 
 
 def dimension_of(document: Document) -> int:
@@ -120,6 +141,8 @@ def _elements(document: Document, accepts: Accepts) -> Knob:
     if document.value("Mesh/Type", "") == "Bolted Joint":
         other = "Hex20" if document.value("Mesh/Element", "Hex8") == "Hex8" else "Hex8"
         candidates = [Level(other, (Entry("Mesh/Element", "string", other),))]
+    elif document.value("Mesh/Element", "") in QUADRATIC:
+        candidates = []
     else:
         order = 1 if document.value("Mesh/Order", "1") == "2" else 2
         candidates = [Level("quadratic" if order == 2 else "linear", (Entry("Mesh/Order", "int", str(order)),))]

@@ -2,15 +2,18 @@
 import json
 import math
 import pathlib
+from xml.etree.ElementTree import Element
 
 import numpy
 
 from harmos.arrays import Floats
 from harmos.results import read_history, read_study
-from harmos.trade.document import Document
+from harmos.trade.document import Document, value_of
 
-Answer = tuple[str, bool, dict[str, Floats], dict[str, float], dict[str, float], dict[str, float]]
-"""Status, whether it is certified; of the responses values, estimates of the iteration's error, sizes, and estimates of the mesh's error."""
+Answer = tuple[str, bool, dict[str, Floats], dict[str, float], dict[str, float], dict[str, float],
+               dict[str, float]]
+"""Status, whether it is certified; of the responses values, estimates of the iteration's error, sizes,
+estimates of the mesh's error and of the design's."""
 
 
 def read_outcome(document: Document, base: pathlib.Path) -> Answer:
@@ -20,7 +23,7 @@ def read_outcome(document: Document, base: pathlib.Path) -> Answer:
         OSError: they are not there.
         ValueError: they hold something else.
     """
-    return _run(document, base) if document.study is None else _study(base)
+    return _run(document, base) if document.study is None else _study(base, _refines_itself(document.study))
 
 
 def step_ends(document: Document) -> list[float]:
@@ -44,13 +47,19 @@ def _run(document: Document, base: pathlib.Path) -> Answer:
     estimates = {name: sizes[name] * _number(record["response_error_estimates"].get(name)) for name in values}
     mesh = {name: abs(_number(estimate["change"]))
             for name, estimate in record["mesh_error_estimates"].items() if name in values}
-    return record["status"], is_certified and bool(values), values, estimates, sizes, _finite(mesh)
+    return record["status"], is_certified and bool(values), values, estimates, sizes, _finite(mesh), {}
 
 
-def _study(base: pathlib.Path) -> Answer:
+def _refines_itself(study: Element) -> bool:
+    """Whether no knob turns the order of an expansion or interpolation, so that its own estimate is all that tells its error."""
+    return value_of(study, "Design/Type") == "Adaptive Collocation"
+
+
+def _study(base: pathlib.Path, refines_itself: bool) -> Answer:
     study = read_study(base.with_name(base.name + ".h5"))
     values: dict[str, Floats] = {}
     estimates: dict[str, float] = {}
+    design: dict[str, float] = {}
     statistics = study.statistics
     if statistics is not None and not statistics.is_sample:
         for name, each in statistics.responses.items():
@@ -58,6 +67,10 @@ def _study(base: pathlib.Path) -> Answer:
             values[f"{name}, standard deviation"] = numpy.array([each.standard_deviation])
             for key in ("mean", "standard deviation"):
                 estimates[f"{name}, {key}"] = each.iteration_error
+            if refines_itself:
+                errors = (each.mean_error, each.standard_deviation_error)
+                design.update(zip((f"{name}, mean", f"{name}, standard deviation"),
+                                  (math.inf if math.isnan(error) else error for error in errors)))
         is_certified = study.state == "complete"
         status = study.state
     else:
@@ -71,7 +84,7 @@ def _study(base: pathlib.Path) -> Answer:
     sizes = {name: float(abs(array).max()) for name, array in values.items()}
     mesh = {name: float(numpy.nanmax(abs(changes))) for name, changes in study.mesh_changes.items()
             if name in values and numpy.isfinite(changes).any()}
-    return status, is_certified and bool(values), values, estimates, sizes, mesh
+    return status, is_certified and bool(values), values, estimates, sizes, mesh, design
 
 
 def _finite(numbers: dict[str, float]) -> dict[str, float]:

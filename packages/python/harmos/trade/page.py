@@ -107,7 +107,9 @@ def pareto_section(ladder: Ladder, judge: Judge, rungs: list[Rung], picture: Pic
     for k, part in enumerate(names):
         axis.bar([i + k * width for i in range(len(chosen))], heights[part], width, label=part)
     axis.set_xticks(range(len(chosen)), [f"{rung.outcome.cpu:.2f} s" for rung in chosen])
-    axis.set(yscale="log", ylabel="relative error", xlabel="CPU time")
+    if any(height > 0 for part in names for height in heights[part]):
+        axis.set_yscale("log")
+    axis.set(ylabel="relative error", xlabel="CPU time")
     axis.legend()
     head = ("total error", "worst response", *names, "certificate", "CPU s", "memory MB", "settings")
     return picture(figure, "pareto") + table(head, rows, (1, len(head) - 1)) + (

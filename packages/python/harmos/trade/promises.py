@@ -1,7 +1,9 @@
 """Finds the cheapest settings that keep a promise, runs them afresh, and writes those that have kept it as XML."""
+import collections
 import itertools
 import math
 import pathlib
+import re
 from dataclasses import dataclass
 
 from harmos.trade.document import Document
@@ -16,6 +18,8 @@ SAFETY = 0.9
 """Share of a target that the expected error of settings may reach."""
 WITHIN = "_within_"
 """In the name of settings, between that of the input and the target."""
+MADE = "made"
+"""Folder in that of the runs: results that are complete."""
 REMARK = "settings of harmos trade"
 """Begins the comment at the head of settings."""
 ALIKE = 1.15
@@ -63,11 +67,13 @@ def expected_costs(ladder: Ladder, judge: Judge) -> list[tuple[float, float, Set
 
 def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: Document,
          folder: pathlib.Path, work: pathlib.Path) -> Promise:
-    """The cheapest settings whose fresh run keeps the target; their XML is written into `folder` then, and tried in `work`."""
+    """The cheapest settings whose fresh run keeps the target.
+
+    They are tried in `work`; those that keep it are written into MADE in it, to be moved into `folder`.
+    """
     promise = Promise(target)
     if judge.doubt() > target:
-        promise.reason = (f"the reference itself is known to {100 * judge.doubt():.2g} % only"
-                          if judge.doubt() < math.inf else "the budget leaves a reference unknown")
+        promise.reason = _doubtful(ladder, judge)
         return promise
     candidates = [one for one in expected_costs(ladder, judge) if one[1] <= SAFETY * target]
     if not candidates:
@@ -83,7 +89,7 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
             promise.reason = "the budget does not allow the run that would show it"
             continue
         entries = [entry for knob, i in zip(ladder.knobs, settings) for entry in knob.levels[i].entries]
-        name = f"{document.path.stem}{WITHIN}{100 * target:g}_percent.xml"
+        name = settings_name(document, target)
         remark = (f"{REMARK} for errors below {100 * target:g} % in every response: {ladder.words(settings)}")
         trial = document.write(entries, work / name, remark)[0]
         outcome = runner.run_file(trial, max(ladder.budget.left(), 1.0), ladder.budget.memory)
@@ -95,13 +101,29 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
         rung = Rung(settings, outcome, ladder.predicted(settings, "cpu") or math.nan, f"within {100 * target:g} %")
         error = judge.promised(rung)
         if error <= target:
-            return Promise(target, rung, error, tuple(document.write(entries, folder / name, remark)))
+            files = document.write(entries, work / MADE / name, remark, folder)
+            return Promise(target, rung, error, tuple(folder / file.name for file in files))
         promise.reason = f"settings that were expected to keep it came to {100 * error:.2g} %"
     return promise
 
 
+def _doubtful(ladder: Ladder, judge: Judge) -> str:
+    """Why the reference is not known well enough."""
+    if judge.doubt() < math.inf:
+        return f"the reference itself is known to {100 * judge.doubt():.2g} % only"
+    statuses = collections.Counter(rung.outcome.status for rung in ladder.rungs.values())
+    if judge.references or not statuses:
+        return "the budget leaves a reference unknown"
+    return f"nothing could be certified, mostly: {statuses.most_common(1)[0][0]}"
+
+
+def settings_name(document: Document, target: float) -> str:
+    """Of the file of settings for a target."""
+    return f"{document.path.stem}{WITHIN}{100 * target:g}_percent.xml"
+
+
 def settings_files(document: Document, folder: pathlib.Path) -> set[pathlib.Path]:
     """Settings in `folder` that this or an earlier trade of an input of this name has written."""
-    return {file for file in folder.iterdir()
-            if file.name.startswith(f"{document.path.stem}{WITHIN}") and file.suffix == ".xml"
+    name = re.compile(rf"{re.escape(document.path.stem)}{WITHIN}[0-9.e+-]+_percent(_scene)?\.xml")
+    return {file for file in folder.iterdir() if name.fullmatch(file.name) and file.is_file()
             and file.read_text(errors="replace").startswith(f"<!-- {REMARK} ")}

@@ -21,6 +21,11 @@ PDEATHSIG = 1
 """Of prctl(): the signal that a process gets when its parent dies."""
 
 
+def die_with_parent() -> None:
+    """Has this process end with the one that has started it, however that ends."""
+    ctypes.CDLL(None).prctl(PDEATHSIG, signal.SIGTERM)
+
+
 @dataclass
 class Outcome:
     """What a run has come to.
@@ -32,6 +37,7 @@ class Outcome:
         estimates: what the certificate states of the iteration's error, in the unit of the response; NaN: nothing.
         sizes: what errors of a response are relative to.
         mesh: what Harmos itself estimates that the mesh does to a response, in its unit; those that have an estimate.
+        design: what a design that refines itself leaves of a response's moments, in its unit; those that have such an error.
         cpu: of the whole process [s].
         wall: from its start to its end [s].
         memory: its largest resident set [byte].
@@ -44,10 +50,17 @@ class Outcome:
     estimates: dict[str, float] = field(default_factory=dict)
     sizes: dict[str, float] = field(default_factory=dict)
     mesh: dict[str, float] = field(default_factory=dict)
+    design: dict[str, float] = field(default_factory=dict)
     cpu: float = 0.0
     wall: float = 0.0
     memory: int = 0
     refused: bool = False
+
+
+def check(program: str, path: pathlib.Path) -> tuple[bool, str]:
+    """Whether Harmos takes a file, and what it says of it."""
+    end = subprocess.run([program, "check", str(path)], env=_environment(), capture_output=True, text=True, check=False)
+    return end.returncode == 0, end.stdout if end.returncode == 0 else end.stderr
 
 
 class Runner:
@@ -57,18 +70,12 @@ class Runner:
         """Works in `folder`, which it makes."""
         self._program, self._document, self._folder = program, document, folder
         folder.mkdir(parents=True, exist_ok=True)
-        # mpirun marks its processes in their environment; a run that found the marks would take itself for one of them.
-        is_launched = "OMPI_COMM_WORLD_SIZE" in os.environ
-        self._environment = {name: value for name, value in os.environ.items()
-                             if not (is_launched and re.match("(OMPI|PMIX|ORTE|OPAL)_(?!ALLOW)", name))}
 
-    def check(self, entries: Iterable[Entry]) -> tuple[bool, str]:
-        """Whether Harmos takes the input with these changes, and what it says of it."""
+    def accepts(self, entries: Iterable[Entry]) -> bool:
+        """Whether Harmos takes the input with these changes."""
         path = self._folder / f"{self._document.path.stem}.xml"
         self._document.write(entries, path, "a trial of harmos trade")
-        end = subprocess.run([self._program, "check", str(path)], env=self._environment, capture_output=True, text=True,
-                             check=False)
-        return end.returncode == 0, end.stdout if end.returncode == 0 else end.stderr
+        return check(self._program, path)[0]
 
     def run(self, entries: Iterable[Entry], seconds: float, memory: float) -> Outcome:
         """Solves the input with these changes, ends it after so many seconds or with so many bytes."""
@@ -83,7 +90,7 @@ class Runner:
         verb = "run" if self._document.study is None else "study"
         begin = time.monotonic()
         code, stopped, usage = _watched([self._program, verb, str(path), "--quiet", "--output", str(results)],
-                                        self._environment, self._folder / "messages", seconds, memory)
+                                        _environment(), self._folder / "messages", seconds, memory)
         wall = time.monotonic() - begin
         outcome = Outcome(stopped) if stopped else self._read(results / path.stem, code)
         shutil.rmtree(results, ignore_errors=True)
@@ -93,7 +100,8 @@ class Runner:
         if exit_code not in (0, 3, 4):
             words = (self._folder / "messages").read_text(errors="replace").strip().splitlines()
             if exit_code == 2:
-                return Outcome("refused: " + words[0] if words else "refused", refused=True)
+                said = re.sub(rf"^{re.escape(str(self._folder))}.*?\.xml(:\d+)?: ", "", words[0]) if words else ""
+                return Outcome(f"refused: {said}" if said else "refused", refused=True)
             return Outcome(f"failed, exit code {exit_code}")
         try:
             return Outcome(*read_outcome(self._document, base))
@@ -101,12 +109,19 @@ class Runner:
             return Outcome(f"no answer: {error}")
 
 
+def _environment() -> dict[str, str]:
+    """That of this process without the marks of mpirun: a run that found them would take itself for one of its processes."""
+    is_launched = "OMPI_COMM_WORLD_SIZE" in os.environ
+    return {name: value for name, value in os.environ.items()
+            if not (is_launched and re.match("(OMPI|PMIX|ORTE|OPAL)_(?!ALLOW)", name))}
+
+
 def _watched(command: list[str], environment: dict[str, str], messages: pathlib.Path, seconds: float,
              memory: float) -> tuple[int, str, resource.struct_rusage]:
     """Exit code, why it was stopped (empty: it was not) and what a command has used that may take so much."""
     begin = time.monotonic()
     with open(messages, "wb") as file:
-        process = subprocess.Popen(command, env=environment, stdout=file, stderr=file, preexec_fn=_die_with_parent)
+        process = subprocess.Popen(command, env=environment, stdout=file, stderr=file, preexec_fn=die_with_parent)
     stopped = ""
     try:
         while True:
@@ -125,10 +140,6 @@ def _watched(command: list[str], environment: dict[str, str], messages: pathlib.
         if process.returncode is None:  # interrupted: nothing may write any more where its folder is removed
             process.kill()
             process.wait()
-
-
-def _die_with_parent() -> None:
-    ctypes.CDLL(None).prctl(PDEATHSIG, signal.SIGTERM)
 
 
 def _peak(process: int) -> float:

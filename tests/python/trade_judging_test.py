@@ -1,0 +1,119 @@
+"""References of trades: ladders of levels, what does not carry over, errors of a design."""
+import math
+import pathlib
+import unittest
+from collections.abc import Mapping
+from typing import cast
+from unittest import mock
+
+import numpy
+from matplotlib.figure import Figure
+
+from harmos.report.writing import Pictures
+from harmos.trade.budget import Budget
+from harmos.trade.judging import Judge
+from harmos.trade.knobs import Knob, Level, Role
+from harmos.trade.ladder import Ladder, Rung, Settings
+from harmos.trade.outcome import read_outcome
+from harmos.trade.page import pareto_section
+from harmos.trade.promises import keep
+from harmos.trade.running import Outcome
+
+
+def knob(name: str, role: Role, sizes: list[float], given: int = 0) -> Knob:
+    """With levels of these sizes."""
+    return Knob(name, role, tuple(Level(f"{name} {size:g}", (), size) for size in sizes), given)
+
+
+def answer(value: float, design: float = 0.0, certified: bool = True) -> Outcome:
+    """A run with one response of size 1."""
+    status = "certified" if certified else "stagnation"
+    return Outcome(status, certified, {"u": numpy.array([value])}, {"u": 0.0}, {"u": abs(value)},
+                   design={"u": design} if design else {}, cpu=1.0, wall=1.0)
+
+
+class LadderTest(unittest.TestCase):
+    """Three meshes with four counts of increments, and what is known from them."""
+
+    def ladder(self, outcomes: Mapping[tuple[int, int, int, int], Outcome], meshes: int = 3) -> Ladder:
+        """With these outcomes; settings are levels of the mesh, the elements, the time steps and the accuracy."""
+        knobs = [knob("mesh", Role.MESH, [2.0 ** -n for n in range(meshes)]), knob("elements", Role.FAMILY, [1.0, 1.0]),
+                 knob("time steps", Role.SIDE, [1.0, 0.5, 0.25, 0.125]), knob("accuracy", Role.SIDE, [1e-3])]
+        ladder = Ladder(knobs, 2, mock.MagicMock(), Budget(1e3, 1e9), lambda rung: None)
+        ladder.rungs = {settings: Rung(settings, outcome, math.nan, "ladder") for settings, outcome in outcomes.items()}
+        return ladder
+
+    def wanted(self, steps: list[float]) -> set[Settings]:
+        """What is measured next, after so many levels of time steps with these values."""
+        ladder = self.ladder({(0, 0, level, 0): answer(value) for level, value in enumerate(steps)})
+        return set(ladder._next_sides())
+
+    def test_one_finer_count_of_increments_that_changes_nothing_does_not_tell_that_none_does(self) -> None:
+        """Both may miss the same peak; the third has seen it."""
+        self.assertEqual(self.wanted([1.0, 1.0]), {(0, 0, 2, 0)})
+        self.assertEqual(self.wanted([1.0, 1.0, 1.0]), set())
+        self.assertEqual(self.wanted([1.0, 1.0, 3.0]), {(0, 0, 3, 0)})
+
+    def test_what_steps_do_on_a_mesh_that_is_far_off_is_doubted_on_fine_ones(self) -> None:
+        """Meshes go from 1 to 4 and on; on the first, steps add 0.5."""
+        def doubt(finer: float) -> float:
+            outcomes = {(n, 0, 0, 0): answer(value) for n, value in enumerate((1.0, 3.0, 4.0))}
+            outcomes |= {(0, 0, level, 0): answer(finer) for level in (1, 2)}
+            return float(Judge(self.ladder(outcomes)).references["u"].uncertainty[0])
+
+        # The limit is 5, from which the first mesh is off by four fifths; the levels of steps themselves leave 0.5 open.
+        self.assertAlmostEqual(doubt(1.5) - doubt(1.0), 0.5 + 0.8 * 0.5, places=9)
+
+    def test_an_error_of_the_design_counts_in_the_reference(self) -> None:
+        """Finer meshes do not show it."""
+        def doubt(design: float) -> float:
+            outcomes = {(n, 0, 0, 0): answer(3 + 2 * 4.0 ** -n, design) for n in range(3)}
+            return float(Judge(self.ladder(outcomes | {(0, 0, 1, 0): answer(5.0)})).references["u"].uncertainty[0])
+
+        self.assertAlmostEqual(doubt(0.25) - doubt(0.0), 0.25)
+
+    def test_an_adaptive_collocation_states_the_error_of_its_moments(self) -> None:
+        """Other expansions are refined by a knob of their own."""
+        for kind, expected in (("Adaptive Collocation", {"u, mean": 0.1, "u, standard deviation": 0.2}), ("Collocation", {})):
+            document, study = mock.MagicMock(), mock.MagicMock(state="complete", mesh_changes={})
+            each = mock.MagicMock(mean=1.0, standard_deviation=0.5, mean_error=0.1, standard_deviation_error=0.2)
+            study.statistics = mock.MagicMock(is_sample=False, responses={"u": each})
+            with mock.patch("harmos.trade.outcome.read_study", return_value=study), mock.patch(
+                    "harmos.trade.outcome.value_of", return_value=kind):
+                self.assertEqual(read_outcome(document, pathlib.Path("x"))[-1], expected)
+
+    def test_a_zero_of_one_mesh_is_not_known(self) -> None:
+        """A second one tells that it is."""
+        self.assertEqual(Judge(self.ladder({(0, 0, 0, 0): answer(0.0)})).references["u"].doubt(), math.inf)
+        zeros = {(mesh, 0, 0, 0): answer(0.0) for mesh in (0, 1)} | {(0, 0, 1, 0): answer(0.0)}
+        self.assertEqual(Judge(self.ladder(zeros)).references["u"].doubt(), 0.0)
+
+    def test_elements_that_give_the_very_same_are_not_measured_again(self) -> None:
+        """As those of a file that are quadratic already."""
+        for value, expected in ((1.0, False), (1.5, True)):
+            ladder = self.ladder({(0, 0, 0, 0): answer(1.0), (0, 1, 0, 0): answer(value)})
+            self.assertEqual((1, 1, 0, 0) in set(ladder._next(lambda family: False)), expected)
+
+    def test_where_nothing_is_certified_the_reason_is_what_runs_came_to(self) -> None:
+        """Not that the budget is too small."""
+        ladder = self.ladder({(0, 0, 0, 0): answer(1.0, certified=False), (1, 0, 0, 0): answer(1.0, certified=False)})
+        folder = pathlib.Path("x")
+        promise = keep(0.01, ladder, Judge(ladder), mock.MagicMock(), mock.MagicMock(), folder, folder)
+        self.assertIn("stagnation", promise.reason)
+
+    def test_a_picture_without_heights_has_no_logarithm(self) -> None:
+        """It would be warned of."""
+        zeros = {(mesh, 0, 0, 0): answer(0.0) for mesh in (0, 1)} | {(0, 0, 1, 0): answer(0.0)}
+        ladder = self.ladder(zeros)
+        figures: list[Figure] = []
+
+        def kept(figure: Figure, name: str) -> str:
+            figures.append(figure)
+            return name
+
+        pareto_section(ladder, Judge(ladder), list(ladder.rungs.values()), cast(Pictures, kept))
+        self.assertEqual(figures[0].axes[0].get_yscale(), "linear")
+
+
+if __name__ == "__main__":
+    unittest.main()
