@@ -18,6 +18,9 @@ constexpr int fewestStates = 3;
 // share over so many iterations.
 constexpr std::size_t iterationsToFall = 4;
 constexpr double slow = 0.5;
+// Of |f^|: where nothing resists a motion, there is always less residual still farther away. Ways to less that lead
+// somewhere have been below 0.7 of it, others 15 to 1e13 times (`study_any_mesh`).
+constexpr double farthest = 1.0;
 // Differences across many changes of status mislead as well.
 constexpr std::size_t iterationsToFallLater = 8;
 
@@ -30,16 +33,17 @@ base::Matrix viewOf(const base::Matrix& matrix) {
 
 ConfigurationIteration::ConfigurationIteration(latin::FixedPoint& fixedPoint, StepSolver& solver,
                                                const std::vector<std::shared_ptr<const latin::Response>>& responses,
-                                               int neighbours, int memory, double accuracy, base::Timers& timers)
+                                               const Remembered& remembered, double accuracy, base::Timers& timers)
     : fixedPoint_(fixedPoint),
       solver_(solver),
       local_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout(), fixedPoint.formulation()),
-      neighbours_(neighbours),
+      remembered_(remembered),
       accuracy_(accuracy),
       timers_(timers),
       gauge_(fixedPoint, responses),
-      start_(fixedPoint, local_),
-      acceleration_(fixedPoint.metric(), neighbours + ReducedBasisStart::furtherColumns + memory) {
+      start_(fixedPoint, local_, remembered.changes),
+      acceleration_(fixedPoint.metric(), remembered.neighbours + ReducedBasisStart::furtherColumns +
+                                             remembered.changes + remembered.differences) {
   local_.setReference(fixedPoint.reference());
 }
 
@@ -68,7 +72,7 @@ void ConfigurationIteration::begin(const SolvedStates& states, const std::vector
   prepare();
   if (states.count() < fewestStates) return;
   const auto running = timers_.start("start");
-  start_.begin(states, values, neighbours_, *offset_);
+  start_.begin(states, values, remembered_.neighbours, *offset_);
   starts_ = start_.starts();
   traction_ = start_.traction();
   force_ = start_.force();
@@ -138,12 +142,38 @@ void ConfigurationIteration::seed() {
   acceleration_.seed({viewOf(start_.residualTangents())}, {viewOf(start_.imageTangents())});
 }
 
-void ConfigurationIteration::seedHere() {
+void ConfigurationIteration::improve() {
+  start_.improve(column_, columnBeta_, target_.force * traction_);
+  base::Matrix change(start_.state());
+  change -= column_;
+  if (fixedPoint_.metric().norm(change) > farthest * traction_) {
+    start_.forget();
+    applyLaws();
+    return;
+  }
+  column_.assign(start_.state());
+  columnBeta_.assign(start_.beta());
+  applyLaws();
+  isThere_ = meetsTarget();
+}
+
+void ConfigurationIteration::beginAnew() {
   acceleration_.restart();
+  residuals_.clear();
   if (starts_.empty()) return;
   const auto running = timers_.start("start");
+  if (remembered_.changes > 0) improve();
+  if (isThere_) return;
   start_.differentiate();
   seed();
+}
+
+bool ConfigurationIteration::isSlow() {
+  residuals_.push_back(residual_);
+  const std::size_t back = wasSlow_ ? iterationsToFallLater : iterationsToFall;
+  const bool isSlow = residuals_.size() > back && residual_ > slow * residuals_[residuals_.size() - 1 - back];
+  wasSlow_ = wasSlow_ || isSlow;
+  return isSlow;
 }
 
 void ConfigurationIteration::extrapolate() {
@@ -184,23 +214,17 @@ void ConfigurationIteration::startStep() {
     isThere_ = meetsTarget();
     if (!isThere_ && !starts_.empty()) {
       start_.gather(step_);
-      seedHere();
+      beginAnew();
     }
   }
   residuals_.clear();
-  back_ = iterationsToFall;
+  wasSlow_ = false;
   iterations_ = 0;
   mostIterations_ = iterationsLeft();
   isStarted_ = true;
 }
 
 void ConfigurationIteration::propose() {
-  residuals_.push_back(residual_);
-  if (residuals_.size() > back_ && residual_ > slow * residuals_[residuals_.size() - 1 - back_]) {
-    seedHere();
-    residuals_.clear();
-    back_ = iterationsToFallLater;
-  }
   for (int row = 0; row < column_.numRows(); ++row) change_[0][row] = -column_[0][row];
   acceleration_.advance(column_, columnImage_);
   change_ += column_;
@@ -215,6 +239,7 @@ void ConfigurationIteration::take() {
   ++columns_;
   ++iterations_;
   columnBeta_ += changeImage_;
+  if (!starts_.empty()) start_.remember(change_, changeImage_);
   applyLaws();
   isThere_ = meetsTarget();
 }
@@ -251,6 +276,7 @@ bool ConfigurationIteration::proceed() {
   if (isWaiting_) take();
   while (step_ < alpha_.numCols()) {
     if (!isStarted_) startStep();
+    if (!isThere_ && iterations_ < mostIterations_ && isSlow()) beginAnew();
     if (!isThere_ && iterations_ < mostIterations_) {
       propose();
       return isWaiting_ = true;

@@ -22,13 +22,19 @@ namespace harmos::parametric {
 /// indicators are reported. Displacement form only.
 class ConfigurationIteration {
  public:
-  /// `neighbours`: solved states that a start is made of, at most. `memory`: differences that the acceleration keeps
-  /// beyond those of the start. `accuracy`: relative one that fields have in the end [-], see
+  /// How many are remembered at most: solved states that a start is made of; changes that were solved for, along which
+  /// load steps go on that are slow, 0: they do with the states alone; and differences of the acceleration beyond
+  /// these.
+  struct Remembered {
+    int neighbours = 0, changes = 0, differences = 0;
+  };
+
+  /// `accuracy`: relative one that fields have in the end [-], see
   /// FixedPoint::shareTractions(). `solver`: of single load steps of `fixedPoint`. The phases "start", "indicators"
   /// and "acceleration" are charged to `timers`. All arguments must outlive it.
   ConfigurationIteration(latin::FixedPoint& fixedPoint, StepSolver& solver,
-                         const std::vector<std::shared_ptr<const latin::Response>>& responses, int neighbours,
-                         int memory, double accuracy, base::Timers& timers);
+                         const std::vector<std::shared_ptr<const latin::Response>>& responses,
+                         const Remembered& remembered, double accuracy, base::Timers& timers);
   /// Asked on every rank before every solve; march() then goes on with the stage of all load steps at once.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
 
@@ -96,8 +102,12 @@ class ConfigurationIteration {
   void findStart();
   /// Gives the acceleration the columns of the start with their tangents.
   void seed();
-  /// Begins the acceleration anew, with the tangents at the present state.
-  void seedHere();
+  /// Goes to less residual at the present load step without a solve, where that is not far away.
+  void improve();
+  /// Begins the acceleration anew: from less residual, where that can be had without a solve, with the tangents there.
+  void beginAnew();
+  /// Notes the residual of the present load step; whether it has not fallen as it should.
+  bool isSlow();
   void extrapolate();
   /// Finds what column_ changes by next.
   void propose();
@@ -114,7 +124,7 @@ class ConfigurationIteration {
   latin::FixedPoint& fixedPoint_;
   StepSolver& solver_;
   latin::PointwiseLocalStage local_;  // of its own, with the histories of its march
-  int neighbours_;
+  Remembered remembered_;
   double accuracy_;
   base::Timers& timers_;
   Gauge gauge_;
@@ -136,8 +146,8 @@ class ConfigurationIteration {
   bool isWaiting_ = false, isSolved_ = false;  // for the solve of a change, and whether it is there
   bool isThere_ = false;                       // and meets the target
   int iterations_ = 0, mostIterations_ = 0;    // at the present load step
+  bool wasSlow_ = false;                       // there
   std::vector<double> residuals_;              // of them since the last restart of the acceleration
-  std::size_t back_ = 0;                       // over so many of them the residual must fall
   double traction_ = 0.0;  // root mean square over the load steps of |f^|; when cold, over those so far
   double force_ = 0.0;     // what imbalances are measured by [force]; 0 before it is known
   double residual_ = 0.0;  // |T(alpha) - alpha| of the present load step

@@ -31,11 +31,13 @@ void shape(base::Matrix& matrix, int rows, int columns) {
 
 }  // namespace
 
-ReducedBasisStart::ReducedBasisStart(const latin::FixedPoint& fixedPoint, latin::PointwiseLocalStage& local)
+ReducedBasisStart::ReducedBasisStart(const latin::FixedPoint& fixedPoint, latin::PointwiseLocalStage& local,
+                                     int changes)
     : fixedPoint_(fixedPoint),
       local_(local),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
-      tangents_(fixedPoint.assembly(), lines_) {}
+      tangents_(fixedPoint.assembly(), lines_),
+      mostChanges_(changes) {}
 
 double ReducedBasisStart::evaluate(const base::Matrix& alpha, const base::Matrix& beta, std::vector<double>& residual) {
   local_.solveColumn(0, beta, hatted_);
@@ -96,6 +98,42 @@ void ReducedBasisStart::begin(const SolvedStates& states, const std::vector<doub
     states_.push_back(states.state(position));
   }
   weights_.clear();
+  changesSolved_ = 0;
+}
+
+void ReducedBasisStart::remember(const base::Matrix& change, const base::Matrix& image) {
+  if (mostChanges_ == 0) return;
+  const int rows = change.numRows();
+  for (base::Matrix* matrix : {&changes_, &changesLinear_}) shape(*matrix, rows, mostChanges_);
+  const int place = changesSolved_++ % mostChanges_;
+  std::copy_n(change[0], rows, changes_[place]);
+  std::copy_n(image[0], rows, changesLinear_[place]);
+}
+
+void ReducedBasisStart::forget() {
+  changesSolved_ = 0;
+  addChanges();
+}
+
+void ReducedBasisStart::addChanges() {
+  const int rows = columns_.numRows();
+  const int count = std::min(changesSolved_, mostChanges_);
+  for (base::Matrix* matrix : {&columns_, &linear_}) matrix->reshape(rows, ownColumns_ + count);
+  shape(residualTangents_, rows, ownColumns_ + count);
+  for (int j = 0; j < count; ++j) {
+    std::copy_n(changes_[j], rows, columns_[ownColumns_ + j]);
+    std::copy_n(changesLinear_[j], rows, linear_[ownColumns_ + j]);
+  }
+}
+
+void ReducedBasisStart::improve(const base::Matrix& alpha, const base::Matrix& beta, double tolerance) {
+  addChanges();
+  state_.assign(alpha);
+  beta_.assign(beta);
+  std::vector<double> ofStart;  // settle() is told about them
+  ofStart.swap(weights_);
+  minimise(tolerance);
+  weights_.swap(ofStart);
 }
 
 void ReducedBasisStart::gather(int step) {
@@ -105,6 +143,7 @@ void ReducedBasisStart::gather(int step) {
   const int states = static_cast<int>(states_.size());
   const int count = states + inTime + 1;
   for (base::Matrix* matrix : {&columns_, &linear_, &residualTangents_}) shape(*matrix, rows, count);
+  ownColumns_ = count;
   const float* origin = states_[0]->alphaAt(step);
   const float* originLinear = states_[0]->linearAt(step);
   std::copy_n(origin, rows, columns_[0]);

@@ -10,7 +10,8 @@
 
 namespace harmos::parametric {
 
-/// The start of a configuration: the least nonlinear residual over the span of solved states, found without a solve.
+/// The start of a configuration: the least nonlinear residual over the span of solved states, found without a solve;
+/// and along the way of its iteration, over what that has solved besides.
 ///
 /// At each load step t, one after the other, alpha_t = V c with the columns of V: the step of the best of the nearest
 /// states, the differences of the others to it, its differences to its two neighbouring steps, and what the iteration
@@ -20,11 +21,11 @@ namespace harmos::parametric {
 /// calls are collective.
 class ReducedBasisStart {
  public:
-  /// Columns of V at most, beyond one per state.
+  /// Columns of V at most, beyond one per state and per change that is remembered.
   static constexpr int furtherColumns = 3;
 
-  /// `local`: the local stage that is asked, of `fixedPoint`. Both must outlive it.
-  ReducedBasisStart(const latin::FixedPoint& fixedPoint, latin::PointwiseLocalStage& local);
+  /// `local`: the local stage that is asked, of `fixedPoint`. Both must outlive it. `changes` are remembered at most.
+  ReducedBasisStart(const latin::FixedPoint& fixedPoint, latin::PointwiseLocalStage& local, int changes);
 
   /// Chooses at most `neighbours` states around the configuration whose laws are in the assembly. `offset`: b, the
   /// image of alpha = 0. `states` must not be empty, `offset` must stay as it is. Selects all load steps of the local
@@ -49,6 +50,15 @@ class ReducedBasisStart {
   bool hasTangents() const { return hasTangents_; }
   /// Collective. Makes V the columns of a load step without looking for its start: for a later march through it.
   void gather(int step);
+  /// Keeps a change of alpha [stress] that has been solved for since begin(), and its image under A [stress], one
+  /// column each, of whatever load step: A is the same for all. Only the last ones are kept.
+  void remember(const base::Matrix& change, const base::Matrix& image);
+  /// Forgets all changes, and leaves them out of V.
+  void forget();
+  /// Collective. Adds to V, the columns of a load step, the changes that are remembered, and goes from alpha and its
+  /// image beta [stress], one column each, along V to less residual where there is less; ends as find() does. state()
+  /// and beta() are then where it has come to.
+  void improve(const base::Matrix& alpha, const base::Matrix& beta, double tolerance);
   /// Collective. Computes the tangents along V at the state whose beta the local stage has solved last.
   void differentiate();
   /// How residual (in the scale of the metric) and image change along the columns of V: what
@@ -66,6 +76,7 @@ class ReducedBasisStart {
   void minimise(double tolerance);
   /// c of the least |residual + tangents c|.
   std::vector<double> leastSquares() const;
+  void addChanges();
   /// state_ + length V c, and its image.
   void combine(const std::vector<double>& c, double length);
   void takeTrial(double length, const std::vector<double>& c);
@@ -77,6 +88,10 @@ class ReducedBasisStart {
   const base::Matrix* offset_ = nullptr;
   std::vector<std::shared_ptr<const SolvedStates::State>> states_;  // the origin of the differences first
   base::Matrix columns_, linear_;                                   // V, and Y = A V
+  int ownColumns_ = 0;                                              // of V, without changes
+  int mostChanges_;
+  base::Matrix changes_, changesLinear_;      // the last ones, and A times them
+  int changesSolved_ = 0;                     // since begin()
   base::Matrix remainder_, remainderLinear_;  // what the iteration added to the start of the step before
   std::vector<double> weights_;               // c in all; then that to begin the next step with
   base::Matrix residualTangents_;

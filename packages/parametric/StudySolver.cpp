@@ -14,10 +14,12 @@
 namespace harmos::parametric {
 namespace {
 
-// More neighbours make a better and dearer start, which pays when stages are to be saved.
+// More neighbours make a better and dearer start, which pays when stages are to be saved; so do changes that were
+// solved for.
 constexpr double demanding = 5e-3;
 constexpr int neighbours = 8;
 constexpr int neighboursWhenDemanding = 24;
+constexpr int changesWhenDemanding = 24;
 constexpr double mostStates = 100000;
 
 results::Status statusOf(latin::Outcome outcome, bool isUnique) {
@@ -77,9 +79,11 @@ StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
 }
 
 void StudySolver::addPlace() {
-  auto iteration = std::make_unique<ConfigurationIteration>(
-      fixedPoint_, stepSolver_, responses_, options_.accuracy < demanding ? neighboursWhenDemanding : neighbours,
-      options_.memory, options_.accuracy, timers_);
+  const bool isDemanding = options_.accuracy < demanding;
+  const ConfigurationIteration::Remembered remembered{isDemanding ? neighboursWhenDemanding : neighbours,
+                                                      isDemanding ? changesWhenDemanding : 0, options_.memory};
+  auto iteration = std::make_unique<ConfigurationIteration>(fixedPoint_, stepSolver_, responses_, remembered,
+                                                            options_.accuracy, timers_);
   iteration->setStop([this] { return mustStop(); });
   places_.push_back({std::move(iteration), {}});
 }

@@ -205,8 +205,8 @@ int measure(std::vector<std::string> arguments) {
                               unused);
     for (const auto& response : joint.problem.responses) solver.addResponse(response);
     parametric::StepSolver steps(solver.fixedPoint(), substructure::Precision::exact);
-    parametric::ConfigurationIteration iteration(solver.fixedPoint(), steps, joint.problem.responses, 0,
-                                                 joint.options.memory, joint.options.accuracy, unused);
+    parametric::ConfigurationIteration iteration(solver.fixedPoint(), steps, joint.problem.responses,
+                                                 {0, 0, joint.options.memory}, joint.options.accuracy, unused);
     for (int i : sample(static_cast<int>(open.size()), coldRuns, 3)) {
       const design::Configuration& configuration = open[i];
       joint.install(configuration.values);

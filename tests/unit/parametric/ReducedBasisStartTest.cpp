@@ -13,6 +13,7 @@ namespace harmos::parametric {
 namespace {
 
 constexpr int steps = 4;
+constexpr ConfigurationIteration::Remembered remembered{3, 24, 10};
 
 /// Two chains pressed together and dragged to and fro; the parameter multiplies friction, pressure or way.
 class Dragged : public testing::Test {
@@ -56,7 +57,7 @@ class Dragged : public testing::Test {
   base::Matrix startOf(const std::vector<int>& states, double value, int neighbours) {
     const base::Matrix offset(zero());
     base::Matrix alpha(zero());
-    ReducedBasisStart start(fixedPoint_, fixedPoint_.pointwiseStage());
+    ReducedBasisStart start(fixedPoint_, fixedPoint_.pointwiseStage(), 0);
     start.begin(states_, {value}, neighbours, offset);
     EXPECT_EQ(start.starts(), states);
     for (int t = 0; t < steps; ++t) {
@@ -104,6 +105,35 @@ TEST_F(Dragged, HaveAStartBetterThanTheNearestState) {
   EXPECT_LT(residualAt(startOf({2, 3, 1}, 0.24, 3)), 0.5 * residualAt(solutions[1]));
 }
 
+// What has been solved for is known as states are: where it leads to the solution, no further solve is needed.
+TEST_F(Dragged, AreImprovedAlongWhatWasSolvedFor) {
+  const base::Matrix exact = solve(1, 1.0);
+  const int rows = exact.numRows();
+  base::Matrix alpha(zero()), linear(zero());
+  states_.copy(0, alpha, linear);
+  SolvedStates nothing(1);
+  nothing.widen({1.0});
+  const base::Matrix offset(zero()), column(rows, 1);
+  nothing.add(1, {1.0}, offset, offset);
+  ReducedBasisStart start(fixedPoint_, fixedPoint_.pointwiseStage(), 1);
+  start.begin(nothing, {1.0}, 1, offset);
+  fixedPoint_.select({0});
+  start.find(0, 0.0);
+  const auto error = [&] {
+    base::Matrix difference(Teuchos::Copy, exact, rows, 1);
+    difference -= start.state();
+    return fixedPoint_.metric().norm(difference);
+  };
+  const double size = error();
+  start.improve(column, column, 0.0);
+  EXPECT_EQ(error(), size);
+  start.remember({Teuchos::Copy, alpha, rows, 1}, {Teuchos::Copy, linear, rows, 1});
+  start.improve(column, column, 0.0);
+  EXPECT_LT(error(), 1e-6 * size);  // states are kept in single precision
+  fixedPoint_.startUnloaded();
+  fixedPoint_.selectAll();
+}
+
 // The way of the iteration: the error of an estimated response goes to 0 with its indicator, from a start or without.
 TEST_F(Dragged, AreSolvedByAMarch) {
   for (int id = 1; id <= 3; ++id) {
@@ -121,7 +151,7 @@ TEST_F(Dragged, AreSolvedByAMarch) {
     states_.copy(i, alpha, linear);
     three.add(i + 1, {0.1 * (i + 1)}, alpha, linear);
   }
-  ConfigurationIteration iteration(fixedPoint_, solver_, none, 3, 10, 1e-6, timers_);
+  ConfigurationIteration iteration(fixedPoint_, solver_, none, remembered, 1e-6, timers_);
   int stages[2];
   for (const bool isWarm : {false, true}) {
     iteration.begin(isWarm ? three : empty, {0.24});
@@ -148,7 +178,7 @@ TEST_F(Dragged, AreSolvedByAMarch) {
 // A march that is given too few linear stages comes to no end; given enough, it does.
 TEST_F(Dragged, AreGivenUpAtTheLimit) {
   const std::vector<std::shared_ptr<const latin::Response>> none;
-  ConfigurationIteration iteration(fixedPoint_, solver_, none, 3, 10, 1e-6, timers_);
+  ConfigurationIteration iteration(fixedPoint_, solver_, none, remembered, 1e-6, timers_);
   for (const bool isEnough : {false, true}) {
     iteration.begin(SolvedStates(1), {0.3});
     iteration.setLimit(isEnough ? 100.0 : 2.0);
@@ -209,7 +239,8 @@ TEST_F(Dragged, MarchSideBySideAsAlone) {
   for (const Case& one : cases) {
     put(one);
     fixedPoint_.updateLaws();
-    iterations.push_back(std::make_unique<ConfigurationIteration>(fixedPoint_, solver_, none, 3, 10, 1e-6, timers_));
+    iterations.push_back(
+        std::make_unique<ConfigurationIteration>(fixedPoint_, solver_, none, remembered, 1e-6, timers_));
     ConfigurationIteration& iteration = *iterations.back();
     const bool isRefused = &one == &cases[1];
     if (isRefused) {
@@ -260,7 +291,7 @@ TEST_F(Dragged, HaveTangentsOfTheirImage) {
     solve(id, 0.1 * id);
   }
   assembly_.interfaces[1].law = friction(0.24);
-  ReducedBasisStart start(fixedPoint_, fixedPoint_.pointwiseStage());
+  ReducedBasisStart start(fixedPoint_, fixedPoint_.pointwiseStage(), 0);
   const base::Matrix offset(zero());
   start.begin(states_, {0.24}, 3, offset);
   fixedPoint_.select({0});
