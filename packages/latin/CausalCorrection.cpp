@@ -21,25 +21,14 @@ constexpr int gaussNewtonSteps = 3;
 constexpr int halvings = 2;
 // A Gauss-Newton step that leaves more than this share of the residual is not worth its local stages.
 constexpr double worthwhile = 0.999;
-// Of what is gone for: the least residual that a load step which has begun with less than that is brought to.
-constexpr double leastTarget = 0.1;
-// New directions after which that is given up: what is left may be round-off.
-constexpr int mostDirections = 5;
 // Times the residual that the tangent predicts, from which on it is found anew.
 constexpr double misprediction = 2.0;
 // Of the residual that is gone for: errors of single precision that hardly change anything.
 constexpr double negligible = 0.1;
 // Ways over the residuals, at least, that are reckoned with before directions are known.
 constexpr double wayOfResidual = 100.0;
-// The least way over the residual: T brings no two points farther apart.
-constexpr double leastWay = 0.5;
 // Times what the images have promised that the true residual may be.
 constexpr double promised = 1.25;
-// Times the error that is gone for, that the way of a load step may tell before the correction goes on; share of that
-// error that each load step then goes for, and least share of the reduction that it goes to.
-constexpr double nearEnough = 1.5;
-constexpr double shareOfError = 0.5;
-constexpr double furthest = 0.1;
 // Linear stages, each of some load steps, in which the largest residual must fall to this share.
 constexpr std::size_t patience = 40;
 constexpr double slow = 0.8;
@@ -61,7 +50,8 @@ CausalCorrection::CausalCorrection(FixedPoint& fixedPoint, substructure::Precisi
       finest_(fixedPoint.assembly().softens() ? substructure::Precision::exact : precision),
       allowed_(finest_),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
-      steps_(static_cast<std::size_t>(fixedPoint.assembly().steps())) {}
+      steps_(static_cast<std::size_t>(fixedPoint.assembly().steps())),
+      targets_(fixedPoint.assembly().steps()) {}
 
 double CausalCorrection::evaluate(int step) {
   std::fill_n(residual_[step], residual_.numRows(), 0.0);  // a rank without bodies has a row that nothing writes
@@ -77,6 +67,7 @@ double CausalCorrection::evaluate(int step) {
 
 bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& direction) {
   Step& here = steps_[step];
+  double& residual = targets_[step].residual;
   const int rows = alpha_->numRows();
   double* state = (*alpha_)[step];
   const std::vector<double> alpha(state, state + rows), beta(beta_[step], beta_[step] + rows);
@@ -84,9 +75,9 @@ bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& d
   for (int halving = 0; halving <= halvings; ++halving, length *= 0.5) {
     here.tangent->space().move(direction.c, length, state, beta_[step]);
     const double reached = evaluate(step);
-    if (reached < here.residual) {
+    if (reached < residual) {
       here.isStale = length < 1.0 || reached > misprediction * direction.left;
-      here.residual = reached;
+      residual = reached;
       return true;
     }
     std::copy_n(alpha.begin(), rows, state);
@@ -99,9 +90,10 @@ bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& d
 
 void CausalCorrection::reduce(int step) {
   Step& here = steps_[step];
-  here.residual = evaluate(step);
-  const double enough = here.isLeft ? noise_ : targetOf(here);
-  for (int i = 0; i < gaussNewtonSteps && here.tangent->space().size() > 0 && here.residual > enough; ++i) {
+  double& residual = targets_[step].residual;
+  residual = evaluate(step);
+  const double enough = here.isLeft ? noise_ : targets_.of(step);
+  for (int i = 0; i < gaussNewtonSteps && here.tangent->space().size() > 0 && residual > enough; ++i) {
     const bool isFresh = here.isStale;
     if (isFresh) {
       here.tangent->differentiate(step, fixedPoint_.pointwiseStage());
@@ -109,10 +101,10 @@ void CausalCorrection::reduce(int step) {
     }
     here.tangent->restore();
     const CorrectionSpace::LeastSquares direction = here.tangent->space().solve(residual_[step]);
-    if (direction.left > worthwhile * here.residual) break;
+    if (direction.left > worthwhile * residual) break;
     if (!takeStep(step, direction) && isFresh) break;
   }
-  here.moved = scaledNorm(fixedPoint_.metric(), (*alpha_)[step], start_.read(step));
+  targets_[step].moved = scaledNorm(fixedPoint_.metric(), (*alpha_)[step], start_.read(step));
   fixedPoint_.pointwiseStage().accept();
 }
 
@@ -134,32 +126,18 @@ void CausalCorrection::sweep(int first) {
   for (int t = first; t < end_; ++t) reduce(t);
 }
 
-double CausalCorrection::longestWay() const {
-  double longest = 0.0;
-  for (std::size_t t = 0; t < steps_.size(); ++t) {
-    const bool isAhead = static_cast<int>(t) >= end_;
-    longest = std::max(longest, isAhead ? leastWay * steps_[t].residual : steps_[t].moved);
-  }
-  return longest;
-}
-
-double CausalCorrection::targetOf(const Step& step) const {
-  const double most = step.weight * step.share * before_;
-  if (!isLater_ || step.directions >= mostDirections) return most;
-  return std::clamp(step.share * step.before, leastTarget * most, most);
-}
-
 double CausalCorrection::smallestSingularValue(const Step& step) {
   return step.tangent ? std::min(step.steepness, step.tangent->space().smallestSingularValue()) : step.steepness;
 }
 
 std::vector<int> CausalCorrection::unfinished() {
   std::vector<int> result;
-  const double way = longestWay();
+  const double way = targets_.longestWay(end_);
   for (int t = begin_; t < end_; ++t) {
     Step& step = steps_[t];
-    step.isLeft = step.residual > noise_ &&
-                  (step.residual > targetOf(step) || step.residual > allowedToHide * smallestSingularValue(step) * way);
+    const double residual = targets_[t].residual;
+    step.isLeft = residual > noise_ &&
+                  (residual > targets_.of(t) || residual > allowedToHide * smallestSingularValue(step) * way);
     if (step.isLeft) {
       result.push_back(t);
     } else {
@@ -170,12 +148,12 @@ std::vector<int> CausalCorrection::unfinished() {
 }
 
 std::vector<int> CausalCorrection::foremost(const std::vector<int>& steps) const {
-  if (!isLater_) return steps;
+  if (!targets_.isLater()) return steps;
   std::vector<int> result;
   std::copy_if(steps.begin(), steps.end(), std::back_inserter(result),
-               [this](int t) { return steps_[t].residual > targetOf(steps_[t]); });
+               [this](int t) { return targets_[t].residual > targets_.of(t); });
   if (!result.empty()) return result;
-  const auto hidden = [this](int t) { return steps_[t].residual / smallestSingularValue(steps_[t]); };
+  const auto hidden = [this](int t) { return targets_[t].residual / smallestSingularValue(steps_[t]); };
   double most = 0.0;
   for (const int t : steps) most = std::max(most, hidden(t));
   std::copy_if(steps.begin(), steps.end(), std::back_inserter(result),
@@ -186,13 +164,11 @@ std::vector<int> CausalCorrection::foremost(const std::vector<int>& steps) const
 substructure::Precision CausalCorrection::precision() {
   if (allowed_ == substructure::Precision::exact) return allowed_;
   // The image of a direction has this relative error, and a step goes along it as far as its residual asks for.
-  double way = longestWay(), least = 1.0;
-  for (const Step& step : steps_) {
-    way = std::max(way, wayOfResidual * step.residual);
-    least = std::min(least, step.weight * step.share);
-  }
-  return fixedPoint_.prepareSingle() * way <= negligible * least * before_ ? substructure::Precision::single
-                                                                           : substructure::Precision::exact;
+  double way = targets_.longestWay(end_);
+  for (int t = 0; t < alpha_->numCols(); ++t) way = std::max(way, wayOfResidual * targets_[t].residual);
+  return fixedPoint_.prepareSingle() * way <= negligible * targets_.leastShare() * targets_.before()
+             ? substructure::Precision::single
+             : substructure::Precision::exact;
 }
 
 bool CausalCorrection::extend(const std::vector<int>& steps) {
@@ -217,7 +193,7 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
     const int t = selected[i];
     // As large as the state itself, so that the difference has its digits.
     const double* start = start_.read(t);
-    const double size = std::max(scaledNorm(fixedPoint_.metric(), start, nullptr), steps_[t].residual);
+    const double size = std::max(scaledNorm(fixedPoint_.metric(), start, nullptr), targets_[t].residual);
     for (int row = 0; row < rows; ++row) shifted[i][row] = start[row] + size * directions[i][row];
     lengths.push_back(size);
   }
@@ -230,24 +206,19 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
     for (int row = 0; row < rows; ++row) image[i][row] = (image[i][row] - start[row]) / lengths[i];
     if (!steps_[t].isStale) steps_[t].tangent->restore();
     steps_[t].tangent->add(directions[i].data(), image[i], !steps_[t].isStale);
-    ++steps_[t].directions;
+    ++targets_[t].directions;
   }
   return true;
 }
 
-double CausalCorrection::largestResidual(int begin, int end) const {
-  double largest = 0.0;
-  for (int t = begin; t < end; ++t) largest = std::max(largest, steps_[t].residual / steps_[t].weight);
-  return largest;
-}
-
 double CausalCorrection::hidden() const {
-  const double way = longestWay();
+  const double way = targets_.longestWay(end_);
   double largest = 0.0;
-  for (const Step& step : steps_) {
-    if (step.residual <= noise_) continue;
-    const double seen = smallestSingularValue(step) * way;
-    largest = std::max(largest, seen > 0.0 ? step.residual / seen : std::numeric_limits<double>::infinity());
+  for (int t = 0; t < alpha_->numCols(); ++t) {
+    const double residual = targets_[t].residual;
+    if (residual <= noise_) continue;
+    const double seen = smallestSingularValue(steps_[t]) * way;
+    largest = std::max(largest, seen > 0.0 ? residual / seen : std::numeric_limits<double>::infinity());
   }
   return largest;
 }
@@ -269,9 +240,7 @@ void CausalCorrection::start(const Iterate& iterate, base::Matrix& alpha) {
   noise_ = fixedPoint_.roundOff(std::sqrt(*std::max_element(squares.begin(), squares.end())));
   fixedPoint_.pointwiseStage().begin();
   for (int t = 0; t < alpha.numCols(); ++t) {
-    steps_[t].residual = steps_[t].before = evaluate(t);
-    steps_[t].moved = 0.0;
-    steps_[t].directions = 0;
+    targets_.start(t, evaluate(t));
     steps_[t].isLeft = true;
     fixedPoint_.pointwiseStage().accept();
   }
@@ -306,24 +275,17 @@ void CausalCorrection::approach(int stages) {
 void CausalCorrection::approachTogether(int stages) {
   sweep(begin_);
   const int first = fixedPoint_.linearStage().stages();
-  std::vector<double> residuals{largestResidual(begin_, end_)};  // after every linear stage
+  std::vector<double> residuals{targets_.largestResidual(begin_, end_)};  // after every linear stage
   for (std::vector<int> left = unfinished(); !left.empty(); left = unfinished()) {
     if (fixedPoint_.linearStage().stages() - first >= stages || !(extend(foremost(left)) || extend(left))) break;
     sweep(left.front());
-    residuals.push_back(largestResidual(begin_, end_));
+    residuals.push_back(targets_.largestResidual(begin_, end_));
     if (residuals.size() > patience && residuals.back() > slow * residuals[residuals.size() - 1 - patience]) break;
   }
 }
 
-bool CausalCorrection::sharpen(const Goal& goal) {
-  // What is left of the ways when the residuals have fallen as much as they did.
-  std::vector<double> left = fieldDistances(fixedPoint_.metric(), *alpha_, beta_, start_, startImage_);
-  for (double& error : left) error *= goal.reduction;
-  if (!(*std::max_element(left.begin(), left.end()) > nearEnough * goal.error)) return false;
-  for (std::size_t t = 0; t < steps_.size(); ++t) {
-    if (left[t] > 0.0) steps_[t].weight *= std::clamp(shareOfError * goal.error / left[t], furthest, 1.0);
-  }
-  return true;
+std::vector<double> CausalCorrection::ways() const {
+  return fieldDistances(fixedPoint_.metric(), *alpha_, beta_, start_, startImage_);
 }
 
 const Iterate& CausalCorrection::verify(base::Matrix& image) {
@@ -336,51 +298,33 @@ const Iterate& CausalCorrection::verify(base::Matrix& image) {
     residual -= base::Matrix(Teuchos::View, *alpha_, rows, count, 0, first);
     fixedPoint_.linearStage().unfelt().remove(residual);
     for (int j = 0; j < count; ++j) {
-      steps_[first + j].residual = scaledNorm(fixedPoint_.metric(), residual[j], nullptr);
+      targets_[first + j].residual = scaledNorm(fixedPoint_.metric(), residual[j], nullptr);
     }
   }
   return iterate;
 }
 
-bool CausalCorrection::settleThoseNear(const Goal& goal) {
-  const std::vector<double> distances = fieldDistances(fixedPoint_.metric(), *alpha_, beta_, start_, startImage_);
-  bool areAllSettled = true;
-  for (std::size_t t = 0; t < steps_.size(); ++t) {
-    if (distances[t] <= goal.near) continue;
-    steps_[t].share = goal.reduction;
-    areAllSettled = false;
-  }
-  return areAllSettled;
-}
-
 CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image,
                                                    const Goal& goal, int stages) {
   start(iterate, alpha);
-  before_ = largestResidual();
   Result result;
-  result.shares.assign(steps_.size(), 0.0);
-  if (before_ <= noise_) {
+  if (targets_.largestResidual() <= noise_) {
     finish();
+    result.shares.assign(steps_.size(), 0.0);
     result.reduction = 0.0;
     return result;
   }
   allowed_ = finest_;
-  isLater_ = goal.roughly > goal.reduction;
-  std::vector<double> weights;
-  for (Step& step : steps_) {
-    step.share = std::max(goal.reduction, goal.roughly);
-    weights.push_back(step.weight);
-  }
+  targets_.aimAt(goal);
   const int first = fixedPoint_.linearStage().stages();
   const auto goOn = [&] { approach(stages - (fixedPoint_.linearStage().stages() - first)); };
   goOn();
-  if (isLater_ && !settleThoseNear(goal)) goOn();
-  if (sharpen(goal)) goOn();
+  if (targets_.isLater() && !targets_.settleThoseNear(ways(), goal)) goOn();
+  if (targets_.sharpen(ways(), goal)) goOn();
   if (isRough_) {
-    double said = largestResidual();
-    for (const Step& step : steps_) said = std::max(said, step.share * before_);
+    const double said = targets_.promisedResidual();
     result.iterate = &verify(image);
-    if (!(largestResidual() <= promised * said)) {
+    if (!(targets_.largestResidual() <= promised * said)) {
       allowed_ = substructure::Precision::exact;
       beta_ = result.iterate->beta();
       residual_.shapeUninitialized(beta_.numRows(), beta_.numCols());
@@ -389,12 +333,8 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
     }
   }
   result.hidden = hidden();
-  result.reduction = 0.0;
-  for (std::size_t t = 0; t < steps_.size(); ++t) {
-    const double left = steps_[t].residual > noise_ ? steps_[t].residual / (weights[t] * before_) : 0.0;
-    result.shares[t] = std::max(left, std::min(steps_[t].share, steps_[t].residual / steps_[t].before));
-    result.reduction = std::max(result.reduction, left);
-  }
+  result.shares = targets_.sharesLeft(noise_);
+  result.reduction = targets_.reduction(noise_);
   finish();
   return result;
 }

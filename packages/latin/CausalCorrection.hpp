@@ -1,9 +1,9 @@
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
+#include <harmos/latin/CorrectionTargets.hpp>
 #include <harmos/latin/FixedPoint.hpp>
 #include <harmos/latin/TangentSpace.hpp>
 
@@ -46,16 +46,7 @@ class CausalCorrection {
   explicit CausalCorrection(FixedPoint& fixedPoint, substructure::Precision precision = substructure::Precision::exact);
 
   /// Where a correction ends.
-  struct Goal {
-    double reduction;  ///< largest |R_t| over that before
-    /// Of the fields of the result, relative [-]: where the way of a load step tells a larger one, each goes as far as
-    /// its own way asks for, in later corrections, too.
-    double error = std::numeric_limits<double>::infinity();
-    /// Of later corrections, as `reduction`, larger than it: enough for a load step whose fields have not moved by more
-    /// than `near`.
-    double roughly = 0.0;
-    double near = 0.0;  ///< relative to the largest fields [-]
-  };
+  using Goal = CorrectionTargets::Goal;
 
   /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
   /// reduction x the largest |R| of the start, both as weighed, and no more than half of the way can be hidden; in
@@ -70,13 +61,7 @@ class CausalCorrection {
     std::optional<TangentSpace> tangent;  // of the load steps at hand
     bool isStale = true;                  // the tangents are not those of a state like this one
     double steepness = 1.0;               // smallest singular value of I - J in spaces that were let go
-    double residual = 0.0;                // |R|
-    double before = 0.0;                  // |R| at the start
-    int directions = 0;                   // new ones since then
-    double share = 1.0;                   // that is asked for, of the largest |R| at the start
-    double moved = 0.0;                   // |alpha - start|
     bool isLeft = true;                   // has not come to the target
-    double weight = 1.0;  // of the target: its share of this load step, small where small residuals mean long ways
   };
 
   void start(const Iterate& iterate, base::Matrix& alpha);
@@ -96,21 +81,11 @@ class CausalCorrection {
   /// Of unfinished load steps those that go on: in later corrections first those with too large a residual; when these
   /// have gone their ways, which all are measured by, those where most can be hidden.
   std::vector<int> foremost(const std::vector<int>& steps) const;
-  /// Of the load steps so far; later ones go at least half of their residual.
-  double longestWay() const;
-  /// |R| that a load step is brought to. Later corrections tell errors by their ways: each load step must go some, or
-  /// what is wrong with it would go unseen beside larger residuals of others.
-  double targetOf(const Step& step) const;
   /// The smallest singular value of I - J that was met at a load step.
   static double smallestSingularValue(const Step& step);
-  /// Of the load steps from `begin` on and before `end`, over the weights.
-  double largestResidual(int begin, int end) const;
-  double largestResidual() const { return largestResidual(0, alpha_->numCols()); }
   double hidden() const;
-  /// Collective. Less weight for load steps that would leave more than goal.error; whether there are any.
-  bool sharpen(const Goal& goal);
-  /// Collective. Whether no load step has moved its fields by more than goal.near; asks more of those that have.
-  bool settleThoseNear(const Goal& goal);
+  /// Collective. How far the fields of each load step have moved, relative to the largest [-].
+  std::vector<double> ways() const;
   /// Brings all load steps to their end, some after the others, within so many linear stages.
   void approach(int stages);
   /// Lets the spaces of the load steps at hand grow until these have come to their end, or what is left says that they
@@ -130,10 +105,9 @@ class CausalCorrection {
   bool isRough_ = false;             // some images were found in single precision
   InterfaceLines lines_;
   std::vector<Step> steps_;
+  CorrectionTargets targets_;
   int begin_ = 0, end_ = 0;               // of the load steps at hand
   int first_ = 0;                         // load step that the local stage begins at
-  double before_ = 0.0;                   // largest |R| at the start, over the weights
-  bool isLater_ = false;                  // every load step must move
   double noise_ = 0.0;                    // residuals below this one are round-off
   base::ColumnStore start_, startImage_;  // alpha and its beta at the beginning
   base::Matrix* alpha_ = nullptr;         // the caller's
