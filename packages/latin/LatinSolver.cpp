@@ -11,6 +11,7 @@
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/LawCheck.hpp>
 #include <harmos/latin/detail/CustomaryIndicator.hpp>
+#include <harmos/latin/detail/IterationWatch.hpp>
 #include <harmos/latin/detail/LawDigits.hpp>
 #include <harmos/latin/detail/OtherSolutions.hpp>
 #include <harmos/latin/detail/ResultRemarks.hpp>
@@ -22,17 +23,12 @@ namespace {
 
 // Linear stages of a march between looks at the digits that its laws have.
 constexpr int stagesBetweenLooks = 100;
-// Promised quantities are compared with those of four iterations before; looking every second time is enough.
-constexpr int iterationsPerSnapshot = 2;
-constexpr std::size_t snapshotsBack = 2;
 // A correction gains about a factor of ten, so a certificate is worth its price from here on.
 constexpr double triggerFactor = 15.0;
 // Of the trigger, after a certificate that failed.
 constexpr double triggerAfterFailure = 0.3;
 // Most linear stages from a certificate that failed to the next.
 constexpr int longestWait = 15;
-// Gap over the trigger: after a good start little changes at first; the gap tells that this is not yet the end.
-constexpr double settledGap = 0.02;
 // Of the accuracy asked for: the residual that the first march goes to. A correction then gains about a factor of ten.
 constexpr double marchShare = 1.0;
 // The same where factors have so many entries that caches do not hold them: the march reads them once for every load
@@ -46,10 +42,6 @@ constexpr double shareOfFirstTry = 0.5;
 constexpr double shareOfLaterTry = 0.27;
 // Each takes what the one before has left of the motions of bodies.
 constexpr int maximumRecentrings = 3;
-
-// A state this many times larger than the first one was extrapolated beyond all measure: the digits of the forces are
-// lost in k w, and everything finite would look small beside it.
-constexpr double divergedSize = 1e8;
 
 }  // namespace
 
@@ -73,22 +65,6 @@ bool LatinSolver::mustStop() const {
   return anywhere != 0;
 }
 
-bool LatinSolver::settled(int iteration, const Iterate& iterate, double tolerance, double& change) {
-  if (iteration % iterationsPerSnapshot != 0) return false;
-  snapshots_.push_back(std::make_unique<Snapshot>(iterate, responses_));
-  if (snapshots_.size() <= snapshotsBack) return false;
-  const std::vector<double> changes = snapshots_.back()->distance(*snapshots_[snapshots_.size() - 1 - snapshotsBack]);
-  change = *std::max_element(changes.begin(), changes.end());
-  snapshots_.erase(snapshots_.begin());
-  return change <= tolerance && fieldGap(iterate) <= settledGap * tolerance;
-}
-
-bool LatinSolver::hasDiverged(const base::Matrix& state) {
-  const double size = fixedPoint_.metric().norm(state);
-  if (startSize_ == 0.0) startSize_ = size;
-  return !(size <= divergedSize * startSize_);
-}
-
 LatinResult LatinSolver::solve(const base::Matrix* start) {
   const base::SoleThread inside(fixedPoint_.layout().comm().getSize());
   fixedPoint_.uncentre(alpha_);
@@ -98,8 +74,6 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
     if (start != nullptr) alpha_.assign(*start);
   }
   stagesBefore_ = fixedPoint_.linearStage().stages();
-  startSize_ = 0.0;
-  snapshots_.clear();
   estimates_.clear();
   knowsRoundOff_ = false;
   if (fixedPoint_.searchDirectionScale() != options_.stages.searchDirectionScale) {
@@ -294,20 +268,21 @@ void LatinSolver::iterate(LatinResult& result) {
   }
   EquilibriumWatch watch(
       options_.accuracy, [&](int step) { return balance_->isSure(step); }, balance_->rigidBodies());
+  IterationWatch progress(fixedPoint_, responses_);
   double trigger = triggerFactor * options_.accuracy;
   int nextAttempt = 0;  // linear stages before which a failed certificate is not tried again
   while (stages() < options_.maximumIterations) {
     state_ = &fixedPoint_.apply(alpha_, image_);
     ++result.iterations;
-    if (hasDiverged(image_)) {
+    if (progress.hasDiverged(image_)) {
       // Kinks of the laws can mislead the acceleration that far: without it, from the start.
       acceleration.reset();
       alpha_.putScalar(0.0);
-      snapshots_.clear();
+      progress.forget();
       continue;
     }
     double change = 0.0;
-    const bool quiet = settled(result.iterations, *state_, trigger, change);
+    const bool quiet = progress.isSettled(result.iterations, *state_, trigger, change);
     if (!observers_.empty()) {
       const IterationReport report{result.iterations, stages(), customaryIndicator(*state_), change, -1};
       for (const auto& observer : observers_) observer(report);
@@ -320,7 +295,7 @@ void LatinSolver::iterate(LatinResult& result) {
     const EquilibriumWatch::Finding finding = watch.look(fixedPoint_, state_, alpha_, image_);
     if (finding == EquilibriumWatch::Finding::landing) {
       if (acceleration) acceleration->restart();
-      snapshots_.clear();
+      progress.forget();
       continue;
     }
     if (finding == EquilibriumWatch::Finding::noEquilibrium) {
@@ -335,7 +310,7 @@ void LatinSolver::iterate(LatinResult& result) {
       nextAttempt = stages() + std::min(stages() - before, longestWait);
       trigger *= triggerAfterFailure;
       if (acceleration) acceleration->restart();
-      snapshots_.clear();
+      progress.forget();
       continue;
     }
     const auto running = timers_.start("acceleration");

@@ -68,9 +68,6 @@ class LatinSolver {
   /// While a thread is inside.
   LatinSolver(const base::SoleThread& inside, const assembly::Assembly& assembly, const LatinOptions& options,
               const Teuchos::RCP<const Teuchos::Comm<int>>& comm, base::Timers& timers);
-  bool settled(int iteration, const Iterate& iterate, double tolerance, double& change);
-  /// Collective. The first image that it sees is the measure of all others.
-  bool hasDiverged(const base::Matrix& image);
   void deliver(LatinResult& result);
   /// Where pressures are free: extends the ranges of responses by what other solutions say, if any are found, and adds
   /// the linear stages that it takes.
@@ -117,13 +114,11 @@ class LatinSolver {
   base::Matrix image_;
   base::Matrix whole_;  // alpha_ of whole displacements, where they are counted from reference motions
   const Iterate* state_ = nullptr;
-  double startSize_ = 0.0;
   int stagesBefore_ = 0;
   int stagesOfCertificates_ = 0;
-  int endWhenSofter_ = 0;                             // stages at which a try with a softer search direction ends
-  bool knowsRoundOff_ = false;                        // of a state of this run
-  std::vector<double> estimates_;                     // of the last certificate that was conclusive; empty: none was
-  std::vector<std::unique_ptr<Snapshot>> snapshots_;  // of the last iterations that were looked at
+  int endWhenSofter_ = 0;          // stages at which a try with a softer search direction ends
+  bool knowsRoundOff_ = false;     // of a state of this run
+  std::vector<double> estimates_;  // of the last certificate that was conclusive; empty: none was
 };
 
 }  // namespace harmos::latin
