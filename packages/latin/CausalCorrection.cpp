@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include <harmos/latin/March.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
@@ -30,8 +31,11 @@ constexpr double wayOfResidual = 100.0;
 // Times what the images have promised that the true residual may be.
 constexpr double promised = 1.25;
 // Linear stages, each of some load steps, in which the largest residual must fall to this share.
-constexpr std::size_t patience = 40;
+constexpr std::size_t patience = 15;
 constexpr double slow = 0.8;
+// Least singular values below this one tell soft modes that are worth their room: what two corrections meet of them in
+// new spaces differs, and with it what the residual can hide.
+constexpr double steep = 0.1;
 
 double scaledNorm(const StateMetric& metric, const double* a, const double* b) {
   std::vector<double> sum{0.0};
@@ -264,11 +268,25 @@ void CausalCorrection::approach(int stages) {
     }
     approachTogether(stages - (fixedPoint_.linearStage().stages() - first));
     if (steps <= stepsAtOnce) continue;
-    for (int t = begin_; t < end_; ++t) {
-      steps_[t].steepness = smallestSingularValue(steps_[t]);
-      steps_[t].tangent.reset();
-      steps_[t].isStale = true;
+    letGo();
+  }
+}
+
+void CausalCorrection::letGo() {
+  std::vector<std::pair<double, int>> held;  // with the singular values now
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
+    if (steps_[t].tangent) held.emplace_back(steps_[t].tangent->space().smallestSingularValue(), static_cast<int>(t));
+  }
+  std::sort(held.begin(), held.end());
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    Step& step = steps_[held[i].second];
+    if (i < stepsAtOnce && held[i].first < steep) {
+      step.tangent->release();
+      continue;
     }
+    step.steepness = smallestSingularValue(step);
+    step.tangent.reset();
+    step.isStale = true;
   }
 }
 

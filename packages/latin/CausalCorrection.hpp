@@ -21,7 +21,8 @@ namespace harmos::latin {
 /// stage PointwiseLocalStage.
 ///
 /// Of many load steps, stepsAtOnce are brought to their end together, then the next ones, with the history that they
-/// have left, and spaces last no longer than that: what is kept of directions does not grow with the load steps.
+/// have left, and spaces last no longer than that, but for those of as many load steps whose modes are softest, as
+/// where all but a few points slide: what is kept of directions does not grow with the load steps.
 ///
 /// Images y may be found in single precision, since they only say where to go: where any was, the way ends with an
 /// application of T in double precision, and what is said of the residual is what that has found. Where it is larger
@@ -58,7 +59,7 @@ class CausalCorrection {
 
  private:
   struct Step {
-    std::optional<TangentSpace> tangent;  // of the load steps at hand
+    std::optional<TangentSpace> tangent;  // of those at hand, and of those with the softest modes
     bool isStale = true;                  // the tangents are not those of a state like this one
     double steepness = 1.0;               // smallest singular value of I - J in spaces that were let go
     bool isLeft = true;                   // has not come to the target
@@ -88,6 +89,8 @@ class CausalCorrection {
   std::vector<double> ways() const;
   /// Brings all load steps to their end, some after the others, within so many linear stages.
   void approach(int stages);
+  /// Of many load steps: lets go of all spaces but the stepsAtOnce with the softest modes.
+  void letGo();
   /// Lets the spaces of the load steps at hand grow until these have come to their end, or what is left says that they
   /// will not.
   void approachTogether(int stages);

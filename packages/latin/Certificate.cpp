@@ -83,11 +83,11 @@ double leastContractionAfter(double reduction) {
 }
 
 /// Whether what two corrections have left in the residual, which can hide at most `hidden` times their ways, is no
-/// error that would matter: less than the ways. Where laws soften, tangents are nearly singular, and residuals come to
-/// round-off before they show that: enough where the ways tell an error so small that what is hidden is still far
-/// below the accuracy.
-bool isSeen(double hidden, double error, double accuracy, bool isSoft) {
-  return hidden <= hiddenLimit || (isSoft && hidden * error <= settledShare * accuracy);
+/// error that would matter: less than the ways. Where tangents are nearly singular, as laws that soften make them, or
+/// joints of which all but a few points slide, residuals come to round-off before they show that: enough where the ways
+/// tell an error so small that what is hidden is still far below the accuracy.
+bool isSeen(double hidden, double error, double accuracy) {
+  return hidden <= hiddenLimit || hidden * error <= settledShare * accuracy;
 }
 
 double largest(const std::vector<double>& values) {
@@ -340,9 +340,8 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
       for (double& one : errors) one += unseen;
       result.conclusive = !grew;
       if (!grew) result.estimates = errors;
-      if (!grew &&
-          isSeen(std::max(hidden, step.hidden), largest(errors), accuracy_, fixedPoint_.assembly().softens()) &&
-          previous <= farAway && largest(errors) <= accuracy_ && gap <= allowedGap * accuracy_ &&
+      if (!grew && isSeen(std::max(hidden, step.hidden), largest(errors), accuracy_) && previous <= farAway &&
+          largest(errors) <= accuracy_ && gap <= allowedGap * accuracy_ &&
           !isThrown(fixedPoint_, *iterate, step.state, image, accuracy_)) {
         result.claimed = true;
         return result;

@@ -64,6 +64,18 @@ TEST(DraggedBlock, KeepsTheDirectionOfItsFrictionForAnySearchDirection) {
   }
 }
 
+// At the turns I - J is nearly singular. Corrections that knew no more of this than its least singular value, from
+// states that they had left long before, took 285 linear stages, which came to an error of 1e-12.
+TEST(RubbedBlocks, AreAnsweredInFewStagesOfManyLoadSteps) {
+  SceneInput scene = SceneInput::fromFile("rubbed_blocks.xml");
+  const SolvedRun run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result().reason;
+  EXPECT_LE(run.result().linearStages, 80);
+  const SolvedRun truth(scene.set("Solver/Accuracy=1e-6"));
+  ASSERT_TRUE(truth.isCertified()) << truth.result().reason;
+  expectRight(run, truth, 1e-3);
+}
+
 // The block stands where its springs hold it, however far that is, and is not taken for one that was thrown away.
 TEST(LiftedBlock, HangsOnSpringsOfAnyStiffness) {
   for (const double stiffness : {1e-2, 1e-4, 1e-5, 1e-6, 3.16e-7}) {

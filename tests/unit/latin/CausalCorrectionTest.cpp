@@ -262,6 +262,29 @@ TEST(CausalCorrection, LetsGoOfTheDirectionsOfManyLoadSteps) {
   EXPECT_GE(columns(), first);
 }
 
+// Where modes are soft, new directions would tell another least singular value: as many as a window has are kept.
+TEST(CausalCorrection, KeepsTheDirectionsOfTheSoftestOfManyLoadSteps) {
+  const auto columnsOfSecond = [](double stiffness) {
+    Cubes cubes(laws::makeLaw("Linear Elastic", {{"Normal Stiffness", stiffness}, {"Tangential Stiffness", stiffness}}),
+                laws::makeLaw("Pressure", {{"Pressure", 2.0}}, {{"Pressure", waves(manySteps)}}), manySteps);
+    randomize(cubes.alpha);
+    const base::Matrix start(cubes.alpha);
+    CausalCorrection correction(cubes.fixedPoint);
+    std::vector<long> columns;
+    for (int i = 0; i < 2; ++i) {
+      cubes.alpha.assign(start);
+      const Iterate& iterate = cubes.fixedPoint.apply(cubes.alpha, cubes.image);
+      const long before = cubes.fixedPoint.linearStage().columns();
+      EXPECT_LE(correction.correct(iterate, cubes.alpha, cubes.image, {1e-3}, 100).reduction, 1e-3);
+      columns.push_back(cubes.fixedPoint.linearStage().columns() - before);
+    }
+    return static_cast<double>(columns[1]) / static_cast<double>(columns[0]);
+  };
+  EXPECT_GE(columnsOfSecond(300.0), 1.0);
+  const double others = static_cast<double>(manySteps - stepsAtOnce) / manySteps;
+  EXPECT_NEAR(columnsOfSecond(0.1), others, 0.1);
+}
+
 TEST(CausalCorrection, IsNothingAtAFixedPoint) {
   Cubes cubes = glued();
   CausalCorrection correction(cubes.fixedPoint);
