@@ -30,8 +30,10 @@ constexpr double negligible = 0.1;
 constexpr double wayOfResidual = 100.0;
 // Times what the images have promised that the true residual may be.
 constexpr double promised = 1.25;
-// Linear stages, each of some load steps, in which the largest residual must fall to this share.
-constexpr std::size_t patience = 15;
+// Linear stages, each of some load steps, in which the largest residual must fall to this share; fewer where all have
+// come to their targets, and only too much could be hidden, and of many load steps, which would wait some after others.
+constexpr std::size_t patience = 40;
+constexpr std::size_t lessPatience = 15;
 constexpr double slow = 0.8;
 // Least singular values below this one tell soft modes that are worth their room: what two corrections meet of them in
 // new spaces differs, and with it what the residual can hide.
@@ -140,8 +142,7 @@ std::vector<int> CausalCorrection::unfinished() {
   for (int t = begin_; t < end_; ++t) {
     Step& step = steps_[t];
     const double residual = targets_[t].residual;
-    step.isLeft = residual > noise_ &&
-                  (residual > targets_.of(t) || residual > allowedToHide * smallestSingularValue(step) * way);
+    step.isLeft = residual > noise_ && (isAbove(t) || residual > allowedToHide * smallestSingularValue(step) * way);
     if (step.isLeft) {
       result.push_back(t);
     } else {
@@ -154,8 +155,7 @@ std::vector<int> CausalCorrection::unfinished() {
 std::vector<int> CausalCorrection::foremost(const std::vector<int>& steps) const {
   if (!targets_.isLater()) return steps;
   std::vector<int> result;
-  std::copy_if(steps.begin(), steps.end(), std::back_inserter(result),
-               [this](int t) { return targets_[t].residual > targets_.of(t); });
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(result), [this](int t) { return isAbove(t); });
   if (!result.empty()) return result;
   const auto hidden = [this](int t) { return targets_[t].residual / smallestSingularValue(steps_[t]); };
   double most = 0.0;
@@ -298,7 +298,10 @@ void CausalCorrection::approachTogether(int stages) {
     if (fixedPoint_.linearStage().stages() - first >= stages || !(extend(foremost(left)) || extend(left))) break;
     sweep(left.front());
     residuals.push_back(targets_.largestResidual(begin_, end_));
-    if (residuals.size() > patience && residuals.back() > slow * residuals[residuals.size() - 1 - patience]) break;
+    const bool mayWait =
+        alpha_->numCols() <= stepsAtOnce && std::any_of(left.begin(), left.end(), [this](int t) { return isAbove(t); });
+    const std::size_t wait = mayWait ? patience : lessPatience;
+    if (residuals.size() > wait && residuals.back() > slow * residuals[residuals.size() - 1 - wait]) break;
   }
 }
 

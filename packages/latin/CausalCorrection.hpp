@@ -79,6 +79,8 @@ class CausalCorrection {
   void sweep(int first);
   /// Those of the load steps at hand that have not come to their end.
   std::vector<int> unfinished();
+  /// Whether a load step has not come to its target.
+  bool isAbove(int step) const { return targets_[step].residual > targets_.of(step); }
   /// Of unfinished load steps those that go on: in later corrections first those with too large a residual; when these
   /// have gone their ways, which all are measured by, those where most can be hidden.
   std::vector<int> foremost(const std::vector<int>& steps) const;

@@ -65,7 +65,7 @@ TEST(DraggedBlock, KeepsTheDirectionOfItsFrictionForAnySearchDirection) {
 }
 
 // At the turns I - J is nearly singular. Corrections that knew no more of this than its least singular value, from
-// states that they had left long before, took 285 linear stages, which came to an error of 1e-12.
+// states that they had left long before, took 294 linear stages, which came to an error of 1e-12.
 TEST(RubbedBlocks, AreAnsweredInFewStagesOfManyLoadSteps) {
   SceneInput scene = SceneInput::fromFile("rubbed_blocks.xml");
   const SolvedRun run(scene);
