@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 
+import heaps
 import many_parts
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -33,24 +34,33 @@ def grid(count):
     return (JOINT_STUDY, *(f"Parameters/{name}/Count={count}" for name in ("mu", "preload_1", "preload_2")))
 
 
+# Scenes that are made here: what writes them.
+MADE = {"chain": lambda: many_parts.scene(300, 3, "0.001"),
+        **{f"heap of {n ** 3}": lambda n=n: heaps.scene((n, n, n), (2, 2, 2), 5) for n in (3, 4, 5)},
+        "heap in the plane": lambda: heaps.scene((5, 5), (3, 3), 8),
+        "two blocks in the plane": lambda: heaps.scene((1, 2), (300, 40), 5, size=(300, 40)),
+        **{f"plates, {steps} steps": lambda steps=steps: heaps.scene((1, 1, 2), (40, 40, 2), steps, size=(40, 40, 2))
+           for steps in (10, 64)}}
 SCENES = {"gap": (XML / "gap.xml",), "bimetal strip": (XML / "bimetal_strip.xml",),
           "bolted joint, refinement 0.5": (JOINT, "Mesh/Refinement=0.5"), "bolted joint": (JOINT,),
           "bolted joint, plates in 4 pieces": (JOINT, *(f"Parts/{plate}/Pieces=4" for plate in PLATES)),
           "glued assembly, cells of 1": (GLUED, "Mesh/Cell Size=1"), "glued assembly": (GLUED,), "lap joint": (LAP,),
           "lap joint, quadratic": (LAP, "Mesh/Order=2"), "chain of 300": ("chain",),
-          "study of rough glue": (XML / "rough_glue_study.xml",)}
+          "study of rough glue": (XML / "rough_glue_study.xml",),
+          **{name: (name,) for name in ("heap of 27", "heap in the plane", "two blocks in the plane", "plates, 10 steps")}}
 LARGE = {"glued assembly, cells of 1/4": (GLUED, "Mesh/Cell Size=0.25"),
          "glued assembly, quadratic": (GLUED, "Mesh/Order=2"), "lap joint, split": (LAP, "Mesh/Refine=1"),
          "bolted joint, 44 steps": (JOINT, "Steps/load/Increments=43"),
          "bolted joint, refinement 2": (JOINT, "Mesh/Refinement=2"),
          "bolted joint, Hex20, refinement 0.5": (JOINT, "Mesh/Refinement=0.5", "Mesh/Element=Hex20"),
-         "study of the joint, 8": grid(2),
+         **{name: (name,) for name in ("heap of 64", "heap of 125", "plates, 64 steps")},
+         "study of the joint, 8": grid(2), "study of the joint, 27": grid(3), "study of the joint, 64": grid(4),
          "study of the joint, 12": (ROOT / "tests" / "benchmarks" / "bolted_joint_preloads.xml",),
          "chaos of the glued assembly": (XML / "glued_assembly_chaos.xml",)}
 OUTLIERS = {"bolted joint, consistent mass": (JOINT, "Solver/Interface Mass=Consistent"),
             "random gap, an adaptive design": (XML / "random_gap.xml",)}
-STUDIES = {"study of the joint, 8", "study of the joint, 12", "random gap, an adaptive design", "study of rough glue",
-           "chaos of the glued assembly"}
+STUDIES = {"study of the joint, 8", "study of the joint, 12", "study of the joint, 27", "study of the joint, 64",
+           "random gap, an adaptive design", "study of rough glue", "chaos of the glued assembly"}
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 MARKS = "<!-- cost_table.py begins -->", "<!-- cost_table.py ends -->"
 
@@ -107,11 +117,12 @@ def main():
     lines = ["| scene | peak MB | said MB | ratio | CPU s | said s | ratio |", "|---|---|---|---|---|---|---|"]
     print("\n".join(lines))
     with tempfile.TemporaryDirectory() as folder:
-        chain = pathlib.Path(folder) / "chain.xml"
-        chain.write_text(many_parts.scene(300, 3, "0.001"))
         for name, (scene, *changes) in scenes.items():
-            path = str(chain if scene == "chain" else scene)
-            words = [path, *(word for change in changes for word in ("--set", change))]
+            path = pathlib.Path(scene)
+            if scene in MADE:
+                path = pathlib.Path(folder) / f"{scene.replace(' ', '_').replace(',', '')}.xml"
+                path.write_text(MADE[scene]())
+            words = [str(path), *(word for change in changes for word in ("--set", change))]
             text, ratios = row(arguments.harmos, name, words, folder)
             print(text, flush=True)
             lines.append(text)
