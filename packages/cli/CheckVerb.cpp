@@ -97,7 +97,9 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateB
   out << "CPU time, roughly:\n";
   printSeconds(out, "start, reading, stiffness", cost.startSeconds);
   printSeconds(out, "factorisation", cost.factorSeconds);
+  if (cost.staticsSeconds > 0.0) printSeconds(out, "statics of the loads", cost.staticsSeconds);
   printSeconds(out, "one linear stage", cost.stageSeconds);
+  if (cost.correctionSeconds > 0.0) printSeconds(out, "least squares of its vectors", cost.correctionSeconds);
   printSeconds(out, "error of the mesh, files", cost.resultSeconds);
   std::ostringstream stages;
   stages << std::fixed << std::setprecision(0) << "run of " << cost.stages << " linear stages";

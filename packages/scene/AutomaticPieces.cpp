@@ -96,6 +96,8 @@ class Estimator {
     piece.factor.operations = std::pow(share, growthOfOperations[at]) * whole.plain.operations;
     scope.unknowns += count * piece.unknowns - whole.size.unknowns;
     scope.interfaceUnknowns += count * cutUnknowns;
+    scope.bodies += count - 1;
+    scope.sides += count * neighbours[at];
     return piece;
   }
 
@@ -121,10 +123,11 @@ class Estimator {
       CostScope own = scope;
       own.ranks = 1;
       own.unknowns = unknowns[rank];
+      own.bodies *= unknowns[rank] / scope.unknowns;
+      own.sides *= unknowns[rank] / scope.unknowns;
       own.interfaceUnknowns = scope.interfaceUnknowns * unknowns[rank] / scope.unknowns;
       const CostEstimate here = sums[rank].estimate(own, solver_);
-      result.seconds = std::max(result.seconds, here.startSeconds + here.factorSeconds +
-                                                    result.cost.stages * here.stageSeconds + here.resultSeconds);
+      result.seconds = std::max(result.seconds, here.seconds());
     }
   }
 
@@ -208,9 +211,17 @@ PieceChoice choosePieces(const Scene& scene, const mesh::Mesh& mesh, const Bodie
   scope.steps = static_cast<int>(scene.times.size());
   scope.isAffine =
       std::all_of(interfaces.begin(), interfaces.end(), [](const auto& one) { return one.law->isAffine(); });
-  for (const MeasuredPart& body : wholes) scope.unknowns += body.size.unknowns;
-  for (const assembly::Interface& interface : interfaces)
+  std::vector<std::string> parts;
+  for (const MeasuredPart& body : wholes) {
+    scope.unknowns += body.size.unknowns;
+    parts.push_back(body.part);
+  }
+  scope.bodies = static_cast<double>(wholes.size());
+  scope.joints = jointGraphOf(interfaces, parts, dimension);
+  for (const assembly::Interface& interface : interfaces) {
     scope.interfaceUnknowns += static_cast<double>(interface.pairs()) * interface.sides() * dimension;
+    if (interface.sides() == 2) scope.sides += 2.0;
+  }
   const Estimator estimator(scene.solver, scope, wholes);
   const Candidate uncut = estimator.cut(2.0 * scope.unknowns);
   const bool isTooLarge = !fits(uncut, 1.0 / uncertaintyOfCost, freeBytes);

@@ -27,12 +27,17 @@ struct CostEstimate {
   double processBytes = 0.0;           // resident at the peak, of all processes together; see estimateCost()
   double startSeconds = 0.0;           // the program's start, reading, stiffness matrices
   double factorSeconds = 0.0;          // all factors
+  double staticsSeconds = 0.0;         // whether loads can be balanced, and what is held
   double stageSeconds = 0.0;           // one linear stage with what belongs to it: all load steps
-  double stages = 0.0;                 // linear stages to a certificate, as scenes with such laws mostly take
+  double readSeconds = 0.0;            // of that, reading factors, in single precision wherever that is allowed
+  double stages = 0.0;                 // linear stages of a run, as scenes with such laws and joints mostly take
+  double correctionSeconds = 0.0;      // least squares over differences of the march and directions of the certificate
   double resultSeconds = 0.0;          // error of the mesh, files
 
   /// A whole run [s].
-  double seconds() const { return startSeconds + factorSeconds + stages * stageSeconds + resultSeconds; }
+  double seconds() const { return startSeconds + factorSeconds + solveSeconds() + resultSeconds; }
+  /// The solution alone [s], once all is factored.
+  double solveSeconds() const { return staticsSeconds + stages * stageSeconds + correctionSeconds; }
 };
 
 }  // namespace harmos::scene

@@ -20,41 +20,83 @@ constexpr double entryBytes = 8.0, singleEntryBytes = 4.0, matrixEntryBytes = 12
 constexpr double entriesInSpace = 25.0, growthInSpace = 4.0 / 3.0, entriesInPlane = 8.0;
 // Of operations per unknown beside the square of the mean length of a column of the factor.
 constexpr double unevenColumns = 1.5;
-// Of a load step as most are: differences in its march, directions in its certificate, and fields of both stages.
-constexpr int differences = 15, directions = 12, fields = 18;
-// Of a process: the program with its libraries; how much of matrices, factors in both precisions and of what a column
-// reads (traces are stored beside the factors) is there at the peak; of factors of bodies that nothing iterates on,
-// with the padding of their supernodes; of the stored states; displacement fields of the load steps that are looked at
-// together, and of the others; and what mesh, output and estimates keep for a node.
-constexpr double programBytes = 61e6, matrixCopies = 5.9, factorCopies = 0.41, readCopies = 1.23, paddedFactor = 1.3,
-                 fieldShare = 0.6, fieldsAtOnce = 4.5, fieldsOfOthers = 0.4, bytesPerNode = 24.0;
-// Seconds: of the program's start; of reading and assembling, per entry of the matrices; of factors per operation, per
-// entry, per entry that columns of the macro problem read, per entry of the matrices and per unknown; of a linear
-// stage, per entry that a column reads and, for all that is not a solve, per component of an interface side; of the
-// error of the mesh, per unknown; of files, per unknown, and per unknown and load step.
-constexpr double programSeconds = 0.09, assemblySeconds = 8e-8, operationSeconds = 4.5e-11, factorEntrySeconds = 1.5e-8,
-                 macroReadSeconds = 1.5e-10, factoredEntrySeconds = 2e-7, factoredUnknownSeconds = 1.5e-6,
-                 readEntrySeconds = 2.6e-10, interfaceSeconds = 1e-7, recoverySecondsInSpace = 9e-6,
-                 recoverySecondsInPlane = 3e-6, fileSeconds = 1e-6, stepFileSeconds = 1.1e-7;
+// Fields of a load step beside those: the state, its image and where they began, and the residual.
+constexpr double fields = 5.0;
+// Of a process: the program with its libraries; matrices with what they are assembled and ordered from; factors that
+// columns go through, in double and in single precision; factors of bodies that nothing iterates on, with the padding
+// of their supernodes; what the macro problem multiplies tractions with, with the pairs and the programme of statics,
+// which grow alike; of the differences of a march what is still there when a certificate has all its directions;
+// displacement fields of the load steps that are looked at together, and of the others; and what mesh, output and
+// estimates keep for an unknown.
+constexpr double programBytes = 60e6, matrixCopies = 4.4, paddedFactor = 1.3, reactionCopies = 12.0,
+                 differencesLeft = 0.5, fieldsAtOnce = 1.4, fieldsOfOthers = 0.4, bytesPerUnknown = 90.0;
+// Seconds: of the program's start; of reading and assembling, per entry of the matrices of all bodies; of factors per
+// operation, per entry, per entry that columns of the macro problem read, per entry of the matrices and, for the order,
+// per unknown. Of a linear stage and load step: per entry that a column reads, per component of an interface side for
+// all that is not a solve, per body and per interface side for the calls, however small these are, and per entry of
+// what the macro problem multiplies one column with. Of least squares, per component of an interface side, load step
+// and pair of directions of the certificate, or of differences of a march. Of the error of the mesh, per unknown; of
+// how tractions may be shared, per group of nodes and load step; of files, per unknown, and per unknown and load step.
+constexpr double programSeconds = 0.09, assemblySeconds = 5e-8, operationSeconds = 4.5e-11, factorEntrySeconds = 1.5e-8,
+                 macroReadSeconds = 1.5e-10, factoredEntrySeconds = 2.5e-8, factoredUnknownSeconds = 5.5e-6,
+                 readEntrySeconds = 2.6e-10, interfaceSeconds = 3e-8, bodySeconds = 1e-6, sideSeconds = 7e-7,
+                 reactionSeconds = 7e-10, correctionSeconds = 8e-9, accelerationSeconds = 4e-9,
+                 recoverySecondsInSpace = 9e-6, recoverySecondsInPlane = 3e-6, sharedNodeSeconds = 1e-4,
+                 fileSeconds = 1e-6, stepFileSeconds = 1.1e-7;
 // Of operators that are solved iteratively: bytes per entry at the peak, with the preconditioner; iterations of a
 // column; seconds per entry of the preconditioner and of an iteration; entries of a row of small elements.
 constexpr double iteratedEntryBytes = 35.0, iterationsOfColumn = 15.0, multigridSeconds = 1.6e-7,
                  iterationSeconds = 6e-9, entriesOfRow[] = {18.0, 75.0};
-// Columns of the macro problem for an interface of a body: its motions.
-constexpr double motionsOfInterface = 6.0;
-// Linear stages at an accuracy of 1e-3, how many more a decade takes, and how they fall where there are more load steps
-// than usual, which are shorter then.
-constexpr double usualSteps = 11.0, growthWithSteps = -0.25;
-constexpr double affineStages = 45.0, otherStages = 24.0, stagesPerDecade = 5.0, usualAccuracy = 1e-3;
-// Of the stages: for every doubling of the pieces of a part. Stages where nothing is left to iterate on.
-constexpr double growthWithPieces = 0.18, directStages = 4.0;
+// Columns of the macro problem for an interface of a body, in the plane and in space: its motions as a rigid body.
+constexpr double motionsOfInterface[] = {3.0, 6.0};
+// Linear stages at an accuracy of 1e-3, how many more a decade takes, and how those of the march fall where there are
+// more load steps than usual, which are shorter then.
+constexpr double usualSteps = 11.0, growthWithSteps = -0.25, stagesPerDecade = 5.0, usualAccuracy = 1e-3;
+// Where all laws are affine, for the root of the points along an interface, over which stiffnesses of long and of short
+// waves differ; of these, what the certificate takes; how they fall with the load steps, which go straight on. Where
+// nothing is left to iterate on.
+constexpr double affineMarch = 4.0, affineCertificate = 0.5, affineGrowth = -0.5, directStages = 4.0;
+// Where bodies press on each other, for every joint of JointGraph::height, and for its square in the plane and in
+// space: what slides at one joint passes forces on to the next, and every joint has directions of its own that the
+// certificate must know.
+constexpr double marchOfJoint = 5.0, certificateOfJoints[] = {2.3, 3.0}, leastStages = 6.0;
+// Of the stages: for every doubling of the pieces of a part.
+constexpr double growthWithPieces = 0.18;
+// Other solutions are looked for along two ways, to a residual two decades below; of the stages of the march, in the
+// plane, where bodies meet at points, and in space, where they do along lines.
+constexpr double ways = 2.0, marchesOfWay[] = {0.75, 2.0};
+
+/// Linear stages that a run is expected to take.
+struct Stages {
+  double march = directStages, certificate = 0.0, others = 0.0;
+  double all() const { return march + certificate + others; }
+};
+
+Stages stagesOf(const CostScope& scope, double accuracy) {
+  Stages stages;
+  const double height = scope.joints.height, further = 0.5 * stagesPerDecade * std::log10(usualAccuracy / accuracy);
+  if (scope.isAffine) {
+    const double first = std::max(1.0, affineMarch * std::sqrt(scope.joints.points) + further);
+    stages.march = std::max(1.0, first * std::pow(scope.steps, affineGrowth));
+    stages.certificate = affineCertificate * first;
+    return stages;
+  }
+  const double pieces = 1.0 + growthWithPieces * std::log2(scope.pieces);
+  stages.march = std::max(1.0, pieces * std::max(leastStages, marchOfJoint * height) + further) *
+                 std::min(1.0, std::pow(scope.steps / usualSteps, growthWithSteps));
+  stages.certificate = std::max(
+      1.0, pieces * std::max(leastStages, certificateOfJoints[scope.dimension - 2] * height * height) + further);
+  if (scope.joints.sharedNodes > 0.0) stages.others = ways * marchesOfWay[scope.dimension - 2] * stages.march;
+  return stages;
+}
 
 /// States of all load steps together that an iteration keeps.
-double storedStates(double steps) {
+double storedStates(double steps, const Stages& stages, double memory) {
   constexpr double most = latin::stepsAtOnce;
   const double remembered = steps > most ? 1.0 : steps;
-  return latin::AndersonAcceleration::statesPerDifference * differences * remembered +
-         latin::CorrectionSpace::statesPerDirection * directions * std::min(steps, most) + fields * steps;
+  return differencesLeft * latin::AndersonAcceleration::statesPerDifference * std::min(stages.march, memory) *
+             remembered +
+         latin::CorrectionSpace::statesPerDirection * stages.certificate * std::min(steps, most) + fields * steps;
 }
 
 /// Whether a boundary stands in the operator of its body, as a rule.
@@ -156,28 +198,30 @@ std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfa
 }
 
 void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
+  const substructure::SolverOptions& options = solver.stages.solver;
   const double square = body.trace * body.trace / body.factor.blocks, entries = body.factor.nonzeros;
-  const bool isDense = body.trace > 0.0 && square <= solver.stages.solver.denseTraceWorth() * entries;
-  sum_[body.iteratedEntries > 0.0 ? iteratedMatrix : matrixEntries] += body.matrixEntries;
+  const bool isDense = body.trace > 0.0 && square <= options.denseTraceWorth() * entries;
+  if (body.isAssembled) sum_[body.iteratedEntries > 0.0 ? iteratedMatrix : matrixEntries] += body.matrixEntries;
+  sum_[assembledEntries] += body.matrixEntries;
+  sum_[reactions] += body.trace * body.interfaces;
   if (body.iteratedEntries > 0.0) {
     sum_[readIterated] += body.iteratedEntries;
     if (body.isFactored) sum_[storedIterated] += body.iteratedEntries;
-    if (body.isFactored && body.trace > 0.0)
-      sum_[macroIterated] += motionsOfInterface * body.interfaces * body.iteratedEntries;
+    if (body.isFactored && body.trace > 0.0) sum_[macroIterated] += body.interfaces * body.iteratedEntries;
     return;
   }
   if (body.isFactored) {
+    sum_[factoredEntries] += body.matrixEntries;
+    sum_[factoredUnknowns] += body.unknowns;
     sum_[factorEntries] += entries;
     if (body.trace == 0.0) sum_[looseEntries] += entries;
     // A trace that is kept dense is eliminated last.
     sum_[operations] += body.factor.operations + (isDense ? square * body.trace / body.factor.blocks / 3.0 : 0.0);
-    if (solver.stages.solver.invertTrace && isDense) sum_[invertedEntries] += square / 2.0;  // of a triangle
-    if (body.trace > 0.0) sum_[macroReads] += 2.0 * motionsOfInterface * body.interfaces * entries;
+    if (options.invertTrace && isDense) sum_[invertedEntries] += square / 2.0;  // of a triangle
+    if (body.trace > 0.0) sum_[macroReads] += 2.0 * body.interfaces * entries;
   }
-  // Each entry of a sparse factor is read twice, the triangle of a trace too.
-  const double read = isDense ? square : 2.0 * entries;
-  sum_[readEntries] += read;
-  if (body.isFactored) sum_[storedEntries] += read;
+  // Each entry of a sparse factor is read twice, the triangle of a trace too; that of its inverse once.
+  sum_[readEntries] += !isDense ? 2.0 * entries : options.invertTrace ? square / 2.0 : square;
 }
 
 void CostSums::reduce(const Teuchos::Comm<int>& comm) {
@@ -192,6 +236,10 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.unknowns = static_cast<std::int64_t>(scope.unknowns);
   cost.interfaceUnknowns = static_cast<std::int64_t>(scope.interfaceUnknowns);
   cost.steps = scope.steps;
+  cost.isAffine = scope.isAffine;
+  const double motions = motionsOfInterface[scope.dimension - 2];
+  const bool isDirect = sum_[looseEntries] == sum_[factorEntries] && sum_[macroIterated] == 0.0;
+  const Stages stages = isDirect ? Stages() : stagesOf(scope, solver.accuracy);
   const bool mayBeSingle = solver.stages.solver.allowsSingle && solver.algorithm == latin::Algorithm::accelerated &&
                            solver.stages.formulation == latin::Formulation::displacement;
   const double iterated = sum_[factorEntries] - sum_[looseEntries];  // entries of factors that columns go through
@@ -200,30 +248,31 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.singleBytes = mayBeSingle ? singleEntryBytes * iterated : 0.0;
   cost.iteratedBytes = iteratedEntryBytes * sum_[storedIterated];
   cost.inverseBytes = (entryBytes + singleEntryBytes) * sum_[invertedEntries];
-  cost.fieldBytes = entryBytes * storedStates(steps) * scope.interfaceUnknowns;
-  cost.processBytes = programBytes * scope.ranks +
-                      matrixEntryBytes * (matrixCopies * sum_[matrixEntries] + sum_[iteratedMatrix]) +
-                      factorCopies * (entryBytes * iterated + cost.singleBytes) +
-                      readCopies * entryBytes * (sum_[storedEntries] - 2.0 * sum_[looseEntries]) +
-                      paddedFactor * entryBytes * sum_[looseEntries] + cost.iteratedBytes + cost.inverseBytes +
-                      fieldShare * cost.fieldBytes +
-                      entryBytes * scope.unknowns * (fieldsAtOnce * together + fieldsOfOthers * (steps - together)) +
-                      bytesPerNode * scope.unknowns / scope.dimension;
+  cost.fieldBytes = entryBytes * storedStates(steps, stages, solver.memory) * scope.interfaceUnknowns;
+  cost.processBytes =
+      programBytes * scope.ranks + matrixEntryBytes * (matrixCopies * sum_[matrixEntries] + sum_[iteratedMatrix]) +
+      entryBytes * iterated + cost.singleBytes + paddedFactor * entryBytes * sum_[looseEntries] + cost.iteratedBytes +
+      cost.inverseBytes + reactionCopies * entryBytes * motions * sum_[reactions] + cost.fieldBytes +
+      entryBytes * scope.unknowns * (fieldsAtOnce * together + fieldsOfOthers * (steps - together)) +
+      bytesPerUnknown * scope.unknowns;
 
-  cost.startSeconds = programSeconds * scope.ranks + assemblySeconds * (sum_[matrixEntries] + sum_[iteratedMatrix]);
+  cost.startSeconds = programSeconds * scope.ranks + assemblySeconds * sum_[assembledEntries];
   cost.factorSeconds = operationSeconds * sum_[operations] + factorEntrySeconds * sum_[factorEntries] +
-                       macroReadSeconds * sum_[macroReads] + factoredEntrySeconds * sum_[matrixEntries] +
-                       factoredUnknownSeconds * scope.unknowns + multigridSeconds * sum_[storedIterated] +
-                       iterationSeconds * iterationsOfColumn * sum_[macroIterated];
-  cost.stageSeconds = steps * (readEntrySeconds * sum_[readEntries] + interfaceSeconds * scope.interfaceUnknowns +
-                               iterationSeconds * iterationsOfColumn * sum_[readIterated]);
-  const double decades = std::log10(usualAccuracy / solver.accuracy);
-  cost.isAffine = scope.isAffine;
-  const double usual = scope.isAffine ? affineStages : otherStages * (1.0 + growthWithPieces * std::log2(scope.pieces));
-  cost.stages = sum_[looseEntries] == sum_[factorEntries] && sum_[macroIterated] == 0.0
-                    ? directStages
-                    : std::max(1.0, usual + stagesPerDecade * decades) *
-                          std::min(1.0, std::pow(steps / usualSteps, growthWithSteps));
+                       macroReadSeconds * motions * sum_[macroReads] + factoredEntrySeconds * sum_[factoredEntries] +
+                       factoredUnknownSeconds * sum_[factoredUnknowns] + multigridSeconds * sum_[storedIterated] +
+                       iterationSeconds * iterationsOfColumn * motions * sum_[macroIterated];
+  cost.staticsSeconds = scope.statics.seconds(steps) + sharedNodeSeconds * scope.joints.sharedNodes * steps;
+  cost.readSeconds = steps * readEntrySeconds * sum_[readEntries];
+  const double ofMacro = factorOf(motions * scope.sides / 2.0 + 1.0, scope.dimension).nonzeros;
+  cost.stageSeconds = cost.readSeconds +
+                      steps * (2.0 * readEntrySeconds * ofMacro + reactionSeconds * motions * sum_[reactions] +
+                               interfaceSeconds * scope.interfaceUnknowns + bodySeconds * scope.bodies +
+                               sideSeconds * scope.sides + iterationSeconds * iterationsOfColumn * sum_[readIterated]);
+  cost.stages = stages.all();
+  const auto remembered = [&](double iterations) { return iterations * std::min<double>(iterations, solver.memory); };
+  cost.correctionSeconds = steps * scope.interfaceUnknowns *
+                           (correctionSeconds * stages.certificate * stages.certificate +
+                            accelerationSeconds * (remembered(stages.march) + ways * remembered(stages.others / ways)));
   const double recoverySeconds = scope.dimension == 3 ? recoverySecondsInSpace : recoverySecondsInPlane;
   cost.resultSeconds = scope.unknowns * (recoverySeconds + fileSeconds + stepFileSeconds * steps);
   return cost;

@@ -52,6 +52,12 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
   scope.steps = assembly.steps();
   scope.isAffine = assembly.isAffine();
   scope.pieces = mostPieces(problem.bodies.pieces);
+  scope.bodies = static_cast<double>(assembly.bodies.size());
+  std::vector<std::string> parts;
+  for (const substructure::Substructure& body : assembly.bodies) parts.push_back(body.partName());
+  scope.joints = jointGraphOf(assembly.interfaces, parts, assembly.dimension);
+  // A rough estimate is made in every run, which asks statics itself.
+  if (sizes == FactorSizes::fromOrder && !assembly.path) scope.statics = staticsOf(assembly, comm);
   CostSums sums;
   std::vector<std::optional<substructure::FactorSize>> known(assembly.bodies.size());
   // Those of equal bodies that are touched and held alike are one.
@@ -68,9 +74,10 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
     const substructure::Substructure& first = assembly.bodies[master];
     const auto entries = static_cast<double>(first.stiffness->getGlobalNumEntries());
     if (body.iterates) size.iteratedEntries = entries;
-    if (!known[master]) {
+    size.matrixEntries = entries;
+    size.isAssembled = !known[master];
+    if (size.isAssembled) {
       known[master] = body.iterates ? substructure::FactorSize{} : sizeOf(assembly, master, sizes);
-      size.matrixEntries = entries;
       mineOfBody[master] = known[master]->nonzeros / known[master]->blocks;
     }
     size.factor = *known[master];
@@ -81,8 +88,10 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
     sums.add(size, solver);
   }
   sums.reduce(comm);
-  for (const auto& interface : assembly.interfaces)
+  for (const auto& interface : assembly.interfaces) {
     scope.interfaceUnknowns += static_cast<double>(interface.pairs()) * interface.sides() * assembly.dimension;
+    if (interface.sides() == 2) scope.sides += 2.0;
+  }
   CostEstimate cost = sums.estimate(scope, solver);
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, static_cast<int>(ofBody.size()), mineOfBody.data(), ofBody.data());
   const auto largest = std::max_element(ofBody.begin(), ofBody.end());

@@ -37,7 +37,7 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
       result.solves *= static_cast<double>(sweep.coefficients.size());
     result.stages = ChaosCost::usualIterations;
     result.seconds = once + result.solves * chaos->solveSeconds +
-                     study.stochastic->holdOuts * (cost.stages * cost.stageSeconds + configurationSeconds);
+                     study.stochastic->holdOuts * (cost.solveSeconds() + configurationSeconds);
     return result;
   }
   const double groups =
@@ -55,8 +55,13 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
                        : cost.isAffine                   ? affine
                                                          : calibrations / result.solves + amongOthers;
   result.stages = share * cost.stages;
+  // Marches from neighbours solve in double precision, which reads twice as much; in single only by inverted traces.
+  const bool readsDouble = result.solves >= fewConfigurations && !solverOptions(study).stages.solver.invertTrace;
+  const double stageSeconds = cost.stageSeconds + (readsDouble ? cost.readSeconds : 0.0);
+  const double certified = std::min(result.solves, calibrations / alone);
   result.seconds = once + (groups - 1.0) * cost.factorSeconds +
-                   result.solves * (configurationSeconds + result.stages * cost.stageSeconds);
+                   certified * (cost.staticsSeconds + cost.correctionSeconds) +
+                   result.solves * (configurationSeconds + result.stages * stageSeconds);
   return result;
 }
 

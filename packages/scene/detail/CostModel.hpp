@@ -8,6 +8,8 @@
 #include <harmos/assembly/Interface.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/scene/CostEstimate.hpp>
+#include <harmos/scene/detail/JointGraph.hpp>
+#include <harmos/scene/detail/StaticsCost.hpp>
 #include <harmos/substructure/BoundaryTerm.hpp>
 #include <harmos/substructure/NestedDissection.hpp>
 
@@ -18,7 +20,8 @@ struct BodySize {
   double unknowns = 0.0;            ///< displacements
   double trace = 0.0;               ///< of these, what interfaces touch
   double interfaces = 0.0;          ///< how many touch it
-  double matrixEntries = 0.0;       ///< of its stiffness; 0: it is that of another body
+  double matrixEntries = 0.0;       ///< of its stiffness
+  bool isAssembled = true;          ///< false: the stiffness is that of another body
   substructure::FactorSize factor;  ///< of its operator
   bool isFactored = true;           ///< false: the factor is that of another body
   double iteratedEntries = 0.0;     ///< of its operator, where it is solved iteratively; 0: it is factored
@@ -58,6 +61,10 @@ struct CostScope {
   double unknowns = 0.0;           ///< displacements of all bodies
   double interfaceUnknowns = 0.0;  ///< components of all interface sides
   double pieces = 1.0;             ///< into which the part is cut that is cut most
+  double bodies = 0.0;             ///< how many there are
+  double sides = 0.0;              ///< of interfaces between two bodies
+  JointGraph joints;               ///< how bodies press on each other
+  StaticsSize statics;             ///< nothing: it is not counted
 };
 
 /// Sums over some bodies of what their cost goes with.
@@ -72,13 +79,16 @@ class CostSums {
 
  private:
   enum Sum {
+    assembledEntries,
     matrixEntries,
+    factoredEntries,
+    factoredUnknowns,
     factorEntries,
     looseEntries,
     operations,
     macroReads,
+    reactions,
     readEntries,
-    storedEntries,
     invertedEntries,
     iteratedMatrix,
     storedIterated,

@@ -29,10 +29,12 @@ TEST(CostEstimate, OfARunIsTheSumOfItsPhases) {
   CostEstimate cost;
   cost.startSeconds = 0.125;
   cost.factorSeconds = 0.25;
+  cost.staticsSeconds = 2.0;
   cost.stageSeconds = 0.5;
   cost.stages = 24.0;
+  cost.correctionSeconds = 4.0;
   cost.resultSeconds = 1.0;
-  EXPECT_DOUBLE_EQ(cost.seconds(), 0.125 + 0.25 + 12.0 + 1.0);
+  EXPECT_DOUBLE_EQ(cost.seconds(), 0.125 + 0.25 + 2.0 + 12.0 + 4.0 + 1.0);
 }
 
 TEST(CostEstimate, RefusesFactorsBeyondTheNumbersOfSolvers) {
@@ -95,9 +97,10 @@ TEST(CostEstimate, OfManyLoadStepsCountsVectorsOfSome) {
     problem.assembly.times.resize(steps);
     return estimateCost(problem, scene.solver, FactorSizes::fromOrder, *comm).fieldBytes;
   };
-  EXPECT_NEAR(fieldsOf(64), 64.0 * fieldsOf(1), 1.0);
+  EXPECT_GT(fieldsOf(64), 32.0 * fieldsOf(1));
+  EXPECT_LE(fieldsOf(64), 64.0 * fieldsOf(1));
   EXPECT_LT(fieldsOf(512), 3.0 * fieldsOf(64));
-  EXPECT_NEAR(fieldsOf(513) - fieldsOf(512), fieldsOf(514) - fieldsOf(513), 1.0);
+  EXPECT_GT(fieldsOf(1024), 1.2 * fieldsOf(512));
 }
 
 std::string refusalOfMesh(const std::vector<std::string>& overrides, double freeBytes) {

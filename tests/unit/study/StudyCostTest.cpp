@@ -6,15 +6,20 @@
 namespace harmos::study {
 namespace {
 
-/// What a study of so many configurations would take, of a scene whose solved states have 1 MiB each.
-StudyCost costOf(int configurations) {
-  Study study;
-  for (int i = 0; i < configurations; ++i) study.configurations.push_back({i + 1, {}});
+/// Of a scene whose solved states have 1 MiB each.
+scene::CostEstimate sample() {
   scene::CostEstimate cost;
   cost.interfaceUnknowns = 16384;
   cost.steps = 8;
   cost.stages = 10.0;
   cost.stageSeconds = 0.1;
+  return cost;
+}
+
+/// What a study of so many configurations would take.
+StudyCost costOf(int configurations, const scene::CostEstimate& cost = sample()) {
+  Study study;
+  for (int i = 0; i < configurations; ++i) study.configurations.push_back({i + 1, {}});
   return estimateStudy(study, cost, nullptr);
 }
 
@@ -34,6 +39,37 @@ TEST(StudyCost, FallsWithTheNumberOfConfigurations) {
   EXPECT_GT(some.stages, many.stages);
   EXPECT_GT(some.seconds, few.seconds);
   EXPECT_GT(many.seconds, some.seconds);
+}
+
+// Up to where traces are inverted, and from there on.
+TEST(StudyCost, GrowsWithEveryConfiguration) {
+  for (int count = 2; count < 49; ++count) EXPECT_GT(costOf(count + 1).seconds, costOf(count).seconds) << count;
+  for (int count = 50; count < 200; ++count) EXPECT_GT(costOf(count + 1).seconds, costOf(count).seconds) << count;
+}
+
+// Marches from neighbours read factors in double precision, unless traces are inverted.
+TEST(StudyCost, ReadsTwiceAsMuchInDoublePrecision) {
+  const auto difference = [](int configurations) {
+    scene::CostEstimate without = sample(), with = sample();
+    with.readSeconds = 0.05;
+    return costOf(configurations, with).seconds - costOf(configurations, without).seconds;
+  };
+  EXPECT_EQ(difference(9), 0.0);
+  EXPECT_NEAR(difference(20), 20.0 * costOf(20).stages * 0.05, 1e-9);
+  EXPECT_EQ(difference(50), 0.0);
+}
+
+// Every configuration of a few is certified; of many those that calibrate.
+TEST(StudyCost, CountsStaticsAndLeastSquaresWhereItCertifies) {
+  const auto difference = [](int configurations) {
+    scene::CostEstimate cost = sample();
+    cost.staticsSeconds = 1.0;
+    cost.correctionSeconds = 2.0;
+    return costOf(configurations, cost).seconds - costOf(configurations).seconds;
+  };
+  EXPECT_NEAR(difference(5), 15.0, 1e-9);
+  EXPECT_NEAR(difference(100), difference(1000), 1e-9);
+  EXPECT_LT(difference(100), 30.0);
 }
 
 }  // namespace

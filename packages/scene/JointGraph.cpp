@@ -1,0 +1,197 @@
+#include <harmos/scene/detail/JointGraph.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace harmos::scene {
+namespace {
+
+using assembly::Interface;
+
+// Groups of more pairs are not looked at, see latin::findRedundantGroups.
+constexpr int mostPairs = 60;
+
+/// Sets that are joined, as a forest of representatives.
+class Joined {
+ public:
+  explicit Joined(std::size_t count = 0) : above_(count) { std::iota(above_.begin(), above_.end(), std::size_t{0}); }
+  std::size_t add() {
+    above_.push_back(above_.size());
+    return above_.back();
+  }
+  std::size_t root(std::size_t one) {
+    while (above_[one] != one) one = above_[one] = above_[above_[one]];
+    return one;
+  }
+  void join(std::size_t a, std::size_t b) { above_[root(a)] = root(b); }
+
+ private:
+  std::vector<std::size_t> above_;
+};
+
+/// Carries pressure, perhaps with friction, and no tension.
+bool presses(const Interface& interface) {
+  if (interface.law->prescribesTraction() || interface.law->isAffine() || interface.pairs() == 0) return false;
+  const auto tractions = interface.law->admissibleTractions(0);
+  return tractions && tractions->upper[0] == 0.0;
+}
+
+/// Neighbours of all groups of bodies, those of single bodies at their representatives.
+using Neighbours = std::vector<std::set<std::size_t>>;
+
+Neighbours neighboursOf(const std::vector<Interface>& interfaces, const std::vector<std::string>& parts,
+                        Joined& bodies) {
+  std::map<std::string, std::size_t> first;
+  for (std::size_t b = 0; b < parts.size(); ++b) bodies.join(b, first.try_emplace(parts[b], b).first->second);
+  for (const Interface& interface : interfaces) {
+    if (interface.sides() == 2 && interface.law->isAffine()) bodies.join(interface.body1, interface.body2);
+  }
+  Neighbours near(parts.size());
+  for (const Interface& interface : interfaces) {
+    if (interface.sides() != 2 || !presses(interface)) continue;
+    const std::size_t a = bodies.root(interface.body1), b = bodies.root(interface.body2);
+    if (a == b) continue;
+    near[a].insert(b);
+    near[b].insert(a);
+  }
+  return near;
+}
+
+/// Which groups are left when those with a single neighbour are taken away again and again: those in loops, and between
+/// them.
+std::vector<bool> inLoops(const Neighbours& near) {
+  std::vector<std::size_t> degree, ends;
+  std::vector<bool> isLeft(near.size(), true);
+  for (std::size_t b = 0; b < near.size(); ++b) {
+    degree.push_back(near[b].size());
+    if (degree[b] < 2) ends.push_back(b);
+  }
+  while (!ends.empty()) {
+    const std::size_t end = ends.back();
+    ends.pop_back();
+    isLeft[end] = false;
+    for (const std::size_t other : near[end]) {
+      if (isLeft[other] && --degree[other] == 1) ends.push_back(other);
+    }
+  }
+  return isLeft;
+}
+
+/// Joints from the ground to every group, that of what is held by itself counted; 0: nothing leads there.
+std::vector<int> heights(const std::vector<Interface>& interfaces, const Neighbours& near, Joined& bodies) {
+  std::vector<int> height(near.size(), 0);
+  std::vector<std::size_t> front;
+  for (const Interface& interface : interfaces) {
+    if (interface.sides() != 1 || interface.law->prescribesTraction()) continue;
+    const std::size_t body = bodies.root(interface.body1);
+    if (height[body] == 0) front.push_back(body);
+    height[body] = 1;
+  }
+  while (!front.empty()) {
+    std::vector<std::size_t> next;
+    for (const std::size_t body : front) {
+      for (const std::size_t other : near[body]) {
+        if (height[other] > 0) continue;
+        height[other] = height[body] + 1;
+        next.push_back(other);
+      }
+    }
+    front.swap(next);
+  }
+  return height;
+}
+
+/// How many groups of nodes that pairs with friction link hang together in a ring, or at two ends that are held.
+double sharedNodes(const std::vector<Interface>& interfaces) {
+  using Node = std::pair<int, int>;  // body, node
+  std::map<Node, std::size_t> numbers;
+  Joined joined;
+  const auto numberOf = [&](const Node& node) {
+    const auto [at, isNew] = numbers.try_emplace(node);
+    if (isNew) at->second = joined.add();
+    return at->second;
+  };
+  const auto firstOf = [&](const Interface& interface, int pair) {
+    return numberOf({interface.body1, interface.trace1.row(pair).begin()->node});
+  };
+  const auto forPairs = [&](const auto& action) {
+    for (const Interface& interface : interfaces) {
+      if (!presses(interface) || !interface.mass.empty()) continue;
+      for (int p = 0; p < interface.pairs(); ++p) action(interface, p);
+    }
+  };
+  forPairs([&](const Interface& interface, int p) {
+    const std::size_t first = firstOf(interface, p);
+    for (int side = 0; side < interface.sides(); ++side) {
+      for (const auto& [node, weight] : interface.trace(side).row(p))
+        joined.join(first, numberOf({interface.body(side), node}));
+    }
+  });
+  struct Cluster {
+    int nodes = 0, links = 0, ends = 0;
+    bool hasFriction = false;
+  };
+  std::vector<Cluster> clusters(numbers.size());
+  for (const auto& [node, number] : numbers) ++clusters[joined.root(number)].nodes;
+  forPairs([&](const Interface& interface, int p) {
+    Cluster& cluster = clusters[joined.root(firstOf(interface, p))];
+    ++(interface.sides() == 2 ? cluster.links : cluster.ends);
+    cluster.hasFriction = cluster.hasFriction || interface.law->admissibleTractions(0)->friction > 0.0;
+  });
+  std::set<Node> held;
+  for (const Interface& interface : interfaces) {
+    if (interface.sides() != 1 || interface.law->prescribesTraction() || presses(interface)) continue;
+    for (int p = 0; p < interface.pairs(); ++p) {
+      for (const auto& [node, weight] : interface.trace1.row(p)) held.emplace(interface.body1, node);
+    }
+  }
+  for (const Node& node : held) {
+    const auto at = numbers.find(node);
+    if (at != numbers.end()) ++clusters[joined.root(at->second)].ends;
+  }
+  const auto isShared = [](const Cluster& one) {
+    return one.hasFriction && one.links <= mostPairs && ((one.links > 0 && one.links >= one.nodes) || one.ends > 1);
+  };
+  return static_cast<double>(std::count_if(clusters.begin(), clusters.end(), isShared));
+}
+
+/// Points along the longest side of the box around an interface.
+double pointsAlong(const Interface& interface, int dimension) {
+  if (interface.pairs() < 2) return 1.0;
+  base::Vector3 low = interface.position[0], high = low;
+  double area = 0.0, longest = 0.0;
+  for (int p = 0; p < interface.pairs(); ++p) {
+    area += interface.area[p];
+    for (std::size_t c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], interface.position[p][c]);
+      high[c] = std::max(high[c], interface.position[p][c]);
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) longest = std::max(longest, high[c] - low[c]);
+  return 1.0 + longest / std::pow(area / interface.pairs(), 1.0 / (dimension - 1));
+}
+
+}  // namespace
+
+JointGraph jointGraphOf(const std::vector<Interface>& interfaces, const std::vector<std::string>& parts,
+                        int dimension) {
+  JointGraph graph;
+  for (const Interface& interface : interfaces) {
+    if (interface.sides() == 2) graph.points = std::max(graph.points, pointsAlong(interface, dimension));
+  }
+  Joined bodies(parts.size());
+  const Neighbours near = neighboursOf(interfaces, parts, bodies);
+  const std::vector<bool> isInLoop = inLoops(near);
+  const std::vector<int> height = heights(interfaces, near, bodies);
+  for (std::size_t b = 0; b < near.size(); ++b) {
+    if (isInLoop[b] && !near[b].empty()) graph.height = std::max(graph.height, static_cast<double>(height[b]));
+  }
+  graph.sharedNodes = sharedNodes(interfaces);
+  return graph;
+}
+
+}  // namespace harmos::scene
