@@ -37,13 +37,6 @@ constexpr int solvedForEach = 8;
 constexpr int lastCalibration = 16;
 constexpr unsigned seedOfOrder = 20040601;
 
-/// Calibrations that a study should have after so many configurations: numbers 1, 2, 4, 8 and 16 are.
-int calibrationsUntil(int number) {
-  int count = 0;
-  for (int next = 1; next <= std::min(number, lastCalibration); next *= 2) ++count;
-  return count;
-}
-
 /// The same on every rank, in every run and on every machine.
 std::vector<std::size_t> randomOrder(std::size_t count) {
   std::vector<std::size_t> order(count);
@@ -80,6 +73,12 @@ std::size_t CalibratedSchedule::mostTogether() const {
 
 int CalibratedSchedule::sideBySide(int solved) {
   return std::clamp(solved / solvedForEach, 1, widestBatch);
+}
+
+int CalibratedSchedule::calibrationsUntil(int number) {
+  int count = 0;
+  for (int next = 1; next <= std::min(number, lastCalibration); next *= 2) ++count;
+  return count;
 }
 
 int CalibratedSchedule::freePlace() const {

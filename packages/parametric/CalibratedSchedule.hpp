@@ -33,6 +33,8 @@ class CalibratedSchedule {
 
   /// How many configurations march side by side once so many are solved.
   static int sideBySide(int solved);
+  /// Calibrations that a study should have after so many configurations: numbers 1, 2, 4, 8 and 16 are.
+  static int calibrationsUntil(int number);
 
  private:
   /// What an accepted configuration was accepted with.

@@ -11,9 +11,9 @@ namespace harmos::study {
 
 namespace {
 
-// Linear stages over those of a run: of a configuration that is certified by itself, of all that calibrate a study
-// together, of a configuration that starts from others, and where all laws are affine.
-constexpr double alone = 1.8, calibrations = 17.0, amongOthers = 0.13, affine = 0.2;
+// Linear stages over those of a run: of a configuration that is certified by itself, of one that calibrates a study,
+// with the attempts that come to nothing, of one that starts from others, and where all laws are affine.
+constexpr double alone = 1.8, calibration = 3.4, amongOthers = 0.13, affine = 0.2;
 // Below so many configurations each is certified, see parametric::CertifiedSchedule.
 constexpr double fewConfigurations = 10.0;
 // Of a configuration that marches beside others: fields of all load steps; and columns of the one at hand, which are
@@ -51,6 +51,8 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
     result.bytes += others * sizeof(double) * static_cast<double>(cost.interfaceUnknowns) *
                     (fieldsOfPlace * cost.steps + columnsOfPlace);
   }
+  const double calibrations =
+      calibration * parametric::CalibratedSchedule::calibrationsUntil(static_cast<int>(result.solves));
   const double share = result.solves < fewConfigurations ? alone
                        : cost.isAffine                   ? affine
                                                          : calibrations / result.solves + amongOthers;
