@@ -13,7 +13,7 @@ namespace {
 
 // Linear stages over those of a run: of a configuration that is certified by itself, of one that calibrates a study,
 // with the attempts that come to nothing, of one that starts from others, and where all laws are affine.
-constexpr double alone = 1.8, calibration = 3.4, amongOthers = 0.13, affine = 0.2;
+constexpr double alone = 1.8, calibration = 3.4, amongOthers = 0.16, affine = 0.2;
 // Below so many configurations each is certified, see parametric::CertifiedSchedule.
 constexpr double fewConfigurations = 10.0;
 // Of a configuration that marches beside others: fields of all load steps; and columns of the one at hand, which are
