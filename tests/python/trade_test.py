@@ -139,7 +139,7 @@ class PromiseTest(unittest.TestCase):
         judge.doubt.return_value = 0.0
         judge.promised.side_effect = lambda rung: 0.01 if rung.outcome.certified else numpy.inf
         runs = iter(range(len(settings)))
-        runner.run_file.side_effect = lambda path, seconds, memory: outcome(next(runs))
+        runner.run_file.side_effect = lambda path, allowance, memory: outcome(next(runs))
         with mock.patch("harmos.trade.promises.expected_costs", lambda *_: [(float(n), 0.02, (n,)) for (n,) in settings]):
             return keep(0.05, ladder, judge, runner, document, pathlib.Path("out"), pathlib.Path("work"))
 

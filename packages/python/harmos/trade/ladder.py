@@ -12,6 +12,11 @@ from harmos.trade.running import Outcome, Runner
 
 RESERVE = 0.3
 """Share of the budget that is kept for running the settings that are recommended."""
+KEPT = RESERVE / 2
+"""Share of the budget that no run of the ladder gets, however long it takes.
+
+Not all of the reserve: the last run, which fits by its prediction, is the most accurate one, and mostly takes longer.
+"""
 GROWTH = 1.3
 """What a rung may cost over its prediction while it is still expected to fit."""
 CHEAP = 0.02
@@ -55,16 +60,18 @@ class Ladder:
         accuracy: level of that knob at which meshes are compared.
         cheap: level of the mesh that side knobs are measured on.
         dimension: of the scene, 2 or 3.
+        report: called after every run.
     """
 
     def __init__(self, knobs: list[Knob], dimension: int, runner: Runner, budget: Budget,
                  report: Callable[[Rung], None]) -> None:
-        """Runs nothing; `report` is called after every rung."""
+        """Runs nothing."""
         self.knobs, self.dimension, self.budget = knobs, dimension, budget
         self._least_target = 0.0
         self.rungs: dict[Settings, Rung] = {}
         self.refused: set[Settings] = set()
-        self._runner, self._report = runner, report
+        self.report = report
+        self._runner = runner
         self._mesh = self.index("mesh")
         self.accuracy, self.cheap = knobs[self.index("accuracy")].given, 0
 
@@ -122,10 +129,11 @@ class Ladder:
             return self.rungs[settings]
         predicted = self.predicted(settings, "cpu")
         entries = [entry for knob, i in zip(self.knobs, settings) for entry in knob.levels[i].entries]
-        outcome = self._runner.run(entries, max(self.budget.left(), 1.0), self.budget.memory)
+        allowance = self.budget.allowance(self.predicted(settings, "wall"), KEPT * self.budget.seconds)
+        outcome = self._runner.run(entries, allowance, self.budget.memory)
         rung = Rung(settings, outcome, math.nan if predicted is None else predicted, purpose)
         self.rungs[settings] = rung
-        self._report(rung)
+        self.report(rung)
         return rung
 
     def families(self) -> list[Settings]:
@@ -173,16 +181,20 @@ class Ladder:
         self.accuracy = next((i for i, level in enumerate(levels) if level.size <= 1.001 * least_target), len(levels) - 1)
         for mesh in range(len(self.knobs[self._mesh].levels)):
             self.cheap = mesh
-            while not self.measure(self.base(), "ladder").outcome.certified and self.accuracy > 0 and (
-                    self.rungs[self.base()].outcome.values):
+            while not (outcome := self.measure(self.base(), "ladder").outcome).certified and self.accuracy > 0 and (
+                    outcome.values or outcome.stopped) and self._has_time():
                 self.accuracy -= 1
-            if self.rungs[self.base()].outcome.certified or self.budget.left() <= 0:
+            if self.rungs[self.base()].outcome.certified or not self._has_time():
                 break
         following = self.base(mesh=self.cheap + 1) if self.cheap + 1 < len(self.knobs[self._mesh].levels) else None
         cost = self.predicted(following, "wall") if following else None
         if following and cost is not None and cost < CHEAP * self.budget.seconds and (
                 self.measure(following, "ladder").outcome.certified):
             self.cheap += 1
+
+    def _has_time(self) -> bool:
+        """Whether runs of the ladder may take any more."""
+        return self.budget.left() > KEPT * self.budget.seconds
 
     def _next(self, is_beaten: Callable[[Settings], bool]) -> Iterator[Settings]:
         for family in self.families():

@@ -4,7 +4,7 @@ import itertools
 import math
 import pathlib
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from harmos.trade.document import Document
 from harmos.trade.judging import Judge
@@ -36,6 +36,7 @@ class Promise:
         error: largest error of that run, the uncertainty of the reference included.
         files: its XML, of a study that of its scene as well; empty: none were written.
         reason: why there is none.
+        failed: runs of settings that were expected to keep it.
     """
 
     target: float
@@ -43,6 +44,7 @@ class Promise:
     error: float = math.inf
     files: tuple[pathlib.Path, ...] = ()
     reason: str = ""
+    failed: list[Rung] = field(default_factory=list)
 
 
 def expected_costs(ladder: Ladder, judge: Judge) -> list[tuple[float, float, Settings]]:
@@ -92,18 +94,22 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
         name = settings_name(document, target)
         remark = (f"{REMARK} for errors below {100 * target:g} % in every response: {ladder.words(settings)}")
         trial = document.write(entries, work / name, remark)[0]
-        outcome = runner.run_file(trial, max(ladder.budget.left(), 1.0), ladder.budget.memory)
+        allowance = ladder.budget.allowance(ladder.predicted(settings, "wall"))
+        outcome = runner.run_file(trial, allowance, ladder.budget.memory)
         if outcome.refused:  # such as pieces, which fit the meshes they were measured on but not this one
             ladder.refused.add(settings)
             promise.reason = promise.reason or f"settings that were expected to keep it are {outcome.status}"
             continue
         trials += 1
         rung = Rung(settings, outcome, ladder.predicted(settings, "cpu") or math.nan, f"within {100 * target:g} %")
+        ladder.report(rung)
         error = judge.promised(rung)
         if error <= target:
             files = document.write(entries, work / MADE / name, remark, folder)
-            return Promise(target, rung, error, tuple(folder / file.name for file in files))
-        promise.reason = f"settings that were expected to keep it came to {100 * error:.2g} %"
+            return Promise(target, rung, error, tuple(folder / file.name for file in files), failed=promise.failed)
+        promise.failed.append(rung)
+        promise.reason = "settings that were expected to keep it " + (
+            f"came to {100 * error:.2g} %" if error < math.inf else f"ended otherwise than before: {outcome.status}")
     return promise
 
 

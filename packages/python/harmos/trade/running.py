@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from harmos.arrays import Floats
+from harmos.trade.budget import Allowance
 from harmos.trade.document import Document, Entry
 from harmos.trade.outcome import read_outcome
 
@@ -42,6 +43,7 @@ class Outcome:
         wall: from its start to its end [s].
         memory: its largest resident set [byte].
         refused: whether Harmos does not take the input.
+        stopped: whether it was ended before it had an answer.
     """
 
     status: str
@@ -55,6 +57,7 @@ class Outcome:
     wall: float = 0.0
     memory: int = 0
     refused: bool = False
+    stopped: bool = False
 
 
 def check(program: str, path: pathlib.Path) -> tuple[bool, str]:
@@ -77,22 +80,22 @@ class Runner:
         self._document.write(entries, path, "a trial of harmos trade")
         return check(self._program, path)[0]
 
-    def run(self, entries: Iterable[Entry], seconds: float, memory: float) -> Outcome:
-        """Solves the input with these changes, ends it after so many seconds or with so many bytes."""
+    def run(self, entries: Iterable[Entry], allowance: Allowance, memory: float) -> Outcome:
+        """Solves the input with these changes, ends it after what it is allowed or with so many bytes."""
         path = self._folder / f"{self._document.path.stem}.xml"
         self._document.write(entries, path, "a trial of harmos trade")
-        return self.run_file(path, seconds, memory)
+        return self.run_file(path, allowance, memory)
 
-    def run_file(self, path: pathlib.Path, seconds: float, memory: float) -> Outcome:
+    def run_file(self, path: pathlib.Path, allowance: Allowance, memory: float) -> Outcome:
         """Solves the input in a file; see run()."""
         results = self._folder / "results"
         shutil.rmtree(results, ignore_errors=True)
         verb = "run" if self._document.study is None else "study"
         begin = time.monotonic()
         code, stopped, usage = _watched([self._program, verb, str(path), "--quiet", "--output", str(results)],
-                                        _environment(), self._folder / "messages", seconds, memory)
+                                        _environment(), self._folder / "messages", allowance, memory)
         wall = time.monotonic() - begin
-        outcome = Outcome(stopped) if stopped else self._read(results / path.stem, code)
+        outcome = Outcome(stopped, stopped=True) if stopped else self._read(results / path.stem, code)
         shutil.rmtree(results, ignore_errors=True)
         return replace(outcome, cpu=usage.ru_utime + usage.ru_stime, wall=wall, memory=usage.ru_maxrss * 1024)
 
@@ -116,7 +119,7 @@ def _environment() -> dict[str, str]:
             if not (is_launched and re.match("(OMPI|PMIX|ORTE|OPAL)_(?!ALLOW)", name))}
 
 
-def _watched(command: list[str], environment: dict[str, str], messages: pathlib.Path, seconds: float,
+def _watched(command: list[str], environment: dict[str, str], messages: pathlib.Path, allowance: Allowance,
              memory: float) -> tuple[int, str, resource.struct_rusage]:
     """Exit code, why it was stopped (empty: it was not) and what a command has used that may take so much."""
     begin = time.monotonic()
@@ -129,10 +132,11 @@ def _watched(command: list[str], environment: dict[str, str], messages: pathlib.
             if pid:
                 process.returncode = os.waitstatus_to_exitcode(status)  # so that Popen waits for it no more
                 return process.returncode, stopped, usage
-            if not stopped and time.monotonic() - begin > seconds:
-                stopped = "stopped: out of time"
+            taken = time.monotonic() - begin
+            if not stopped and taken > allowance.seconds:
+                stopped = allowance.words(taken)
             elif not stopped and _peak(process.pid) > memory:
-                stopped = "stopped: out of memory"
+                stopped = allowance.words(taken, "out of memory")
             if stopped:
                 os.kill(process.pid, signal.SIGKILL)
             time.sleep(POLL)

@@ -18,8 +18,9 @@ BETTER = 0.95
 
 
 def all_rungs(ladder: Ladder, promises: list[Promise]) -> list[Rung]:
-    """Those of the ladder, then the fresh runs of settings that keep a promise."""
-    return [*ladder.rungs.values(), *(promise.rung for promise in promises if promise.rung is not None)]
+    """Those of the ladder, then the fresh runs of settings that should keep a promise."""
+    fresh = [rung for promise in promises for rung in (*promise.failed, promise.rung) if rung is not None]
+    return [*ladder.rungs.values(), *fresh]
 
 
 def write_csv(path: str, ladder: Ladder, judge: Judge, rungs: list[Rung]) -> None:
