@@ -86,7 +86,12 @@ def number(value: float, otherwise: str = "") -> str:
 
 def percent(value: float) -> str:
     """A share in percent with two digits, "n/a" for what is not finite."""
-    return "n/a" if not numpy.isfinite(value) else f"{100 * value:.2g} %"
+    return "n/a" if not numpy.isfinite(value) else f"{plain(100 * value)} %"
+
+
+def plain(value: float) -> str:
+    """A number with two digits, large ones without an exponent."""
+    return f"{float(f'{value:.2g}'):.0f}" if abs(value) >= 10 else f"{value:.2g}"
 
 
 def label(study: Study, name: str) -> str:

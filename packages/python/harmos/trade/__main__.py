@@ -115,7 +115,7 @@ def _trade(document: Document, runner: Runner, knobs: list[Knob], folder: pathli
                    lambda family: Judge(ladder, responses).is_beaten(family))
     judge = Judge(ladder, responses)
     promises = [keep(target, ladder, judge, runner, document, folder, work) for target in targets]
-    rungs = all_rungs(ladder, promises)
+    rungs = all_rungs(ladder)
     made = work / MADE
     made.mkdir(exist_ok=True)
     base = _base(document, made)
@@ -133,12 +133,12 @@ def _trade(document: Document, runner: Runner, knobs: list[Knob], folder: pathli
 def _print(ladder: Ladder, judge: Judge, rungs: list[Rung], promises: list[Promise]) -> None:
     print(f"{'response':28s} {'goes to':>14s} {'known to':>10s}  limit of the meshes")
     for name, one in judge.references.items():
-        print(f"{name:28s} {one.values[-1]:14.7g} {percent(one.doubt()):>10s}  {one.space.word}")
+        print(f"{name:28s} {one.largest():14.7g} {percent(one.doubt()):>10s}  {one.space.word}")
     if not judge.references:
         print("Nothing is certified: there is no reference.")
-    print(f"{'error':>9s} {'CPU s':>9s} {'MB':>7s}  settings that none beats in error and CPU time")
+    print(f"{'error':>9s} {'at most':>9s} {'CPU s':>9s} {'MB':>7s}  settings that none beats in error and CPU time")
     for rung in pareto(rungs, judge, "cpu"):
-        print(f"{100 * judge.worst(rung):8.2g}% {rung.outcome.cpu:9.2f} {rung.outcome.memory / MEGABYTE:7.0f}  "
+        print(f"{percent(judge.worst(rung)):>9s} {percent(judge.promised(rung)):>9s} {rung.outcome.cpu:9.2f} {rung.outcome.memory / MEGABYTE:7.0f}  "
               f"{ladder.words(rung.settings)}")
     for promise in promises:
         target = f"within {100 * promise.target:g} %"
@@ -147,7 +147,7 @@ def _print(ladder: Ladder, judge: Judge, rungs: list[Rung], promises: list[Promi
         else:
             cost = promise.rung.outcome
             print(f"{target}: {cost.cpu:.2f} CPU s, {cost.memory / MEGABYTE:.0f} MB, run afresh at most "
-                  f"{100 * promise.error:.2g} % off; {promise.files[0]}")
+                  f"{percent(promise.error)} off; {promise.files[0]}")
 
 
 def _measured(text: str, units: dict[str, float], option: str, example: str) -> float:

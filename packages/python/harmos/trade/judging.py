@@ -39,6 +39,10 @@ class Reference:
     family: Settings
     sides: dict[int, Limit]
 
+    def largest(self) -> float:
+        """The value that errors are relative to, but for its sign and a scale."""
+        return float(self.values[numpy.argmax(abs(self.values))])
+
     def doubt(self) -> float:
         """The largest uncertainty, relative."""
         return _over(self.uncertainty, self.size)
@@ -70,12 +74,14 @@ class Judge:
         return max((reference.doubt() for reference in self.references.values()), default=math.inf)
 
     def total(self, rung: Rung) -> dict[str, float]:
-        """Measured distances of the responses from their references; NaN: no answer."""
+        """Measured distances of the responses from their references; NaN: no answer, or nothing tells how far off the reference is."""
         result = {}
         for name, reference in self.references.items():
             values = rung.outcome.values.get(name)
-            result[name] = math.nan if values is None or values.shape != reference.values.shape else _relative(
-                abs(values - reference.values), reference)
+            if values is None or values.shape != reference.values.shape or reference.doubt() == math.inf:
+                result[name] = math.nan
+            else:
+                result[name] = _relative(abs(values - reference.values), reference)
         return result
 
     def promised(self, rung: Rung) -> float:

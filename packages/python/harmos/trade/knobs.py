@@ -169,7 +169,7 @@ def _steps(document: Document) -> Knob:
     for f in STEP_FACTORS:
         counts = tuple(max(1, math.ceil(count * f)) for count in given.values())
         entries = tuple(Entry(f"Steps/{name}/Increments", "int", str(count)) for name, count in zip(given, counts))
-        levels[counts] = Level(f"{sum(counts)} steps", entries, 1 / f)  # a later factor of the same counts is nearer to 1
+        levels[counts] = Level(f"{sum(counts)}", entries, 1 / f)  # a later factor of the same counts is nearer to 1
     ordered = sorted(levels.values(), key=lambda level: -level.size)
     return Knob("time steps", Role.SIDE, tuple(ordered), next(i for i, level in enumerate(ordered) if level.size == 1.0))
 

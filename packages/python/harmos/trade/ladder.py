@@ -56,6 +56,7 @@ class Ladder:
         knobs: what can be turned.
         rungs: by their settings, in the order of their runs.
         refused: settings beside them that Harmos does not take.
+        fresh: runs of settings as they are recommended, for any target.
         budget: what may be used.
         accuracy: level of that knob at which meshes are compared.
         cheap: level of the mesh that side knobs are measured on.
@@ -70,6 +71,7 @@ class Ladder:
         self._least_target = 0.0
         self.rungs: dict[Settings, Rung] = {}
         self.refused: set[Settings] = set()
+        self.fresh: dict[Settings, Rung] = {}
         self.report = report
         self._runner = runner
         self._mesh = self.index("mesh")
@@ -113,7 +115,9 @@ class Ladder:
         self._least_target = least_target
         while not is_enough() or any(self._next_sides()):
             allowed = self.budget.left() - RESERVE * self.budget.seconds
-            candidates = sorted((self.predicted(settings, "wall") or 0.0, settings) for settings in self._next(is_beaten))
+            second = self.second_mesh()
+            following = [second] if second else self._next(is_beaten)
+            candidates = sorted((self.predicted(settings, "wall") or 0.0, settings) for settings in following)
             if not candidates or GROWTH * candidates[0][0] > allowed:
                 break
             if self._memory_of(candidates[0][1]) > self.budget.memory:
@@ -121,7 +125,8 @@ class Ladder:
                                                     math.nan, "mesh")
                 continue
             self.measure(candidates[0][1], "ladder")
-        self._measure_choices()
+        if not self.second_mesh():
+            self._measure_choices()
 
     def measure(self, settings: Settings, purpose: str) -> Rung:
         """Runs these settings, unless they have been run."""
@@ -149,6 +154,13 @@ class Ladder:
         rungs = [self.rungs.get(self.turned(family, self._mesh, level))
                  for level in range(len(self.knobs[self._mesh].levels))]
         return [rung for rung in rungs if rung is not None and (rung.outcome.certified or not certified)]
+
+    def second_mesh(self) -> Settings | None:
+        """The mesh without which nothing tells any error, where only one has been run; None: none is missing, or there is none."""
+        measured = self.meshes(self.base(), certified=False)
+        is_first = not any(rung.settings[self._mesh] > self.cheap for rung in measured)
+        is_missing = is_first and len(self.meshes(self.base())) == 1
+        return self.base(mesh=self.cheap + 1) if is_missing and self.cheap + 1 < len(self.knobs[self._mesh].levels) else None
 
     def side(self, knob: int) -> list[Rung]:
         """The certified rungs of a side knob on the cheap mesh, coarse ones first."""

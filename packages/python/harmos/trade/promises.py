@@ -4,12 +4,13 @@ import itertools
 import math
 import pathlib
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
+from harmos.report.writing import percent
 from harmos.trade.document import Document
 from harmos.trade.judging import Judge
 from harmos.trade.knobs import Role
-from harmos.trade.ladder import GROWTH, Ladder, Rung, Settings
+from harmos.trade.ladder import GROWTH, RESERVE, Ladder, Rung, Settings
 from harmos.trade.running import Runner
 
 TRIALS = 4
@@ -36,7 +37,6 @@ class Promise:
         error: largest error of that run, the uncertainty of the reference included.
         files: its XML, of a study that of its scene as well; empty: none were written.
         reason: why there is none.
-        failed: runs of settings that were expected to keep it.
     """
 
     target: float
@@ -44,7 +44,6 @@ class Promise:
     error: float = math.inf
     files: tuple[pathlib.Path, ...] = ()
     reason: str = ""
-    failed: list[Rung] = field(default_factory=list)
 
 
 def expected_costs(ladder: Ladder, judge: Judge) -> list[tuple[float, float, Settings]]:
@@ -87,40 +86,51 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
         if settings in ladder.refused:
             promise.reason = promise.reason or "settings that were expected to keep it are refused"
             continue
-        if GROWTH * (ladder.predicted(settings, "wall") or 0.0) > ladder.budget.left():
+        rung = ladder.fresh.get(settings)
+        if rung is None and GROWTH * (ladder.predicted(settings, "wall") or 0.0) > ladder.budget.left():
             promise.reason = "the budget does not allow the run that would show it"
             continue
         entries = [entry for knob, i in zip(ladder.knobs, settings) for entry in knob.levels[i].entries]
         name = settings_name(document, target)
         remark = (f"{REMARK} for errors below {100 * target:g} % in every response: {ladder.words(settings)}")
-        trial = document.write(entries, work / name, remark)[0]
-        allowance = ladder.budget.allowance(ladder.predicted(settings, "wall"))
-        outcome = runner.run_file(trial, allowance, ladder.budget.memory)
-        if outcome.refused:  # such as pieces, which fit the meshes they were measured on but not this one
-            ladder.refused.add(settings)
-            promise.reason = promise.reason or f"settings that were expected to keep it are {outcome.status}"
-            continue
-        trials += 1
-        rung = Rung(settings, outcome, ladder.predicted(settings, "cpu") or math.nan, f"within {100 * target:g} %")
-        ladder.report(rung)
+        if rung is None:
+            trial = document.write(entries, work / name, remark)[0]
+            allowance = ladder.budget.allowance(ladder.predicted(settings, "wall"))
+            outcome = runner.run_file(trial, allowance, ladder.budget.memory)
+            if outcome.refused:  # such as pieces, which fit the meshes they were measured on but not this one
+                ladder.refused.add(settings)
+                promise.reason = promise.reason or f"settings that were expected to keep it are {outcome.status}"
+                continue
+            trials += 1
+            rung = Rung(settings, outcome, ladder.predicted(settings, "cpu") or math.nan, f"within {100 * target:g} %")
+            ladder.fresh[settings] = rung
+            ladder.report(rung)
         error = judge.promised(rung)
         if error <= target:
             files = document.write(entries, work / MADE / name, remark, folder)
-            return Promise(target, rung, error, tuple(folder / file.name for file in files), failed=promise.failed)
-        promise.failed.append(rung)
+            return Promise(target, rung, error, tuple(folder / file.name for file in files))
         promise.reason = "settings that were expected to keep it " + (
-            f"came to {100 * error:.2g} %" if error < math.inf else f"ended otherwise than before: {outcome.status}")
+            f"came to {percent(error)}" if error < math.inf else f"ended otherwise than before: {rung.outcome.status}")
     return promise
 
 
 def _doubtful(ladder: Ladder, judge: Judge) -> str:
     """Why the reference is not known well enough."""
     if judge.doubt() < math.inf:
-        return f"the reference itself is known to {100 * judge.doubt():.2g} % only"
-    statuses = collections.Counter(rung.outcome.status for rung in ladder.rungs.values())
-    if judge.references or not statuses:
-        return "the budget leaves a reference unknown"
-    return f"nothing could be certified, mostly: {statuses.most_common(1)[0][0]}"
+        name = max(judge.references, key=lambda one: judge.references[one].doubt())
+        return f"the reference of {name} itself is known to {percent(judge.doubt())} only"
+    if not judge.references and ladder.rungs:
+        statuses = collections.Counter(rung.outcome.status for rung in ladder.rungs.values())
+        return f"nothing could be certified, mostly: {statuses.most_common(1)[0][0]}"
+    second = ladder.second_mesh()
+    if second is not None:
+        needed = GROWTH * (ladder.predicted(second, "wall") or 0.0)
+        return (f"one mesh alone tells no error, and the next one may take {needed:.0f} s: "
+                f"that takes a budget of about {(ladder.budget.spent() + needed) / (1 - RESERVE):.0f} s")
+    if len(ladder.knobs[ladder.index("mesh")].levels) == 1:
+        return "one mesh alone tells no error, and nothing refines this one"
+    failed = [rung for rung in ladder.meshes(ladder.base(), certified=False) if not rung.outcome.certified]
+    return f"a finer mesh has no answer: {failed[-1].outcome.status}" if failed else "the budget leaves a reference unknown"
 
 
 def settings_name(document: Document, target: float) -> str:

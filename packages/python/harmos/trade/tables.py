@@ -1,6 +1,7 @@
 """Writes all rungs as a table (CSV) and as arrays (HDF5)."""
 import csv
 import io
+import math
 import os
 
 import h5py
@@ -9,7 +10,6 @@ import numpy
 from harmos.outputs import replace_file
 from harmos.trade.judging import Judge
 from harmos.trade.ladder import Ladder, Rung
-from harmos.trade.promises import Promise
 
 SCHEMA = "harmos-trade"
 """What the HDF5 file says it is."""
@@ -17,10 +17,9 @@ BETTER = 0.95
 """An error must be so many times that of a cheaper rung to count as a gain."""
 
 
-def all_rungs(ladder: Ladder, promises: list[Promise]) -> list[Rung]:
+def all_rungs(ladder: Ladder) -> list[Rung]:
     """Those of the ladder, then the fresh runs of settings that should keep a promise."""
-    fresh = [rung for promise in promises for rung in (*promise.failed, promise.rung) if rung is not None]
-    return [*ladder.rungs.values(), *fresh]
+    return [*ladder.rungs.values(), *ladder.fresh.values()]
 
 
 def write_csv(path: str, ladder: Ladder, judge: Judge, rungs: list[Rung]) -> None:
@@ -93,9 +92,9 @@ def estimate(rung: Rung, judge: Judge, name: str) -> float:
 
 
 def pareto(rungs: list[Rung], judge: Judge, cost: str) -> list[Rung]:
-    """The certified rungs to which none is at least as good in error and cost ("cpu" or "memory"), cheap ones first."""
+    """The certified rungs to which none is at least as good in error and cost ("cpu" or "memory"), cheap ones first; none where no error is known."""
     chosen: list[Rung] = []
-    certified = [rung for rung in rungs if rung.outcome.certified and judge.references]
+    certified = [rung for rung in rungs if rung.outcome.certified and judge.doubt() < math.inf]
     for rung in sorted(certified, key=lambda one: (getattr(one.outcome, cost), judge.worst(one))):
         if not chosen or judge.worst(rung) < BETTER * judge.worst(chosen[-1]):
             chosen.append(rung)
