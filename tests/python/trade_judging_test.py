@@ -3,6 +3,7 @@ import math
 import pathlib
 import unittest
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import cast
 from unittest import mock
 
@@ -18,6 +19,7 @@ from harmos.trade.outcome import read_outcome
 from harmos.trade.page import pareto_section
 from harmos.trade.promises import keep
 from harmos.trade.running import Outcome
+from harmos.trade.tables import pareto
 
 
 def knob(name: str, role: Role, sizes: list[float], given: int = 0) -> Knob:
@@ -87,6 +89,46 @@ class LadderTest(unittest.TestCase):
         self.assertEqual(Judge(self.ladder({(0, 0, 0, 0): answer(0.0)})).references["u"].doubt(), math.inf)
         zeros = {(mesh, 0, 0, 0): answer(0.0) for mesh in (0, 1)} | {(0, 0, 1, 0): answer(0.0)}
         self.assertEqual(Judge(self.ladder(zeros)).references["u"].doubt(), 0.0)
+
+    def test_of_one_mesh_no_error_is_said(self) -> None:
+        """Its distance from itself is none; there is nothing to recommend, and the reason is that a second one is missing."""
+        ladder = self.ladder({(0, 0, 0, 0): answer(1.0), (0, 0, 1, 0): answer(1.1)})
+        judge = Judge(ladder)
+        rungs = list(ladder.rungs.values())
+        self.assertTrue(all(math.isinf(judge.worst(rung)) for rung in rungs))
+        self.assertEqual(pareto(rungs, judge, "cpu"), [])
+        promise = keep(0.01, ladder, judge, mock.MagicMock(), mock.MagicMock(), pathlib.Path("x"), pathlib.Path("x"))
+        self.assertRegex(promise.reason, r"^one mesh alone tells no error, and the next one may take 5 s: .* about 7 s$")
+
+    def test_the_second_mesh_comes_before_everything_else(self) -> None:
+        """Two steps, an accuracy and all else were measured first, and left no time for it: nothing could be said."""
+        ladder = self.ladder({(0, 0, 0, 0): answer(1.0)})
+        self.assertEqual(ladder.second_mesh(), (1, 0, 0, 0))
+        for second in (answer(1.1), answer(1.1, certified=False)):
+            self.assertIsNone(self.ladder({(0, 0, 0, 0): answer(1.0), (1, 0, 0, 0): second}).second_mesh())
+
+    def test_the_reason_names_the_response_that_is_not_known(self) -> None:
+        """So that others can be asked for alone."""
+        ladder = self.ladder({(n, 0, 0, 0): answer(value) for n, value in enumerate((1.0, 2.0))} | {(0, 0, 1, 0): answer(1.0)})
+        promise = keep(0.01, ladder, Judge(ladder), mock.MagicMock(), mock.MagicMock(), pathlib.Path("x"), pathlib.Path("x"))
+        self.assertRegex(promise.reason, "^the reference of u itself is known to [0-9]+ % only$")
+
+    def test_a_next_mesh_is_predicted_to_grow_with_the_dimension(self) -> None:
+        """Three meshes that cost little more than the start of the program tell nothing else."""
+        ladder = self.ladder({(n, 0, 0, 0): replace(answer(1.0), cpu=cost) for n, cost in enumerate((0.2, 0.25, 0.4))}, 4)
+        predicted = ladder.predicted((3, 0, 0, 0), "cpu")
+        assert predicted is not None
+        self.assertAlmostEqual(predicted, 1.6)
+
+    def test_an_accuracy_is_tightened_while_the_run_states_a_larger_error(self) -> None:
+        """As an expansion does of deviations that are small beside the mean."""
+        errors = (0.2, 0.02, 0.002)
+        accuracies = Knob("accuracy", Role.SIDE, tuple(Level("", (), size) for size in (1e-2, 1e-3, 1e-4)), 0)
+        runner = mock.MagicMock()
+        runner.run.side_effect = [replace(answer(1.0), estimates={"u": error}) for error in errors]
+        ladder = Ladder([knob("mesh", Role.MESH, [1.0]), accuracies], 2, runner, Budget(1e3, 1e9), lambda rung: None)
+        ladder._choose_accuracy(0.01)
+        self.assertEqual(ladder.accuracy, 2)
 
     def test_elements_that_give_the_very_same_are_not_measured_again(self) -> None:
         """As those of a file that are quadratic already."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy
 
 from harmos.trade.budget import Budget
+from harmos.trade.costs import predicted_cost, predicted_memory
 from harmos.trade.knobs import Knob, Role
 from harmos.trade.running import Outcome, Runner
 
@@ -120,7 +121,7 @@ class Ladder:
             candidates = sorted((self.predicted(settings, "wall") or 0.0, settings) for settings in following)
             if not candidates or GROWTH * candidates[0][0] > allowed:
                 break
-            if self._memory_of(candidates[0][1]) > self.budget.memory:
+            if predicted_memory(self, candidates[0][1]) > self.budget.memory:
                 self.rungs[candidates[0][1]] = Rung(candidates[0][1], Outcome("left out: needs too much memory"),
                                                     math.nan, "mesh")
                 continue
@@ -178,13 +179,7 @@ class Ladder:
 
     def predicted(self, settings: Settings, what: str) -> float | None:
         """CPU or wall time of settings [s], from what has been measured; None: nothing to go by."""
-        family = list(settings)
-        factor = 1.0
-        for knob in self.indices(Role.SIDE, Role.CHOICE):
-            family[knob] = self.base()[knob]
-            factor *= self._factor(knob, settings[knob], what)
-        mesh = self._mesh_cost(tuple(family), what)
-        return None if mesh is None else factor * mesh
+        return predicted_cost(self, settings, what)
 
     def _choose_accuracy(self, least_target: float) -> None:
         """The loosest accuracy that is as tight as the least target and certified; then the cheap mesh."""
@@ -198,11 +193,22 @@ class Ladder:
                 self.accuracy -= 1
             if self.rungs[self.base()].outcome.certified or not self._has_time():
                 break
+        self._tighten(least_target)
         following = self.base(mesh=self.cheap + 1) if self.cheap + 1 < len(self.knobs[self._mesh].levels) else None
         cost = self.predicted(following, "wall") if following else None
         if following and cost is not None and cost < CHEAP * self.budget.seconds and (
                 self.measure(following, "ladder").outcome.certified):
             self.cheap += 1
+
+    def _tighten(self, least_target: float) -> None:
+        """A tighter accuracy where the run itself states a larger error than is wanted, as expansions do of small deviations."""
+        tightest = len(self.knobs[self.index("accuracy")].levels) - 1
+        while (outcome := self.rungs[self.base()].outcome).certified and self.accuracy < tightest and self._has_time() and any(
+                outcome.estimates.get(name, 0.0) > 1.001 * least_target * size for name, size in outcome.sizes.items()):
+            self.accuracy += 1
+            if not self.measure(self.base(), "ladder").outcome.certified:
+                self.accuracy -= 1
+                break
 
     def _has_time(self) -> bool:
         """Whether runs of the ladder may take any more."""
@@ -264,50 +270,3 @@ class Ladder:
                     if GROWTH * rung.outcome.wall <= CHOICES * self.budget.left():
                         self.measure(self.turned(rung.settings, knob, level), "choice")
                         break
-
-    def _cost(self, rung: Rung, what: str) -> float:
-        return max(rung.outcome.cpu if what == "cpu" else rung.outcome.wall, 1e-3)
-
-    def _factor(self, knob: int, level: int, what: str) -> float:
-        base = self.base()
-        if level == base[knob]:
-            return 1.0
-        if self.knobs[knob].role is Role.CHOICE:
-            pair = self.choice(knob, level)
-            return self._cost(pair[0], what) / self._cost(pair[1], what) if pair else 1.0
-        one, reference = self.rungs.get(self.turned(base, knob, level)), self.rungs.get(base)
-        if one is not None and reference is not None and one.outcome.certified:
-            return self._cost(one, what) / self._cost(reference, what)
-        levels = self.knobs[knob].levels
-        return 1.5 if self.knobs[knob].name == "accuracy" else max(1.0, levels[base[knob]].size / levels[level].size)
-
-    def _mesh_cost(self, family: Settings, what: str) -> float | None:
-        if family in self.rungs and self.rungs[family].outcome.certified:
-            return self._cost(self.rungs[family], what)
-        sizes = [level.size for level in self.knobs[self._mesh].levels]
-        wanted = sizes[family[self._mesh]]
-        measured = [rung for rung in self.meshes(family) if sizes[rung.settings[self._mesh]] > wanted]
-        if measured:
-            last = measured[-1]
-            power = max((self._power(meshes, what) for meshes in (measured, self.meshes(self.base())) if len(meshes) > 1),
-                        default=float(self.dimension))
-            if len(measured) < 3:  # what does not grow with the mesh still hides what does
-                power = max(power, float(self.dimension))
-            return self._cost(last, what) * math.exp(power * math.log(sizes[last.settings[self._mesh]] / wanted))
-        given = self.rungs.get(self.turned(self.base(), self._mesh, family[self._mesh]))
-        return 4.0 * self._cost(given, what) if given and given.outcome.certified else None
-
-    def _power(self, measured: list[Rung], what: str) -> float:
-        """With which power of the number of elements along an edge the cost has grown last."""
-        coarse, fine = measured[-2:]
-        levels = self.knobs[self._mesh].levels
-        return math.log(self._cost(fine, what) / self._cost(coarse, what)) / math.log(
-            levels[coarse.settings[self._mesh]].size / levels[fine.settings[self._mesh]].size)
-
-    def _memory_of(self, settings: Settings) -> float:
-        """Largest resident set that settings on the next mesh may need [byte]."""
-        measured = self.meshes(settings)
-        if len(measured) < 2:
-            return 0.0
-        growth = measured[-1].outcome.memory / measured[-2].outcome.memory
-        return growth * measured[-1].outcome.memory

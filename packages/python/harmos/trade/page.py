@@ -99,7 +99,7 @@ def pareto_section(ladder: Ladder, judge: Judge, rungs: list[Rung], picture: Pic
         parts = judge.parts(rung.settings, response)
         for part in names:
             heights[part].append(parts[part])
-        rows.append([percent(judge.worst(rung)), response, *(percent(parts[part]) for part in names),
+        rows.append([percent(judge.worst(rung)), percent(judge.promised(rung)), response, *(percent(parts[part]) for part in names),
                      percent(estimate(rung, judge, response)), f"{rung.outcome.cpu:.2f}",
                      f"{rung.outcome.memory / MEGABYTE:.0f}", ladder.words(rung.settings)])
     figure, axis = pyplot.subplots(figsize=(9, 3.5), layout="constrained")
@@ -111,9 +111,9 @@ def pareto_section(ladder: Ladder, judge: Judge, rungs: list[Rung], picture: Pic
         axis.set_yscale("log")
     axis.set(ylabel="relative error", xlabel="CPU time")
     axis.legend()
-    head = ("total error", "worst response", *names, "certificate", "CPU s", "memory MB", "settings")
-    return picture(figure, "pareto") + table(head, rows, (1, len(head) - 1)) + (
-        '<p class="note">Total: distance from the reference, as measured. Parts: distances of ladders from their limits; '
+    head = ("total error", "at most", "worst response", *names, "certificate", "CPU s", "memory MB", "settings")
+    return picture(figure, "pareto") + table(head, rows, (2, len(head) - 1)) + (
+        '<p class="note">Total: distance from the reference, as measured; at most: with the uncertainty of the reference. Parts: distances of ladders from their limits; '
         "those of side knobs were measured on one mesh.</p>")
 
 
