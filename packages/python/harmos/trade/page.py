@@ -15,6 +15,8 @@ from harmos.trade.tables import estimate, part_names, pareto
 
 MOST_PANELS = 12
 """Responses that are drawn, at most."""
+FEW = 100.0
+"""Span of costs below which ticks between powers of ten are named, too."""
 MEGABYTE = 1e6
 """Bytes."""
 
@@ -82,6 +84,10 @@ def draw_errors(axis: Axes, ladder: Ladder, judge: Judge, rungs: list[Rung], nam
     axis.axhspan(floor / 10, max(judge.references[name].doubt(), floor), color="0.9")
     drawn = [value for line in axis.lines for value in line.get_ydata() if value > 10 * floor]
     axis.set(xscale="log", yscale="log", ylim=(min(drawn, default=1e-6) / 3, 2 * max(drawn, default=1.0)), title=name)
+    axis.xaxis.set_major_formatter("{x:g}")
+    left, right = axis.get_xlim()
+    if right < FEW * left:  # of little more than a decade one tick would be named
+        axis.xaxis.set_minor_formatter(lambda value, _: f"{value:g}" if f"{value:.0e}"[0] in "25" else "")
     axis.grid(alpha=0.3)
 
 
