@@ -136,8 +136,10 @@ def _print(ladder: Ladder, judge: Judge, rungs: list[Rung], promises: list[Promi
         print(f"{name:28s} {one.largest():14.7g} {percent(one.doubt()):>10s}  {one.space.word}")
     if not judge.references:
         print("Nothing is certified: there is no reference.")
-    print(f"{'error':>9s} {'at most':>9s} {'CPU s':>9s} {'MB':>7s}  settings that none beats in error and CPU time")
-    for rung in pareto(rungs, judge, "cpu"):
+    best = pareto(rungs, judge, "cpu")
+    if best:
+        print(f"{'error':>9s} {'at most':>9s} {'CPU s':>9s} {'MB':>7s}  settings that none beats in error and CPU time")
+    for rung in best:
         print(f"{percent(judge.worst(rung)):>9s} {percent(judge.promised(rung)):>9s} {rung.outcome.cpu:9.2f} {rung.outcome.memory / MEGABYTE:7.0f}  "
               f"{ladder.words(rung.settings)}")
     for promise in promises:

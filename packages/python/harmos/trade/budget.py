@@ -66,7 +66,7 @@ class Budget:
         """What a run may take that should take so many seconds, where so many are kept for others."""
         remaining = max(self.left() - kept, 1.0)
         if predicted is None:
-            wanted, reason = FIRST * self.seconds, f"more than {100 * FIRST:g} % of the budget"
+            wanted, reason = FIRST * self.seconds, f"more than {100 * FIRST:g} % of the budget, no time for a second mesh"
         else:
             wanted, reason = PATIENCE * predicted, f"more than {PATIENCE:g} times as long"
         if wanted < LEAST * self.seconds:

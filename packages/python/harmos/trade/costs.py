@@ -61,6 +61,9 @@ def _mesh_cost(ladder: "Ladder", family: "Settings", what: str) -> float | None:
     if measured:
         last = measured[-1]
         powers = [_power(meshes, sizes, mesh, what) for meshes in (measured, ladder.meshes(ladder.base())) if len(meshes) > 1]
+        if len(measured) > 2:  # factors take over: what the power has grown by it goes on to grow by, to theirs at most
+            before = _power(measured[:-1], sizes, mesh, what)
+            powers.append(min(2 * powers[0] - before, ladder.dimension + 1.0))
         # At least the dimension: on coarse meshes what does not grow with them hides what does.
         power = max([float(ladder.dimension), *powers])
         return _cost(last, what) * math.exp(power * math.log(sizes[last.settings[mesh]] / wanted))

@@ -18,16 +18,20 @@ KEPT = RESERVE / 2
 
 Not all of the reserve: the last run, which fits by its prediction, is the most accurate one, and mostly takes longer.
 """
-GROWTH = 1.3
-"""What a rung may cost over its prediction while it is still expected to fit."""
+GROWTH = 1.5
+"""What a rung may cost over its prediction while it is still expected to fit: a last one that does not is time lost."""
 CHEAP = 0.02
 """Share of the budget up to which the second mesh, not the first, is the one that side knobs are measured on."""
 NOTHING = 1e-2
 """Share of the least target that two answers may differ by and count as the same."""
+NOISE = 0.2
+"""Share of the least target that the iteration's error may have where meshes are compared: it counts three times in a reference."""
+STOPPED = 2
+"""Meshes in a row that have no answer in time, after which finer ones are not tried."""
 STILL = {"time steps": 2}
 """Finer levels in a row that have to change nothing, if not 1: two counts of increments may miss the same peak of a load."""
 CHOICES = 0.15
-"""Share of the time left that measuring one choice may take."""
+"""Share of the time left for the ladder that measuring one choice may take."""
 
 Settings = tuple[int, ...]
 """A level of every knob, in the order of the knobs."""
@@ -114,6 +118,8 @@ class Ladder:
         """
         self._choose_accuracy(least_target)
         self._least_target = least_target
+        if not self.rungs[self.base()].outcome.certified:
+            return  # no reference comes of anything else
         while not is_enough() or any(self._next_sides()):
             allowed = self.budget.left() - RESERVE * self.budget.seconds
             second = self.second_mesh()
@@ -186,12 +192,14 @@ class Ladder:
         knob = self.index("accuracy")
         levels = self.knobs[knob].levels
         self.accuracy = next((i for i, level in enumerate(levels) if level.size <= 1.001 * least_target), len(levels) - 1)
+        stopped = 0
         for mesh in range(len(self.knobs[self._mesh].levels)):
             self.cheap = mesh
             while not (outcome := self.measure(self.base(), "ladder").outcome).certified and self.accuracy > 0 and (
                     outcome.values or outcome.stopped) and self._has_time():
                 self.accuracy -= 1
-            if self.rungs[self.base()].outcome.certified or not self._has_time():
+            stopped = stopped + 1 if outcome.stopped else 0
+            if outcome.certified or stopped == STOPPED or not self._has_time():
                 break
         self._tighten(least_target)
         following = self.base(mesh=self.cheap + 1) if self.cheap + 1 < len(self.knobs[self._mesh].levels) else None
@@ -201,14 +209,20 @@ class Ladder:
             self.cheap += 1
 
     def _tighten(self, least_target: float) -> None:
-        """A tighter accuracy where the run itself states a larger error than is wanted, as expansions do of small deviations."""
+        """A tighter accuracy where the run itself states too large an error, as expansions do of small deviations, or states none."""
         tightest = len(self.knobs[self.index("accuracy")].levels) - 1
         while (outcome := self.rungs[self.base()].outcome).certified and self.accuracy < tightest and self._has_time() and any(
-                outcome.estimates.get(name, 0.0) > 1.001 * least_target * size for name, size in outcome.sizes.items()):
+                self._noise(outcome, name) > NOISE * least_target for name in outcome.values):
             self.accuracy += 1
             if not self.measure(self.base(), "ladder").outcome.certified:
                 self.accuracy -= 1
                 break
+
+    def _noise(self, outcome: Outcome, name: str) -> float:
+        """Error of the iteration in a response, relative: as the run states it, else what was asked for."""
+        asked = self.knobs[self.index("accuracy")].levels[self.accuracy].size
+        stated = outcome.estimates.get(name, math.nan) / max(outcome.sizes[name], 1e-300)
+        return asked if math.isnan(stated) else stated
 
     def _has_time(self) -> bool:
         """Whether runs of the ladder may take any more."""
@@ -267,6 +281,6 @@ class Ladder:
                 if level == self.knobs[knob].given:
                     continue
                 for rung in reversed(self.meshes(self.base())):
-                    if GROWTH * rung.outcome.wall <= CHOICES * self.budget.left():
+                    if GROWTH * rung.outcome.wall <= CHOICES * (self.budget.left() - KEPT * self.budget.seconds):
                         self.measure(self.turned(rung.settings, knob, level), "choice")
                         break
