@@ -71,6 +71,12 @@ class LimitTest(unittest.TestCase):
         """As forces that balance loads."""
         self.assertEqual(self.limit([5.0, 5.0, 5.0], noise=1e-3)[:2], (5.0, 1e-3))
 
+    def test_a_change_within_the_noise_may_be_one_of_the_levels(self) -> None:
+        """3 + 0.002 h^0.4: the noise is asked of the iteration, which mostly leaves less; two levels were said to be known to it."""
+        for levels in (2, 3):
+            limit, doubt, _ = self.limit([3 + 0.002 * 2.0 ** (-0.4 * i) for i in range(levels)], noise=5e-4)
+            self.assertGreaterEqual(doubt, limit - 3)
+
 
 class DocumentTest(unittest.TestCase):
     """Inputs that are changed and written elsewhere."""

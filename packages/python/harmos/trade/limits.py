@@ -39,7 +39,8 @@ def limit_of(sizes: Sequence[float], values: Sequence[Floats], noise: Floats) ->
     order, it is that of Richardson. Its uncertainty is the distance to the finest level, or, with a fourth level, what
     the last level has changed in it, at least LEAST_DOUBT of that distance. Otherwise it is the finest level. Its
     uncertainty is what the least credible order leaves of the last difference where there are two levels only, or the
-    differences grow; the last difference where they shrink faster than at the largest; else the largest of the last two.
+    differences grow; the last difference where they shrink faster than at the largest; else the largest of the last two. The
+    noise comes on top.
 
     Args:
         sizes: decreasing.
@@ -61,11 +62,11 @@ def _scalar(sizes: Sequence[float], values: Sequence[float], noise: float) -> tu
     steps = [fine - coarse for coarse, fine in zip(values[:-1], values[1:])][-2:]
     floor = max(noise, 1e-12 * abs(last))
     largest = max(abs(step) for step in steps)
-    if largest <= floor:
-        return last, floor, math.nan, "does not change"
+    slowest = 1 / ((sizes[-2] / sizes[-1]) ** ORDERS[0] - 1)
+    if largest <= floor:  # noise is a bound: what is seen may all the same be a change, with more to come
+        return last, floor + slowest * largest, math.nan, "does not change"
     limit, order = _richardson(sizes[-3:], values[-3:])
     if math.isnan(order):
-        slowest = 1 / ((sizes[-2] / sizes[-1]) ** ORDERS[0] - 1)
         if len(values) == 2:
             return last, slowest * abs(steps[-1]) + noise, math.nan, "two levels"
         if steps[0] * steps[1] > 0 and abs(steps[1]) >= abs(steps[0]):
