@@ -126,6 +126,11 @@ class StuckTest(unittest.TestCase):
         ladder, _ = self.ladder(lambda settings: settings[0] == 3, 200.0)
         self.assertGreater(ladder.budget.left(), 0.1 * 200.0)
 
+    def test_the_last_mesh_is_tried_without_a_margin(self) -> None:
+        """Nothing else fits, and what it may take leaves time for promises: a lap joint had ended after 34 of 600 s."""
+        ladder, _ = self.ladder(lambda settings: False, 24.0)
+        self.assertIn((2, 0, 1), ladder.rungs)
+
     def test_a_first_run_that_does_not_end_is_tried_less_accurately(self) -> None:
         """Then on other meshes."""
         ladder, _ = self.ladder(lambda settings: settings == (0, 0, 1))

@@ -18,8 +18,8 @@ KEPT = RESERVE / 2
 
 Not all of the reserve: the last run, which fits by its prediction, is the most accurate one, and mostly takes longer.
 """
-GROWTH = 1.5
-"""What a rung may cost over its prediction while it is still expected to fit: a last one that does not is time lost."""
+GROWTH = 1.3
+"""What a choice or a recommended run may cost over its prediction while it is still expected to fit."""
 CHEAP = 0.02
 """Share of the budget up to which the second mesh, not the first, is the one that side knobs are measured on."""
 NOTHING = 1e-2
@@ -125,7 +125,7 @@ class Ladder:
             second = self.second_mesh()
             following = [second] if second else self._next(is_beaten)
             candidates = sorted((self.predicted(settings, "wall") or 0.0, settings) for settings in following)
-            if not candidates or GROWTH * candidates[0][0] > allowed:
+            if not candidates or candidates[0][0] > allowed:  # nothing else fits: the last one is tried without a margin
                 break
             if predicted_memory(self, candidates[0][1]) > self.budget.memory:
                 self.rungs[candidates[0][1]] = Rung(candidates[0][1], Outcome("left out: needs too much memory"),

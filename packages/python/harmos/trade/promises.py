@@ -124,7 +124,7 @@ def _doubtful(ladder: Ladder, judge: Judge) -> str:
         return f"nothing could be certified, mostly: {statuses.most_common(1)[0][0]}"
     second = ladder.second_mesh()
     if second is not None:
-        needed = GROWTH * (ladder.predicted(second, "wall") or 0.0)
+        needed = ladder.predicted(second, "wall") or 0.0
         return (f"one mesh alone tells no error, and the next one may take {needed:.0f} s: "
                 f"that takes a budget of about {(ladder.budget.spent() + needed) / (1 - RESERVE):.0f} s")
     if len(ladder.knobs[ladder.index("mesh")].levels) == 1:
