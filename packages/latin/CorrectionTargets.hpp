@@ -21,6 +21,7 @@ class CorrectionTargets {
     double near = 0.0;  ///< relative to the largest fields [-]
   };
 
+  /// How far one load step has come.
   struct LoadStep {
     double residual = 0.0;  ///< |R|
     double before = 0.0;    ///< |R| at the start
@@ -30,9 +31,12 @@ class CorrectionTargets {
     double weight = 1.0;    ///< of the target: its share of this load step, small where small residuals mean long ways
   };
 
+  /// Of an assembly with so many load steps.
   explicit CorrectionTargets(int steps) : steps_(static_cast<std::size_t>(steps)) {}
 
+  /// A load step, from 0.
   LoadStep& operator[](int step) { return steps_[step]; }
+  /// The same.
   const LoadStep& operator[](int step) const { return steps_[step]; }
 
   /// A load step is about to be corrected that has this |R|.
@@ -51,6 +55,7 @@ class CorrectionTargets {
   double before() const { return before_; }
   /// Largest |R| of the load steps from `begin` on and before `end`, over the weights.
   double largestResidual(int begin, int end) const;
+  /// That of all load steps.
   double largestResidual() const { return largestResidual(0, static_cast<int>(steps_.size())); }
   /// The longest way of the load steps before `end`; later ones go at least half of their residual.
   double longestWay(int end) const;
