@@ -91,7 +91,7 @@ class CausalCorrection {
   std::vector<double> ways() const;
   /// Brings all load steps to their end, some after the others, within so many linear stages.
   void approach(int stages);
-  /// Of many load steps: lets go of all spaces but the stepsAtOnce with the softest modes.
+  /// Of many load steps: lets go of all spaces but the softest, stepsAtOnce at most.
   void letGo();
   /// Lets the spaces of the load steps at hand grow until these have come to their end, or what is left says that they
   /// will not.

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
+
+#include <harmos/base/DisjointSets.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -14,26 +15,16 @@ constexpr std::size_t mostPairs = 60;
 
 using Node = std::pair<int, int>;  // body, node
 
-/// Nodes that pairs join, as a forest of representatives.
-class Joined {
- public:
+/// Nodes that pairs join.
+struct Joined {
+  std::map<Node, int> numbers;
+  base::DisjointSets sets;
   /// Number of a node, new or not.
   int number(const Node& node) {
-    const auto [at, isNew] = numbers_.emplace(node, static_cast<int>(above_.size()));
-    if (isNew) above_.push_back(at->second);
+    const auto [at, isNew] = numbers.emplace(node, static_cast<int>(sets.size()));
+    if (isNew) sets.add();
     return at->second;
   }
-  int root(int node) {
-    while (above_[node] != node) node = above_[node] = above_[above_[node]];
-    return node;
-  }
-  void join(int a, int b) { above_[root(a)] = root(b); }
-  const std::map<Node, int>& nodes() const { return numbers_; }
-  std::size_t size() const { return above_.size(); }
-
- private:
-  std::map<Node, int> numbers_;
-  std::vector<int> above_;
 };
 
 bool hasUnknowns(const assembly::Interface& interface, int index, const EliminatedBoundaries& eliminated) {
@@ -102,18 +93,18 @@ std::vector<RedundantGroup> findRedundantGroups(const assembly::Assembly& assemb
     const int first = firstOf(interface, p);
     for (int side = 0; side < interface.sides(); ++side) {
       for (const auto& entry : interface.trace(side).row(p))
-        joined.join(first, joined.number({interface.body(side), entry.node}));
+        joined.sets.join(first, joined.number({interface.body(side), entry.node}));
     }
   });
 
-  std::vector<Cluster> clusters(joined.size());
-  for (const auto& [node, number] : joined.nodes()) {
-    Cluster& cluster = clusters[joined.root(number)];
+  std::vector<Cluster> clusters(joined.sets.size());
+  for (const auto& [node, number] : joined.numbers) {
+    Cluster& cluster = clusters[joined.sets.root(number)];
     ++cluster.nodes;
     if (heldNode(eliminated, node) != nullptr) ++cluster.ends;
   }
   visit([&](int index, const assembly::Interface& interface, int p) {
-    Cluster& cluster = clusters[joined.root(firstOf(interface, p))];
+    Cluster& cluster = clusters[joined.sets.root(firstOf(interface, p))];
     ++(interface.sides() == 2 ? cluster.links : cluster.ends);
     cluster.pairs.push_back({index, p, interface.area[p], {}});
   });

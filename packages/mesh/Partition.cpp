@@ -1,10 +1,10 @@
 #include <harmos/mesh/Partition.hpp>
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <string>
 
+#include <harmos/base/DisjointSets.hpp>
 #include <harmos/base/Error.hpp>
 #include <harmos/mesh/Elements.hpp>
 #include <harmos/mesh/detail/GraphCut.hpp>
@@ -20,12 +20,7 @@ namespace {
 /// The vertex of each element where those at the nodes of one list that are connected with each other share one.
 std::vector<int> vertices(const Elements& mesh, const std::vector<int>& elements, const FaceGraph& graph,
                           const std::vector<Together>& together, int& count) {
-  std::vector<int> root(elements.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto rootOf = [&](int at) {
-    while (root[at] != at) at = root[at] = root[root[at]];
-    return at;
-  };
+  base::DisjointSets sets(elements.size());
   for (const Together& kept : together) {
     std::vector<int> nodes = kept.nodes;
     std::sort(nodes.begin(), nodes.end());
@@ -38,15 +33,16 @@ std::vector<int> vertices(const Elements& mesh, const std::vector<int>& elements
     for (std::size_t at = 0; at < elements.size(); ++at) {
       for (idx_t k = graph.first[at]; k < graph.first[at + 1] && touches[at]; ++k) {
         if (!touches[graph.neighbour[k]]) continue;
-        const int one = rootOf(static_cast<int>(at)), other = rootOf(graph.neighbour[k]);
-        root[std::max(one, other)] = std::min(one, other);
+        const auto [least, other] =
+            std::minmax({sets.root(static_cast<int>(at)), sets.root(static_cast<int>(graph.neighbour[k]))});
+        sets.join(other, least);
       }
     }
   }
   count = 0;
   std::vector<int> result(elements.size());
   for (std::size_t at = 0; at < elements.size(); ++at) {
-    const int first = rootOf(static_cast<int>(at));
+    const int first = sets.root(static_cast<int>(at));
     result[at] = first == static_cast<int>(at) ? count++ : result[first];
   }
   return result;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <set>
 
+#include <harmos/base/DisjointSets.hpp>
 #include <harmos/laws/FieldLaw.hpp>
 
 namespace harmos::scene {
@@ -118,21 +118,17 @@ HeldNodes::HeldNodes(const std::vector<assembly::Interface>& interfaces, const s
 }
 
 void HeldNodes::bond() {
-  std::iota(representative_.begin(), representative_.end(), 0);
-  const auto find = [&](int node) {
-    while (representative_[node] != node) node = representative_[node] = representative_[representative_[node]];
-    return node;
-  };
+  base::DisjointSets bonded(representative_.size());
   for (const assembly::Interface& interface : interfaces_) {
     if (interface.sides() != 2 || !interface.law->bonds()) continue;
     if (!interface.trace1.isSelection() || !interface.trace2.isSelection()) continue;
     for (int p = 0; p < interface.pairs(); ++p) {
-      representative_[find(first_[interface.body1] + interface.trace1.node(p))] =
-          find(first_[interface.body2] + interface.trace2.node(p));
+      bonded.join(first_[interface.body1] + interface.trace1.node(p),
+                  first_[interface.body2] + interface.trace2.node(p));
     }
   }
   for (std::size_t node = 0; node < representative_.size(); ++node) {
-    representative_[node] = find(static_cast<int>(node));
+    representative_[node] = bonded.root(static_cast<int>(node));
   }
 }
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
+
+#include <harmos/base/DisjointSets.hpp>
 
 namespace harmos::scene {
 namespace {
@@ -15,24 +16,6 @@ using assembly::Interface;
 // Groups of more pairs are not looked at, see latin::findRedundantGroups.
 constexpr int mostPairs = 60;
 
-/// Sets that are joined, as a forest of representatives.
-class Joined {
- public:
-  explicit Joined(std::size_t count = 0) : above_(count) { std::iota(above_.begin(), above_.end(), std::size_t{0}); }
-  std::size_t add() {
-    above_.push_back(above_.size());
-    return above_.back();
-  }
-  std::size_t root(std::size_t one) {
-    while (above_[one] != one) one = above_[one] = above_[above_[one]];
-    return one;
-  }
-  void join(std::size_t a, std::size_t b) { above_[root(a)] = root(b); }
-
- private:
-  std::vector<std::size_t> above_;
-};
-
 /// Carries pressure, perhaps with friction, and no tension.
 bool presses(const Interface& interface) {
   if (interface.law->prescribesTraction() || interface.law->isAffine() || interface.pairs() == 0) return false;
@@ -41,19 +24,22 @@ bool presses(const Interface& interface) {
 }
 
 /// Neighbours of all groups of bodies, those of single bodies at their representatives.
-using Neighbours = std::vector<std::set<std::size_t>>;
+using Neighbours = std::vector<std::set<int>>;
 
 Neighbours neighboursOf(const std::vector<Interface>& interfaces, const std::vector<std::string>& parts,
-                        Joined& bodies) {
-  std::map<std::string, std::size_t> first;
-  for (std::size_t b = 0; b < parts.size(); ++b) bodies.join(b, first.try_emplace(parts[b], b).first->second);
+                        base::DisjointSets& bodies) {
+  std::map<std::string, int> first;
+  for (std::size_t b = 0; b < parts.size(); ++b) {
+    const int body = static_cast<int>(b);
+    bodies.join(body, first.try_emplace(parts[b], body).first->second);
+  }
   for (const Interface& interface : interfaces) {
     if (interface.sides() == 2 && interface.law->isAffine()) bodies.join(interface.body1, interface.body2);
   }
   Neighbours near(parts.size());
   for (const Interface& interface : interfaces) {
     if (interface.sides() != 2 || !presses(interface)) continue;
-    const std::size_t a = bodies.root(interface.body1), b = bodies.root(interface.body2);
+    const int a = bodies.root(interface.body1), b = bodies.root(interface.body2);
     if (a == b) continue;
     near[a].insert(b);
     near[b].insert(a);
@@ -64,17 +50,18 @@ Neighbours neighboursOf(const std::vector<Interface>& interfaces, const std::vec
 /// Which groups are left when those with a single neighbour are taken away again and again: those in loops, and between
 /// them.
 std::vector<bool> inLoops(const Neighbours& near) {
-  std::vector<std::size_t> degree, ends;
+  std::vector<std::size_t> degree;
+  std::vector<int> ends;
   std::vector<bool> isLeft(near.size(), true);
   for (std::size_t b = 0; b < near.size(); ++b) {
     degree.push_back(near[b].size());
-    if (degree[b] < 2) ends.push_back(b);
+    if (degree[b] < 2) ends.push_back(static_cast<int>(b));
   }
   while (!ends.empty()) {
-    const std::size_t end = ends.back();
+    const int end = ends.back();
     ends.pop_back();
     isLeft[end] = false;
-    for (const std::size_t other : near[end]) {
+    for (const int other : near[end]) {
       if (isLeft[other] && --degree[other] == 1) ends.push_back(other);
     }
   }
@@ -82,19 +69,19 @@ std::vector<bool> inLoops(const Neighbours& near) {
 }
 
 /// Joints from the ground to every group, that of what is held by itself counted; 0: nothing leads there.
-std::vector<int> heights(const std::vector<Interface>& interfaces, const Neighbours& near, Joined& bodies) {
+std::vector<int> heights(const std::vector<Interface>& interfaces, const Neighbours& near, base::DisjointSets& bodies) {
   std::vector<int> height(near.size(), 0);
-  std::vector<std::size_t> front;
+  std::vector<int> front;
   for (const Interface& interface : interfaces) {
     if (interface.sides() != 1 || interface.law->prescribesTraction()) continue;
-    const std::size_t body = bodies.root(interface.body1);
+    const int body = bodies.root(interface.body1);
     if (height[body] == 0) front.push_back(body);
     height[body] = 1;
   }
   while (!front.empty()) {
-    std::vector<std::size_t> next;
-    for (const std::size_t body : front) {
-      for (const std::size_t other : near[body]) {
+    std::vector<int> next;
+    for (const int body : front) {
+      for (const int other : near[body]) {
         if (height[other] > 0) continue;
         height[other] = height[body] + 1;
         next.push_back(other);
@@ -108,8 +95,8 @@ std::vector<int> heights(const std::vector<Interface>& interfaces, const Neighbo
 /// How many groups of nodes that pairs with friction link hang together in a ring, or at two ends that are held.
 double sharedNodes(const std::vector<Interface>& interfaces) {
   using Node = std::pair<int, int>;  // body, node
-  std::map<Node, std::size_t> numbers;
-  Joined joined;
+  std::map<Node, int> numbers;
+  base::DisjointSets joined;
   const auto numberOf = [&](const Node& node) {
     const auto [at, isNew] = numbers.try_emplace(node);
     if (isNew) at->second = joined.add();
@@ -125,7 +112,7 @@ double sharedNodes(const std::vector<Interface>& interfaces) {
     }
   };
   forPairs([&](const Interface& interface, int p) {
-    const std::size_t first = firstOf(interface, p);
+    const int first = firstOf(interface, p);
     for (int side = 0; side < interface.sides(); ++side) {
       for (const auto& [node, weight] : interface.trace(side).row(p))
         joined.join(first, numberOf({interface.body(side), node}));
@@ -183,7 +170,7 @@ JointGraph jointGraphOf(const std::vector<Interface>& interfaces, const std::vec
   for (const Interface& interface : interfaces) {
     if (interface.sides() == 2) graph.points = std::max(graph.points, pointsAlong(interface, dimension));
   }
-  Joined bodies(parts.size());
+  base::DisjointSets bodies(parts.size());
   const Neighbours near = neighboursOf(interfaces, parts, bodies);
   const std::vector<bool> isInLoop = inLoops(near);
   const std::vector<int> height = heights(interfaces, near, bodies);
