@@ -39,7 +39,7 @@ class NodalForce final : public InterfaceLaw, public NodalLaw {
   bool isAffine() const override { return true; }
 
   void solve(int step, const NodeArrays& nodes) const override {
-    assert(nodes.area != nullptr && "forces are divided by areas");
+    assert((nodes.count == 0 || nodes.area != nullptr) && "forces are divided by areas");
     const base::Vector3 force{force_[0][step], force_[1][step], force_[2][step]};
     for (int p = 0; p < nodes.count; ++p) nodes.state[p] = {(1.0 / nodes.area[p]) * force, Status::bonded};
   }
