@@ -9,6 +9,7 @@
 #include <harmos/latin/March.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
 #include <harmos/latin/detail/FieldDistances.hpp>
+#include <harmos/latin/detail/SelfStresses.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -59,7 +60,7 @@ CausalCorrection::CausalCorrection(FixedPoint& fixedPoint, substructure::Precisi
       steps_(static_cast<std::size_t>(fixedPoint.assembly().steps())),
       targets_(fixedPoint.assembly().steps()) {}
 
-double CausalCorrection::evaluate(int step) {
+double CausalCorrection::solveLocal(int step) {
   std::fill_n(residual_[step], residual_.numRows(), 0.0);  // a rank without bodies has a row that nothing writes
   fixedPoint_.pointwiseStage().solveColumn(step, beta_, residual_);  // f^ first
   const double* alpha = (*alpha_)[step];
@@ -69,6 +70,26 @@ double CausalCorrection::evaluate(int step) {
   base::Matrix column(Teuchos::View, residual_[step], residual_.stride(), residual_.numRows(), 1);
   fixedPoint_.linearStage().unfelt().remove(column);
   return scaledNorm(fixedPoint_.metric(), residual_[step], nullptr);
+}
+
+double CausalCorrection::evaluate(int step) {
+  const double size = solveLocal(step);
+  const auto add = [&](const std::vector<double>& s) {
+    for (std::size_t row = 0; row < s.size(); ++row) {
+      (*alpha_)[step][row] += s[row];
+      beta_[step][row] += s[row];
+    }
+    return solveLocal(step);
+  };
+  return fixedPoint_.selfStresses().settle(fixedPoint_.metric(), residual_[step], size, noise_, add);
+}
+
+void CausalCorrection::addStiff(TangentSpace& tangent) const {
+  const SelfStresses& stresses = fixedPoint_.selfStresses();
+  for (const int position : stresses.stiff()) {
+    std::vector<double> v = stresses.field(position);
+    if (tangent.space().makeIndependent(v.data())) tangent.add(v.data(), v.data(), false);
+  }
 }
 
 bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& direction) {
@@ -264,7 +285,8 @@ void CausalCorrection::approach(int stages) {
   for (begin_ = 0; begin_ < steps; begin_ = end_) {
     end_ = std::min(begin_ + stepsAtOnce, steps);
     for (int t = begin_; t < end_; ++t) {
-      if (!steps_[t].tangent) steps_[t].tangent.emplace(fixedPoint_, lines_);
+      if (steps_[t].tangent) continue;
+      addStiff(steps_[t].tangent.emplace(fixedPoint_, lines_));
     }
     approachTogether(stages - (fixedPoint_.linearStage().stages() - first));
     if (steps <= stepsAtOnce) continue;

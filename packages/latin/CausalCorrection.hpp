@@ -69,7 +69,11 @@ class CausalCorrection {
   /// Lets go of the fields of all load steps.
   void finish();
   /// Solves the local stage of a load step; returns |R|, and leaves R in residual_.
+  double solveLocal(int step);
+  /// The same, and settles what bodies do not feel: SelfStresses::settle().
   double evaluate(int step);
+  /// Gives an empty space the self-stresses that averages hardly move.
+  void addStiff(TangentSpace& tangent) const;
   /// Gauss-Newton in the space of one load step, after those before it were settled.
   void reduce(int step);
   /// Moves a load step in its space if that makes |R| less; false when not even a quarter of the step does.

@@ -66,14 +66,14 @@ bool isHeldThere(const Iterate& iterate, double accuracy) {
 }
 
 /// An iterate has thrown a body so far away that forces are lost beside k w and everything is small beside its way. The
-/// image of nothing tells ways that are prescribed. `iterate` and `image` are those of alpha; leaves `image` as it was.
-bool isThrown(FixedPoint& fixedPoint, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image,
+/// image of nothing tells ways that are prescribed. `iterate` and `image` are those of alpha, also afterwards.
+bool isThrown(FixedPoint& fixedPoint, const Iterate*& iterate, const base::Matrix& alpha, base::Matrix& image,
               double accuracy) {
-  if (!NaturalSizes(iterate).isBeyondReach() || isHeldThere(iterate, accuracy)) return false;
+  if (!NaturalSizes(*iterate).isBeyondReach() || isHeldThere(*iterate, accuracy)) return false;
   const base::Matrix nothing(alpha.numRows(), alpha.numCols());
   fixedPoint.apply(nothing, image);
   const double size = fixedPoint.metric().norm(image);
-  fixedPoint.apply(alpha, image);
+  iterate = &fixedPoint.apply(alpha, image);
   return fixedPoint.metric().norm(alpha) > thrownSize * size;
 }
 
@@ -286,6 +286,13 @@ const Iterate& Certificate::smooth(base::Matrix& state, base::Matrix& image) {
   return *iterate;
 }
 
+Snapshot Certificate::lookAtShared(const Iterate& iterate, base::Matrix& state, base::Matrix& image) {
+  const base::Matrix shared = fixedPoint_.shareTractions(state, image, accuracy_);
+  Snapshot snapshot(iterate, responses_);
+  fixedPoint_.takeBack(shared, state, image);
+  return snapshot;
+}
+
 Certificate::Result Certificate::attempt(const Iterate& first, base::Matrix& alpha, base::Matrix& image,
                                          int stageLimit) {
   if (!causal_) return attemptOnce(Kind::newton, first, alpha, image, stageLimit);
@@ -302,8 +309,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
                                              int stageLimit) {
   Result result;
   const Iterate* iterate = &first;
-  fixedPoint_.shareTractions(state, image, accuracy_);
-  auto before = std::make_unique<Snapshot>(*iterate, responses_);
+  auto before = std::make_unique<Snapshot>(lookAtShared(*iterate, state, image));
   double previous = 0.0, hidden = 0.0;
   std::vector<double> distancesBefore;
   for (int count = 0; count < maximumCorrections; ++count) {
@@ -321,8 +327,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
     }
     step.shares.resize(static_cast<std::size_t>(state.numCols()), step.reduction);
     iterate = step.iterate != nullptr ? step.iterate : &fixedPoint_.apply(step.state, image);
-    fixedPoint_.shareTractions(step.state, image, accuracy_);
-    auto after = std::make_unique<Snapshot>(*iterate, responses_);
+    auto after = std::make_unique<Snapshot>(lookAtShared(*iterate, step.state, image));
     std::vector<double> distances = after->distance(*before);
     const double error = largest(distances);
     if (count > 0) {
@@ -342,7 +347,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
       if (!grew) result.estimates = errors;
       if (!grew && isSeen(std::max(hidden, step.hidden), largest(errors), accuracy_) && previous <= farAway &&
           largest(errors) <= accuracy_ && gap <= allowedGap * accuracy_ &&
-          !isThrown(fixedPoint_, *iterate, step.state, image, accuracy_)) {
+          !isThrown(fixedPoint_, iterate, step.state, image, accuracy_)) {
         result.claimed = true;
         return result;
       }
@@ -355,8 +360,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
       before = std::move(after);
     } else {
       iterate = &smooth(state, image);
-      fixedPoint_.shareTractions(state, image, accuracy_);
-      before = std::make_unique<Snapshot>(*iterate, responses_);
+      before = std::make_unique<Snapshot>(lookAtShared(*iterate, state, image));
     }
     result.conclusive = false;
   }

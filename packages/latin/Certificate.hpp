@@ -75,6 +75,10 @@ class Certificate {
                              int stageLimit);
   Correction correctByNewton(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int count,
                              double previous, int stages);
+  /// What is seen of a state whose tractions are shared (FixedPoint::shareTractions()). The state itself, its image and
+  /// its iterate stay those that were found: shared ones keep to the laws no better than to the accuracy, and a
+  /// correction would begin with the residual of that again.
+  Snapshot lookAtShared(const Iterate& iterate, base::Matrix& state, base::Matrix& image);
   /// Relaxed iterations of `state`, whose image is given; returns its iterate.
   const Iterate& smooth(base::Matrix& state, base::Matrix& image);
 

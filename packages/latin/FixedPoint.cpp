@@ -1,5 +1,6 @@
 #include <harmos/latin/FixedPoint.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -10,6 +11,7 @@
 #include <harmos/base/SoleThread.hpp>
 #include <harmos/latin/LoadBalance.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
+#include <harmos/latin/detail/SelfStresses.hpp>
 #include <harmos/latin/detail/TractionShare.hpp>
 
 namespace harmos::latin {
@@ -76,7 +78,12 @@ FixedPoint::FixedPoint(const assembly::Assembly& assembly, const StageOptions& o
   if (assembly.steps() > stepsAtOnce) fields_.scratch = options.scratch;
   if (pointwise_ != nullptr) pointwise_->setReference(reference_);
   selectAll();
-  share_ = std::make_unique<TractionShare>(assembly, searchDirection_, eliminated_);
+  makeShare();
+}
+
+void FixedPoint::makeShare() {
+  share_ = std::make_unique<TractionShare>(assembly_, searchDirection_, eliminated_);
+  selfStresses_ = std::make_unique<SelfStresses>(assembly_, searchDirection_, layout_, share_->groups());
 }
 
 void FixedPoint::demandFollowable() const {
@@ -141,7 +148,7 @@ void FixedPoint::rescale(double scale) {
   fields_.linear = linear_.get();
   fields_.searchDirectionScale = scale;
   fields_.boundaries = {};
-  share_ = std::make_unique<TractionShare>(assembly_, searchDirection_, eliminated_);
+  makeShare();
   if (!reference_.isEmpty()) referenceJumps_ = jumpsOfReference();
   select(std::vector<int>(fields_.steps));
 }
@@ -257,14 +264,42 @@ const Iterate& FixedPoint::apply(const base::Matrix& alpha, base::Matrix& image,
   }
   releaseDerived();
   linear_->solve(alpha, beta, precision);
-  const auto running = timers_.start("local");
-  local_->solve(beta, traction);
-  for (int t = 0; t < alpha.numCols(); ++t) {
-    for (int row = 0; row < alpha.numRows(); ++row) image[t][row] = 2.0 * traction[t][row] - beta[t][row];
-  }
+  solveLocal(image);
   Iterate& iterate = iterates_[fields_.present % iteratesKept];
   iterate = Iterate(fields_, fields_.present);
   return iterate;
+}
+
+void FixedPoint::solveLocal(base::Matrix& image) {
+  const auto running = timers_.start("local");
+  const base::Matrix& beta = fields_.beta;
+  base::Matrix& traction = fields_.hattedTraction;
+  local_->solve(beta, traction);
+  for (int t = 0; t < image.numCols(); ++t) {
+    for (int row = 0; row < image.numRows(); ++row) image[t][row] = 2.0 * traction[t][row] - beta[t][row];
+  }
+}
+
+void FixedPoint::settleUnfelt(base::Matrix& alpha, base::Matrix& image) {
+  if (selfStresses_->isEmpty() || pointwise_ == nullptr || formulation() != Formulation::displacement) return;
+  base::Matrix residual(alpha.numRows(), 1);
+  const auto renew = [&] {
+    residual.assign(image);
+    residual -= alpha;
+    linear_->unfelt().remove(residual);
+    return metric_.norm(residual);
+  };
+  const auto add = [&](const std::vector<double>& s) {
+    base::Matrix difference(alpha.numRows(), 1);
+    std::copy(s.begin(), s.end(), difference[0]);
+    releaseDerived();
+    addBalanced(difference);
+    alpha += difference;
+    solveLocal(image);
+    return renew();
+  };
+  const double size = renew();
+  selfStresses_->settle(metric_, residual[0], size, roundOff(metric_.norm(alpha)), add);
 }
 
 void FixedPoint::addBalanced(const base::Matrix& tractions) {
@@ -273,16 +308,28 @@ void FixedPoint::addBalanced(const base::Matrix& tractions) {
   fields_.hasBoundaries = false;
 }
 
-void FixedPoint::shareTractions(base::Matrix& alpha, base::Matrix& image, double tolerance) {
-  if (share_->isEmpty()) return;
+base::Matrix FixedPoint::shareTractions(base::Matrix& alpha, base::Matrix& image, double tolerance) {
+  if (share_->isEmpty()) return {};
   const Iterate& iterate = iterates_[fields_.present % iteratesKept];
-  base::Matrix difference(alpha.numRows(), alpha.numCols());
+  base::Matrix difference;
   for (const TractionShare::Finding& finding : share_->find(iterate, tolerance)) {
-    if (finding.stress.exists()) share_->addDifference(finding, finding.stress.least(), layout_, difference);
+    if (!finding.stress.exists()) continue;
+    if (difference.numCols() == 0) difference.shape(alpha.numRows(), alpha.numCols());
+    share_->addDifference(finding, finding.stress.least(), layout_, difference);
   }
+  if (difference.numCols() == 0) return difference;
   addBalanced(difference);
   alpha += difference;
   image += difference;
+  return difference;
+}
+
+void FixedPoint::takeBack(base::Matrix shared, base::Matrix& alpha, base::Matrix& image) {
+  if (shared.numCols() == 0) return;
+  shared *= -1.0;
+  addBalanced(shared);
+  alpha += shared;
+  image += shared;
 }
 
 Indeterminacy FixedPoint::indeterminacy(const std::vector<std::shared_ptr<const Response>>& responses,

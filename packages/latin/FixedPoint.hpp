@@ -12,6 +12,7 @@
 
 namespace harmos::latin {
 
+class SelfStresses;
 class TractionShare;
 
 /// How the two stages are built; see LatinOptions for what the user may set.
@@ -124,10 +125,17 @@ class FixedPoint {
   /// Collective. See LinearStage::prepareSingle(); to be called again after rescale().
   double prepareSingle() { return linear_->prepareSingle(); }
 
+  /// Collective, one load step selected. Settles what bodies do not feel in the present iterate, its alpha and its
+  /// image [stress]: SelfStresses::settle(). Displacement form, with the local stage PointwiseLocalStage; otherwise
+  /// nothing is done. Throws as apply().
+  void settleUnfelt(base::Matrix& alpha, base::Matrix& image);
   /// Collective. Gives the present iterate, its alpha and its image [stress] those tractions that are defined where the
   /// bodies cannot tell what pairs share (TractionShare): T and its fixed points mean the same as before. `tolerance`
-  /// [-]: relative accuracy of the fields. All load steps must be selected.
-  void shareTractions(base::Matrix& alpha, base::Matrix& image, double tolerance);
+  /// [-]: relative accuracy of the fields, to which the new tractions keep to the laws. Returns what both have got
+  /// [stress], rows of the layout x load steps; no columns where nothing is shared. All load steps must be selected.
+  base::Matrix shareTractions(base::Matrix& alpha, base::Matrix& image, double tolerance);
+  /// Collective. Takes from the present iterate, its alpha and its image what shareTractions() has given them.
+  void takeBack(base::Matrix shared, base::Matrix& alpha, base::Matrix& image);
   /// Collective. What the present iterate does not determine, see findIndeterminacy().
   Indeterminacy indeterminacy(const std::vector<std::shared_ptr<const Response>>& responses, double tolerance);
 
@@ -154,6 +162,8 @@ class FixedPoint {
   const EliminatedBoundaries& eliminated() const { return eliminated_; }
   /// What these do to rigid motions.
   const HeldMotions& heldMotions() const { return heldMotions_; }
+  /// The tractions that bodies do not feel.
+  const SelfStresses& selfStresses() const { return *selfStresses_; }
   /// Where rows of fields belong.
   const TraceLayout& layout() const { return layout_; }
   /// The norm of states.
@@ -174,10 +184,14 @@ class FixedPoint {
   void addDifference(const ReferenceMotions& rho1, const ReferenceMotions& rho2, base::Matrix& alpha) const;
   /// Collective. Norm of k times the jumps of the motions [force length, square root], per load step.
   std::vector<double> jumpsOfReference() const;
+  /// The local stage of the beta at hand; the image that belongs to it.
+  void solveLocal(base::Matrix& image);
   /// Adds tractions [stress] to the present iterate that the bodies do not feel.
   void addBalanced(const base::Matrix& tractions);
   /// Throws base::Error (input) where a PathControl multiplies what the linear stage does not prescribe.
   void demandFollowable() const;
+  /// After everything else, whose search direction they belong to.
+  void makeShare();
   /// May give up the elimination, where boundaries leave the assembly free to move.
   std::unique_ptr<LinearStage> makeLinearStage();
 
@@ -196,6 +210,7 @@ class FixedPoint {
   PointwiseLocalStage* pointwise_ = nullptr;  // local_, or null when that is another one
   std::unique_ptr<LocalStage> local_;
   std::unique_ptr<TractionShare> share_;
+  std::unique_ptr<SelfStresses> selfStresses_;
   Iterate::Fields fields_;
   std::vector<Iterate> iterates_;  // in turns, so that an old one is known to be no longer valid
 };

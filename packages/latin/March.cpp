@@ -230,6 +230,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
     const bool mayBeSingle = !fixedPoint_.assembly().softens() && sinceLanding < iterationsBeforeListening;
     const substructure::Precision used = mayBeSingle ? precision() : substructure::Precision::exact;
     iterate = &fixedPoint_.apply(state, image, used);
+    fixedPoint_.settleUnfelt(state, image);
     ++iteration;
     ++sinceLanding;
     const double size = residual(state, image);

@@ -18,6 +18,8 @@ class SelfStress {
 
   /// Whether there is another field.
   bool exists() const { return !free_.empty(); }
+  /// An orthonormal basis of those within the hulls of the sets: t sqrt(h), pair by pair.
+  const std::vector<std::vector<base::Vector3>>& basis() const { return free_; }
   /// Whether self-stresses within the hulls of the sets act on a pair along a unit vector.
   bool actsOn(std::size_t pair, const base::Vector3& direction) const;
   /// Whether a self-stress within the hulls changes the sum of weight.t, `weights` per pair.

@@ -24,6 +24,8 @@ class TractionShare {
 
   /// Whether there is nothing to share by pairs with unknowns, whatever the state.
   bool isEmpty() const { return groups_.empty(); }
+  /// Where there may be something to share.
+  const std::vector<RedundantGroup>& groups() const { return groups_; }
   /// What is known of a group at a load step; none where both its tractions and its pressures are determined.
   struct Finding {
     std::size_t group;  ///< position among the groups
