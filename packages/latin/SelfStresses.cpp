@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include <harmos/latin/detail/SelfStress.hpp>
@@ -29,18 +30,13 @@ std::vector<std::vector<base::Vector3>> basisOf(const RedundantGroup& group, int
   return SelfStress(group, sets, std::vector<base::Vector3>(group.pairs.size(), base::Vector3{})).basis();
 }
 
-/// Interfaces that pass on all that comes: what bodies do not feel passes through T unchanged where there are no
+/// Whether an interface passes on all that comes: what bodies do not feel goes through T unchanged where there are no
 /// others.
-std::vector<bool> perfectOnes(const assembly::Assembly& assembly, int dimension) {
-  std::vector<bool> result;
-  for (const assembly::Interface& interface : assembly.interfaces) {
-    result.push_back(interface.law->isAffine());
-    if (!result.back()) continue;
-    const auto components = laws::affineComponents(*interface.law, 0);
-    result.back() = std::all_of(components.begin(), components.begin() + dimension,
-                                [](const laws::AffineComponent& component) { return std::isinf(component.stiffness); });
-  }
-  return result;
+bool isPerfect(const assembly::Interface& interface, int dimension) {
+  if (!interface.law->isAffine()) return false;
+  const auto components = laws::affineComponents(*interface.law, 0);
+  return std::all_of(components.begin(), components.begin() + dimension,
+                     [](const laws::AffineComponent& component) { return std::isinf(component.stiffness); });
 }
 
 bool isNearlyRigid(const assembly::Interface& interface, double k, int dimension) {
@@ -57,12 +53,14 @@ SelfStresses::SelfStresses(const assembly::Assembly& assembly, const assembly::S
                            const TraceLayout& layout, const std::vector<RedundantGroup>& groups)
     : rows_(layout.rows()) {
   const int dimension = layout.dimension();
-  const std::vector<bool> isPerfect = groups.empty() ? std::vector<bool>() : perfectOnes(assembly, dimension);
+  std::map<int, bool> known;  // whether interfaces of groups are perfect
+  const auto isOfPerfect = [&](const RedundantGroup::Pair& pair) {
+    const auto [at, isNew] = known.emplace(pair.interface, false);
+    if (isNew) at->second = isPerfect(assembly.interfaces[pair.interface], dimension);
+    return at->second;
+  };
   for (const RedundantGroup& group : groups) {
-    if (std::all_of(group.pairs.begin(), group.pairs.end(),
-                    [&](const RedundantGroup::Pair& pair) { return isPerfect[pair.interface]; })) {
-      continue;
-    }
+    if (std::all_of(group.pairs.begin(), group.pairs.end(), isOfPerfect)) continue;
     const auto basis = basisOf(group, dimension);
     const int count = static_cast<int>(basis.size());
     if (count == 0) continue;
