@@ -148,17 +148,31 @@ Json toJson(const results::ConfigurationResult& result) {
                           {"parts", error.parts},
                           {"reason", error.reason}});
   }
-  return {{"id", result.id},
-          {"status", results::statusName(result.status)},
-          {"reason", result.reason},
-          {"error_estimate", result.errorEstimate},
-          {"iterations", result.iterations},
-          {"linear_stages", result.linearStages},
-          {"starts", result.starts},
-          {"cpu_seconds", result.cpuSeconds},
-          {"curve_errors", numbers(result.curveErrors)},
-          {"mesh_errors", meshErrors},
-          {"curves", curves}};
+  Json json = {{"id", result.id},
+               {"status", results::statusName(result.status)},
+               {"reason", result.reason},
+               {"error_estimate", result.errorEstimate},
+               {"iterations", result.iterations},
+               {"linear_stages", result.linearStages},
+               {"starts", result.starts},
+               {"cpu_seconds", result.cpuSeconds},
+               {"curve_errors", numbers(result.curveErrors)},
+               {"mesh_errors", meshErrors},
+               {"curves", curves}};
+  const results::Evidence& evidence = result.evidence;
+  if (evidence.indicators) json["indicators"] = {evidence.indicators->force, evidence.indicators->response};
+  if (evidence.ratios) json["ratios"] = {evidence.ratios->force, evidence.ratios->response};
+  if (evidence.audit) json["audit"] = *evidence.audit;
+  return json;
+}
+
+/// Two numbers; nothing where there are none, as in files of before.
+template <class Pair>
+std::optional<Pair> pairOf(const Json& json, const char* key) {
+  if (!json.contains(key)) return std::nullopt;
+  const std::vector<double> values = numbers(json, key);
+  if (values.size() != 2) throw base::Error(std::string("\"") + key + "\" are two numbers");
+  return Pair{values[0], values[1]};
 }
 
 results::ConfigurationResult fromJson(const Json& json) {
@@ -185,6 +199,9 @@ results::ConfigurationResult fromJson(const Json& json) {
                                    error.at("parts").get<std::vector<std::string>>(),
                                    error.at("reason").get<std::string>()});
     }
+    result.evidence.indicators = pairOf<results::Indicators>(json, "indicators");
+    result.evidence.ratios = pairOf<results::Ratios>(json, "ratios");
+    if (json.contains("audit")) result.evidence.audit = number(json.at("audit"));
   } catch (const Json::exception& error) {
     throw base::Error(std::string("This is no result of a configuration: ") + error.what());
   }

@@ -88,11 +88,12 @@ int CalibratedSchedule::freePlace() const {
   return place;
 }
 
-bool CalibratedSchedule::march(const Indicators& target, bool isToBeKept, results::ConfigurationResult& result) {
+bool CalibratedSchedule::march(const results::Indicators& target, bool isToBeKept,
+                               results::ConfigurationResult& result) {
   return takeMarch(solver_.iteration().march(target), isToBeKept, result);
 }
 
-bool CalibratedSchedule::takeMarch(const Indicators& indicators, bool isToBeKept,
+bool CalibratedSchedule::takeMarch(const results::Indicators& indicators, bool isToBeKept,
                                    results::ConfigurationResult& result) {
   indicators_ = indicators;
   if (solver_.mustStop()) return false;
@@ -116,14 +117,16 @@ bool CalibratedSchedule::certifyFromHere(double share, results::ConfigurationRes
   return true;
 }
 
-void CalibratedSchedule::learn(double uncertainty) {
+void CalibratedSchedule::learn(results::ConfigurationResult& result) {
+  const double uncertainty = result.errorEstimate;
   const latin::Snapshot reference(solver_.certifiedState(), solver_.responses());
   std::vector<Calibration::Observation> run;
   for (std::size_t i = 0; i < snapshots_.size(); ++i) {
     const auto [responseError, forceError] = errorsAgainst(reference, *snapshots_[i]);
     run.push_back({way_[i], forceError + uncertainty, responseError + uncertainty});
   }
-  if (calibration_.add(run)) ratioFell_ = true;
+  result.evidence.ratios = calibration_.ratiosOf(run);
+  if (calibration_.add(*result.evidence.ratios)) ratioFell_ = true;
 }
 
 bool CalibratedSchedule::calibrate(const design::Configuration& configuration, results::ConfigurationResult& result) {
@@ -138,7 +141,7 @@ bool CalibratedSchedule::calibrate(const design::Configuration& configuration, r
   }
   result.starts = iteration.starts();
   iteration.setLimit(stagesToFirst);
-  Indicators target = calibration_.target();
+  results::Indicators target = calibration_.target();
   for (int i = 0; i < statesOnWay; ++i) {
     if (!march(target, true, result)) return false;
     if (iteration.isLost()) {
@@ -150,7 +153,7 @@ bool CalibratedSchedule::calibrate(const design::Configuration& configuration, r
   }
   if (!certifyFromHere(tightShare, result)) return false;
   if (!results::isCertified(result.status)) return true;
-  learn(result.errorEstimate);
+  learn(result);
   ++solver_.summary().calibrations;
   solver_.rememberCertified(configuration, result);
   return true;
@@ -180,10 +183,9 @@ bool CalibratedSchedule::audit(const design::Configuration& configuration, resul
   const latin::Snapshot reference(solver_.certifiedState(), solver_.responses());
   const auto [responseError, forceError] = errorsAgainst(reference, *snapshots_.back());
   const double error = (std::max(responseError, forceError) + result.errorEstimate) / solver_.options().accuracy;
-  ++summary.audits;
-  if (error > 1.0) ++summary.falseClaims;
-  summary.largestAudit = std::max(summary.largestAudit, error);
-  learn(result.errorEstimate);
+  summary.addAudit(error);
+  result.evidence.audit = error;
+  learn(result);
   solver_.rememberCertified(configuration, result);
   return true;
 }
@@ -204,7 +206,7 @@ void CalibratedSchedule::beginFromNeighbours(Attempt& attempt) {
 bool CalibratedSchedule::endFromNeighbours(Attempt& attempt) {
   ConfigurationIteration& iteration = solver_.iteration();
   const bool isAudit = attempt.purpose == Purpose::audit;
-  Indicators target = calibration_.target();
+  results::Indicators target = calibration_.target();
   if (!takeMarch(iteration.endMarch(), isAudit, attempt.result)) return false;
   while (!calibration_.accepts(indicators_) && iteration.stages() < limitFromNeighbours()) {
     target = {further * target.force, further * target.response};
@@ -314,6 +316,8 @@ bool CalibratedSchedule::endThose(results::ResultSink& sink) {
     }
     result.cpuSeconds = attempt->cpuSeconds + cpuSeconds() - begin;
     if (const auto accepted = accepted_.find(result.id); accepted != accepted_.end()) accepted->second.result = result;
+    // Before what taught it, so that no run that ends here leaves claims of which its record knows better.
+    reopen(sink);
     sink.record(result);
     attempt = underWay_.erase(attempt);
   }
@@ -324,13 +328,36 @@ void CalibratedSchedule::reopen(results::ResultSink& sink) {
   if (!std::exchange(ratioFell_, false)) return;
   reopened_.clear();
   for (auto& [id, one] : accepted_) {
-    if (calibration_.accepts(one.indicators)) {
-      delivery_.estimate(one.indicators, one.result);
-      sink.record(one.result);
-    } else {
-      reopened_.push_back(one.configuration);
+    const bool isReopened = !calibration_.accepts(one.indicators);
+    if (isReopened) reopened_.push_back(one.configuration);
+    const double before = one.result.errorEstimate;
+    const std::vector<double> curvesBefore = one.result.curveErrors;
+    delivery_.estimate(one.indicators, one.result);
+    const bool isAsBefore = one.result.errorEstimate == before && one.result.curveErrors == curvesBefore;
+    if (std::exchange(one.isReopened, isReopened) == isReopened && isAsBefore) continue;
+    results::ConfigurationResult result = one.result;
+    if (isReopened) {
+      result.status = results::Status::reopened;
+      result.reason = "it was accepted, but a ratio of indicator to error that was found since says less of it";
     }
+    sink.record(result);
   }
+}
+
+void CalibratedSchedule::resume(const std::vector<EarlierResult>& earlier) {
+  Trust& summary = solver_.summary();
+  for (const auto& [configuration, result] : earlier) {
+    ++number_;
+    const results::Evidence& evidence = result.evidence;
+    if (evidence.ratios) calibration_.add(*evidence.ratios);
+    if (evidence.audit) summary.addAudit(*evidence.audit);
+    if (evidence.ratios && !evidence.audit) ++summary.calibrations;
+    if (results::isCertified(result.status)) ++summary.certificates;
+    if (evidence.indicators && results::isSolved(result.status))
+      accepted_[configuration.id] = {configuration, result, *evidence.indicators};
+  }
+  attempts_ = calibration_.runs();
+  ratioFell_ = true;  // another team of ranks may have found what this one has to look at
 }
 
 std::vector<design::Configuration> CalibratedSchedule::run(const std::vector<design::Configuration>& open,
@@ -341,6 +368,7 @@ std::vector<design::Configuration> CalibratedSchedule::run(const std::vector<des
   auto next = order.begin();
   underWay_.clear();
   reopened_.clear();
+  reopen(sink);
   while (next != order.end() || !reopened_.empty() || !underWay_.empty()) {
     while (underWay_.size() < mostTogether() && (next != order.end() || !reopened_.empty())) {
       if (!reopened_.empty()) {
@@ -361,10 +389,8 @@ std::vector<design::Configuration> CalibratedSchedule::run(const std::vector<des
     if (allMarch()) march();
     if (allMarch()) return {};  // interrupted
     if (!endThose(sink)) return {};
-    reopen(sink);
-    summary.forceRatio = calibration_.forceRatio();
-    summary.responseRatio = calibration_.responseRatio();
-    summary.falseClaimBound = falseClaimBound(summary.audits, summary.falseClaims);
+    summary.forceRatio = calibration_.ratios().force;
+    summary.responseRatio = calibration_.ratios().response;
   }
   return left;
 }

@@ -7,6 +7,7 @@
 #include <harmos/latin/Snapshot.hpp>
 #include <harmos/parametric/Calibration.hpp>
 #include <harmos/parametric/Delivery.hpp>
+#include <harmos/parametric/EarlierResult.hpp>
 #include <harmos/parametric/StartRecord.hpp>
 #include <harmos/parametric/StudySolver.hpp>
 #include <harmos/results/ResultSink.hpp>
@@ -27,6 +28,8 @@ class CalibratedSchedule {
 
   CalibratedSchedule(const CalibratedSchedule&) = delete;
 
+  /// What another run has learned and accepted, as if it had been this one; before run().
+  void resume(const std::vector<EarlierResult>& earlier);
   /// Collective. Leaves early when interrupted; what is in flight is not recorded. Returns the configurations that are
   /// left because none could be had to calibrate: nothing can be said of them without a certificate.
   std::vector<design::Configuration> run(const std::vector<design::Configuration>& open, results::ResultSink& sink);
@@ -41,7 +44,8 @@ class CalibratedSchedule {
   struct Accepted {
     design::Configuration configuration;
     results::ConfigurationResult result;
-    Indicators indicators;
+    results::Indicators indicators;
+    bool isReopened = false;  // a ratio fell since
   };
   enum class Purpose { result, audit, calibration };
   /// What is under way of a configuration.
@@ -83,11 +87,12 @@ class CalibratedSchedule {
   /// failure.
   bool certifyFromHere(double share, results::ConfigurationResult& result);
   /// Calibrates with the way against the state certified last.
-  void learn(double uncertainty);
+  void learn(results::ConfigurationResult& result);
   bool certifyAnew(const design::Configuration& configuration, results::ConfigurationResult& result);
+  /// After a ratio fell: estimates what was accepted anew, and opens again what is not covered any more.
   void reopen(results::ResultSink& sink);
-  bool march(const Indicators& target, bool isToBeKept, results::ConfigurationResult& result);
-  bool takeMarch(const Indicators& indicators, bool isToBeKept, results::ConfigurationResult& result);
+  bool march(const results::Indicators& target, bool isToBeKept, results::ConfigurationResult& result);
+  bool takeMarch(const results::Indicators& indicators, bool isToBeKept, results::ConfigurationResult& result);
   double limitFromNeighbours() const;
 
   StudySolver& solver_;
@@ -101,8 +106,8 @@ class CalibratedSchedule {
   StartRecord record_;
   bool isAuditDue_ = false;  // of the next configuration that is accepted
   bool ratioFell_ = false;
-  Indicators indicators_;                                    // of the present state
-  std::vector<Indicators> way_;                              // of what calibrates: every state,
+  results::Indicators indicators_;                           // of the present state
+  std::vector<results::Indicators> way_;                     // of what calibrates: every state,
   std::vector<std::unique_ptr<latin::Snapshot>> snapshots_;  // and what is promised there
 };
 

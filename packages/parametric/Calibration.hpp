@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <harmos/parametric/Indicators.hpp>
+#include <harmos/results/Evidence.hpp>
 
 namespace harmos::parametric {
 
@@ -17,7 +17,7 @@ class Calibration {
  public:
   /// One state on the way of a calibration run, with its errors against the end of the run.
   struct Observation {
-    Indicators indicators;
+    results::Indicators indicators;
     double forceError = 0.0;     // relative [-], of the field of interface forces
     double responseError = 0.0;  // relative [-], the largest of all responses
   };
@@ -25,27 +25,26 @@ class Calibration {
   /// `accuracy`: the relative error that is asked for [-], > 0.
   explicit Calibration(double accuracy) : accuracy_(accuracy) {}
 
-  /// The states of one run; true when a ratio fell, so that what was accepted must be looked at again.
-  bool add(const std::vector<Observation>& run);
+  /// The smallest ratios over the states of one run.
+  results::Ratios ratiosOf(const std::vector<Observation>& run) const;
+  /// Those of one run more; true when a ratio fell, so that what was accepted must be looked at again.
+  bool add(const results::Ratios& ofRun);
   /// Runs so far.
   int runs() const { return runs_; }
-  /// kf [-], at most 1; 1 before the first run.
-  double forceRatio() const { return forceRatio_; }
-  /// kc [-], at most 1; 1 before the first run.
-  double responseRatio() const { return responseRatio_; }
+  /// kf and kc [-]; 1 before the first run.
+  const results::Ratios& ratios() const { return ratios_; }
 
   /// E [-]; infinite before the first run.
-  double estimate(const Indicators& indicators) const;
+  double estimate(const results::Indicators& indicators) const;
   /// True when E with its factor of safety, 1.5, or 2 before the fifth run, meets the accuracy.
-  bool accepts(const Indicators& indicators) const;
+  bool accepts(const results::Indicators& indicators) const;
   /// The largest indicators that it accepts.
-  Indicators target() const;
+  results::Indicators target() const;
 
  private:
   double accuracy_;
   int runs_ = 0;
-  double forceRatio_ = 1.0;
-  double responseRatio_ = 1.0;
+  results::Ratios ratios_;
 };
 
 }  // namespace harmos::parametric

@@ -78,21 +78,21 @@ void ConfigurationIteration::begin(const SolvedStates& states, const std::vector
   force_ = start_.force();
 }
 
-Indicators ConfigurationIteration::beginAt(const base::Matrix& alpha) {
+results::Indicators ConfigurationIteration::beginAt(const base::Matrix& alpha) {
   prepare();
   next_.assign(alpha);
   isFirstMarch_ = false;
   return applyAll();
 }
 
-Indicators ConfigurationIteration::applyAll() {
+results::Indicators ConfigurationIteration::applyAll() {
   alpha_.assign(next_);
   columns_ += alpha_.numCols();
   state_ = &fixedPoint_.apply(alpha_, image_);
   fixedPoint_.shareTractions(alpha_, image_, accuracy_);
   beta_.assign(state_->beta());
   const auto running = timers_.start("indicators");
-  const Indicators indicators = gauge_.measure(*state_, alpha_, image_);
+  const results::Indicators indicators = gauge_.measure(*state_, alpha_, image_);
   force_ = gauge_.force();
   traction_ = fixedPoint_.metric().norm(state_->hattedTraction()) / std::sqrt(alpha_.numCols());
   return indicators;
@@ -263,7 +263,7 @@ void ConfigurationIteration::endStep() {
   ++step_;
 }
 
-void ConfigurationIteration::startMarch(const Indicators& target) {
+void ConfigurationIteration::startMarch(const results::Indicators& target) {
   target_ = target;
   step_ = 0;
   isStarted_ = isWaiting_ = isSolved_ = false;
@@ -290,13 +290,13 @@ bool ConfigurationIteration::proceed() {
   return false;
 }
 
-Indicators ConfigurationIteration::endMarch() {
+results::Indicators ConfigurationIteration::endMarch() {
   if (isLost_) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   isFirstMarch_ = false;
   return applyAll();
 }
 
-Indicators ConfigurationIteration::march(const Indicators& target) {
+results::Indicators ConfigurationIteration::march(const results::Indicators& target) {
   {
     // All load steps are selected again at the end, also when a law throws.
     const latin::FixedPoint::AllStepsAtEnd restore(fixedPoint_);

@@ -51,15 +51,15 @@ class ConfigurationIteration {
   /// `values`: of all parameters of the study, in their order.
   void begin(const SolvedStates& states, const std::vector<double>& values);
   /// Collective. Goes on from a state found elsewhere, with a stage of all load steps.
-  Indicators beginAt(const base::Matrix& alpha);
+  results::Indicators beginAt(const base::Matrix& alpha);
   /// Collective. Iterates every load step until its share of the indicators is at most `target`, or a limit of
   /// iterations or that of setLimit() is reached, and then all of them once; the fields are those of state(). An
   /// iteration that isLost() has no state.
-  Indicators march(const Indicators& target);
+  results::Indicators march(const results::Indicators& target);
 
   /// march() in pieces, so that others may march beside it. Begins it; until endMarch(), proceed() wants the laws of
   /// begin() in the assembly.
-  void startMarch(const Indicators& target);
+  void startMarch(const results::Indicators& target);
   /// Collective. Goes on until a column has to be solved, then returns true: once request() is solved, markSolved()
   /// must be called before the next proceed() goes on. False when the march is through all load steps or lost.
   bool proceed();
@@ -68,7 +68,7 @@ class ConfigurationIteration {
   /// The request is solved.
   void markSolved() { isSolved_ = true; }
   /// Collective, with the loads of begin() on the operators. The stage of all load steps, unless the march is lost.
-  Indicators endMarch();
+  results::Indicators endMarch();
 
   /// Whether begin() must be called before anything else is asked: there may be no equilibrium, or no way to it from
   /// this start.
@@ -96,7 +96,7 @@ class ConfigurationIteration {
 
  private:
   void prepare();
-  Indicators applyAll();
+  results::Indicators applyAll();
   /// Finds the start of the present load step.
   void startStep();
   void findStart();
@@ -140,7 +140,7 @@ class ConfigurationIteration {
   const latin::Iterate* state_ = nullptr;       // of all load steps
   bool isFirstMarch_ = true;
   bool isLost_ = false;
-  Indicators target_;                          // of the present march,
+  results::Indicators target_;                 // of the present march,
   int step_ = 0;                               // its load step
   bool isStarted_ = false;                     // which has a start
   bool isWaiting_ = false, isSolved_ = false;  // for the solve of a change, and whether it is there

@@ -7,8 +7,8 @@
 
 namespace harmos::parametric {
 
-void Delivery::estimate(const Indicators& indicators, results::ConfigurationResult& result) const {
-  Indicators ofResponses = indicators;
+void Delivery::estimate(const results::Indicators& indicators, results::ConfigurationResult& result) const {
+  results::Indicators ofResponses = indicators;
   ofResponses.force = 0.0;
   result.errorEstimate = calibration_.estimate(indicators);
   result.curveErrors.assign(solver_.responses().size(), calibration_.estimate(ofResponses));
@@ -29,7 +29,7 @@ bool Delivery::addRanges(results::ConfigurationResult& result) const {
   return isUnique;
 }
 
-void Delivery::deliver(const Indicators& indicators, results::ConfigurationResult& result) const {
+void Delivery::deliver(const results::Indicators& indicators, results::ConfigurationResult& result) const {
   if (const std::string falseGraph = solver_.iteration().falseGraph(); !falseGraph.empty()) {
     result.status = results::Status::notConverged;
     result.reason = falseGraph;
@@ -40,6 +40,7 @@ void Delivery::deliver(const Indicators& indicators, results::ConfigurationResul
   for (const auto& response : solver_.responses())
     result.curves.push_back(response->evaluate(solver_.iteration().state()));
   estimate(indicators, result);
+  result.evidence.indicators = indicators;
   result.status = addRanges(result) ? results::Status::calibrated : results::Status::calibratedNotUnique;
 }
 

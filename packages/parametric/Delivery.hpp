@@ -14,9 +14,9 @@ class Delivery {
 
   /// Collective, after a stage of all load steps with these indicators. Curves, estimates, status and reason of the
   /// present configuration; not converged where its state is on no graph of the laws. Throws base::Error as laws do.
-  void deliver(const Indicators& indicators, results::ConfigurationResult& result) const;
+  void deliver(const results::Indicators& indicators, results::ConfigurationResult& result) const;
   /// The estimates alone, of the result [-] and of its curves.
-  void estimate(const Indicators& indicators, results::ConfigurationResult& result) const;
+  void estimate(const results::Indicators& indicators, results::ConfigurationResult& result) const;
 
  private:
   /// Adds to the reason which responses the problem does not determine; true when it determines all.

@@ -56,7 +56,7 @@ double largestVector(const double* begin, const double* end) {
 
 }  // namespace
 
-Indicators Gauge::measure(const latin::Iterate& state, const base::Matrix& alpha, const base::Matrix& image) {
+results::Indicators Gauge::measure(const latin::Iterate& state, const base::Matrix& alpha, const base::Matrix& image) {
   const latin::TraceLayout& layout = state.layout();
   const std::size_t steps = static_cast<std::size_t>(state.assembly().steps());
   const std::size_t bodies = 3 * state.assembly().bodies.size();
@@ -83,7 +83,7 @@ Indicators Gauge::measure(const latin::Iterate& state, const base::Matrix& alpha
     for (double value : response->evaluate(state)) largest = std::max(largest, std::abs(value));
     force_ = std::min(force_, largest);
   }
-  Indicators indicators;
+  results::Indicators indicators;
   indicators.force = forceIndicator(state, alpha, image);
   indicators.response = imbalance == 0.0 ? 0.0 : force_ > 0.0 ? imbalance / force_ : 1.0;
   return indicators;

@@ -5,7 +5,7 @@
 
 #include <harmos/latin/FixedPoint.hpp>
 #include <harmos/latin/Response.hpp>
-#include <harmos/parametric/Indicators.hpp>
+#include <harmos/results/Indicators.hpp>
 
 namespace harmos::parametric {
 
@@ -18,7 +18,7 @@ class Gauge {
 
   /// Collective. `state`: that of alpha, of all load steps; `image` = T(alpha) [stress], rows of the layout x load
   /// steps.
-  Indicators measure(const latin::Iterate& state, const base::Matrix& alpha, const base::Matrix& image);
+  results::Indicators measure(const latin::Iterate& state, const base::Matrix& alpha, const base::Matrix& image);
   /// What the response indicator was last measured by [force].
   double force() const { return force_; }
   /// Collective. Largest resultant [force] of f^ - f on a body at one load step, one column each: `alpha`, its image

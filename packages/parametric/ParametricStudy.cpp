@@ -19,6 +19,11 @@ ParametricStudy::ParametricStudy(assembly::Assembly& assembly, Install install,
       calibrated_(solver_),
       certified_(solver_) {}
 
+void ParametricStudy::resume(const std::vector<EarlierResult>& earlier) {
+  for (const EarlierResult& one : earlier) solver_.widen(one.configuration.values);
+  calibrated_.resume(earlier);
+}
+
 void ParametricStudy::run(const std::vector<design::Configuration>& open, results::ResultSink& sink) {
   for (const design::Configuration& configuration : open) solver_.widen(configuration.values);
   const latin::LatinOptions& options = solver_.options();

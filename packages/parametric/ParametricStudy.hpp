@@ -30,6 +30,9 @@ class ParametricStudy {
   /// Called on every rank with the fields of every solution, also of one that replaces an earlier one.
   void setObserver(StudySolver::Observer observer) { solver_.setObserver(std::move(observer)); }
 
+  /// Goes on from what another run of this study has found, before the first run(): its calibrations and audits count
+  /// as if they were of this one, and what it has accepted is taken up again when a ratio falls.
+  void resume(const std::vector<EarlierResult>& earlier);
   /// Solves all of `open`. `sink` is called on every rank; a configuration may be reported again when its estimate or
   /// its solution has changed. What is solved serves later calls as well.
   void run(const std::vector<design::Configuration>& open, results::ResultSink& sink);

@@ -1,5 +1,6 @@
 #include <harmos/parametric/Trust.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace harmos::parametric {
@@ -9,6 +10,13 @@ namespace {
 constexpr double disbelief = 0.05;
 
 }  // namespace
+
+void Trust::addAudit(double error) {
+  ++audits;
+  if (error > 1.0) ++falseClaims;
+  largestAudit = std::max(largestAudit, error);
+  falseClaimBound = parametric::falseClaimBound(audits, falseClaims);
+}
 
 double falseClaimBound(int audits, int found) {
   if (found >= audits) return 1.0;

@@ -14,6 +14,9 @@ struct Trust {
   double falseClaimBound = 1.0;  // upper limit of the share of false claims at 95 % confidence, from the audits
   int reopened = 0;              // accepted configurations that were taken up again when a ratio fell
   int certificates = 0;          // configurations that were certified by corrections of their own
+
+  /// Counts an audit that found this error [-], over the accuracy.
+  void addAudit(double error);
 };
 
 /// Largest share p of false claims for which `found` or fewer among `audits` have a probability of 5 % or more

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <harmos/results/Evidence.hpp>
 #include <harmos/results/MeshErrorRecord.hpp>
 
 namespace harmos::results {
@@ -14,6 +15,7 @@ enum class Status {
   certifiedNotUnique,   // the same, but the problem does not determine all responses; see the reason
   calibrated,           // its free indicators, calibrated on certified configurations, are below the request
   calibratedNotUnique,  // the same, but the problem does not determine all responses; see the reason
+  reopened,             // it was calibrated, but what was learned since does not cover it: to be taken up again
   notConverged,         // the request was not met
   noEquilibrium,        // the interface laws cannot carry the loads
   failed,               // something threw; see the reason
@@ -35,6 +37,7 @@ struct ConfigurationResult {
   std::vector<int> starts;  // ids of the configurations whose solutions it started from; empty: cold
   double cpuSeconds = 0.0;  // of one process of its team [s]
   std::vector<MeshErrorRecord> meshErrors = {};  // at a few configurations; empty: not estimated
+  Evidence evidence = {};                        // of studies with calibrated estimates
 };
 
 }  // namespace harmos::results

@@ -12,6 +12,8 @@ const char* statusName(Status status) {
       return "calibrated";
     case Status::calibratedNotUnique:
       return "calibrated, not unique";
+    case Status::reopened:
+      return "reopened";
     case Status::notConverged:
       return "not converged";
     case Status::noEquilibrium:
@@ -41,8 +43,9 @@ bool isCertified(Status status) {
 
 const std::vector<Status>& allStatuses() {
   static const std::vector<Status> all = {
-      Status::certified,    Status::certifiedNotUnique, Status::calibrated, Status::calibratedNotUnique,
-      Status::notConverged, Status::noEquilibrium,      Status::failed,     Status::inadmissible};
+      Status::certified,   Status::certifiedNotUnique, Status::calibrated,    Status::calibratedNotUnique,
+      Status::reopened,    Status::notConverged,       Status::noEquilibrium, Status::failed,
+      Status::inadmissible};
   return all;
 }
 

@@ -8,8 +8,8 @@
 
 namespace harmos::results {
 
-/// The status as users read it in tables: certified, calibrated, not converged, no equilibrium, failed, inadmissible;
-/// with ", not unique" after the first two where the problem does not determine all responses.
+/// The status as users read it in tables: certified, calibrated, reopened, not converged, no equilibrium, failed,
+/// inadmissible; with ", not unique" after the first two where the problem does not determine all responses.
 const char* statusName(Status status);
 
 /// Nothing when there is no such status.

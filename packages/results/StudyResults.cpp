@@ -51,7 +51,7 @@ std::vector<double> StudyResults::responses(int id) const {
   for (const ScalarResponse& response : description_.responses) {
     if (isSolved) {
       values.push_back(response.evaluate(description_.times, result->curves[response.curve]));
-    } else if (result && !description_.recovery.empty()) {
+    } else if (result && result->status != Status::reopened && !description_.recovery.empty()) {
       values.push_back(description_.recovery[values.size()]);
     } else {
       values.push_back(std::numeric_limits<double>::quiet_NaN());

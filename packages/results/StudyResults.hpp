@@ -38,7 +38,8 @@ class StudyResults {
   /// How many are as accurate as asked for.
   int solved() const;
   /// The scalar responses of a configuration, in the order of the description: of its solution, if it has one as
-  /// accurate as asked for, else what the study wants in its place, else not a number, as while it is open.
+  /// accurate as asked for, else what the study wants in its place, else not a number, as while it is open or open
+  /// again.
   std::vector<double> responses(int id) const;
   /// Replaces the note of this name.
   void note(const std::string& name, const Note& note) { notes_[name] = note; }

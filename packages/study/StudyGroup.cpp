@@ -131,7 +131,10 @@ StudyGroup::StudyGroup(const Study& study, const std::vector<design::Configurati
 
 void StudyGroup::solve(const std::vector<design::Configuration>& configurations, results::ResultSink& sink) {
   if (configurations.empty()) return;
-  if (!engine_) engine_ = makeEngine(configurations.size());
+  if (!engine_) {
+    engine_ = makeEngine(configurations.size());
+    engine_->resume(std::exchange(earlier_, {}));
+  }
   WithMeshErrors whole(sample_, sink);
   engine_->run(configurations, whole);
   noteTrust(engine_->summary(), sink);

@@ -44,6 +44,9 @@ class StudyGroup {
   /// Asked whether the error of the mesh is to be estimated at a solution, and told what came of it, which the results
   /// hold as well; must outlive the group. To be set before the first solve(); without it nothing is estimated.
   void setMeshErrorSample(MeshErrorSample& sample) { sample_ = &sample; }
+  /// What another run of the study has found of configurations with these operators. To be set before the first
+  /// solve().
+  void setEarlier(std::vector<parametric::EarlierResult> earlier) { earlier_ = std::move(earlier); }
   /// Solves configurations that share the operators; there may be none. What is solved serves later calls. Throws
   /// base::Error when an operator cannot be factored; what fails in one configuration is its result.
   void solve(const std::vector<design::Configuration>& configurations, results::ResultSink& sink);
@@ -67,6 +70,7 @@ class StudyGroup {
   base::Timers& timers_;
   std::function<bool()> interrupted_;
   MeshErrorSample* sample_ = nullptr;
+  std::vector<parametric::EarlierResult> earlier_;
   scene::Scene scene_;
   scene::Problem problem_;
   std::unique_ptr<parametric::ParametricStudy> engine_;  // keeps factors and solutions between calls of solve()

@@ -65,8 +65,11 @@ StudyRunner::StudyRunner(const Study& study, const laws::LawRegistry& laws, Stud
       meshErrors_(recorder.results()) {
   for (const auto& alike : groupByOperators(study.parameters, recorder.results().configurations())) {
     open_.emplace_back();
+    earlier_.emplace_back();
     for (const Configuration& configuration : alike) {
       if (needsWork(configuration.id)) open_.back().push_back(configuration);
+      if (const ConfigurationResult* result = recorder.results().find(configuration.id))
+        earlier_.back().push_back({configuration, *result});
     }
   }
 }
@@ -128,7 +131,12 @@ void StudyRunner::solveRange(const WorkRange& range) {
       return;
     }
   }
+  if (range.begin == 0) handOn(operators);
   solve(configurations);
+}
+
+void StudyRunner::handOn(std::size_t operators) {
+  group_->setEarlier(std::exchange(earlier_[operators], {}));
 }
 
 void StudyRunner::solve(const std::vector<Configuration>& configurations) {
@@ -138,7 +146,7 @@ void StudyRunner::solve(const std::vector<Configuration>& configurations) {
   for (const Configuration& configuration : configurations) {
     const ConfigurationResult* result = recorder_.results().find(configuration.id);
     const bool isAgain = result && policy_.kind == FailurePolicy::Kind::abort && mayBeHelped(*result);
-    if (!result || isAgain) open.push_back(configuration);
+    if (!result || result->status == results::Status::reopened || isAgain) open.push_back(configuration);
   }
   try {
     group_->solve(open, recorder_);
@@ -213,6 +221,7 @@ void StudyRunner::solveAdded(const std::vector<std::vector<double>>& points) {
   }
   alike_ = recorder_.results().configurations();
   if (!group_) group_ = std::make_unique<StudyGroup>(study_, added, laws_, teams_.team(), timers_);
+  handOn(0);  // all share the operators
   solve(added);
 }
 
@@ -265,7 +274,7 @@ void StudyRunner::recordFailure(const Configuration& configuration, const base::
 
 bool StudyRunner::needsWork(int id) const {
   const ConfigurationResult* result = recorder_.results().find(id);
-  return !result || mayBeHelped(*result);
+  return !result || result->status == results::Status::reopened || mayBeHelped(*result);
 }
 
 bool StudyRunner::mustStopHere() {

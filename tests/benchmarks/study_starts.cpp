@@ -215,9 +215,9 @@ int measure(std::vector<std::string> arguments) {
       certifiedSeconds += cpuSeconds() - start;
       start = cpuSeconds();
       iteration.begin(parametric::SolvedStates(1), configuration.values);
-      parametric::Indicators target = {accuracy / 1.5 * summary.forceRatio, accuracy / 1.5 * summary.responseRatio};
+      results::Indicators target = {accuracy / 1.5 * summary.forceRatio, accuracy / 1.5 * summary.responseRatio};
       for (double estimate = 1.0; estimate > accuracy && iteration.stages() < 300;) {
-        const parametric::Indicators indicators = iteration.march(target);
+        const results::Indicators indicators = iteration.march(target);
         estimate = 1.5 * std::max(indicators.force / summary.forceRatio, indicators.response / summary.responseRatio);
         target = {0.5 * target.force, 0.5 * target.response};
       }

@@ -51,6 +51,8 @@ class StudyRunner {
   void walkTo(const design::Configuration& configuration, const results::ConfigurationResult& result);
   const design::Configuration* nearestSolved(const design::Configuration& configuration) const;
   void recordFailure(const design::Configuration& configuration, const base::Error& error);
+  /// Gives the group, at its first solution, what another run has found. One team of ranks gets that.
+  void handOn(std::size_t operators);
   bool needsWork(int id) const;
   bool isAbortedHere() const;
   bool mustStopHere();
@@ -64,8 +66,9 @@ class StudyRunner {
   std::function<bool()> interrupted_;
   base::Timers& timers_;
   const FailurePolicy& policy_;
-  std::vector<std::vector<design::Configuration>> open_;  // by operators; the same on every rank
-  std::vector<design::Configuration> alike_;              // all that share the present operators
+  std::vector<std::vector<design::Configuration>> open_;         // by operators; the same on every rank
+  std::vector<std::vector<parametric::EarlierResult>> earlier_;  // likewise: of another run, until they are handed on
+  std::vector<design::Configuration> alike_;                     // all that share the present operators
   MeshErrorSample meshErrors_;
   std::unique_ptr<StudyGroup> group_;
   std::size_t groupNumber_ = 0;

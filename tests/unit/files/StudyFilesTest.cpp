@@ -53,6 +53,7 @@ class StudyFilesTest : public ::testing::Test {
     result.starts = {1, 7};
     result.cpuSeconds = 0.25;
     result.meshErrors = {{"bolt", -0.5, 0.2, "uncertain", {"head", "shank"}}};
+    result.evidence = {results::Indicators{1.0 / 7.0, 1e-300}, results::Ratios{0.3, 1.0}, 2.0 / 3.0};
     return result;
   }
 
@@ -91,7 +92,20 @@ TEST_F(StudyFilesTest, JournalKeepsResultsExactly) {
   ASSERT_EQ(result.meshErrors.size(), 1u);
   EXPECT_EQ(result.meshErrors[0].change, -0.5);
   EXPECT_EQ(result.meshErrors[0].parts, (std::vector<std::string>{"head", "shank"}));
+  EXPECT_EQ(result.evidence.indicators->force, 1.0 / 7.0);
+  EXPECT_EQ(result.evidence.indicators->response, 1e-300);
+  EXPECT_EQ(result.evidence.ratios->force, 0.3);
+  EXPECT_EQ(result.evidence.ratios->response, 1.0);
+  EXPECT_EQ(result.evidence.audit, 2.0 / 3.0);
   EXPECT_EQ(again.damaged(), 0);
+}
+
+// As results are that no indicators were accepted for, and those of files of before.
+TEST_F(StudyFilesTest, ResultsMayHaveNoEvidence) {
+  results::ConfigurationResult plain = solved(1);
+  plain.evidence = {};
+  const results::ConfigurationResult again = resultFromJson(resultToJson(plain));
+  EXPECT_FALSE(again.evidence.indicators || again.evidence.ratios || again.evidence.audit);
 }
 
 // Whatever prefix of the file a sudden end leaves: all complete lines are read and writing goes on after them.
@@ -208,6 +222,10 @@ TEST_F(StudyFilesTest, RecoveryStandsInForFailures) {
   results.set(failed);
   EXPECT_EQ(results.responses(3), std::vector<double>{-1.0});
   EXPECT_TRUE(std::isnan(results.responses(2)[0]));
+  results::ConfigurationResult reopened = solved(1);
+  reopened.status = results::Status::reopened;
+  results.set(reopened);
+  EXPECT_TRUE(std::isnan(results.responses(1)[0]));
 }
 
 TEST_F(StudyFilesTest, Hdf5HoldsEverything) {

@@ -16,13 +16,14 @@ TEST(Calibration, TakesTheSmallestRatios) {
   Calibration calibration(1e-2);
   EXPECT_TRUE(std::isinf(calibration.estimate({1e-9, 1e-9})));
   EXPECT_FALSE(calibration.accepts({1e-9, 1e-9}));
-  EXPECT_TRUE(calibration.add({observation(4e-3, 2e-2, 3e-2, 3e-2), observation(1e-3, 1e-2, 1e-2, 2e-2)}));
-  EXPECT_DOUBLE_EQ(calibration.forceRatio(), 0.1);
-  EXPECT_DOUBLE_EQ(calibration.responseRatio(), 0.5);
+  EXPECT_TRUE(calibration.add(
+      calibration.ratiosOf({observation(4e-3, 2e-2, 3e-2, 3e-2), observation(1e-3, 1e-2, 1e-2, 2e-2)})));
+  EXPECT_DOUBLE_EQ(calibration.ratios().force, 0.1);
+  EXPECT_DOUBLE_EQ(calibration.ratios().response, 0.5);
   EXPECT_DOUBLE_EQ(calibration.estimate({3e-4, 1e-3}), 3e-3);
   EXPECT_DOUBLE_EQ(calibration.estimate({1e-4, 2e-3}), 4e-3);
-  EXPECT_FALSE(calibration.add({observation(4e-3, 2e-2, 3e-2, 3e-2)}));
-  const Indicators target = calibration.target();  // half the accuracy before the fifth run
+  EXPECT_FALSE(calibration.add(calibration.ratiosOf({observation(4e-3, 2e-2, 3e-2, 3e-2)})));
+  const results::Indicators target = calibration.target();  // half the accuracy before the fifth run
   EXPECT_DOUBLE_EQ(target.force, 0.5e-3);
   EXPECT_DOUBLE_EQ(target.response, 2.5e-3);
   EXPECT_TRUE(calibration.accepts({0.99 * target.force, 0.99 * target.response}));
@@ -32,9 +33,9 @@ TEST(Calibration, TakesTheSmallestRatios) {
 
 TEST(Calibration, HasRatiosOfAtMostOneAndLooksOnlyNearTheAccuracy) {
   Calibration calibration(1e-2);
-  calibration.add({observation(1.0, 1e-2, 1.0, 1e-2), observation(1e-9, 1e-4, 1e-9, 0.5)});
-  EXPECT_DOUBLE_EQ(calibration.forceRatio(), 1.0);
-  EXPECT_DOUBLE_EQ(calibration.responseRatio(), 1.0);
+  calibration.add(calibration.ratiosOf({observation(1.0, 1e-2, 1.0, 1e-2), observation(1e-9, 1e-4, 1e-9, 0.5)}));
+  EXPECT_DOUBLE_EQ(calibration.ratios().force, 1.0);
+  EXPECT_DOUBLE_EQ(calibration.ratios().response, 1.0);
 }
 
 TEST(Calibration, IsMoreCarefulAtFirst) {

@@ -293,6 +293,92 @@ TEST(ParametricStudy, SpendsNoStagesOnWhatHasNoEquilibrium) {
   }
 }
 
+// Killed after any result: what is left is solved as well as it would have been, without calibrating anew.
+TEST(ParametricStudy, GoesOnFromAnotherRun) {
+  constexpr double accuracy = 1e-3;
+  const std::vector<design::Configuration> all = frictions(30);
+  JenkinsStudy first(accuracy);
+  Results before;
+  first.study_->setInterrupt([&] { return before.all.size() == 18; });
+  first.study_->run(all, before);
+  ASSERT_EQ(before.all.size(), 18u);
+
+  std::vector<EarlierResult> earlier;
+  std::vector<design::Configuration> open;
+  for (const design::Configuration& configuration : all) {
+    const auto found =
+        std::find_if(before.all.begin(), before.all.end(), [&](const auto& one) { return one.id == configuration.id; });
+    if (found == before.all.end()) {
+      open.push_back(configuration);
+    } else {
+      earlier.push_back({configuration, *found});
+    }
+  }
+  JenkinsStudy second(accuracy);
+  Results after;
+  second.study_->resume(earlier);
+  second.study_->run(open, after);
+  ASSERT_EQ(after.all.size(), open.size());
+  EXPECT_EQ(second.study_->summary().calibrations, first.study_->summary().calibrations);
+  EXPECT_LE(second.study_->summary().forceRatio, first.study_->summary().forceRatio);
+  for (const results::ConfigurationResult& result : after.all) {
+    ASSERT_TRUE(results::isSolved(result.status)) << result.reason;
+    const std::vector<double> exact = JenkinsStudy::exact(all[result.id - 1].values[0]);
+    for (std::size_t t = 0; t < exact.size(); ++t) EXPECT_NEAR(result.curves[0][t], exact[t], accuracy * 0.5);
+  }
+}
+
+/// Keeps every record.
+class Records : public results::ResultSink {
+ public:
+  void record(const results::ConfigurationResult& result) override { all.push_back(result); }
+  std::vector<results::ConfigurationResult> all;
+};
+
+// Of a run that was killed before it learned how little its indicators say: claims that are false by far. They are
+// withdrawn before what teaches it is recorded, so that another kill leaves no false claim either.
+TEST(ParametricStudy, TakesUpAgainWhatAnotherRunHasAccepted) {
+  constexpr double accuracy = 1e-3;
+  const std::vector<design::Configuration> all = frictions(24);
+  std::vector<EarlierResult> earlier;
+  for (int i : {2, 9, 20}) {
+    results::ConfigurationResult result;
+    result.id = all[i].id;
+    result.status = results::Status::calibrated;
+    result.curves = {{0.0, 0.0, 0.0, 0.0}};
+    result.curveErrors = {0.0};
+    result.evidence.indicators = results::Indicators{accuracy / 2.001, 0.0};
+    if (i == 2) result.evidence.ratios = results::Ratios{};
+    earlier.push_back({all[i], result});
+  }
+  std::vector<design::Configuration> open;
+  for (const design::Configuration& one : all) {
+    if (one.id != 3 && one.id != 10 && one.id != 21) open.push_back(one);
+  }
+  JenkinsStudy jenkins(accuracy);
+  Records records;
+  jenkins.study_->resume(earlier);
+  jenkins.study_->run(open, records);
+  EXPECT_LT(jenkins.study_->summary().forceRatio, 1.0);
+  EXPECT_GE(jenkins.study_->summary().reopened, 3);
+  for (const EarlierResult& one : earlier) {
+    const auto withdrawn = std::find_if(records.all.begin(), records.all.end(), [&](const auto& result) {
+      return result.id == one.result.id && result.status == results::Status::reopened;
+    });
+    const auto taught = std::find_if(records.all.begin(), records.all.end(), [](const auto& result) {
+      return result.evidence.ratios && result.evidence.ratios->force < 0.999;
+    });
+    ASSERT_TRUE(taught != records.all.end());
+    EXPECT_LT(withdrawn, taught);
+    const auto last = std::find_if(records.all.rbegin(), records.all.rend(),
+                                   [&](const auto& result) { return result.id == one.result.id; });
+    ASSERT_TRUE(last != records.all.rend());
+    ASSERT_TRUE(results::isSolved(last->status)) << last->reason;
+    const std::vector<double> exact = JenkinsStudy::exact(one.configuration.values[0]);
+    for (std::size_t t = 0; t < exact.size(); ++t) EXPECT_NEAR(last->curves[0][t], exact[t], accuracy * 0.5);
+  }
+}
+
 TEST(ParametricStudy, StopsWhenAsked) {
   JenkinsStudy jenkins(1e-3);
   Results results;

@@ -156,7 +156,7 @@ TEST_F(Dragged, AreSolvedByAMarch) {
   for (const bool isWarm : {false, true}) {
     iteration.begin(isWarm ? three : empty, {0.24});
     EXPECT_EQ(iteration.starts().size(), isWarm ? 3u : 0u);
-    Indicators indicators;
+    results::Indicators indicators;
     for (int i = 0; i < 5; ++i) indicators = iteration.march({1e-9, 1e-9});
     EXPECT_LT(indicators.force, 1e-8);
     EXPECT_LT(indicators.response, 1e-8);
@@ -231,7 +231,7 @@ TEST_F(Dragged, MarchSideBySideAsAlone) {
     assembly_.interfaces[1].law = one.friction;
     assembly_.interfaces[2].law = one.drag;
   };
-  const Indicators target = {1e-7, 1e-7};
+  const results::Indicators target = {1e-7, 1e-7};
   std::vector<base::Matrix> alone;
   std::vector<std::unique_ptr<ConfigurationIteration>> iterations;
   std::vector<MarchBatch::Member> members;
@@ -339,7 +339,7 @@ TEST_F(Dragged, ShowTheImbalanceOfASingleStep) {
   base::Matrix alpha = solve(1, 0.3), image(zero());
   alpha.scale(1.1);
   const latin::Iterate& iterate = fixedPoint_.apply(alpha, image);
-  const Indicators disturbed = gauge.measure(iterate, alpha, image);
+  const results::Indicators disturbed = gauge.measure(iterate, alpha, image);
   double largest = 0.0;
   for (int t = 0; t < steps; ++t) {
     const auto column = [&](const base::Matrix& field) {
@@ -357,12 +357,12 @@ TEST_F(Dragged, ShowTheirImbalance) {
       std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<base::Vector3>{})};
   base::Matrix alpha = solve(1, 0.3), image(zero());
   Gauge gauge(fixedPoint_, responses);
-  const Indicators solved = gauge.measure(fixedPoint_.apply(alpha, image), alpha, image);
+  const results::Indicators solved = gauge.measure(fixedPoint_.apply(alpha, image), alpha, image);
   EXPECT_LT(solved.force, 1e-8);
   EXPECT_LT(solved.response, 1e-8);
   alpha.scale(1.1);
   const latin::Iterate& iterate = fixedPoint_.apply(alpha, image);
-  const Indicators disturbed = gauge.measure(iterate, alpha, image);
+  const results::Indicators disturbed = gauge.measure(iterate, alpha, image);
   EXPECT_GT(disturbed.force, 1e-3);
   double largest = 0.0;
   for (int t = 0; t < steps; ++t) {

@@ -18,7 +18,7 @@ from harmos.report.writing import STYLE, Pictures, label, number, table
 from harmos.results import Study
 
 STATUS_COLOURS = {"certified": "#1b7837", "certified, not unique": "#5aae61", "calibrated": "#7fbf7b",
-                  "calibrated, not unique": "#a6dba0", "not converged": "#fdae61",
+                  "calibrated, not unique": "#a6dba0", "reopened": "#fee08b", "not converged": "#fdae61",
                   "no equilibrium": "#2c7bb6", "failed": "#d7191c", "inadmissible": "#888888", "open": "#eeeeee"}
 """All statuses that a configuration can have, and how they are drawn."""
 MOST_ROWS = 200

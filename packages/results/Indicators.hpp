@@ -1,8 +1,8 @@
 #pragma once
 
-namespace harmos::parametric {
+namespace harmos::results {
 
-/// What an iteration shows of its own error for nothing; see Calibration for what it takes to read it.
+/// What an iteration shows of its own error for nothing; see parametric::Calibration for what it takes to read it.
 ///
 /// Both compare the two fields of the LATIN method, which agree at the solution: tractions f of the linear stage, in
 /// equilibrium with the bodies, and f^ of the local stage, which obey the interface laws. Both are ratios [-]. h: the
@@ -16,4 +16,4 @@ struct Indicators {
   double response = 0.0;
 };
 
-}  // namespace harmos::parametric
+}  // namespace harmos::results
