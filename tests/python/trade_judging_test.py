@@ -113,6 +113,26 @@ class LadderTest(unittest.TestCase):
         promise = keep(0.01, ladder, Judge(ladder), mock.MagicMock(), mock.MagicMock(), pathlib.Path("x"), pathlib.Path("x"))
         self.assertRegex(promise.reason, "^the reference of u itself is known to [0-9]+ % only$")
 
+    def test_what_the_budget_has_no_time_for_is_named(self) -> None:
+        """A third mesh, which would tell how far the reference is off."""
+        ladder = self.ladder({(n, 0, 0, 0): answer(value) for n, value in enumerate((1.0, 2.0))} | {(0, 0, 1, 0): answer(1.0)})
+        ladder.unaffordable = (2, 0, 0, 0)
+        promise = keep(0.01, ladder, Judge(ladder), mock.MagicMock(), mock.MagicMock(), pathlib.Path("x"), pathlib.Path("x"))
+        self.assertRegex(promise.reason,
+                         "^the reference of u itself is known to [0-9]+ % only; the next run, mesh .*, may take [0-9]+ s: "
+                         "that takes a budget of about [0-9]+ s$")
+
+    def test_a_ladder_knows_what_it_has_no_time_for(self) -> None:
+        """Neither more meshes nor more time are left out in silence."""
+        knobs = [knob("mesh", Role.MESH, [1.0, 0.5, 0.25]), knob("accuracy", Role.SIDE, [1e-3])]
+        runner = mock.MagicMock()
+        runner.run.return_value = replace(answer(1.0), wall=40.0, cpu=40.0, memory=1e6)
+        budget = mock.MagicMock(seconds=100.0, memory=math.inf)
+        budget.left.side_effect = lambda: 100.0 - 20.0 * runner.run.call_count
+        ladder = Ladder(knobs, 3, runner, budget, lambda _: None)
+        ladder.explore(0.01, lambda: False, lambda _: False)
+        self.assertIsNotNone(ladder.unaffordable)
+
     def test_a_next_mesh_is_predicted_to_grow_with_the_dimension(self) -> None:
         """Three meshes that cost little more than the start of the program tell nothing else."""
         ladder = self.ladder({(n, 0, 0, 0): replace(answer(1.0), cpu=cost) for n, cost in enumerate((0.2, 0.25, 0.4))}, 4)

@@ -66,6 +66,7 @@ class Ladder:
         accuracy: level of that knob at which meshes are compared.
         cheap: level of the mesh that side knobs are measured on.
         dimension: of the scene, 2 or 3.
+        unaffordable: the next settings, for which the budget has no time; None: there are none.
         report: called after every run.
     """
 
@@ -77,6 +78,7 @@ class Ladder:
         self.rungs: dict[Settings, Rung] = {}
         self.refused: set[Settings] = set()
         self.fresh: dict[Settings, Rung] = {}
+        self.unaffordable: Settings | None = None
         self.report = report
         self._runner = runner
         self._mesh = self.index("mesh")
@@ -125,7 +127,10 @@ class Ladder:
             second = self.second_mesh()
             following = [second] if second else self._next(is_beaten)
             candidates = sorted((self.predicted(settings, "wall") or 0.0, settings) for settings in following)
-            if not candidates or candidates[0][0] > allowed:  # nothing else fits: the last one is tried without a margin
+            if not candidates:
+                break
+            if candidates[0][0] > allowed:
+                self.unaffordable = candidates[0][1]
                 break
             if predicted_memory(self, candidates[0][1]) > self.budget.memory:
                 self.rungs[candidates[0][1]] = Rung(candidates[0][1], Outcome("left out: needs too much memory"),

@@ -118,19 +118,26 @@ def _doubtful(ladder: Ladder, judge: Judge) -> str:
     """Why the reference is not known well enough."""
     if judge.doubt() < math.inf:
         name = max(judge.references, key=lambda one: judge.references[one].doubt())
-        return f"the reference of {name} itself is known to {percent(judge.doubt())} only"
+        following = ladder.unaffordable
+        more = f"; the next run, {ladder.words(following)}, {_needs(ladder, following)}" if following else ""
+        return f"the reference of {name} itself is known to {percent(judge.doubt())} only{more}"
     if not judge.references and ladder.rungs:
         statuses = collections.Counter(rung.outcome.status for rung in ladder.rungs.values())
         return f"nothing could be certified, mostly: {statuses.most_common(1)[0][0]}"
     second = ladder.second_mesh()
     if second is not None:
-        needed = ladder.predicted(second, "wall") or 0.0
-        return (f"one mesh alone tells no error, and the next one may take {needed:.0f} s: "
-                f"that takes a budget of about {(ladder.budget.spent() + needed) / (1 - RESERVE):.0f} s")
+        return f"one mesh alone tells no error, and the next one {_needs(ladder, second)}"
     if len(ladder.knobs[ladder.index("mesh")].levels) == 1:
         return "one mesh alone tells no error, and nothing refines this one"
     failed = [rung for rung in ladder.meshes(ladder.base(), certified=False) if not rung.outcome.certified]
     return f"a finer mesh has no answer: {failed[-1].outcome.status}" if failed else "the budget leaves a reference unknown"
+
+
+def _needs(ladder: Ladder, settings: Settings) -> str:
+    """What a run takes that the budget has no time for."""
+    needed = ladder.predicted(settings, "wall") or 0.0
+    return (f"may take {needed:.0f} s: "
+            f"that takes a budget of about {(ladder.budget.spent() + needed) / (1 - RESERVE):.0f} s")
 
 
 def settings_name(document: Document, target: float) -> str:
