@@ -160,19 +160,29 @@ Json toJson(const results::ConfigurationResult& result) {
                {"mesh_errors", meshErrors},
                {"curves", curves}};
   const results::Evidence& evidence = result.evidence;
-  if (evidence.indicators) json["indicators"] = {evidence.indicators->force, evidence.indicators->response};
-  if (evidence.ratios) json["ratios"] = {evidence.ratios->force, evidence.ratios->response};
+  if (evidence.indicators) {
+    json["indicators"] = {{"force", evidence.indicators->force},
+                          {"balance", evidence.indicators->balance},
+                          {"responses", numbers(evidence.indicators->responses)}};
+  }
+  if (evidence.ratios)
+    json["ratios"] = {{"force", evidence.ratios->force}, {"responses", numbers(evidence.ratios->responses)}};
   if (evidence.audit) json["audit"] = *evidence.audit;
   return json;
 }
 
-/// Two numbers; nothing where there are none, as in files of before.
-template <class Pair>
-std::optional<Pair> pairOf(const Json& json, const char* key) {
-  if (!json.contains(key)) return std::nullopt;
-  const std::vector<double> values = numbers(json, key);
-  if (values.size() != 2) throw base::Error(std::string("\"") + key + "\" are two numbers");
-  return Pair{values[0], values[1]};
+/// Nothing of it in files of before.
+results::Evidence evidenceOf(const Json& json) {
+  results::Evidence evidence;
+  if (json.contains("indicators")) {
+    const Json& indicators = json["indicators"];
+    evidence.indicators = results::Indicators{number(indicators.at("force")), number(indicators.at("balance")),
+                                              numbers(indicators, "responses")};
+  }
+  if (json.contains("ratios"))
+    evidence.ratios = results::Ratios{number(json["ratios"].at("force")), numbers(json["ratios"], "responses")};
+  if (json.contains("audit")) evidence.audit = number(json["audit"]);
+  return evidence;
 }
 
 results::ConfigurationResult fromJson(const Json& json) {
@@ -199,9 +209,7 @@ results::ConfigurationResult fromJson(const Json& json) {
                                    error.at("parts").get<std::vector<std::string>>(),
                                    error.at("reason").get<std::string>()});
     }
-    result.evidence.indicators = pairOf<results::Indicators>(json, "indicators");
-    result.evidence.ratios = pairOf<results::Ratios>(json, "ratios");
-    if (json.contains("audit")) result.evidence.audit = number(json.at("audit"));
+    result.evidence = evidenceOf(json);
   } catch (const Json::exception& error) {
     throw base::Error(std::string("This is no result of a configuration: ") + error.what());
   }

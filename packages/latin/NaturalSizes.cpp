@@ -60,7 +60,7 @@ std::vector<bool> rowsOfCuts(const Iterate& state) {
 NaturalSizes::NaturalSizes(const Iterate& state) {
   const TraceLayout& layout = state.layout();
   const auto steps = static_cast<std::size_t>(state.assembly().steps());
-  std::vector<double> forces(steps, 0.0), springs(steps, 0.0), squaredSprings(steps, 0.0);
+  std::vector<double> forces(steps, 0.0), springs(steps, 0.0), squaredSprings(steps, 0.0), energies(steps, 0.0);
   std::vector<double> total(1, 0.0);
   double stress = 0.0, springStress = 0.0;
   // What the loads do to a body that only k holds grows as 1/k; with the automatic k it is a natural size.
@@ -74,6 +74,7 @@ NaturalSizes::NaturalSizes(const Iterate& state) {
         const double spring = k[row] / state.searchDirectionScale() * std::abs(w[row]);
         squaredSprings[t] += area[row] * spring * spring;
         if (isOfCut[row]) continue;
+        energies[t] += area[row] * f[row] * f[row] * state.searchDirectionScale() / k[row];
         forces[t] += area[row] * std::abs(f[row]);
         springs[t] += area[row] * spring;
         stress = std::max(stress, std::abs(f[row]));
@@ -90,7 +91,7 @@ NaturalSizes::NaturalSizes(const Iterate& state) {
         std::vector<bool>(boundaries.area.size(), false));
   }
   std::vector<double> loads = sumsOfLoads(state);
-  for (auto* sums : {&forces, &springs, &squaredSprings, &total, &loads}) state.metric().sum(*sums);
+  for (auto* sums : {&forces, &springs, &squaredSprings, &energies, &total, &loads}) state.metric().sum(*sums);
 
   base::Vector3 lower, upper;
   lower.fill(std::numeric_limits<double>::infinity());
@@ -123,6 +124,7 @@ NaturalSizes::NaturalSizes(const Iterate& state) {
     stress_ = std::max(stress_, balanced / total[0]);
     squaredForce_ = std::max(squaredForce_, balanced * balanced / total[0]);
   }
+  springEnergy_ = largest(energies);
   squaredDisplacement_ = smallShare * smallShare * displacement_ * displacement_ * total[0];
 }
 
@@ -140,6 +142,24 @@ double NaturalSizes::floor(Quantity quantity) const {
       return smallShare * force_ * displacement_;
     case Quantity::ratio:
       return smallShare;
+  }
+  return 0.0;
+}
+
+double NaturalSizes::natural(Quantity quantity, double force) const {
+  switch (quantity) {
+    case Quantity::displacement:
+      return natural(Quantity::energy, force) / force;
+    case Quantity::force:
+      return force;
+    case Quantity::moment:
+      return force * length_;
+    case Quantity::stress:
+      return stress_ / smallShare;
+    case Quantity::energy:
+      return std::min(force * displacement_, springEnergy_);
+    case Quantity::ratio:
+      return 1.0;
   }
   return 0.0;
 }

@@ -23,7 +23,12 @@ class NaturalSizes {
   double floor(const Response& response) const {
     return response.scale() > 0.0 ? response.scale() : floor(response.quantity());
   }
-  /// The same for the field of interface forces: least sum over all rows of h f^2 [area stress^2].
+  /// What a response of this kind is beside, where the largest force is F = `force`: F; F times the size of the
+  /// assembly of a moment; the largest interface traction; for an energy the smaller one of F U with U the largest
+  /// displacement and of the largest sum over a load step of h f^2 / k, that of the interface forces in springs of the
+  /// automatic search direction, to which rigid motions add nothing; for a displacement that over F; 1 for a ratio.
+  double natural(Quantity quantity, double force) const;
+  /// The floor for the field of interface forces: least sum over all rows of h f^2 [area stress^2].
   double squaredForceFloor() const { return squaredForce_; }
   /// Of interface displacements: least sum of h w^2 [area length^2].
   double squaredDisplacementFloor() const { return squaredDisplacement_; }
@@ -40,6 +45,7 @@ class NaturalSizes {
   double length_ = 0.0;
   double squaredForce_ = 0.0;
   double squaredDisplacement_ = 0.0;
+  double springEnergy_ = 0.0;
 };
 
 }  // namespace harmos::latin

@@ -46,11 +46,26 @@ std::vector<std::size_t> randomOrder(std::size_t count) {
   return order;
 }
 
-/// Largest relative difference of responses, and of the field of forces.
-std::pair<double, double> errorsAgainst(const latin::Snapshot& reference, const latin::Snapshot& state) {
-  const std::vector<double> distance = reference.distance(state);
-  const auto fields = distance.end() - 2;
-  return {fields == distance.begin() ? 0.0 : *std::max_element(distance.begin(), fields), *fields};
+/// Relative differences: of each response, then of the field of forces.
+std::vector<double> errorsAgainst(const latin::Snapshot& reference, const latin::Snapshot& state) {
+  std::vector<double> errors = reference.distance(state);
+  errors.pop_back();  // displacements
+  return errors;
+}
+
+/// `share` of all.
+results::Indicators scaled(double share, results::Indicators indicators) {
+  indicators.force *= share;
+  indicators.balance *= share;
+  for (double& response : indicators.responses) response *= share;
+  return indicators;
+}
+
+results::Indicators smallerOf(results::Indicators a, const results::Indicators& b) {
+  a.force = std::min(a.force, b.force);
+  a.balance = std::min(a.balance, b.balance);
+  for (std::size_t r = 0; r < a.responses.size(); ++r) a.responses[r] = std::min(a.responses[r], b.responses[r]);
+  return a;
 }
 
 }  // namespace
@@ -122,8 +137,11 @@ void CalibratedSchedule::learn(results::ConfigurationResult& result) {
   const latin::Snapshot reference(solver_.certifiedState(), solver_.responses());
   std::vector<Calibration::Observation> run;
   for (std::size_t i = 0; i < snapshots_.size(); ++i) {
-    const auto [responseError, forceError] = errorsAgainst(reference, *snapshots_[i]);
-    run.push_back({way_[i], forceError + uncertainty, responseError + uncertainty});
+    std::vector<double> errors = errorsAgainst(reference, *snapshots_[i]);
+    for (double& error : errors) error += uncertainty;
+    const double ofForces = errors.back();
+    errors.pop_back();
+    run.push_back({way_[i], ofForces, std::move(errors)});
   }
   result.evidence.ratios = calibration_.ratiosOf(run);
   if (calibration_.add(*result.evidence.ratios)) ratioFell_ = true;
@@ -148,7 +166,7 @@ bool CalibratedSchedule::calibrate(const design::Configuration& configuration, r
       result.linearStages += iteration.stages();
       return true;
     }
-    target = {rung * std::min(target.force, indicators_.force), rung * std::min(target.response, indicators_.response)};
+    target = scaled(rung, smallerOf(target, indicators_));
     iteration.setLimit(iteration.stages() + stagesToNext);
   }
   if (!certifyFromHere(tightShare, result)) return false;
@@ -181,8 +199,9 @@ bool CalibratedSchedule::audit(const design::Configuration& configuration, resul
     return true;
   }
   const latin::Snapshot reference(solver_.certifiedState(), solver_.responses());
-  const auto [responseError, forceError] = errorsAgainst(reference, *snapshots_.back());
-  const double error = (std::max(responseError, forceError) + result.errorEstimate) / solver_.options().accuracy;
+  const std::vector<double> errors = errorsAgainst(reference, *snapshots_.back());
+  const double error =
+      (*std::max_element(errors.begin(), errors.end()) + result.errorEstimate) / solver_.options().accuracy;
   summary.addAudit(error);
   result.evidence.audit = error;
   learn(result);
@@ -209,7 +228,7 @@ bool CalibratedSchedule::endFromNeighbours(Attempt& attempt) {
   results::Indicators target = calibration_.target();
   if (!takeMarch(iteration.endMarch(), isAudit, attempt.result)) return false;
   while (!calibration_.accepts(indicators_) && iteration.stages() < limitFromNeighbours()) {
-    target = {further * target.force, further * target.response};
+    target = scaled(further, target);
     if (!march(target, isAudit, attempt.result)) return false;
   }
   const bool isAccepted = calibration_.accepts(indicators_);
@@ -353,7 +372,8 @@ void CalibratedSchedule::resume(const std::vector<EarlierResult>& earlier) {
     if (evidence.audit) summary.addAudit(*evidence.audit);
     if (evidence.ratios && !evidence.audit) ++summary.calibrations;
     if (results::isCertified(result.status)) ++summary.certificates;
-    if (evidence.indicators && results::isSolved(result.status))
+    if (evidence.indicators && evidence.indicators->responses.size() == solver_.responses().size() &&
+        results::isSolved(result.status))
       accepted_[configuration.id] = {configuration, result, *evidence.indicators};
   }
   attempts_ = calibration_.runs();
@@ -389,8 +409,7 @@ std::vector<design::Configuration> CalibratedSchedule::run(const std::vector<des
     if (allMarch()) march();
     if (allMarch()) return {};  // interrupted
     if (!endThose(sink)) return {};
-    summary.forceRatio = calibration_.ratios().force;
-    summary.responseRatio = calibration_.ratios().response;
+    summary.ratios = calibration_.ratios();
   }
   return left;
 }

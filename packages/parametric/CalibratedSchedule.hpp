@@ -24,7 +24,9 @@ class CalibratedSchedule {
  public:
   /// `solver` must outlive it; its accuracy is what is met.
   explicit CalibratedSchedule(StudySolver& solver)
-      : solver_(solver), calibration_(solver.options().accuracy), delivery_(solver, calibration_) {}
+      : solver_(solver),
+        calibration_(solver.options().accuracy, solver.responses().size()),
+        delivery_(solver, calibration_) {}
 
   CalibratedSchedule(const CalibratedSchedule&) = delete;
 

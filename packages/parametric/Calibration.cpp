@@ -12,17 +12,26 @@ constexpr int runsOfExperience = 5;
 constexpr double safety = 1.5;
 constexpr double safetyAtFirst = 2.0;
 
+double error(double indicator, double ratio) {
+  if (indicator == 0.0) return 0.0;
+  return ratio > 0.0 ? indicator / ratio : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 results::Ratios Calibration::ratiosOf(const std::vector<Observation>& run) const {
   results::Ratios ratios;
-  const auto counts = [this](double error) {
-    return error >= smallestError * accuracy_ && error <= largestError * accuracy_;
-  };
+  ratios.responses.assign(ratios_.responses.size(), 1.0);
+  const double smallest = smallestError * accuracy_, largest = largestError * accuracy_;
   for (const Observation& state : run) {
-    if (counts(state.forceError)) ratios.force = std::min(ratios.force, state.indicators.force / state.forceError);
-    if (counts(state.responseError)) {
-      ratios.response = std::min(ratios.response, state.indicators.response / state.responseError);
+    if (state.forceError >= smallest && state.forceError <= largest)
+      ratios.force = std::min(ratios.force, state.indicators.force / state.forceError);
+    const std::vector<double>& errors = state.responseErrors;
+    if (std::all_of(errors.begin(), errors.end(), [&](double each) { return each < smallest; })) continue;
+    for (std::size_t r = 0; r < errors.size(); ++r) {
+      const double indicator = state.indicators.responses[r];
+      if (errors[r] > largest || indicator == 0.0) continue;
+      ratios.responses[r] = std::min(ratios.responses[r], indicator / std::max(errors[r], smallest));
     }
   }
   return ratios;
@@ -30,23 +39,34 @@ results::Ratios Calibration::ratiosOf(const std::vector<Observation>& run) const
 
 bool Calibration::add(const results::Ratios& ofRun) {
   ++runs_;
-  const results::Ratios before = ratios_;
-  ratios_ = {std::min(before.force, ofRun.force), std::min(before.response, ofRun.response)};
-  return ratios_.force < before.force || ratios_.response < before.response;
+  bool hasFallen = false;
+  const auto take = [&](double& ratio, double another) {
+    hasFallen = hasFallen || another < ratio;
+    ratio = std::min(ratio, another);
+  };
+  take(ratios_.force, ofRun.force);
+  for (std::size_t r = 0; r < std::min(ofRun.responses.size(), ratios_.responses.size()); ++r)
+    take(ratios_.responses[r], ofRun.responses[r]);
+  return hasFallen;
+}
+
+double Calibration::estimateOf(std::size_t response, const results::Indicators& indicators) const {
+  if (runs_ == 0) return std::numeric_limits<double>::infinity();
+  return std::max(indicators.balance, error(indicators.responses[response], ratios_.responses[response]));
 }
 
 double Calibration::estimate(const results::Indicators& indicators) const {
-  const auto error = [](double indicator, double ratio) {
-    if (indicator == 0.0) return 0.0;
-    return ratio > 0.0 ? indicator / ratio : std::numeric_limits<double>::infinity();
-  };
   if (runs_ == 0) return std::numeric_limits<double>::infinity();
-  return std::max(error(indicators.force, ratios_.force), error(indicators.response, ratios_.response));
+  double largest = error(indicators.force, ratios_.force);
+  for (std::size_t r = 0; r < ratios_.responses.size(); ++r) largest = std::max(largest, estimateOf(r, indicators));
+  return largest;
 }
 
 results::Indicators Calibration::target() const {
   const double share = accuracy_ / (runs_ < runsOfExperience ? safetyAtFirst : safety);
-  return {share * ratios_.force, share * ratios_.response};
+  results::Indicators target{share * ratios_.force, share};
+  for (const double ratio : ratios_.responses) target.responses.push_back(share * ratio);
+  return target;
 }
 
 bool Calibration::accepts(const results::Indicators& indicators) const {

@@ -61,7 +61,8 @@ void ConfigurationIteration::prepare() {
   starts_.clear();
   isFirstMarch_ = true;
   isLost_ = false;
-  traction_ = force_ = 0.0;
+  traction_ = 0.0;
+  forces_.clear();
   const long before = fixedPoint_.linearStage().columns();
   solver_.updateLoads();
   offset_ = solver_.offset();
@@ -75,7 +76,7 @@ void ConfigurationIteration::begin(const SolvedStates& states, const std::vector
   start_.begin(states, values, remembered_.neighbours, *offset_);
   starts_ = start_.starts();
   traction_ = start_.traction();
-  force_ = start_.force();
+  forces_ = start_.forces();
 }
 
 results::Indicators ConfigurationIteration::beginAt(const base::Matrix& alpha) {
@@ -93,7 +94,7 @@ results::Indicators ConfigurationIteration::applyAll() {
   beta_.assign(state_->beta());
   const auto running = timers_.start("indicators");
   const results::Indicators indicators = gauge_.measure(*state_, alpha_, image_);
-  force_ = gauge_.force();
+  forces_ = gauge_.forces();
   traction_ = fixedPoint_.metric().norm(state_->hattedTraction()) / std::sqrt(alpha_.numCols());
   return indicators;
 }
@@ -122,13 +123,14 @@ bool ConfigurationIteration::meetsTarget() {
   if (residual_ <= latin::FixedPoint::noise * std::sqrt(sums[2])) return true;
   const bool isCold = isFirstMarch_ && starts_.empty();
   const double traction = isCold ? std::sqrt((traction_ * traction_ * step_ + sums[1]) / (step_ + 1.0)) : traction_;
-  if (residual_ > target_.force * traction) return false;
-  return force_ == 0.0 || gauge_.imbalance(column_, columnBeta_, columnTraction_) <= target_.response * force_;
+  if (residual_ > gauge_.allowedForce(target_, forces_) * traction) return false;
+  const double allowed = gauge_.allowedImbalance(target_, forces_);
+  return std::isinf(allowed) || gauge_.imbalance(column_, columnBeta_, columnTraction_) <= allowed;
 }
 
 void ConfigurationIteration::findStart() {
   const auto running = timers_.start("start");
-  start_.find(step_, target_.force * traction_);
+  start_.find(step_, gauge_.allowedForce(target_, forces_) * traction_);
   column_.assign(start_.state());
   columnBeta_.assign(start_.beta());
   applyLaws();
@@ -143,7 +145,7 @@ void ConfigurationIteration::seed() {
 }
 
 void ConfigurationIteration::improve() {
-  start_.improve(column_, columnBeta_, target_.force * traction_);
+  start_.improve(column_, columnBeta_, gauge_.allowedForce(target_, forces_) * traction_);
   base::Matrix change(start_.state());
   change -= column_;
   if (fixedPoint_.metric().norm(change) > farthest * traction_) {
@@ -291,7 +293,10 @@ bool ConfigurationIteration::proceed() {
 }
 
 results::Indicators ConfigurationIteration::endMarch() {
-  if (isLost_) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  if (isLost_) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    return {none, none, std::vector<double>(target_.responses.size(), none)};
+  }
   isFirstMarch_ = false;
   return applyAll();
 }

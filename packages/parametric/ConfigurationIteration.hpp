@@ -91,8 +91,8 @@ class ConfigurationIteration {
   const base::Matrix& alpha() const { return alpha_; }
   /// The latter: A alpha = beta - b [stress], rows of the layout x load steps; see SolvedStates.
   base::Matrix linear() const;
-  /// What the response indicator is measured by [force].
-  double force() const { return gauge_.force(); }
+  /// What indicators are measured by [force], see Gauge::forces().
+  const std::vector<double>& forces() const { return gauge_.forces(); }
 
  private:
   void prepare();
@@ -148,9 +148,9 @@ class ConfigurationIteration {
   int iterations_ = 0, mostIterations_ = 0;    // at the present load step
   bool wasSlow_ = false;                       // there
   std::vector<double> residuals_;              // of them since the last restart of the acceleration
-  double traction_ = 0.0;  // root mean square over the load steps of |f^|; when cold, over those so far
-  double force_ = 0.0;     // what imbalances are measured by [force]; 0 before it is known
-  double residual_ = 0.0;  // |T(alpha) - alpha| of the present load step
+  double traction_ = 0.0;       // root mean square over the load steps of |f^|; when cold, over those so far
+  std::vector<double> forces_;  // what indicators are measured by [force]; empty before it is known
+  double residual_ = 0.0;       // |T(alpha) - alpha| of the present load step
   std::vector<int> starts_;
   long columns_ = 0;                                        // solved since begin()
   double limit_ = std::numeric_limits<double>::infinity();  // of stages()

@@ -8,10 +8,10 @@
 namespace harmos::parametric {
 
 void Delivery::estimate(const results::Indicators& indicators, results::ConfigurationResult& result) const {
-  results::Indicators ofResponses = indicators;
-  ofResponses.force = 0.0;
   result.errorEstimate = calibration_.estimate(indicators);
-  result.curveErrors.assign(solver_.responses().size(), calibration_.estimate(ofResponses));
+  result.curveErrors.clear();
+  for (std::size_t r = 0; r < solver_.responses().size(); ++r)
+    result.curveErrors.push_back(calibration_.estimateOf(r, indicators));
 }
 
 bool Delivery::addRanges(results::ConfigurationResult& result) const {

@@ -90,7 +90,7 @@ void ReducedBasisStart::begin(const SolvedStates& states, const std::vector<doub
     traction_ = std::sqrt(sums[1] / steps);
   }
   std::rotate(order.begin(), order.begin() + best, order.begin() + best + 1);
-  force_ = states.force(order.front());
+  forces_ = states.forces(order.front());
   starts_.clear();
   states_.clear();
   for (const int position : order) {

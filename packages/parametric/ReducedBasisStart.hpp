@@ -33,11 +33,10 @@ class ReducedBasisStart {
   void begin(const SolvedStates& states, const std::vector<double>& values, int neighbours, const base::Matrix& offset);
   /// ids of the configurations whose states are used, the one that the others are compared with first.
   const std::vector<int>& starts() const { return starts_; }
-  /// Of the first of them: root mean square over the load steps of |f^| in the state metric, and what its responses are
-  /// measured by [force].
+  /// Of the first of them: root mean square over the load steps of |f^| in the state metric.
   double traction() const { return traction_; }
-  /// The latter [force], as it was given to SolvedStates::add().
-  double force() const { return force_; }
+  /// What its indicators are measured by [force], as it was given to SolvedStates::add().
+  const std::vector<double>& forces() const { return forces_; }
 
   /// The start of a load step that alone is selected, after those before it; ends when |T(alpha) - alpha| in the state
   /// metric is at most `tolerance`.
@@ -101,7 +100,7 @@ class ReducedBasisStart {
   base::Matrix trialState_, trialBeta_;
   std::vector<double> residual_, trialResidual_;  // scaled
   double traction_ = 0.0;
-  double force_ = 0.0;
+  std::vector<double> forces_;
   std::vector<int> starts_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace harmos::parametric {
 namespace {
@@ -44,13 +45,13 @@ double SolvedStates::squaredDistance(const std::vector<double>& a, const std::ve
 }
 
 void SolvedStates::add(int id, const std::vector<double>& values, const base::Matrix& alpha, const base::Matrix& linear,
-                       double force) {
+                       std::vector<double> forces) {
   const auto same =
       std::find_if(states_.begin(), states_.end(), [id](const Kept& kept) { return kept.state->id == id; });
   if (same != states_.end()) erase(static_cast<std::size_t>(same - states_.begin()));
   if (states_.size() == largest_) dropOne();
   states_.push_back(
-      {std::make_shared<State>(State{id, values, packed(alpha), packed(linear), force, alpha.numRows()})});
+      {std::make_shared<State>(State{id, values, packed(alpha), packed(linear), std::move(forces), alpha.numRows()})});
   if (areGapsKnown_) measureGap(states_.size() - 1);
 }
 

@@ -22,7 +22,7 @@ class SolvedStates {
     std::vector<double> values;  ///< of the parameters
     std::vector<float> alpha;    ///< alpha [stress], one load step after the other
     std::vector<float> linear;   ///< A alpha [stress], likewise
-    double force;                ///< what its responses are measured by [force]
+    std::vector<double> forces;  ///< what its indicators are measured by [force]; empty: not known
     int rows;                    ///< of one load step
 
     /// The rows of alpha [stress] at a load step.
@@ -39,10 +39,10 @@ class SolvedStates {
 
   /// Parameters are measured by the range of what they are in a study: to be called for all its configurations.
   void widen(const std::vector<double>& values);
-  /// alpha and A alpha [stress], rows x load steps. `force`: what the responses of this state are measured by [force].
+  /// alpha and A alpha [stress], rows x load steps. `forces`: what its indicators are measured by [force], see Gauge.
   /// A state of the same id is replaced.
   void add(int id, const std::vector<double>& values, const base::Matrix& alpha, const base::Matrix& linear,
-           double force = 0.0);
+           std::vector<double> forces = {});
   /// States kept.
   int count() const { return static_cast<int>(states_.size()); }
   /// The id given to add(), of the state at a position < count(), which is not checked, here and below.
@@ -55,8 +55,8 @@ class SolvedStates {
   void copy(int state, base::Matrix& alpha, base::Matrix& linear) const;
   /// All of it; stays as it is when it is driven out.
   const std::shared_ptr<const State>& state(int position) const { return states_[position].state; }
-  /// What the responses of the state are measured by [force].
-  double force(int state) const { return states_[state].state->force; }
+  /// What the indicators of the state are measured by [force].
+  const std::vector<double>& forces(int state) const { return states_[state].state->forces; }
 
  private:
   struct Kept {

@@ -219,7 +219,7 @@ void StudySolver::observe(const design::Configuration& configuration, const lati
 }
 
 void StudySolver::remember(const design::Configuration& configuration) {
-  states_.add(configuration.id, configuration.values, iteration().alpha(), iteration().linear(), iteration().force());
+  states_.add(configuration.id, configuration.values, iteration().alpha(), iteration().linear(), iteration().forces());
   observe(configuration, iteration().state());
 }
 
@@ -232,7 +232,7 @@ void StudySolver::rememberCertified(const design::Configuration& configuration, 
   }
   // Its images are of no use to others.
   const base::Matrix none(solver_.alpha().numRows(), solver_.alpha().numCols());
-  states_.add(configuration.id, configuration.values, solver_.alpha(), none, 0.0);
+  states_.add(configuration.id, configuration.values, solver_.alpha(), none);
   observe(configuration, certifiedState());
 }
 

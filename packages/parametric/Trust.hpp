@@ -1,12 +1,13 @@
 #pragma once
 
+#include <harmos/results/Evidence.hpp>
+
 namespace harmos::parametric {
 
 /// How far the results of a study can be trusted; see Calibration.
 struct Trust {
   int calibrations = 0;          // configurations that were iterated on to a tight stop to calibrate the estimate
-  double forceRatio = 1.0;       // kf [-], see Calibration
-  double responseRatio = 1.0;    // kc [-]
+  results::Ratios ratios = {};   // see Calibration
   int audits = 0;                // accepted configurations, chosen at random, that were iterated on or certified
   int openAudits = 0;            // others that came to no end, so that nothing is known of their errors
   int falseClaims = 0;           // audited configurations whose error was above the accuracy

@@ -1,5 +1,6 @@
 #include <harmos/study/StudyGroup.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <iomanip>
 #include <map>
@@ -49,8 +50,10 @@ void noteTrust(const parametric::Trust& summary, results::ResultSink& sink) {
   std::ostringstream text;
   text << std::setprecision(2);
   if (summary.calibrations > 0) {
+    const std::vector<double>& ofResponses = summary.ratios.responses;
+    const double least = ofResponses.empty() ? 1.0 : *std::min_element(ofResponses.begin(), ofResponses.end());
     text << summary.calibrations << " configurations solved tightly; ratio of indicator to error at least "
-         << summary.forceRatio << " (forces) and " << summary.responseRatio << " (responses); " << summary.reopened
+         << summary.ratios.force << " (forces) and " << least << " (responses); " << summary.reopened
          << " taken up again";
     sink.note("calibration of the error estimate", {text.str()});
     text.str("");

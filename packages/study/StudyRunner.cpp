@@ -136,7 +136,8 @@ void StudyRunner::solveRange(const WorkRange& range) {
 }
 
 void StudyRunner::handOn(std::size_t operators) {
-  group_->setEarlier(std::exchange(earlier_[operators], {}));
+  // An adaptive design may begin with no configuration.
+  if (operators < earlier_.size()) group_->setEarlier(std::exchange(earlier_[operators], {}));
 }
 
 void StudyRunner::solve(const std::vector<Configuration>& configurations) {

@@ -186,6 +186,8 @@ int measure(std::vector<std::string> arguments) {
   std::sort(stages.begin(), stages.end());
   const double mean = std::accumulate(stages.begin(), stages.end(), 0.0) / static_cast<double>(stages.size());
   const parametric::Trust& summary = engine.summary();
+  parametric::Calibration calibration(accuracy, joint.problem.responses.size());
+  for (int run = 0; run < summary.calibrations + summary.audits; ++run) calibration.add(summary.ratios);
   std::printf("accuracy %g, %zu configurations: %d calibrated, %d certified, %d others\n", accuracy, stages.size(),
               ends[results::Status::calibrated], ends[results::Status::certified],
               static_cast<int>(stages.size()) - ends[results::Status::calibrated] - ends[results::Status::certified]);
@@ -193,7 +195,7 @@ int measure(std::vector<std::string> arguments) {
       "kf %.3g, kc %.3g from %d calibrations; %d audits, %d without end, %d false, largest error %.2f of the accuracy; "
       "at most "
       "%.1f %% false claims at 95 %% confidence; %d taken up again\n",
-      summary.forceRatio, summary.responseRatio, summary.calibrations, summary.audits, summary.openAudits,
+      summary.ratios.force, summary.ratios.responses.front(), summary.calibrations, summary.audits, summary.openAudits,
       summary.falseClaims, summary.largestAudit, 100.0 * summary.falseClaimBound, summary.reopened);
 
   // Cold runs: what a certificate costs, and the same stop as in the study.
@@ -215,11 +217,11 @@ int measure(std::vector<std::string> arguments) {
       certifiedSeconds += cpuSeconds() - start;
       start = cpuSeconds();
       iteration.begin(parametric::SolvedStates(1), configuration.values);
-      results::Indicators target = {accuracy / 1.5 * summary.forceRatio, accuracy / 1.5 * summary.responseRatio};
-      for (double estimate = 1.0; estimate > accuracy && iteration.stages() < 300;) {
-        const results::Indicators indicators = iteration.march(target);
-        estimate = 1.5 * std::max(indicators.force / summary.forceRatio, indicators.response / summary.responseRatio);
-        target = {0.5 * target.force, 0.5 * target.response};
+      results::Indicators target = calibration.target();
+      while (!calibration.accepts(iteration.march(target)) && iteration.stages() < 300) {
+        target.force *= 0.5;
+        target.balance *= 0.5;
+        for (double& response : target.responses) response *= 0.5;
       }
       sameStopStages.push_back(iteration.stages());
       sameStopSeconds += cpuSeconds() - start;

@@ -53,7 +53,7 @@ class StudyFilesTest : public ::testing::Test {
     result.starts = {1, 7};
     result.cpuSeconds = 0.25;
     result.meshErrors = {{"bolt", -0.5, 0.2, "uncertain", {"head", "shank"}}};
-    result.evidence = {results::Indicators{1.0 / 7.0, 1e-300}, results::Ratios{0.3, 1.0}, 2.0 / 3.0};
+    result.evidence = {results::Indicators{1.0 / 7.0, 0.25, {1e-300, 2.0}}, results::Ratios{0.3, {1.0, 0.0}}, 2.0 / 3.0};
     return result;
   }
 
@@ -93,9 +93,10 @@ TEST_F(StudyFilesTest, JournalKeepsResultsExactly) {
   EXPECT_EQ(result.meshErrors[0].change, -0.5);
   EXPECT_EQ(result.meshErrors[0].parts, (std::vector<std::string>{"head", "shank"}));
   EXPECT_EQ(result.evidence.indicators->force, 1.0 / 7.0);
-  EXPECT_EQ(result.evidence.indicators->response, 1e-300);
+  EXPECT_EQ(result.evidence.indicators->balance, 0.25);
+  EXPECT_EQ(result.evidence.indicators->responses, (std::vector<double>{1e-300, 2.0}));
   EXPECT_EQ(result.evidence.ratios->force, 0.3);
-  EXPECT_EQ(result.evidence.ratios->response, 1.0);
+  EXPECT_EQ(result.evidence.ratios->responses, (std::vector<double>{1.0, 0.0}));
   EXPECT_EQ(result.evidence.audit, 2.0 / 3.0);
   EXPECT_EQ(again.damaged(), 0);
 }

@@ -320,7 +320,7 @@ TEST(ParametricStudy, GoesOnFromAnotherRun) {
   second.study_->run(open, after);
   ASSERT_EQ(after.all.size(), open.size());
   EXPECT_EQ(second.study_->summary().calibrations, first.study_->summary().calibrations);
-  EXPECT_LE(second.study_->summary().forceRatio, first.study_->summary().forceRatio);
+  EXPECT_LE(second.study_->summary().ratios.force, first.study_->summary().ratios.force);
   for (const results::ConfigurationResult& result : after.all) {
     ASSERT_TRUE(results::isSolved(result.status)) << result.reason;
     const std::vector<double> exact = JenkinsStudy::exact(all[result.id - 1].values[0]);
@@ -347,7 +347,7 @@ TEST(ParametricStudy, TakesUpAgainWhatAnotherRunHasAccepted) {
     result.status = results::Status::calibrated;
     result.curves = {{0.0, 0.0, 0.0, 0.0}};
     result.curveErrors = {0.0};
-    result.evidence.indicators = results::Indicators{accuracy / 2.001, 0.0};
+    result.evidence.indicators = results::Indicators{accuracy / 2.001, 0.0, {0.0}};
     if (i == 2) result.evidence.ratios = results::Ratios{};
     earlier.push_back({all[i], result});
   }
@@ -359,7 +359,7 @@ TEST(ParametricStudy, TakesUpAgainWhatAnotherRunHasAccepted) {
   Records records;
   jenkins.study_->resume(earlier);
   jenkins.study_->run(open, records);
-  EXPECT_LT(jenkins.study_->summary().forceRatio, 1.0);
+  EXPECT_LT(jenkins.study_->summary().ratios.force, 1.0);
   EXPECT_GE(jenkins.study_->summary().reopened, 3);
   for (const EarlierResult& one : earlier) {
     const auto withdrawn = std::find_if(records.all.begin(), records.all.end(), [&](const auto& result) {
