@@ -103,6 +103,7 @@ results::Indicators Gauge::measure(const latin::Iterate& state, const base::Matr
 
 double Gauge::forceOf(const latin::Response& response, const latin::Iterate& state, const latin::NaturalSizes& sizes,
                       double resultant) {
+  if (!(resultant > 0.0)) return 0.0;
   double largest = 0.0;
   for (const double value : response.evaluate(state)) largest = std::max(largest, std::abs(value));
   const double size = std::max(largest, sizes.floor(response));

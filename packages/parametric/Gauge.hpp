@@ -28,9 +28,9 @@ class Gauge {
   /// since what is small beside its kind is to be that much more accurate, at most a thousand times; infinite where the
   /// response is zero.
   const std::vector<double>& forces() const { return forces_; }
-  /// The largest force indicator, and the largest B [force], with which no indicator is above `target` where forces()
-  /// are `forces`; infinite B where these are empty, that is not known.
+  /// The largest force indicator with which no indicator is above `target` where forces() are `forces`.
   double allowedForce(const results::Indicators& target, const std::vector<double>& forces) const;
+  /// The same of B [force]; infinite where `forces` is empty, that is not known.
   double allowedImbalance(const results::Indicators& target, const std::vector<double>& forces) const;
   /// Collective. Largest resultant [force] of f^ - f on a body at one load step, one column each: `alpha`, its image
   /// `beta` under the linear stage, of which f = (alpha + beta) / 2, and `hattedTraction` f^, all [stress].

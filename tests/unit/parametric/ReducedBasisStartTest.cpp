@@ -383,5 +383,51 @@ TEST_F(Dragged, ShowTheirImbalance) {
   EXPECT_NEAR(disturbed.responses[0], largest / size, 1e-12);
 }
 
+// A force by its own size, what is lost beside what forces do; in balance it is the residual that shows its error.
+TEST_F(Dragged, MeasureEachResponseByItsSize) {
+  const std::vector<std::shared_ptr<const latin::Response>> responses = {
+      std::make_shared<latin::ResultantResponse>("force", std::vector<int>{1}, std::vector<base::Vector3>{}),
+      std::make_shared<latin::DissipationResponse>("lost", std::vector<int>{1})};
+  Gauge gauge(fixedPoint_, responses);
+  base::Matrix alpha = solve(1, 0.3), image(zero());
+  const double lost = responses[1]->evaluate(fixedPoint_.apply(alpha, image)).back();
+  ASSERT_GT(lost, 0.0);
+  alpha.scale(1.01);
+  const latin::Iterate& iterate = fixedPoint_.apply(alpha, image);
+  const results::Indicators measured = gauge.measure(iterate, alpha, image);
+  const std::vector<double> forces = gauge.forces();
+  ASSERT_EQ(forces.size(), 3u);
+  const latin::NaturalSizes sizes(iterate);
+  const double natural = sizes.natural(latin::Quantity::energy, forces[0]);
+  EXPECT_GT(natural, 0.0);
+  EXPECT_LE(natural, forces[0] * sizes.natural(latin::Quantity::displacement, forces[0]) * (1.0 + 1e-12));
+  EXPECT_NEAR(forces[2], forces[0] * std::clamp(responses[1]->evaluate(iterate).back() / natural, 1e-3, 1.0),
+              1e-12 * forces[0]);
+  const double imbalance = measured.balance * forces[0];
+  EXPECT_NEAR(measured.responses[0], imbalance / forces[1], 1e-12);
+  EXPECT_NEAR(measured.responses[1], std::max(imbalance, measured.force * forces[0] / 3.0) / forces[2], 1e-12);
+  // What is measured is just allowed where it is the target.
+  const results::Indicators none = {1.0, 1.0, {1.0, measured.responses[1]}};
+  EXPECT_GE(gauge.allowedForce(none, forces), measured.force * (1.0 - 1e-12));
+  EXPECT_GE(gauge.allowedImbalance(none, forces), imbalance * (1.0 - 1e-12));
+  EXPECT_NEAR(gauge.allowedForce(none, forces) * forces[0] / 3.0, measured.responses[1] * forces[2], 1e-12 * forces[0]);
+  EXPECT_TRUE(std::isinf(gauge.allowedImbalance(none, {})));
+}
+
+// Where all stick nothing is lost, and no accuracy of it is asked for.
+TEST_F(Dragged, AskForNothingOfAResponseThatIsZero) {
+  assembly_.interfaces[1].law = friction(100.0);
+  fixedPoint_.updateLaws();
+  const std::vector<std::shared_ptr<const latin::Response>> responses = {
+      std::make_shared<latin::DissipationResponse>("lost", std::vector<int>{1})};
+  Gauge gauge(fixedPoint_, responses);
+  base::Matrix alpha = solve(1, 100.0), image(zero());
+  alpha.scale(1.01);
+  const results::Indicators measured = gauge.measure(fixedPoint_.apply(alpha, image), alpha, image);
+  EXPECT_GT(measured.force, 1e-4);
+  EXPECT_EQ(measured.responses[0], 0.0);
+  EXPECT_EQ(gauge.allowedForce({1e-3, 1e-3, {1e-9}}, gauge.forces()), 1e-3);
+}
+
 }  // namespace
 }  // namespace harmos::parametric
