@@ -6,6 +6,7 @@
     python3 -m campaign run --harmos ../build/drivers/harmos --only rings --first 100 --scenes 20
     python3 -m campaign restate --harmos ../build/drivers/harmos --scenes 80    the same problems in other words
     python3 -m campaign study --harmos ../build/drivers/harmos --scenes 80    numbers of laws vary: each against a run
+    python3 -m campaign study --harmos ../build/drivers/harmos --scenes 15 --configurations 49    of each, so that estimates are calibrated
     python3 -m campaign crack --harmos ../build/drivers/harmos --scenes 300    glue that fails: cohesive zones
     python3 -m campaign show rings 3 --output DIR                               writes the scene and prints the answer
     python3 -m campaign try rings 3 --harmos ../build/drivers/harmos            one scene, with all responses
@@ -111,7 +112,8 @@ def _restate(options: argparse.Namespace) -> bool:
 def _study(options: argparse.Namespace) -> bool:
     trials: list[StudyTrial] = []
     for name, seed in _chosen(options):
-        trial = try_study(name, seed, options.harmos, options.output, options.limit)
+        trial = try_study(name, seed, options.harmos, options.output, options.limit,
+                          options.configurations)
         if trial is None:
             continue
         print(f"{name} {seed}: " + ", ".join(f"{one.verdict.value} {one.error:.2f}" for one in trial.judgements),
@@ -154,6 +156,8 @@ def _options() -> argparse.Namespace:
             if verb == "restate":
                 command.add_argument("--kind", action="append", choices=list(RESTATEMENTS),
                                      help="of restatement; may be repeated")
+            if verb == "study":
+                command.add_argument("--configurations", type=int, default=0, help="of a study, about; default: 4 to 9")
         if verb in ("show", "try"):
             command.add_argument("name", choices=list(CLASSES))
             command.add_argument("seed", type=int)

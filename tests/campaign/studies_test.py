@@ -54,6 +54,12 @@ class JudgingConfigurations(unittest.TestCase):
             self.assertNotIn(0.0, values)
         self.assertIn([len(values) for values in study.values.values()], ([4], [3, 3]))
 
+    def test_a_study_may_have_many_configurations(self) -> None:
+        for seed in range(4):
+            study = draw_study(make_scene("rings", seed), "rings", seed, 49)
+            assert study is not None
+            self.assertIn([len(set(values)) for values in study.values.values()], ([49], [7, 7]))
+
     def test_a_configuration_has_the_values_of_the_study(self) -> None:
         scene = make_scene("rings", 4)
         study = draw_study(scene, "rings", 4)

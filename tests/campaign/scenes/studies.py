@@ -15,6 +15,8 @@ _FACTORS = (0.3, 0.6, 0.8, 1.0, 1.1, 1.3, 2.0)
 _ACCURACIES = (1e-2, 1e-3, 1e-4)
 _RANKS = (1, 1, 1, 2)
 _VALUES_OF_ONE, _VALUES_OF_TWO = 4, 3
+# Of studies of many configurations.
+_LOWEST, _HIGHEST = 0.7, 1.3
 
 
 @dataclasses.dataclass(frozen=True)
@@ -55,15 +57,22 @@ def with_values(scene: Scene, values: Mapping[str, float]) -> Scene:
     return dataclasses.replace(scene, joints=[dataclasses.replace(joint, law=law(joint)) for joint in scene.joints])
 
 
-def draw_study(scene: Scene, name: str, seed: int) -> Study | None:
-    """The study of a scene of this class and seed: always the same; None where no law has a number."""
+def draw_study(scene: Scene, name: str, seed: int, configurations: int = 0) -> Study | None:
+    """The study of a scene of this class and seed: always the same; None where no law has a number.
+
+    configurations: about how many, close to each other; 0: few, so that each is certified by itself.
+    """
     numbers = _numbers(scene)
     if not numbers:
         return None
     chance = random.Random(f"{name} {seed}")
     paths = chance.sample(sorted(numbers), min(len(numbers), chance.choice((1, 2))))
     count = _VALUES_OF_ONE if len(paths) == 1 else _VALUES_OF_TWO
-    values = {path: tuple(sorted(factor * numbers[path] for factor in chance.sample(_FACTORS, count))) for path in paths}
+    factors = {path: sorted(chance.sample(_FACTORS, count)) for path in paths}
+    if configurations:
+        count = max(2, round(configurations ** (1 / len(paths))))
+        factors = {path: [_LOWEST + (_HIGHEST - _LOWEST) * i / (count - 1) for i in range(count)] for path in paths}
+    values = {path: tuple(sorted(factor * numbers[path] for factor in factors[path])) for path in paths}
     return Study(values, chance.choice(_ACCURACIES), chance.choice(_RANKS))
 
 

@@ -147,11 +147,12 @@ def _judge_again(scene: Scene, said: Configuration, fields: list[Floats], accura
     return judgement
 
 
-def try_study(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path, limit: float) -> StudyTrial | None:
+def try_study(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path, limit: float,
+              configurations: int = 0) -> StudyTrial | None:
     """Solves a study of a scene and runs of its configurations; the files of bad ones stay in folder/CLASS_SEED. None
-    where no law of the scene has a number."""
+    where no law of the scene has a number. configurations: as of draw_study()."""
     scene = make_scene(name, seed)
-    study = draw_study(scene, name, seed)
+    study = draw_study(scene, name, seed, configurations)
     if study is None:
         return None
     place = folder / f"{name}_{seed}"
