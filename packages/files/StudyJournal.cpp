@@ -28,7 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format = "harmos study journal";
-constexpr int formatVersion = 1;
+constexpr int formatVersion = 2;  // 2: with evidence, and results that are reopened
 constexpr std::size_t checksumLength = 8;
 
 /// The JSON of a line, or nothing when the line is damaged.
@@ -288,7 +288,8 @@ void StudyJournal::read(const results::Identity& identity) {
   if (!header || header->value("format", "") != format)
     throw base::Error(path_ + " is not the journal of a study.\n  Remove it, or write into another folder.",
                       base::ExitCode::input);
-  if (header->value("version", 0) != formatVersion)
+  const int version = header->value("version", 0);
+  if (version < 1 || version > formatVersion)
     throw base::Error(path_ + " was written by another version of Harmos, " + header->value("program_version", "") +
                           ".\n  Finish the study with that one, or start over with --restart.",
                       base::ExitCode::input);

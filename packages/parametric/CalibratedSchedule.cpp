@@ -260,6 +260,9 @@ void CalibratedSchedule::begin(const design::Configuration& configuration, Purpo
   if (const auto accepted = accepted_.find(configuration.id); accepted != accepted_.end()) {
     before = accepted->second.result;
     accepted_.erase(accepted);
+  } else if (const auto withdrawn = withdrawn_.find(configuration.id); withdrawn != withdrawn_.end()) {
+    before = withdrawn->second;
+    withdrawn_.erase(withdrawn);
   }
   attempt.isOpen = solver_.install(configuration, result);
   if (attempt.isOpen) {
@@ -366,6 +369,10 @@ void CalibratedSchedule::reopen(results::ResultSink& sink) {
 void CalibratedSchedule::resume(const std::vector<EarlierResult>& earlier) {
   Trust& summary = solver_.summary();
   for (const auto& [configuration, result] : earlier) {
+    if (result.status == results::Status::reopened) {
+      withdrawn_[configuration.id] = result;
+      continue;
+    }
     ++number_;
     const results::Evidence& evidence = result.evidence;
     if (evidence.ratios) calibration_.add(*evidence.ratios);
@@ -377,6 +384,7 @@ void CalibratedSchedule::resume(const std::vector<EarlierResult>& earlier) {
       accepted_[configuration.id] = {configuration, result, *evidence.indicators};
   }
   attempts_ = calibration_.runs();
+  summary.ratios = calibration_.ratios();
   ratioFell_ = true;  // another team of ranks may have found what this one has to look at
 }
 

@@ -100,9 +100,10 @@ class CalibratedSchedule {
   StudySolver& solver_;
   Calibration calibration_;
   Delivery delivery_;
-  int number_ = 0;                    // of configurations that were new
-  int attempts_ = 0;                  // to calibrate
-  std::map<int, Accepted> accepted_;  // by id
+  int number_ = 0;                                         // of configurations that were new
+  int attempts_ = 0;                                       // to calibrate
+  std::map<int, Accepted> accepted_;                       // by id
+  std::map<int, results::ConfigurationResult> withdrawn_;  // by another run, which has not taken them up again
   std::vector<Attempt> underWay_;
   std::vector<design::Configuration> reopened_;  // of those accepted, to be taken up again
   StartRecord record_;

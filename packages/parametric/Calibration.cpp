@@ -57,7 +57,7 @@ double Calibration::estimateOf(std::size_t response, const results::Indicators& 
 
 double Calibration::estimate(const results::Indicators& indicators) const {
   if (runs_ == 0) return std::numeric_limits<double>::infinity();
-  double largest = error(indicators.force, ratios_.force);
+  double largest = std::max(indicators.balance, error(indicators.force, ratios_.force));
   for (std::size_t r = 0; r < ratios_.responses.size(); ++r) largest = std::max(largest, estimateOf(r, indicators));
   return largest;
 }

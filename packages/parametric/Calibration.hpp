@@ -11,7 +11,7 @@ namespace harmos::parametric {
 /// Configurations that were iterated on to a tight stop know the errors of the states on their way:
 ///   kf = min force indicator / error of the force field,  kc = min indicator of a response / its error,
 /// over their states with errors between 0.1 and 10 times the accuracy asked for, where smaller errors of responses
-/// count as 0.1 times; all at most 1. The others have
+/// count as 0.1 times where another is larger, and indicators of 0 do not count; all at most 1. The others have
 ///   E = max(force indicator / kf, largest indicator / kc of a response, balance).
 /// A calibrated estimate, not a bound: ratios differ between scenes and search directions, never carry them over.
 class Calibration {

@@ -105,7 +105,10 @@ double Gauge::forceOf(const latin::Response& response, const latin::Iterate& sta
                       double resultant) {
   if (!(resultant > 0.0)) return 0.0;
   double largest = 0.0;
-  for (const double value : response.evaluate(state)) largest = std::max(largest, std::abs(value));
+  for (const double value : response.evaluate(state)) {
+    if (!std::isfinite(value)) return 0.0;  // a certificate says which
+    largest = std::max(largest, std::abs(value));
+  }
   const double size = std::max(largest, sizes.floor(response));
   if (isForce(response)) return std::min(resultant, size);
   const double natural = sizes.natural(response.quantity(), resultant);

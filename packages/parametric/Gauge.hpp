@@ -26,7 +26,7 @@ class Gauge {
   /// with B the largest resultant that is out of balance. With s the largest value of the response over the load steps,
   /// or its floor, and S its natural size (latin::NaturalSizes): F_r = s of a force, at most R, and R s / S of others,
   /// since what is small beside its kind is to be that much more accurate, at most a thousand times; infinite where the
-  /// response is zero.
+  /// response is zero, 0 where it is not finite or R is 0.
   const std::vector<double>& forces() const { return forces_; }
   /// The largest force indicator with which no indicator is above `target` where forces() are `forces`.
   double allowedForce(const results::Indicators& target, const std::vector<double>& forces) const;

@@ -1,5 +1,7 @@
 #include <harmos/parametric/ParametricStudy.hpp>
 
+#include <harmos/results/StatusName.hpp>
+
 namespace harmos::parametric {
 namespace {
 
@@ -20,15 +22,18 @@ ParametricStudy::ParametricStudy(assembly::Assembly& assembly, Install install,
       certified_(solver_) {}
 
 void ParametricStudy::resume(const std::vector<EarlierResult>& earlier) {
-  for (const EarlierResult& one : earlier) solver_.widen(one.configuration.values);
+  for (const EarlierResult& one : earlier) {
+    solver_.widen(one.configuration.values);
+    solvedEarlier_ += results::isSolved(one.result.status) ? 1 : 0;
+  }
   calibrated_.resume(earlier);
 }
 
 void ParametricStudy::run(const std::vector<design::Configuration>& open, results::ResultSink& sink) {
   for (const design::Configuration& configuration : open) solver_.widen(configuration.values);
   const latin::LatinOptions& options = solver_.options();
-  const bool isCertified = static_cast<int>(open.size()) + solver_.states().count() < fewConfigurations ||
-                           options.stages.formulation == latin::Formulation::velocity ||
+  const int all = static_cast<int>(open.size()) + solvedEarlier_ + solver_.states().count();
+  const bool isCertified = all < fewConfigurations || options.stages.formulation == latin::Formulation::velocity ||
                            options.algorithm != latin::Algorithm::accelerated;
   certified_.run(isCertified ? open : calibrated_.run(open, sink), sink);
 }

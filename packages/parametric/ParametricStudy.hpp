@@ -41,6 +41,7 @@ class ParametricStudy {
 
  private:
   StudySolver solver_;
+  int solvedEarlier_ = 0;  // by another run
   CalibratedSchedule calibrated_;
   CertifiedSchedule certified_;
 };

@@ -10,7 +10,7 @@ namespace harmos::results {
 /// The smallest ratios of indicators to errors that were seen, at most 1; see parametric::Calibration.
 struct Ratios {
   double force = 1.0;                  ///< kf [-], of the force indicator to the error of the field of interface forces
-  std::vector<double> responses = {};  ///< kc [-], for each response, of its imbalance to its error; empty: none seen
+  std::vector<double> responses = {};  ///< kc [-], for each response, of its indicator to its error; empty: none seen
 };
 
 /// What a result rests on whose error estimate is a calibrated one, and what a result has taught about such estimates:

@@ -4,7 +4,7 @@
 
 namespace harmos::results {
 
-/// What an iteration shows of its own error for nothing; see parametric::Calibration for what it takes to read it.
+/// What an iteration shows of its own error without a solve; see parametric::Calibration for what it takes to read it.
 ///
 /// All compare the two fields of the LATIN method, which agree at the solution: tractions f of the linear stage, in
 /// equilibrium with the bodies, and f^ of the local stage, which obey the interface laws. All are ratios [-]. h: the

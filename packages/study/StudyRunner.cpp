@@ -27,6 +27,7 @@ class SecondChance : public results::ResultSink {
 
   void record(const ConfigurationResult& result) override {
     isSolved_ = results::isSolved(result.status);
+    if (result.status == results::Status::reopened) return sink_.record(result);
     ConfigurationResult sum = isSolved_ ? result : first_;
     sum.reason = isSolved_ ? result.reason + " (" + what_ + ")" : first_.reason + " " + what_ + ": " + result.reason;
     sum.iterations = first_.iterations + result.iterations;
@@ -125,6 +126,7 @@ void StudyRunner::solveRange(const WorkRange& range) {
     try {
       group_ = std::make_unique<StudyGroup>(study_, configurations, laws_, teams_.team(), timers_);
       groupNumber_ = operators;
+      handedOn_.clear();
     } catch (const base::Error& error) {
       if (error.code() != base::ExitCode::input) throw;
       for (const Configuration& configuration : configurations) recordFailure(configuration, error);
@@ -137,7 +139,12 @@ void StudyRunner::solveRange(const WorkRange& range) {
 
 void StudyRunner::handOn(std::size_t operators) {
   // An adaptive design may begin with no configuration.
-  if (operators < earlier_.size()) group_->setEarlier(std::exchange(earlier_[operators], {}));
+  if (operators >= earlier_.size() || earlier_[operators].empty()) return;
+  handedOn_.clear();
+  for (const parametric::EarlierResult& one : earlier_[operators]) {
+    if (results::isSolved(one.result.status)) handedOn_.push_back(one.configuration);
+  }
+  group_->setEarlier(std::exchange(earlier_[operators], {}));
 }
 
 void StudyRunner::solve(const std::vector<Configuration>& configurations) {
@@ -156,11 +163,14 @@ void StudyRunner::solve(const std::vector<Configuration>& configurations) {
     if (teams_.team()->getSize() > 1 && error.code() != base::ExitCode::input) throw;
     if (recorder_.cannotWrite()) throw;
     for (const Configuration& configuration : configurations) {
-      if (!recorder_.results().find(configuration.id)) recordFailure(configuration, error);
+      const ConfigurationResult* result = recorder_.results().find(configuration.id);
+      if (!result || result->status == results::Status::reopened) recordFailure(configuration, error);
     }
     return;
   }
-  for (const Configuration& configuration : configurations) {
+  std::vector<Configuration> touched(configurations);
+  touched.insert(touched.end(), handedOn_.begin(), handedOn_.end());  // some may have been taken up again
+  for (const Configuration& configuration : touched) {
     const ConfigurationResult* result = recorder_.results().find(configuration.id);
     if (!result || !mayBeHelped(*result)) continue;
     if (mustStop()) return;

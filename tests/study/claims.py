@@ -7,6 +7,7 @@ The study is varied: other friction coefficients, VARIANTS times. What is lost i
 do, so that its errors are large beside it; the error of a response is relative to its own size. Besides, each study is
 resumed from parts of its journal, as after a kill: no such study claims anything false either.
 """
+import json
 import pathlib
 import shutil
 import subprocess
@@ -48,6 +49,12 @@ def judge(what, study, reference, accuracy):
     return errors[worst] / accuracy, errors.size
 
 
+def calibrations(directory):
+    """How many configurations of all runs of a study have calibrated it."""
+    records = [json.loads(line[9:]) for line in (directory / f"{STUDY.stem}.journal").read_bytes().splitlines()]
+    return len({record["id"] for record in records if "ratios" in record and "audit" not in record})
+
+
 shutil.rmtree(WORK, ignore_errors=True)
 worst, claims = 0.0, 0
 for variant in range(VARIANTS):
@@ -63,6 +70,7 @@ for variant in range(VARIANTS):
             resumed.mkdir(parents=True)
             (resumed / f"{STUDY.stem}.journal").write_bytes(b"".join(lines[:kept]))
             studies[str(resumed)] = solve(resumed, variant, accuracy)
+            check(calibrations(resumed) <= calibrations(whole), f"{resumed} calibrates once")
         for what, study in studies.items():
             largest, count = judge(what, study, reference, accuracy)
             worst, claims = max(worst, largest), claims + count

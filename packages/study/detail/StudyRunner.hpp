@@ -68,6 +68,7 @@ class StudyRunner {
   const FailurePolicy& policy_;
   std::vector<std::vector<design::Configuration>> open_;         // by operators; the same on every rank
   std::vector<std::vector<parametric::EarlierResult>> earlier_;  // likewise: of another run, until they are handed on
+  std::vector<design::Configuration> handedOn_;                  // of these the group has those that were solved
   std::vector<design::Configuration> alike_;                     // all that share the present operators
   MeshErrorSample meshErrors_;
   std::unique_ptr<StudyGroup> group_;

@@ -58,6 +58,12 @@ TEST(Calibration, KnowsEachResponse) {
   EXPECT_DOUBLE_EQ(calibration.target().responses[1], 5e-4);
 }
 
+TEST(Calibration, AsksForBalanceWithoutResponses) {
+  Calibration calibration(1e-2, 0);
+  calibration.add({});
+  EXPECT_DOUBLE_EQ(calibration.estimate({1e-4, 3e-3, {}}), 3e-3);
+}
+
 // A response that is right long before the others is known not to be worse; what is zero teaches nothing.
 TEST(Calibration, LearnsFromResponsesThatAreRightBeforeOthers) {
   Calibration calibration(1e-2, 2);

@@ -119,7 +119,8 @@ def _doubtful(ladder: Ladder, judge: Judge) -> str:
     if judge.doubt() < math.inf:
         name = max(judge.references, key=lambda one: judge.references[one].doubt())
         following = ladder.unaffordable
-        more = f"; the next run, {ladder.words(following)}, {_needs(ladder, following)}" if following else ""
+        more = (f"; the next run, {ladder.words(following)}, {_needs(ladder, following)}"
+                if following and ladder.predicted(following, "wall") else "")
         return f"the reference of {name} itself is known to {percent(judge.doubt())} only{more}"
     if not judge.references and ladder.rungs:
         statuses = collections.Counter(rung.outcome.status for rung in ladder.rungs.values())
