@@ -53,7 +53,8 @@ class StudyFilesTest : public ::testing::Test {
     result.starts = {1, 7};
     result.cpuSeconds = 0.25;
     result.meshErrors = {{"bolt", -0.5, 0.2, "uncertain", {"head", "shank"}}};
-    result.evidence = {results::Indicators{1.0 / 7.0, 0.25, {1e-300, 2.0}}, results::Ratios{0.3, {1.0, 0.0}}, 2.0 / 3.0};
+    result.evidence = {results::Indicators{1.0 / 7.0, 0.25, {1e-300, 2.0}}, results::Ratios{0.3, {1.0, 0.0}},
+                       2.0 / 3.0};
     return result;
   }
 
