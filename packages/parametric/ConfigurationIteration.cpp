@@ -93,7 +93,7 @@ results::Indicators ConfigurationIteration::applyAll() {
   fixedPoint_.shareTractions(alpha_, image_, accuracy_);
   beta_.assign(state_->beta());
   const auto running = timers_.start("indicators");
-  const results::Indicators indicators = gauge_.measure(*state_, alpha_, image_);
+  results::Indicators indicators = gauge_.measure(*state_, alpha_, image_);
   forces_ = gauge_.forces();
   traction_ = fixedPoint_.metric().norm(state_->hattedTraction()) / std::sqrt(alpha_.numCols());
   return indicators;
