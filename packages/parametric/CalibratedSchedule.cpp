@@ -53,21 +53,6 @@ std::vector<double> errorsAgainst(const latin::Snapshot& reference, const latin:
   return errors;
 }
 
-/// `share` of all.
-results::Indicators scaled(double share, results::Indicators indicators) {
-  indicators.force *= share;
-  indicators.balance *= share;
-  for (double& response : indicators.responses) response *= share;
-  return indicators;
-}
-
-results::Indicators smallerOf(results::Indicators a, const results::Indicators& b) {
-  a.force = std::min(a.force, b.force);
-  a.balance = std::min(a.balance, b.balance);
-  for (std::size_t r = 0; r < a.responses.size(); ++r) a.responses[r] = std::min(a.responses[r], b.responses[r]);
-  return a;
-}
-
 }  // namespace
 
 CalibratedSchedule::Purpose CalibratedSchedule::purposeOfNext() {
@@ -166,7 +151,7 @@ bool CalibratedSchedule::calibrate(const design::Configuration& configuration, r
       result.linearStages += iteration.stages();
       return true;
     }
-    target = scaled(rung, smallerOf(target, indicators_));
+    target = tightened(rung, target, indicators_);
     iteration.setLimit(iteration.stages() + stagesToNext);
   }
   if (!certifyFromHere(tightShare, result)) return false;
@@ -181,7 +166,7 @@ void CalibratedSchedule::accept(const design::Configuration& configuration, resu
   delivery_.deliver(indicators_, result);
   if (!results::isSolved(result.status)) return;
   solver_.remember(configuration);
-  accepted_[configuration.id] = {configuration, result, indicators_};
+  accepted_.add(configuration, result);
 }
 
 bool CalibratedSchedule::audit(const design::Configuration& configuration, results::ConfigurationResult& result) {
@@ -228,7 +213,7 @@ bool CalibratedSchedule::endFromNeighbours(Attempt& attempt) {
   results::Indicators target = calibration_.target();
   if (!takeMarch(iteration.endMarch(), isAudit, attempt.result)) return false;
   while (!calibration_.accepts(indicators_) && iteration.stages() < limitFromNeighbours()) {
-    target = scaled(further, target);
+    target = tightened(further, target, target);
     if (!march(target, isAudit, attempt.result)) return false;
   }
   const bool isAccepted = calibration_.accepts(indicators_);
@@ -256,14 +241,7 @@ void CalibratedSchedule::begin(const design::Configuration& configuration, Purpo
   results::ConfigurationResult& result = attempt.result;
   const double begin = cpuSeconds();
   // What a configuration that is taken up again has cost before counts as well.
-  results::ConfigurationResult before;
-  if (const auto accepted = accepted_.find(configuration.id); accepted != accepted_.end()) {
-    before = accepted->second.result;
-    accepted_.erase(accepted);
-  } else if (const auto withdrawn = withdrawn_.find(configuration.id); withdrawn != withdrawn_.end()) {
-    before = withdrawn->second;
-    withdrawn_.erase(withdrawn);
-  }
+  const results::ConfigurationResult before = accepted_.take(configuration.id);
   attempt.isOpen = solver_.install(configuration, result);
   if (attempt.isOpen) {
     solver_.keep(attempt.place);
@@ -337,7 +315,7 @@ bool CalibratedSchedule::endThose(results::ResultSink& sink) {
       if (!end(*attempt)) return false;
     }
     result.cpuSeconds = attempt->cpuSeconds + cpuSeconds() - begin;
-    if (const auto accepted = accepted_.find(result.id); accepted != accepted_.end()) accepted->second.result = result;
+    accepted_.update(result);
     // Before what taught it, so that no run that ends here leaves claims of which its record knows better.
     reopen(sink);
     sink.record(result);
@@ -348,29 +326,14 @@ bool CalibratedSchedule::endThose(results::ResultSink& sink) {
 
 void CalibratedSchedule::reopen(results::ResultSink& sink) {
   if (!std::exchange(ratioFell_, false)) return;
-  reopened_.clear();
-  for (auto& [id, one] : accepted_) {
-    const bool isReopened = !calibration_.accepts(one.indicators);
-    if (isReopened) reopened_.push_back(one.configuration);
-    const double before = one.result.errorEstimate;
-    const std::vector<double> curvesBefore = one.result.curveErrors;
-    delivery_.estimate(one.indicators, one.result);
-    const bool isAsBefore = one.result.errorEstimate == before && one.result.curveErrors == curvesBefore;
-    if (std::exchange(one.isReopened, isReopened) == isReopened && isAsBefore) continue;
-    results::ConfigurationResult result = one.result;
-    if (isReopened) {
-      result.status = results::Status::reopened;
-      result.reason = "it was accepted, but a ratio of indicator to error that was found since says less of it";
-    }
-    sink.record(result);
-  }
+  reopened_ = accepted_.review(sink);
 }
 
 void CalibratedSchedule::resume(const std::vector<EarlierResult>& earlier) {
   Trust& summary = solver_.summary();
   for (const auto& [configuration, result] : earlier) {
     if (result.status == results::Status::reopened) {
-      withdrawn_[configuration.id] = result;
+      accepted_.addWithdrawn(result);
       continue;
     }
     ++number_;
@@ -381,7 +344,7 @@ void CalibratedSchedule::resume(const std::vector<EarlierResult>& earlier) {
     if (results::isCertified(result.status)) ++summary.certificates;
     if (evidence.indicators && evidence.indicators->responses.size() == solver_.responses().size() &&
         results::isSolved(result.status))
-      accepted_[configuration.id] = {configuration, result, *evidence.indicators};
+      accepted_.add(configuration, result);
   }
   attempts_ = calibration_.runs();
   summary.ratios = calibration_.ratios();

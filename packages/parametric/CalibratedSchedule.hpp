@@ -1,12 +1,10 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <vector>
 
 #include <harmos/latin/Snapshot.hpp>
-#include <harmos/parametric/Calibration.hpp>
-#include <harmos/parametric/Delivery.hpp>
+#include <harmos/parametric/AcceptedResults.hpp>
 #include <harmos/parametric/EarlierResult.hpp>
 #include <harmos/parametric/StartRecord.hpp>
 #include <harmos/parametric/StudySolver.hpp>
@@ -26,7 +24,8 @@ class CalibratedSchedule {
   explicit CalibratedSchedule(StudySolver& solver)
       : solver_(solver),
         calibration_(solver.options().accuracy, solver.responses().size()),
-        delivery_(solver, calibration_) {}
+        delivery_(solver, calibration_),
+        accepted_(calibration_, delivery_) {}
 
   CalibratedSchedule(const CalibratedSchedule&) = delete;
 
@@ -42,13 +41,6 @@ class CalibratedSchedule {
   static int calibrationsUntil(int number);
 
  private:
-  /// What an accepted configuration was accepted with.
-  struct Accepted {
-    design::Configuration configuration;
-    results::ConfigurationResult result;
-    results::Indicators indicators;
-    bool isReopened = false;  // a ratio fell since
-  };
   enum class Purpose { result, audit, calibration };
   /// What is under way of a configuration.
   struct Attempt {
@@ -100,10 +92,9 @@ class CalibratedSchedule {
   StudySolver& solver_;
   Calibration calibration_;
   Delivery delivery_;
-  int number_ = 0;                                         // of configurations that were new
-  int attempts_ = 0;                                       // to calibrate
-  std::map<int, Accepted> accepted_;                       // by id
-  std::map<int, results::ConfigurationResult> withdrawn_;  // by another run, which has not taken them up again
+  int number_ = 0;    // of configurations that were new
+  int attempts_ = 0;  // to calibrate
+  AcceptedResults accepted_;
   std::vector<Attempt> underWay_;
   std::vector<design::Configuration> reopened_;  // of those accepted, to be taken up again
   StartRecord record_;

@@ -73,4 +73,12 @@ bool Calibration::accepts(const results::Indicators& indicators) const {
   return (runs_ < runsOfExperience ? safetyAtFirst : safety) * estimate(indicators) <= accuracy_;
 }
 
+results::Indicators tightened(double share, const results::Indicators& aimed, const results::Indicators& reached) {
+  results::Indicators target{share * std::min(aimed.force, reached.force),
+                             share * std::min(aimed.balance, reached.balance)};
+  for (std::size_t r = 0; r < aimed.responses.size(); ++r)
+    target.responses.push_back(share * std::min(aimed.responses[r], reached.responses[r]));
+  return target;
+}
+
 }  // namespace harmos::parametric

@@ -52,4 +52,8 @@ class Calibration {
   results::Ratios ratios_;
 };
 
+/// A target for what goes further: `share` of the smaller one of what was aimed at and of what was reached, indicator
+/// by indicator; both of as many responses.
+results::Indicators tightened(double share, const results::Indicators& aimed, const results::Indicators& reached);
+
 }  // namespace harmos::parametric

@@ -218,11 +218,8 @@ int measure(std::vector<std::string> arguments) {
       start = cpuSeconds();
       iteration.begin(parametric::SolvedStates(1), configuration.values);
       results::Indicators target = calibration.target();
-      while (!calibration.accepts(iteration.march(target)) && iteration.stages() < 300) {
-        target.force *= 0.5;
-        target.balance *= 0.5;
-        for (double& response : target.responses) response *= 0.5;
-      }
+      while (!calibration.accepts(iteration.march(target)) && iteration.stages() < 300)
+        target = parametric::tightened(0.5, target, target);
       sameStopStages.push_back(iteration.stages());
       sameStopSeconds += cpuSeconds() - start;
     }
