@@ -7,12 +7,14 @@
 #include <harmos/base/OneThread.hpp>
 #include <harmos/cli/CommandLine.hpp>
 
+#include "FreedMemory.hpp"
 #include "Interrupt.hpp"
 #include "OpenMpiSettings.hpp"
 
 int main(int argc, char** argv) {
   harmos::base::useFittingBlas(argv);
   harmos::base::useOneThread();
+  keepFreedMemory();
   OpenMpiSettings openMpi;
   catchInterrupts();
   // Kokkos and MPI get no arguments: Kokkos would answer --help itself.
