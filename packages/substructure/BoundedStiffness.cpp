@@ -1,9 +1,8 @@
 #include <harmos/substructure/detail/BoundedStiffness.hpp>
 
 #include <algorithm>
-#include <map>
 #include <set>
-#include <utility>
+#include <vector>
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -13,7 +12,7 @@
 namespace harmos::substructure {
 namespace {
 
-using Entries = std::map<std::pair<int, int>, double>;
+using Entries = std::vector<MatrixEntry>;
 
 /// Copy of the matrix with explicit zeros where the boundary term has entries that the matrix does not store.
 Teuchos::RCP<base::CrsMatrix> withEntries(const CrsView& matrix, const Entries& missing) {
@@ -24,10 +23,9 @@ Teuchos::RCP<base::CrsMatrix> withEntries(const CrsView& matrix, const Entries& 
   for (int row = 0; row < matrix.rows; ++row) {
     std::size_t k = matrix.rowPointers[row];
     const std::size_t end = matrix.rowPointers[row + 1];
-    while (k < end || (next != missing.end() && next->first.first == row)) {
-      const bool added =
-          next != missing.end() && next->first.first == row && (k == end || next->first.second < matrix.columns[k]);
-      columns.push_back(added ? next->first.second : matrix.columns[k]);
+    while (k < end || (next != missing.end() && next->row == row)) {
+      const bool added = next != missing.end() && next->row == row && (k == end || next->column < matrix.columns[k]);
+      columns.push_back(added ? next->column : matrix.columns[k]);
       values.push_back(added ? 0.0 : matrix.values[k]);
       if (added) {
         ++next;
@@ -46,10 +44,10 @@ void add(Entries& entries, int rows, const std::string& part, int row, int colum
                       ", column " + std::to_string(column) + "; its stiffness matrix has " + std::to_string(rows) +
                       " rows.");
   }
-  entries[{row, column}] += value;
+  entries.push_back({row, column, value});
 }
 
-/// k h + s, by row and column.
+/// k h + s, in any order.
 Entries addedEntries(int rows, const BoundaryTerm& boundary, const std::string& part) {
   Entries entries;
   const int dimension = boundary.dimension;
@@ -72,7 +70,7 @@ Entries addedEntries(int rows, const BoundaryTerm& boundary, const std::string& 
   return entries;
 }
 
-/// What the boundary adds, by row and column; entries that a projection fills are there with 0.
+/// What the boundary adds, by row and column, each place once; entries that a projection fills are there with 0.
 Entries entriesOf(const CrsView& matrix, const BoundaryTerm& boundary, const std::string& part) {
   Entries entries = addedEntries(matrix.rows, boundary, part);
   const int dimension = boundary.dimension;
@@ -99,6 +97,7 @@ Entries entriesOf(const CrsView& matrix, const BoundaryTerm& boundary, const std
       }
     }
   }
+  addUp(entries);
   return entries;
 }
 
@@ -114,14 +113,15 @@ Teuchos::RCP<base::CrsMatrix> sumOf(const base::CrsMatrix& stiffness, const Boun
   }
   const Entries added = entriesOf(view, boundary, part);
   Entries missing;
-  for (const auto& [place, value] : added) {
-    if (view.positionOf(place.first, place.second) == view.rowPointers[view.rows]) missing.emplace(place, value);
+  for (const MatrixEntry& entry : added) {
+    if (view.positionOf(entry.row, entry.column) == view.rowPointers[view.rows]) missing.push_back(entry);
   }
+  // Once more, as held nodes may have neighbours by them.
   if (!missing.empty()) return sumOf(*withEntries(view, missing), boundary, part);
   using Values = base::CrsMatrix::local_matrix_device_type::values_type;
   Values values(Kokkos::ViewAllocateWithoutInitializing("values"), view.rowPointers[view.rows]);
   std::copy(view.values, view.values + values.extent(0), values.data());
-  for (const auto& [place, value] : added) values(view.positionOf(place.first, place.second)) += value;
+  for (const MatrixEntry& entry : added) values(view.positionOf(entry.row, entry.column)) += entry.value;
   auto sum = Teuchos::rcp(new base::CrsMatrix(stiffness.getCrsGraph(), values));
   sum->fillComplete(stiffness.getDomainMap(), stiffness.getRangeMap());
   return sum;
@@ -137,7 +137,7 @@ Teuchos::RCP<base::CrsMatrix> heldMatrix(const BoundaryTerm& boundary, int rows)
     const int first = held.node * boundary.dimension;
     for (int i = 0; i < boundary.dimension; ++i) {
       for (int j = 0; j < boundary.dimension; ++j) {
-        entries[{first + i, first + j}] = (i == j ? 1.0 : 0.0) - held.value[i][j];
+        entries.push_back({first + i, first + j, (i == j ? 1.0 : 0.0) - held.value[i][j]});
       }
     }
   }

@@ -54,14 +54,31 @@ Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::vector<std::size_t>& rowP
   return matrix;
 }
 
-Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::map<std::pair<int, int>, double>& entries, int rows) {
+void addUp(std::vector<MatrixEntry>& entries) {
+  const auto isBefore = [](const MatrixEntry& a, const MatrixEntry& b) {
+    return a.row < b.row || (a.row == b.row && a.column < b.column);
+  };
+  std::stable_sort(entries.begin(), entries.end(), isBefore);
+  std::size_t count = 0;
+  for (const MatrixEntry& entry : entries) {
+    if (count > 0 && !isBefore(entries[count - 1], entry)) {
+      entries[count - 1].value += entry.value;
+    } else {
+      entries[count++] = entry;
+    }
+  }
+  entries.resize(count);
+}
+
+Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(std::vector<MatrixEntry> entries, int rows) {
+  addUp(entries);
   std::vector<std::size_t> pointers(static_cast<std::size_t>(rows) + 1, 0);
   std::vector<int> columns;
   std::vector<double> values;
-  for (const auto& [place, value] : entries) {
-    ++pointers[static_cast<std::size_t>(place.first) + 1];
-    columns.push_back(place.second);
-    values.push_back(value);
+  for (const MatrixEntry& entry : entries) {
+    ++pointers[static_cast<std::size_t>(entry.row) + 1];
+    columns.push_back(entry.column);
+    values.push_back(entry.value);
   }
   for (int row = 0; row < rows; ++row) pointers[row + 1] += pointers[row];
   return makeCrsMatrix(pointers, columns, values);

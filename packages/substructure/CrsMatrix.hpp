@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <harmos/base/Tpetra.hpp>
@@ -18,8 +16,17 @@ namespace harmos::substructure {
 /// must be running.
 Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::vector<std::size_t>& rowPointers,
                                             const std::vector<int>& columns, const std::vector<double>& values);
-/// The same of entries by row and column.
-Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::map<std::pair<int, int>, double>& entries, int rows);
+
+/// A value [any unit] at a place of a matrix, row and column from 0.
+struct MatrixEntry {
+  int row;
+  int column;
+  double value;
+};
+/// Sorts entries by row and column and adds up those of one place, in the order in which they were given.
+void addUp(std::vector<MatrixEntry>& entries);
+/// The same of entries in any order, which add up where they are repeated.
+Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(std::vector<MatrixEntry> entries, int rows);
 
 /// The compressed rows of a matrix, owned by the matrix and valid as long as it lives and keeps its structure.
 struct CrsView {

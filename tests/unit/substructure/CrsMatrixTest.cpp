@@ -59,5 +59,14 @@ TEST(CrsMatrix, acceptsMatricesThatTpetraAssembled) {
   EXPECT_EQ(view.values[1], 2.0);  // inserted twice
 }
 
+TEST(CrsMatrix, AddsUpEntriesOfOnePlace) {
+  const auto matrix = makeCrsMatrix({{1, 0, 2.0}, {0, 1, 1.0}, {1, 0, 3.0}, {0, 0, 4.0}}, 2);
+  const CrsView view = viewOf(*matrix, "part");
+  ASSERT_EQ(view.rowPointers[2], 3U);
+  EXPECT_EQ(view.values[view.positionOf(0, 0)], 4.0);
+  EXPECT_EQ(view.values[view.positionOf(0, 1)], 1.0);
+  EXPECT_EQ(view.values[view.positionOf(1, 0)], 5.0);
+}
+
 }  // namespace
 }  // namespace harmos::substructure

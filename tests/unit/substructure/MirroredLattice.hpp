@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <random>
 #include <utility>
 #include <vector>
@@ -24,7 +23,7 @@ class MirroredLattice {
       }
     }
     std::shuffle(nodes.begin(), nodes.end(), random_);
-    std::map<std::pair<int, int>, double> entries;
+    std::vector<MatrixEntry> entries;
     for (int a = 0; a < count(); ++a) {
       for (int b = 0; b < a; ++b) {
         if (base::distance(nodes[a], nodes[b]) > 1.31) continue;
@@ -41,8 +40,8 @@ class MirroredLattice {
               for (const auto& row : factor) value += sign(i, mirrored) * sign(j, mirrored) * row[i] * row[j];
               if (mirrored > 0) value *= 1.0 + unevenness;
               for (int end = 0; end < 2; ++end) {
-                entries[{3 * ends[end] + i, 3 * ends[end] + j}] += value;
-                entries[{3 * ends[end] + i, 3 * ends[1 - end] + j}] -= value;
+                entries.push_back({3 * ends[end] + i, 3 * ends[end] + j, value});
+                entries.push_back({3 * ends[end] + i, 3 * ends[1 - end] + j, -value});
               }
             }
           }
