@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/MachineSpeed.hpp>
 #include <harmos/cli/detail/StudyText.hpp>
 #include <harmos/cli/detail/Verbs.hpp>
 #include <harmos/cli/detail/Warnings.hpp>
@@ -82,8 +83,8 @@ void printProblem(std::ostream& out, const scene::Problem& problem) {
   out << assembly.steps() << " time steps, " << problem.responses.size() << " responses\n";
 }
 
-/// `stateBytes`: of solved configurations, beyond what one run takes.
-void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateBytes) {
+/// `stateBytes`: of solved configurations, beyond what one run takes. `slowness`: of the machine.
+void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateBytes, double slowness) {
   out << cost.unknowns << " displacement and " << cost.interfaceUnknowns << " interface unknowns\n"
       << "Memory, roughly:\n";
   printBytes(out, "stiffness matrices", cost.matrixBytes);
@@ -94,16 +95,18 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateB
   if (cost.inverseBytes > 0.0) printBytes(out, "inverted traces", cost.inverseBytes);
   if (stateBytes > 0.0) printBytes(out, "solved configurations", stateBytes);
   printBytes(out, "whole process at its peak", cost.processBytes);
-  out << "CPU time, roughly:\n";
-  printSeconds(out, "start, reading, stiffness", cost.startSeconds);
-  printSeconds(out, "factorisation", cost.factorSeconds);
-  if (cost.staticsSeconds > 0.0) printSeconds(out, "statics of the loads", cost.staticsSeconds);
-  printSeconds(out, "one linear stage", cost.stageSeconds);
-  if (cost.correctionSeconds > 0.0) printSeconds(out, "least squares of its vectors", cost.correctionSeconds);
-  printSeconds(out, "error of the mesh, files", cost.resultSeconds);
+  out << "CPU time, roughly (this machine takes " << std::setprecision(1) << slowness
+      << " times as long as the one of the rates):\n";
+  printSeconds(out, "start, reading, stiffness", slowness * cost.startSeconds);
+  printSeconds(out, "factorisation", slowness * cost.factorSeconds);
+  if (cost.staticsSeconds > 0.0) printSeconds(out, "statics of the loads", slowness * cost.staticsSeconds);
+  printSeconds(out, "one linear stage", slowness * cost.stageSeconds);
+  if (cost.correctionSeconds > 0.0)
+    printSeconds(out, "least squares of its vectors", slowness * cost.correctionSeconds);
+  printSeconds(out, "error of the mesh, files", slowness * cost.resultSeconds);
   std::ostringstream stages;
   stages << std::fixed << std::setprecision(0) << "run of " << cost.stages << " linear stages";
-  printSeconds(out, stages.str(), cost.seconds());
+  printSeconds(out, stages.str(), slowness * cost.seconds());
 }
 
 void printExpansions(std::ostream& out, const study::ChaosChoice& choice, int ranks) {
@@ -112,11 +115,11 @@ void printExpansions(std::ostream& out, const study::ChaosChoice& choice, int ra
   printBytes(out, ranks == 1 ? "memory in all" : "memory of every rank", choice.cost.bytesOf(ranks));
 }
 
-void printStudy(std::ostream& out, const study::Study& study, const study::StudyCost& cost) {
+void printStudy(std::ostream& out, const study::Study& study, const study::StudyCost& cost, double slowness) {
   std::ostringstream what;
   what << std::fixed << std::setprecision(0) << "study of " << cost.solves
        << (study.isChaos() ? " expansions, " : " configurations, ") << cost.stages << " stages";
-  printSeconds(out, what.str(), cost.seconds);
+  printSeconds(out, what.str(), slowness * cost.seconds);
   if (study.isAdaptive()) out << "    with which it begins; those that are added are not counted\n";
 }
 
@@ -136,9 +139,10 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
   if (study && !study->isChaos()) ofStudy = study::estimateStudy(*study, cost, nullptr);
   cost.processBytes += ofStudy.bytes;
   const bool isShown = environment.isRoot() && !arguments.has("--quiet");
+  const double slowness = isShown ? base::machineSlowness() : 1.0;
   if (isShown) {
     printProblem(environment.out, problem);
-    printCost(environment.out, cost, ofStudy.bytes);
+    printCost(environment.out, cost, ofStudy.bytes, slowness);
     printWarnings(environment.out, problem.warnings);
   }
   scene::demandCapacity(cost, freeBytes);
@@ -146,11 +150,11 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
     const study::ChaosChoice choice = study::chooseLocalStage(*study, problem, *environment.communicator);
     if (isShown) {
       printExpansions(environment.out, choice, environment.communicator->getSize());
-      printStudy(environment.out, *study, study::estimateStudy(*study, cost, &choice.cost));
+      printStudy(environment.out, *study, study::estimateStudy(*study, cost, &choice.cost), slowness);
     }
     study::demandMemory(*study, choice, *environment.communicator);
   }
-  if (study && !study->isChaos() && isShown) printStudy(environment.out, *study, ofStudy);
+  if (study && !study->isChaos() && isShown) printStudy(environment.out, *study, ofStudy, slowness);
   if (!environment.isRoot()) return 0;
   environment.out << scene.path << " is valid.\n";
   return 0;

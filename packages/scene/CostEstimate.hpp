@@ -32,10 +32,13 @@ struct CostEstimate {
   double readSeconds = 0.0;            // of that, reading factors, in single precision wherever that is allowed
   double stages = 0.0;                 // linear stages of a run, as scenes with such laws and joints mostly take
   double correctionSeconds = 0.0;      // least squares over differences of the march and directions of the certificate
+  double wholeSeconds = 0.0;           // the displacements of whole parts at all load steps, once
   double resultSeconds = 0.0;          // error of the mesh, files
 
   /// A whole run [s].
   double seconds() const { return startSeconds + factorSeconds + solveSeconds() + resultSeconds; }
+  /// Least squares [s] of so many iterations over the differences of the last ones, at most `memory`.
+  double accelerationSeconds(double iterations, double memory) const;
   /// The solution alone [s], once all is factored.
   double solveSeconds() const { return staticsSeconds + stages * stageSeconds + correctionSeconds; }
 };

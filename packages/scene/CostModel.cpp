@@ -40,8 +40,8 @@ constexpr double programBytes = 60e6, matrixCopies = 4.4, paddedFactor = 1.3, re
 constexpr double programSeconds = 0.09, assemblySeconds = 5e-8, operationSeconds = 4.5e-11, factorEntrySeconds = 1.5e-8,
                  macroReadSeconds = 1.5e-10, factoredEntrySeconds = 2.5e-8, factoredUnknownSeconds = 5.5e-6,
                  readEntrySeconds = 2.6e-10, interfaceSeconds = 3e-8, bodySeconds = 1e-6, sideSeconds = 7e-7,
-                 reactionSeconds = 7e-10, correctionSeconds = 8e-9, accelerationSeconds = 4e-9,
-                 recoverySecondsInSpace = 9e-6, recoverySecondsInPlane = 3e-6, sharedNodeSeconds = 1e-4,
+                 reactionSeconds = 7e-10, correctionSeconds = 6.5e-9, differenceSeconds = 4e-9,
+                 recoverySecondsInSpace = 9e-6, recoverySecondsInPlane = 3e-6, sharedNodeSeconds[] = {1e-4, 9e-4},
                  fileSeconds = 1e-6, stepFileSeconds = 1.1e-7;
 // Of operators that are solved iteratively: bytes per entry at the peak, with the preconditioner; iterations of a
 // column; seconds per entry of the preconditioner and of an iteration; entries of a row of small elements.
@@ -59,12 +59,12 @@ constexpr double affineMarch = 4.0, affineCertificate = 0.5, affineGrowth = -0.5
 // Where bodies press on each other, for every joint of JointGraph::height, and for its square in the plane and in
 // space: what slides at one joint passes forces on to the next, and every joint has directions of its own that the
 // certificate must know.
-constexpr double marchOfJoint = 5.0, certificateOfJoints[] = {2.3, 3.0}, leastStages = 6.0;
+constexpr double marchOfJoint = 5.0, certificateOfJoints[] = {2.0, 3.0}, leastStages = 6.0;
 // Of the stages: for every doubling of the pieces of a part.
 constexpr double growthWithPieces = 0.18;
 // Other solutions are looked for along two ways, to a residual two decades below; of the stages of the march, in the
 // plane, where bodies meet at points, and in space, where they do along lines.
-constexpr double ways = 2.0, marchesOfWay[] = {0.75, 2.0};
+constexpr double ways = 2.0, marchesOfWay[] = {0.1, 2.0};
 
 /// Linear stages that a run is expected to take.
 struct Stages {
@@ -197,10 +197,14 @@ std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfa
   return counts;
 }
 
+double CostEstimate::accelerationSeconds(double iterations, double memory) const {
+  return differenceSeconds * steps * static_cast<double>(interfaceUnknowns) * iterations * std::min(iterations, memory);
+}
+
 void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
   const substructure::SolverOptions& options = solver.stages.solver;
   const double square = body.trace * body.trace / body.factor.blocks, entries = body.factor.nonzeros;
-  const bool isDense = body.trace > 0.0 && square <= options.denseTraceWorth() * entries;
+  const bool isDense = body.factor.isTraceLast || (body.trace > 0.0 && square <= options.denseTraceWorth() * entries);
   if (body.isAssembled) sum_[body.iteratedEntries > 0.0 ? iteratedMatrix : matrixEntries] += body.matrixEntries;
   sum_[assembledEntries] += body.matrixEntries;
   sum_[reactions] += body.trace * body.interfaces;
@@ -216,7 +220,8 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
     sum_[factorEntries] += entries;
     if (body.trace == 0.0) sum_[looseEntries] += entries;
     // A trace that is kept dense is eliminated last.
-    sum_[operations] += body.factor.operations + (isDense ? square * body.trace / body.factor.blocks / 3.0 : 0.0);
+    const bool isCounted = !isDense || body.factor.isTraceLast;
+    sum_[operations] += body.factor.operations + (isCounted ? 0.0 : square * body.trace / body.factor.blocks / 3.0);
     if (options.invertTrace && isDense) sum_[invertedEntries] += square / 2.0;  // of a triangle
     if (body.trace > 0.0) sum_[macroReads] += 2.0 * body.interfaces * entries;
   }
@@ -261,7 +266,8 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
                        macroReadSeconds * motions * sum_[macroReads] + factoredEntrySeconds * sum_[factoredEntries] +
                        factoredUnknownSeconds * sum_[factoredUnknowns] + multigridSeconds * sum_[storedIterated] +
                        iterationSeconds * iterationsOfColumn * motions * sum_[macroIterated];
-  cost.staticsSeconds = scope.statics.seconds(steps) + sharedNodeSeconds * scope.joints.sharedNodes * steps;
+  cost.staticsSeconds =
+      scope.statics.seconds(steps) + sharedNodeSeconds[scope.dimension - 2] * scope.joints.sharedNodes * steps;
   cost.readSeconds = steps * readEntrySeconds * sum_[readEntries];
   const double ofMacro = factorOf(motions * scope.sides / 2.0 + 1.0, scope.dimension).nonzeros;
   cost.stageSeconds = cost.readSeconds +
@@ -269,10 +275,11 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
                                interfaceSeconds * scope.interfaceUnknowns + bodySeconds * scope.bodies +
                                sideSeconds * scope.sides + iterationSeconds * iterationsOfColumn * sum_[readIterated]);
   cost.stages = stages.all();
-  const auto remembered = [&](double iterations) { return iterations * std::min<double>(iterations, solver.memory); };
-  cost.correctionSeconds = steps * scope.interfaceUnknowns *
-                           (correctionSeconds * stages.certificate * stages.certificate +
-                            accelerationSeconds * (remembered(stages.march) + ways * remembered(stages.others / ways)));
+  cost.wholeSeconds = 2.0 * steps * readEntrySeconds * sum_[factorEntries];
+  cost.correctionSeconds =
+      steps * scope.interfaceUnknowns * correctionSeconds * stages.certificate * stages.certificate +
+      cost.accelerationSeconds(stages.march, solver.memory) +
+      ways * cost.accelerationSeconds(stages.others / ways, solver.memory);
   const double recoverySeconds = scope.dimension == 3 ? recoverySecondsInSpace : recoverySecondsInPlane;
   cost.resultSeconds = scope.unknowns * (recoverySeconds + fileSeconds + stepFileSeconds * steps);
   return cost;

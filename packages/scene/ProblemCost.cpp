@@ -23,12 +23,13 @@
 namespace harmos::scene {
 namespace {
 
-substructure::FactorSize sizeOf(const assembly::Assembly& assembly, std::size_t number, FactorSizes sizes) {
+substructure::FactorSize sizeOf(const assembly::Assembly& assembly, std::size_t number, FactorSizes sizes,
+                                const substructure::SolverOptions& solver) {
   const substructure::Substructure& body = assembly.bodies[number];
   if (sizes == FactorSizes::fromOrder) {
-    return substructure::predictFactor(*body.stiffness,
-                                       boundaryOf(assembly.interfaces, number, assembly.dimension, body.nodes.size()),
-                                       traceOf(assembly.interfaces, number, assembly.dimension), body.nodes);
+    return substructure::predictFactor(
+        *body.stiffness, boundaryOf(assembly.interfaces, number, assembly.dimension, body.nodes.size()),
+        traceOf(assembly.interfaces, number, assembly.dimension), body.nodes, solver.denseTraceWorth());
   }
   return factorOf(static_cast<double>(body.nodes.size()) * body.dimension, body.dimension);
 }
@@ -77,7 +78,8 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
     size.matrixEntries = entries;
     size.isAssembled = !known[master];
     if (size.isAssembled) {
-      known[master] = body.iterates ? substructure::FactorSize{} : sizeOf(assembly, master, sizes);
+      known[master] =
+          body.iterates ? substructure::FactorSize{} : sizeOf(assembly, master, sizes, solver.stages.solver);
       mineOfBody[master] = known[master]->nonzeros / known[master]->blocks;
     }
     size.factor = *known[master];

@@ -15,9 +15,10 @@ enum class FactorSizes {
 /// Collective. `solver`: its options for direct solvers and the accuracy asked for. Sizes of factors: 25 n^(4/3)
 /// entries in space and 8 n log2 n in the plane reproduce CHOLMOD with METIS on cubes of 5 000 to 100 000 unknowns
 /// within 20 %; n: the unknowns of a body. What processes hold at the peak and what they take are fitted to runs on one
-/// core of 2020, see tests/benchmarks/cost_table.py: within a factor of 1.5 for most scenes. Limits: stages are those
-/// of the class of the laws (affine or not), and scenes that converge slowly take more; of very many load steps few may
-/// need iterations, which takes less memory. The result is the same on every rank. Throws base::Error when METIS fails.
+/// core of 2020; times base::machineSlowness() they are within a factor of 1.5 for most scenes elsewhere, too, see
+/// tests/benchmarks/cost_table.py. Limits: stages are those of the class of the laws (affine or not), and scenes that
+/// converge slowly take more; of very many load steps few may need iterations, which takes less memory. The result is
+/// the same on every rank. Throws base::Error when METIS fails.
 CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& solver, FactorSizes sizes,
                           const Teuchos::Comm<int>& comm);
 

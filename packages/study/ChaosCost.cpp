@@ -55,7 +55,8 @@ ChaosCost estimateChaos(const Study& study, const scene::Problem& problem, const
   constexpr double otherFields = 14.0;
   // Fits of measured times: of a scene per entry of its input, of a law and of the projection at a point.
   constexpr double secondsPerEntry = 3e-6, secondsPerLaw = 20e-9, secondsPerProduct = 1.2e-9, secondsPerSpring = 2e-9;
-  constexpr double blockShare = 0.7;  // all polynomials are solved at once, which reads the factors less often
+  // All polynomials are solved at once, which reads the factors less often; so are their least squares.
+  constexpr double blockShare = 0.7, shareOfLeastSquares = 0.3;
 
   const StochasticPlan& plan = *study.stochastic;
   const assembly::Assembly& assembly = problem.assembly;
@@ -90,8 +91,11 @@ ChaosCost estimateChaos(const Study& study, const scene::Problem& problem, const
       cost.matrixBytes + factors * cost.factorBytes +
       entryBytes * steps * result.terms *
           (fields * static_cast<double>(cost.interfaceUnknowns) + 2.0 * static_cast<double>(cost.unknowns));
+  const double perPolynomial =
+      ChaosCost::usualIterations * blockShare * cost.stageSeconds + blockShare * cost.wholeSeconds +
+      shareOfLeastSquares * cost.accelerationSeconds(ChaosCost::usualIterations, study.scene.solver.memory);
   result.solveSeconds = result.points * secondsPerEntry * sizeOf(study.sceneTree.root) +
-                        ChaosCost::usualIterations * (perIteration + blockShare * result.terms * cost.stageSeconds);
+                        ChaosCost::usualIterations * perIteration + result.terms * perPolynomial;
   result.seconds = cost.factorSeconds + result.solveSeconds;
   return result;
 }

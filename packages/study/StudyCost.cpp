@@ -1,6 +1,7 @@
 #include <harmos/study/StudyCost.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <harmos/parametric/CalibratedSchedule.hpp>
 #include <harmos/parametric/ParametricStudy.hpp>
@@ -12,8 +13,9 @@ namespace harmos::study {
 namespace {
 
 // Linear stages over those of a run: of a configuration that is certified by itself, of one that calibrates a study,
-// with the attempts that come to nothing, of one that starts from others, and where all laws are affine.
-constexpr double alone = 1.8, calibration = 3.4, amongOthers = 0.16, affine = 0.2;
+// with the attempts that come to nothing, of one that starts from others that are next to it, and how that grows with
+// their distance in the ranges of the parameters, and where all laws are affine.
+constexpr double alone = 1.8, calibration = 2.4, amongOthers = 0.12, growthWithDistance = 0.56, affine = 0.2;
 // Below so many configurations each is certified, see parametric::CertifiedSchedule.
 constexpr double fewConfigurations = 10.0;
 // Of a configuration that marches beside others: fields of all load steps; and columns of the one at hand, which are
@@ -21,6 +23,21 @@ constexpr double fewConfigurations = 10.0;
 constexpr double fieldsOfPlace = 5.0, columnsOfPlace = 60.0;
 // Of a configuration besides: its scene is checked and its laws are made.
 constexpr double configurationSeconds = 3e-3;
+
+/// Distance of neighbours, as if configurations were a grid over the free parameters that vary, in their ranges.
+double distanceOf(const Study& study) {
+  int varying = 0;
+  for (std::size_t p = 0; p < study.parameters.size(); ++p) {
+    if (!study.parameters[p].formula.empty()) continue;
+    const auto isOther = [&](const design::Configuration& one) {
+      return one.values[p] != study.configurations.front().values[p];
+    };
+    if (std::any_of(study.configurations.begin(), study.configurations.end(), isOther)) ++varying;
+  }
+  if (varying == 0) return 0.0;
+  const double along = std::pow(static_cast<double>(study.configurations.size()), 1.0 / varying);
+  return 1.0 / std::max(1.0, along - 1.0);
+}
 
 }  // namespace
 
@@ -54,13 +71,15 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
   const double calibrations =
       calibration * parametric::CalibratedSchedule::calibrationsUntil(static_cast<int>(result.solves));
   const double share = result.solves < fewConfigurations ? alone
-                       : cost.isAffine                   ? affine
-                                                         : calibrations / result.solves + amongOthers;
+                       : cost.isAffine
+                           ? affine
+                           : calibrations / result.solves + amongOthers + growthWithDistance * distanceOf(study);
   result.stages = share * cost.stages;
   // Marches from neighbours solve in double precision, which reads twice as much; in single only by inverted traces.
   const bool readsDouble = result.solves >= fewConfigurations && !solverOptions(study).stages.solver.invertTrace;
   const double stageSeconds = cost.stageSeconds + (readsDouble ? cost.readSeconds : 0.0);
-  const double certified = std::min(result.solves, calibrations / alone);
+  const double certified =
+      result.solves < fewConfigurations ? result.solves : std::min(result.solves, calibrations / alone);
   result.seconds = once + (groups - 1.0) * cost.factorSeconds +
                    certified * (cost.staticsSeconds + cost.correctionSeconds) +
                    result.solves * (configurationSeconds + result.stages * stageSeconds);

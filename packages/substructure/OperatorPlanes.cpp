@@ -1,5 +1,7 @@
 #include <harmos/substructure/detail/OperatorPlanes.hpp>
 
+#include <algorithm>
+
 #include <Tpetra_CrsMatrix.hpp>
 
 #include <harmos/substructure/detail/BoundedStiffness.hpp>
@@ -24,6 +26,14 @@ MirrorPlanes operatorPlanes(const std::vector<base::Vector3>& nodes, const base:
   if (planes.count() > 0) planes.keepThoseOf(viewOf(*heldMatrix(boundary, view.rows), "boundary term"));
   planes.keepThoseOf(view);
   return planes;
+}
+
+std::vector<int> placesInBlock(const std::vector<int>& block, const std::vector<int>& trace,
+                               const std::vector<int>& own) {
+  std::vector<int> places;
+  for (const int row : own)
+    places.push_back(static_cast<int>(std::lower_bound(block.begin(), block.end(), trace[row]) - block.begin()));
+  return places;
 }
 
 }  // namespace harmos::substructure

@@ -43,6 +43,7 @@ SolverOptions::SolverOptions(const input::Parameters& given)
       allowsSingle(given.text("Precision") == "Automatic") {}
 
 double SolverOptions::denseTraceWorth() const {
+  if (lowerCase(name) != "cholmod") return 0.0;
   return invertTrace ? entriesOfTraceInverse : entriesOfTraceFactor;
 }
 

@@ -24,7 +24,7 @@ struct SolverOptions {
   /// From a list that was checked against describe().
   explicit SolverOptions(const input::Parameters& given);
   /// Entries of the square of a trace that are worth as much as one of the sparse factor: where it has no more of them,
-  /// a part's trace is kept dense.
+  /// a part's trace is kept dense. 0: this solver keeps none dense.
   double denseTraceWorth() const;
   /// Declares the entries of the list Linear Solver.
   static void describe(input::ParameterSpec& spec);

@@ -111,11 +111,7 @@ void SubstructureSolver::factor(const Teuchos::RCP<base::CrsMatrix>& sum, const 
   int traces = 0, wanted = 0;
   for (std::size_t b = 0; b < rows.size(); ++b) {
     if (rows[b].empty()) continue;
-    std::vector<int> within;  // the trace of the block
-    for (const int row : traceRows[b]) {
-      within.push_back(
-          static_cast<int>(std::lower_bound(rows[b].begin(), rows[b].end(), trace[row]) - rows[b].begin()));
-    }
+    const std::vector<int> within = placesInBlock(rows[b], trace, traceRows[b]);
     const Teuchos::RCP<base::CrsMatrix> matrix =
         planes_.count() == 0 ? sum : planes_.blockOf(viewOf(*sum, part_), rows[b]);
     blocks_.push_back({rows[b], traceRows[b], factorOf(matrix, options, within)});

@@ -15,4 +15,9 @@ namespace harmos::substructure {
 MirrorPlanes operatorPlanes(const std::vector<base::Vector3>& nodes, const base::CrsMatrix& stiffness,
                             const BoundaryTerm& boundary, const std::vector<int>& trace);
 
+/// Where rows of a trace stand in a block that they belong to. `block` and `trace`: rows of the part, ascending;
+/// `own`: places in `trace`.
+std::vector<int> placesInBlock(const std::vector<int>& block, const std::vector<int>& trace,
+                               const std::vector<int>& own);
+
 }  // namespace harmos::substructure

@@ -41,6 +41,23 @@ TEST(StudyCost, FallsWithTheNumberOfConfigurations) {
   EXPECT_GT(many.seconds, some.seconds);
 }
 
+// Of as many values of more parameters each is farther from the next; what does not vary keeps none apart.
+TEST(StudyCost, GrowsWithTheDistanceOfNeighbours) {
+  const auto stages = [](int parameters, bool vary) {
+    Study study;
+    study.parameters.resize(3);
+    for (int i = 0; i < 64; ++i) {
+      design::Configuration one{i + 1, std::vector<double>(3, 1.0)};
+      for (int p = 0; p < parameters && vary; ++p) one.values[p] = i;
+      study.configurations.push_back(one);
+    }
+    return estimateStudy(study, sample(), nullptr).stages;
+  };
+  EXPECT_GT(stages(3, true), stages(2, true));
+  EXPECT_GT(stages(2, true), stages(1, true));
+  EXPECT_EQ(stages(2, false), stages(3, false));
+}
+
 // While each is certified by itself, while few march from others, and from where on traces are inverted.
 TEST(StudyCost, GrowsWithEveryConfiguration) {
   for (int count = 2; count < 9; ++count) EXPECT_GT(costOf(count + 1).seconds, costOf(count).seconds) << count;

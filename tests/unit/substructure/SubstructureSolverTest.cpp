@@ -286,5 +286,27 @@ TEST(SubstructureSolver, predictionIsWhatTheFactorTakes) {
   EXPECT_GT(other.factorNonzeros(), solver.factorNonzeros());
 }
 
+TEST(SubstructureSolver, predictionIsOfTracesThatAreKeptDense) {
+  const Lattice lattice{8};
+  const auto stiffness = lattice.matrix();
+  const BoundaryTerm term = onOneFace(lattice, 1.0);
+  std::vector<int> trace;
+  for (int row = 0; row < lattice.dofs(); ++row) {
+    if (term.diagonal[row] != 0.0) trace.push_back(row);
+  }
+  const FactorSize sparse = predictFactor(*stiffness, term, trace),
+                   dense = predictFactor(*stiffness, term, trace, {}, 1e3);
+  EXPECT_FALSE(sparse.isTraceLast);
+  EXPECT_TRUE(dense.isTraceLast);
+  EXPECT_GT(dense.nonzeros, sparse.nonzeros);
+  EXPECT_FALSE(predictFactor(*stiffness, term, trace, {}, 1e-3).isTraceLast);
+  // Supernodes of CHOLMOD are padded, the more the smaller they are.
+  const SubstructureSolver solver(stiffness, term, {}, "part", trace);
+  if (solver.solvesTrace()) {
+    EXPECT_LE(dense.nonzeros, static_cast<double>(solver.factorNonzeros()));
+    EXPECT_GT(3.0 * dense.nonzeros, static_cast<double>(solver.factorNonzeros()));
+  }
+}
+
 }  // namespace
 }  // namespace harmos::substructure
