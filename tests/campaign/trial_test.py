@@ -42,14 +42,23 @@ class Judging(unittest.TestCase):
         wrong = run()
         wrong.values["F"] = np.array([7.0, 5.0])
         self.expect(Verdict.NOT_DETERMINED_UNSAID, wrong, answer(spread=0.1))
-        self.expect(Verdict.NOT_DETERMINED_UNSAID, dataclasses.replace(wrong, ranges=frozenset("u")), answer(spread=0.1))
-        self.expect(Verdict.NOT_DETERMINED_SAID, dataclasses.replace(wrong, ranges=frozenset("F")), answer(spread=0.1))
+        around = (np.array([1.0, 1.0]), np.array([9.0, 9.0]))
+        self.expect(Verdict.NOT_DETERMINED_UNSAID, dataclasses.replace(wrong, ranges={"u": around}), answer(spread=0.1))
+        self.expect(Verdict.NOT_DETERMINED_SAID, dataclasses.replace(wrong, ranges={"F": around}), answer(spread=0.1))
         warned = dataclasses.replace(wrong, remarks=("nothing holds part",))
         self.expect(Verdict.NOT_DETERMINED_SAID, warned, answer(spread=0.1))
         # What is not determined by less than was asked for is right all the same.
         self.expect(Verdict.NOT_DETERMINED_SAID, wrong, answer(spread=1e-4))
         self.expect(Verdict.WRONG, wrong, answer(spread=1e-9))
         self.expect(Verdict.WRONG, run(error=0.1), answer(spread=0.1))
+
+    def test_a_range_with_the_true_values_is_not_wrong(self) -> None:
+        around, beside = ((np.array([1.0, least]), np.array([9.0, 9.0])) for least in (1.5, 2.05))
+        said = dataclasses.replace(run(error=0.1), ranges={"u": around})
+        self.expect(Verdict.NOT_DETERMINED_SAID, dataclasses.replace(said, remarks=("nothing holds part",)), answer(spread=0.1))
+        self.expect(Verdict.NOT_DETERMINED_UNSAID, said, answer(spread=0.1))
+        self.expect(Verdict.WRONG, dataclasses.replace(said, ranges={"u": beside}), answer(spread=0.1))
+        self.expect(Verdict.WRONG, said, answer())
 
     def test_other_endings(self) -> None:
         self.expect(Verdict.REFUSED, run(Ending.NOT_CONVERGED), answer())

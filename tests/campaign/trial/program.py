@@ -33,7 +33,7 @@ class Ending(enum.Enum):
 @dataclasses.dataclass
 class Run:
     """What Harmos said. status, reason, remarks: its words. values: per response [step]. stages: linear stages.
-    ranges: names of the responses that it says the problem does not determine."""
+    ranges: by name of the responses that it says the problem does not determine, their least and largest values [step]."""
     ending: Ending
     status: str
     reason: str
@@ -41,7 +41,7 @@ class Run:
     estimates: dict[str, float]
     stages: int
     seconds: float
-    ranges: frozenset[str] = frozenset()
+    ranges: dict[str, tuple[Floats, Floats]] = dataclasses.field(default_factory=dict)
     remarks: tuple[str, ...] = ()
 
 
@@ -75,7 +75,8 @@ def run_harmos(program: pathlib.Path, scene: pathlib.Path, limit: float, *argume
                {name: float("nan") if estimate is None else float(estimate)
                 for name, estimate in record.get("response_error_estimates", {}).items()},
                int(record["linear_stages"]), float(record["wall_seconds"]),
-               frozenset(record.get("response_ranges", {})), tuple(record.get("remarks", [])))
+               {name: (np.array(range_["lower"], float), np.array(range_["upper"], float))
+                for name, range_ in record.get("response_ranges", {}).items()}, tuple(record.get("remarks", [])))
 
 
 def _history(path: pathlib.Path) -> dict[str, Floats]:

@@ -58,8 +58,18 @@ def true_errors(run: Run, answer: Answer) -> dict[str, float]:
     return errors
 
 
+def _are_within(scene: Scene, run: Run, answer: Answer, name: str) -> bool:
+    """Whether Harmos says that a response is not determined, and from where to where, with the true values between. All
+    ways of the reference may have come to one end of it."""
+    if name not in run.ranges or len(answer.determined) == len(answer.values):
+        return False
+    (lower, upper), room, value = run.ranges[name], scene.accuracy * answer.sizes[name], answer.values[name]
+    return len(lower) == len(value) and bool((lower - room <= value).all() and (value <= upper + room).all())
+
+
 def _of_certified(scene: Scene, run: Run, answer: Answer) -> Judgement:
-    errors = {name: error for name, error in true_errors(run, answer).items() if name in answer.determined}
+    errors = {name: error for name, error in true_errors(run, answer).items()
+              if name in answer.determined and not _are_within(scene, run, answer, name)}
     worst = max(errors, key=lambda name: errors[name]) if errors else ""
     error = errors.get(worst, 0.0)
     estimate = max((run.estimates.get(name, 0.0) for name in errors), default=0.0)
