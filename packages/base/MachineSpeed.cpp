@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <vector>
 
 #include <sys/resource.h>
-#include <time.h>
 #include <Teuchos_BLAS.hpp>
 
 #include <harmos/base/Matrix.hpp>
@@ -16,12 +16,6 @@ namespace {
 // CPU seconds of a round where a run of the bolted joint takes what its rates say.
 constexpr double usualSeconds = 0.0033;
 constexpr std::size_t rounds = 15;
-
-double threadSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// What a round works on.
 struct Work {
@@ -57,10 +51,10 @@ double medianSeconds() {
   work.keys.assign(keys, 0.0);
   std::array<double, rounds> taken{};
   for (double& one : taken) {
-    const double begin = threadSeconds();
+    const std::clock_t begin = std::clock();
     volatile double result = workOnce(work);
     static_cast<void>(result);
-    one = threadSeconds() - begin;
+    one = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   }
   std::sort(taken.begin(), taken.end());
   return taken[rounds / 2];
