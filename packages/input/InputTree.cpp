@@ -168,7 +168,7 @@ InputNode listNode(const Teuchos::ParameterList& list, const std::string& name, 
 
 }  // namespace
 
-const std::string* InputNode::attribute(const std::string& name) const {
+const std::string* InputNode::attribute(std::string_view name) const {
   for (const auto& [key, value] : attributes) {
     if (key == name) return &value;
   }
@@ -190,7 +190,7 @@ std::string InputNode::name() const {
   return given ? *given : "";
 }
 
-const InputNode* InputNode::child(const std::string& name) const {
+const InputNode* InputNode::child(std::string_view name) const {
   for (const InputNode& node : children) {
     const std::string* given = node.attribute("name");
     if ((given ? *given == name : name.empty()) && (node.isList() || node.isParameter())) return &node;
@@ -198,7 +198,7 @@ const InputNode* InputNode::child(const std::string& name) const {
   return nullptr;
 }
 
-InputNode* InputNode::child(const std::string& name) {
+InputNode* InputNode::child(std::string_view name) {
   return const_cast<InputNode*>(static_cast<const InputNode*>(this)->child(name));
 }
 

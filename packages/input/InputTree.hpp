@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,15 +30,15 @@ struct InputNode {
   /// Whether the tag is parameterTag.
   bool isParameter() const { return tag == parameterTag; }
   /// The value of an attribute, owned by the node; null when absent.
-  const std::string* attribute(const std::string& name) const;
+  const std::string* attribute(std::string_view name) const;
   /// Replaces the value of an attribute, or adds it after the others.
   void setAttribute(const std::string& name, const std::string& value);
   /// The attribute "name", empty when absent.
   std::string name() const;
   /// The first child of this name, list or parameter, owned by this node; null when absent.
-  InputNode* child(const std::string& name);
+  InputNode* child(std::string_view name);
   /// The same, to be read only.
-  const InputNode* child(const std::string& name) const;
+  const InputNode* child(std::string_view name) const;
 };
 
 /// A parameter list in the XML of Teuchos, read but not checked: every element with its file and line.
