@@ -8,8 +8,9 @@
 
 void keepFreedMemory() {
 #ifdef __GLIBC__
-  // Larger ones, the fields of many load steps, would need whole holes of the heap when they grow, and find none: 11.9
-  // for 10.1 fields for each step. A value of one's own also keeps glibc from moving the threshold.
+  // Larger ones, the fields of many load steps, would need whole holes of the heap when they grow, and may find none:
+  // 12 for 10.5 fields for each step in command_line_many_steps. A value of one's own also keeps the C library from
+  // moving the threshold.
   constexpr int alwaysGivenBack = 8 << 20;
   constexpr int kept = 256 << 20;
   // What users set in the environment is theirs.
