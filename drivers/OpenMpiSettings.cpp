@@ -11,9 +11,12 @@ namespace {
 constexpr std::array<const char*, 6> launched = {
     "OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMIX_NAMESPACE", "PMI_RANK", "PMI_FD", "SLURM_PROCID"};
 
-// Without a daemon, or anything but itself to talk to.
-constexpr std::array<std::pair<const char*, const char*>, 3> alone = {
-    {{"OMPI_MCA_ess_singleton_isolated", "1"}, {"OMPI_MCA_pml", "ob1"}, {"OMPI_MCA_btl", "self"}}};
+// Without a daemon, or anything but itself to talk to, of which it wants no list of devices.
+constexpr std::array<std::pair<const char*, const char*>, 5> alone = {{{"OMPI_MCA_ess_singleton_isolated", "1"},
+                                                                       {"OMPI_MCA_pml", "ob1"},
+                                                                       {"OMPI_MCA_btl", "self"},
+                                                                       {"OMPI_MCA_coll", "self,basic,libnbc"},
+                                                                       {"HWLOC_COMPONENTS", "-pci,-linuxio"}}};
 
 bool isSet(const char* name) {
   return std::getenv(name) != nullptr;

@@ -7,7 +7,7 @@
 #include <harmos/base/OneThread.hpp>
 #include <harmos/cli/CommandLine.hpp>
 
-#include "FreedMemory.hpp"
+#include "Heap.hpp"
 #include "Interrupt.hpp"
 #include "OpenMpiSettings.hpp"
 
@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   harmos::base::useFittingBlas(argv);
   harmos::base::useOneThread();
   keepFreedMemory();
+  useHugePages();
   OpenMpiSettings openMpi;
   catchInterrupts();
   // Kokkos and MPI get no arguments: Kokkos would answer --help itself.
