@@ -181,7 +181,8 @@ void BodyOperators::select(const std::vector<int>& steps) {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     std::vector<int> columns;
     for (std::size_t m = 0; m < members_[g].size(); ++m) {
-      for (const int t : steps_) columns.push_back(static_cast<int>(m) * cases_ + t);
+      for (const int t : steps_)
+        columns.push_back(t == withoutLoads ? OperatorGroup::withoutLoads : static_cast<int>(m) * cases_ + t);
     }
     groups_[g]->select(std::move(columns), static_cast<int>(members_[g].size()));
   }

@@ -36,7 +36,9 @@ class BodyOperators {
   /// Frees the factors.
   ~BodyOperators();
 
-  /// Sets which load step each column of a field is; to be called before the first solve().
+  /// In the place of a load step: no loads, and nothing held away from where it was.
+  static constexpr int withoutLoads = -1;
+  /// Sets which load step each column of a field is, or withoutLoads; to be called before the first solve().
   void select(const std::vector<int>& steps);
   /// Motions that displacements, also held ones, are counted from; none at first. They must outlive it; updateLoads()
   /// must follow, and whenever they change.

@@ -154,6 +154,14 @@ class FixedPoint {
     linear_->select({});
   }
 
+  /// Collective. A x [stress] of columns x [stress] that alpha changes by, where beta = A alpha + b, by itself: errors
+  /// of single precision are relative to x, not to what the loads do. No iterate is valid afterwards, and select() or
+  /// selectAll() must follow. Displacement form only.
+  void solveChange(const base::Matrix& change, base::Matrix& image, substructure::Precision precision) {
+    linear_->select(std::vector<int>(static_cast<std::size_t>(change.numCols()), BodyOperators::withoutLoads));
+    solveLinear(change, image, precision);
+  }
+
   /// The assembly that was given.
   const assembly::Assembly& assembly() const { return assembly_; }
   /// k [stress/length] of every pair.

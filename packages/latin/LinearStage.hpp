@@ -28,7 +28,8 @@ class LinearStage {
               const TraceLayout& layout, const EliminatedBoundaries& eliminated, Formulation formulation,
               bool withMacroProblem, const substructure::SolverOptions& options, base::Timers& timers);
 
-  /// Sets which load step each column of a field is; to be called before the first solve.
+  /// Sets which load step each column of a field is, or BodyOperators::withoutLoads; to be called before the first
+  /// solve.
   void select(const std::vector<int>& steps);
 
   /// To be called when the laws of boundaries without unknowns have been replaced.

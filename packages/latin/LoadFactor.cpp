@@ -7,6 +7,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/latin/BodyOperators.hpp>
 #include <harmos/latin/InterfaceMass.hpp>
 
 namespace harmos::latin {
@@ -65,7 +66,8 @@ void LoadFactor::setUnit(const base::Matrix& alpha, const base::Matrix& trace) {
 void LoadFactor::add(const std::vector<int>& steps, base::Matrix& alpha, base::Matrix& trace) {
   factors_ = controlled(trace);
   for (std::size_t t = 0; t < steps.size(); ++t) {
-    factors_[t] = (assembly_.path->values[steps[t]] - factors_[t]) / unitControlled_;
+    const double value = steps[t] == BodyOperators::withoutLoads ? 0.0 : assembly_.path->values[steps[t]];
+    factors_[t] = (value - factors_[t]) / unitControlled_;
     const int column = static_cast<int>(t);
     for (int row = 0; row < trace.numRows(); ++row) {
       alpha[column][row] += factors_[t] * unitAlpha_[0][row];

@@ -271,6 +271,7 @@ void MacroProblem::correct(Matrix& alpha, Matrix& forces, int first, const std::
   }
   for (const Body& body : bodies_) {
     for (int t = 0; t < count; ++t) {
+      if (steps[t] == BodyOperators::withoutLoads) continue;
       for (std::size_t j = 0; j < body.unknowns.size(); ++j)
         local(body.unknowns[j], t) += body.loads(static_cast<int>(j), steps[t]);
     }

@@ -36,7 +36,8 @@ class MacroProblem {
   void updateLoads(const assembly::Assembly& assembly, const BodyOperators& operators);
 
   /// Collective. Adds k P c to the columns first .. first + steps.size() - 1 of `alpha` [stress], which are the load
-  /// steps `steps`, and h k P c to `forces` = h alpha [force], which are these columns only.
+  /// steps `steps` or BodyOperators::withoutLoads, and h k P c to `forces` = h alpha [force], which are these columns
+  /// only.
   void correct(base::Matrix& alpha, base::Matrix& forces, int first, const std::vector<int>& steps) const;
 
   /// 1 over the smallest eigenvalue of G, about, in the norm in which P^T h k P = 1: how many times further resultants

@@ -166,8 +166,9 @@ void OperatorGroup::solveTraces(const std::vector<int>& columns, substructure::P
   for (int j = 0; j < count; ++j) {
     double* to = solution_[columns[j]];
     if (!isAll) std::copy_n(part[j], rows(), to);
-    if (loads_.numCols() == 0) continue;
-    const double* loaded = loaded_[loadColumns_[columns[j]]];
+    const int ofLoad = loadColumns_[columns[j]];
+    if (loads_.numCols() == 0 || ofLoad == withoutLoads) continue;
+    const double* loaded = loaded_[ofLoad];
     for (int row = 0; row < rows(); ++row) to[row] += loaded[trace[row]];
   }
 }
@@ -244,8 +245,11 @@ void OperatorGroup::addUnit(int column, int member, double factor) {
 
 void OperatorGroup::addLoad(const base::Matrix& field, int column, double* to, double times) const {
   if (field.numCols() == 0) return;
-  const double* own = field[loadColumns_[column]];
-  for (int row = 0; row < field.numRows(); ++row) to[row] += times * own[row];
+  const int ofLoad = loadColumns_[column];
+  if (ofLoad != withoutLoads) {
+    const double* own = field[ofLoad];
+    for (int row = 0; row < field.numRows(); ++row) to[row] += times * own[row];
+  }
   const double factor = times * unitFactors_[column];
   if (factor == 0.0) return;
   const double* unit = field[unitColumns_[unitOf_[column]]];

@@ -233,7 +233,7 @@ void ConfigurationIteration::propose() {
 }
 
 StepSolver::Request ConfigurationIteration::request() {
-  return {step_, change_[0], changeImage_[0]};
+  return {change_[0], changeImage_[0]};
 }
 
 void ConfigurationIteration::take() {

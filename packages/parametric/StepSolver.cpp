@@ -33,17 +33,11 @@ void StepSolver::solve(const std::vector<Request>& requests) {
   }
   const int rows = fixedPoint_.layout().rows();
   const int count = static_cast<int>(requests.size());
-  std::vector<int> steps;
-  for (const Request& request : requests) steps.push_back(request.step);
-  fixedPoint_.select(steps);
   x_.shapeUninitialized(rows, count);
   images_.shape(rows, count);  // the row that stands for none, on ranks without bodies, is not solved for
   for (int j = 0; j < count; ++j) std::copy_n(requests[j].x, rows, x_[j]);
-  fixedPoint_.solveLinear(x_, images_, precision_);
-  for (int j = 0; j < count; ++j) {
-    const double* offset = (*offset_)[steps[j]];
-    for (int row = 0; row < rows; ++row) requests[j].image[row] = images_[j][row] - offset[row];
-  }
+  fixedPoint_.solveChange(x_, images_, precision_);
+  for (int j = 0; j < count; ++j) std::copy_n(images_[j], rows, requests[j].image);
 }
 
 }  // namespace harmos::parametric

@@ -8,13 +8,12 @@
 
 namespace harmos::parametric {
 
-/// The linear stage beta = A alpha + b as configurations share it: A x for columns of any load steps, and b, which
-/// stays as long as loads do.
+/// The linear stage beta = A alpha + b as configurations share it: A x for columns x, and b, which stays as long as
+/// loads do.
 class StepSolver {
  public:
   /// A column x to be solved for, and where A x goes; both [stress], rows of the layout.
   struct Request {
-    int step;         ///< load step that it belongs to, from 0
     const double* x;  ///< what alpha changes by
     double* image;    ///< A x
   };
@@ -30,8 +29,8 @@ class StepSolver {
   const std::shared_ptr<const base::Matrix>& offset() const { return offset_; }
 
   /// Collective, after updateLoads(). Solves all requests as one block: a single column is bound by the memory of the
-  /// dense traces, which a block reads once for all of its columns. Ends the validity of all iterates, and leaves the
-  /// load steps of the requests selected.
+  /// dense traces, which a block reads once for all of its columns. Ends the validity of all iterates; select() or
+  /// selectAll() of the FixedPoint must follow.
   void solve(const std::vector<Request>& requests);
 
  private:

@@ -35,7 +35,10 @@ class OperatorGroup {
   long loadChanges() const { return loadChanges_; }
   /// P (l - A g); 0 x 0: none.
   const base::Matrix& loads() const { return loads_; }
-  /// Makes room for so many columns in all, and says which column of loads() each takes; so many bodies share them.
+  /// In the place of a column of loads(): none.
+  static constexpr int withoutLoads = -1;
+  /// Makes room for so many columns in all, and says which column of loads() each takes, or withoutLoads; so many
+  /// bodies share them.
   void select(std::vector<int> loadColumns, int bodies);
 
   /// Rows of forces() and solution(): dofs that interfaces load.

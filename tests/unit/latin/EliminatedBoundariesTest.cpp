@@ -74,6 +74,26 @@ std::vector<bool> eliminated(const assembly::Assembly& assembly, Elimination whi
   return result;
 }
 
+// Neither loads nor motions of boundaries stand in what a change does.
+TEST(EliminatedBoundaries, StayWhereTheyAreWhenOnlyAlphaChanges) {
+  for (const Elimination elimination : {Elimination::none, Elimination::rigid, Elimination::affine}) {
+    BoxAssembly cubes = heldCubes();
+    base::Timers timers;
+    StageOptions options;
+    options.elimination = elimination;
+    FixedPoint fixedPoint(cubes.assembly(), options, self(), timers);
+    base::Matrix x(fixedPoint.layout().rows(), steps), image(x), before(x), after(x);
+    randomize(x);
+    fixedPoint.solveLinear(base::Matrix(x.numRows(), steps), before);
+    fixedPoint.solveLinear(x, after);
+    after -= before;
+    fixedPoint.solveChange(x, image, substructure::Precision::exact);
+    fixedPoint.selectAll();
+    image -= after;
+    EXPECT_LT(image.normInf(), accuracy * after.normInf());
+  }
+}
+
 TEST(EliminatedBoundaries, GiveTheStateThatIteratingOnThemGives) {
   const Solved with(heldCubes().assembly(), Elimination::affine), without(heldCubes().assembly(), Elimination::none);
   EXPECT_LT(with.solver->fixedPoint().layout().rows(), without.solver->fixedPoint().layout().rows());

@@ -121,6 +121,56 @@ TEST(LinearStage, KnowsItsErrorInSinglePrecision) {
   EXPECT_LT(difference.normFrobenius(), 10.0 * error * trace.normFrobenius());
 }
 
+/// A x of columns x, by themselves.
+base::Matrix change(Stage& stage, const base::Matrix& x, substructure::Precision precision) {
+  base::Matrix image(x.numRows(), x.numCols());
+  stage.linear.select(std::vector<int>(static_cast<std::size_t>(x.numCols()), BodyOperators::withoutLoads));
+  stage.linear.solve(x, image, precision);
+  stage.linear.select(allSteps(steps));
+  return image;
+}
+
+TEST(LinearStage, KnowsWhatChangesDoWithoutLoads) {
+  for (const bool withMacroProblem : {false, true}) {
+    for (const bool inverts : {false, true}) {
+      substructure::SolverOptions options;
+      options.invertTrace = inverts;
+      Stage stage(loadedCubes(), withMacroProblem, Formulation::displacement, options);
+      base::Matrix x(stage.alpha);
+      randomize(x, 3);
+      base::Matrix further(stage.alpha), beta(stage.beta);
+      further += x;
+      stage.linear.solve(further, beta);
+      beta -= stage.beta;
+      base::Matrix image = change(stage, x, substructure::Precision::exact);
+      image -= beta;
+      EXPECT_LT(image.normInf(), roundOff * beta.normInf());
+      stage.linear.solve(further, beta);
+      base::Matrix again(beta);
+      stage.linear.solve(further, again);
+      EXPECT_EQ(again, beta) << "loads are there again";
+    }
+  }
+}
+
+// Loads would leave their own round-off, however small the change is.
+TEST(LinearStage, ErrsInSinglePrecisionAsFarAsChangesGo) {
+  if (substructure::availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD solves in single precision";
+  substructure::SolverOptions options;
+  options.invertTrace = true;
+  Stage stage(loadedCubes(), true, Formulation::displacement, options);
+  const double error = stage.linear.prepareSingle();
+  for (const double size : {1.0, 1e-6, 1e-12}) {
+    base::Matrix x(stage.alpha);
+    x *= size;
+    const base::Matrix exact = change(stage, x, substructure::Precision::exact);
+    base::Matrix difference = change(stage, x, substructure::Precision::single);
+    difference -= exact;
+    EXPECT_GT(difference.normFrobenius(), 0.0);
+    EXPECT_LT(difference.normFrobenius(), 10.0 * error * exact.normFrobenius()) << size;
+  }
+}
+
 TEST(LinearStage, TakesTheTraceFromTheBodies) {
   const Stage stage(loadedCubes());
   for (const TraceLayout::Block& block : stage.layout.blocks()) {
