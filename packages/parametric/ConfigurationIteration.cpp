@@ -16,7 +16,7 @@ namespace {
 constexpr int fewestStates = 3;
 // Tangents mislead when the contact status has moved on: they are found anew when the residual has not fallen to this
 // share over so many iterations.
-constexpr std::size_t iterationsToFall = 4;
+constexpr std::size_t iterationsToFall = 3;
 constexpr double slow = 0.5;
 // Of |f^|: where nothing resists a motion, there is always less residual still farther away. Ways to less that lead
 // somewhere have been below 0.7 of it, others 15 to 1e13 times (`study_any_mesh`).

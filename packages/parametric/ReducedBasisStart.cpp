@@ -14,7 +14,7 @@ namespace {
 
 // The origin of the differences is the best of so many nearest states.
 constexpr int candidates = 2;
-constexpr int gaussNewtonSteps = 2;
+constexpr int gaussNewtonSteps = 4;
 constexpr int halvings = 3;
 constexpr int neighboursInTime = ReducedBasisStart::furtherColumns - 1;
 // A Gauss-Newton step that leaves more than this share of the residual was the last one.

@@ -14,11 +14,9 @@
 namespace harmos::parametric {
 namespace {
 
-// More neighbours make a better and dearer start, which pays when stages are to be saved; so do changes that were
-// solved for.
+// Changes that were solved for make a better and dearer basis, which pays when stages are to be saved.
 constexpr double demanding = 5e-3;
 constexpr int neighbours = 8;
-constexpr int neighboursWhenDemanding = 24;
 constexpr int changesWhenDemanding = 24;
 constexpr double mostStates = 100000;
 
@@ -80,8 +78,8 @@ StudySolver::StudySolver(assembly::Assembly& assembly, Install install,
 
 void StudySolver::addPlace() {
   const bool isDemanding = options_.accuracy < demanding;
-  const ConfigurationIteration::Remembered remembered{isDemanding ? neighboursWhenDemanding : neighbours,
-                                                      isDemanding ? changesWhenDemanding : 0, options_.memory};
+  const ConfigurationIteration::Remembered remembered{neighbours, isDemanding ? changesWhenDemanding : 0,
+                                                      options_.memory};
   auto iteration = std::make_unique<ConfigurationIteration>(fixedPoint_, stepSolver_, responses_, remembered,
                                                             options_.accuracy, timers_);
   iteration->setStop([this] { return mustStop(); });

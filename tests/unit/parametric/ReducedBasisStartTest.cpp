@@ -231,7 +231,7 @@ TEST_F(Dragged, MarchSideBySideAsAlone) {
     assembly_.interfaces[1].law = one.friction;
     assembly_.interfaces[2].law = one.drag;
   };
-  const results::Indicators target = {1e-7, 1e-7};
+  const results::Indicators target = {1e-9, 1e-9};
   std::vector<base::Matrix> alone;
   std::vector<std::unique_ptr<ConfigurationIteration>> iterations;
   std::vector<MarchBatch::Member> members;
@@ -277,7 +277,7 @@ TEST_F(Dragged, MarchSideBySideAsAlone) {
     stages -= iterations[i]->stages();
     base::Matrix difference(iterations[i]->alpha());
     difference -= alone[i];
-    // Round-off, which a march to 1e-7 makes larger.
+    // Round-off, which a march to 1e-9 makes larger.
     EXPECT_LT(difference.normInf(), 1e-9 * alone[i].normInf()) << i;
   }
   EXPECT_EQ(stages, 0);
