@@ -9,9 +9,7 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
-#endif
 
-#ifdef __GLIBC__
 namespace {
 
 // Larger ones, the fields of many load steps, would need whole holes of the heap when they grow, and may find none: 12

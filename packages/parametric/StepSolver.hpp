@@ -28,7 +28,7 @@ class StepSolver {
   /// b [stress] of the last updateLoads(), rows of the layout x load steps; what was handed out before stays as it is.
   const std::shared_ptr<const base::Matrix>& offset() const { return offset_; }
 
-  /// Collective, after updateLoads(). Solves all requests as one block: a single column is bound by the memory of the
+  /// Collective. Solves all requests as one block: a single column is bound by the memory of the
   /// dense traces, which a block reads once for all of its columns. Ends the validity of all iterates; select() or
   /// selectAll() of the FixedPoint must follow.
   void solve(const std::vector<Request>& requests);

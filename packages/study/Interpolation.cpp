@@ -24,62 +24,48 @@ probability::PiecewiseLinear makeFunction(const Study& study) {
   return {study.stochastic->variables, options};
 }
 
-/// Where the configurations are that were solved for an interpolation.
-class SolvedPoints {
- public:
-  /// Of the configurations from number `first` on, from 0. Both must outlive it.
-  SolvedPoints(const Study& study, const results::StudyResults& results, std::size_t first)
-      : study_(study), configurations_(results.configurations()), first_(first) {}
+// Of a value: what writing it and reading it again may change.
+constexpr double roundOff = 1e-12;
 
-  /// The id of the configuration with these values of random parameters; 0: none. `place`: where it is looked for
-  /// first, from 0.
-  int idAt(const std::vector<double>& values, std::size_t place) const {
-    if (first_ + place < configurations_.size() && isAt(first_ + place, values)) return idOf(first_ + place);
-    for (std::size_t i = first_; i < configurations_.size(); ++i) {
-      if (isAt(i, values)) return idOf(i);
-    }
-    return 0;
-  }
-
- private:
-  // What writing a value and reading it again may change of it.
-  static constexpr double roundOff = 1e-12;
-
-  bool isAt(std::size_t configuration, const std::vector<double>& values) const {
-    const std::vector<std::size_t>& places = study_.stochastic->places;
+/// Id of the configuration that was added at these values of the random parameters, after those that are held out; 0:
+/// none. `place` among the added ones, from 0: where it is looked for first.
+int idAt(const std::vector<double>& values, std::size_t place, const Study& study,
+         const results::StudyResults& results) {
+  const std::vector<std::size_t>& places = study.stochastic->places;
+  const auto isThere = [&](const design::Configuration& configuration) {
     for (std::size_t k = 0; k < places.size(); ++k) {
-      const double own = configurations_[configuration].values[places[k]];
+      const double own = configuration.values[places[k]];
       if (!(std::abs(own - values[k]) <= roundOff * std::max(std::abs(own), std::abs(values[k])))) return false;
     }
     return true;
-  }
-  int idOf(std::size_t configuration) const { return configurations_[configuration].id; }
-
-  const Study& study_;
-  const std::vector<design::Configuration>& configurations_;
-  std::size_t first_;
-};
+  };
+  const std::vector<design::Configuration>& all = results.configurations();
+  const std::size_t heldOut = study.stochastic->germs.size();
+  if (heldOut + place < all.size() && isThere(all[heldOut + place])) return all[heldOut + place].id;
+  const auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(heldOut), all.end(), isThere);
+  return found == all.end() ? 0 : found->id;
+}
 
 }  // namespace
 
 Interpolation::Interpolation(const Study& study, const results::StudyResults& results)
     : function_(makeFunction(study)) {
-  const SolvedPoints points(study, results, study.stochastic->germs.size());
   while (true) {
     const auto batch = function_.next();
     if (batch.empty()) break;
     std::vector<std::vector<double>> values;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       // Results that were found anew may have changed the order in which points are asked for.
-      const int id = points.idAt(study.stochastic->variables->values(batch[i]), static_cast<std::size_t>(count_) + i);
+      const std::vector<double> point = study.stochastic->variables->values(batch[i]);
+      const int id = idAt(point, static_cast<std::size_t>(count_) + i, study, results);
       if (id == 0) {
         wanted_.push_back(batch[i]);
         continue;
       }
       const results::ConfigurationResult* result = results.find(id);
-      if (result && !results::isSolved(result->status))
-        summary_ = "configuration " + std::to_string(id) + " has no solution, without which it cannot go on";
       if (!result || !results::isSolved(result->status)) {
+        if (result)
+          summary_ = "configuration " + std::to_string(id) + " has no solution, without which it cannot go on";
         wanted_.clear();
         return;
       }

@@ -1,64 +1,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
-
-#include <unistd.h>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/study/StochasticPlan.hpp>
 #include <harmos/study/StochasticTails.hpp>
-#include <harmos/study/StudyReader.hpp>
 
-#include "../scene/Sample.hpp"
+#include "RandomStudy.hpp"
 
 namespace harmos::study {
 namespace {
 
-class StochasticPlanTest : public ::testing::Test {
- protected:
-  StochasticPlanTest() {
-    std::filesystem::create_directories(directory);
-    std::ofstream(directory + "/scene.xml") << scene::sampleScene();
-    std::ofstream(directory + "/study.xml") << R"xml(<ParameterList name="Harmos Study">
-  <Parameter name="Scene" type="string" value="scene.xml"/>
-  <ParameterList name="Parameters">
-    <ParameterList name="mu">
-      <Parameter name="Entry" type="string" value="Interfaces/seal/Law/Friction Coefficient"/>
-      <ParameterList name="Distribution">
-        <Parameter name="Type" type="string" value="Lognormal"/>
-        <Parameter name="Mean" type="double" value="0.3"/>
-        <Parameter name="Coefficient of Variation" type="double" value="0.2"/>
-      </ParameterList>
-    </ParameterList>
-    <ParameterList name="double_mu">
-      <Parameter name="Formula" type="string" value="2 * mu"/>
-    </ParameterList>
-    <ParameterList name="pressure">
-      <Parameter name="Entry" type="string" value="Boundaries/pressed/Law/Pressure"/>
-      <ParameterList name="Distribution">
-        <Parameter name="Type" type="string" value="Normal"/>
-        <Parameter name="Mean" type="double" value="5"/>
-        <Parameter name="Standard Deviation" type="double" value="1"/>
-      </ParameterList>
-    </ParameterList>
-  </ParameterList>
-  <ParameterList name="Design">
-    <Parameter name="Type" type="string" value="Collocation"/>
-  </ParameterList>
-</ParameterList>
-)xml";
-  }
-  ~StochasticPlanTest() override { std::filesystem::remove_all(directory); }
-
-  Study study(const std::vector<std::string>& overrides = {}, const std::string& points = "") const {
-    return readStudy(directory + "/study.xml", overrides, points, laws);
-  }
-
-  const std::string directory = "stochastic_plan_test." + std::to_string(::getpid());
-  const laws::LawRegistry laws = laws::builtInLaws();
-};
+using StochasticPlanTest = RandomStudy;
 
 TEST_F(StochasticPlanTest, CollocationSolvesTheQuadratureAndWhatIsHeldOut) {
   const Study found = study({"Design/Order=2", "Design/Hold-Out Count=3"});
