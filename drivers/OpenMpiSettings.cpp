@@ -22,18 +22,31 @@ bool isSet(const char* name) {
   return std::getenv(name) != nullptr;
 }
 
+/// Whether mpirun has started all processes on one machine.
+bool areAllHere() {
+  const char* const all = std::getenv("OMPI_COMM_WORLD_SIZE");
+  const char* const here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  return all != nullptr && here != nullptr && std::string(all) == here;
+}
+
 }  // namespace
 
 OpenMpiSettings::OpenMpiSettings() {
   if (!isSet("OMPI_COMM_WORLD_SIZE")) ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
   ::setenv("OMPI_MCA_opal_signal", "", 0);
   ::setenv("OMPI_MCA_mpi_warn_on_fork", "0", 0);
-  if (std::any_of(launched.begin(), launched.end(), isSet)) return;
-  for (const auto& [name, value] : alone) {
-    if (isSet(name)) continue;
-    ::setenv(name, value, 0);
-    own_.emplace_back(name);
+  if (!std::any_of(launched.begin(), launched.end(), isSet)) {
+    for (const auto& [name, value] : alone) setForNow(name, value);
+  } else if (areAllHere()) {
+    setForNow("OMPI_MCA_pml", "ob1");
+    setForNow("OMPI_MCA_btl", "self,vader");
   }
+}
+
+void OpenMpiSettings::setForNow(const char* name, const char* value) {
+  if (isSet(name)) return;
+  ::setenv(name, value, 0);
+  own_.emplace_back(name);
 }
 
 void OpenMpiSettings::takeBack() {

@@ -14,6 +14,8 @@ using Blas = Teuchos::BLAS<int, float>;
 // Up to so many columns, products with one at a time are faster: a panel stays in the cache from one to the next, and
 // products of matrices are made for many columns.
 constexpr int fewColumns = 4;
+// Columns of a panel: of wider ones more of the triangle is zero, more panels have more rows to gather.
+constexpr int widest = 64;
 
 /// y = op(A) x for a panel of so many rows and columns, and `count` vectors without gaps.
 void multiply(const Blas& blas, Teuchos::ETransp transposed, int rows, int columns, const float* panel, const float* x,
@@ -30,26 +32,34 @@ void multiply(const Blas& blas, Teuchos::ETransp transposed, int rows, int colum
 
 }  // namespace
 
-void SingleFactor::invertTriangles() {
+void SingleFactor::add(int columns, int height, const int* rows, const double* values) {
   const Blas blas;
   const Teuchos::LAPACK<int, float> lapack;
-  for (std::size_t s = 0; s + 1 < firstColumn.size(); ++s) {
-    const int width = firstColumn[s + 1] - firstColumn[s], height = firstRow[s + 1] - firstRow[s];
-    float* panel = value.data() + firstValue[s];
-    for (int j = 1; j < width; ++j) std::fill_n(panel + static_cast<std::size_t>(j) * height, j, 0.0F);
+  const int firstRow = static_cast<int>(rows_.size());
+  tallest_ = std::max(tallest_, height);
+  rows_.insert(rows_.end(), rows, rows + height);
+  for (int first = 0; first < columns; first += widest) {
+    const int width = std::min(widest, columns - first), tall = height - first;
+    panels_.push_back({columns_ + first, width, firstRow + first, tall, values_.size()});
+    values_.resize(values_.size() + static_cast<std::size_t>(width) * tall, 0.0F);
+    float* const panel = values_.data() + panels_.back().firstValue;
+    for (int j = 0; j < width; ++j) {
+      const double* const column = values + static_cast<std::size_t>(first + j) * height + first;
+      std::copy(column + j, column + tall, panel + static_cast<std::size_t>(j) * tall + j);
+    }
     int info = 0;
-    lapack.TRTRI('L', 'N', width, panel, height, &info);
-    if (height == width) continue;
-    blas.TRMM(Teuchos::RIGHT_SIDE, Teuchos::LOWER_TRI, Teuchos::NO_TRANS, Teuchos::NON_UNIT_DIAG, height - width, width,
-              1.0F, panel, height, panel + width, height);
+    lapack.TRTRI('L', 'N', width, panel, tall, &info);
+    if (tall == width) continue;
+    blas.TRMM(Teuchos::RIGHT_SIDE, Teuchos::LOWER_TRI, Teuchos::NO_TRANS, Teuchos::NON_UNIT_DIAG, tall - width, width,
+              1.0F, panel, tall, panel + width, tall);
   }
+  columns_ += columns;
 }
 
 void SingleFactor::solve(const base::Matrix& b, base::Matrix& x) const {
   const Blas blas;
-  const auto supernodes = static_cast<int>(firstColumn.size()) - 1;
   const int columns = b.numCols();
-  const std::size_t rows = order.size();
+  const std::size_t rows = order_.size();
   // In the order of L, column after column.
   std::vector<float> y(rows * static_cast<std::size_t>(columns));
   std::vector<double> size(static_cast<std::size_t>(columns), 0.0);
@@ -57,51 +67,53 @@ void SingleFactor::solve(const base::Matrix& b, base::Matrix& x) const {
     for (std::size_t k = 0; k < rows; ++k) size[j] = std::max(size[j], std::abs(b[j][k]));
     if (size[j] == 0.0) continue;
     float* to = y.data() + rows * static_cast<std::size_t>(j);
-    for (std::size_t k = 0; k < rows; ++k) to[k] = static_cast<float>(b[j][order[k]] / size[j]);
+    for (std::size_t k = 0; k < rows; ++k) to[k] = static_cast<float>(b[j][order_[k]] / size[j]);
   }
-  std::vector<float> own(y.size()), whole(y.size());
-  for (int s = 0; s < supernodes; ++s) {
-    const int width = firstColumn[s + 1] - firstColumn[s], height = firstRow[s + 1] - firstRow[s];
+  std::vector<float> own(static_cast<std::size_t>(columns) * widest),
+      whole(static_cast<std::size_t>(columns) * tallest_);
+  for (const Panel& panel : panels_) {
+    const int width = panel.width, height = panel.height;
     bool isZero = true;
     for (int j = 0; j < columns; ++j) {
-      const float* from = y.data() + rows * static_cast<std::size_t>(j) + firstColumn[s];
+      const float* from = y.data() + rows * static_cast<std::size_t>(j) + panel.firstColumn;
       std::copy_n(from, width, own.data() + static_cast<std::size_t>(j) * width);
       isZero = isZero && std::all_of(from, from + width, [](float v) { return v == 0.0F; });
     }
     if (isZero) continue;
-    multiply(blas, Teuchos::NO_TRANS, height, width, value.data() + firstValue[s], own.data(), whole.data(), columns);
-    const int* below = row.data() + firstRow[s];
+    multiply(blas, Teuchos::NO_TRANS, height, width, values_.data() + panel.firstValue, own.data(), whole.data(),
+             columns);
+    const int* below = rows_.data() + panel.firstRow;
     for (int j = 0; j < columns; ++j) {
       float* to = y.data() + rows * static_cast<std::size_t>(j);
       const float* from = whole.data() + static_cast<std::size_t>(height) * j;
-      std::copy_n(from, width, to + firstColumn[s]);
+      std::copy_n(from, width, to + panel.firstColumn);
       for (int i = width; i < height; ++i) to[below[i]] -= from[i];
     }
   }
-  for (int s = supernodes - 1; s >= 0; --s) {
-    const int width = firstColumn[s + 1] - firstColumn[s], height = firstRow[s + 1] - firstRow[s];
-    const int* below = row.data() + firstRow[s];
+  for (auto at = panels_.rbegin(); at != panels_.rend(); ++at) {
+    const Panel& panel = *at;
+    const int width = panel.width, height = panel.height;
+    const int* below = rows_.data() + panel.firstRow;
     for (int j = 0; j < columns; ++j) {
       const float* from = y.data() + rows * static_cast<std::size_t>(j);
       float* to = whole.data() + static_cast<std::size_t>(height) * j;
-      std::copy_n(from + firstColumn[s], width, to);
+      std::copy_n(from + panel.firstColumn, width, to);
       for (int i = width; i < height; ++i) to[i] = -from[below[i]];
     }
-    multiply(blas, Teuchos::TRANS, height, width, value.data() + firstValue[s], whole.data(), own.data(), columns);
+    multiply(blas, Teuchos::TRANS, height, width, values_.data() + panel.firstValue, whole.data(), own.data(), columns);
     for (int j = 0; j < columns; ++j) {
       std::copy_n(own.data() + static_cast<std::size_t>(j) * width, width,
-                  y.data() + rows * static_cast<std::size_t>(j) + firstColumn[s]);
+                  y.data() + rows * static_cast<std::size_t>(j) + panel.firstColumn);
     }
   }
   for (int j = 0; j < columns; ++j) {
     const float* from = y.data() + rows * static_cast<std::size_t>(j);
-    for (std::size_t k = 0; k < rows; ++k) x[j][order[k]] = size[j] * from[k];
+    for (std::size_t k = 0; k < rows; ++k) x[j][order_[k]] = size[j] * from[k];
   }
 }
 
 std::size_t SingleFactor::memory() const {
-  return sizeof(float) * value.size() + sizeof(std::size_t) * firstValue.size() +
-         sizeof(int) * (order.size() + firstColumn.size() + firstRow.size() + row.size());
+  return sizeof(float) * values_.size() + sizeof(Panel) * panels_.size() + sizeof(int) * (order_.size() + rows_.size());
 }
 
 }  // namespace harmos::substructure

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
@@ -11,27 +12,39 @@ namespace harmos::substructure {
 /// relative error of a solution is about 6e-8 times the square root of the condition of A to 6e-8 times the condition;
 /// whoever uses it must know it, see SubstructureSolver::singleError().
 ///
-/// Supernode s: columns firstColumn[s] to firstColumn[s + 1] of L, whose entries stand in the rows
-/// row[firstRow[s]] ... row[firstRow[s + 1] - 1], the first of them the columns themselves; values by columns from
-/// firstValue[s]. With T the triangle of a supernode and B the rows below it, solves take the panel [T^-1; B T^-1]: one
-/// product forward, one backward, each of which reads it once, where triangular solves of few columns are slow.
+/// A supernode is some columns of L with entries in the same rows, the first of them the columns themselves. With T the
+/// triangle of its columns and B the rows below it, solves take the panel [T^-1; B T^-1]: one product forward, one
+/// backward, each of which reads it once, where triangular solves of few columns are slow. Wide supernodes are several
+/// panels, so that few of the entries that are read are the zeros above the diagonals of T^-1.
 /// Sources: Chen, Davis, Hager, Rajamanickam (2008), doi:10.1145/1391989.1391995; selective inversion: Raghavan,
 /// Parallel Processing Letters 8 (1998).
-struct SingleFactor {
-  std::vector<int> order;               ///< row of A of each row of L
-  std::vector<int> firstColumn;         ///< of every supernode, and the number of all
-  std::vector<int> firstRow;            ///< in `row` of every supernode, and its length
-  std::vector<int> row;                 ///< of L, of all entries
-  std::vector<std::size_t> firstValue;  ///< in `value` of every supernode, and its length
-  std::vector<float> value;             ///< of the entries, supernode by supernode; of panels after invertTriangles()
+class SingleFactor {
+ public:
+  /// `order`: row of A of each row of L. `entries`: of all supernodes that are added, for which there is room then.
+  SingleFactor(std::vector<int> order, std::size_t entries) : order_(std::move(order)) { values_.reserve(entries); }
+  /// Appends the next supernode: so many columns of L from the last one on, whose entries stand in `height` rows of L,
+  /// ascending, the first of them the columns; values: by columns, what is above the diagonal is not read.
+  void add(int columns, int height, const int* rows, const double* values);
 
-  /// Makes panels of the entries of L; to be called once, before solve().
-  void invertTriangles();
   /// x = A^-1 b, both in double and of the same shape, any number of columns; different objects. Columns are scaled to
   /// 1, so that they may be of any size.
   void solve(const base::Matrix& b, base::Matrix& x) const;
   /// What it holds [byte].
   std::size_t memory() const;
+
+ private:
+  struct Panel {
+    int firstColumn, width;  // of L
+    int firstRow, height;    // in rows_
+    std::size_t firstValue;  // of its entries, by columns
+  };
+
+  std::vector<int> order_;
+  int columns_ = 0;  // of L, so far
+  int tallest_ = 0;  // rows of a panel, at most
+  std::vector<Panel> panels_;
+  std::vector<int> rows_;      // of L; the panels of a supernode share them
+  std::vector<float> values_;  // panel by panel
 };
 
 }  // namespace harmos::substructure

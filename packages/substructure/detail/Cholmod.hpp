@@ -104,19 +104,18 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
   /// Once factored: the factor in single precision, or null when it is not supernodal.
   std::unique_ptr<SingleFactor> singleFactor() const {
     if (!factor_->is_super) return nullptr;
-    auto result = std::make_unique<SingleFactor>();
-    const auto copy = [](const void* from, std::size_t count, auto& to) {
-      const auto* first = static_cast<const int*>(from);
-      to.assign(first, first + count);
-    };
-    copy(factor_->Perm, factor_->n, result->order);
-    copy(factor_->super, factor_->nsuper + 1, result->firstColumn);
-    copy(factor_->pi, factor_->nsuper + 1, result->firstRow);
-    copy(factor_->px, factor_->nsuper + 1, result->firstValue);
-    copy(factor_->s, factor_->ssize, result->row);
+    const auto* permutation = static_cast<const int*>(factor_->Perm);
+    const auto* firstColumn = static_cast<const int*>(factor_->super);
+    const auto* firstIndex = static_cast<const int*>(factor_->pi);
+    const auto* firstValue = static_cast<const int*>(factor_->px);
+    const auto* rows = static_cast<const int*>(factor_->s);
     const auto* values = static_cast<const double*>(factor_->x);
-    result->value.assign(values, values + factor_->xsize);
-    result->invertTriangles();
+    auto result =
+        std::make_unique<SingleFactor>(std::vector<int>(permutation, permutation + factor_->n), factor_->xsize);
+    for (std::size_t s = 0; s < factor_->nsuper; ++s) {
+      result->add(firstColumn[s + 1] - firstColumn[s], firstIndex[s + 1] - firstIndex[s], rows + firstIndex[s],
+                  values + firstValue[s]);
+    }
     return result;
   }
 

@@ -37,6 +37,50 @@ TEST(SingleFactor, SolvesAnyGraphInAnyBlock) {
   }
 }
 
+TEST(SingleFactor, SolvesWithWideSupernodes) {
+  // L of two supernodes, 150 and 50 columns wide; every second row of the last 50 is none of the first one.
+  constexpr int size = 200, wide = 150;
+  base::Matrix lower(size, size);
+  for (int j = 0; j < size; ++j) {
+    for (int i = j; i < size; ++i) lower(i, j) = i == j ? 2.0 + 0.01 * j : 0.05 * ((7 * i + 3 * j) % 11 - 5) / 5.0;
+  }
+  std::vector<int> order(size), rows;
+  for (int k = 0; k < size; ++k) order[k] = (k * 77) % size;
+  for (int k = 0; k < wide; ++k) rows.push_back(k);
+  for (int k = wide; k < size; k += 2) rows.push_back(k);
+  for (int j = 0; j < wide; ++j) {
+    for (int i = wide + 1; i < size; i += 2) lower(i, j) = 0.0;
+  }
+  const auto columnsOf = [&lower](int first, int count, const std::vector<int>& at) {
+    std::vector<double> values;
+    for (int j = first; j < first + count; ++j) {
+      for (const int i : at) values.push_back(i < j ? 1e30 : lower(i, j));  // what is above the diagonal is not read
+    }
+    return values;
+  };
+  std::vector<int> last(size - wide);
+  std::iota(last.begin(), last.end(), wide);
+  SingleFactor factor(order, static_cast<std::size_t>(size) * size);
+  factor.add(wide, static_cast<int>(rows.size()), rows.data(), columnsOf(0, wide, rows).data());
+  factor.add(size - wide, size - wide, last.data(), columnsOf(wide, size - wide, last).data());
+  for (const int columns : {1, 3, 7}) {
+    base::Matrix exact(size, columns), b(size, columns), x(size, columns), y(size, columns), product(size, columns);
+    for (int j = 0; j < columns; ++j) {
+      for (int k = 0; k < size; ++k) exact(k, j) = 1.0 + (k + j) % 5;
+    }
+    y.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, lower, exact, 0.0);
+    product.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, lower, y, 0.0);
+    for (int j = 0; j < columns; ++j) {
+      for (int k = 0; k < size; ++k) b(order[k], j) = product(k, j);
+    }
+    factor.solve(b, x);
+    for (int j = 0; j < columns; ++j) {
+      // Seven digits, and a condition of about 10.
+      for (int k = 0; k < size; ++k) EXPECT_NEAR(x(order[k], j), exact(k, j), 2e-5);
+    }
+  }
+}
+
 TEST(SingleFactor, SolvesColumnsOfAnySize) {
   if (availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD gives its factor";
   RandomSystem system(1);
