@@ -9,6 +9,7 @@
 #include <harmos/latin/detail/BodyTerm.hpp>
 #include <harmos/latin/detail/GivenLoads.hpp>
 #include <harmos/latin/detail/OperatorGroup.hpp>
+#include <harmos/latin/detail/SharedBlocks.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -200,13 +201,48 @@ void BodyOperators::solve(const base::Matrix& forces, int first, substructure::P
     }
   }
   addForces(forces, first);
-  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g]->solve(solved[g], precision);
+  if (precision == substructure::Precision::single && blocksGiven() > 0) {
+    solveShared(solved, count);
+  } else {
+    for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g]->solve(solved[g], precision);
+  }
 }
 
-double BodyOperators::prepareSingle() {
+void BodyOperators::solveShared(const std::vector<std::vector<int>>& columns, int count) {
+  for (int first = 0; first < count; first += shared_->columnsAtOnce()) {
+    const int width = std::min(shared_->columnsAtOnce(), count - first);
+    std::vector<std::vector<int>> together(groups_.size());
+    SharedBlocks::Parts parts(groups_.size());
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (!shared_->gives(g)) continue;
+      for (std::size_t m = 0; m < members_[g].size(); ++m) {
+        const auto begin = columns[g].begin() + static_cast<std::ptrdiff_t>(m) * count + first;
+        together[g].insert(together[g].end(), begin, begin + width);
+      }
+      parts[g] = groups_[g]->split(together[g]);
+    }
+    shared_->solve(parts, width, [&] {
+      for (std::size_t g = 0; g < groups_.size() && first == 0; ++g) {
+        if (!shared_->gives(g)) groups_[g]->solve(columns[g], substructure::Precision::single);
+      }
+    });
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (shared_->gives(g)) groups_[g]->join(together[g], parts[g]);
+    }
+  }
+}
+
+double BodyOperators::prepareSingle(const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   double largest = 0.0;
   for (auto& group : groups_) largest = std::max(largest, group->prepareSingle());
+  std::vector<int> bodies;
+  for (const std::vector<int>& members : members_) bodies.push_back(static_cast<int>(members.size()));
+  shared_ = std::make_unique<SharedBlocks>(groups_, bodies, comm);
   return largest;
+}
+
+int BodyOperators::blocksGiven() const {
+  return shared_ ? shared_->given() : 0;
 }
 
 void BodyOperators::addForces(const base::Matrix& forces, int first) {

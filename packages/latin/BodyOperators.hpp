@@ -15,6 +15,7 @@ namespace harmos::latin {
 
 class GivenLoads;
 class OperatorGroup;
+class SharedBlocks;
 
 /// The factored operators of the bodies that this rank owns; congruent bodies share one.
 ///
@@ -67,10 +68,12 @@ class BodyOperators {
   /// have to be for it to leave as much.
   double squaredTerms() const;
   /// Finds u for all owned bodies and the columns from number `first` on, where r are the nodal forces [force] on the
-  /// traces (rows of `layout` x these columns) and l the bodies' own loads. Keeps u; see displacement().
+  /// traces (rows of `layout` x these columns) and l the bodies' own loads. Keeps u; see displacement(). Collective in
+  /// single precision.
   void solve(const base::Matrix& forces, int first, substructure::Precision precision);
-  /// Prepares solves in single precision; returns the largest SubstructureSolver::singleError() of this rank.
-  double prepareSingle();
+  /// Collective. Prepares solves in single precision, which ranks then share; returns the largest
+  /// SubstructureSolver::singleError() of this rank.
+  double prepareSingle(const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
   /// Keeps the last solve, of one column, as the response to a load factor of 1. A change of the loads ends it.
   void keepUnit();
   /// Adds it to the last solve of all columns, times a load factor for each.
@@ -96,6 +99,8 @@ class BodyOperators {
   /// g of an owned body [length], dofs x load cases; 0 x 0 when it is zero in all of them.
   const base::Matrix& held(int body) const { return held_[body]; }
 
+  /// Parts of operators of any rank that another rank than their own solves for in single precision.
+  int blocksGiven() const;
   /// Factored operators on this rank: congruent bodies count once.
   int operators() const { return static_cast<int>(groups_.size()); }
   /// Entries of the factors of this rank, each of which a column reads; those of solvers that do not say are left out.
@@ -117,6 +122,8 @@ class BodyOperators {
 
   /// Adds forces on traces [force] to those of the groups, in the columns from number `first` on.
   void addForces(const base::Matrix& forces, int first);
+  /// Solves, with other ranks, for these columns of each body, those of each group.
+  void solveShared(const std::vector<std::vector<int>>& columns, int count);
   void mapBlocks(const assembly::Assembly& assembly, const TraceLayout& layout);
   /// Carries a body's vectors, dofs x steps, into the columns of its group, or back.
   void toGroup(const Place& place, const base::Matrix& own, base::Matrix& group) const;
@@ -133,6 +140,7 @@ class BodyOperators {
   std::vector<Place> places_;
   std::vector<std::unique_ptr<OperatorGroup>> groups_;
   std::vector<std::vector<int>> members_;  // bodies of each group, first: the representative
+  std::unique_ptr<SharedBlocks> shared_;   // null: before prepareSingle()
   std::vector<BlockMap> blocks_;
   std::vector<base::Matrix> perturbations_;  // of each group; empty: none
   std::vector<double> perturbation_;

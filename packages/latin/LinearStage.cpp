@@ -114,7 +114,7 @@ double LinearStage::prepareSingle() {
   if (!singleError_) {
     const auto running = timers_.start("factor");
     double largest = 0.0;
-    const double here = operators_.prepareSingle();
+    const double here = operators_.prepareSingle(layout_.commPointer());
     Teuchos::reduceAll(layout_.comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(largest));
     singleError_ = largest;
   }

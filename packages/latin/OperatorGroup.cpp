@@ -174,12 +174,27 @@ void OperatorGroup::solveTraces(const std::vector<int>& columns, substructure::P
 }
 
 void OperatorGroup::solveAll(const std::vector<int>& columns, substructure::Precision precision) {
-  const int count = static_cast<int>(columns.size());
-  const std::vector<int>& trace = operator_.trace();
   base::Matrix solution;
   if (solver_.iterates()) solution = movedOf(columns);
   solver_.solve(forcesOf(columns), solution, precision);
-  for (int j = 0; j < count; ++j) {
+  keep(columns, solution);
+}
+
+std::vector<base::Matrix> OperatorGroup::split(const std::vector<int>& columns) {
+  forgetDerived();
+  for (const int column : columns) unitFactors_[column] = 0.0;
+  return solver_.split(forcesOf(columns));
+}
+
+void OperatorGroup::join(const std::vector<int>& columns, const std::vector<base::Matrix>& solutions) {
+  base::Matrix solution;
+  solver_.join(solutions, solution);
+  keep(columns, solution);
+}
+
+void OperatorGroup::keep(const std::vector<int>& columns, base::Matrix& solution) {
+  const std::vector<int>& trace = operator_.trace();
+  for (int j = 0; j < solution.numCols(); ++j) {
     addLoad(held_, columns[j], solution[j]);
     double* to = solution_[columns[j]];
     for (int row = 0; row < rows(); ++row) to[row] = solution[j][trace[row]];

@@ -1,6 +1,7 @@
 #include <harmos/mesh/Congruence.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <harmos/base/Vector3.hpp>
@@ -157,18 +158,24 @@ class CongruenceSearch {
     return true;
   }
 
-  /// Sorted sides of sorted local nodes: equal if and only if the elements are.
-  using Key = std::pair<ElementType, std::vector<std::vector<int>>>;
+  /// Sorted sides of sorted local nodes, what is not there negative: equal if and only if the elements are.
+  using Side = std::array<int, 9>;
+  using Key = std::pair<ElementType, std::vector<Side>>;
 
   Key keyOf(const Piece& piece, int element, const std::vector<int>* image) const {
     Key key{elements_.type(element), {}};
-    for (int side = 0; side < sidesPerElement(key.first); ++side) {
-      key.second.push_back(elements_.side(element, side));
-      for (int& node : key.second.back()) {
-        node = localNode(piece, node);
-        if (image != nullptr) node = (*image)[node];
-      }
-      std::sort(key.second.back().begin(), key.second.back().end());
+    const int* nodes = elements_.nodes(element);
+    key.second.resize(static_cast<std::size_t>(sidesPerElement(key.first)));
+    std::array<int, 27> local{};
+    for (int i = 0; i < nodesPerElement(key.first); ++i) {
+      local[i] = localNode(piece, nodes[i]);
+      if (image != nullptr) local[i] = (*image)[local[i]];
+    }
+    for (std::size_t side = 0; side < key.second.size(); ++side) {
+      key.second[side].fill(-1);
+      auto end = key.second[side].begin();
+      for (const int i : sideNodes(key.first, static_cast<int>(side))) *end++ = local[i];
+      std::sort(key.second[side].begin(), end);
     }
     std::sort(key.second.begin(), key.second.end());
     return key;

@@ -30,6 +30,8 @@ std::vector<Face> innerFaces(const Mesh& mesh, const Elements& elements, const P
       continue;
     }
     for (int side = 0; side < sidesPerElement(type); ++side) {
+      const std::vector<int>& local = sideNodes(type, side);
+      if (!std::all_of(local.begin(), local.end(), [&](int i) { return isMarked[nodes[i]]; })) continue;
       const auto found = sharing.find(sorted(elements.side(element, side)));
       if (found != sharing.end()) found->second.push_back(element);
     }

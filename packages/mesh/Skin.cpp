@@ -11,9 +11,16 @@ constexpr std::size_t mostNodes = 9;
 
 struct Candidate {
   std::array<int, mostNodes> key;  // node numbers, ascending
-  int element;
-  int side;
+  int element, side;
+  int next;  // of the same chain, or -1
+  bool isInner;
 };
+
+std::size_t hashOf(const std::array<int, mostNodes>& key) {
+  std::size_t hash = 0;
+  for (const int node : key) hash = 1099511628211U * (hash ^ static_cast<std::size_t>(node + 1));
+  return hash ^ (hash >> 29);
+}
 
 }  // namespace
 
@@ -23,26 +30,36 @@ int cornersOfFace(int dimension, std::size_t nodes) {
 }
 
 std::vector<Face> skin(const Elements& mesh, const std::vector<int>& elements) {
+  std::size_t count = 0, buckets = 1;
+  for (const int element : elements) count += static_cast<std::size_t>(sidesPerElement(mesh.type(element)));
+  while (buckets < count) buckets *= 2;
+  std::vector<int> chains(buckets, -1);  // the last candidate of each
   std::vector<Candidate> candidates;
+  candidates.reserve(count);
   for (const int element : elements) {
     const ElementType type = mesh.type(element);
     const int* nodes = mesh.nodes(element);
     for (int side = 0; side < sidesPerElement(type); ++side) {
-      Candidate candidate{{}, element, side};
+      Candidate candidate{{}, element, side, -1, false};
       candidate.key.fill(-1);
-      auto next = candidate.key.begin();
-      for (const int local : sideNodes(type, side)) *next++ = nodes[local];
-      std::sort(candidate.key.begin(), candidate.key.end());
+      auto end = candidate.key.begin();
+      for (const int local : sideNodes(type, side)) *end++ = nodes[local];
+      std::sort(candidate.key.begin(), end);
+      int& chain = chains[hashOf(candidate.key) & (buckets - 1)];
+      int known = chain;
+      while (known >= 0 && candidates[known].key != candidate.key) known = candidates[known].next;
+      if (known >= 0) {
+        candidates[known].isInner = true;
+        continue;
+      }
+      candidate.next = chain;
+      chain = static_cast<int>(candidates.size());
       candidates.push_back(candidate);
     }
   }
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
   std::vector<Face> faces;
-  for (std::size_t begin = 0, end = 0; begin < candidates.size(); begin = end) {
-    while (end < candidates.size() && candidates[end].key == candidates[begin].key) ++end;
-    if (end - begin > 1) continue;
-    const Candidate& only = candidates[begin];
-    faces.push_back({only.element, only.side, mesh.side(only.element, only.side)});
+  for (const Candidate& one : candidates) {
+    if (!one.isInner) faces.push_back({one.element, one.side, mesh.side(one.element, one.side)});
   }
   std::sort(faces.begin(), faces.end(),
             [](const Face& a, const Face& b) { return std::tie(a.element, a.side) < std::tie(b.element, b.side); });

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
+#include <harmos/base/ShareOut.hpp>
 #include <harmos/elasticity/Stiffness.hpp>
 #include <harmos/mesh/Congruence.hpp>
 #include <harmos/mesh/Partition.hpp>
@@ -248,17 +248,7 @@ std::vector<int> distribute(const Bodies& bodies, int ranks) {
   std::vector<double> cost;
   for (const mesh::Piece& piece : bodies.pieces)
     cost.push_back(std::pow(static_cast<double>(piece.nodes.size()), 4.0 / 3.0));
-  std::vector<std::size_t> order(cost.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cost[a] > cost[b]; });
-  std::vector<double> load(ranks, 0.0);
-  std::vector<int> owner(cost.size());
-  for (const std::size_t body : order) {
-    const auto least = std::min_element(load.begin(), load.end());
-    *least += cost[body];
-    owner[body] = static_cast<int>(least - load.begin());
-  }
-  return owner;
+  return base::shareOut(cost, std::vector<double>(ranks, 0.0));
 }
 
 std::vector<substructure::Substructure> assemble(const Scene& scene, const mesh::Mesh& mesh, const Model& model,

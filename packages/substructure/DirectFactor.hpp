@@ -45,6 +45,8 @@ class DirectFactor {
   void dropSingle() { single_.reset(); }
   /// Whether solves in single precision differ from the others.
   bool hasSingle() const { return single_ || inverse_; }
+  /// The one of solve() in single precision; null: none.
+  const SingleFactor* single() const { return single_.get(); }
   /// Entries of the factor, zeros stored for speed included; 0 when the solver does not say.
   std::size_t nonzeros() const;
 

@@ -210,6 +210,9 @@ Teuchos::RCP<base::CrsMatrix> MirrorPlanes::blockOf(const CrsView& matrix, const
   std::vector<std::size_t> begin(count + 1, 0);
   std::vector<int> columns, place(count, -1);
   std::vector<double> values;
+  const std::size_t room = (matrix.rowPointers[rows_] >> planes_.size()) * 5 / 4;  // about as many, and those at planes
+  columns.reserve(room);
+  values.reserve(room);
   std::vector<std::size_t> ends;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t first = columns.size();

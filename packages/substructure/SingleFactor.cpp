@@ -1,9 +1,12 @@
 #include <harmos/substructure/SingleFactor.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <type_traits>
 
 #include <Teuchos_BLAS.hpp>
+#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_LAPACK.hpp>
 
 namespace harmos::substructure {
@@ -110,6 +113,37 @@ void SingleFactor::solve(const base::Matrix& b, base::Matrix& x) const {
     const float* from = y.data() + rows * static_cast<std::size_t>(j);
     for (std::size_t k = 0; k < rows; ++k) x[j][order_[k]] = size[j] * from[k];
   }
+}
+
+void SingleFactor::send(const Teuchos::Comm<int>& comm, int rank) const {
+  const std::array<int, 6> sizes{static_cast<int>(order_.size()),
+                                 columns_,
+                                 tallest_,
+                                 static_cast<int>(panels_.size() * sizeof(Panel)),
+                                 static_cast<int>(rows_.size()),
+                                 static_cast<int>(values_.size())};
+  Teuchos::send(comm, static_cast<int>(sizes.size()), sizes.data(), rank);
+  Teuchos::send(comm, sizes[0], order_.data(), rank);
+  Teuchos::send(comm, sizes[3], reinterpret_cast<const char*>(panels_.data()), rank);
+  Teuchos::send(comm, sizes[4], rows_.data(), rank);
+  Teuchos::send(comm, sizes[5], values_.data(), rank);
+}
+
+SingleFactor SingleFactor::receive(const Teuchos::Comm<int>& comm, int rank) {
+  static_assert(std::is_trivially_copyable_v<Panel>, "panels travel as bytes");
+  std::array<int, 6> sizes{};
+  Teuchos::receive(comm, rank, static_cast<int>(sizes.size()), sizes.data());
+  SingleFactor factor(std::vector<int>(static_cast<std::size_t>(sizes[0])), 0);
+  factor.columns_ = sizes[1];
+  factor.tallest_ = sizes[2];
+  factor.panels_.resize(static_cast<std::size_t>(sizes[3]) / sizeof(Panel));
+  factor.rows_.resize(static_cast<std::size_t>(sizes[4]));
+  factor.values_.resize(static_cast<std::size_t>(sizes[5]));
+  Teuchos::receive(comm, rank, sizes[0], factor.order_.data());
+  Teuchos::receive(comm, rank, sizes[3], reinterpret_cast<char*>(factor.panels_.data()));
+  Teuchos::receive(comm, rank, sizes[4], factor.rows_.data());
+  Teuchos::receive(comm, rank, sizes[5], factor.values_.data());
+  return factor;
 }
 
 std::size_t SingleFactor::memory() const {

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <Teuchos_Comm.hpp>
+
 #include <harmos/base/Matrix.hpp>
 
 namespace harmos::substructure {
@@ -29,6 +31,14 @@ class SingleFactor {
   /// x = A^-1 b, both in double and of the same shape, any number of columns; different objects. Columns are scaled to
   /// 1, so that they may be of any size.
   void solve(const base::Matrix& b, base::Matrix& x) const;
+  /// Sends a copy to another rank, which must receive() it at the same time.
+  void send(const Teuchos::Comm<int>& comm, int rank) const;
+  /// What another rank sends.
+  static SingleFactor receive(const Teuchos::Comm<int>& comm, int rank);
+  /// Rows of A.
+  int rows() const { return static_cast<int>(order_.size()); }
+  /// Entries that a solve reads twice.
+  std::size_t entries() const { return values_.size(); }
   /// What it holds [byte].
   std::size_t memory() const;
 

@@ -217,6 +217,43 @@ double SubstructureSolver::prepareSingle() {
   return singleError_ = largest;
 }
 
+std::vector<base::Matrix> SubstructureSolver::split(const MirrorPlanes& planes, std::vector<int> Block::*rows,
+                                                    const base::Matrix& b) const {
+  if (planes.count() == 0) return {b};
+  base::Matrix changed(b);
+  planes.change(changed);
+  std::vector<base::Matrix> parts;
+  parts.reserve(blocks_.size());  // matrices are copied when they are moved
+  for (const Block& block : blocks_) {
+    const std::vector<int>& own = block.*rows;
+    parts.emplace_back();
+    parts.back().shapeUninitialized(static_cast<int>(own.size()), b.numCols());
+    for (int j = 0; j < b.numCols(); ++j) {
+      for (std::size_t i = 0; i < own.size(); ++i) parts.back()[j][i] = changed[j][own[i]];
+    }
+  }
+  return parts;
+}
+
+void SubstructureSolver::join(const MirrorPlanes& planes, std::vector<int> Block::*rows,
+                              const std::vector<base::Matrix>& parts, base::Matrix& x) const {
+  if (planes.count() == 0) {
+    x = parts.front();
+    return;
+  }
+  int count = 0;
+  const int columns = parts.front().numCols();
+  for (const base::Matrix& part : parts) count += part.numRows();
+  if (x.numRows() != count || x.numCols() != columns) x.shapeUninitialized(count, columns);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const std::vector<int>& own = blocks_[b].*rows;
+    for (int j = 0; j < columns; ++j) {
+      for (std::size_t i = 0; i < own.size(); ++i) x[j][own[i]] = parts[b][j][i];
+    }
+  }
+  planes.change(x);
+}
+
 template <class Apply>
 void SubstructureSolver::solveBlocks(const MirrorPlanes& planes, std::vector<int> Block::*rows, const base::Matrix& b,
                                      base::Matrix& x, const Apply& apply) const {
@@ -224,26 +261,15 @@ void SubstructureSolver::solveBlocks(const MirrorPlanes& planes, std::vector<int
     apply(blocks_.front().factor, b, x);
     return;
   }
-  const int columns = b.numCols();
-  base::Matrix changed(b), part, product;
-  planes.change(changed);
-  for (const Block& block : blocks_) {
-    const std::vector<int>& own = block.*rows;
-    const int count = static_cast<int>(own.size());
-    if (count == 0) continue;
-    part.shapeUninitialized(count, columns);
-    product.shapeUninitialized(count, columns);
-    for (int j = 0; j < columns; ++j) {
-      for (int i = 0; i < count; ++i) part[j][i] = changed[j][own[i]];
-    }
-    apply(block.factor, part, product);
-    for (int j = 0; j < columns; ++j) {
-      for (int i = 0; i < count; ++i) changed[j][own[i]] = product[j][i];
-    }
+  std::vector<base::Matrix> parts = split(planes, rows, b);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].numRows() == 0) continue;
+    base::Matrix product;
+    product.shapeUninitialized(parts[i].numRows(), parts[i].numCols());
+    apply(blocks_[i].factor, parts[i], product);
+    parts[i].swap(product);
   }
-  planes.change(changed);
-  if (x.numRows() != b.numRows() || x.numCols() != columns) x.shapeUninitialized(b.numRows(), columns);
-  for (int j = 0; j < columns; ++j) std::copy_n(changed[j], changed.numRows(), x[j]);
+  join(planes, rows, parts, x);
 }
 
 void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision precision) const {
@@ -279,6 +305,14 @@ void SubstructureSolver::solveTrace(const base::Matrix& b, base::Matrix& x, Prec
               [roughly](const DirectFactor& factor, const base::Matrix& from, base::Matrix& to) {
                 factor.solveTrace(from, to, roughly);
               });
+}
+
+std::vector<const SingleFactor*> SubstructureSolver::singleFactors() const {
+  std::vector<const SingleFactor*> factors;
+  if (singleError_ == 0.0 || solvesTrace_) return factors;
+  for (const Block& block : blocks_) factors.push_back(block.factor.single());
+  if (std::find(factors.begin(), factors.end(), nullptr) != factors.end()) factors.clear();
+  return factors;
 }
 
 std::size_t SubstructureSolver::factorNonzeros() const {

@@ -14,6 +14,7 @@
 #include <harmos/substructure/IterativeSolver.hpp>
 #include <harmos/substructure/MirrorPlanes.hpp>
 #include <harmos/substructure/Precision.hpp>
+#include <harmos/substructure/SingleFactor.hpp>
 #include <harmos/substructure/SolverOptions.hpp>
 
 namespace harmos::substructure {
@@ -72,6 +73,14 @@ class SubstructureSolver {
   /// are as large, so that the relative one exceeds e where forces are balanced and the part answers stiffly.
   double singleError() const { return singleError_; }
 
+  /// The factors of the blocks in single precision, by which solve() is split(), each solved for, and join(); empty
+  /// where solves in single precision are none, or of the trace.
+  std::vector<const SingleFactor*> singleFactors() const;
+  /// The right-hand sides of the blocks: b, dofs x any number of columns, changed by the mirror planes.
+  std::vector<base::Matrix> split(const base::Matrix& b) const { return split(planes_, &Block::rows, b); }
+  /// x of its parts, in the order of split(); it is reshaped when it does not have their shape.
+  void join(const std::vector<base::Matrix>& parts, base::Matrix& x) const { join(planes_, &Block::rows, parts, x); }
+
   /// True when solveTrace() exists because it is cheaper than solve().
   bool solvesTrace() const { return solvesTrace_; }
   /// x = B A^-1 B^T b with B the restriction to the trace: rows as in `trace`, which is not checked, any number of
@@ -103,6 +112,10 @@ class SubstructureSolver {
   void factor(const Teuchos::RCP<base::CrsMatrix>& sum, const SolverOptions& options, const std::vector<int>& trace);
   DirectFactor factorOf(const Teuchos::RCP<base::CrsMatrix>& matrix, const SolverOptions& options,
                         const std::vector<int>& trace) const;
+  std::vector<base::Matrix> split(const MirrorPlanes& planes, std::vector<int> Block::*rows,
+                                  const base::Matrix& b) const;
+  void join(const MirrorPlanes& planes, std::vector<int> Block::*rows, const std::vector<base::Matrix>& parts,
+            base::Matrix& x) const;
   /// Applies the factor of every block to its rows of b, changed by the planes.
   template <class Apply>
   void solveBlocks(const MirrorPlanes& planes, std::vector<int> Block::*rows, const base::Matrix& b, base::Matrix& x,

@@ -55,6 +55,12 @@ class OperatorGroup {
   void keepSolution() { hasReactions_ = false; }
   /// Solves these columns, by single ones when they are not all.
   void solve(const std::vector<int>& columns, substructure::Precision precision);
+  /// See SubstructureSolver::singleFactors().
+  std::vector<const substructure::SingleFactor*> singleFactors() const { return solver_.singleFactors(); }
+  /// Of these columns, instead of solve() in single precision: the right-hand sides of the blocks of singleFactors(),
+  std::vector<base::Matrix> split(const std::vector<int>& columns);
+  /// and what is to be done when each has been solved for.
+  void join(const std::vector<int>& columns, const std::vector<base::Matrix>& solutions);
   /// Keeps the last solve, of one column for each body, as a response that addUnit() adds. setLoads() ends it.
   void keepUnit();
   /// Adds the response of a body, counted from 0 in the group, times `factor` to a column of the last solve.
@@ -107,6 +113,8 @@ class OperatorGroup {
   void solveWhole(const Window& window) const;
   void solveTraces(const std::vector<int>& columns, substructure::Precision precision);
   void solveAll(const std::vector<int>& columns, substructure::Precision precision);
+  /// Adds held displacements to solutions for all dofs of these columns, and keeps them.
+  void keep(const std::vector<int>& columns, base::Matrix& solution);
   /// P (f + l - A g) of columns, all dofs.
   base::Matrix forcesOf(const std::vector<int>& columns) const;
   /// u' of columns, all dofs, where keepsAll().
