@@ -62,7 +62,7 @@ void OperatorGroup::setLoads(const base::Matrix& loads, const base::Matrix& held
       for (std::size_t i = 0; i < heldDofs.size(); ++i) heldLoads_[j][i] = loads[j][heldDofs[i]];
     }
   }
-  loads_ = loaded_ = givenLoads_ = base::Matrix();
+  loads_ = loaded_ = loadedTrace_ = givenLoads_ = base::Matrix();
   const bool isHeldAway = held_.numCols() > 0;
   if (!areNone && isHeld()) givenLoads_ = loads;
   areLoaded_ = areNone && !isHeldAway;
@@ -109,6 +109,7 @@ void OperatorGroup::select(std::vector<int> loadColumns, int bodies) {
   columnsOfBody_ = columns / bodies;
   unitOf_.assign(columns, 0);
   unitFactors_.assign(columns, 0.0);
+  isTraceOnly_ = false;
   forces_.shape(rows(), columns);
   solution_.shape(rows(), columns);
   largest_.assign(isTrace() || keepsAll() ? 0 : loadColumns_.size(), 0.0);
@@ -126,7 +127,8 @@ void OperatorGroup::solve(const std::vector<int>& columns, substructure::Precisi
     const auto begin = columns.begin() + static_cast<std::ptrdiff_t>(first);
     const std::vector<int> together(begin, begin + static_cast<std::ptrdiff_t>(std::min(columnsAtOnce, count - first)));
     for (const int column : together) unitFactors_[column] = 0.0;
-    if (isTrace()) {
+    isTraceOnly_ = precision == substructure::Precision::single && solver_.solvesTraceInSingle();
+    if (isTrace() || isTraceOnly_) {
       solveTraces(together, precision);
     } else {
       solveAll(together, precision);
@@ -154,22 +156,60 @@ base::Matrix OperatorGroup::movedOf(const std::vector<int>& columns) const {
   return moved;
 }
 
+base::Matrix OperatorGroup::traceForces(const std::vector<int>& columns) const {
+  base::Matrix forces(rows(), static_cast<int>(columns.size()));
+  for (int j = 0; j < forces.numCols(); ++j) std::copy_n(forces_[columns[j]], rows(), forces[j]);
+  operator_.projectTrace(forces);
+  return forces;
+}
+
 void OperatorGroup::solveTraces(const std::vector<int>& columns, substructure::Precision precision) {
-  const int count = static_cast<int>(columns.size());
-  const bool isAll = count == forces_.numCols();
+  base::Matrix traces(rows(), static_cast<int>(columns.size()));
+  solver_.solveTrace(traceForces(columns), traces, precision);
+  keepTraces(columns, traces);
+}
+
+std::vector<base::Matrix> OperatorGroup::split(const std::vector<int>& columns) {
+  forgetDerived();
+  for (const int column : columns) unitFactors_[column] = 0.0;
+  isTraceOnly_ = true;
+  return solver_.split(traceForces(columns));
+}
+
+void OperatorGroup::join(const std::vector<int>& columns, const std::vector<base::Matrix>& parts) {
+  base::Matrix traces;
+  solver_.join(parts, traces);
+  keepTraces(columns, traces);
+}
+
+void OperatorGroup::keepTraces(const std::vector<int>& columns, const base::Matrix& traces) {
   const std::vector<int>& trace = operator_.trace();
-  base::Matrix right(rows(), count), part;
-  for (int j = 0; j < count; ++j) std::copy_n(forces_[columns[j]], rows(), right[j]);
-  operator_.projectTrace(right);
-  if (!isAll) part.shape(rows(), count);
-  solver_.solveTrace(right, isAll ? solution_ : part, precision);
-  for (int j = 0; j < count; ++j) {
-    double* to = solution_[columns[j]];
-    if (!isAll) std::copy_n(part[j], rows(), to);
+  const bool areLoaded = loads_.numCols() > 0;
+  if (areLoaded && !isTrace()) prepareLoadedTrace();
+  for (int j = 0; j < traces.numCols(); ++j) {
+    double* const to = solution_[columns[j]];
+    std::copy_n(traces[j], rows(), to);
     const int ofLoad = loadColumns_[columns[j]];
-    if (loads_.numCols() == 0 || ofLoad == withoutLoads) continue;
-    const double* loaded = loaded_[ofLoad];
-    for (int row = 0; row < rows(); ++row) to[row] += loaded[trace[row]];
+    for (int row = 0; row < rows() && areLoaded && ofLoad != withoutLoads; ++row)
+      to[row] += isTrace() ? loaded_[ofLoad][trace[row]] : loadedTrace_[ofLoad][row];
+    if (!largest_.empty()) largest_[columns[j]] = largestOf(to, rows());
+  }
+}
+
+void OperatorGroup::prepareLoadedTrace() {
+  if (loadedTrace_.numCols() > 0) return;
+  const std::vector<int>& trace = operator_.trace();
+  loadedTrace_.shape(rows(), cases_);
+  base::Matrix solution;
+  for (int first = 0; first < cases_; first += stepsAtOnce) {
+    const int count = std::min(stepsAtOnce, cases_ - first);
+    solver_.solve(base::Matrix(Teuchos::View, loads_, loads_.numRows(), count, 0, first), solution);
+    for (int j = 0; j < count; ++j) {
+      for (int row = 0; row < rows(); ++row) loadedTrace_[first + j][row] = solution[j][trace[row]];
+    }
+  }
+  for (int j = 0; j < held_.numCols(); ++j) {
+    for (int row = 0; row < rows(); ++row) loadedTrace_[j][row] += held_[j][trace[row]];
   }
 }
 
@@ -177,22 +217,6 @@ void OperatorGroup::solveAll(const std::vector<int>& columns, substructure::Prec
   base::Matrix solution;
   if (solver_.iterates()) solution = movedOf(columns);
   solver_.solve(forcesOf(columns), solution, precision);
-  keep(columns, solution);
-}
-
-std::vector<base::Matrix> OperatorGroup::split(const std::vector<int>& columns) {
-  forgetDerived();
-  for (const int column : columns) unitFactors_[column] = 0.0;
-  return solver_.split(forcesOf(columns));
-}
-
-void OperatorGroup::join(const std::vector<int>& columns, const std::vector<base::Matrix>& solutions) {
-  base::Matrix solution;
-  solver_.join(solutions, solution);
-  keep(columns, solution);
-}
-
-void OperatorGroup::keep(const std::vector<int>& columns, base::Matrix& solution) {
   const std::vector<int>& trace = operator_.trace();
   for (int j = 0; j < solution.numCols(); ++j) {
     addLoad(held_, columns[j], solution[j]);
@@ -285,7 +309,7 @@ void OperatorGroup::solveWhole(const Window& window) const {
 }
 
 const double* OperatorGroup::whole(int column) const {
-  if (keepsAll()) return all_[column];
+  if (hasAll()) return all_[column];
   const int body = column / columnsOfBody_, ofBody = column % columnsOfBody_;
   if (ofBody < window_.first || ofBody >= window_.first + window_.count) {
     const int first = ofBody - ofBody % stepsAtOnce;
@@ -295,7 +319,7 @@ const double* OperatorGroup::whole(int column) const {
 }
 
 const double* OperatorGroup::displacement(int dof, int column) const {
-  if (keepsAll()) return all_[column] + dof;
+  if (hasAll()) return all_[column] + dof;
   const int row = operator_.traceRow(dof);
   if (row >= 0) return solution_[column] + row;
   const int place = usesStencil() ? stencil_->rowOf(dof) : -1;
@@ -327,7 +351,8 @@ void OperatorGroup::solveLinearly(base::Matrix& forces, base::Matrix& solution) 
 
 double OperatorGroup::largestDisplacement(double share) const {
   if (isTrace()) return std::max(largestOf(solution_), share * largestOf(loaded_));
-  if (keepsAll()) return largestOf(all_);
+  if (isTraceOnly_) return std::max(largestOf(solution_), share * largestOf(loadedTrace_));
+  if (hasAll()) return largestOf(all_);
   return largest_.empty() ? 0.0 : *std::max_element(largest_.begin(), largest_.end());
 }
 

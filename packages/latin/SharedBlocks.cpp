@@ -40,9 +40,9 @@ void SharedBlocks::collect(const std::vector<std::unique_ptr<OperatorGroup>>& gr
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const auto factors = groups[g]->singleFactors();
     for (std::size_t part = 0; part < factors.size(); ++part) {
-      const double entries = static_cast<double>(factors[part]->entries());
-      own.push_back({rank_, rank_, static_cast<int>(g), static_cast<int>(part), factors[part]->rows(), bodies[g],
-                     factors[part]->entries() < worthSending ? 0.0 : entries * (columnsOfReading + bodies[g]),
+      const std::size_t entries = factors[part]->traceEntries();
+      own.push_back({rank_, rank_, static_cast<int>(g), static_cast<int>(part), factors[part]->traceRows(), bodies[g],
+                     entries < worthSending ? 0.0 : static_cast<double>(entries) * (columnsOfReading + bodies[g]),
                      factors[part], std::nullopt});
     }
   }
@@ -126,7 +126,7 @@ void SharedBlocks::solve(Parts& parts, int columns, const std::function<void()>&
   for (const Block& block : blocks_) {
     if (!isOwn(block) || !isHere(block)) continue;
     solution.shapeUninitialized(block.rows, block.bodies * columns);
-    block.factor->solve(part(block), solution);
+    block.factor->solveTrace(part(block), solution);
     part(block).swap(solution);
   }
   meanwhile();
@@ -137,7 +137,7 @@ void SharedBlocks::solve(Parts& parts, int columns, const std::function<void()>&
     right.shapeUninitialized(block.rows, block.bodies * columns);
     solution.shapeUninitialized(block.rows, block.bodies * columns);
     Teuchos::receive(*comm_, block.owner, sizeOf(block), right.values());
-    block.factor->solve(right, solution);
+    block.factor->solveTrace(right, solution);
     solved.emplace_back();
     solved.back().swap(solution);
     send(solved.back(), block.owner, solutions);

@@ -37,10 +37,10 @@ constexpr double programBytes = 60e6, matrixCopies = 4.4, paddedFactor = 1.3, re
 // what the macro problem multiplies one column with. Of least squares, per component of an interface side, load step
 // and pair of directions of the certificate, or of differences of a march. Of the error of the mesh, per unknown; of
 // how tractions may be shared, per group of nodes and load step; of files, per unknown, and per unknown and load step.
-constexpr double programSeconds = 0.09, assemblySeconds = 5e-8, operationSeconds = 4.5e-11, factorEntrySeconds = 1.5e-8,
+constexpr double programSeconds = 0.08, assemblySeconds = 5e-8, operationSeconds = 4.5e-11, factorEntrySeconds = 1.5e-8,
                  macroReadSeconds = 1.5e-10, factoredEntrySeconds = 2.5e-8, factoredUnknownSeconds = 5.5e-6,
-                 readEntrySeconds = 2.6e-10, interfaceSeconds = 3e-8, bodySeconds = 1e-6, sideSeconds = 7e-7,
-                 reactionSeconds = 7e-10, correctionSeconds = 6.5e-9, differenceSeconds = 4e-9,
+                 readEntrySeconds = 2.2e-10, interfaceSeconds = 3e-8, bodySeconds = 1e-6, sideSeconds = 7e-7,
+                 reactionSeconds = 7e-10, correctionSeconds = 5e-9, differenceSeconds = 4e-9,
                  recoverySecondsInSpace = 9e-6, recoverySecondsInPlane = 3e-6, sharedNodeSeconds[] = {1e-4, 9e-4},
                  fileSeconds = 1e-6, stepFileSeconds = 1.1e-7;
 // Of operators that are solved iteratively: bytes per entry at the peak, with the preconditioner; iterations of a

@@ -13,9 +13,11 @@ namespace harmos::study {
 namespace {
 
 // Linear stages over those of a run: of a configuration that is certified by itself, of one that calibrates a study,
-// with the attempts that come to nothing, of one that starts from others that are next to it, and how that grows with
-// their distance in the ranges of the parameters, and where all laws are affine.
-constexpr double alone = 1.8, calibration = 2.4, amongOthers = 0.12, growthWithDistance = 0.56, affine = 0.2;
+// with the attempts that come to nothing, of one that starts from others that are next to it, at 1 %, how that grows
+// with their distance in the ranges of the parameters, and where all laws are affine; and the power of the accuracy
+// that the one among others falls with.
+constexpr double alone = 1.8, calibration = 1.6, amongOthers = 0.09, growthWithDistance = 0.87, affine = 0.2;
+constexpr double usualAccuracy = 1e-2, powerOfAccuracy = 0.3;
 // Below so many configurations each is certified, see parametric::CertifiedSchedule.
 constexpr double fewConfigurations = 10.0;
 // Of a configuration that marches beside others: fields of all load steps; and columns of the one at hand, which are
@@ -70,10 +72,11 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
   }
   const double calibrations =
       calibration * parametric::CalibratedSchedule::calibrationsUntil(static_cast<int>(result.solves));
+  const double near = amongOthers * std::pow(usualAccuracy / solverOptions(study).accuracy, powerOfAccuracy) +
+                      growthWithDistance * distanceOf(study);
   const double share = result.solves < fewConfigurations ? alone
-                       : cost.isAffine
-                           ? affine
-                           : calibrations / result.solves + amongOthers + growthWithDistance * distanceOf(study);
+                       : cost.isAffine                   ? affine
+                                                         : calibrations / result.solves + std::min(near, alone);
   result.stages = share * cost.stages;
   // Marches from neighbours solve in double precision, which reads twice as much; in single only by inverted traces.
   const bool readsDouble = result.solves >= fewConfigurations && !solverOptions(study).stages.solver.invertTrace;

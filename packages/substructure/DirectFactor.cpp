@@ -56,8 +56,9 @@ void DirectFactor::solveTrace(const base::Matrix& b, base::Matrix& x, bool rough
   }
 }
 
-void DirectFactor::prepareSingle() {
+void DirectFactor::prepareSingle(const std::vector<int>& trace) {
   if (!solvesTrace()) single_ = singleFactor(*solver_);
+  if (single_) single_->setTrace(trace);
 }
 
 std::size_t DirectFactor::nonzeros() const {

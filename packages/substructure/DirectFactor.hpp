@@ -39,8 +39,9 @@ class DirectFactor {
   /// x = B A^-1 B^T b with B the restriction to the trace. Only if solvesTrace().
   void solveTrace(const base::Matrix& b, base::Matrix& x, bool roughly) const;
 
-  /// Prepares what solves in single precision need, of the trace if solvesTrace(), where the solver has it.
-  void prepareSingle();
+  /// Prepares what solves in single precision need, of the trace if solvesTrace(), where the solver has it. `trace`: of
+  /// single(), see SingleFactor::setTrace().
+  void prepareSingle(const std::vector<int>& trace);
   /// Frees what prepareSingle() has prepared for solve().
   void dropSingle() { single_.reset(); }
   /// Whether solves in single precision differ from the others.

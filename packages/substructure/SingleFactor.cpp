@@ -43,7 +43,7 @@ void SingleFactor::add(int columns, int height, const int* rows, const double* v
   rows_.insert(rows_.end(), rows, rows + height);
   for (int first = 0; first < columns; first += widest) {
     const int width = std::min(widest, columns - first), tall = height - first;
-    panels_.push_back({columns_ + first, width, firstRow + first, tall, values_.size()});
+    panels_.push_back({columns_ + first, width, firstRow + first, tall, values_.size(), true});
     values_.resize(values_.size() + static_cast<std::size_t>(width) * tall, 0.0F);
     float* const panel = values_.data() + panels_.back().firstValue;
     for (int j = 0; j < width; ++j) {
@@ -59,22 +59,52 @@ void SingleFactor::add(int columns, int height, const int* rows, const double* v
   columns_ += columns;
 }
 
-void SingleFactor::solve(const base::Matrix& b, base::Matrix& x) const {
+void SingleFactor::setTrace(const std::vector<int>& rows) {
+  std::vector<int> place(order_.size()), panelOf(order_.size());
+  for (std::size_t k = 0; k < order_.size(); ++k) place[order_[k]] = static_cast<int>(k);
+  trace_.clear();
+  for (const int row : rows) trace_.push_back(place[row]);
+  for (std::size_t p = 0; p < panels_.size(); ++p) {
+    panels_[p].isOfTrace = false;
+    std::fill_n(panelOf.begin() + panels_[p].firstColumn, panels_[p].width, static_cast<int>(p));
+  }
+  for (const int row : trace_) panels_[panelOf[row]].isOfTrace = true;
+  // All rows below a panel are of panels that the next of them leads to.
+  for (const Panel& panel : panels_) {
+    if (panel.isOfTrace && panel.height > panel.width)
+      panels_[panelOf[rows_[panel.firstRow + panel.width]]].isOfTrace = true;
+  }
+}
+
+std::size_t SingleFactor::traceEntries() const {
+  std::size_t sum = 0;
+  for (const Panel& panel : panels_) {
+    if (panel.isOfTrace) sum += static_cast<std::size_t>(panel.width) * panel.height;
+  }
+  return sum;
+}
+
+void SingleFactor::solve(const base::Matrix& b, base::Matrix& x, bool isOfTrace) const {
   const Blas blas;
   const int columns = b.numCols();
-  const std::size_t rows = order_.size();
+  const std::size_t rows = order_.size(), given = isOfTrace ? trace_.size() : rows;
   // In the order of L, column after column.
   std::vector<float> y(rows * static_cast<std::size_t>(columns));
   std::vector<double> size(static_cast<std::size_t>(columns), 0.0);
   for (int j = 0; j < columns; ++j) {
-    for (std::size_t k = 0; k < rows; ++k) size[j] = std::max(size[j], std::abs(b[j][k]));
+    for (std::size_t k = 0; k < given; ++k) size[j] = std::max(size[j], std::abs(b[j][k]));
     if (size[j] == 0.0) continue;
     float* to = y.data() + rows * static_cast<std::size_t>(j);
-    for (std::size_t k = 0; k < rows; ++k) to[k] = static_cast<float>(b[j][order_[k]] / size[j]);
+    if (isOfTrace) {
+      for (std::size_t k = 0; k < given; ++k) to[trace_[k]] = static_cast<float>(b[j][k] / size[j]);
+    } else {
+      for (std::size_t k = 0; k < given; ++k) to[k] = static_cast<float>(b[j][order_[k]] / size[j]);
+    }
   }
   std::vector<float> own(static_cast<std::size_t>(columns) * widest),
       whole(static_cast<std::size_t>(columns) * tallest_);
   for (const Panel& panel : panels_) {
+    if (isOfTrace && !panel.isOfTrace) continue;
     const int width = panel.width, height = panel.height;
     bool isZero = true;
     for (int j = 0; j < columns; ++j) {
@@ -95,6 +125,7 @@ void SingleFactor::solve(const base::Matrix& b, base::Matrix& x) const {
   }
   for (auto at = panels_.rbegin(); at != panels_.rend(); ++at) {
     const Panel& panel = *at;
+    if (isOfTrace && !panel.isOfTrace) continue;
     const int width = panel.width, height = panel.height;
     const int* below = rows_.data() + panel.firstRow;
     for (int j = 0; j < columns; ++j) {
@@ -111,27 +142,33 @@ void SingleFactor::solve(const base::Matrix& b, base::Matrix& x) const {
   }
   for (int j = 0; j < columns; ++j) {
     const float* from = y.data() + rows * static_cast<std::size_t>(j);
-    for (std::size_t k = 0; k < rows; ++k) x[j][order_[k]] = size[j] * from[k];
+    if (isOfTrace) {
+      for (std::size_t k = 0; k < given; ++k) x[j][k] = size[j] * from[trace_[k]];
+    } else {
+      for (std::size_t k = 0; k < given; ++k) x[j][order_[k]] = size[j] * from[k];
+    }
   }
 }
 
 void SingleFactor::send(const Teuchos::Comm<int>& comm, int rank) const {
-  const std::array<int, 6> sizes{static_cast<int>(order_.size()),
+  const std::array<int, 7> sizes{static_cast<int>(order_.size()),
                                  columns_,
                                  tallest_,
                                  static_cast<int>(panels_.size() * sizeof(Panel)),
                                  static_cast<int>(rows_.size()),
-                                 static_cast<int>(values_.size())};
+                                 static_cast<int>(values_.size()),
+                                 static_cast<int>(trace_.size())};
   Teuchos::send(comm, static_cast<int>(sizes.size()), sizes.data(), rank);
   Teuchos::send(comm, sizes[0], order_.data(), rank);
   Teuchos::send(comm, sizes[3], reinterpret_cast<const char*>(panels_.data()), rank);
   Teuchos::send(comm, sizes[4], rows_.data(), rank);
   Teuchos::send(comm, sizes[5], values_.data(), rank);
+  Teuchos::send(comm, sizes[6], trace_.data(), rank);
 }
 
 SingleFactor SingleFactor::receive(const Teuchos::Comm<int>& comm, int rank) {
   static_assert(std::is_trivially_copyable_v<Panel>, "panels travel as bytes");
-  std::array<int, 6> sizes{};
+  std::array<int, 7> sizes{};
   Teuchos::receive(comm, rank, static_cast<int>(sizes.size()), sizes.data());
   SingleFactor factor(std::vector<int>(static_cast<std::size_t>(sizes[0])), 0);
   factor.columns_ = sizes[1];
@@ -139,15 +176,18 @@ SingleFactor SingleFactor::receive(const Teuchos::Comm<int>& comm, int rank) {
   factor.panels_.resize(static_cast<std::size_t>(sizes[3]) / sizeof(Panel));
   factor.rows_.resize(static_cast<std::size_t>(sizes[4]));
   factor.values_.resize(static_cast<std::size_t>(sizes[5]));
+  factor.trace_.resize(static_cast<std::size_t>(sizes[6]));
   Teuchos::receive(comm, rank, sizes[0], factor.order_.data());
   Teuchos::receive(comm, rank, sizes[3], reinterpret_cast<char*>(factor.panels_.data()));
   Teuchos::receive(comm, rank, sizes[4], factor.rows_.data());
   Teuchos::receive(comm, rank, sizes[5], factor.values_.data());
+  Teuchos::receive(comm, rank, sizes[6], factor.trace_.data());
   return factor;
 }
 
 std::size_t SingleFactor::memory() const {
-  return sizeof(float) * values_.size() + sizeof(Panel) * panels_.size() + sizeof(int) * (order_.size() + rows_.size());
+  return sizeof(float) * values_.size() + sizeof(Panel) * panels_.size() +
+         sizeof(int) * (order_.size() + rows_.size() + trace_.size());
 }
 
 }  // namespace harmos::substructure

@@ -28,17 +28,23 @@ class SingleFactor {
   /// ascending, the first of them the columns; values: by columns, what is above the diagonal is not read.
   void add(int columns, int height, const int* rows, const double* values);
 
+  /// Says for which rows of A, ascending, solveTrace() is, once all supernodes are added: panels that none of them
+  /// needs are left out then.
+  void setTrace(const std::vector<int>& rows);
+
   /// x = A^-1 b, both in double and of the same shape, any number of columns; different objects. Columns are scaled to
   /// 1, so that they may be of any size.
-  void solve(const base::Matrix& b, base::Matrix& x) const;
+  void solve(const base::Matrix& b, base::Matrix& x) const { solve(b, x, false); }
+  /// x = B A^-1 B^T b with B the restriction to the rows of setTrace(); as solve().
+  void solveTrace(const base::Matrix& b, base::Matrix& x) const { solve(b, x, true); }
   /// Sends a copy to another rank, which must receive() it at the same time.
   void send(const Teuchos::Comm<int>& comm, int rank) const;
   /// What another rank sends.
   static SingleFactor receive(const Teuchos::Comm<int>& comm, int rank);
-  /// Rows of A.
-  int rows() const { return static_cast<int>(order_.size()); }
-  /// Entries that a solve reads twice.
-  std::size_t entries() const { return values_.size(); }
+  /// Rows of setTrace().
+  int traceRows() const { return static_cast<int>(trace_.size()); }
+  /// Entries that solveTrace() reads twice.
+  std::size_t traceEntries() const;
   /// What it holds [byte].
   std::size_t memory() const;
 
@@ -47,7 +53,10 @@ class SingleFactor {
     int firstColumn, width;  // of L
     int firstRow, height;    // in rows_
     std::size_t firstValue;  // of its entries, by columns
+    bool isOfTrace;          // has rows of the trace, or another panel that has some updates it
   };
+
+  void solve(const base::Matrix& b, base::Matrix& x, bool isOfTrace) const;
 
   std::vector<int> order_;
   int columns_ = 0;  // of L, so far
@@ -55,6 +64,7 @@ class SingleFactor {
   std::vector<Panel> panels_;
   std::vector<int> rows_;      // of L; the panels of a supernode share them
   std::vector<float> values_;  // panel by panel
+  std::vector<int> trace_;     // rows of L
 };
 
 }  // namespace harmos::substructure

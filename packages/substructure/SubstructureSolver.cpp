@@ -104,7 +104,8 @@ void SubstructureSolver::checkDiagonal(const CrsView& matrix) const {
 }
 
 void SubstructureSolver::factor(const Teuchos::RCP<base::CrsMatrix>& sum, const SolverOptions& options,
-                                const std::vector<int>& trace) {
+                                const std::vector<int>& trace, bool mayBeDense) {
+  hasTrace_ = !trace.empty();
   tracePlanes_ = planes_.restrictedTo(trace);
   const std::vector<std::vector<int>> rows = planes_.blocks(), traceRows = tracePlanes_.blocks();
   blocks_.clear();
@@ -114,12 +115,13 @@ void SubstructureSolver::factor(const Teuchos::RCP<base::CrsMatrix>& sum, const 
     const std::vector<int> within = placesInBlock(rows[b], trace, traceRows[b]);
     const Teuchos::RCP<base::CrsMatrix> matrix =
         planes_.count() == 0 ? sum : planes_.blockOf(viewOf(*sum, part_), rows[b]);
-    blocks_.push_back({rows[b], traceRows[b], factorOf(matrix, options, within)});
+    blocks_.push_back(
+        {rows[b], traceRows[b], within, factorOf(matrix, options, mayBeDense ? within : std::vector<int>{})});
     if (!within.empty()) ++wanted;
     if (blocks_.back().factor.solvesTrace()) ++traces;
   }
   solvesTrace_ = traces > 0 && traces == wanted;
-  if (traces > 0 && !solvesTrace_) factor(sum, options, {});
+  if (traces > 0 && !solvesTrace_) factor(sum, options, trace, false);
 }
 
 DirectFactor SubstructureSolver::factorOf(const Teuchos::RCP<base::CrsMatrix>& matrix, const SolverOptions& options,
@@ -181,12 +183,12 @@ void SubstructureSolver::throwIndefinite() const {
 double SubstructureSolver::prepareSingle() {
   if (!mayPrepareSingle_) return singleError_;
   mayPrepareSingle_ = false;
-  bool hasSingle = false;
+  bool haveSingle = true;
   for (Block& block : blocks_) {
-    block.factor.prepareSingle();
-    hasSingle = hasSingle || block.factor.hasSingle();
+    block.factor.prepareSingle(block.within);
+    haveSingle = haveSingle && block.factor.hasSingle();
   }
-  if (!hasSingle) return singleError_;
+  if (!haveSingle) return singleError_;
   singleError_ = std::numeric_limits<double>::infinity();  // so that solves are in single precision
   std::size_t rows = 0;
   for (const Block& block : blocks_) rows += (solvesTrace_ ? block.traceRows : block.rows).size();
@@ -219,8 +221,8 @@ double SubstructureSolver::prepareSingle() {
 
 std::vector<base::Matrix> SubstructureSolver::split(const MirrorPlanes& planes, std::vector<int> Block::*rows,
                                                     const base::Matrix& b) const {
-  if (planes.count() == 0) return {b};
-  base::Matrix changed(b);
+  base::Matrix changed(Teuchos::Copy, b, b.numRows(), b.numCols());  // also of views, whose copies are views
+  if (planes.count() == 0) return {changed};
   planes.change(changed);
   std::vector<base::Matrix> parts;
   parts.reserve(blocks_.size());  // matrices are copied when they are moved
@@ -300,18 +302,18 @@ void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision
 }
 
 void SubstructureSolver::solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision) const {
+  if (x.numRows() != b.numRows() || x.numCols() != b.numCols()) x.shapeUninitialized(b.numRows(), b.numCols());
   const bool roughly = precision == Precision::single && singleError_ > 0.0;
   solveBlocks(tracePlanes_, &Block::traceRows, b, x,
               [roughly](const DirectFactor& factor, const base::Matrix& from, base::Matrix& to) {
-                factor.solveTrace(from, to, roughly);
+                factor.solvesTrace() ? factor.solveTrace(from, to, roughly) : factor.single()->solveTrace(from, to);
               });
 }
 
 std::vector<const SingleFactor*> SubstructureSolver::singleFactors() const {
   std::vector<const SingleFactor*> factors;
-  if (singleError_ == 0.0 || solvesTrace_) return factors;
+  if (!solvesTraceInSingle()) return factors;
   for (const Block& block : blocks_) factors.push_back(block.factor.single());
-  if (std::find(factors.begin(), factors.end(), nullptr) != factors.end()) factors.clear();
   return factors;
 }
 

@@ -73,19 +73,23 @@ class SubstructureSolver {
   /// are as large, so that the relative one exceeds e where forces are balanced and the part answers stiffly.
   double singleError() const { return singleError_; }
 
-  /// The factors of the blocks in single precision, by which solve() is split(), each solved for, and join(); empty
-  /// where solves in single precision are none, or of the trace.
-  std::vector<const SingleFactor*> singleFactors() const;
-  /// The right-hand sides of the blocks: b, dofs x any number of columns, changed by the mirror planes.
-  std::vector<base::Matrix> split(const base::Matrix& b) const { return split(planes_, &Block::rows, b); }
-  /// x of its parts, in the order of split(); it is reshaped when it does not have their shape.
-  void join(const std::vector<base::Matrix>& parts, base::Matrix& x) const { join(planes_, &Block::rows, parts, x); }
-
   /// True when solveTrace() exists because it is cheaper than solve().
   bool solvesTrace() const { return solvesTrace_; }
+  /// True when solveTrace() exists in single precision only, as a part of solve().
+  bool solvesTraceInSingle() const { return !solvesTrace_ && hasTrace_ && singleError_ > 0.0; }
   /// x = B A^-1 B^T b with B the restriction to the trace: rows as in `trace`, which is not checked, any number of
-  /// columns, different objects. x is reshaped when it does not have the shape of b. Only if solvesTrace().
+  /// columns, different objects. x is reshaped when it does not have the shape of b. Only if solvesTrace(), or in
+  /// single precision if solvesTraceInSingle().
   void solveTrace(const base::Matrix& b, base::Matrix& x, Precision precision = Precision::exact) const;
+  /// Only if solvesTraceInSingle(): the factors of the blocks that solveTrace() is split() into, each solved for by its
+  /// SingleFactor::solveTrace(), and join()ed; else empty.
+  std::vector<const SingleFactor*> singleFactors() const;
+  /// The right-hand sides of the blocks: b, rows as in the trace, changed by the mirror planes.
+  std::vector<base::Matrix> split(const base::Matrix& b) const { return split(tracePlanes_, &Block::traceRows, b); }
+  /// x of its parts, in the order of split(); it is reshaped when it does not have their shape.
+  void join(const std::vector<base::Matrix>& parts, base::Matrix& x) const {
+    join(tracePlanes_, &Block::traceRows, parts, x);
+  }
 
   /// Rows of A.
   int dofs() const { return dofs_; }
@@ -102,6 +106,7 @@ class SubstructureSolver {
   /// What is even and odd about the same planes.
   struct Block {
     std::vector<int> rows, traceRows;  // of A and of the trace, after the change
+    std::vector<int> within;           // places of traceRows in rows
     DirectFactor factor;
   };
 
@@ -109,7 +114,9 @@ class SubstructureSolver {
   /// A, whose diagonal is positive; sets what goes with its size.
   Teuchos::RCP<base::CrsMatrix> makeSum(const base::CrsMatrix& stiffness, const BoundaryTerm& boundary);
   void checkDiagonal(const CrsView& matrix) const;
-  void factor(const Teuchos::RCP<base::CrsMatrix>& sum, const SolverOptions& options, const std::vector<int>& trace);
+  /// `mayBeDense`: whether solvesTrace() may come of it.
+  void factor(const Teuchos::RCP<base::CrsMatrix>& sum, const SolverOptions& options, const std::vector<int>& trace,
+              bool mayBeDense = true);
   DirectFactor factorOf(const Teuchos::RCP<base::CrsMatrix>& matrix, const SolverOptions& options,
                         const std::vector<int>& trace) const;
   std::vector<base::Matrix> split(const MirrorPlanes& planes, std::vector<int> Block::*rows,
@@ -130,7 +137,7 @@ class SubstructureSolver {
   MirrorPlanes planes_{0}, tracePlanes_{0};
   std::vector<Block> blocks_;                   // of factors; one without planes; none: iterates
   std::unique_ptr<IterativeSolver> iterative_;  // null: does not
-  bool solvesTrace_ = false;
+  bool solvesTrace_ = false, hasTrace_ = false;
   bool mayPrepareSingle_ = false;
   double singleError_ = 0.0;
 };

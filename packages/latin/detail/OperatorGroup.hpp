@@ -53,14 +53,15 @@ class OperatorGroup {
   base::Matrix& forces() { return forces_; }
   /// To be called when forces() has changed in a way that moves no body, after the last solve.
   void keepSolution() { hasReactions_ = false; }
-  /// Solves these columns, by single ones when they are not all.
+  /// Solves these columns, by single ones when they are not all; in single precision their traces, so that other dofs
+  /// are found exactly when they are asked for.
   void solve(const std::vector<int>& columns, substructure::Precision precision);
   /// See SubstructureSolver::singleFactors().
   std::vector<const substructure::SingleFactor*> singleFactors() const { return solver_.singleFactors(); }
   /// Of these columns, instead of solve() in single precision: the right-hand sides of the blocks of singleFactors(),
   std::vector<base::Matrix> split(const std::vector<int>& columns);
   /// and what is to be done when each has been solved for.
-  void join(const std::vector<int>& columns, const std::vector<base::Matrix>& solutions);
+  void join(const std::vector<int>& columns, const std::vector<base::Matrix>& parts);
   /// Keeps the last solve, of one column for each body, as a response that addUnit() adds. setLoads() ends it.
   void keepUnit();
   /// Adds the response of a body, counted from 0 in the group, times `factor` to a column of the last solve.
@@ -101,8 +102,10 @@ class OperatorGroup {
   bool isHeld() const { return !operator_.heldDofs().empty() || held_.numCols() > 0; }
   /// l of the last setLoads(); 0 x 0: none.
   const base::Matrix& given() const { return isHeld() ? givenLoads_ : loads_; }
-  /// Whether all dofs of all columns are at hand once they are solved for; iterations start from them.
+  /// Whether all dofs of all columns are at hand once they are solved for exactly; iterations start from them.
   bool keepsAll() const { return !isTrace() && (solver_.iterates() || columnsOfBody_ <= stepsAtOnce); }
+  /// Whether they are.
+  bool hasAll() const { return keepsAll() && !isTraceOnly_; }
   /// Whether what held nodes need is found without a solve of the whole: not once that was made, but then to the end.
   bool usesStencil() const { return stencil_ && (hasStencil_ || window_.count == 0); }
   std::vector<Window> windows() const;
@@ -113,8 +116,11 @@ class OperatorGroup {
   void solveWhole(const Window& window) const;
   void solveTraces(const std::vector<int>& columns, substructure::Precision precision);
   void solveAll(const std::vector<int>& columns, substructure::Precision precision);
-  /// Adds held displacements to solutions for all dofs of these columns, and keeps them.
-  void keep(const std::vector<int>& columns, base::Matrix& solution);
+  /// P f of columns on the trace.
+  base::Matrix traceForces(const std::vector<int>& columns) const;
+  /// Adds what loads do to the trace of these columns, and keeps it.
+  void keepTraces(const std::vector<int>& columns, const base::Matrix& traces);
+  void prepareLoadedTrace();
   /// P (f + l - A g) of columns, all dofs.
   base::Matrix forcesOf(const std::vector<int>& columns) const;
   /// u' of columns, all dofs, where keepsAll().
@@ -137,11 +143,12 @@ class OperatorGroup {
   base::Matrix givenLoads_;                       // l as it was given, where isHeld(); 0 x 0: none
   bool areLoaded_ = false;                        // the following belong to it and to g
   long loadChanges_ = 0;
-  int cases_ = 0;           // columns of l and g
-  base::Matrix loads_;      // P (l - A g); 0 x 0: none
-  base::Matrix held_;       // g; 0 x 0: none
-  base::Matrix loaded_;     // with a trace: S^-1 loads + g; 0 x 0: none
-  base::Matrix heldLoads_;  // l on held nodes
+  int cases_ = 0;             // columns of l and g
+  base::Matrix loads_;        // P (l - A g); 0 x 0: none
+  base::Matrix held_;         // g; 0 x 0: none
+  base::Matrix loaded_;       // with a trace: S^-1 loads + g; 0 x 0: none
+  base::Matrix loadedTrace_;  // of it the trace, where only single precision has one; 0 x 0: not asked for
+  base::Matrix heldLoads_;    // l on held nodes
   std::vector<int> loadColumns_;
   int columnsOfBody_ = 0;
   std::vector<int> unitColumns_;                      // of loads(), one per body: those of the kept response
@@ -151,7 +158,8 @@ class OperatorGroup {
   std::vector<double> unitFactors_;                   // how much of it
   base::Matrix forces_;
   base::Matrix solution_;
-  base::Matrix all_;                 // where keepsAll(), else 0 x 0: all dofs of the last solves
+  base::Matrix all_;                 // where keepsAll(), else 0 x 0: all dofs of the last solves, if hasAll()
+  bool isTraceOnly_ = false;         // the last solve found traces only, though no trace is kept dense
   std::vector<double> largest_;      // elsewhere without a trace: no component of a column is larger
   mutable base::Matrix whole_;       // all dofs of a window, computed when asked for
   mutable Window window_;            // no columns: none

@@ -1,5 +1,6 @@
 #include <harmos/substructure/MirrorPlanes.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -182,6 +183,60 @@ TEST_F(MirrorPlanesTest, CutTraces) {
       blocks.solveTrace(b, rough, Precision::single);
       EXPECT_LT(difference(found, exact), 1e-13);
       EXPECT_LT(difference(rough, exact), 1e-6);
+    }
+  }
+}
+
+TEST_F(MirrorPlanesTest, LeaveRightHandSidesThatAreViews) {
+  const SubstructureSolver blocks = solver(springs(2, 2.0, 1.0), {}, true);
+  ASSERT_GT(blocks.mirrorPlanes(), 0);
+  const base::Matrix b = lattice_.numbers(lattice_.rows(), 3), before(Teuchos::Copy, b, b.numRows(), b.numCols());
+  base::Matrix x, ofView;
+  blocks.solve(b, x);
+  blocks.solve(base::Matrix(Teuchos::View, b, b.numRows(), 3), ofView);
+  EXPECT_EQ(b, before);
+  EXPECT_EQ(ofView, x);
+}
+
+TEST_F(MirrorPlanesTest, CutTracesInSinglePrecision) {
+  if (availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD gives its factor";
+  std::vector<int> trace;  // too large to be kept dense: all rows but those of the uppermost nodes
+  const std::vector<int> upper = lattice_.rowsAt(2, lattice_.nodes.back()[2]);
+  for (int row = 0; row < lattice_.rows(); ++row) {
+    if (!std::binary_search(upper.begin(), upper.end(), row)) trace.push_back(row);
+  }
+  for (const bool looksForPlanes : {false, true}) {
+    SubstructureSolver solver = this->solver(springs(2, 2.0, 1.0), trace, looksForPlanes);
+    EXPECT_EQ(solver.mirrorPlanes(), looksForPlanes ? 2 : 0);
+    ASSERT_FALSE(solver.solvesTrace());
+    EXPECT_FALSE(solver.solvesTraceInSingle());
+    EXPECT_TRUE(solver.singleFactors().empty());
+    EXPECT_GT(solver.prepareSingle(), 0.0);
+    ASSERT_TRUE(solver.solvesTraceInSingle());
+    for (const int columns : {1, 5}) {
+      const base::Matrix b = lattice_.numbers(static_cast<int>(trace.size()), columns);
+      base::Matrix all(lattice_.rows(), columns), solution, exact(b), found, joined;
+      for (int j = 0; j < columns; ++j) {
+        for (std::size_t i = 0; i < trace.size(); ++i) all(trace[i], j) = b(static_cast<int>(i), j);
+      }
+      solver.solve(all, solution);
+      for (int j = 0; j < columns; ++j) {
+        for (std::size_t i = 0; i < trace.size(); ++i) exact(static_cast<int>(i), j) = solution(trace[i], j);
+      }
+      solver.solveTrace(b, found, Precision::single);
+      EXPECT_LT(difference(found, exact), 1e-5);
+      EXPECT_GT(difference(found, exact), 0.0);
+      std::vector<base::Matrix> parts = solver.split(b);
+      const auto factors = solver.singleFactors();
+      ASSERT_EQ(parts.size(), factors.size());
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        ASSERT_EQ(parts[i].numRows(), factors[i]->traceRows());
+        base::Matrix part(parts[i]);
+        factors[i]->solveTrace(parts[i], part);
+        parts[i].assign(part);
+      }
+      solver.join(parts, joined);
+      EXPECT_EQ(joined, found);
     }
   }
 }
