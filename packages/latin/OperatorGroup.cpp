@@ -303,7 +303,8 @@ void OperatorGroup::forgetDerived() {
 
 void OperatorGroup::solveWhole(const Window& window) const {
   const std::vector<int> columns = columnsOf(window);
-  solver_.solve(forcesOf(columns), whole_);
+  solver_.solve(forcesOf(columns), whole_,
+                isTraceOnly_ ? substructure::Precision::single : substructure::Precision::exact);
   for (int j = 0; j < whole_.numCols(); ++j) addLoad(held_, columns[j], whole_[j]);
   window_ = window;
 }

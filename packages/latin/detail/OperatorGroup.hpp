@@ -53,8 +53,8 @@ class OperatorGroup {
   base::Matrix& forces() { return forces_; }
   /// To be called when forces() has changed in a way that moves no body, after the last solve.
   void keepSolution() { hasReactions_ = false; }
-  /// Solves these columns, by single ones when they are not all; in single precision their traces, so that other dofs
-  /// are found exactly when they are asked for.
+  /// Solves these columns, by single ones when they are not all; in single precision their traces: other dofs are found
+  /// when they are asked for.
   void solve(const std::vector<int>& columns, substructure::Precision precision);
   /// See SubstructureSolver::singleFactors().
   std::vector<const substructure::SingleFactor*> singleFactors() const { return solver_.singleFactors(); }
