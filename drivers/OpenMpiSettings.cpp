@@ -39,7 +39,6 @@ OpenMpiSettings::OpenMpiSettings() {
     for (const auto& [name, value] : alone) setForNow(name, value);
   } else if (areAllHere()) {
     setForNow("OMPI_MCA_pml", "ob1");
-    setForNow("OMPI_MCA_btl", "self,vader");
   }
 }
 

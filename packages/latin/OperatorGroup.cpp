@@ -184,7 +184,8 @@ void OperatorGroup::join(const std::vector<int>& columns, const std::vector<base
 
 void OperatorGroup::keepTraces(const std::vector<int>& columns, const base::Matrix& traces) {
   const std::vector<int>& trace = operator_.trace();
-  const bool areLoaded = loads_.numCols() > 0;
+  const auto hasLoad = [this](int column) { return loadColumns_[column] != withoutLoads; };
+  const bool areLoaded = loads_.numCols() > 0 && std::any_of(columns.begin(), columns.end(), hasLoad);
   if (areLoaded && !isTrace()) prepareLoadedTrace();
   for (int j = 0; j < traces.numCols(); ++j) {
     double* const to = solution_[columns[j]];

@@ -30,20 +30,24 @@ SharedBlocks::SharedBlocks(const std::vector<std::unique_ptr<OperatorGroup>>& gr
                            const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
     : comm_(comm), rank_(comm->getRank()), gives_(groups.size(), false) {
   if (comm->getSize() == 1) return;
-  collect(groups, bodies);
-  shareOut();
+  shareOut(collect(groups, bodies));
   sendFactors();
 }
 
-void SharedBlocks::collect(const std::vector<std::unique_ptr<OperatorGroup>>& groups, const std::vector<int>& bodies) {
+std::vector<double> SharedBlocks::collect(const std::vector<std::unique_ptr<OperatorGroup>>& groups,
+                                          const std::vector<int>& bodies) {
   std::vector<Block> own;
+  double besides = 0.0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
+    const auto costOf = [&](std::size_t entries) {
+      return static_cast<double>(entries) * (columnsOfReading + bodies[g]);
+    };
     const auto factors = groups[g]->singleFactors();
+    if (factors.empty()) besides += costOf(groups[g]->entries());
     for (std::size_t part = 0; part < factors.size(); ++part) {
       const std::size_t entries = factors[part]->traceEntries();
       own.push_back({rank_, rank_, static_cast<int>(g), static_cast<int>(part), factors[part]->traceRows(), bodies[g],
-                     entries < worthSending ? 0.0 : static_cast<double>(entries) * (columnsOfReading + bodies[g]),
-                     factors[part], std::nullopt});
+                     costOf(entries), entries >= worthSending, factors[part], std::nullopt});
     }
   }
   const int count = static_cast<int>(own.size());
@@ -52,39 +56,49 @@ void SharedBlocks::collect(const std::vector<std::unique_ptr<OperatorGroup>>& gr
   const int first = std::accumulate(counts.begin(), counts.begin() + rank_, 0);
   const int all = std::accumulate(counts.begin(), counts.end(), 0);
   // One row for each number that tells about a block, one column for each block.
-  base::Matrix mine(6, all), sum(6, all);
+  base::Matrix mine(7, all), sum(7, all);
   for (int i = 0; i < count; ++i) {
     const Block& block = own[i];
     const double told[] = {static_cast<double>(block.owner),  static_cast<double>(block.group),
                            static_cast<double>(block.part),   static_cast<double>(block.rows),
-                           static_cast<double>(block.bodies), block.cost};
+                           static_cast<double>(block.bodies), block.cost,
+                           block.mayBeGiven ? 1.0 : 0.0};
     std::copy(std::begin(told), std::end(told), mine[first + i]);
   }
-  if (all > 0) Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, 6 * all, mine.values(), sum.values());
+  if (all > 0) Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, 7 * all, mine.values(), sum.values());
   for (int i = 0; i < all; ++i) {
     const double* const told = sum[i];
     const auto whole = [told](int row) { return static_cast<int>(told[row]); };
     const bool isOwn = i >= first && i < first + count;
-    blocks_.push_back({whole(0), whole(0), whole(1), whole(2), whole(3), whole(4), told[5],
+    blocks_.push_back({whole(0), whole(0), whole(1), whole(2), whole(3), whole(4), told[5], told[6] > 0.0,
                        isOwn ? own[i - first].factor : nullptr, std::nullopt});
   }
+  std::vector<double> besidesOfAll(counts.size());
+  Teuchos::gatherAll(*comm_, 1, &besides, comm_->getSize(), besidesOfAll.data());
+  return besidesOfAll;
 }
 
-void SharedBlocks::shareOut() {
-  std::vector<double> cost, load(static_cast<std::size_t>(comm_->getSize()), 0.0), shared(load);
+void SharedBlocks::shareOut(const std::vector<double>& besides) {
+  std::vector<double> cost, load(besides), shared(besides);
   std::vector<int> owner;
-  for (const Block& block : blocks_) {
+  std::vector<Block*> movable;
+  for (Block& block : blocks_) {
+    load[block.owner] += block.cost;
+    if (!block.mayBeGiven) {
+      shared[block.owner] += block.cost;
+      continue;
+    }
     cost.push_back(block.cost);
     owner.push_back(block.owner);
-    load[block.owner] += block.cost;
+    movable.push_back(&block);
   }
   const std::vector<int> solver = base::shareOut(cost, shared, owner);
-  for (std::size_t i = 0; i < blocks_.size(); ++i) shared[solver[i]] += cost[i];
+  for (std::size_t i = 0; i < cost.size(); ++i) shared[solver[i]] += cost[i];
   if (largest(shared) > (1.0 - leastGain) * largest(load)) return;
   int bodies = 1;
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    Block& block = blocks_[i];
-    if (block.cost == 0.0 || solver[i] == block.owner) continue;
+  for (std::size_t i = 0; i < movable.size(); ++i) {
+    Block& block = *movable[i];
+    if (solver[i] == block.owner) continue;
     block.solver = solver[i];
     if (block.owner == rank_) gives_[block.group] = true;
     bodies = std::max(bodies, block.bodies);

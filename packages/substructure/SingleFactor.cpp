@@ -1,7 +1,6 @@
 #include <harmos/substructure/SingleFactor.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -31,6 +30,32 @@ void multiply(const Blas& blas, Teuchos::ETransp transposed, int rows, int colum
     return;
   }
   blas.GEMM(transposed, Teuchos::NO_TRANS, strideY, count, strideX, 1.0F, panel, rows, x, strideX, 0.0F, y, strideY);
+}
+
+// Bytes are counted by int on the way.
+constexpr std::size_t bytesAtOnce = std::size_t{1} << 30;
+
+/// Calls transfer(first, count) for slices of so many objects of a type that cover all of them.
+template <class T, class Transfer>
+void inSlices(std::size_t count, const Transfer& transfer) {
+  constexpr std::size_t most = bytesAtOnce / sizeof(T);
+  for (std::size_t first = 0; first < count; first += most)
+    transfer(first, static_cast<int>(std::min(most, count - first)));
+}
+
+template <class T>
+void sendAll(const Teuchos::Comm<int>& comm, int rank, const std::vector<T>& values) {
+  inSlices<T>(values.size(), [&](std::size_t first, int count) {
+    Teuchos::send(comm, count * static_cast<int>(sizeof(T)), reinterpret_cast<const char*>(values.data() + first),
+                  rank);
+  });
+}
+
+template <class T>
+void receiveAll(const Teuchos::Comm<int>& comm, int rank, std::vector<T>& values) {
+  inSlices<T>(values.size(), [&](std::size_t first, int count) {
+    Teuchos::receive(comm, rank, count * static_cast<int>(sizeof(T)), reinterpret_cast<char*>(values.data() + first));
+  });
 }
 
 }  // namespace
@@ -151,37 +176,35 @@ void SingleFactor::solve(const base::Matrix& b, base::Matrix& x, bool isOfTrace)
 }
 
 void SingleFactor::send(const Teuchos::Comm<int>& comm, int rank) const {
-  const std::array<int, 7> sizes{static_cast<int>(order_.size()),
-                                 columns_,
-                                 tallest_,
-                                 static_cast<int>(panels_.size() * sizeof(Panel)),
-                                 static_cast<int>(rows_.size()),
-                                 static_cast<int>(values_.size()),
-                                 static_cast<int>(trace_.size())};
-  Teuchos::send(comm, static_cast<int>(sizes.size()), sizes.data(), rank);
-  Teuchos::send(comm, sizes[0], order_.data(), rank);
-  Teuchos::send(comm, sizes[3], reinterpret_cast<const char*>(panels_.data()), rank);
-  Teuchos::send(comm, sizes[4], rows_.data(), rank);
-  Teuchos::send(comm, sizes[5], values_.data(), rank);
-  Teuchos::send(comm, sizes[6], trace_.data(), rank);
+  const std::vector<std::size_t> sizes{order_.size(), panels_.size(), rows_.size(), values_.size(), trace_.size()};
+  sendAll(comm, rank, sizes);
+  sendAll(comm, rank, std::vector<int>{columns_, tallest_});
+  sendAll(comm, rank, order_);
+  sendAll(comm, rank, panels_);
+  sendAll(comm, rank, rows_);
+  sendAll(comm, rank, values_);
+  sendAll(comm, rank, trace_);
 }
 
 SingleFactor SingleFactor::receive(const Teuchos::Comm<int>& comm, int rank) {
   static_assert(std::is_trivially_copyable_v<Panel>, "panels travel as bytes");
-  std::array<int, 7> sizes{};
-  Teuchos::receive(comm, rank, static_cast<int>(sizes.size()), sizes.data());
-  SingleFactor factor(std::vector<int>(static_cast<std::size_t>(sizes[0])), 0);
-  factor.columns_ = sizes[1];
-  factor.tallest_ = sizes[2];
-  factor.panels_.resize(static_cast<std::size_t>(sizes[3]) / sizeof(Panel));
-  factor.rows_.resize(static_cast<std::size_t>(sizes[4]));
-  factor.values_.resize(static_cast<std::size_t>(sizes[5]));
-  factor.trace_.resize(static_cast<std::size_t>(sizes[6]));
-  Teuchos::receive(comm, rank, sizes[0], factor.order_.data());
-  Teuchos::receive(comm, rank, sizes[3], reinterpret_cast<char*>(factor.panels_.data()));
-  Teuchos::receive(comm, rank, sizes[4], factor.rows_.data());
-  Teuchos::receive(comm, rank, sizes[5], factor.values_.data());
-  Teuchos::receive(comm, rank, sizes[6], factor.trace_.data());
+  std::vector<std::size_t> sizes(5);
+  std::vector<int> numbers(2);
+  receiveAll(comm, rank, sizes);
+  receiveAll(comm, rank, numbers);
+  SingleFactor factor({}, 0);
+  factor.order_.resize(sizes[0]);
+  factor.columns_ = numbers[0];
+  factor.tallest_ = numbers[1];
+  factor.panels_.resize(sizes[1]);
+  factor.rows_.resize(sizes[2]);
+  factor.values_.resize(sizes[3]);
+  factor.trace_.resize(sizes[4]);
+  receiveAll(comm, rank, factor.order_);
+  receiveAll(comm, rank, factor.panels_);
+  receiveAll(comm, rank, factor.rows_);
+  receiveAll(comm, rank, factor.values_);
+  receiveAll(comm, rank, factor.trace_);
   return factor;
 }
 

@@ -19,8 +19,9 @@ namespace harmos::latin {
 ///
 /// A block is what of an operator is even or odd about the same mirror planes, or all of it without such planes; it is
 /// solved for all bodies that share the operator. Where ranks with the bodies they own have unequally much to solve,
-/// those with more give blocks to others: the factors once, right-hand sides and solutions at each solve. Three equal
-/// plates on two ranks are six halves, three on each. What is exact is solved by the owner alone.
+/// those with more give blocks to others: the factors once, right-hand sides and solutions at each solve. So two ranks
+/// with three like plates, of which two have one operator, solve for a half of these two and for two quarters of the
+/// third each, if it has two planes. What is exact is solved by the owner alone, which keeps its factors.
 class SharedBlocks {
  public:
   /// Right-hand sides of the groups of this rank, or their solutions: for each group its blocks in the order of
@@ -51,12 +52,15 @@ class SharedBlocks {
     int group, part;    // of the owner
     int rows, bodies;
     double cost;                                            // about proportional to the time of a solve
+    bool mayBeGiven;                                        // is worth the messages
     const substructure::SingleFactor* factor;               // null: is not solved here
     std::optional<substructure::SingleFactor> otherFactor;  // of another rank
   };
 
-  void collect(const std::vector<std::unique_ptr<OperatorGroup>>& groups, const std::vector<int>& bodies);
-  void shareOut();
+  /// Finds the blocks of all ranks; returns the costs of what else each rank solves for in the same stage.
+  std::vector<double> collect(const std::vector<std::unique_ptr<OperatorGroup>>& groups,
+                              const std::vector<int>& bodies);
+  void shareOut(const std::vector<double>& besides);
   void sendFactors();
 
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;

@@ -1,5 +1,7 @@
 // Bodies of one rank, for some of which the others solve.
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -15,31 +17,35 @@
 namespace harmos::latin {
 namespace {
 
-constexpr int steps = 5;
+constexpr int steps = 66;  // of two bodies more than travel together
 
-/// A block with two mirror planes and three slabs with none, two of them equal; each is held on all sides but one,
-/// which is loaded.
-assembly::Assembly blocks() {
-  const auto box = [](const std::string& name, double z, int across, int cells) {
-    return mesh::Box{name, {0, 0, z}, {14, 14, z + cells}, {across, 14, cells}};
+/// Two equal slabs and, if there are others, a plate with more mirror planes and another slab. Each is moved below,
+/// lies on springs elsewhere, so that its trace is too large to be kept dense, and is loaded inside.
+assembly::Assembly blocks(bool withOthers = true) {
+  const auto box = [](const std::string& name, double z, double width, const std::array<int, 3>& cells) {
+    return mesh::Box{name, {0, 0, z}, {width, width, z + cells[2]}, cells};
   };
-  BoxAssembly boxes(
-      {box("even", 0, 14, 10), box("skew 1", 20, 14, 5), box("skew 2", 30, 14, 5), box("other", 40, 13, 5)}, steps);
+  std::vector<mesh::Box> all{box("skew 1", 20, 14, {14, 14, 5}), box("skew 2", 30, 14, {14, 14, 5})};
+  if (withOthers) {
+    all.push_back(box("even", 0, 28, {28, 28, 4}));
+    all.push_back(box("other", 40, 14, {13, 14, 5}));
+  }
+  BoxAssembly boxes(all, steps);
   for (const std::string name : {"skew 1", "skew 2", "other"}) {
     boxes.deform(name, [](const base::Vector3& x) {
       return base::Vector3{x[0] + 0.001 * x[0] * x[0] + 0.002 * x[0] * x[1], x[1], x[2]};
     });
   }
-  boxes.share(1, 2);
-  for (const std::string name : {"even", "skew 1", "skew 2", "other"}) {
-    // So many sides that the trace is not solved by itself.
+  boxes.deform("even", [](const base::Vector3& x) { return base::Vector3{x[0], x[1], x[2] + 0.02 * x[2] * x[2]}; });
+  boxes.share(0, 1);
+  for (const mesh::Piece& part : boxes.parts()) {
+    const std::string& name = part.name;
     for (const std::string side : {"xmin", "xmax", "ymin", "ymax", "zmax"}) {
       boxes.hold(name + " " + side, name + "_" + side,
                  laws::makeLaw("Linear Elastic", {{"Normal Stiffness", 30.0}, {"Tangential Stiffness", 20.0}}));
     }
-    boxes.hold(
-        "below " + name, name + "_zmin",
-        laws::makeLaw("Prescribed Displacement", {{"X", 0.1}, {"Y", 0.0}, {"Z", -0.02}}, {{"X", {1, 2, 0, 4, 5}}}));
+    boxes.hold("below " + name, name + "_zmin",
+               laws::makeLaw("Prescribed Displacement", {{"X", 0.1}, {"Y", 0.0}, {"Z", -0.02}}));
   }
   unsigned seed = 100;
   for (substructure::Substructure& body : boxes.assembly().bodies) {
@@ -102,29 +108,34 @@ TEST(SharedBlocks, AreSolvedAsByTheirOwners) {
   EXPECT_EQ(alone.linear.operators().blocksGiven(), 0);
   for (const std::vector<int>& owner :
        {std::vector<int>{0, 0, 0, 0}, std::vector<int>{size - 1, size - 1, size - 1, size - 1},
-        std::vector<int>{size - 1, 0, 0, size - 1}}) {
+        std::vector<int>{size - 1, size - 1, 0, 0}, std::vector<int>{size - 1, size - 1, size - 1, 0}}) {
     assembly::Assembly assembly = blocks();
     assembly.owner = owner;
     Stage shared(std::move(assembly), comm);
-    const double error = shared.linear.prepareSingle();
-    EXPECT_GT(error, 1e-8);
-    if (owner[0] == owner[1]) {
-      EXPECT_EQ(shared.linear.operators().blocksGiven() > 0, size > 1);
+    EXPECT_GT(shared.linear.prepareSingle(), 1e-8);
+    if (std::count(owner.begin(), owner.end(), owner[0]) == 4) {
+      // More than one of a part, so that what is even and what is odd is on different ranks.
+      EXPECT_EQ(shared.linear.operators().blocksGiven() >= 4, size > 1);
     }
-    for (const int columns : {1, steps}) {
+    for (const int columns : {1, 5, steps}) {
       alone.linear.select(allSteps(columns));
       shared.linear.select(allSteps(columns));
       for (const auto precision : {substructure::Precision::single, substructure::Precision::exact}) {
         const base::Matrix& expected = alone.solve(columns, precision);
         const base::Matrix& found = shared.solve(columns, precision);
+        double distance = 0.0, norm = 0.0;
         for (const TraceLayout::Block& block : shared.layout.blocks()) {
           const int begin = alone.layout.begin(block.interface, block.side);
           for (int t = 0; t < columns; ++t) {
             for (int row = 0; row < 3 * block.pairs; ++row) {
-              EXPECT_EQ(found(block.begin + row, t), expected(begin + row, t)) << "the same factors solve it";
+              const double there = expected(begin + row, t);
+              distance = std::max(distance, std::abs(found(block.begin + row, t) - there));
+              norm = std::max(norm, std::abs(there));
             }
           }
         }
+        // The same factors solve the same columns; of the largest number others go together than on one rank.
+        EXPECT_LE(distance, columns < steps ? 0.0 : 1e-6 * norm);
       }
     }
   }
@@ -136,7 +147,7 @@ TEST(SharedBlocks, AreCloseToWhatIsExact) {
   for (const Elimination which : {Elimination::none, Elimination::rigid}) {
     Stage stage(blocks(), self(), which);
     const double error = stage.linear.prepareSingle();
-    for (const int columns : {1, steps}) {
+    for (const int columns : {1, 5, steps}) {
       stage.linear.select(allSteps(columns));
       base::Matrix exact = stage.solve(columns, substructure::Precision::exact);
       base::Matrix inner = stage.displacements(3);
@@ -157,12 +168,8 @@ TEST(SharedBlocks, StayWhereRanksHaveEquallyMuchToSolve) {
   if (substructure::availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD solves in single precision";
   const auto comm = Tpetra::getDefaultComm();
   if (comm->getSize() != 2) GTEST_SKIP() << "for two ranks";
-  assembly::Assembly assembly = blocks();
-  assembly.bodies.pop_back();
-  const auto isOfOther = [](const assembly::Interface& joint) { return joint.body1 == 3; };
-  assembly.interfaces.erase(std::remove_if(assembly.interfaces.begin(), assembly.interfaces.end(), isOfOther),
-                            assembly.interfaces.end());
-  assembly.owner = {0, 0, 1};
+  assembly::Assembly assembly = blocks(false);
+  assembly.owner = {0, 1};
   Stage stage(std::move(assembly), comm);
   stage.linear.prepareSingle();
   EXPECT_EQ(stage.linear.operators().blocksGiven(), 0);

@@ -87,6 +87,30 @@ TEST(SingleFactor, SolvesWithWideSupernodes) {
   SingleFactor factor(order, static_cast<std::size_t>(size) * size);
   factor.add(wide, static_cast<int>(rows.size()), rows.data(), columnsOf(0, wide, rows).data());
   factor.add(size - wide, size - wide, last.data(), columnsOf(wide, size - wide, last).data());
+  // A trace that begins in the second panel of the first supernode, and rows that only the second one has.
+  const std::size_t whole = factor.traceEntries();
+  for (const std::vector<int>& trace :
+       {std::vector<int>{70, 149, 151}, std::vector<int>{151, 199}, std::vector<int>{}}) {
+    std::vector<int> places;
+    for (const int k : trace) places.push_back(order[k]);
+    factor.setTrace(places);
+    // 64 columns with 175 rows, 64 with 111, 22 with 47; 50 with 50.
+    const std::size_t second = 50 * 50, first = trace.empty() || trace[0] > 149 ? 0 : 64 * 111 + 22 * 47;
+    EXPECT_EQ(whole, 64 * 175 + 64 * 111 + 22 * 47 + second);
+    EXPECT_EQ(factor.traceEntries(), trace.empty() ? 0 : first + second);
+    for (const int columns : {1, 7}) {
+      const int count = static_cast<int>(trace.size());
+      base::Matrix given(count, columns), found(count, columns), b(size, columns), x(size, columns);
+      for (int j = 0; j < columns; ++j) {
+        for (int i = 0; i < count; ++i) given(i, j) = b(places[i], j) = 1.0 + (i + j) % 3;
+      }
+      factor.solve(b, x);
+      factor.solveTrace(given, found);
+      for (int j = 0; j < columns; ++j) {
+        for (int i = 0; i < count; ++i) EXPECT_NEAR(found(i, j), x(places[i], j), 1e-14 * x.normInf());
+      }
+    }
+  }
   for (const int columns : {1, 3, 7}) {
     base::Matrix exact(size, columns), b(size, columns), x(size, columns), y(size, columns), product(size, columns);
     for (int j = 0; j < columns; ++j) {
