@@ -60,6 +60,11 @@ void receiveAll(const Teuchos::Comm<int>& comm, int rank, std::vector<T>& values
 
 }  // namespace
 
+SingleFactor::SingleFactor(const std::vector<int>& order, std::size_t entries) : place_(order.size()) {
+  for (std::size_t k = 0; k < order.size(); ++k) place_[order[k]] = static_cast<int>(k);
+  values_.reserve(entries);
+}
+
 void SingleFactor::add(int columns, int height, const int* rows, const double* values) {
   const Blas blas;
   const Teuchos::LAPACK<int, float> lapack;
@@ -85,10 +90,9 @@ void SingleFactor::add(int columns, int height, const int* rows, const double* v
 }
 
 void SingleFactor::setTrace(const std::vector<int>& rows) {
-  std::vector<int> place(order_.size()), panelOf(order_.size());
-  for (std::size_t k = 0; k < order_.size(); ++k) place[order_[k]] = static_cast<int>(k);
+  std::vector<int> panelOf(place_.size());
   trace_.clear();
-  for (const int row : rows) trace_.push_back(place[row]);
+  for (const int row : rows) trace_.push_back(place_[row]);
   for (std::size_t p = 0; p < panels_.size(); ++p) {
     panels_[p].isOfTrace = false;
     std::fill_n(panelOf.begin() + panels_[p].firstColumn, panels_[p].width, static_cast<int>(p));
@@ -112,7 +116,8 @@ std::size_t SingleFactor::traceEntries() const {
 void SingleFactor::solve(const base::Matrix& b, base::Matrix& x, bool isOfTrace) const {
   const Blas blas;
   const int columns = b.numCols();
-  const std::size_t rows = order_.size(), given = isOfTrace ? trace_.size() : rows;
+  const std::vector<int>& place = isOfTrace ? trace_ : place_;
+  const std::size_t rows = place_.size(), given = place.size();
   // In the order of L, column after column.
   std::vector<float> y(rows * static_cast<std::size_t>(columns));
   std::vector<double> size(static_cast<std::size_t>(columns), 0.0);
@@ -120,11 +125,7 @@ void SingleFactor::solve(const base::Matrix& b, base::Matrix& x, bool isOfTrace)
     for (std::size_t k = 0; k < given; ++k) size[j] = std::max(size[j], std::abs(b[j][k]));
     if (size[j] == 0.0) continue;
     float* to = y.data() + rows * static_cast<std::size_t>(j);
-    if (isOfTrace) {
-      for (std::size_t k = 0; k < given; ++k) to[trace_[k]] = static_cast<float>(b[j][k] / size[j]);
-    } else {
-      for (std::size_t k = 0; k < given; ++k) to[k] = static_cast<float>(b[j][order_[k]] / size[j]);
-    }
+    for (std::size_t i = 0; i < given; ++i) to[place[i]] = static_cast<float>(b[j][i] / size[j]);
   }
   std::vector<float> own(static_cast<std::size_t>(columns) * widest),
       whole(static_cast<std::size_t>(columns) * tallest_);
@@ -167,19 +168,15 @@ void SingleFactor::solve(const base::Matrix& b, base::Matrix& x, bool isOfTrace)
   }
   for (int j = 0; j < columns; ++j) {
     const float* from = y.data() + rows * static_cast<std::size_t>(j);
-    if (isOfTrace) {
-      for (std::size_t k = 0; k < given; ++k) x[j][k] = size[j] * from[trace_[k]];
-    } else {
-      for (std::size_t k = 0; k < given; ++k) x[j][order_[k]] = size[j] * from[k];
-    }
+    for (std::size_t i = 0; i < given; ++i) x[j][i] = size[j] * from[place[i]];
   }
 }
 
 void SingleFactor::send(const Teuchos::Comm<int>& comm, int rank) const {
-  const std::vector<std::size_t> sizes{order_.size(), panels_.size(), rows_.size(), values_.size(), trace_.size()};
+  const std::vector<std::size_t> sizes{place_.size(), panels_.size(), rows_.size(), values_.size(), trace_.size()};
   sendAll(comm, rank, sizes);
   sendAll(comm, rank, std::vector<int>{columns_, tallest_});
-  sendAll(comm, rank, order_);
+  sendAll(comm, rank, place_);
   sendAll(comm, rank, panels_);
   sendAll(comm, rank, rows_);
   sendAll(comm, rank, values_);
@@ -193,14 +190,14 @@ SingleFactor SingleFactor::receive(const Teuchos::Comm<int>& comm, int rank) {
   receiveAll(comm, rank, sizes);
   receiveAll(comm, rank, numbers);
   SingleFactor factor({}, 0);
-  factor.order_.resize(sizes[0]);
+  factor.place_.resize(sizes[0]);
   factor.columns_ = numbers[0];
   factor.tallest_ = numbers[1];
   factor.panels_.resize(sizes[1]);
   factor.rows_.resize(sizes[2]);
   factor.values_.resize(sizes[3]);
   factor.trace_.resize(sizes[4]);
-  receiveAll(comm, rank, factor.order_);
+  receiveAll(comm, rank, factor.place_);
   receiveAll(comm, rank, factor.panels_);
   receiveAll(comm, rank, factor.rows_);
   receiveAll(comm, rank, factor.values_);
@@ -210,7 +207,7 @@ SingleFactor SingleFactor::receive(const Teuchos::Comm<int>& comm, int rank) {
 
 std::size_t SingleFactor::memory() const {
   return sizeof(float) * values_.size() + sizeof(Panel) * panels_.size() +
-         sizeof(int) * (order_.size() + rows_.size() + trace_.size());
+         sizeof(int) * (place_.size() + rows_.size() + trace_.size());
 }
 
 }  // namespace harmos::substructure

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include <Teuchos_Comm.hpp>
@@ -23,7 +22,7 @@ namespace harmos::substructure {
 class SingleFactor {
  public:
   /// `order`: row of A of each row of L. `entries`: of all supernodes that are added, for which there is room then.
-  SingleFactor(std::vector<int> order, std::size_t entries) : order_(std::move(order)) { values_.reserve(entries); }
+  SingleFactor(const std::vector<int>& order, std::size_t entries);
   /// Appends the next supernode: so many columns of L from the last one on, whose entries stand in `height` rows of L,
   /// ascending, the first of them the columns; values: by columns, what is above the diagonal is not read.
   void add(int columns, int height, const int* rows, const double* values);
@@ -58,9 +57,9 @@ class SingleFactor {
 
   void solve(const base::Matrix& b, base::Matrix& x, bool isOfTrace) const;
 
-  std::vector<int> order_;
-  int columns_ = 0;  // of L, so far
-  int tallest_ = 0;  // rows of a panel, at most
+  std::vector<int> place_;  // row of L of each row of A
+  int columns_ = 0;         // of L, so far
+  int tallest_ = 0;         // rows of a panel, at most
   std::vector<Panel> panels_;
   std::vector<int> rows_;      // of L; the panels of a supernode share them
   std::vector<float> values_;  // panel by panel

@@ -10,6 +10,7 @@
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
+#include "Displacements.hpp"
 
 namespace harmos::latin {
 namespace {
@@ -48,15 +49,7 @@ struct Stage {
   }
 
   base::Matrix displacements(int body) const {
-    const int nodes = static_cast<int>(assembly.bodies[body].nodes.size());
-    base::Matrix u(3 * nodes, steps);
-    for (int t = 0; t < steps; ++t) {
-      for (int a = 0; a < nodes; ++a) {
-        const base::Vector3 at = linear.displacement(body, a, t);
-        for (int c = 0; c < 3; ++c) u(3 * a + c, t) = at[c];
-      }
-    }
-    return u;
+    return displacementsOf(linear, body, assembly.bodies[body].nodes.size());
   }
 
   assembly::Assembly assembly;

@@ -13,6 +13,7 @@
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
+#include "Displacements.hpp"
 
 namespace harmos::latin {
 namespace {
@@ -80,15 +81,7 @@ struct Stage {
   }
 
   base::Matrix displacements(int body) const {
-    const int nodes = static_cast<int>(assembly.bodies[body].nodes.size());
-    base::Matrix u(3 * nodes, linear.trace().numCols());
-    for (int t = 0; t < u.numCols(); ++t) {
-      for (int a = 0; a < nodes; ++a) {
-        const base::Vector3 at = linear.displacement(body, a, t);
-        std::copy(at.begin(), at.end(), u[t] + 3 * a);
-      }
-    }
-    return u;
+    return displacementsOf(linear, body, assembly.bodies[body].nodes.size());
   }
 
   assembly::Assembly assembly;
