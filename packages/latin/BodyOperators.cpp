@@ -160,12 +160,13 @@ void BodyOperators::setLoads(const std::vector<base::Matrix>& loads, std::vector
 
 long BodyOperators::loadChanges() const {
   long changes = 0;
-  for (const auto& group : groups_) changes += group->loadChanges();
+  for (const auto& group : groups_) changes += group->loads().changes();
   return changes;
 }
 
 bool BodyOperators::areLoaded() const {
-  return std::any_of(groups_.begin(), groups_.end(), [](const auto& group) { return group->loads().numCols() > 0; });
+  return std::any_of(groups_.begin(), groups_.end(),
+                     [](const auto& group) { return group->loads().projected().numCols() > 0; });
 }
 
 base::Matrix BodyOperators::loads(int body) const {
@@ -173,7 +174,7 @@ base::Matrix BodyOperators::loads(int body) const {
   if (place.group < 0) return {};
   const OperatorGroup& group = *groups_[place.group];
   base::Matrix own(group.dofs(), cases_);
-  if (group.loads().numCols() > 0) fromGroup(place, group.loads(), own);
+  if (group.loads().projected().numCols() > 0) fromGroup(place, group.loads().projected(), own);
   return own;
 }
 
@@ -183,7 +184,7 @@ void BodyOperators::select(const std::vector<int>& steps) {
     std::vector<int> columns;
     for (std::size_t m = 0; m < members_[g].size(); ++m) {
       for (const int t : steps_)
-        columns.push_back(t == withoutLoads ? OperatorGroup::withoutLoads : static_cast<int>(m) * cases_ + t);
+        columns.push_back(t == withoutLoads ? ColumnLoads::none : static_cast<int>(m) * cases_ + t);
     }
     groups_[g]->select(std::move(columns), static_cast<int>(members_[g].size()));
   }

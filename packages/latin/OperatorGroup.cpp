@@ -1,34 +1,16 @@
 #include <harmos/latin/detail/OperatorGroup.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
+
+#include <harmos/latin/detail/LargestOf.hpp>
 
 namespace harmos::latin {
 namespace {
 
 // Right-hand sides that solvers, which copy them, are given together: more of them read a factor hardly faster.
 constexpr std::size_t columnsAtOnce = 128;
-
-bool isZero(const base::Matrix& matrix) {
-  for (int j = 0; j < matrix.numCols(); ++j) {
-    if (!std::all_of(matrix[j], matrix[j] + matrix.numRows(), [](double value) { return value == 0.0; })) return false;
-  }
-  return true;
-}
-
-double largestOf(const double* values, int count) {
-  double largest = 0.0;
-  for (int row = 0; row < count; ++row) largest = std::max(largest, std::abs(values[row]));
-  return largest;
-}
-
-double largestOf(const base::Matrix& matrix) {
-  double largest = 0.0;
-  for (int j = 0; j < matrix.numCols(); ++j) largest = std::max(largest, largestOf(matrix[j], matrix.numRows()));
-  return largest;
-}
 
 }  // namespace
 
@@ -38,52 +20,12 @@ OperatorGroup::OperatorGroup(const substructure::Substructure& body, const subst
       solver_(body.iterates ? substructure::SubstructureSolver::iterating(operator_.stiffness(), operator_.term(),
                                                                           options, body.partName(), first.nodes)
                             : substructure::SubstructureSolver(operator_.stiffness(), operator_.term(), options,
-                                                               body.partName(), operator_.trace(), first.nodes)) {
+                                                               body.partName(), operator_.trace(), first.nodes)),
+      loads_(operator_, solver_) {
   if (!options.invertTrace || !isTrace() || operator_.heldDofs().empty()) return;
   stencil_ = std::make_unique<HeldStencil>(substructure::viewOf(*operator_.stiffness(), "operator"), operator_.term(),
                                            operator_.trace());
   if (!stencil_->isWorthwhile()) stencil_.reset();
-}
-
-void OperatorGroup::setLoads(const base::Matrix& loads, const base::Matrix& held) {
-  const int columns = loads.numCols();
-  const bool areNone = isZero(loads);
-  const bool areKnown =
-      areLoaded_ && cases_ == columns && held_ == held && (areNone ? given().numCols() == 0 : given() == loads);
-  if (areKnown) return;
-  ++loadChanges_;
-  areLoaded_ = false;
-  cases_ = columns;
-  held_ = held;
-  const std::vector<int>& heldDofs = operator_.heldDofs();
-  if (!heldDofs.empty()) {
-    heldLoads_.shape(static_cast<int>(heldDofs.size()), columns);
-    for (int j = 0; j < columns; ++j) {
-      for (std::size_t i = 0; i < heldDofs.size(); ++i) heldLoads_[j][i] = loads[j][heldDofs[i]];
-    }
-  }
-  loads_ = loaded_ = loadedTrace_ = givenLoads_ = base::Matrix();
-  const bool isHeldAway = held_.numCols() > 0;
-  if (!areNone && isHeld()) givenLoads_ = loads;
-  areLoaded_ = areNone && !isHeldAway;
-  if (areLoaded_) return;
-  loads_ = loads;
-  if (isHeldAway) {
-    std::vector<int> all(dofs());
-    std::iota(all.begin(), all.end(), 0);
-    std::vector<double> product(all.size());
-    for (int j = 0; j < columns; ++j) {
-      operator_.multiply(held_[j], all, product.data());
-      for (std::size_t i = 0; i < all.size(); ++i) loads_[j][i] -= product[i];
-    }
-  }
-  operator_.project(loads_);
-  if (isTrace()) {
-    loaded_.shape(dofs(), columns);
-    if (loads_.normInf() > 0.0) solver_.solve(loads_, loaded_);
-    if (isHeldAway) loaded_ += held_;
-  }
-  areLoaded_ = true;
 }
 
 std::vector<OperatorGroup::Window> OperatorGroup::windows() const {
@@ -104,15 +46,13 @@ std::vector<int> OperatorGroup::columnsOf(const Window& window) const {
 
 void OperatorGroup::select(std::vector<int> loadColumns, int bodies) {
   forgetDerived();
-  loadColumns_ = std::move(loadColumns);
-  const int columns = static_cast<int>(loadColumns_.size());
+  const int columns = static_cast<int>(loadColumns.size());
+  loads_.select(std::move(loadColumns));
   columnsOfBody_ = columns / bodies;
-  unitOf_.assign(columns, 0);
-  unitFactors_.assign(columns, 0.0);
   isTraceOnly_ = false;
   forces_.shape(rows(), columns);
   solution_.shape(rows(), columns);
-  largest_.assign(isTrace() || keepsAll() ? 0 : loadColumns_.size(), 0.0);
+  largest_.assign(isTrace() || keepsAll() ? 0 : static_cast<std::size_t>(columns), 0.0);
   if (keepsAll()) {
     all_.shape(dofs(), columns);
   } else {
@@ -126,7 +66,7 @@ void OperatorGroup::solve(const std::vector<int>& columns, substructure::Precisi
   for (std::size_t first = 0; first < count; first += columnsAtOnce) {
     const auto begin = columns.begin() + static_cast<std::ptrdiff_t>(first);
     const std::vector<int> together(begin, begin + static_cast<std::ptrdiff_t>(std::min(columnsAtOnce, count - first)));
-    for (const int column : together) unitFactors_[column] = 0.0;
+    for (const int column : together) loads_.forgetUnit(column);
     isTraceOnly_ = precision == substructure::Precision::single && solver_.solvesTraceInSingle();
     if (isTrace() || isTraceOnly_) {
       solveTraces(together, precision);
@@ -143,7 +83,7 @@ base::Matrix OperatorGroup::forcesOf(const std::vector<int>& columns) const {
     for (int row = 0; row < rows(); ++row) forces[j][trace[row]] = forces_[columns[j]][row];
   }
   operator_.project(forces);
-  for (int j = 0; j < forces.numCols(); ++j) addLoad(loads_, columns[j], forces[j]);
+  for (int j = 0; j < forces.numCols(); ++j) loads_.addForces(columns[j], forces[j]);
   return forces;
 }
 
@@ -151,7 +91,7 @@ base::Matrix OperatorGroup::movedOf(const std::vector<int>& columns) const {
   base::Matrix moved(dofs(), static_cast<int>(columns.size()));
   for (int j = 0; j < moved.numCols(); ++j) {
     std::copy_n(all_[columns[j]], dofs(), moved[j]);
-    addLoad(held_, columns[j], moved[j], -1.0);
+    loads_.addHeld(columns[j], moved[j], -1.0);
   }
   return moved;
 }
@@ -171,7 +111,7 @@ void OperatorGroup::solveTraces(const std::vector<int>& columns, substructure::P
 
 std::vector<base::Matrix> OperatorGroup::split(const std::vector<int>& columns) {
   forgetDerived();
-  for (const int column : columns) unitFactors_[column] = 0.0;
+  for (const int column : columns) loads_.forgetUnit(column);
   isTraceOnly_ = true;
   return solver_.split(traceForces(columns));
 }
@@ -183,34 +123,12 @@ void OperatorGroup::join(const std::vector<int>& columns, const std::vector<base
 }
 
 void OperatorGroup::keepTraces(const std::vector<int>& columns, const base::Matrix& traces) {
-  const std::vector<int>& trace = operator_.trace();
-  const auto hasLoad = [this](int column) { return loadColumns_[column] != withoutLoads; };
-  const bool areLoaded = loads_.numCols() > 0 && std::any_of(columns.begin(), columns.end(), hasLoad);
-  if (areLoaded && !isTrace()) prepareLoadedTrace();
+  loads_.prepareTraceMotions(columns);
   for (int j = 0; j < traces.numCols(); ++j) {
     double* const to = solution_[columns[j]];
     std::copy_n(traces[j], rows(), to);
-    const int ofLoad = loadColumns_[columns[j]];
-    for (int row = 0; row < rows() && areLoaded && ofLoad != withoutLoads; ++row)
-      to[row] += isTrace() ? loaded_[ofLoad][trace[row]] : loadedTrace_[ofLoad][row];
+    loads_.addTraceMotion(columns[j], to);
     if (!largest_.empty()) largest_[columns[j]] = largestOf(to, rows());
-  }
-}
-
-void OperatorGroup::prepareLoadedTrace() {
-  if (loadedTrace_.numCols() > 0) return;
-  const std::vector<int>& trace = operator_.trace();
-  loadedTrace_.shape(rows(), cases_);
-  base::Matrix solution;
-  for (int first = 0; first < cases_; first += stepsAtOnce) {
-    const int count = std::min(stepsAtOnce, cases_ - first);
-    solver_.solve(base::Matrix(Teuchos::View, loads_, loads_.numRows(), count, 0, first), solution);
-    for (int j = 0; j < count; ++j) {
-      for (int row = 0; row < rows(); ++row) loadedTrace_[first + j][row] = solution[j][trace[row]];
-    }
-  }
-  for (int j = 0; j < held_.numCols(); ++j) {
-    for (int row = 0; row < rows(); ++row) loadedTrace_[j][row] += held_[j][trace[row]];
   }
 }
 
@@ -220,7 +138,7 @@ void OperatorGroup::solveAll(const std::vector<int>& columns, substructure::Prec
   solver_.solve(forcesOf(columns), solution, precision);
   const std::vector<int>& trace = operator_.trace();
   for (int j = 0; j < solution.numCols(); ++j) {
-    addLoad(held_, columns[j], solution[j]);
+    loads_.addHeld(columns[j], solution[j]);
     double* to = solution_[columns[j]];
     for (int row = 0; row < rows(); ++row) to[row] = solution[j][trace[row]];
     if (keepsAll()) {
@@ -244,26 +162,26 @@ double OperatorGroup::squaredResidual() const {
 }
 
 base::Matrix OperatorGroup::roundOffForces(unsigned seed) const {
-  base::Matrix forces(dofs(), cases_);
+  base::Matrix forces(dofs(), loads_.count());
   for (const Window& window : windows()) {
     std::vector<const double*> u;
     std::vector<double*> to;
     for (const int j : columnsOf(window)) {
       u.push_back(whole(j));
-      to.push_back(forces[loadColumns_[j]]);
+      to.push_back(forces[loads_.of(j)]);
     }
     operator_.addRoundOff(seed, u, to);
   }
   if (!solver_.iterates()) return forces;
   const base::Matrix left = residual();
   for (int j = 0; j < left.numCols(); ++j) {
-    for (int row = 0; row < left.numRows(); ++row) forces[loadColumns_[j]][row] += left[j][row];
+    for (int row = 0; row < left.numRows(); ++row) forces[loads_.of(j)][row] += left[j][row];
   }
   return forces;
 }
 
 void OperatorGroup::keepUnit() {
-  unitColumns_ = loadColumns_;
+  loads_.keepUnit();
   unitForces_ = forces_;
   unitSolution_ = solution_;
   unitAll_ = all_;
@@ -278,22 +196,8 @@ void OperatorGroup::addUnit(int column, int member, double factor) {
   }
   for (int dof = 0; dof < all_.numRows(); ++dof) all_[column][dof] += factor * unitAll_[member][dof];
   if (!largest_.empty()) largest_[column] += std::abs(factor) * unitLargest_[member];
-  unitOf_[column] = member;
-  unitFactors_[column] = factor;
+  loads_.addUnit(column, member, factor);
   forgetDerived();
-}
-
-void OperatorGroup::addLoad(const base::Matrix& field, int column, double* to, double times) const {
-  if (field.numCols() == 0) return;
-  const int ofLoad = loadColumns_[column];
-  if (ofLoad != withoutLoads) {
-    const double* own = field[ofLoad];
-    for (int row = 0; row < field.numRows(); ++row) to[row] += times * own[row];
-  }
-  const double factor = times * unitFactors_[column];
-  if (factor == 0.0) return;
-  const double* unit = field[unitColumns_[unitOf_[column]]];
-  for (int row = 0; row < field.numRows(); ++row) to[row] += factor * unit[row];
 }
 
 void OperatorGroup::forgetDerived() {
@@ -306,7 +210,7 @@ void OperatorGroup::solveWhole(const Window& window) const {
   const std::vector<int> columns = columnsOf(window);
   solver_.solve(forcesOf(columns), whole_,
                 isTraceOnly_ ? substructure::Precision::single : substructure::Precision::exact);
-  for (int j = 0; j < whole_.numCols(); ++j) addLoad(held_, columns[j], whole_[j]);
+  for (int j = 0; j < whole_.numCols(); ++j) loads_.addHeld(columns[j], whole_[j]);
   window_ = window;
 }
 
@@ -339,7 +243,7 @@ const base::Matrix& OperatorGroup::stencilSolution() const {
   std::vector<double> whole(static_cast<std::size_t>(dofs()));
   for (int j = 0; j < onStencil_.numCols(); ++j) {
     std::fill(whole.begin(), whole.end(), 0.0);
-    addLoad(loaded_, j, whole.data());
+    loads_.addMotion(j, whole.data());
     for (std::size_t i = 0; i < stencil_->dofs().size(); ++i) onStencil_[j][i] += whole[stencil_->dofs()[i]];
   }
   hasStencil_ = true;
@@ -352,8 +256,7 @@ void OperatorGroup::solveLinearly(base::Matrix& forces, base::Matrix& solution) 
 }
 
 double OperatorGroup::largestDisplacement(double share) const {
-  if (isTrace()) return std::max(largestOf(solution_), share * largestOf(loaded_));
-  if (isTraceOnly_) return std::max(largestOf(solution_), share * largestOf(loadedTrace_));
+  if (isTrace() || isTraceOnly_) return std::max(largestOf(solution_), share * loads_.largestMotion());
   if (hasAll()) return largestOf(all_);
   return largest_.empty() ? 0.0 : *std::max_element(largest_.begin(), largest_.end());
 }
@@ -362,7 +265,7 @@ void OperatorGroup::react(int column, const double* u) const {
   const std::vector<int>& held = operator_.heldDofs();
   double* const reaction = reactions_[column];
   operator_.multiply(u, held, reaction);
-  addLoad(heldLoads_, column, reaction, -1.0);
+  loads_.subtractAtHeldDofs(column, reaction);
   for (std::size_t i = 0; i < held.size(); ++i) {
     const int row = rowOf(held[i]);
     if (row >= 0) reaction[i] -= forces_[column][row];

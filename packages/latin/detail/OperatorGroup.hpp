@@ -5,6 +5,7 @@
 
 #include <harmos/base/Matrix.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
+#include <harmos/latin/detail/ColumnLoads.hpp>
 #include <harmos/latin/detail/ConstrainedOperator.hpp>
 #include <harmos/latin/detail/HeldStencil.hpp>
 #include <harmos/substructure/Substructure.hpp>
@@ -29,16 +30,12 @@ class OperatorGroup {
     return solver_.iterates() == iterates && operator_.has(term);
   }
 
-  /// Sets l [force] and g [length] (0 x 0: none), dofs x (bodies * steps). Costs nothing when they are those set last.
-  void setLoads(const base::Matrix& loads, const base::Matrix& held);
-  /// How often setLoads() has met others than before.
-  long loadChanges() const { return loadChanges_; }
-  /// P (l - A g); 0 x 0: none.
-  const base::Matrix& loads() const { return loads_; }
-  /// In the place of a column of loads(): none.
-  static constexpr int withoutLoads = -1;
-  /// Makes room for so many columns in all, and says which column of loads() each takes, or withoutLoads; so many
-  /// bodies share them.
+  /// See ColumnLoads::set().
+  void setLoads(const base::Matrix& loads, const base::Matrix& held) { loads_.set(loads, held); }
+  /// What was set.
+  const ColumnLoads& loads() const { return loads_; }
+  /// Makes room for so many columns in all, and says which column of the loads each takes, or ColumnLoads::none; so
+  /// many bodies share them.
   void select(std::vector<int> loadColumns, int bodies);
 
   /// Rows of forces() and solution(): dofs that interfaces load.
@@ -78,8 +75,8 @@ class OperatorGroup {
   /// Largest component of the solution, and `share` of what the loads do where only the trace is solved.
   double largestDisplacement(double share) const;
 
-  /// Forces [force], rows and columns as loads(), like those that round-off leaves in A u of the last solve, see
-  /// ConstrainedOperator::addRoundOff(). What iterations have left is added. All load steps must have been solved.
+  /// Forces [force], rows and columns as those of loads(), like those that round-off leaves in A u of the last solve,
+  /// see ConstrainedOperator::addRoundOff(). What iterations have left is added. All load steps must have been solved.
   base::Matrix roundOffForces(unsigned seed) const;
   /// Square of the norm of what iterations have left of the last solve [force]; 0 without iterations.
   double squaredResidual() const;
@@ -98,10 +95,6 @@ class OperatorGroup {
   };
 
   bool isTrace() const { return solver_.solvesTrace(); }
-  /// Whether P (l - A g) is not l.
-  bool isHeld() const { return !operator_.heldDofs().empty() || held_.numCols() > 0; }
-  /// l of the last setLoads(); 0 x 0: none.
-  const base::Matrix& given() const { return isHeld() ? givenLoads_ : loads_; }
   /// Whether all dofs of all columns are at hand once they are solved for exactly; iterations start from them.
   bool keepsAll() const { return !isTrace() && (solver_.iterates() || columnsOfBody_ <= stepsAtOnce); }
   /// Whether they are.
@@ -120,15 +113,12 @@ class OperatorGroup {
   base::Matrix traceForces(const std::vector<int>& columns) const;
   /// Adds what loads do to the trace of these columns, and keeps it.
   void keepTraces(const std::vector<int>& columns, const base::Matrix& traces);
-  void prepareLoadedTrace();
   /// P (f + l - A g) of columns, all dofs.
   base::Matrix forcesOf(const std::vector<int>& columns) const;
   /// u' of columns, all dofs, where keepsAll().
   base::Matrix movedOf(const std::vector<int>& columns) const;
   /// What iterations have left of all columns.
   base::Matrix residual() const;
-  /// Adds to all rows of `to` what a field with the columns of loads() holds for a column, the kept response included.
-  void addLoad(const base::Matrix& field, int column, double* to, double times = 1.0) const;
   const base::Matrix& reactions() const;
   /// The reactions of a column from all of its u, or those of the stencil.
   void react(int column, const double* u) const;
@@ -139,23 +129,11 @@ class OperatorGroup {
 
   ConstrainedOperator operator_;
   substructure::SubstructureSolver solver_;
+  ColumnLoads loads_;
   mutable std::unique_ptr<HeldStencil> stencil_;  // where traces are inverted: solves are many; null: not worthwhile
-  base::Matrix givenLoads_;                       // l as it was given, where isHeld(); 0 x 0: none
-  bool areLoaded_ = false;                        // the following belong to it and to g
-  long loadChanges_ = 0;
-  int cases_ = 0;             // columns of l and g
-  base::Matrix loads_;        // P (l - A g); 0 x 0: none
-  base::Matrix held_;         // g; 0 x 0: none
-  base::Matrix loaded_;       // with a trace: S^-1 loads + g; 0 x 0: none
-  base::Matrix loadedTrace_;  // of it the trace, where only single precision has one; 0 x 0: not asked for
-  base::Matrix heldLoads_;    // l on held nodes
-  std::vector<int> loadColumns_;
   int columnsOfBody_ = 0;
-  std::vector<int> unitColumns_;                      // of loads(), one per body: those of the kept response
-  base::Matrix unitForces_, unitSolution_, unitAll_;  // of it, one column per body
+  base::Matrix unitForces_, unitSolution_, unitAll_;  // of the kept response, one column per body
   std::vector<double> unitLargest_;                   // largest component of it, where all dofs are at hand
-  std::vector<int> unitOf_;                           // body whose response was added to a column
-  std::vector<double> unitFactors_;                   // how much of it
   base::Matrix forces_;
   base::Matrix solution_;
   base::Matrix all_;                 // where keepsAll(), else 0 x 0: all dofs of the last solves, if hasAll()
