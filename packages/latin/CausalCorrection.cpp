@@ -362,7 +362,6 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
   const int first = fixedPoint_.linearStage().stages();
   const auto goOn = [&] { approach(stages - (fixedPoint_.linearStage().stages() - first)); };
   goOn();
-  if (targets_.isLater() && !targets_.settleThoseNear(ways(), goal)) goOn();
   if (targets_.sharpen(ways(), goal)) goOn();
   if (isRough_) {
     const double said = targets_.promisedResidual();

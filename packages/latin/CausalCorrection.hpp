@@ -33,8 +33,7 @@ class CausalCorrection {
   /// What a correction has come to.
   struct Result {
     double reduction = 1.0;  ///< largest |R_t| over the load steps t, over that before, both as weighed then
-    /// What each load step keeps of its own residual, no more than it was asked for, or of the largest, if that is
-    /// more.
+    /// What each load step keeps of its own residual, or of the largest, if that is more.
     std::vector<double> shares;
     /// What the residual can hide: largest |R_t| / (s_t d), s_t the smallest singular value of I - J in the space of
     /// the step, d the longest way that a step was moved. Slow modes are all but absent from the residual.
@@ -51,10 +50,9 @@ class CausalCorrection {
 
   /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
   /// reduction x the largest |R| of the start, both as weighed, and no more than half of the way can be hidden; in
-  /// later corrections also reduction x its own |R| of the start, or a tenth of the former where that is more, with
-  /// `roughly` in the place of `reduction` where that is enough. Or until `stages` linear stages were spent, or the
-  /// residuals no longer fall. No iterate is valid afterwards but that of the result, whose image is in `image`
-  /// [stress] then. Throws base::Error as LocalStage::solve().
+  /// later corrections also reduction x its own |R| of the start, or a tenth of the former where that is more. Or until
+  /// `stages` linear stages were spent, or the residuals no longer fall. No iterate is valid afterwards but that of the
+  /// result, whose image is in `image` [stress] then. Throws base::Error as LocalStage::solve().
   Result correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, const Goal& goal, int stages);
 
  private:

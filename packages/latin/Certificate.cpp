@@ -22,9 +22,6 @@ constexpr double laterTarget = 0.3;
 constexpr double causalLimit = 2.0;
 // Of the largest residual of a load step: what those of others count as, at least, in a stepwise correction.
 constexpr double leastResidual = 0.3;
-// Of load steps in a later correction whose way tells an error below this share of the accuracy.
-constexpr double roughTarget = 0.5;
-constexpr double safeShare = 0.9;
 // Of the accuracy: error that the first correction goes for, so that the second one can show that it is small enough.
 constexpr double shareOfAccuracy = 0.33;
 constexpr int maximumStages = 40;
@@ -179,12 +176,12 @@ Certificate::Correction Certificate::correctCausally(const Iterate& iterate, con
                                                      base::Matrix& image, int count, int stages) {
   Correction result;
   result.state = alpha;
-  CausalCorrection::Goal goal{laterTarget};
+  CausalCorrection::Goal goal;
   if (count == 0) {
     goal = {firstTarget, shareOfAccuracy * accuracy_};
   } else {
-    goal.roughly = roughTarget;
-    goal.near = safeShare * (1.0 - leastContractionAfter(roughTarget)) * accuracy_;
+    goal = {laterTarget};
+    goal.isLater = true;
   }
   const CausalCorrection::Result step =
       causal_->correct(iterate, result.state, image, goal, std::min(stages, maximumStages));
@@ -337,7 +334,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
       std::vector<double> factors;
       for (const double share : step.shares) {
         const double left = kind == Kind::newton ? share : leastContractionAfter(share);
-        factors.push_back(1.0 / (1.0 - std::clamp(result.contraction, left, steadyContraction)));
+        factors.push_back(1.0 / (1.0 - std::min(std::max(result.contraction, left), steadyContraction)));
       }
       std::vector<double> errors = after->distance(*before, factors);
       believeFields(distancesBefore, distances, largest(factors), errors);
@@ -349,6 +346,9 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
           largest(errors) <= accuracy_ && gap <= allowedGap * accuracy_ &&
           !isThrown(fixedPoint_, iterate, step.state, image, accuracy_)) {
         result.claimed = true;
+        if (kind == Kind::newton) return result;
+        state.assign(step.state);
+        result.iterate = iterate;
         return result;
       }
     }

@@ -17,17 +17,18 @@ class CausalCorrection;
 /// directions, estimates the error of a1: e2 = |q(a1) - q(a2)| for every promised quantity q. With kappa = max e2 / max
 /// e1 the estimate is E, the largest e2 / (1 - kappa) of all load steps, in which kappa counts as 0.6 at least where
 /// the second correction leaves 0.3 of the residual of the load step, as 1 - 4/7 (1 - r) where it leaves r > 0.3, and
-/// as 0.8 at most. It is claimed for a1 when E <= accuracy, e1 <= 0.3, kappa <= 1 (or e2 is a tenth of the accuracy),
+/// as 0.8 at most. It is claimed when E <= accuracy, e1 <= 0.3, kappa <= 1 (or e2 is a tenth of the accuracy),
 /// both corrections reduced the largest residual of a load step to 0.2 and 0.6 and hide no more than their way in it,
 /// the gap between the two fields of the iteration is below ten times the accuracy, and no body was thrown far away
-/// without being held there. If E is too large, a2 takes the place of a1 and is corrected once more.
+/// without being held there. What is left then is a2, which is nearer than a1 and whose fields are at hand. If E is too
+/// large, a2 takes the place of a1 and is corrected once more.
 ///
 /// Where a causal correction stagnates, the attempt ends without a claim; where one does in a later attempt, or laws
 /// soften, and from the beginning where the way there needed StepNewton, a StepwiseCorrection takes its place. Where
 /// laws soften and a stepwise correction does not come to the residual that its images promise, the round-off of these
 /// is measured, and a residual within it counts as none. In the velocity form corrections are a NewtonCorrection each:
-/// they start anew each time and need relaxed iterations after each, which smooth their rough residual; they must
-/// reduce the residual to 0.15, and kappa counts as what they leave at least.
+/// they start anew each time and need relaxed iterations after each, which smooth their rough residual, so that a1 is
+/// left; they must reduce the residual to 0.15, and kappa counts as what they leave at least.
 ///
 /// The gap is max(|f - f^| / |f^|, |w - w^| / |w|): with f - f^ = -k (w - w^) one of them is large for any k far from
 /// the stiffness of the bodies, so an absurd k cannot hide behind small changes.
@@ -35,11 +36,12 @@ class Certificate {
  public:
   /// What came of an attempt.
   struct Result {
-    bool claimed = false;           ///< E is within the accuracy, and all else that a claim needs is given
-    bool conclusive = false;        ///< both corrections could be computed; `estimates` holds E
-    std::vector<double> estimates;  ///< as Snapshot::distance: responses, force field, displacement field
-    double contraction = 1.0;       ///< kappa [-]
-    bool stagnated = false;         ///< a causal correction did not reduce the residual as much as it must
+    bool claimed = false;              ///< E is within the accuracy, and all else that a claim needs is given
+    bool conclusive = false;           ///< both corrections could be computed; `estimates` holds E
+    std::vector<double> estimates;     ///< as Snapshot::distance: responses, force field, displacement field
+    double contraction = 1.0;          ///< kappa [-]
+    bool stagnated = false;            ///< a causal correction did not reduce the residual as much as it must
+    const Iterate* iterate = nullptr;  ///< where claimed, of the state that is left, if its image is at hand
   };
 
   /// Of one run, from its beginning on. All arguments must outlive it. `accuracy`: relative [-].
@@ -49,9 +51,9 @@ class Certificate {
   Certificate(const Certificate&) = delete;
   Certificate& operator=(const Certificate&) = delete;
 
-  /// Collective. `image` = T(alpha), and `iterate` is that of alpha, at the beginning. Leaves in `alpha` the state that
-  /// the estimates belong to, or the best one to go on from, and in `image` that of some state, at most at `stageLimit`
-  /// linear stages in all, counted as LinearStage::stages(). Throws base::Error as Snapshot.
+  /// Collective. `image` = T(alpha), and `iterate` is that of alpha, at the beginning. Leaves in `alpha` a state that
+  /// is no farther away than the estimates say, or the best one to go on from, and in `image` that of some state, at
+  /// most at `stageLimit` linear stages in all, counted as LinearStage::stages(). Throws base::Error as Snapshot.
   Result attempt(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, int stageLimit);
 
  private:

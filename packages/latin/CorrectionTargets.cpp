@@ -28,25 +28,23 @@ void CorrectionTargets::start(int step, double residual) {
 
 void CorrectionTargets::aimAt(const Goal& goal) {
   before_ = largestResidual();
-  isLater_ = goal.roughly > goal.reduction;
+  reduction_ = goal.reduction;
+  isLater_ = goal.isLater;
   weights_.clear();
-  for (LoadStep& step : steps_) {
-    step.share = std::max(goal.reduction, goal.roughly);
-    weights_.push_back(step.weight);
-  }
+  for (const LoadStep& step : steps_) weights_.push_back(step.weight);
 }
 
 double CorrectionTargets::of(int step) const {
   const LoadStep& here = steps_[step];
-  const double most = here.weight * here.share * before_;
+  const double most = here.weight * reduction_ * before_;
   if (!isLater_ || here.directions >= mostDirections) return most;
-  return std::clamp(here.share * here.before, leastTarget * most, most);
+  return std::clamp(reduction_ * here.before, leastTarget * most, most);
 }
 
 double CorrectionTargets::leastShare() const {
   double least = 1.0;
-  for (const LoadStep& step : steps_) least = std::min(least, step.weight * step.share);
-  return least;
+  for (const LoadStep& step : steps_) least = std::min(least, step.weight);
+  return reduction_ * least;
 }
 
 double CorrectionTargets::largestResidual(int begin, int end) const {
@@ -65,9 +63,7 @@ double CorrectionTargets::longestWay(int end) const {
 }
 
 double CorrectionTargets::promisedResidual() const {
-  double said = largestResidual();
-  for (const LoadStep& step : steps_) said = std::max(said, step.share * before_);
-  return said;
+  return std::max(largestResidual(), reduction_ * before_);
 }
 
 bool CorrectionTargets::sharpen(const std::vector<double>& ways, const Goal& goal) {
@@ -82,16 +78,6 @@ bool CorrectionTargets::sharpen(const std::vector<double>& ways, const Goal& goa
   return true;
 }
 
-bool CorrectionTargets::settleThoseNear(const std::vector<double>& ways, const Goal& goal) {
-  bool areAllSettled = true;
-  for (std::size_t t = 0; t < steps_.size(); ++t) {
-    if (ways[t] <= goal.near) continue;
-    steps_[t].share = goal.reduction;
-    areAllSettled = false;
-  }
-  return areAllSettled;
-}
-
 double CorrectionTargets::leftOfLargest(std::size_t step, double noise) const {
   return steps_[step].residual > noise ? steps_[step].residual / (weights_[step] * before_) : 0.0;
 }
@@ -99,7 +85,7 @@ double CorrectionTargets::leftOfLargest(std::size_t step, double noise) const {
 std::vector<double> CorrectionTargets::sharesLeft(double noise) const {
   std::vector<double> shares;
   for (std::size_t t = 0; t < steps_.size(); ++t) {
-    const double ofOwn = std::min(steps_[t].share, steps_[t].residual / steps_[t].before);
+    const double ofOwn = steps_[t].residual > noise ? steps_[t].residual / steps_[t].before : 0.0;
     shares.push_back(std::max(leftOfLargest(t, noise), ofOwn));
   }
   return shares;

@@ -11,14 +11,13 @@ class CorrectionTargets {
  public:
   /// Where a correction ends.
   struct Goal {
-    double reduction;  ///< largest |R_t| over that before
+    double reduction = 1.0;  ///< largest |R_t| over that before
     /// Of the fields of the result, relative [-]: where the way of a load step tells a larger one, each goes as far as
     /// its own way asks for, in later corrections, too.
     double error = std::numeric_limits<double>::infinity();
-    /// Of later corrections, as `reduction`, larger than it: enough for a load step whose fields have not moved by more
-    /// than `near`.
-    double roughly = 0.0;
-    double near = 0.0;  ///< relative to the largest fields [-]
+    /// Whether every load step must go some way: later corrections tell errors by ways, and what is wrong with one
+    /// would go unseen beside larger residuals of others.
+    bool isLater = false;
   };
 
   /// How far one load step has come.
@@ -27,7 +26,6 @@ class CorrectionTargets {
     double before = 0.0;    ///< |R| at the start
     double moved = 0.0;     ///< |alpha - start|
     int directions = 0;     ///< new ones since the start
-    double share = 1.0;     ///< that is asked for, of the largest |R| at the start
     double weight = 1.0;    ///< of the target: its share of this load step, small where small residuals mean long ways
   };
 
@@ -43,11 +41,10 @@ class CorrectionTargets {
   void start(int step, double residual);
   /// What all load steps, which have been started, go for now.
   void aimAt(const Goal& goal);
-  /// Whether every load step must move: later corrections tell errors by their ways.
+  /// Goal::isLater.
   bool isLater() const { return isLater_; }
 
-  /// |R| that a load step is brought to. Later corrections: each load step must go some way, or what is wrong with it
-  /// would go unseen beside larger residuals of others.
+  /// |R| that a load step is brought to.
   double of(int step) const;
   /// The least |R|, over that at the start, that any load step is brought to whatever its own was.
   double leastShare() const;
@@ -65,11 +62,9 @@ class CorrectionTargets {
   /// Less weight for load steps that would leave more than goal.error: `ways`, how far the fields of each have moved,
   /// relative to the largest [-]. Whether there are any.
   bool sharpen(const std::vector<double>& ways, const Goal& goal);
-  /// Whether no load step has moved its fields by more than goal.near; asks more of those that have.
-  bool settleThoseNear(const std::vector<double>& ways, const Goal& goal);
 
-  /// Of each load step what is left of its own |R|, no less than it was asked for, or of the largest, if that is more;
-  /// residuals up to `noise` are none.
+  /// Of each load step what is left of its own |R|, or of the largest, if that is more; residuals up to `noise` are
+  /// none.
   std::vector<double> sharesLeft(double noise) const;
   /// Largest |R| over that at the start, both as weighed then; residuals up to `noise` are none.
   double reduction(double noise) const;
@@ -80,6 +75,7 @@ class CorrectionTargets {
   std::vector<LoadStep> steps_;
   std::vector<double> weights_;  // at the start
   double before_ = 0.0;
+  double reduction_ = 1.0;  // that is asked for
   bool isLater_ = false;
 };
 

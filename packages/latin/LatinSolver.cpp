@@ -75,6 +75,7 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   }
   stagesBefore_ = fixedPoint_.linearStage().stages();
   estimates_.clear();
+  certified_ = nullptr;
   knowsRoundOff_ = false;
   if (fixedPoint_.searchDirectionScale() != options_.stages.searchDirectionScale) {
     fixedPoint_.rescale(options_.stages.searchDirectionScale);
@@ -109,6 +110,7 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   const bool isClaimed = (!mustKnow || standsRoundOff(result)) && attempt.claimed;
   stagesOfCertificates_ += stages() - before;
   if (isClaimed) {
+    if (!mustKnow) certified_ = attempt.iterate;
     result.outcome = Outcome::certified;
     result.reason = "the error estimate is below the accuracy asked for";
   }
@@ -359,7 +361,7 @@ void LatinSolver::lookForOthers(LatinResult& result, Indeterminacy& found) {
 }
 
 void LatinSolver::deliver(LatinResult& result) {
-  state_ = &fixedPoint_.apply(alpha_, image_);
+  state_ = certified_ != nullptr ? certified_ : &fixedPoint_.apply(alpha_, image_);
   demandGraphs(result);
   share();
   if (!fixedPoint_.reference().isEmpty()) {

@@ -114,6 +114,7 @@ class LatinSolver {
   base::Matrix image_;
   base::Matrix whole_;  // alpha_ of whole displacements, where they are counted from reference motions
   const Iterate* state_ = nullptr;
+  const Iterate* certified_ = nullptr;  // of alpha_, where the certificate has left it at hand
   int stagesBefore_ = 0;
   int stagesOfCertificates_ = 0;
   int endWhenSofter_ = 0;          // stages at which a try with a softer search direction ends
