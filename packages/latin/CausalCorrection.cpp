@@ -377,6 +377,9 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
   result.hidden = hidden();
   result.shares = targets_.sharesLeft(noise_);
   result.reduction = targets_.reduction(noise_);
+  if (!(result.reduction <= 1.0)) {
+    for (int t = 0; t < alpha.numCols(); ++t) std::copy_n(start_.read(t), alpha.numRows(), alpha[t]);
+  }
   finish();
   return result;
 }

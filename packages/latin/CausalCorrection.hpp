@@ -51,8 +51,9 @@ class CausalCorrection {
   /// Collective, all load steps selected. Moves `alpha`, whose iterate is given, until every load step has |R| <=
   /// reduction x the largest |R| of the start, both as weighed, and no more than half of the way can be hidden; in
   /// later corrections also reduction x its own |R| of the start, or a tenth of the former where that is more. Or until
-  /// `stages` linear stages were spent, or the residuals no longer fall. No iterate is valid afterwards but that of the
-  /// result, whose image is in `image` [stress] then. Throws base::Error as LocalStage::solve().
+  /// `stages` linear stages were spent, or the residuals no longer fall. Where they have grown, `alpha` is left as it
+  /// was. No iterate is valid afterwards but that of the result, whose image is in `image` [stress] then. Throws
+  /// base::Error as LocalStage::solve().
   Result correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, const Goal& goal, int stages);
 
  private:

@@ -48,6 +48,8 @@ constexpr double settledShare = 0.1;
 constexpr double leastContraction = 0.6;
 // Slower contraction, or none, is that of round-off.
 constexpr double steadyContraction = 0.8;
+// Of the residual of a load step: what a correction may leave that tells its error.
+constexpr double mostKept = 0.95;
 // From an error above this one a tangent can land anywhere; the next correction tells nothing of it.
 constexpr double farAway = 0.3;
 
@@ -107,12 +109,11 @@ void believeFields(const std::vector<double>& before, const std::vector<double>&
   for (std::size_t i = 0; i + 2 < errors.size(); ++i) errors[i] = std::max(errors[i], factor * left * before[i]);
 }
 
-/// Error of the forces [-] that residuals which count as round-off of a state, much larger than its forces where bodies
-/// have moved far, may still stand for.
-double leftToRoundOff(const FixedPoint& fixedPoint, const base::Matrix& alpha, const Iterate& iterate) {
+/// Error of the forces [-] that residuals which count as round-off of a state with this gap, much larger than its
+/// forces where bodies have moved far, may still stand for.
+double leftToRoundOff(const FixedPoint& fixedPoint, const base::Matrix& alpha, const Iterate& iterate, double gap) {
   const double whole = std::sqrt(largest(fixedPoint.metric().squaredNorms(alpha)));
   const double forces = std::sqrt(largest(fixedPoint.metric().squaredNorms(iterate.hattedTraction())));
-  const double gap = fieldGap(iterate);
   const double unseen = forces > 0.0 ? std::min(gap, fixedPoint.roundOff(whole) / forces) : gap;
   return errorOfRoundOff * unseen;
 }
@@ -172,10 +173,9 @@ Certificate::Certificate(FixedPoint& fixedPoint, StepNewton& newton,
 
 Certificate::~Certificate() = default;
 
-Certificate::Correction Certificate::correctCausally(const Iterate& iterate, const base::Matrix& alpha,
-                                                     base::Matrix& image, int count, int stages) {
+Certificate::Correction Certificate::correctCausally(const Iterate& iterate, base::Matrix& state, base::Matrix& image,
+                                                     int count, int stages) {
   Correction result;
-  result.state = alpha;
   CausalCorrection::Goal goal;
   if (count == 0) {
     goal = {firstTarget, shareOfAccuracy * accuracy_};
@@ -183,19 +183,17 @@ Certificate::Correction Certificate::correctCausally(const Iterate& iterate, con
     goal = {laterTarget};
     goal.isLater = true;
   }
-  const CausalCorrection::Result step =
-      causal_->correct(iterate, result.state, image, goal, std::min(stages, maximumStages));
+  const CausalCorrection::Result step = causal_->correct(iterate, state, image, goal, std::min(stages, maximumStages));
   result.reduction = step.reduction;
   result.shares = step.shares;
   result.isReduced = step.reduction <= causalLimit * goal.reduction;
   result.hidden = step.hidden;
   result.iterate = step.iterate;
-  if (!(step.reduction <= 1.0)) result.state = alpha;
   return result;
 }
 
-Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, const base::Matrix& alpha,
-                                                     base::Matrix& image, int count, int stageLimit) {
+Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, base::Matrix& state, base::Matrix& image,
+                                                     int count, int stageLimit) {
   const StateMetric& metric = fixedPoint_.metric();
   const auto distances = [&](const base::Matrix& a, const base::Matrix& b) {
     base::Matrix difference(a);
@@ -206,11 +204,11 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
     return norms;
   };
   Correction result;
-  result.state = alpha;
-  double noise = fixedPoint_.roundOff(std::sqrt(largest(metric.squaredNorms(alpha))));
+  const base::Matrix start(state);
+  double noise = fixedPoint_.roundOff(std::sqrt(largest(metric.squaredNorms(state))));
   bool knowsNoise = false;
   // Every load step must be moved, or what is wrong with one would go unseen beside larger residuals of others.
-  std::vector<double> targets = distances(image, alpha);
+  std::vector<double> targets = distances(image, state);
   const double before = largest(targets);
   const double share = count == 0 ? firstTarget : laterTarget;
   double target = share * before;
@@ -218,57 +216,56 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, con
   StepwiseCorrection correction(fixedPoint_, stepNewton_);
   const Iterate* present = &iterate;
   const bool isSoft = fixedPoint_.assembly().softens();
-  base::Matrix kept(alpha.numRows(), alpha.numCols());  // of the pass before
+  base::Matrix kept(state.numRows(), state.numCols());  // of the pass before
   double reached = 0.0;                                 // its residual
   for (int pass = 0; pass < maximumPasses; ++pass) {
     if (pass > 0) {
       target *= nextPass;
       for (double& own : targets) own *= nextPass;
     }
-    const StepwiseCorrection::Result step = correction.correct(*present, result.state, target, targets, stageLimit);
+    const StepwiseCorrection::Result step = correction.correct(*present, state, target, targets, stageLimit);
     if (!step.isReached && (pass == 0 || !isSoft)) return result;
     double left = 0.0;
     if (step.isReached) {
-      present = &fixedPoint_.apply(result.state, image);
+      present = &fixedPoint_.apply(state, image);
       result.iterate = present;
-      left = largest(distances(image, result.state));
+      left = largest(distances(image, state));
     }
     // Images promise residuals that their own round-off does not allow: then the pass before has met it already, and
     // directions out of round-off would pass for soft modes.
     if (!step.isReached || (isSoft && pass > 0 && left >= reached)) {
-      result.state = kept;
-      result.iterate = &fixedPoint_.apply(result.state, image);
+      state.assign(kept);
+      result.iterate = &fixedPoint_.apply(state, image);
       break;
     }
     if (isSoft && !knowsNoise && left > causalLimit * target) {
-      noise = std::max(noise, noiseOfLargest(fixedPoint_, result.state));
+      noise = std::max(noise, noiseOfLargest(fixedPoint_, state));
       knowsNoise = true;
-      present = &fixedPoint_.apply(result.state, image);
+      present = &fixedPoint_.apply(state, image);
       result.iterate = present;
     }
     reached = left;
     result.reduction = left <= noise ? 0.0 : left / before;
-    const double seen = step.smallestSingularValue * largest(distances(result.state, alpha));
+    const double seen = step.smallestSingularValue * largest(distances(state, start));
     result.hidden = left <= noise ? 0.0 : left / seen;
     if (result.hidden <= allowedToHide) break;
-    kept.assign(result.state);
+    kept.assign(state);
   }
   result.isReduced = result.reduction <= causalLimit * share;
   return result;
 }
 
-Certificate::Correction Certificate::correctByNewton(const Iterate& iterate, const base::Matrix& alpha,
+Certificate::Correction Certificate::correctByNewton(const Iterate& iterate, base::Matrix& state,
                                                      const base::Matrix& image, int count, double previous,
                                                      int stages) {
   Correction result;
-  result.state = alpha;
   const bool isClose = count > 0 && previous <= settledShare * accuracy_;
   const NewtonCorrection::Result step =
-      newton_.solve(iterate, alpha, image, isClose ? closeTarget : krylovTarget, std::min(stages, maximumVectors));
+      newton_.solve(iterate, state, image, isClose ? closeTarget : krylovTarget, std::min(stages, maximumVectors));
   result.reduction = step.reduction;
   result.isReduced = step.reduction <= krylovLimit;
   result.hidden = step.hidden;
-  if (result.isReduced) result.state += step.step;
+  if (result.isReduced) state += step.step;
   return result;
 }
 
@@ -310,52 +307,62 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
   double previous = 0.0, hidden = 0.0;
   std::vector<double> distancesBefore;
   for (int count = 0; count < maximumCorrections; ++count) {
-    const double gap = fieldGap(*iterate);
+    const double gapBefore = kind == Kind::newton ? fieldGap(*iterate) : 0.0;
+    const base::Matrix smoothed(kind == Kind::newton ? state : base::Matrix());
     const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
     if (stages < (kind == Kind::newton ? leastVectors : leastStages)) return result;
     Correction step = kind == Kind::causal     ? correctCausally(*iterate, state, image, count, stages)
                       : kind == Kind::stepwise ? correctStepwise(*iterate, state, image, count, stageLimit - 2)
                                                : correctByNewton(*iterate, state, image, count, previous, stages);
     if (!step.isReduced) {
-      state.assign(step.state);
       result.conclusive = false;
       result.stagnated = true;
       return result;
     }
     step.shares.resize(static_cast<std::size_t>(state.numCols()), step.reduction);
-    iterate = step.iterate != nullptr ? step.iterate : &fixedPoint_.apply(step.state, image);
-    auto after = std::make_unique<Snapshot>(lookAtShared(*iterate, step.state, image));
+    iterate = step.iterate != nullptr ? step.iterate : &fixedPoint_.apply(state, image);
+    auto after = std::make_unique<Snapshot>(lookAtShared(*iterate, state, image));
     std::vector<double> distances = after->distance(*before);
     const double error = largest(distances);
     if (count > 0) {
       result.contraction = error == 0.0 ? 0.0 : error / previous;
       const bool grew = result.contraction > 1.0 && error > settledShare * accuracy_;
-      if (grew && kind == Kind::newton) return result;
-      std::vector<double> factors;
-      for (const double share : step.shares) {
-        const double left = kind == Kind::newton ? share : leastContractionAfter(share);
-        factors.push_back(1.0 / (1.0 - std::min(std::max(result.contraction, left), steadyContraction)));
+      if (grew && kind == Kind::newton) {
+        state.assign(smoothed);
+        return result;
       }
+      const double steady = std::min(result.contraction, steadyContraction);
+      // What is delivered may be farther away than what the estimate is for where corrections hardly contract.
+      const double retreat = kind != Kind::newton && result.contraction > steadyContraction ? 1.0 : 0.0;
+      const auto factorAfter = [&](double share) {
+        const double left = kind == Kind::newton ? share : leastContractionAfter(std::min(share, mostKept));
+        return 1.0 / (1.0 - std::max(steady, left)) + retreat;
+      };
+      std::vector<double> factors;
+      for (const double share : step.shares) factors.push_back(factorAfter(share));
       std::vector<double> errors = after->distance(*before, factors);
-      believeFields(distancesBefore, distances, largest(factors), errors);
-      const double unseen = leftToRoundOff(fixedPoint_, step.state, *iterate);
+      believeFields(distancesBefore, distances, factorAfter(step.reduction), errors);
+      const double gap = fieldGap(*iterate);
+      const double unseen = leftToRoundOff(fixedPoint_, state, *iterate, gap);
       for (double& one : errors) one += unseen;
       result.conclusive = !grew;
       if (!grew) result.estimates = errors;
       if (!grew && isSeen(std::max(hidden, step.hidden), largest(errors), accuracy_) && previous <= farAway &&
-          largest(errors) <= accuracy_ && gap <= allowedGap * accuracy_ &&
-          !isThrown(fixedPoint_, iterate, step.state, image, accuracy_)) {
+          largest(errors) <= accuracy_ && largest(step.shares) <= mostKept &&
+          (kind == Kind::newton ? gapBefore : gap) <= allowedGap * accuracy_ &&
+          !isThrown(fixedPoint_, iterate, state, image, accuracy_)) {
         result.claimed = true;
-        if (kind == Kind::newton) return result;
-        state.assign(step.state);
-        result.iterate = iterate;
+        if (kind == Kind::newton) {
+          state.assign(smoothed);
+        } else {
+          result.iterate = iterate;
+        }
         return result;
       }
     }
     previous = error;
     distancesBefore = std::move(distances);
     hidden = step.hidden;
-    state.assign(step.state);
     if (kind != Kind::newton) {
       before = std::move(after);
     } else {

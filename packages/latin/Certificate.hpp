@@ -16,12 +16,13 @@ class CausalCorrection;
 /// From alpha, a first correction (CausalCorrection) moves to a1. A second one, in the same spaces and further
 /// directions, estimates the error of a1: e2 = |q(a1) - q(a2)| for every promised quantity q. With kappa = max e2 / max
 /// e1 the estimate is E, the largest e2 / (1 - kappa) of all load steps, in which kappa counts as 0.6 at least where
-/// the second correction leaves 0.3 of the residual of the load step, as 1 - 4/7 (1 - r) where it leaves r > 0.3, and
-/// as 0.8 at most. It is claimed when E <= accuracy, e1 <= 0.3, kappa <= 1 (or e2 is a tenth of the accuracy),
-/// both corrections reduced the largest residual of a load step to 0.2 and 0.6 and hide no more than their way in it,
-/// the gap between the two fields of the iteration is below ten times the accuracy, and no body was thrown far away
-/// without being held there. What is left then is a2, which is nearer than a1 and whose fields are at hand. If E is too
-/// large, a2 takes the place of a1 and is corrected once more.
+/// the second correction leaves 0.3 of the residual of the load step, and as 1 - 4/7 (1 - r) where it leaves r > 0.3;
+/// of corrections that hardly contract it counts as 0.8, and e2 is added. It is claimed when E <= accuracy, e1 <= 0.3,
+/// kappa <= 1 (or e2 is a tenth of the accuracy), both corrections reduced the largest residual of a load step to 0.2
+/// and 0.6 and hide no more than their way in it, no load step keeps more than 0.95 of its own in the second one, the
+/// gap between the two fields of the iteration is below ten times the accuracy, and no body was thrown far away without
+/// being held there. What is left then is a2, which is no farther away and whose fields are at hand. If E is too large,
+/// a2 takes the place of a1 and is corrected once more.
 ///
 /// Where a causal correction stagnates, the attempt ends without a claim; where one does in a later attempt, or laws
 /// soften, and from the beginning where the way there needed StepNewton, a StepwiseCorrection takes its place. Where
@@ -59,23 +60,21 @@ class Certificate {
  private:
   /// How a state is corrected.
   enum class Kind { causal, stepwise, newton };
-  /// One correction of a state: what became of it.
+  /// What became of the correction of a state, which is corrected in place, or left as it was.
   struct Correction {
-    base::Matrix state;                // corrected
     double reduction = 1.0;            // of the residual
     std::vector<double> shares;        // that load steps keep of it, as CausalCorrection::Result
     bool isReduced = false;            // the residual, as much as an estimate needs
     double hidden = 0.0;               // as NewtonCorrection::Result::hidden
-    const Iterate* iterate = nullptr;  // of `state`, where its image is known
+    const Iterate* iterate = nullptr;  // of the corrected state, where its image is known
   };
   Result attemptOnce(Kind kind, const Iterate& iterate, base::Matrix& state, base::Matrix& image, int stageLimit);
   /// Number `count` of this attempt. May replace the image by that of the corrected state.
-  Correction correctCausally(const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image, int count,
-                             int stages);
+  Correction correctCausally(const Iterate& iterate, base::Matrix& state, base::Matrix& image, int count, int stages);
   /// Replaces the image by that of the corrected state.
-  Correction correctStepwise(const Iterate& iterate, const base::Matrix& alpha, base::Matrix& image, int count,
+  Correction correctStepwise(const Iterate& iterate, base::Matrix& state, base::Matrix& image, int count,
                              int stageLimit);
-  Correction correctByNewton(const Iterate& iterate, const base::Matrix& alpha, const base::Matrix& image, int count,
+  Correction correctByNewton(const Iterate& iterate, base::Matrix& state, const base::Matrix& image, int count,
                              double previous, int stages);
   /// What is seen of a state whose tractions are shared (FixedPoint::shareTractions()). The state itself, its image and
   /// its iterate stay those that were found: shared ones keep to the laws no better than to the accuracy, and a

@@ -8,7 +8,7 @@ namespace {
 // Of what is gone for: the least residual that a load step which has begun with less than that is brought to.
 constexpr double leastTarget = 0.1;
 // New directions after which that is given up: what is left may be round-off.
-constexpr int mostDirections = 5;
+constexpr int mostDirections = 20;
 // The least way over the residual: T brings no two points farther apart.
 constexpr double leastWay = 0.5;
 // Times the error that is gone for, that the way of a load step may tell before the correction goes on; share of that
@@ -85,8 +85,10 @@ double CorrectionTargets::leftOfLargest(std::size_t step, double noise) const {
 std::vector<double> CorrectionTargets::sharesLeft(double noise) const {
   std::vector<double> shares;
   for (std::size_t t = 0; t < steps_.size(); ++t) {
-    const double ofOwn = steps_[t].residual > noise ? steps_[t].residual / steps_[t].before : 0.0;
-    shares.push_back(std::max(leftOfLargest(t, noise), ofOwn));
+    const LoadStep& here = steps_[t];
+    const double kept = here.residual > noise ? here.residual / here.before : 0.0;
+    const bool isNextToNothing = here.residual <= leastTarget * weights_[t] * reduction_ * before_;
+    shares.push_back(std::max(leftOfLargest(t, noise), isNextToNothing ? std::min(reduction_, kept) : kept));
   }
   return shares;
 }

@@ -64,7 +64,7 @@ class CorrectionTargets {
   bool sharpen(const std::vector<double>& ways, const Goal& goal);
 
   /// Of each load step what is left of its own |R|, or of the largest, if that is more; residuals up to `noise` are
-  /// none.
+  /// none, and of those that no load step is brought below no more than was asked for.
   std::vector<double> sharesLeft(double noise) const;
   /// Largest |R| over that at the start, both as weighed then; residuals up to `noise` are none.
   double reduction(double noise) const;

@@ -107,7 +107,7 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   // Where a claim fails although errors are known, or laws have no kinks, round-off may be why: once is enough.
   const bool isSuspected = attempt.conclusive || fixedPoint_.assembly().isAffine();
   const bool mustKnow = mayMatter && (attempt.claimed || (isSuspected && !knowsRoundOff_));
-  const bool isClaimed = (!mustKnow || standsRoundOff(result)) && attempt.claimed;
+  const bool isClaimed = (!mustKnow || standsRoundOff(attempt.iterate, result)) && attempt.claimed;
   stagesOfCertificates_ += stages() - before;
   if (isClaimed) {
     if (!mustKnow) certified_ = attempt.iterate;
@@ -125,11 +125,11 @@ std::vector<std::string> LatinSolver::quantities() const {
   return names;
 }
 
-bool LatinSolver::standsRoundOff(LatinResult& result) {
+bool LatinSolver::standsRoundOff(const Iterate* iterate, LatinResult& result) {
   const auto running = timers_.start("round-off");
   knowsRoundOff_ = true;
-  const RoundOff::Estimate found =
-      RoundOff(fixedPoint_, responses_).estimate(fixedPoint_.apply(alpha_, image_), alpha_, options_.accuracy);
+  if (iterate == nullptr) iterate = &fixedPoint_.apply(alpha_, image_);
+  const RoundOff::Estimate found = RoundOff(fixedPoint_, responses_).estimate(*iterate, alpha_, options_.accuracy);
   result.roundOffEstimate = *std::max_element(found.errors.begin(), found.errors.end());
   for (std::size_t i = 0; i < estimates_.size(); ++i) estimates_[i] += found.errors[i];
   if (result.roundOffEstimate > shareOfRoundOff * options_.accuracy) {
@@ -361,6 +361,7 @@ void LatinSolver::lookForOthers(LatinResult& result, Indeterminacy& found) {
 }
 
 void LatinSolver::deliver(LatinResult& result) {
+  assert((certified_ == nullptr || certified_->isValid()) && "it was applied after the certificate");
   state_ = certified_ != nullptr ? certified_ : &fixedPoint_.apply(alpha_, image_);
   demandGraphs(result);
   share();

@@ -91,9 +91,9 @@ class LatinSolver {
   /// Tries for a certificate of alpha_, whose iterate is given; true when that is the end of the run: it claims, or
   /// round-off forbids it for ever. Leaves its corrected state in alpha_.
   bool certify(const Iterate& iterate, LatinResult& result);
-  /// Estimates round-off in alpha_, adds it to the estimates, and says in `result` if it is too much; true when it is
-  /// not, and the sum is within the accuracy.
-  bool standsRoundOff(LatinResult& result);
+  /// Estimates round-off in alpha_, whose iterate is given or null, adds it to the estimates, and says in `result` if
+  /// it is too much; true when it is not, and the sum is within the accuracy.
+  bool standsRoundOff(const Iterate* iterate, LatinResult& result);
   /// Names of the promised quantities, as Snapshot::distance() has them.
   std::vector<std::string> quantities() const;
   /// Counts displacements from the rigid motions of bodies in alpha_; the certificate begins anew.

@@ -25,6 +25,8 @@ class OperatorGroup {
   /// `first`, which it equals, is shared. Throws as SubstructureSolver.
   OperatorGroup(const substructure::Substructure& body, const substructure::Substructure& first,
                 substructure::BoundaryTerm term, const substructure::SolverOptions& options);
+  OperatorGroup(const OperatorGroup&) = delete;
+  OperatorGroup& operator=(const OperatorGroup&) = delete;
   /// Whether a body of the same stiffness has this operator, up to round-off, and its solution.
   bool has(const substructure::BoundaryTerm& term, bool iterates) const {
     return solver_.iterates() == iterates && operator_.has(term);

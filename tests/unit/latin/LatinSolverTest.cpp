@@ -63,6 +63,26 @@ TEST(LatinSolver, SolvesSpringsInSeries) {
   EXPECT_EQ(result.responses[0].name, "end");
 }
 
+// What a certificate has left at hand are the fields of the state that is delivered.
+TEST(LatinSolver, DeliversTheFieldsOfItsState) {
+  for (const char* law : {"Perfect", "Unilateral Contact"}) {
+    const assembly::Assembly chains = twoChains(laws::makeLaw(law), pull(-3.0, {1, 0.5, 2}), 3);
+    base::Timers timers;
+    LatinSolver solver(chains, accurate(1e-4), self(), timers);
+    solver.addResponse(endDisplacement());
+    ASSERT_EQ(solver.solve().outcome, Outcome::certified);
+    const base::Matrix traction(solver.state().hattedTraction()), trace(solver.state().trace());
+    base::Matrix image(solver.alpha().numRows(), solver.alpha().numCols());
+    const Iterate& again = solver.fixedPoint().apply(solver.alpha(), image);
+    for (int t = 0; t < image.numCols(); ++t) {
+      for (int row = 0; row < image.numRows(); ++row) {
+        EXPECT_NEAR(traction(row, t), again.hattedTraction()(row, t), 1e-12 * 6.0);
+        EXPECT_NEAR(trace(row, t), again.trace()(row, t), 1e-12 * 6.0 / both);
+      }
+    }
+  }
+}
+
 // Of many load steps fields that are not at hand are kept in files, of which nothing is left.
 TEST(LatinSolver, KeepsFieldsOfManyLoadStepsInFiles) {
   constexpr int many = 2 * stepsAtOnce + 10;
