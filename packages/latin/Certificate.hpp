@@ -21,7 +21,7 @@ class CausalCorrection;
 /// kappa <= 1 (or e2 is a tenth of the accuracy), both corrections reduced the largest residual of a load step to 0.2
 /// and 0.6 and hide no more than their way in it, no load step keeps more than 0.95 of its own in the second one, the
 /// gap between the two fields of the iteration is below ten times the accuracy, and no body was thrown far away without
-/// being held there. What is left then is a2, which is no farther away and whose fields are at hand. If E is too large,
+/// being held there. What is left then is a2, within E as well, whose fields are at hand. If E is too large,
 /// a2 takes the place of a1 and is corrected once more.
 ///
 /// Where a causal correction stagnates, the attempt ends without a claim; where one does in a later attempt, or laws

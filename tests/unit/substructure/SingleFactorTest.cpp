@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <numeric>
 
 #include <harmos/substructure/SolverFactory.hpp>
@@ -12,13 +13,17 @@
 namespace harmos::substructure {
 namespace {
 
+std::unique_ptr<SingleFactor> factorOf(const RandomSystem& system) {
+  const auto solver = makeSolver({}, system.matrix, {});
+  solver->symbolicFactorization().numericFactorization();
+  return singleFactor(*solver);
+}
+
 TEST(SingleFactor, SolvesAnyGraphInAnyBlock) {
   if (availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD gives its factor";
   for (unsigned seed = 0; seed < 200; ++seed) {
     RandomSystem system(seed);
-    const auto solver = makeSolver({}, system.matrix, {});
-    solver->symbolicFactorization().numericFactorization();
-    const auto factor = singleFactor(*solver);
+    const auto factor = factorOf(system);
     ASSERT_TRUE(factor);
     system.trace.resize(system.size);
     std::iota(system.trace.begin(), system.trace.end(), 0);
@@ -42,9 +47,7 @@ TEST(SingleFactor, LeavesOutWhatTheTraceDoesNotNeed) {
   std::size_t read = 0, whole = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
     RandomSystem system(seed);
-    const auto solver = makeSolver({}, system.matrix, {});
-    solver->symbolicFactorization().numericFactorization();
-    const auto factor = singleFactor(*solver);
+    const auto factor = factorOf(system);
     ASSERT_TRUE(factor);
     whole += factor->traceEntries();
     factor->setTrace(system.trace);
@@ -132,9 +135,7 @@ TEST(SingleFactor, SolvesWithWideSupernodes) {
 TEST(SingleFactor, SolvesColumnsOfAnySize) {
   if (availableSolvers().front() != "cholmod") GTEST_SKIP() << "only CHOLMOD gives its factor";
   RandomSystem system(1);
-  const auto solver = makeSolver({}, system.matrix, {});
-  solver->symbolicFactorization().numericFactorization();
-  const auto factor = singleFactor(*solver);
+  const auto factor = factorOf(system);
   ASSERT_TRUE(factor);
   // Beyond what single precision can hold, and nothing.
   const std::vector<double> sizes{1.0, 1e-80, 1e80, 0.0};
