@@ -21,6 +21,9 @@ namespace {
 constexpr int iteratesKept = 7;
 // Of jumps that laws see: they are added up, and laws take what they are made of from them, such as gaps.
 constexpr double roundOffOfJumps = 2.0 * std::numeric_limits<double>::epsilon();
+// Of the accuracy: gaps and slips below it count as none when tractions are shared. What is delivered is hardly ever
+// farther off than that; where it is, ranges, which take the accuracy itself, hold the other way of sharing.
+constexpr double resolvedShare = 0.1;
 
 /// Parts that nothing holds have no equilibrium only where nothing balances their loads.
 base::Error withLoads(const base::Error& floating, const assembly::Assembly& assembly, const Teuchos::Comm<int>& comm) {
@@ -308,11 +311,11 @@ void FixedPoint::addBalanced(const base::Matrix& tractions) {
   fields_.hasBoundaries = false;
 }
 
-base::Matrix FixedPoint::shareTractions(base::Matrix& alpha, base::Matrix& image, double tolerance) {
+base::Matrix FixedPoint::shareTractions(base::Matrix& alpha, base::Matrix& image, double accuracy) {
   if (share_->isEmpty()) return {};
   const Iterate& iterate = iterates_[fields_.present % iteratesKept];
   base::Matrix difference;
-  for (const TractionShare::Finding& finding : share_->find(iterate, tolerance)) {
+  for (const TractionShare::Finding& finding : share_->find(iterate, resolvedShare * accuracy)) {
     if (!finding.stress.exists()) continue;
     if (difference.numCols() == 0) difference.shape(alpha.numRows(), alpha.numCols());
     share_->addDifference(finding, finding.stress.least(), layout_, difference);
@@ -333,9 +336,9 @@ void FixedPoint::takeBack(base::Matrix shared, base::Matrix& alpha, base::Matrix
 }
 
 Indeterminacy FixedPoint::indeterminacy(const std::vector<std::shared_ptr<const Response>>& responses,
-                                        double tolerance) {
+                                        double accuracy) {
   const Iterate& iterate = iterates_[fields_.present % iteratesKept];
-  return findIndeterminacy(*share_, iterate, responses, tolerance,
+  return findIndeterminacy(*share_, iterate, responses, accuracy,
                            [this](const base::Matrix& tractions) { addBalanced(tractions); });
 }
 

@@ -130,14 +130,15 @@ class FixedPoint {
   /// nothing is done. Throws as apply().
   void settleUnfelt(base::Matrix& alpha, base::Matrix& image);
   /// Collective. Gives the present iterate, its alpha and its image [stress] those tractions that are defined where the
-  /// bodies cannot tell what pairs share (TractionShare): T and its fixed points mean the same as before. `tolerance`
-  /// [-]: relative accuracy of the fields, to which the new tractions keep to the laws. Returns what both have got
+  /// bodies cannot tell what pairs share (TractionShare): T and its fixed points mean the same as before. `accuracy`
+  /// [-]: relative, of the fields, to a tenth of which the new tractions keep to the laws: a gap or a slip that it
+  /// resolves is none to be shared over. Returns what both have got
   /// [stress], rows of the layout x load steps; no columns where nothing is shared. All load steps must be selected.
-  base::Matrix shareTractions(base::Matrix& alpha, base::Matrix& image, double tolerance);
+  base::Matrix shareTractions(base::Matrix& alpha, base::Matrix& image, double accuracy);
   /// Collective. Takes from the present iterate, its alpha and its image what shareTractions() has given them.
   void takeBack(base::Matrix shared, base::Matrix& alpha, base::Matrix& image);
-  /// Collective. What the present iterate does not determine, see findIndeterminacy().
-  Indeterminacy indeterminacy(const std::vector<std::shared_ptr<const Response>>& responses, double tolerance);
+  /// Collective. What the present iterate does not determine to that accuracy, see findIndeterminacy().
+  Indeterminacy indeterminacy(const std::vector<std::shared_ptr<const Response>>& responses, double accuracy);
 
   /// Collective. The linear stage alone, for the load steps selected: beta [stress] of alpha, see LinearStage::solve().
   /// No iterate is valid afterwards.
