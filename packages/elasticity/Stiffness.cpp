@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/elasticity/detail/Axis.hpp>
@@ -214,18 +215,22 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece
   const std::size_t nodes = piece.nodes.size();
   const NodeGraph graph(groups, nodes);
   std::vector<std::size_t> pointers(1, 0);
-  std::vector<int> columns;
   pointers.reserve(D * nodes + 1);
-  columns.reserve(D * D * graph.neighbours.size());
+  for (std::size_t node = 0; node < nodes; ++node) {
+    for (int i = 0; i < D; ++i)
+      pointers.push_back(pointers.back() + D * static_cast<std::size_t>(graph.degree(static_cast<int>(node))));
+  }
+  substructure::CrsRows matrix(pointers);
+  int* column = matrix.columns();
   for (std::size_t node = 0; node < nodes; ++node) {
     for (int i = 0; i < D; ++i) {
       for (std::size_t k = graph.pointers[node]; k < graph.pointers[node + 1]; ++k) {
-        for (int j = 0; j < D; ++j) columns.push_back(D * graph.neighbours[k] + j);
+        for (int j = 0; j < D; ++j) *column++ = D * graph.neighbours[k] + j;
       }
-      pointers.push_back(columns.size());
     }
   }
-  std::vector<double> values(columns.size(), 0.0);
+  double* const values = matrix.values();
+  std::fill_n(values, matrix.entries(), 0.0);
   const std::vector<bool> isFixed = nodesOnAxis(mesh, piece, kinematics);
   double stiffness[ElementIntegrals::maximumDofs * ElementIntegrals::maximumDofs];
   forEachElement(
@@ -236,7 +241,7 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece
         element.compute(integrals, basis, stiffness);
         for (int a = 0; a < perElement; ++a) {
           const int stride = D * graph.degree(local[a]);
-          double* rows = values.data() + pointers[D * static_cast<std::size_t>(local[a])];
+          double* rows = values + pointers[D * static_cast<std::size_t>(local[a])];
           for (int b = 0; b < perElement; ++b) {
             double* block = rows + D * graph.positionOf(local[b], local[a]);
             for (int i = 0; i < D; ++i) {
@@ -252,7 +257,7 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece
           }
         }
       });
-  return substructure::makeCrsMatrix(pointers, columns, values);
+  return substructure::makeCrsMatrix(std::move(matrix));
 }
 
 }  // namespace

@@ -181,12 +181,30 @@ class CongruenceSearch {
     return key;
   }
 
+  /// Whether the image of an element of the first part has the nodes, in their order, of the one at the same place in
+  /// the second: most have where parts were meshed alike.
+  bool isInPlace(std::size_t place, const std::vector<int>& image) const {
+    const int from = first_.elements[place], to = second_.elements[place];
+    const ElementType type = elements_.type(from);
+    if (elements_.type(to) != type) return false;
+    const int *own = elements_.nodes(from), *other = elements_.nodes(to);
+    for (int i = 0; i < nodesPerElement(type); ++i) {
+      if (second_.nodes[image[localNode(first_, own[i])]] != other[i]) return false;
+    }
+    return true;
+  }
+
   bool carriesElements(const std::vector<int>& image) {
+    std::vector<int> moved;
+    for (std::size_t e = 0; e < first_.elements.size(); ++e) {
+      if (!isInPlace(e, image)) moved.push_back(first_.elements[e]);
+    }
+    if (moved.empty()) return true;
     if (keys_.empty()) {
       for (const int element : second_.elements) keys_.push_back(keyOf(second_, element, nullptr));
       std::sort(keys_.begin(), keys_.end());
     }
-    return std::all_of(first_.elements.begin(), first_.elements.end(), [&](int element) {
+    return std::all_of(moved.begin(), moved.end(), [&](int element) {
       return std::binary_search(keys_.begin(), keys_.end(), keyOf(first_, element, &image));
     });
   }

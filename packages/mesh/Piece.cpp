@@ -1,7 +1,8 @@
 #include <harmos/mesh/Piece.hpp>
 
 #include <algorithm>
-#include <iterator>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 #include <harmos/base/Error.hpp>
@@ -14,16 +15,35 @@ namespace {
 
 /// Two of `elements` that have the same nodes, by their numbers; the second is -1 when there are none.
 std::pair<int, int> copies(const Elements& all, const std::vector<int>& elements) {
-  std::vector<std::pair<std::vector<int>, int>> nodes;
+  // The least node and the sum of all tell nearly all apart, without a list for each.
+  struct Key {
+    int least;
+    long sum;
+    int element;
+    bool operator<(const Key& other) const {
+      return std::tie(least, sum, element) < std::tie(other.least, other.sum, other.element);
+    }
+  };
+  std::vector<Key> keys;
+  keys.reserve(elements.size());
   for (const int element : elements) {
-    nodes.emplace_back(std::vector<int>(all.nodes(element), all.nodes(element) + nodesPerElement(all.type(element))),
-                       element);
-    std::sort(nodes.back().first.begin(), nodes.back().first.end());
+    const int* nodes = all.nodes(element);
+    const int* end = nodes + nodesPerElement(all.type(element));
+    keys.push_back({*std::min_element(nodes, end), std::accumulate(nodes, end, 0L), element});
   }
-  std::sort(nodes.begin(), nodes.end());
-  const auto found =
-      std::adjacent_find(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
-  return found == nodes.end() ? std::pair(-1, -1) : std::pair(found->second, std::next(found)->second);
+  std::sort(keys.begin(), keys.end());
+  const auto sorted = [&all](int element) {
+    const int* nodes = all.nodes(element);
+    std::vector<int> list(nodes, nodes + nodesPerElement(all.type(element)));
+    std::sort(list.begin(), list.end());
+    return list;
+  };
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    for (std::size_t j = i + 1; j < keys.size() && keys[j].least == keys[i].least && keys[j].sum == keys[i].sum; ++j) {
+      if (sorted(keys[i].element) == sorted(keys[j].element)) return {keys[i].element, keys[j].element};
+    }
+  }
+  return {-1, -1};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <harmos/substructure/CrsMatrix.hpp>
 
 #include <algorithm>
-#include <cstring>
+#include <utility>
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_CrsMatrix.hpp>
@@ -9,49 +9,81 @@
 #include <harmos/base/Error.hpp>
 
 namespace harmos::substructure {
-namespace {
 
-/// Kokkos zeroes new views; that would touch the memory twice.
-template <class View, class T>
-View copyOf(const std::vector<T>& source, const char* label) {
-  View view(Kokkos::ViewAllocateWithoutInitializing(label), source.size());
-  if (!source.empty()) std::memcpy(view.data(), source.data(), source.size() * sizeof(T));
-  return view;
-}
+using Map = base::CrsMatrix::map_type;
+using LocalMatrix = base::CrsMatrix::local_matrix_device_type;
 
-}  // namespace
-
-Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::vector<std::size_t>& rowPointers,
-                                            const std::vector<int>& columns, const std::vector<double>& values) {
-  using Map = base::CrsMatrix::map_type;
-  using LocalMatrix = base::CrsMatrix::local_matrix_device_type;
-  using RowMap = LocalMatrix::staticcrsgraph_type::row_map_type::non_const_type;
+struct CrsRows::Views {
+  using Pointers = LocalMatrix::staticcrsgraph_type::row_map_type::non_const_type;
   using Columns = LocalMatrix::index_type;
   using Values = LocalMatrix::values_type;
-  if (rowPointers.empty() || rowPointers.front() != 0 || rowPointers.back() != columns.size() ||
-      columns.size() != values.size()) {
-    throw base::Error("A sparse matrix was given " + std::to_string(columns.size()) + " columns, " +
-                      std::to_string(values.size()) +
-                      " values and row pointers that do not run from 0 to that number.");
-  }
-  const std::size_t rows = rowPointers.size() - 1;
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t k = rowPointers[row]; k < rowPointers[row + 1]; ++k) {
-      const bool ascending = k == rowPointers[row] || columns[k - 1] < columns[k];
-      if (!ascending || columns[k] < 0 || static_cast<std::size_t>(columns[k]) >= rows) {
-        throw base::Error("Row " + std::to_string(row) + " of a sparse matrix of " + std::to_string(rows) +
+
+  Pointers pointers;
+  Columns columns;
+  Values values;
+};
+
+CrsRows::CrsRows(const std::vector<std::size_t>& rowPointers) {
+  if (rowPointers.empty() || rowPointers.front() != 0 || !std::is_sorted(rowPointers.begin(), rowPointers.end()))
+    throw base::Error("A sparse matrix was given row pointers that do not rise from 0.");
+  const std::size_t entries = rowPointers.back();
+  // Kokkos zeroes new views; that would touch the memory twice.
+  const auto bare = [](const char* label) { return Kokkos::ViewAllocateWithoutInitializing(label); };
+  views_ =
+      std::make_shared<Views>(Views{Views::Pointers(bare("row pointers"), rowPointers.size()),
+                                    Views::Columns(bare("columns"), entries), Views::Values(bare("values"), entries)});
+  std::copy(rowPointers.begin(), rowPointers.end(), views_->pointers.data());
+}
+
+int* CrsRows::columns() {
+  return views_->columns.data();
+}
+
+double* CrsRows::values() {
+  return views_->values.data();
+}
+
+std::size_t CrsRows::rows() const {
+  return views_->pointers.extent(0) - 1;
+}
+
+std::size_t CrsRows::entries() const {
+  return views_->columns.extent(0);
+}
+
+Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(CrsRows rows) {
+  const std::size_t count = rows.rows();
+  const std::size_t* const pointers = rows.views_->pointers.data();
+  const int* const columns = rows.columns();
+  for (std::size_t row = 0; row < count; ++row) {
+    for (std::size_t k = pointers[row]; k < pointers[row + 1]; ++k) {
+      const bool ascending = k == pointers[row] || columns[k - 1] < columns[k];
+      if (!ascending || columns[k] < 0 || static_cast<std::size_t>(columns[k]) >= count) {
+        throw base::Error("Row " + std::to_string(row) + " of a sparse matrix of " + std::to_string(count) +
                           " rows has column " + std::to_string(columns[k]) +
                           ": columns must be ascending and counted from 0.");
       }
     }
   }
   const Teuchos::RCP<const Teuchos::Comm<int>> self = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF));
-  const auto map = Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(rows), 0, self, Tpetra::LocallyReplicated));
+  const auto map = Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(count), 0, self, Tpetra::LocallyReplicated));
   auto matrix =
-      Teuchos::rcp(new base::CrsMatrix(map, map, copyOf<RowMap>(rowPointers, "row pointers"),
-                                       copyOf<Columns>(columns, "columns"), copyOf<Values>(values, "values")));
+      Teuchos::rcp(new base::CrsMatrix(map, map, rows.views_->pointers, rows.views_->columns, rows.views_->values));
   matrix->expertStaticFillComplete(map, map);
   return matrix;
+}
+
+Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::vector<std::size_t>& rowPointers,
+                                            const std::vector<int>& columns, const std::vector<double>& values) {
+  if (rowPointers.empty() || rowPointers.back() != columns.size() || columns.size() != values.size()) {
+    throw base::Error("A sparse matrix was given " + std::to_string(columns.size()) + " columns, " +
+                      std::to_string(values.size()) +
+                      " values and row pointers that do not run from 0 to that number.");
+  }
+  CrsRows rows(rowPointers);
+  std::copy(columns.begin(), columns.end(), rows.columns());
+  std::copy(values.begin(), values.end(), rows.values());
+  return makeCrsMatrix(std::move(rows));
 }
 
 void addUp(std::vector<MatrixEntry>& entries) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,29 @@
 
 namespace harmos::substructure {
 
-/// A sparse matrix on MPI_COMM_SELF from compressed rows; the arrays are copied.
-///
-/// rowPointers has one entry per row and a last one equal to the number of entries; the columns of a row are ascending
-/// and counted from 0. Square. Throws base::Error when the arrays do not fit together. Not collective; MPI and Kokkos
-/// must be running.
+/// Compressed rows that are filled where the matrix will have them, so that large ones are not copied.
+class CrsRows {
+ public:
+  /// `rowPointers`: where each row begins among the entries, and their number. Columns and values are to be set, all of
+  /// them. Throws base::Error unless the pointers begin with 0 and do not fall. Kokkos must be running.
+  explicit CrsRows(const std::vector<std::size_t>& rowPointers);
+
+  int* columns();    ///< from 0, ascending in each row
+  double* values();  ///< in the unit of the matrix
+  std::size_t rows() const;
+  std::size_t entries() const;
+
+ private:
+  struct Views;
+  std::shared_ptr<Views> views_;
+
+  friend Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(CrsRows rows);
+};
+
+/// A sparse matrix on MPI_COMM_SELF of rows that are set; it takes them over. Square. Throws base::Error when columns
+/// are not ascending in a row, or beyond the rows. Not collective; MPI must be running.
+Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(CrsRows rows);
+/// The same of arrays, which are copied. Throws base::Error also when they do not fit together.
 Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::vector<std::size_t>& rowPointers,
                                             const std::vector<int>& columns, const std::vector<double>& values);
 

@@ -234,16 +234,17 @@ Teuchos::RCP<base::CrsMatrix> MirrorPlanes::blockOf(const CrsView& matrix, const
   }
   for (std::size_t i = 0; i < count; ++i) begin[i + 1] += begin[i];
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  std::vector<int> ascending(columns.size());
-  std::vector<double> sorted(values.size());
+  CrsRows sorted(begin);
+  int* const ascending = sorted.columns();
+  double* const value = sorted.values();
   for (std::size_t i = 0, k = 0; i < count; ++i) {
     for (; k < ends[i]; ++k) {
       const std::size_t at = next[columns[k]]++;
       ascending[at] = static_cast<int>(i);
-      sorted[at] = values[k];
+      value[at] = values[k];
     }
   }
-  return makeCrsMatrix(begin, ascending, sorted);
+  return makeCrsMatrix(std::move(sorted));
 }
 
 }  // namespace harmos::substructure

@@ -1,5 +1,9 @@
 #include <harmos/substructure/CrsMatrix.hpp>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -28,6 +32,23 @@ TEST(CrsMatrix, refusesArraysThatDoNotFit) {
   EXPECT_THROW(makeCrsMatrix({0, 1}, {0, 0}, {1.0, 1.0}), base::Error);
   EXPECT_THROW(makeCrsMatrix({0, 1}, {1}, {1.0}), base::Error);
   EXPECT_THROW(makeCrsMatrix({0, 2, 3}, {1, 0, 1}, {1.0, 1.0, 1.0}), base::Error);
+}
+
+TEST(CrsMatrix, TakesRowsOverWhereTheyAreFilled) {
+  CrsRows rows({0, 1, 3});
+  ASSERT_EQ(rows.rows(), 2U);
+  ASSERT_EQ(rows.entries(), 3U);
+  const std::vector<int> columns{0, 0, 1};
+  const std::vector<double> values{4.0, -1.0, 3.0};
+  std::copy(columns.begin(), columns.end(), rows.columns());
+  std::copy(values.begin(), values.end(), rows.values());
+  const double* place = rows.values();
+  const auto matrix = makeCrsMatrix(std::move(rows));
+  const CrsView view = viewOf(*matrix, "part");
+  EXPECT_EQ(view.values, place);
+  EXPECT_EQ(std::vector<int>(view.columns, view.columns + 3), columns);
+  EXPECT_THROW(CrsRows({0, 2, 1}), base::Error);
+  EXPECT_THROW(CrsRows({1, 2}), base::Error);
 }
 
 TEST(CrsMatrix, nodalDiagonalIsTheMeanOverComponents) {
