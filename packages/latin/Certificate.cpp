@@ -8,6 +8,7 @@
 #include <harmos/latin/EquilibriumCheck.hpp>
 #include <harmos/latin/March.hpp>
 #include <harmos/latin/StepwiseCorrection.hpp>
+#include <harmos/latin/detail/ErrorEstimate.hpp>
 #include <harmos/latin/detail/ImageNoise.hpp>
 #include <harmos/latin/detail/SafeRelaxation.hpp>
 #include <harmos/latin/detail/UnheldParts.hpp>
@@ -18,7 +19,7 @@ namespace {
 // Of the largest residual of a load step, of the first correction and of later ones; what must have been reached is
 // twice that.
 constexpr double firstTarget = 0.1;
-constexpr double laterTarget = 0.3;
+constexpr double laterTarget = ErrorEstimate::usualShare;
 constexpr double causalLimit = 2.0;
 // Of the largest residual of a load step: what those of others count as, at least, in a stepwise correction.
 constexpr double leastResidual = 0.3;
@@ -41,17 +42,6 @@ constexpr double closeTarget = 0.02;
 constexpr int smoothingIterations = 4;
 
 constexpr int maximumCorrections = 8;
-constexpr double hiddenLimit = 1.0;  // CausalCorrection::Result::hidden
-// Corrections below this share of the accuracy may be round-off, which does not contract.
-constexpr double settledShare = 0.1;
-// Two corrections tell a contraction roughly: one that looks faster than this is not believed.
-constexpr double leastContraction = 0.6;
-// Slower contraction, or none, is that of round-off.
-constexpr double steadyContraction = 0.8;
-// Of the residual of a load step: what a correction may leave that tells its error.
-constexpr double mostKept = 0.95;
-// From an error above this one a tangent can land anywhere; the next correction tells nothing of it.
-constexpr double farAway = 0.3;
 
 // Of the largest sum of forces on a body: where there are less, no balance is expected of them.
 constexpr double shareOfForces = 1e-3;
@@ -76,37 +66,8 @@ bool isThrown(FixedPoint& fixedPoint, const Iterate*& iterate, const base::Matri
   return fixedPoint.metric().norm(alpha) > thrownSize * size;
 }
 
-/// What a correction leaves of the residual, it leaves of the error, and has not found.
-double leastContractionAfter(double reduction) {
-  return std::max(leastContraction, 1.0 - (1.0 - leastContraction) * (1.0 - reduction) / (1.0 - laterTarget));
-}
-
-/// Whether what two corrections have left in the residual, which can hide at most `hidden` times their ways, is no
-/// error that would matter: less than the ways. Where tangents are nearly singular, as laws that soften make them, or
-/// joints of which all but a few points slide, residuals come to round-off before they show that: enough where the ways
-/// tell an error so small that what is hidden is still far below the accuracy.
-bool isSeen(double hidden, double error, double accuracy) {
-  return hidden <= hiddenLimit || hidden * error <= settledShare * accuracy;
-}
-
 double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
-}
-
-/// Largest distance of the two fields, of all that Snapshot::distance() gives.
-double ofFields(const std::vector<double>& distances) {
-  return std::max(distances[distances.size() - 2], distances.back());
-}
-
-/// Distances that a correction tells, after those of the one before. One number may hardly move because it turns just
-/// there, or because what moves it has not been found, while the fields, sums of squares, cannot: none counts as having
-/// come nearer than they have.
-void believeFields(const std::vector<double>& before, const std::vector<double>& after, double factor,
-                   std::vector<double>& errors) {
-  const double was = ofFields(before);
-  if (was == 0.0) return;
-  const double left = std::min(1.0, ofFields(after) / was);
-  for (std::size_t i = 0; i + 2 < errors.size(); ++i) errors[i] = std::max(errors[i], factor * left * before[i]);
 }
 
 /// Error of the forces [-] that residuals which count as round-off of a state with this gap, much larger than its
@@ -256,10 +217,8 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, bas
 }
 
 Certificate::Correction Certificate::correctByNewton(const Iterate& iterate, base::Matrix& state,
-                                                     const base::Matrix& image, int count, double previous,
-                                                     int stages) {
+                                                     const base::Matrix& image, bool isClose, int stages) {
   Correction result;
-  const bool isClose = count > 0 && previous <= settledShare * accuracy_;
   const NewtonCorrection::Result step =
       newton_.solve(iterate, state, image, isClose ? closeTarget : krylovTarget, std::min(stages, maximumVectors));
   result.reduction = step.reduction;
@@ -302,18 +261,18 @@ Certificate::Result Certificate::attempt(const Iterate& first, base::Matrix& alp
 Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, base::Matrix& state, base::Matrix& image,
                                              int stageLimit) {
   Result result;
+  const bool isNewton = kind == Kind::newton;
   const Iterate* iterate = &first;
   auto before = std::make_unique<Snapshot>(lookAtShared(*iterate, state, image));
-  double previous = 0.0, hidden = 0.0;
-  std::vector<double> distancesBefore;
+  ErrorEstimate estimate(accuracy_, isNewton ? ErrorEstimate::Delivered::a1 : ErrorEstimate::Delivered::a2);
   for (int count = 0; count < maximumCorrections; ++count) {
-    const double gapBefore = kind == Kind::newton ? fieldGap(*iterate) : 0.0;
-    const base::Matrix smoothed(kind == Kind::newton ? state : base::Matrix());
+    const double gapBefore = isNewton ? fieldGap(*iterate) : 0.0;
+    const base::Matrix smoothed(isNewton ? state : base::Matrix());
     const int stages = stageLimit - fixedPoint_.linearStage().stages() - smoothingIterations - 2;
-    if (stages < (kind == Kind::newton ? leastVectors : leastStages)) return result;
+    if (stages < (isNewton ? leastVectors : leastStages)) return result;
     Correction step = kind == Kind::causal     ? correctCausally(*iterate, state, image, count, stages)
                       : kind == Kind::stepwise ? correctStepwise(*iterate, state, image, count, stageLimit - 2)
-                                               : correctByNewton(*iterate, state, image, count, previous, stages);
+                                               : correctByNewton(*iterate, state, image, estimate.isSettled(), stages);
     if (!step.isReduced) {
       result.conclusive = false;
       result.stagnated = true;
@@ -322,52 +281,24 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
     step.shares.resize(static_cast<std::size_t>(state.numCols()), step.reduction);
     iterate = step.iterate != nullptr ? step.iterate : &fixedPoint_.apply(state, image);
     auto after = std::make_unique<Snapshot>(lookAtShared(*iterate, state, image));
-    std::vector<double> distances = after->distance(*before);
-    const double error = largest(distances);
-    if (count > 0) {
-      result.contraction = error == 0.0 ? 0.0 : error / previous;
-      const bool grew = result.contraction > 1.0 && error > settledShare * accuracy_;
-      if (grew && kind == Kind::newton) {
-        state.assign(smoothed);
-        return result;
-      }
-      const double steady = std::min(result.contraction, steadyContraction);
-      // What is delivered may be farther away than what the estimate is for where corrections hardly contract.
-      const double retreat = kind != Kind::newton && result.contraction > steadyContraction ? 1.0 : 0.0;
-      const auto factorAfter = [&](double share) {
-        const double left = kind == Kind::newton ? share : leastContractionAfter(std::min(share, mostKept));
-        return 1.0 / (1.0 - std::max(steady, left)) + retreat;
-      };
-      std::vector<double> factors;
-      for (const double share : step.shares) factors.push_back(factorAfter(share));
-      std::vector<double> errors = after->distance(*before, factors);
-      believeFields(distancesBefore, distances, factorAfter(step.reduction), errors);
+    estimate.add(*before, *after, step.reduction, step.shares, step.hidden);
+    if (estimate.isKnown()) {
+      result.contraction = estimate.contraction();
+      result.conclusive = !estimate.grows();
       const double gap = fieldGap(*iterate);
-      const double unseen = leftToRoundOff(fixedPoint_, state, *iterate, gap);
-      for (double& one : errors) one += unseen;
-      result.conclusive = !grew;
-      if (!grew) result.estimates = errors;
-      if (!grew && isSeen(std::max(hidden, step.hidden), largest(errors), accuracy_) && previous <= farAway &&
-          largest(errors) <= accuracy_ && largest(step.shares) <= mostKept &&
-          (kind == Kind::newton ? gapBefore : gap) <= allowedGap * accuracy_ &&
-          !isThrown(fixedPoint_, iterate, state, image, accuracy_)) {
-        result.claimed = true;
-        if (kind == Kind::newton) {
-          state.assign(smoothed);
-        } else {
-          result.iterate = iterate;
-        }
-        return result;
-      }
+      estimate.addUnseen(leftToRoundOff(fixedPoint_, state, *iterate, gap));
+      if (result.conclusive) result.estimates = estimate.errors();
+      result.claimed = estimate.isSmall() && (isNewton ? gapBefore : gap) <= allowedGap * accuracy_ &&
+                       !isThrown(fixedPoint_, iterate, state, image, accuracy_);
+      if (isNewton && (result.claimed || estimate.grows())) state.assign(smoothed);
+      if (result.claimed && !isNewton) result.iterate = iterate;
+      if (result.claimed || (isNewton && estimate.grows())) return result;
     }
-    previous = error;
-    distancesBefore = std::move(distances);
-    hidden = step.hidden;
-    if (kind != Kind::newton) {
-      before = std::move(after);
-    } else {
+    if (isNewton) {
       iterate = &smooth(state, image);
       before = std::make_unique<Snapshot>(lookAtShared(*iterate, state, image));
+    } else {
+      before = std::move(after);
     }
     result.conclusive = false;
   }

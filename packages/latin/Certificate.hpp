@@ -74,8 +74,9 @@ class Certificate {
   /// Replaces the image by that of the corrected state.
   Correction correctStepwise(const Iterate& iterate, base::Matrix& state, base::Matrix& image, int count,
                              int stageLimit);
-  Correction correctByNewton(const Iterate& iterate, base::Matrix& state, const base::Matrix& image, int count,
-                             double previous, int stages);
+  /// `isClose`: the correction before went hardly anywhere.
+  Correction correctByNewton(const Iterate& iterate, base::Matrix& state, const base::Matrix& image, bool isClose,
+                             int stages);
   /// What is seen of a state whose tractions are shared (FixedPoint::shareTractions()). The state itself, its image and
   /// its iterate stay those that were found: shared ones keep to the laws no better than to the accuracy, and a
   /// correction would begin with the residual of that again.
