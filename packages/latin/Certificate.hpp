@@ -19,17 +19,18 @@ class CausalCorrection;
 /// the second correction leaves 0.3 of the residual of the load step, and as 1 - 4/7 (1 - r) where it leaves r > 0.3;
 /// of corrections that hardly contract it counts as 0.8, and e2 is added. It is claimed when E <= accuracy, e1 <= 0.3,
 /// kappa <= 1 (or e2 is a tenth of the accuracy), both corrections reduced the largest residual of a load step to 0.2
-/// and 0.6 and hide no more than their way in it, no load step keeps more than 0.95 of its own in the second one, the
-/// gap between the two fields of the iteration is below ten times the accuracy, and no body was thrown far away without
-/// being held there. What is left then is a2, within E as well, whose fields are at hand. If E is too large,
-/// a2 takes the place of a1 and is corrected once more.
+/// and 0.6 and hide no more than their way in it (or what is hidden is a tenth of the accuracy), no load step keeps
+/// more than 0.95 of its own in the second one, the gap between the two fields of the iteration is below ten times the
+/// accuracy, and no body was thrown far away without being held there. What is left then is a2, within E as well, whose
+/// fields are at hand. If E is too large, a2 takes the place of a1 and is corrected once more.
 ///
 /// Where a causal correction stagnates, the attempt ends without a claim; where one does in a later attempt, or laws
 /// soften, and from the beginning where the way there needed StepNewton, a StepwiseCorrection takes its place. Where
 /// laws soften and a stepwise correction does not come to the residual that its images promise, the round-off of these
 /// is measured, and a residual within it counts as none. In the velocity form corrections are a NewtonCorrection each:
 /// they start anew each time and need relaxed iterations after each, which smooth their rough residual, so that a1 is
-/// left; they must reduce the residual to 0.15, and kappa counts as what they leave at least.
+/// left; they must reduce the residual to 0.15, and kappa counts as what they leave, instead of 0.6, at least.
+/// ErrorEstimate has what follows from corrections alone.
 ///
 /// The gap is max(|f - f^| / |f^|, |w - w^| / |w|): with f - f^ = -k (w - w^) one of them is large for any k far from
 /// the stiffness of the bodies, so an absurd k cannot hide behind small changes.
@@ -78,8 +79,8 @@ class Certificate {
   Correction correctByNewton(const Iterate& iterate, base::Matrix& state, const base::Matrix& image, bool isClose,
                              int stages);
   /// What is seen of a state whose tractions are shared (FixedPoint::shareTractions()). The state itself, its image and
-  /// its iterate stay those that were found: shared ones keep to the laws no better than to the accuracy, and a
-  /// correction would begin with the residual of that again.
+  /// its iterate stay those that were found: shared ones keep to the laws no better than to a part of the accuracy, and
+  /// a correction would begin with the residual of that again.
   Snapshot lookAtShared(const Iterate& iterate, base::Matrix& state, base::Matrix& image);
   /// Relaxed iterations of `state`, whose image is given; returns its iterate.
   const Iterate& smooth(base::Matrix& state, base::Matrix& image);

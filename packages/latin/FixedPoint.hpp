@@ -131,9 +131,9 @@ class FixedPoint {
   void settleUnfelt(base::Matrix& alpha, base::Matrix& image);
   /// Collective. Gives the present iterate, its alpha and its image [stress] those tractions that are defined where the
   /// bodies cannot tell what pairs share (TractionShare): T and its fixed points mean the same as before. `accuracy`
-  /// [-]: relative, of the fields, to a tenth of which the new tractions keep to the laws: a gap or a slip that it
-  /// resolves is none to be shared over. Returns what both have got
-  /// [stress], rows of the layout x load steps; no columns where nothing is shared. All load steps must be selected.
+  /// [-]: relative, of the fields. The new tractions keep to the laws to a tenth of it, or to twice the distance of
+  /// both stages where that is more: across wider gaps nothing is shared. Returns what both have got [stress], rows of
+  /// the layout x load steps; no columns where nothing is shared. All load steps must be selected.
   base::Matrix shareTractions(base::Matrix& alpha, base::Matrix& image, double accuracy);
   /// Collective. Takes from the present iterate, its alpha and its image what shareTractions() has given them.
   void takeBack(base::Matrix shared, base::Matrix& alpha, base::Matrix& image);

@@ -186,7 +186,7 @@ std::string describe(const std::string& response, const ResponseRange& range, co
     text << "any value from " << lower << " to " << upper;
   }
   text << " goes with the same displacements, since joints share there what parts feel the sum of; " << values[step]
-       << " is that of the least tractions";
+       << " is that of the least tractions which leave gaps open";
   return text.str();
 }
 

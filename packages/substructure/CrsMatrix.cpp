@@ -30,10 +30,14 @@ CrsRows::CrsRows(const std::vector<std::size_t>& rowPointers) {
   // Kokkos zeroes new views; that would touch the memory twice.
   const auto bare = [](const char* label) { return Kokkos::ViewAllocateWithoutInitializing(label); };
   views_ =
-      std::make_shared<Views>(Views{Views::Pointers(bare("row pointers"), rowPointers.size()),
+      std::make_unique<Views>(Views{Views::Pointers(bare("row pointers"), rowPointers.size()),
                                     Views::Columns(bare("columns"), entries), Views::Values(bare("values"), entries)});
   std::copy(rowPointers.begin(), rowPointers.end(), views_->pointers.data());
 }
+
+CrsRows::~CrsRows() = default;
+CrsRows::CrsRows(CrsRows&&) noexcept = default;
+CrsRows& CrsRows::operator=(CrsRows&&) noexcept = default;
 
 int* CrsRows::columns() {
   return views_->columns.data();

@@ -16,6 +16,9 @@ class CrsRows {
   /// `rowPointers`: where each row begins among the entries, and their number. Columns and values are to be set, all of
   /// them. Throws base::Error unless the pointers begin with 0 and do not fall. Kokkos must be running.
   explicit CrsRows(const std::vector<std::size_t>& rowPointers);
+  ~CrsRows();
+  CrsRows(CrsRows&&) noexcept;
+  CrsRows& operator=(CrsRows&&) noexcept;
 
   int* columns();    ///< from 0, ascending in each row
   double* values();  ///< in the unit of the matrix
@@ -24,7 +27,7 @@ class CrsRows {
 
  private:
   struct Views;
-  std::shared_ptr<Views> views_;
+  std::unique_ptr<Views> views_;
 
   friend Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(CrsRows rows);
 };

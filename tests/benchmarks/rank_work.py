@@ -74,21 +74,24 @@ def walls(arguments, ranks, folder):
         started = [subprocess.Popen(["mpirun", "--bind-to", "none", "-n", str(ranks_of_each),
                                      *command_of(arguments, folder / str(i))], env=environment) for i in range(runs)]
         if any([process.wait() for process in started]):
-            raise SystemExit("rank_work.py: a run failed")
+            raise SystemExit(f"rank_work.py: a run of {ranks_of_each} failed; is there a free core for each rank?")
         return time.monotonic() - start
 
     return take(1, 1), take(1, ranks), take(ranks, 1)
 
 
 def print_walls(arguments):
+    several = [ranks for ranks in arguments.ranks if ranks > 1]
+    if not several:
+        raise SystemExit("rank_work.py: --walls compares several ranks with one; name some with --ranks")
     print("\n| ranks | one alone, s | ranks, s | as many runs at once, s | faster than one alone | than one of these |"
           " at best |\n|---|---|---|---|---|---|---|")
-    for ranks in (ranks for ranks in arguments.ranks if ranks > 1):
+    for ranks in several:
         with tempfile.TemporaryDirectory() as folder:
             rows = [walls(arguments, ranks, pathlib.Path(folder)) for _ in range(arguments.walls)]
         alone, together, at_once = (statistics.median(column) for column in zip(*rows))
         gain, beside, best = (statistics.median(quotients) for quotients in zip(
-            *((one / several, each / several, ranks * one / each) for one, several, each in rows)))
+            *((one / own, each / own, ranks * one / each) for one, own, each in rows)))
         print(f"| {ranks} | {alone:.2f} | {together:.2f} | {at_once:.2f} | {gain:.2f} | {beside:.2f} | {best:.2f} |", flush=True)
 
 

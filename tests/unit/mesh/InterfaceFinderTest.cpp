@@ -427,6 +427,22 @@ TEST(InterfaceFinder, RefusesFacesInsideOfAPart) {
   EXPECT_NO_THROW(InterfaceFinder(mesh, parts).demandSurface("", "inside"));
 }
 
+TEST(Piece, TellsElementsApartWhoseNodesAddUpToTheSame) {
+  Mesh mesh = boxes({{"plate", {0, 0, 0}, {3, 1, 0}, {3, 1, 0}, ElementType::quad4}});
+  ASSERT_EQ(mesh.nodes.size(), 8U);
+  mesh.blocks[0].connectivity = {0, 1, 6, 5, 0, 2, 7, 3, 0, 3, 7, 2, 0, 1, 4, 7};  // the second and third are one
+  try {
+    makePiece(mesh, "plate", {"plate"});
+    FAIL() << "accepted";
+  } catch (const base::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("element 2 of the mesh (block \"plate\") and element 3"),
+              std::string::npos)
+        << error.what();
+  }
+  mesh.blocks[0].connectivity = {0, 1, 6, 5, 0, 2, 7, 3, 0, 1, 4, 7};
+  EXPECT_EQ(makePiece(mesh, "plate", {"plate"}).elements.size(), 3U);
+}
+
 TEST(Piece, refusesAnElementThatIsThereTwice) {
   Mesh mesh = boxes({{"box", {0, 0, 0}, {2, 1, 1}, {2, 1, 1}}});
   std::vector<int>& nodes = mesh.blocks[0].connectivity;
