@@ -17,13 +17,13 @@ class CrsRows {
   /// them. Throws base::Error unless the pointers begin with 0 and do not fall. Kokkos must be running.
   explicit CrsRows(const std::vector<std::size_t>& rowPointers);
   ~CrsRows();
-  CrsRows(CrsRows&&) noexcept;
-  CrsRows& operator=(CrsRows&&) noexcept;
+  CrsRows(CrsRows&&) noexcept;             ///< leaves rows that may only be assigned to
+  CrsRows& operator=(CrsRows&&) noexcept;  ///< likewise
 
-  int* columns();    ///< from 0, ascending in each row
-  double* values();  ///< in the unit of the matrix
-  std::size_t rows() const;
-  std::size_t entries() const;
+  int* columns();               ///< from 0, ascending in each row
+  double* values();             ///< in the unit of the matrix
+  std::size_t rows() const;     ///< also columns
+  std::size_t entries() const;  ///< of all rows
 
  private:
   struct Views;
