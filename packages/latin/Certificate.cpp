@@ -10,6 +10,7 @@
 #include <harmos/latin/StepwiseCorrection.hpp>
 #include <harmos/latin/detail/ErrorEstimate.hpp>
 #include <harmos/latin/detail/ImageNoise.hpp>
+#include <harmos/latin/detail/LargestOf.hpp>
 #include <harmos/latin/detail/SafeRelaxation.hpp>
 #include <harmos/latin/detail/UnheldParts.hpp>
 
@@ -64,10 +65,6 @@ bool isThrown(FixedPoint& fixedPoint, const Iterate*& iterate, const base::Matri
   const double size = fixedPoint.metric().norm(image);
   iterate = &fixedPoint.apply(alpha, image);
   return fixedPoint.metric().norm(alpha) > thrownSize * size;
-}
-
-double largest(const std::vector<double>& values) {
-  return *std::max_element(values.begin(), values.end());
 }
 
 /// Error of the forces [-] that residuals which count as round-off of a state with this gap, much larger than its
@@ -290,9 +287,14 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
       if (result.conclusive) result.estimates = estimate.errors();
       result.claimed = estimate.isSmall() && (isNewton ? gapBefore : gap) <= allowedGap * accuracy_ &&
                        !isThrown(fixedPoint_, iterate, state, image, accuracy_);
-      if (isNewton && (result.claimed || estimate.grows())) state.assign(smoothed);
-      if (result.claimed && !isNewton) result.iterate = iterate;
-      if (result.claimed || (isNewton && estimate.grows())) return result;
+      if (isNewton && (result.claimed || estimate.grows())) {
+        state.assign(smoothed);
+        return result;
+      }
+      if (result.claimed) {
+        result.iterate = iterate;
+        return result;
+      }
     }
     if (isNewton) {
       iterate = &smooth(state, image);

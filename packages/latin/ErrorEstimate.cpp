@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <harmos/latin/detail/LargestOf.hpp>
+
 namespace harmos::latin {
 namespace {
 
@@ -18,10 +20,6 @@ constexpr double mostKept = 0.95;
 constexpr double farAway = 0.3;
 // Over the way of a correction: what the residual that it has left may hide.
 constexpr double hiddenLimit = 1.0;
-
-double largest(const std::vector<double>& values) {
-  return *std::max_element(values.begin(), values.end());
-}
 
 /// What a correction leaves of the residual, it leaves of the error, and has not found.
 double leastContractionAfter(double share) {

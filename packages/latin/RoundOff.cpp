@@ -9,6 +9,7 @@
 
 #include <harmos/latin/CausalCorrection.hpp>
 #include <harmos/latin/Snapshot.hpp>
+#include <harmos/latin/detail/LargestOf.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -36,10 +37,6 @@ struct Restore {
   FixedPoint& fixedPoint;
   ~Restore() { fixedPoint.unperturb(); }
 };
-
-double largest(const std::vector<double>& values) {
-  return *std::max_element(values.begin(), values.end());
-}
 
 }  // namespace
 

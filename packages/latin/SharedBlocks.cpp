@@ -7,6 +7,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/ShareOut.hpp>
+#include <harmos/latin/detail/LargestOf.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -19,10 +20,6 @@ constexpr std::size_t worthSending = 300000;
 constexpr double leastGain = 0.1;
 // Right-hand sides, of all bodies of a block, that travel together.
 constexpr int columnsTogether = 128;
-
-double largest(const std::vector<double>& load) {
-  return *std::max_element(load.begin(), load.end());
-}
 
 }  // namespace
 

@@ -10,10 +10,8 @@
 
 namespace harmos::substructure {
 
-using Map = base::CrsMatrix::map_type;
-using LocalMatrix = base::CrsMatrix::local_matrix_device_type;
-
 struct CrsRows::Views {
+  using LocalMatrix = base::CrsMatrix::local_matrix_device_type;
   using Pointers = LocalMatrix::staticcrsgraph_type::row_map_type::non_const_type;
   using Columns = LocalMatrix::index_type;
   using Values = LocalMatrix::values_type;
@@ -70,6 +68,7 @@ Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(CrsRows rows) {
     }
   }
   const Teuchos::RCP<const Teuchos::Comm<int>> self = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF));
+  using Map = base::CrsMatrix::map_type;
   const auto map = Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(count), 0, self, Tpetra::LocallyReplicated));
   auto matrix =
       Teuchos::rcp(new base::CrsMatrix(map, map, rows.views_->pointers, rows.views_->columns, rows.views_->values));
@@ -109,15 +108,14 @@ void addUp(std::vector<MatrixEntry>& entries) {
 Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(std::vector<MatrixEntry> entries, int rows) {
   addUp(entries);
   std::vector<std::size_t> pointers(static_cast<std::size_t>(rows) + 1, 0);
-  std::vector<int> columns;
-  std::vector<double> values;
-  for (const MatrixEntry& entry : entries) {
-    ++pointers[static_cast<std::size_t>(entry.row) + 1];
-    columns.push_back(entry.column);
-    values.push_back(entry.value);
-  }
+  for (const MatrixEntry& entry : entries) ++pointers[static_cast<std::size_t>(entry.row) + 1];
   for (int row = 0; row < rows; ++row) pointers[row + 1] += pointers[row];
-  return makeCrsMatrix(pointers, columns, values);
+  CrsRows result(pointers);
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    result.columns()[k] = entries[k].column;
+    result.values()[k] = entries[k].value;
+  }
+  return makeCrsMatrix(std::move(result));
 }
 
 CrsView viewOf(const base::CrsMatrix& matrix, const std::string& name) {

@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <harmos/base/Matrix.hpp>
 
 namespace harmos::latin {
+
+/// The largest of numbers, of which there is one at least.
+inline double largest(const std::vector<double>& numbers) {
+  return *std::max_element(numbers.begin(), numbers.end());
+}
 
 /// The largest size of so many numbers; 0 of none.
 inline double largestOf(const double* values, int count) {
