@@ -36,10 +36,11 @@ constexpr double marchShare = 1.0;
 constexpr double shareOfLargeFactors = 5.0;
 constexpr double largeFactors = 1e7;
 constexpr int leastStepsOfBlock = 4;
-// Of the linear stages of a run: a first try whose restarts have led to no certificate is given up for one with fewer
-// restarts, and so is that.
+// Of the linear stages of a run: a first try whose restarts have led to no certificate is given up for one that has the
+// softer search direction from the beginning.
 constexpr double shareOfFirstTry = 0.5;
-constexpr double shareOfLaterTry = 0.27;
+// Or after so many marches in a row that have not brought all load steps near enough.
+constexpr int maximumMarchesInVain = 2;
 // Each takes what the one before has left of the motions of bodies.
 constexpr int maximumRecentrings = 3;
 
@@ -150,18 +151,20 @@ int LatinSolver::stageLimit() const {
 
 void LatinSolver::march(LatinResult& result, March::Guess guess) {
   stagesOfCertificates_ = 0;
-  for (int restarts = options_.restarts; restarts >= 0; --restarts) {
-    const double share = restarts == options_.restarts ? shareOfFirstTry : shareOfLaterTry;
-    const int stagesOfTry = static_cast<int>(share * options_.maximumIterations);
-    endWhenSofter_ = restarts > 0 ? stages() + stagesOfTry : options_.maximumIterations;
-    tryToMarch(result, guess, restarts);
-    if (result.outcome != Outcome::iterationLimit || !isSofter() || stages() >= options_.maximumIterations) break;
-    fixedPoint_.rescale(options_.stages.searchDirectionScale);
+  const bool mayRepeat = options_.restarts > 0;
+  endWhenSofter_ =
+      mayRepeat ? static_cast<int>(shareOfFirstTry * options_.maximumIterations) : options_.maximumIterations;
+  tryToMarch(result, guess, options_.restarts);
+  if (result.outcome == Outcome::iterationLimit && isSofter() && stages() < options_.maximumIterations) {
+    // The states that restarts have carried along may be what leads nowhere.
+    result.reason.clear();
+    fixedPoint_.rescale(March::softer * options_.stages.searchDirectionScale);
     certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
     estimates_.clear();
     fixedPoint_.uncentre(alpha_);
     alpha_.putScalar(0.0);
-    guess = March::Guess::extrapolation;
+    endWhenSofter_ = options_.maximumIterations;
+    tryToMarch(result, March::Guess::extrapolation, options_.restarts - 1);
   }
   result.iterations = stages() - stagesOfCertificates_;
 }
@@ -202,6 +205,7 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
   double tolerance = firstTolerance();
   March::End end = March::End::reached;
   bool isOver = false;
+  int inVain = 0;
   int recentrings = options_.recentres && fixedPoint_.canRecentre() ? maximumRecentrings : 0;
   bool isOfMotions = true;  // round-off, until the motions were left out once for it
   do {
@@ -223,6 +227,8 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
     guess = March::Guess::state;
     if (end != March::End::reached || stages() >= stageLimit()) break;
     isOver = certify(*state_, result);
+    inVain = march.isNearEnough() ? 0 : inVain + 1;
+    if (!isOver && inVain >= maximumMarchesInVain && stageLimit() < options_.maximumIterations) break;
     const double ofMotions = errorOfRoundOff * fixedPoint_.roundOff(0.0), forces = march.largestForce();
     if (!isOver && forces > 0.0 && ofMotions > options_.accuracy * forces) {
       result.outcome = Outcome::roundOff;

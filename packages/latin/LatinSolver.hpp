@@ -76,13 +76,14 @@ class LatinSolver {
   void share();
   /// Takes a certificate back where a law answers the lines of other search directions otherwise, see checkLaws().
   void demandGraphs(LatinResult& result);
-  /// Load step after load step; where restarts of the march lead nowhere, from the beginning with fewer of them.
+  /// Load step after load step; where restarts of the march lead nowhere, from the beginning with the softer search
+  /// direction that they begin with.
   void march(LatinResult& result, March::Guess guess);
   /// Collective. The residual that the first march goes to, over the size of the forces.
   double firstTolerance() const;
-  /// Once, to ever smaller residuals, until the certificate claims.
+  /// Once, to ever smaller residuals, until the certificate claims, or nothing is to be hoped for and another try left.
   void tryToMarch(LatinResult& result, March::Guess guess, int restarts);
-  /// Whether a restart has made the search direction softer than the options want it.
+  /// Whether the search direction is softer now than the options want it.
   bool isSofter() const;
   /// Linear stages of this run, at most: of the run, or of a try with a softer search direction.
   int stageLimit() const;
@@ -117,7 +118,7 @@ class LatinSolver {
   const Iterate* certified_ = nullptr;  // of alpha_, where the certificate has left it at hand
   int stagesBefore_ = 0;
   int stagesOfCertificates_ = 0;
-  int endWhenSofter_ = 0;          // stages at which a try with a softer search direction ends
+  int endWhenSofter_ = 0;          // linear stages at which a try ends, once its search direction is softer
   bool knowsRoundOff_ = false;     // of a state of this run
   std::vector<double> estimates_;  // of the last certificate that was conclusive; empty: none was
 };
