@@ -156,7 +156,9 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
       mayRepeat ? static_cast<int>(shareOfFirstTry * options_.maximumIterations) : options_.maximumIterations;
   tryToMarch(result, guess, options_.restarts);
   if (result.outcome == Outcome::iterationLimit && isSofter() && stages() < options_.maximumIterations) {
-    // The states that restarts have carried along may be what leads nowhere.
+    // What restarts have carried along may be what leads nowhere, and what load steps are extrapolated to; where laws
+    // soften, or loads are to be found, that chooses the way.
+    const bool isOneWay = assembly_.softens() || assembly_.path;
     result.reason.clear();
     fixedPoint_.rescale(March::softer * options_.stages.searchDirectionScale);
     certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
@@ -164,7 +166,7 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
     fixedPoint_.uncentre(alpha_);
     alpha_.putScalar(0.0);
     endWhenSofter_ = options_.maximumIterations;
-    tryToMarch(result, March::Guess::extrapolation, options_.restarts - 1);
+    tryToMarch(result, isOneWay ? March::Guess::extrapolation : March::Guess::state, options_.restarts - 1);
   }
   result.iterations = stages() - stagesOfCertificates_;
 }

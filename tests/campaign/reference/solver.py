@@ -56,14 +56,15 @@ class Answer:
         return [name for name, spread in self.spread.items() if spread <= SAME]
 
 
-def equilibrium_near(scene: Scene, problem: Problem, displacement: Floats) -> History | None:
-    """An equilibrium next to given displacements [step, dof], if there is one."""
+def equilibrium_near(scene: Scene, problem: Problem, displacement: Floats, penalty: float = 1.0) -> History | None:
+    """An equilibrium next to given displacements [step, dof], if there is one. penalty: where friction may jam or let
+    go, which of both Newton's method comes to."""
     shift = np.full(problem.stiffness.shape[0] + len(problem.kind), SHIFT)
     old = np.zeros(len(problem.kind))
     displacements, forces = [], []
     for step, u in enumerate(displacement):
         start = State(u, forces_for(problem, step, u), np.inf)
-        state = solve_step(problem, step, old, Choice(shift, 1.0, start)).state
+        state = solve_step(problem, step, old, Choice(shift, penalty, start)).state
         if not state.converged:
             return None
         displacements.append(state.displacement)

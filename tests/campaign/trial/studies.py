@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import dataclasses
 import enum
+import itertools
 import json
 import pathlib
 import shutil
@@ -24,6 +25,8 @@ from .program import Ending, Run, environment, run_harmos
 # Runs are so much more accurate, or as accurate as this.
 _TIGHTER = 1 / 20
 _TIGHTEST = 1e-7
+# Ways to an equilibrium next to a field.
+_PENALTIES = (1.0, 0.01, 100.0)
 _SOLVED = ("certified", "calibrated")
 _SAID = ("certified, not unique", "calibrated, not unique")
 
@@ -133,16 +136,18 @@ def judge_configuration(said: Configuration, run: Run, sizes: dict[str, float], 
 def _judge_again(scene: Scene, said: Configuration, fields: list[Floats], accuracy: float,
                  judgement: Judgement) -> Judgement:
     """A second look at what seems wrong: a study starts from what it has solved, and where friction may jam or let go,
-    that leads to another equilibrium than a run. The reference must find it, next to the fields of a run."""
+    that leads to another equilibrium than a run. The reference must find it, next to given fields, those of a run or of
+    another configuration; its own become such fields."""
     configured = with_values(scene, said.values)
     problem = assemble(configured)
-    for displacement in fields:
-        found = equilibrium_near(configured, problem, displacement)
+    for displacement, penalty in itertools.product(list(fields), _PENALTIES):
+        found = equilibrium_near(configured, problem, displacement, penalty)
         if found is None:
             continue
         values = {one.name: found.response(one) for one in scene.responses}
         sizes = {one.name: found.size(one) for one in scene.responses}
         if _largest_error(said, values, sizes, accuracy)[0] <= 1 + _TIGHTER:
+            fields.append(found.displacement)
             return dataclasses.replace(judgement, verdict=Verdict.OTHER)
     return judgement
 
