@@ -3,7 +3,8 @@ import unittest
 
 import numpy as np
 
-from .reference.solver import Answer, Outcome, follow, solve
+from .reference.solver import Answer, Outcome, finer, follow, solve
+from .scenes.classes import make_scene
 from .scenes.lattice import Lattice
 from .scenes.scene import Joint, Law, Part, Response, Scene, Varying
 
@@ -143,6 +144,17 @@ class ClosedForms(unittest.TestCase):
         again = follow(answer, answer.histories[0].displacement * (1 + 1e-3))
         self.assertEqual(len(again.histories), len(answer.histories) + 1)
         np.testing.assert_allclose(again.values["v"], answer.values["v"], rtol=1e-9)
+
+    def test_integrates_more_finely_where_joins_are_not_resolved(self) -> None:
+        matching = solve(pile(coulomb(0.3), [(1.0, -10.0)]))
+        self.assertIs(finer(matching.histories[0].scene, matching), matching)
+        scene = make_scene("slabs", 3)
+        coarse = solve(scene)
+        fine = finer(scene, coarse)
+        change = abs(fine.values["max_j0"] - coarse.values["max_j0"]).max() / coarse.sizes["max_j0"]
+        self.assertGreater(change, 1e-8)
+        self.assertLess(change, coarse.quadrature["max_j0"])
+        self.assertLess(fine.quadrature["max_j0"], coarse.quadrature["max_j0"] / 10)
 
 
 if __name__ == "__main__":

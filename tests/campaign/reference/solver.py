@@ -19,6 +19,8 @@ SAME = 1e-6
 AT_REST = 1e-9
 # Of the area of a join: what quadrature does not resolve is round-off.
 RESOLVED = 1e-7
+# Times as fine, where the usual quadrature may be what is wrong.
+FINER = 8
 # Tried when one of the ways fails.
 MORE_WAYS = 2
 
@@ -166,18 +168,32 @@ def _compare(scene: Scene, histories: list[History], balances: list[Balance]) ->
     return Answer(Outcome.SOLVED, histories, values, sizes, spread, None, balances)
 
 
-def _quadrature(scene: Scene, problem: Problem, answer: Answer) -> dict[str, float]:
+def _quadrature(scene: Scene, problem: Problem, answer: Answer, finest: int = FINEST) -> dict[str, float]:
     if problem.uncertain < RESOLVED:
         return dict.fromkeys(answer.values, 0.0)
     # What is left falls as the parts do, but by fits: two steps tell more than one, and not the last digit of it.
     largest = dict.fromkeys(answer.values, 0.0)
-    for parts, left in ((FINEST // 2, 1.0), (FINEST // 4, 0.5)):
+    for parts, left in ((finest // 2, 1.0), (finest // 4, 0.5)):
         coarser = _March(scene, assemble(scene, parts), 0).run()
         for response in scene.responses:
             change = float("inf") if coarser is None else \
                 float(abs(coarser.response(response) - answer.values[response.name]).max())
             largest[response.name] = max(largest[response.name], 2 * left * change / answer.sizes[response.name])
     return largest
+
+
+def finer(scene: Scene, answer: Answer) -> Answer:
+    """The answer by its first way, with integrals over joins so much finer; itself where these are resolved."""
+    if answer.histories[0].problem.uncertain < RESOLVED:
+        return answer
+    problem = assemble(scene, FINER * FINEST)
+    history = _March(scene, problem, 0).run()
+    if history is None:
+        return answer
+    again = _compare(scene, [history], answer.balances)
+    # What is determined was found out by all ways.
+    return dataclasses.replace(again, histories=answer.histories, spread=answer.spread,
+                               quadrature=_quadrature(scene, problem, again, FINER * FINEST))
 
 
 def solve(scene: Scene, ways: int = 3) -> Answer:

@@ -8,7 +8,7 @@ import statistics
 import time
 from collections.abc import Iterable
 
-from ..reference.solver import follow, solve
+from ..reference.solver import finer, follow, solve
 from ..scenes.classes import make_scene, make_twin
 from ..scenes.scene_file import write_scene
 from .fields import read_displacements
@@ -43,6 +43,8 @@ def try_scene(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path,
     start = time.monotonic()
     answer = solve(scene)
     judgement = judge(scene, run, answer)
+    if judgement.verdict is Verdict.WRONG and answer.histories:
+        judgement = judge(scene, run, finer(scene, answer))
     if judgement.verdict is Verdict.WRONG and answer.histories:
         near = follow(answer, read_displacements(place / "results" / "scene.e", scene.mesh))
         judgement = judge_again(scene, run, near, judgement)
