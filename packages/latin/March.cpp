@@ -45,6 +45,8 @@ constexpr double newtonShare = 0.5;
 constexpr double negligible = 1e-2;
 // Its steps for a whole load step where laws soften; then the load step is divided.
 constexpr int mostSofteningSteps = 15;
+// Of the accuracy: what keeps a load step from smaller residuals is round-off, of laws or of solves, and not k.
+constexpr double leastForRestart = 1e-3;
 
 }  // namespace
 
@@ -294,7 +296,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
       }
       iterate = &fixedPoint_.apply(state, image);
     }
-    const bool isTooStiff = isStagnant && restarts_ > 0;
+    const bool isTooStiff = isStagnant && restarts_ > 0 && tolerance > leastForRestart * accuracy_;
     const EquilibriumWatch::Finding finding =
         isTooStiff ? EquilibriumWatch::Finding::nothing : watch.look(fixedPoint_, iterate, state, image);
     // Where forces exist, softer lines may build the pressures that these do not come to.
