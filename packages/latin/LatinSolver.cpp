@@ -39,7 +39,8 @@ constexpr int leastStepsOfBlock = 4;
 // Of the linear stages of a run: a first try whose restarts have led to no certificate is given up for one that has the
 // softer search direction from the beginning.
 constexpr double shareOfFirstTry = 0.5;
-// Or after so many marches in a row that have not brought all load steps near enough.
+// Marches in a row that have not brought all load steps near enough, after which it is given up as well; those in which
+// k has become softer count, too.
 constexpr int maximumMarchesInVain = 2;
 // Each takes what the one before has left of the motions of bodies.
 constexpr int maximumRecentrings = 3;
@@ -151,24 +152,31 @@ int LatinSolver::stageLimit() const {
 
 void LatinSolver::march(LatinResult& result, March::Guess guess) {
   stagesOfCertificates_ = 0;
-  const bool mayRepeat = options_.restarts > 0;
-  endWhenSofter_ =
-      mayRepeat ? static_cast<int>(shareOfFirstTry * options_.maximumIterations) : options_.maximumIterations;
+  endWhenSofter_ = static_cast<int>(shareOfFirstTry * options_.maximumIterations);
   tryToMarch(result, guess, options_.restarts);
   if (result.outcome == Outcome::iterationLimit && isSofter() && stages() < options_.maximumIterations) {
-    // What restarts have carried along may be what leads nowhere, and what load steps are extrapolated to; where laws
-    // soften, or loads are to be found, that chooses the way.
-    const bool isOneWay = assembly_.softens() || assembly_.path;
-    result.reason.clear();
-    fixedPoint_.rescale(March::softer * options_.stages.searchDirectionScale);
-    certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
+    // What leads nowhere may be what restarts have carried along, or what load steps are extrapolated to. Where laws
+    // soften, or loads are to be found, that chooses the branch.
+    const bool isBranch = assembly_.softens() || assembly_.path;
+    takeBack(result);
+    result.solvedSteps = 0;
     estimates_.clear();
     fixedPoint_.uncentre(alpha_);
+    const double scale = March::softer * options_.stages.searchDirectionScale;
+    if (fixedPoint_.searchDirectionScale() != scale) fixedPoint_.rescale(scale);
+    certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
     alpha_.putScalar(0.0);
     endWhenSofter_ = options_.maximumIterations;
-    tryToMarch(result, isOneWay ? March::Guess::extrapolation : March::Guess::state, options_.restarts - 1);
+    tryToMarch(result, isBranch ? March::Guess::extrapolation : March::Guess::nothing, options_.restarts - 1);
   }
   result.iterations = stages() - stagesOfCertificates_;
+}
+
+void LatinSolver::takeBack(LatinResult& result) {
+  result.outcome = Outcome::iterationLimit;
+  result.reason.clear();
+  result.roundOffEstimate = 0.0;
+  knowsRoundOff_ = false;
 }
 
 void LatinSolver::recentre() {
@@ -230,7 +238,6 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
     if (end != March::End::reached || stages() >= stageLimit()) break;
     isOver = certify(*state_, result);
     inVain = march.isNearEnough() ? 0 : inVain + 1;
-    if (!isOver && inVain >= maximumMarchesInVain && stageLimit() < options_.maximumIterations) break;
     const double ofMotions = errorOfRoundOff * fixedPoint_.roundOff(0.0), forces = march.largestForce();
     if (!isOver && forces > 0.0 && ofMotions > options_.accuracy * forces) {
       result.outcome = Outcome::roundOff;
@@ -242,13 +249,12 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
       isOfMotions = false;
       recentrings = 1;
       recentre();
-      result.outcome = Outcome::iterationLimit;
-      result.roundOffEstimate = 0.0;
-      knowsRoundOff_ = false;
+      takeBack(result);
       tolerance /= March::tightening;
       isOver = false;
+      inVain = 0;
     }
-  } while (!isOver);
+  } while (!isOver && (inVain < maximumMarchesInVain || stageLimit() == options_.maximumIterations));
   result.parts = march.parts();
   result.snaps = march.snaps();
   if (end == March::End::noEquilibrium) {

@@ -77,11 +77,12 @@ class LatinSolver {
   /// Takes a certificate back where a law answers the lines of other search directions otherwise, see checkLaws().
   void demandGraphs(LatinResult& result);
   /// Load step after load step; where restarts of the march lead nowhere, from the beginning with the softer search
-  /// direction that they begin with.
+  /// direction that they begin with, and from nothing at every load step, unless laws soften or loads are to be found.
   void march(LatinResult& result, March::Guess guess);
   /// Collective. The residual that the first march goes to, over the size of the forces.
   double firstTolerance() const;
-  /// Once, to ever smaller residuals, until the certificate claims, or nothing is to be hoped for and another try left.
+  /// One try: marches to ever smaller residuals, until the certificate claims, or too little has come of them and a
+  /// second try is left.
   void tryToMarch(LatinResult& result, March::Guess guess, int restarts);
   /// Whether the search direction is softer now than the options want it.
   bool isSofter() const;
@@ -95,6 +96,8 @@ class LatinSolver {
   /// Estimates round-off in alpha_, whose iterate is given or null, adds it to the estimates, and says in `result` if
   /// it is too much; true when it is not, and the sum is within the accuracy.
   bool standsRoundOff(const Iterate* iterate, LatinResult& result);
+  /// Forgets an outcome, and what is known of round-off, before the run goes on with other states.
+  void takeBack(LatinResult& result);
   /// Names of the promised quantities, as Snapshot::distance() has them.
   std::vector<std::string> quantities() const;
   /// Counts displacements from the rigid motions of bodies in alpha_; the certificate begins anew.

@@ -45,8 +45,9 @@ constexpr double newtonShare = 0.5;
 constexpr double negligible = 1e-2;
 // Its steps for a whole load step where laws soften; then the load step is divided.
 constexpr int mostSofteningSteps = 15;
-// Of the accuracy: what keeps a load step from smaller residuals is round-off, of laws or of solves, and not k.
-constexpr double leastForRestart = 1e-3;
+// Of the accuracy: where a load step stagnates at smaller residuals, that is likelier round-off, of laws or of solves,
+// than k. No march goes to just this.
+constexpr double leastForRestart = 3e-4;
 
 }  // namespace
 
@@ -383,10 +384,15 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
       end = End::noEquilibrium;
     }
     if (end == End::reached) {
-      if (guess == Guess::extrapolation) {
-        predict(alpha, t, state[0]);
-      } else {
-        std::copy_n(alpha[t], rows, state[0]);
+      switch (guess) {
+        case Guess::extrapolation:
+          predict(alpha, t, state[0]);
+          break;
+        case Guess::nothing:
+          state.putScalar(0.0);
+          break;
+        case Guess::state:
+          std::copy_n(alpha[t], rows, state[0]);
       }
       fixedPoint_.select({t});
       end = iterate(t, alpha, state, tolerance);

@@ -16,11 +16,11 @@ namespace harmos::latin {
 /// alpha| <= tolerance |f^| in the state metric, |f^| the largest of the steps so far. Bodies that fly freely are set
 /// down on what stops them (EquilibriumWatch), relaxed iterations help to find them. Where a step stagnates, StepNewton
 /// is tried. When that fails as well, the search direction k was too stiff for what the bodies do (sliding, hanging on
-/// soft springs): the march goes on with a tenth of it, at most `restarts` times. Neither where all laws are affine,
-/// for then the acceleration is a Krylov method. Where laws soften, Newton's method comes first, then the load step in
-/// parts (StepContinuation), then what it comes to rest at (StepNewton::settle()), and a step that cannot be solved
-/// ends the march: those after it would follow on nothing. Bodies are solved in single precision as long as its error
-/// is far below the residual. Displacement form only.
+/// soft springs): the march goes on with a tenth of it, at most `restarts` times, unless the tolerance is so small that
+/// round-off may be why. Neither where all laws are affine, for then the acceleration is a Krylov method. Where laws
+/// soften, Newton's method comes first, then the load step in parts (StepContinuation), then what it comes to rest at
+/// (StepNewton::settle()), and a step that cannot be solved ends the march: those after it would follow on nothing.
+/// Bodies are solved in single precision as long as its error is far below the residual. Displacement form only.
 class March {
  public:
   /// How a march ended.
@@ -33,6 +33,7 @@ class March {
   /// How the next load step starts.
   enum class Guess {
     extrapolation,  ///< from the two steps before it
+    nothing,        ///< from alpha = 0
     state           ///< from what alpha holds for it
   };
 

@@ -21,8 +21,8 @@ void addIndeterminacy(const Indeterminacy& found, double accuracy, LatinResult& 
 /// The interfaces whose laws soften, quoted, for the user.
 std::string namesOfSoftening(const assembly::Assembly& assembly);
 
-/// Remarks on laws that soften: that other solutions may exist, and how this one was reached. `isSofter`: restarts have
-/// made the search direction softer than the options want it.
+/// Remarks on laws that soften: that other solutions may exist, and how this one was reached. `isSofter`: the search
+/// direction has become softer than the options want it.
 void addSoftening(const FixedPoint& fixedPoint, bool isSofter, LatinResult& result);
 
 }  // namespace harmos::latin

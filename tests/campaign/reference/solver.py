@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import dataclasses
 import enum
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -21,6 +22,8 @@ AT_REST = 1e-9
 RESOLVED = 1e-7
 # Times as fine, where the usual quadrature may be what is wrong.
 FINER = 8
+# By which equilibria are looked for next to a field.
+PENALTIES = (1.0, 0.01, 100.0)
 # Tried when one of the ways fails.
 MORE_WAYS = 2
 
@@ -58,9 +61,7 @@ class Answer:
         return [name for name, spread in self.spread.items() if spread <= SAME]
 
 
-def equilibrium_near(scene: Scene, problem: Problem, displacement: Floats, penalty: float = 1.0) -> History | None:
-    """An equilibrium next to given displacements [step, dof], if there is one. penalty: where friction may jam or let
-    go, which of both Newton's method comes to."""
+def _equilibrium_near(scene: Scene, problem: Problem, displacement: Floats, penalty: float) -> History | None:
     shift = np.full(problem.stiffness.shape[0] + len(problem.kind), SHIFT)
     old = np.zeros(len(problem.kind))
     displacements, forces = [], []
@@ -75,15 +76,26 @@ def equilibrium_near(scene: Scene, problem: Problem, displacement: Floats, penal
     return History(scene, problem, np.array(displacements), np.array(forces))
 
 
+def equilibria_near(scene: Scene, problem: Problem, displacement: Floats) -> Iterator[History]:
+    """Equilibria next to given displacements [step, dof], by several scales of the penalty (see Choice): where friction
+    may jam or let go, these decide which of the two is found. None where there are none."""
+    for penalty in PENALTIES:
+        found = _equilibrium_near(scene, problem, displacement, penalty)
+        if found is not None:
+            yield found
+
+
 def follow(answer: Answer, displacement: Floats) -> Answer:
-    """The answer with one more way: that of an equilibrium next to given displacements [step, dof], if there is one."""
+    """The answer with one more way: that of the equilibrium nearest to given displacements [step, dof], if there is
+    one."""
     first = answer.histories[0]
     if displacement.shape != first.displacement.shape:
         return answer
-    found = equilibrium_near(first.scene, first.problem, displacement)
-    if found is None:
+    found = list(equilibria_near(first.scene, first.problem, displacement))
+    if not found:
         return answer
-    return dataclasses.replace(_compare(first.scene, [found, *answer.histories], answer.balances),
+    nearest = min(found, key=lambda one: float(abs(one.displacement - displacement).max()))
+    return dataclasses.replace(_compare(first.scene, [nearest, *answer.histories], answer.balances),
                                quadrature=answer.quadrature)
 
 
@@ -183,7 +195,8 @@ def _quadrature(scene: Scene, problem: Problem, answer: Answer, finest: int = FI
 
 
 def finer(scene: Scene, answer: Answer) -> Answer:
-    """The answer by its first way, with integrals over joins so much finer; itself where these are resolved."""
+    """The answer with integrals over joins so much finer, by the way from rest; the one that is given where joins are
+    resolved, or where that way fails. Its histories and spread stay: all ways have found out what is determined."""
     if answer.histories[0].problem.uncertain < RESOLVED:
         return answer
     problem = assemble(scene, FINER * FINEST)
@@ -191,9 +204,10 @@ def finer(scene: Scene, answer: Answer) -> Answer:
     if history is None:
         return answer
     again = _compare(scene, [history], answer.balances)
-    # What is determined was found out by all ways.
-    return dataclasses.replace(again, histories=answer.histories, spread=answer.spread,
-                               quadrature=_quadrature(scene, problem, again, FINER * FINEST))
+    quadrature = _quadrature(scene, problem, again, FINER * FINEST)
+    if not np.isfinite(list(quadrature.values())).all():
+        return answer
+    return dataclasses.replace(again, histories=answer.histories, spread=answer.spread, quadrature=quadrature)
 
 
 def solve(scene: Scene, ways: int = 3) -> Answer:

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import dataclasses
 import enum
-import itertools
 import json
 import pathlib
 import shutil
@@ -13,7 +12,7 @@ import h5py
 import numpy as np
 
 from ..reference.problem import assemble
-from ..reference.solver import equilibrium_near
+from ..reference.solver import equilibria_near
 from ..scenes.classes import make_scene
 from ..scenes.mesh import Floats
 from ..scenes.scene import Scene
@@ -25,8 +24,6 @@ from .program import Ending, Run, environment, run_harmos
 # Runs are so much more accurate, or as accurate as this.
 _TIGHTER = 1 / 20
 _TIGHTEST = 1e-7
-# Ways to an equilibrium next to a field.
-_PENALTIES = (1.0, 0.01, 100.0)
 _SOLVED = ("certified", "calibrated")
 _SAID = ("certified, not unique", "calibrated, not unique")
 
@@ -136,14 +133,11 @@ def judge_configuration(said: Configuration, run: Run, sizes: dict[str, float], 
 def _judge_again(scene: Scene, said: Configuration, fields: list[Floats], accuracy: float,
                  judgement: Judgement) -> Judgement:
     """A second look at what seems wrong: a study starts from what it has solved, and where friction may jam or let go,
-    that leads to another equilibrium than a run. The reference must find it, next to given fields, those of a run or of
-    another configuration; its own become such fields."""
+    that leads to another equilibrium than a run. The reference must find it, next to one of the fields; what it finds
+    is added to these, for other configurations."""
     configured = with_values(scene, said.values)
     problem = assemble(configured)
-    for displacement, penalty in itertools.product(list(fields), _PENALTIES):
-        found = equilibrium_near(configured, problem, displacement, penalty)
-        if found is None:
-            continue
+    for found in (one for displacement in list(fields) for one in equilibria_near(configured, problem, displacement)):
         values = {one.name: found.response(one) for one in scene.responses}
         sizes = {one.name: found.size(one) for one in scene.responses}
         if _largest_error(said, values, sizes, accuracy)[0] <= 1 + _TIGHTER:
@@ -175,7 +169,7 @@ def try_study(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path,
         return done
 
     judgements: list[Judgement] = []
-    fields: list[Floats] = []  # of the runs
+    fields: list[Floats] = []  # of the runs, and what the reference has found next to them
     stages = 0
     for said in read:
         own = run(said, max(study.accuracy * _TIGHTER, _TIGHTEST))

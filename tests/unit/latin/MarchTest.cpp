@@ -194,6 +194,41 @@ TEST(March, StopsWhenAsked) {
   }
 }
 
+// Whatever alpha held; a tolerance that everything meets leaves a load step at its first image.
+TEST(March, BeginsLoadStepsFromNothing) {
+  constexpr double any = 1e9;
+  Problem problem(draggedCubes());
+  base::Matrix alpha = problem.zero(), image = problem.zero(), random = problem.zero();
+  problem.fixedPoint.apply(alpha, image);
+  randomize(random);
+  alpha.assign(random);
+  March(problem.fixedPoint, memory, accuracy, 0).run(alpha, any, March::Guess::nothing);
+  // One column is solved for otherwise than many at once.
+  const double roundOff = 1e-12 * image.normInf();
+  for (int row = 0; row < alpha.numRows(); ++row) EXPECT_NEAR(alpha(row, 0), image(row, 0), roundOff);
+  base::Matrix again = problem.zero(), other = problem.zero();
+  March(problem.fixedPoint, memory, accuracy, 0).run(again, any, March::Guess::nothing);
+  EXPECT_EQ(alpha, again);
+  other.assign(random);
+  March(problem.fixedPoint, memory, accuracy, 0).run(other, any, March::Guess::state);
+  EXPECT_FALSE(other == again);
+}
+
+// What comes after an early end are copies, not the nothing that they would have begun from.
+TEST(March, HoldsItsLastStateAfterAnEarlyEnd) {
+  Problem problem(draggedCubes());
+  base::Matrix alpha = problem.zero();
+  int steps = 0;
+  March march(problem.fixedPoint, memory, accuracy, 0);
+  march.setObserver([&](int, int, const Iterate&) { ++steps; });
+  march.setStop([&] { return steps == 2; });
+  EXPECT_EQ(march.run(alpha, tight, March::Guess::nothing), March::End::stopped);
+  EXPECT_EQ(march.stepsReached(), 2);
+  for (int t = 3; t < problem.steps(); ++t) {
+    for (int row = 0; row < alpha.numRows(); ++row) EXPECT_EQ(alpha(row, t), alpha(row, 2));
+  }
+}
+
 // The pull grows step by step; 0.3 x 2 carries it until the fourth. A step at the edge may pass for one that is slow.
 TEST(March, FindsTheStepThatNothingCarries) {
   const std::vector<double> pull = {0.0, 0.2, 0.4, 0.8, 0.9};
