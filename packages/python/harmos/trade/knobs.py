@@ -7,8 +7,10 @@ from dataclasses import dataclass
 
 from harmos.trade.document import Document, Entry, value_of
 
-MESH_FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
-"""Elements along an edge, over those of the scene as given."""
+MESH_FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
+"""Elements along an edge, over those of the scene as given; the budget ends the ladder before, unless they are few."""
+COARSER, FINER, MOST = 2, 6, 8
+"""Splits of a mesh from a file: fewer and more than as given, and those that Harmos takes."""
 STEP_FACTORS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
 """Increments of the load steps, over those of the scene as given."""
 ACCURACIES = (3e-2, 1e-2, 1e-3, 1e-4, 1e-5)
@@ -132,7 +134,7 @@ def _mesh(document: Document) -> Knob:
     else:
         given_splits = int(document.value("Mesh/Refine", "0"))
         levels = [Level(f"split {n} times", (Entry("Mesh/Refine", "int", str(n)),), 2.0 ** (given_splits - n))
-                  for n in range(max(0, given_splits - 2), min(8, given_splits + 3) + 1)]
+                  for n in range(max(0, given_splits - COARSER), min(MOST, given_splits + FINER) + 1)]
     return Knob("mesh", Role.MESH, tuple(levels), next(i for i, level in enumerate(levels) if level.size == 1.0))
 
 
