@@ -24,7 +24,8 @@ struct LatinOptions {
   double relaxation = 0.8;                       ///< of Algorithm::relaxed [-], in (0, 1]
   int memory = 30;                               ///< differences that the acceleration keeps per load step
   /// How often a march that stagnates may go on with a tenth of the search direction; where that leads nowhere, the run
-  /// begins anew with a tenth of it and one restart less. After such a run the fixed point keeps the last one.
+  /// begins anew with a tenth of it and one restart less, then without any. After such a run the fixed point keeps the
+  /// last one.
   int restarts = 2;
   /// Whether displacements are counted from the rigid motion of each body where round-off asks for it, see
   /// FixedPoint::recentre(); after such a run the fixed point keeps these motions.

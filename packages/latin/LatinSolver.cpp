@@ -39,8 +39,8 @@ constexpr int leastStepsOfBlock = 4;
 // Of the linear stages of a run: a first try whose restarts have led to no certificate is given up for one that has the
 // softer search direction from the beginning.
 constexpr double shareOfFirstTry = 0.5;
-// Marches in a row that have not brought all load steps near enough, after which it is given up as well; those in which
-// k has become softer count, too.
+// Marches in a row that have not brought all load steps near enough, after which a try with a softer search direction
+// is given up for the next one; those in which it has become softer count, too.
 constexpr int maximumMarchesInVain = 2;
 // Each takes what the one before has left of the motions of bodies.
 constexpr int maximumRecentrings = 3;
@@ -152,24 +152,38 @@ int LatinSolver::stageLimit() const {
 
 void LatinSolver::march(LatinResult& result, March::Guess guess) {
   stagesOfCertificates_ = 0;
+  const auto hasFailed = [&] {
+    return result.outcome == Outcome::iterationLimit && isSofter() && stages() < options_.maximumIterations;
+  };
+  mayGiveUp_ = true;
   endWhenSofter_ = static_cast<int>(shareOfFirstTry * options_.maximumIterations);
   tryToMarch(result, guess, options_.restarts);
-  if (result.outcome == Outcome::iterationLimit && isSofter() && stages() < options_.maximumIterations) {
+  endWhenSofter_ = options_.maximumIterations;
+  if (hasFailed()) {
     // What leads nowhere may be what restarts have carried along, or what load steps are extrapolated to. Where laws
     // soften, or loads are to be found, that chooses the branch.
     const bool isBranch = assembly_.softens() || assembly_.path;
-    takeBack(result);
-    result.solvedSteps = 0;
-    estimates_.clear();
-    fixedPoint_.uncentre(alpha_);
-    const double scale = March::softer * options_.stages.searchDirectionScale;
-    if (fixedPoint_.searchDirectionScale() != scale) fixedPoint_.rescale(scale);
-    certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
-    alpha_.putScalar(0.0);
-    endWhenSofter_ = options_.maximumIterations;
+    beginAnew(result, March::softer);
     tryToMarch(result, isBranch ? March::Guess::extrapolation : March::Guess::nothing, options_.restarts - 1);
   }
+  if (hasFailed()) {
+    // Bodies that slide without end are found sooner than with softer lines.
+    mayGiveUp_ = false;
+    beginAnew(result, 1.0);
+    tryToMarch(result, March::Guess::extrapolation, 0);
+  }
   result.iterations = stages() - stagesOfCertificates_;
+}
+
+void LatinSolver::beginAnew(LatinResult& result, double times) {
+  takeBack(result);
+  result.solvedSteps = 0;
+  estimates_.clear();
+  fixedPoint_.uncentre(alpha_);
+  const double scale = times * options_.stages.searchDirectionScale;
+  if (fixedPoint_.searchDirectionScale() != scale) fixedPoint_.rescale(scale);
+  certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
+  alpha_.putScalar(0.0);
 }
 
 void LatinSolver::takeBack(LatinResult& result) {
@@ -254,7 +268,7 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
       isOver = false;
       inVain = 0;
     }
-  } while (!isOver && (inVain < maximumMarchesInVain || stageLimit() == options_.maximumIterations));
+  } while (!isOver && !(inVain >= maximumMarchesInVain && mayGiveUp_ && isSofter()));
   result.parts = march.parts();
   result.snaps = march.snaps();
   if (end == March::End::noEquilibrium) {

@@ -77,12 +77,13 @@ class LatinSolver {
   /// Takes a certificate back where a law answers the lines of other search directions otherwise, see checkLaws().
   void demandGraphs(LatinResult& result);
   /// Load step after load step; where restarts of the march lead nowhere, from the beginning with the softer search
-  /// direction that they begin with, and from nothing at every load step, unless laws soften or loads are to be found.
+  /// direction that they begin with, and from nothing at every load step, unless laws soften or loads are to be found;
+  /// where that leads nowhere either, as at first without restarts.
   void march(LatinResult& result, March::Guess guess);
   /// Collective. The residual that the first march goes to, over the size of the forces.
   double firstTolerance() const;
-  /// One try: marches to ever smaller residuals, until the certificate claims, or too little has come of them and a
-  /// second try is left.
+  /// One try: marches to ever smaller residuals, until the certificate claims, or too little has come of them and
+  /// another try is left.
   void tryToMarch(LatinResult& result, March::Guess guess, int restarts);
   /// Whether the search direction is softer now than the options want it.
   bool isSofter() const;
@@ -96,6 +97,8 @@ class LatinSolver {
   /// Estimates round-off in alpha_, whose iterate is given or null, adds it to the estimates, and says in `result` if
   /// it is too much; true when it is not, and the sum is within the accuracy.
   bool standsRoundOff(const Iterate* iterate, LatinResult& result);
+  /// Takes back all that a try has come to, for another one with so many times the search direction of the options.
+  void beginAnew(LatinResult& result, double times);
   /// Forgets an outcome, and what is known of round-off, before the run goes on with other states.
   void takeBack(LatinResult& result);
   /// Names of the promised quantities, as Snapshot::distance() has them.
@@ -121,6 +124,7 @@ class LatinSolver {
   const Iterate* certified_ = nullptr;  // of alpha_, where the certificate has left it at hand
   int stagesBefore_ = 0;
   int stagesOfCertificates_ = 0;
+  bool mayGiveUp_ = false;         // another try is left
   int endWhenSofter_ = 0;          // linear stages at which a try ends, once its search direction is softer
   bool knowsRoundOff_ = false;     // of a state of this run
   std::vector<double> estimates_;  // of the last certificate that was conclusive; empty: none was

@@ -132,7 +132,11 @@ bool March::mayTryNewton() const {
 bool March::solveByNewton(const Iterate& iterate, base::Matrix& state, double target) {
   base::Matrix beta(state.numRows(), 1);  // a copy: the field goes with the next solve
   beta.assign(iterate.beta());
-  const bool isReached = newton_->solve(state, beta, target, mustStop_).isReached;
+  bool isReached = newton_->solve(state, beta, target, mustStop_).isReached;
+  if (!isReached && !fixedPoint_.assembly().softens()) {
+    // Its steps may go to and fro between kinks that the way of small iterations goes along.
+    isReached = newton_->settle(state, beta, target, mustStop_).isReached;
+  }
   newtonFailures_ = isReached ? 0 : newtonFailures_ + 1;
   return isReached;
 }

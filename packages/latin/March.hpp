@@ -15,12 +15,13 @@ namespace harmos::latin {
 /// friction than to iterate all load steps at once. Each step iterates with Anderson acceleration until |T(alpha) -
 /// alpha| <= tolerance |f^| in the state metric, |f^| the largest of the steps so far. Bodies that fly freely are set
 /// down on what stops them (EquilibriumWatch), relaxed iterations help to find them. Where a step stagnates, StepNewton
-/// is tried. When that fails as well, the search direction k was too stiff for what the bodies do (sliding, hanging on
-/// soft springs): the march goes on with a tenth of it, at most `restarts` times, unless the tolerance is so small that
-/// round-off may be why. Neither where all laws are affine, for then the acceleration is a Krylov method. Where laws
-/// soften, Newton's method comes first, then the load step in parts (StepContinuation), then what it comes to rest at
-/// (StepNewton::settle()), and a step that cannot be solved ends the march: those after it would follow on nothing.
-/// Bodies are solved in single precision as long as its error is far below the residual. Displacement form only.
+/// is tried, by Newton's method and in pseudo-time. When both fail, the search direction k was too stiff for what the
+/// bodies do (sliding, hanging on soft springs): the march goes on with a tenth of it, at most `restarts` times, unless
+/// the tolerance is so small that round-off may be why. Neither where all laws are affine, for then the acceleration is
+/// a Krylov method. Where laws soften, Newton's method comes first, then the load step in parts (StepContinuation),
+/// then what it comes to rest at (StepNewton::settle()), and a step that cannot be solved ends the march: those after
+/// it would follow on nothing. Bodies are solved in single precision as long as its error is far below the residual.
+/// Displacement form only.
 class March {
  public:
   /// How a march ended.
@@ -87,7 +88,7 @@ class March {
   void predict(const base::Matrix& alpha, int step, double* state) const;
   /// Whether there is Newton's method, and it has not failed too often.
   bool mayTryNewton() const;
-  /// Tries it for a state whose iterate is given; false where it leads nowhere.
+  /// Tries it for a state whose iterate is given, then StepNewton::settle(); false where both lead nowhere.
   bool solveByNewton(const Iterate& iterate, base::Matrix& state, double target);
   /// Tries Newton's method for a whole load step, then for it in parts, where laws soften, and where the joint snaps on
   /// that way, goes to where it comes to rest; false where nothing leads anywhere, which leaves in `state` the best

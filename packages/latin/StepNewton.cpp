@@ -34,6 +34,9 @@ constexpr int shortPatience = 5;
 constexpr double progress = 0.9;
 // Of a way in pseudo-time: steps, errors of the implicit Euler method over |R| and what they make of the next step.
 constexpr int mostTimeSteps = 300;
+// Where no law softens, Newton's method mostly is enough: so many, and none that is shorter.
+constexpr int fewTimeSteps = 60;
+constexpr double leastTime = 1e-4;
 constexpr double largestTimeError = 0.5;
 constexpr double smallTimeError = 0.1;
 constexpr double shorterTime = 0.25;
@@ -221,7 +224,9 @@ StepNewton::Result StepNewton::settle(base::Matrix& state, const base::Matrix& b
   Result result;
   result.residual = evaluate();
   double time = 1.0;
-  for (int number = 0; number < mostTimeSteps && !(result.residual <= enough(target)); ++number) {
+  const int most = isDamped_ ? mostTimeSteps : fewTimeSteps;
+  const double least = isDamped_ ? 0.0 : leastTime;
+  for (int number = 0; number < most && time >= least && !(result.residual <= enough(target)); ++number) {
     if (mustStop && mustStop()) break;
     tangent_->differentiate(0, fixedPoint_.pointwiseStage(), 1.0 / time);
     const CorrectionSpace::LeastSquares direction = leastSquares(leastForcing * result.residual);

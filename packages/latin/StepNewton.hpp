@@ -64,8 +64,8 @@ class StepNewton {
   /// Collective, one load step selected. Goes the way d alpha/d tau = R(alpha) until |R| <= target, from a state and
   /// its beta: from where no solution is near to one that the joint comes to rest at, a stable one of the iteration
   /// alpha <- T(alpha). Each step solves (1 / tau + I - J) d = R, and is taken where the implicit Euler method for it,
-  /// R(alpha + d) = d / tau, holds to half of |R|; tau is then doubled at least, otherwise a quarter. `state` is as it
-  /// was where that leads nowhere.
+  /// R(alpha + d) = d / tau, holds to half of |R|; tau is then doubled at least, otherwise a quarter. Where no law
+  /// softens, it gives up soon. `state` is as it was where that leads nowhere.
   /// Source: pseudo-transient continuation, Kelley, Keyes (1998), doi:10.1137/S0036142996304796.
   Result settle(base::Matrix& state, const base::Matrix& beta, double target, const std::function<bool()>& mustStop);
 

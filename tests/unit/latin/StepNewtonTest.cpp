@@ -30,9 +30,9 @@ struct Cubes {
   int rows() const { return fixedPoint.layout().rows(); }
   long columns() const { return fixedPoint.linearStage().columns(); }
 
-  /// Solves the first load steps in turn from a state of all zeros, each to |R| <= target, and returns |R| of the last
-  /// one as an iteration finds it.
-  double solve(int count, double target) {
+  /// Solves the first load steps in turn from a state of all zeros, each to |R| <= target, by Newton's method or in
+  /// pseudo-time, and returns |R| of the last one as an iteration finds it.
+  double solve(int count, double target, bool inPseudoTime = false) {
     fixedPoint.startUnloaded();
     double size = 0.0;
     for (int t = 0; t < count; ++t) {
@@ -41,7 +41,7 @@ struct Cubes {
       base::Matrix image(rows(), 1);
       const base::Matrix beta(fixedPoint.apply(state, image).beta());
       const long before = columns();
-      result = newton.solve(state, beta, target, {});
+      result = inPseudoTime ? newton.settle(state, beta, target, {}) : newton.solve(state, beta, target, {});
       solved = columns() - before;
       fixedPoint.apply(state, image);
       fixedPoint.startFromHere();
@@ -103,6 +103,24 @@ TEST(StepNewton, FollowsTheHistoryOfFriction) {
   base::Matrix alpha(cubes.rows(), cubes.steps), image(alpha);
   ASSERT_EQ(March(cubes.fixedPoint, 30, 1e-3, 0).run(alpha, 1e-11, March::Guess::extrapolation), March::End::reached);
   for (int row = 0; row < cubes.rows(); ++row) EXPECT_NEAR(cubes.state[0][row], alpha[cubes.steps - 1][row], 1e-5);
+}
+
+TEST(StepNewton, ComesInPseudoTimeToWhatNewtonsMethodFinds) {
+  Cubes one = rubbing(), other = rubbing();
+  EXPECT_LE(one.solve(one.steps, 1e-9), 1e-9);
+  // Small beside forces of 4: each residual is felt in the next load step.
+  EXPECT_LE(other.solve(other.steps, 1e-9, true), 1e-8);
+  EXPECT_TRUE(other.result.isReached);
+  for (int row = 0; row < one.rows(); ++row) EXPECT_NEAR(other.state[0][row], one.state[0][row], 1e-7);
+}
+
+// A cube that is pulled off flies for ever: soon no more is tried, and the state is as it was.
+TEST(StepNewton, GivesUpInPseudoTimeWhereNothingHolds) {
+  Cubes cubes(laws::makeLaw("Unilateral Contact"), laws::makeLaw("Pressure", {{"Pressure", -2.0}}), 1);
+  EXPECT_GT(cubes.solve(1, 1e-7, true), 1e-3);
+  EXPECT_FALSE(cubes.result.isReached);
+  EXPECT_LE(cubes.solved, 60);
+  for (int row = 0; row < cubes.rows(); ++row) EXPECT_EQ(cubes.state[0][row], 0.0);
 }
 
 // The gap closes after a way that the tangents of an open contact know nothing of, and has no scale of the cubes.
