@@ -107,7 +107,9 @@ expect 0 '"earlier_run"' cat "removed/${name}_result.json"
 for file in .e _interfaces.e _history.csv _effective.xml; do
   expect 0 '^$' cmp "old/$name$file" "removed/$name$file"
 done
-rm -rf removed
+until rm -rf removed 2>removed.txt; do # something was just being written
+  sleep 0.05
+done
 kill -INT $process
 wait $process
 expect 0 '^1$' echo $?
