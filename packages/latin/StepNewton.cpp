@@ -34,9 +34,11 @@ constexpr int shortPatience = 5;
 constexpr double progress = 0.9;
 // Of a way in pseudo-time: steps, errors of the implicit Euler method over |R| and what they make of the next step.
 constexpr int mostTimeSteps = 300;
-// Where no law softens, Newton's method mostly is enough: so many, and none that is shorter.
+// Where no law softens, Newton's method mostly is enough: so many, none that is shorter, and none after a longer one,
+// in which a body slides without end.
 constexpr int fewTimeSteps = 60;
 constexpr double leastTime = 1e-4;
+constexpr double longestTime = 1e6;
 constexpr double largestTimeError = 0.5;
 constexpr double smallTimeError = 0.1;
 constexpr double shorterTime = 0.25;
@@ -225,8 +227,8 @@ StepNewton::Result StepNewton::settle(base::Matrix& state, const base::Matrix& b
   result.residual = evaluate();
   double time = 1.0;
   const int most = isDamped_ ? mostTimeSteps : fewTimeSteps;
-  const double least = isDamped_ ? 0.0 : leastTime;
-  for (int number = 0; number < most && time >= least && !(result.residual <= enough(target)); ++number) {
+  for (int number = 0; number < most && !(result.residual <= enough(target)); ++number) {
+    if (!isDamped_ && (time < leastTime || time > longestTime)) break;
     if (mustStop && mustStop()) break;
     tangent_->differentiate(0, fixedPoint_.pointwiseStage(), 1.0 / time);
     const CorrectionSpace::LeastSquares direction = leastSquares(leastForcing * result.residual);
