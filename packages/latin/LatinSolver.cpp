@@ -155,7 +155,6 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
   const auto hasFailed = [&] {
     return result.outcome == Outcome::iterationLimit && isSofter() && stages() < options_.maximumIterations;
   };
-  mayGiveUp_ = true;
   endWhenSofter_ = static_cast<int>(shareOfFirstTry * options_.maximumIterations);
   tryToMarch(result, guess, options_.restarts);
   endWhenSofter_ = options_.maximumIterations;
@@ -167,8 +166,8 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
     tryToMarch(result, isBranch ? March::Guess::extrapolation : March::Guess::nothing, options_.restarts - 1);
   }
   if (hasFailed()) {
-    // Bodies that slide without end are found sooner than with softer lines.
-    mayGiveUp_ = false;
+    // Bodies that slide without end are found sooner than with softer lines. Nothing makes these softer any more, so
+    // that this try is not given up.
     beginAnew(result, 1.0);
     tryToMarch(result, March::Guess::extrapolation, 0);
   }
@@ -268,7 +267,7 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
       isOver = false;
       inVain = 0;
     }
-  } while (!isOver && !(inVain >= maximumMarchesInVain && mayGiveUp_ && isSofter()));
+  } while (!isOver && !(inVain >= maximumMarchesInVain && isSofter()));
   result.parts = march.parts();
   result.snaps = march.snaps();
   if (end == March::End::noEquilibrium) {

@@ -124,7 +124,6 @@ class LatinSolver {
   const Iterate* certified_ = nullptr;  // of alpha_, where the certificate has left it at hand
   int stagesBefore_ = 0;
   int stagesOfCertificates_ = 0;
-  bool mayGiveUp_ = false;         // another try is left
   int endWhenSofter_ = 0;          // linear stages at which a try ends, once its search direction is softer
   bool knowsRoundOff_ = false;     // of a state of this run
   std::vector<double> estimates_;  // of the last certificate that was conclusive; empty: none was

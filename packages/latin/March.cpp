@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <harmos/base/Numerals.hpp>
+#include <harmos/latin/Extrapolation.hpp>
 #include <harmos/latin/StepContinuation.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
 #include <harmos/latin/detail/ImageNoise.hpp>
@@ -50,34 +51,6 @@ constexpr int mostSofteningSteps = 15;
 constexpr double leastForRestart = 3e-4;
 
 }  // namespace
-
-void extrapolate(const base::Matrix& alpha, int step, const std::vector<double>& times, double* state) {
-  const auto t = static_cast<std::size_t>(step);
-  const double ratio = step < 2 ? 0.0 : (times[t] - times[t - 1]) / (times[t - 1] - times[t - 2]);
-  for (int row = 0; row < alpha.numRows(); ++row) {
-    const double last = step > 0 ? alpha[step - 1][row] : 0.0;
-    state[row] = step < 2 ? last : last + ratio * (last - alpha[step - 2][row]);
-  }
-}
-
-double March::growth(int step) const {
-  if (step == 0) return 0.0;
-  const std::vector<double>& values = fixedPoint_.assembly().path->values;
-  const double last = values[step - 1] - (step > 1 ? values[step - 2] : 0.0);
-  return last != 0.0 ? (values[step] - values[step - 1]) / last : 0.0;
-}
-
-void March::predict(const base::Matrix& alpha, int step, double* state) const {
-  if (!fixedPoint_.assembly().path) {
-    extrapolate(alpha, step, fixedPoint_.assembly().times, state);
-    return;
-  }
-  const double times = growth(step);
-  for (int row = 0; row < alpha.numRows(); ++row) {
-    const double last = step > 0 ? alpha[step - 1][row] : 0.0, earlier = step > 1 ? alpha[step - 2][row] : 0.0;
-    state[row] = last + times * (last - earlier);
-  }
-}
 
 March::March(FixedPoint& fixedPoint, int memory, double accuracy, int restarts)
     : fixedPoint_(fixedPoint),
@@ -161,7 +134,7 @@ bool March::solveSoftening(int step, const Iterate& iterate, const base::Matrix&
   if (!isKnown) {
     if (step > 0) std::copy_n(alpha[step - 1], rows, before[0]);
     StepContinuation::Way way{base::Matrix(rows, 1)};
-    if (isPath) way.times = growth(step);
+    if (isPath) way.times = growthAlong(fixedPoint_.assembly().path->values, step);
     if (step > 1) std::copy_n(alpha[step - 2], rows, way.from[0]);
     const StepContinuation::Result result =
         StepContinuation(fixedPoint_, *newton_).solve(step, before, way, state, least, share, mustStop_);
@@ -390,7 +363,11 @@ March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {
     if (end == End::reached) {
       switch (guess) {
         case Guess::extrapolation:
-          predict(alpha, t, state[0]);
+          if (fixedPoint_.assembly().path) {
+            extrapolateAlong(alpha, t, fixedPoint_.assembly().path->values, state[0]);
+          } else {
+            extrapolate(alpha, t, fixedPoint_.assembly().times, state[0]);
+          }
           break;
         case Guess::nothing:
           state.putScalar(0.0);

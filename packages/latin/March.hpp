@@ -81,11 +81,6 @@ class March {
   const std::vector<bool>& snaps() const { return snaps_; }
 
  private:
-  /// How many times as far the state of a path is expected to go in a load step as in the one before: what is
-  /// controlled says it, and it was 0 at the unloaded start. 0: nothing is known.
-  double growth(int step) const;
-  /// A load step from those before it: linear in time, or along a path in what is controlled.
-  void predict(const base::Matrix& alpha, int step, double* state) const;
   /// Whether there is Newton's method, and it has not failed too often.
   bool mayTryNewton() const;
   /// Tries it for a state whose iterate is given, then StepNewton::settle(); false where both lead nowhere.
@@ -133,8 +128,5 @@ class March {
   /// nothing is known of it.
   double harmless_ = 0.0;
 };
-
-/// The column of a load step from the two before it, linear in time; `state` has the rows of alpha.
-void extrapolate(const base::Matrix& alpha, int step, const std::vector<double>& times, double* state);
 
 }  // namespace harmos::latin

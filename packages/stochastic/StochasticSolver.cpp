@@ -8,6 +8,7 @@
 
 #include <harmos/assembly/AssemblyCheck.hpp>
 #include <harmos/base/Error.hpp>
+#include <harmos/latin/Extrapolation.hpp>
 #include <harmos/stochastic/detail/ModalAssembly.hpp>
 
 namespace harmos::stochastic {

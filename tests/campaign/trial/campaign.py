@@ -45,9 +45,9 @@ def try_scene(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path,
     judgement = judge(scene, run, answer)
     if judgement.verdict is Verdict.WRONG and answer.histories:
         judgement = judge(scene, run, finer(scene, answer))
-    if judgement.verdict is Verdict.WRONG and answer.histories:
-        near = follow(answer, read_displacements(place / "results" / "scene.e", scene.mesh))
-        judgement = judge_again(scene, run, near, judgement)
+        if judgement.verdict is Verdict.WRONG:
+            near = follow(answer, read_displacements(place / "results" / "scene.e", scene.mesh))
+            judgement = judge_again(scene, run, near, judgement)
     seconds = time.monotonic() - start
     matching = _matching_stages(name, seed, program, place / "matching", limit) if run.ending is Ending.CERTIFIED else None
     if judgement.verdict in EXPECTED:

@@ -137,7 +137,7 @@ def _judge_again(scene: Scene, said: Configuration, fields: list[Floats], accura
     is added to these, for other configurations."""
     configured = with_values(scene, said.values)
     problem = assemble(configured)
-    for found in (one for displacement in list(fields) for one in equilibria_near(configured, problem, displacement)):
+    for found in (one for displacement in fields for one in equilibria_near(configured, problem, displacement)):
         values = {one.name: found.response(one) for one in scene.responses}
         sizes = {one.name: found.size(one) for one in scene.responses}
         if _largest_error(said, values, sizes, accuracy)[0] <= 1 + _TIGHTER:

@@ -108,7 +108,7 @@ TEST(StepNewton, FollowsTheHistoryOfFriction) {
 TEST(StepNewton, ComesInPseudoTimeToWhatNewtonsMethodFinds) {
   Cubes one = rubbing(), other = rubbing();
   EXPECT_LE(one.solve(one.steps, 1e-9), 1e-9);
-  // Small beside forces of 4: each residual is felt in the next load step.
+  // What many small steps have added up to is a little rougher than the image that an iteration finds anew.
   EXPECT_LE(other.solve(other.steps, 1e-9, true), 1e-8);
   EXPECT_TRUE(other.result.isReached);
   for (int row = 0; row < one.rows(); ++row) EXPECT_NEAR(other.state[0][row], one.state[0][row], 1e-7);
