@@ -28,6 +28,8 @@ constexpr double ordinary = 2.0;
 constexpr double damping = 2e-7;
 // Of new columns of Q: more are orthonormalised among themselves, by products with vectors, than matrices gain.
 constexpr int columnsAtOnce = 32;
+// Of the columns, for which there is room from the first one on: what is copied when they grow takes new memory.
+constexpr int leastRoom = 4;
 
 base::Matrix dense(const std::vector<std::vector<double>>& triangle, int size) {
   base::Matrix matrix(size, size);
@@ -153,7 +155,7 @@ bool CorrectionSpace::makeIndependent(double* v) const {
 
 void CorrectionSpace::makeRoom(std::vector<double>& columns, int count) const {
   const std::size_t wanted = columns.size() + at(count);
-  if (columns.capacity() < wanted) columns.reserve(std::max(wanted, columns.size() + columns.size() / 4));
+  if (columns.capacity() < wanted) columns.reserve(std::max({wanted, columns.size() + columns.size() / 2, at(leastRoom)}));
 }
 
 void CorrectionSpace::add(const double* v, const double* y) {

@@ -12,6 +12,7 @@ StressSamples::StressSamples(const elasticity::ElasticPart& part, const base::Ma
                               position.insert(position.end(), element.position, element.position + element.points);
                               volume.insert(volume.end(), element.volume, element.volume + element.points);
                               const double* values = element.stress();
+                              if (stress.empty()) stress.reserve(width * element.points * part.piece.elements.size());
                               stress.insert(stress.end(), values, values + width * element.points);
                             });
   first.push_back(position.size());
