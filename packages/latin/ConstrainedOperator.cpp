@@ -22,7 +22,7 @@ std::vector<int> traceOf(const substructure::BoundaryTerm& term) {
   for (std::size_t dof = 0; dof < term.diagonal.size(); ++dof) {
     if (term.diagonal[dof] != 0.0) nodes.insert(static_cast<int>(dof) / term.dimension);
   }
-  for (const substructure::BoundaryTerm::NodeEntry& entry : term.entries) nodes.insert(entry.row);
+  for (const substructure::MatrixEntry& entry : term.entries) nodes.insert(entry.row);
   std::vector<int> dofs;
   for (const int node : nodes) {
     for (int c = 0; c < term.dimension; ++c) dofs.push_back(node * term.dimension + c);
@@ -117,7 +117,7 @@ void ConstrainedOperator::multiply(const double* u, const std::vector<int>& rows
     }
     result[i] = sum;
   }
-  for (const substructure::BoundaryTerm::NodeEntry& entry : term_.entries) {
+  for (const substructure::MatrixEntry& entry : term_.entries) {
     const int at = placeOf(rows, entry.row * term_.dimension);
     if (at < 0) continue;
     for (int c = 0; c < term_.dimension; ++c) {

@@ -25,7 +25,7 @@ HeldStencil::HeldStencil(const substructure::CrsView& stiffness, const substruct
       addNode(all, stiffness.columns[k] / term.dimension);
     }
   }
-  for (const substructure::BoundaryTerm::NodeEntry& entry : term.entries) {
+  for (const substructure::MatrixEntry& entry : term.entries) {
     if (held.count(entry.row * term.dimension) > 0) addNode(all, entry.column);
   }
   dofs_.assign(all.begin(), all.end());

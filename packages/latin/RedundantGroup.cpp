@@ -5,27 +5,13 @@
 #include <map>
 #include <utility>
 
-#include <harmos/base/DisjointSets.hpp>
+#include <harmos/assembly/NodeClusters.hpp>
 
 namespace harmos::latin {
 namespace {
 
-// What is done with a group takes dense algebra of its size.
-constexpr std::size_t mostPairs = 60;
-
-using Node = std::pair<int, int>;  // body, node
-
-/// Nodes that pairs join.
-struct Joined {
-  std::map<Node, int> numbers;
-  base::DisjointSets sets;
-  /// Number of a node, new or not.
-  int number(const Node& node) {
-    const auto [at, isNew] = numbers.emplace(node, static_cast<int>(sets.size()));
-    if (isNew) sets.add();
-    return at->second;
-  }
-};
+using assembly::NodeClusters;
+using Node = NodeClusters::Node;
 
 bool hasUnknowns(const assembly::Interface& interface, int index, const EliminatedBoundaries& eliminated) {
   return !interface.law->prescribesTraction() && !eliminated.contains(index) && interface.mass.empty();
@@ -37,13 +23,6 @@ const EliminatedBoundaries::Node* heldNode(const EliminatedBoundaries& eliminate
                                    [](const auto& one, int wanted) { return one.node < wanted; });
   return at != nodes.end() && at->node == node.second && at->isHeld ? &*at : nullptr;
 }
-
-/// What is known of the nodes that hang together.
-struct Cluster {
-  int nodes = 0, links = 0, ends = 0;  // ends: on the ground, or at held nodes
-  std::vector<RedundantGroup::Pair> pairs;
-  bool mayHideTractions() const { return !pairs.empty() && (links >= nodes || ends > 1); }
-};
 
 using Holders = std::map<Node, std::vector<RedundantGroup::Holder>>;
 
@@ -78,43 +57,16 @@ std::vector<RedundantGroup> findHeldGroups(const assembly::Assembly& assembly, c
 
 std::vector<RedundantGroup> findRedundantGroups(const assembly::Assembly& assembly,
                                                 const EliminatedBoundaries& eliminated) {
-  Joined joined;
-  const auto visit = [&](const auto& action) {
-    for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-      const assembly::Interface& interface = assembly.interfaces[i];
-      if (!hasUnknowns(interface, static_cast<int>(i), eliminated)) continue;
-      for (int p = 0; p < interface.pairs(); ++p) action(static_cast<int>(i), interface, p);
-    }
-  };
-  const auto firstOf = [&](const assembly::Interface& interface, int p) {
-    return joined.number({interface.body1, interface.trace1.row(p).begin()->node});
-  };
-  visit([&](int, const assembly::Interface& interface, int p) {
-    const int first = firstOf(interface, p);
-    for (int side = 0; side < interface.sides(); ++side) {
-      for (const auto& entry : interface.trace(side).row(p))
-        joined.sets.join(first, joined.number({interface.body(side), entry.node}));
-    }
-  });
-
-  std::vector<Cluster> clusters(joined.sets.size());
-  for (const auto& [node, number] : joined.numbers) {
-    Cluster& cluster = clusters[joined.sets.root(number)];
-    ++cluster.nodes;
-    if (heldNode(eliminated, node) != nullptr) ++cluster.ends;
-  }
-  visit([&](int index, const assembly::Interface& interface, int p) {
-    Cluster& cluster = clusters[joined.sets.root(firstOf(interface, p))];
-    ++(interface.sides() == 2 ? cluster.links : cluster.ends);
-    cluster.pairs.push_back({index, p, interface.area[p], {}});
-  });
-
+  const NodeClusters clusters(
+      assembly.interfaces, [&](int index) { return hasUnknowns(assembly.interfaces[index], index, eliminated); },
+      [&](const Node& node) { return heldNode(eliminated, node) != nullptr; });
   const Holders holders = holdersOf(assembly, eliminated);
   std::vector<RedundantGroup> groups;
-  for (Cluster& cluster : clusters) {
-    if (!cluster.mayHideTractions() || cluster.pairs.size() > mostPairs) continue;
+  for (const NodeClusters::Cluster& cluster : clusters.all()) {
+    if (!cluster.mayHideTractions()) continue;
     RedundantGroup group;
-    group.pairs = std::move(cluster.pairs);
+    for (const auto& [interface, pair] : cluster.pairs)
+      group.pairs.push_back({interface, pair, assembly.interfaces[interface].area[pair], {}});
     std::map<Node, int> rows;
     const int columns = 3 * static_cast<int>(group.pairs.size());
     group.equilibrium.shape(3 * cluster.nodes, columns);

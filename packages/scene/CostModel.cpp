@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <utility>
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/assembly/SideTerm.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/CorrectionSpace.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
@@ -160,29 +160,13 @@ substructure::BoundaryTerm boundaryOf(const std::vector<assembly::Interface>& in
   substructure::BoundaryTerm term;
   term.dimension = dimension;
   term.diagonal.assign(nodes * static_cast<std::size_t>(dimension), 0.0);
-  std::map<std::pair<int, int>, double> pairs;
   for (const assembly::Interface& interface : interfaces) {
     if (interface.law->prescribesTraction() || isEliminated(interface)) continue;
+    const std::vector<double> k(static_cast<std::size_t>(interface.pairs()), 1.0);
     for (int side = 0; side < interface.sides(); ++side) {
-      const mesh::TraceOperator& trace = interface.trace(side);
-      if (interface.body(side) != static_cast<int>(body)) continue;
-      const auto add = [&](int p, int q, double value) {
-        for (const auto& [row, rowWeight] : trace.row(p)) {
-          for (const auto& [column, columnWeight] : trace.row(q))
-            pairs[{row, column}] += rowWeight * columnWeight * value;
-        }
-      };
-      for (const mesh::MassEntry& entry : interface.mass) add(entry.row, entry.column, entry.value);
-      for (int p = 0; p < interface.pairs() && interface.mass.empty(); ++p) {
-        if (!trace.isSelection()) {
-          add(p, p, interface.area[p]);
-          continue;
-        }
-        for (int c = 0; c < dimension; ++c) term.diagonal[trace.node(p) * dimension + c] += interface.area[p];
-      }
+      if (interface.body(side) == static_cast<int>(body)) assembly::addSideTerm(interface, side, k, {}, term);
     }
   }
-  for (const auto& [place, value] : pairs) term.entries.push_back({place.first, place.second, value});
   for (const int row : heldOf(interfaces, body, dimension)) {
     if (row % dimension == 0) term.free.push_back({row / dimension, {}});
   }

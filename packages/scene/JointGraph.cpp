@@ -6,15 +6,13 @@
 #include <set>
 #include <utility>
 
+#include <harmos/assembly/NodeClusters.hpp>
 #include <harmos/base/DisjointSets.hpp>
 
 namespace harmos::scene {
 namespace {
 
 using assembly::Interface;
-
-// Groups of more pairs are not looked at, see latin::findRedundantGroups.
-constexpr int mostPairs = 60;
 
 /// Carries pressure, perhaps with friction, and no tension.
 bool presses(const Interface& interface) {
@@ -94,56 +92,23 @@ std::vector<int> heights(const std::vector<Interface>& interfaces, const Neighbo
 
 /// How many groups of nodes that pairs with friction link hang together in a ring, or at two ends that are held.
 double sharedNodes(const std::vector<Interface>& interfaces) {
-  using Node = std::pair<int, int>;  // body, node
-  std::map<Node, int> numbers;
-  base::DisjointSets joined;
-  const auto numberOf = [&](const Node& node) {
-    const auto [at, isNew] = numbers.try_emplace(node);
-    if (isNew) at->second = joined.add();
-    return at->second;
-  };
-  const auto firstOf = [&](const Interface& interface, int pair) {
-    return numberOf({interface.body1, interface.trace1.row(pair).begin()->node});
-  };
-  const auto forPairs = [&](const auto& action) {
-    for (const Interface& interface : interfaces) {
-      if (!presses(interface) || !interface.mass.empty()) continue;
-      for (int p = 0; p < interface.pairs(); ++p) action(interface, p);
-    }
-  };
-  forPairs([&](const Interface& interface, int p) {
-    const int first = firstOf(interface, p);
-    for (int side = 0; side < interface.sides(); ++side) {
-      for (const auto& [node, weight] : interface.trace(side).row(p))
-        joined.join(first, numberOf({interface.body(side), node}));
-    }
-  });
-  struct Cluster {
-    int nodes = 0, links = 0, ends = 0;
-    bool hasFriction = false;
-  };
-  std::vector<Cluster> clusters(numbers.size());
-  for (const auto& [node, number] : numbers) ++clusters[joined.root(number)].nodes;
-  forPairs([&](const Interface& interface, int p) {
-    Cluster& cluster = clusters[joined.root(firstOf(interface, p))];
-    ++(interface.sides() == 2 ? cluster.links : cluster.ends);
-    cluster.hasFriction = cluster.hasFriction || interface.law->admissibleTractions(0)->friction > 0.0;
-  });
-  std::set<Node> held;
+  using assembly::NodeClusters;
+  std::set<NodeClusters::Node> held;
   for (const Interface& interface : interfaces) {
     if (interface.sides() != 1 || interface.law->prescribesTraction() || presses(interface)) continue;
     for (int p = 0; p < interface.pairs(); ++p) {
       for (const auto& [node, weight] : interface.trace1.row(p)) held.emplace(interface.body1, node);
     }
   }
-  for (const Node& node : held) {
-    const auto at = numbers.find(node);
-    if (at != numbers.end()) ++clusters[joined.root(at->second)].ends;
-  }
-  const auto isShared = [](const Cluster& one) {
-    return one.hasFriction && one.links <= mostPairs && ((one.links > 0 && one.links >= one.nodes) || one.ends > 1);
+  const NodeClusters clusters(
+      interfaces, [&](int i) { return presses(interfaces[i]) && interfaces[i].mass.empty(); },
+      [&](const NodeClusters::Node& node) { return held.count(node) > 0; });
+  const auto hasFriction = [&](const NodeClusters::Pair& pair) {
+    return interfaces[pair.interface].law->admissibleTractions(0)->friction > 0.0;
   };
-  return static_cast<double>(std::count_if(clusters.begin(), clusters.end(), isShared));
+  return static_cast<double>(std::count_if(clusters.all().begin(), clusters.all().end(), [&](const auto& one) {
+    return one.mayHideTractions() && std::any_of(one.pairs.begin(), one.pairs.end(), hasFriction);
+  }));
 }
 
 /// Points along the longest side of the box around an interface.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <harmos/base/Tensor3.hpp>
+#include <harmos/substructure/MatrixEntry.hpp>
 
 namespace harmos::substructure {
 
@@ -12,22 +13,18 @@ namespace harmos::substructure {
 /// ground [force/length], symmetric and >= 0. P: block-diagonal projector onto the directions that no boundary holds; A
 /// acts on the others by themselves, with d [force/length] > 0 of the size of K.
 struct BoundaryTerm {
-  /// Adds `value` to the entry (row, column) of the diagonal block of every component c, that is to row dimension * row
-  /// + c and column dimension * column + c of the matrix.
-  struct NodeEntry {
-    int row;       ///< node of the body, from 0
-    int column;    ///< node of the body, from 0
-    double value;  ///< [force/length]
-  };
   /// A matrix that belongs to one node, in global axes; of a body in the plane the first two rows and columns count.
   struct NodeTensor {
     int node;             ///< of the body, from 0
     base::Tensor3 value;  ///< springs: [force/length]; projectors: [-]
   };
 
-  int dimension = 3;                ///< dofs per node, 2 or 3
-  std::vector<double> diagonal;     ///< k h per dof [force/length]; empty: none
-  std::vector<NodeEntry> entries;   ///< consistent interface mass times k: both triangles, repeated entries add up
+  int dimension = 3;             ///< dofs per node, 2 or 3
+  std::vector<double> diagonal;  ///< k h per dof [force/length]; empty: none
+  /// Consistent interface mass times k [force/length] between nodes of the body, from 0: both triangles, repeated
+  /// entries add up. A value is added for every component c, to row dimension * row + c and column dimension * column +
+  /// c of the matrix.
+  std::vector<MatrixEntry> entries;
   std::vector<NodeTensor> springs;  ///< s, repeated nodes add up
   std::vector<NodeTensor> free;     ///< P of the nodes at which it is not 1, each once
 };

@@ -57,7 +57,7 @@ Entries addedEntries(int rows, const BoundaryTerm& boundary, const std::string& 
   for (std::size_t row = 0; row < boundary.diagonal.size(); ++row) {
     if (boundary.diagonal[row] != 0.0) add(static_cast<int>(row), static_cast<int>(row), boundary.diagonal[row]);
   }
-  for (const BoundaryTerm::NodeEntry& entry : boundary.entries) {
+  for (const MatrixEntry& entry : boundary.entries) {
     for (int c = 0; c < dimension; ++c) add(entry.row * dimension + c, entry.column * dimension + c, entry.value);
   }
   for (const BoundaryTerm::NodeTensor& spring : boundary.springs) {

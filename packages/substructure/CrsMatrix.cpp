@@ -89,22 +89,6 @@ Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::vector<std::size_t>& rowP
   return makeCrsMatrix(std::move(rows));
 }
 
-void addUp(std::vector<MatrixEntry>& entries) {
-  const auto isBefore = [](const MatrixEntry& a, const MatrixEntry& b) {
-    return a.row < b.row || (a.row == b.row && a.column < b.column);
-  };
-  std::stable_sort(entries.begin(), entries.end(), isBefore);
-  std::size_t count = 0;
-  for (const MatrixEntry& entry : entries) {
-    if (count > 0 && !isBefore(entries[count - 1], entry)) {
-      entries[count - 1].value += entry.value;
-    } else {
-      entries[count++] = entry;
-    }
-  }
-  entries.resize(count);
-}
-
 Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(std::vector<MatrixEntry> entries, int rows) {
   addUp(entries);
   std::vector<std::size_t> pointers(static_cast<std::size_t>(rows) + 1, 0);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <harmos/base/Tpetra.hpp>
+#include <harmos/substructure/MatrixEntry.hpp>
 
 namespace harmos::substructure {
 
@@ -39,14 +40,6 @@ Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(CrsRows rows);
 Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(const std::vector<std::size_t>& rowPointers,
                                             const std::vector<int>& columns, const std::vector<double>& values);
 
-/// A value [any unit] at a place of a matrix, row and column from 0.
-struct MatrixEntry {
-  int row;
-  int column;
-  double value;
-};
-/// Sorts entries by row and column and adds up those of one place, in the order in which they were given.
-void addUp(std::vector<MatrixEntry>& entries);
 /// The same of entries in any order, which add up where they are repeated.
 Teuchos::RCP<base::CrsMatrix> makeCrsMatrix(std::vector<MatrixEntry> entries, int rows);
 

@@ -32,7 +32,7 @@ struct RedundantGroup {
 };
 
 /// All groups of an assembly; the same on every rank, not collective. Left out are interfaces with a consistent mass,
-/// whose nodes do not act one by one, and groups of more than mostPairs pairs.
+/// whose nodes do not act one by one, and groups of more than assembly::NodeClusters::mostPairs pairs.
 std::vector<RedundantGroup> findRedundantGroups(const assembly::Assembly& assembly,
                                                 const EliminatedBoundaries& eliminated);
 
