@@ -98,7 +98,8 @@ std::string holderIn(const std::string& text) {
   return holder;
 }
 
-/// The entries in which two inputs differ, one per line.
+/// The entries in which two inputs differ, one per line, or the first one that stands elsewhere: load steps follow one
+/// another, and a design runs through one parameter after the other.
 std::string differences(const results::Identity& before, const results::Identity& now) {
   constexpr int most = 12;
   const std::map<std::string, std::string> old(before.begin(), before.end()), present(now.begin(), now.end());
@@ -119,6 +120,9 @@ std::string differences(const results::Identity& before, const results::Identity
     if (present.count(name) == 0) add(name, "is not there any more, was " + value);
   }
   if (count > most) text += "  and " + std::to_string(count - most) + " more\n";
+  if (count > 0) return text;
+  const auto first = std::mismatch(now.begin(), now.end(), before.begin(), before.end());
+  if (first.first != now.end()) add(first.first->first, "stands before " + first.second->first + ", was behind it");
   return text;
 }
 

@@ -169,6 +169,14 @@ TEST_F(StudyFilesTest, JournalRefusesAnotherStudy) {
   EXPECT_TRUE(StudyJournal(files.journal, changed, true).results().empty());
 }
 
+TEST_F(StudyFilesTest, JournalRefusesEntriesInAnotherOrder) {
+  { StudyJournal(files.journal, description.identity, false).append(solved(1)); }
+  const results::Identity turned(description.identity.rbegin(), description.identity.rend());
+  const std::string message = messageOf([&] { StudyJournal(files.journal, turned, false); });
+  EXPECT_NE(message.find("  Study / Title stands before Scene / Values / mu, was behind it\n"), std::string::npos)
+      << message;
+}
+
 TEST_F(StudyFilesTest, JournalRefusesWhatIsNoJournal) {
   std::filesystem::create_directories(directory);
   std::ofstream(files.journal) << "something else\n";
