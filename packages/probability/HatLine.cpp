@@ -12,6 +12,10 @@ namespace {
 
 // Density of nodes where there is no probability, over the largest.
 constexpr double leastDensity = 1e-3;
+// How often what lies between two nodes is halved: nodes are far apart where there is little probability, and where
+// there is more than this share it may be at one place.
+constexpr int leastHalvings = 2, mostHalvings = 40;
+constexpr double mostOfCell = 4.0 / HatLine::last;
 
 /// The largest power of two that divides the number of a node that is neither end.
 int stepOf(int node) {
@@ -20,6 +24,26 @@ int stepOf(int node) {
 
 bool isEnd(int node) {
   return node == 0 || node == HatLine::last;
+}
+
+/// Integrals of 1, xi and xi^2 over what lies between two places.
+struct Moments {
+  double of1 = 0.0, ofXi = 0.0, ofXi2 = 0.0;
+};
+
+/// Adds what lies between a and b, not to exceed which have the probabilities `below` and `up`.
+void addBetween(double a, double b, double below, double up, int halved,
+                const std::function<double(double)>& cumulative, Moments& sum) {
+  const double probability = up - below;
+  if (halved < (probability > mostOfCell ? mostHalvings : leastHalvings)) {
+    const double half = 0.5 * (a + b), between = cumulative(half);
+    addBetween(a, half, below, between, halved + 1, cumulative, sum);
+    addBetween(half, b, between, up, halved + 1, cumulative, sum);
+    return;
+  }
+  sum.of1 += probability;
+  sum.ofXi += probability * (a + b) / 2.0;
+  sum.ofXi2 += probability * (a * a + a * b + b * b) / 3.0;
 }
 
 }  // namespace
@@ -45,14 +69,19 @@ HatLine::HatLine(double from, double to, const std::function<double(double)>& cu
   }
   germs_.push_back(to);
 
-  for (auto& moment : moments_) moment.push_back(0.0);
+  Moments sum;
   double below = 0.0;
+  const auto keep = [&] {
+    moments_[0].push_back(sum.of1);
+    moments_[1].push_back(sum.ofXi);
+    moments_[2].push_back(sum.ofXi2);
+  };
+  keep();
   for (std::size_t k = 0; k < last; ++k) {
-    const double a = germs_[k], b = germs_[k + 1], up = k + 1 < last ? cumulative(b) : 1.0, probability = up - below;
-    moments_[0].push_back(moments_[0].back() + probability);
-    moments_[1].push_back(moments_[1].back() + probability * (a + b) / 2.0);
-    moments_[2].push_back(moments_[2].back() + probability * (a * a + a * b + b * b) / 3.0);
+    const double up = k + 1 < last ? cumulative(germs_[k + 1]) : 1.0;
+    addBetween(germs_[k], germs_[k + 1], below, up, 0, cumulative, sum);
     below = up;
+    keep();
   }
 }
 

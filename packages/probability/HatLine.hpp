@@ -11,8 +11,9 @@ namespace harmos::probability {
 /// the middle, and hats on ever finer halvings. Each belongs to a node, where it is 1 and where all finer ones are 0.
 ///
 /// The nodes lie as densely as the cube root of the probability density, which gives the least error of the mean of a
-/// smooth function. Between two neighbouring nodes of the finest level the probability counts as evenly spread.
-/// Source: Ma, Zabaras, J. Comput. Phys. 228 (2009), doi:10.1016/j.jcp.2009.01.006, sec. 3.1 (the hierarchy).
+/// smooth function. Between two neighbouring nodes of the finest level the probability counts as evenly spread over
+/// each quarter; where there is much, as at the values of a sample, over ever smaller parts. Source: Ma, Zabaras, J.
+/// Comput. Phys. 228 (2009), doi:10.1016/j.jcp.2009.01.006, sec. 3.1 (the hierarchy).
 class HatLine {
  public:
   /// Nodes are numbered 0 to `last` from the lower end of the range to the upper.
@@ -34,6 +35,8 @@ class HatLine {
   static std::optional<int> parent(int node);
   /// The nodes whose hats refine this one: two of the middle, one of an end, none on the finest level, else two.
   static std::vector<int> children(int node);
+  /// First and last node of where the hat of a node is not zero.
+  static std::pair<int, int> support(int node);
   /// The hat of a node at a germ, 0 to 1; beyond the range its value at the end.
   double value(int node, double germ) const;
   /// Expectation of the hat of a node, 0 to 1. Not of a line that was made of positions, as product().
@@ -42,8 +45,6 @@ class HatLine {
   double product(int node, int other) const;
 
  private:
-  /// First and last node of what is not zero.
-  static std::pair<int, int> support(int node);
   /// The hat at a node; between the node itself and an end of its support it is linear.
   double valueAtNode(int node, int at) const { return value(node, germ(at)); }
 

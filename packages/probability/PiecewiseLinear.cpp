@@ -19,6 +19,9 @@ constexpr double decayByHalving = 0.25;
 // Weights of the smallest and the largest forecast of parents that disagree: mostly that means that the germs do not
 // interact; a tenth guards against a chance zero.
 constexpr double weightOfLeast = 0.9, weightOfMost = 0.1;
+// Of a tail that falls like an exponential function: what lies beyond a quarter of it, over the mean of all that does;
+// and the mean square over the square of the mean.
+constexpr double quarterOfTail = 1.386294361, squareOfTail = 2.0;
 
 /// Halvings from the middle to a node: 0 of the middle, 1 of the ends.
 int levelOf(int node) {
@@ -45,12 +48,15 @@ PiecewiseLinear::PiecewiseLinear(std::shared_ptr<const RandomVector> variables, 
   const auto size = static_cast<std::size_t>(dimension);
   const std::vector<double> from = variables_->germs(std::vector<double>(size, omitted));
   const std::vector<double> to = variables_->germs(std::vector<double>(size, 1.0 - omitted));
+  const std::vector<double> below = variables_->germs(std::vector<double>(size, omitted / 4.0));
+  const std::vector<double> beyond = variables_->germs(std::vector<double>(size, 1.0 - omitted / 4.0));
   for (std::size_t i = 0; i < size; ++i) {
     const Distribution& distribution = *variables_->variables()[i].distribution;
     const bool isIndependent = variables_->isIndependent();
     lines_.emplace_back(from[i], to[i], [&distribution, isIndependent](double germ) {
       return isIndependent ? distribution.cumulative(distribution.value(germ)) : normalCumulative(germ);
     });
+    tails_.push_back({(from[i] - below[i]) / quarterOfTail, (beyond[i] - to[i]) / quarterOfTail});
   }
 }
 
@@ -119,6 +125,61 @@ std::set<PiecewiseLinear::Node> PiecewiseLinear::candidates() const {
   return nodes;
 }
 
+std::vector<double> PiecewiseLinear::errorsOfTails() const {
+  const double omitted = omittedProbability();
+  std::vector<double> errors(points_.front().surpluses.size(), 0.0);
+  std::vector<double> middle;
+  for (const HatLine& line : lines_) middle.push_back(line.germ(HatLine::middle));
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    for (const bool isUpper : {false, true}) {
+      const int end = isUpper ? HatLine::last : 0, inside = isUpper ? end - 1 : 1;
+      const double excess = isUpper ? tails_[i].upper : tails_[i].lower;
+      std::vector<double> germs = middle;
+      germs[i] = lines_[i].germ(end);
+      const std::vector<double> atEnd = evaluate(germs);
+      germs[i] = lines_[i].germ(inside);
+      const std::vector<double> before = evaluate(germs);
+      const double length = std::abs(lines_[i].germ(end) - lines_[i].germ(inside));
+      for (std::size_t r = 0; r < errors.size(); ++r) {
+        const double deviation = standardDeviation(static_cast<int>(r));
+        if (!(deviation > 0.0)) continue;
+        const double distance = (atEnd[r] - mean(static_cast<int>(r))) / deviation;
+        const double further = (atEnd[r] - before[r]) / length * excess / deviation;
+        const double ofVariance = 2.0 * distance * further + squareOfTail * further * further;
+        errors[r] += omitted * std::max(std::abs(further), 0.5 * std::abs(ofVariance));
+      }
+    }
+  }
+  return errors;
+}
+
+std::vector<double> PiecewiseLinear::errorsOfCells() const {
+  std::vector<double> errors(points_.front().surpluses.size(), 0.0);
+  for (const Point& point : points_) {
+    const bool isFinest =
+        std::any_of(point.node.begin(), point.node.end(), [](int node) { return HatLine::children(node).empty(); });
+    if (!isFinest) continue;
+    std::vector<std::vector<double>> around{evaluate(germsOf(point.node))};
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const auto [left, right] = HatLine::support(point.node[i]);
+      for (const int side : {left, right}) {
+        Node other = point.node;
+        other[i] = side;
+        around.push_back(evaluate(germsOf(other)));
+      }
+    }
+    for (std::size_t r = 0; r < errors.size(); ++r) {
+      const double average = mean(static_cast<int>(r)), deviation = standardDeviation(static_cast<int>(r));
+      if (!(deviation > 0.0)) continue;
+      double distance = 1.0;
+      for (const std::vector<double>& values : around)
+        distance = std::max(distance, std::abs(values[r] - average) / deviation);
+      errors[r] += std::abs(point.surpluses[r]) * point.mean / deviation * distance;
+    }
+  }
+  return errors;
+}
+
 PiecewiseLinear::Outlook PiecewiseLinear::outlook() const {
   Outlook outlook;
   for (const Node& node : candidates()) outlook.shares[node] = 0.0;
@@ -164,16 +225,23 @@ std::vector<std::vector<double>> PiecewiseLinear::next() {
     const Outlook ahead = outlook();
     // Near a kink a surplus may be small by chance: one batch of points does not gain more than a factor.
     constexpr double mostGain = 3.0;
+    const std::vector<double> before = errors_;
+    const std::vector<double> ofTails = errorsOfTails(), ofCells = errorsOfCells();
+    errors_ = ahead.errors;
+    unseen_.assign(errors_.size(), 0.0);
     error_ = 0.0;
-    const bool isFirst = errors_.empty();
-    errors_.resize(ahead.errors.size());
+    bool isOver = true;
     for (std::size_t r = 0; r < errors_.size(); ++r) {
-      const double now = ahead.errors[r];
-      errors_[r] = isFirst || !(now > 0.0) ? now : std::max(now, errors_[r] / mostGain);
+      if (!before.empty() && errors_[r] > 0.0) errors_[r] = std::max(errors_[r], before[r] / mostGain);
+      unseen_[r] = ofTails[r] + ofCells[r];
       const int response = static_cast<int>(r);
-      if (options_.response.value_or(response) == response) error_ = std::max(error_, errors_[r]);
+      if (options_.response.value_or(response) != response) continue;
+      error_ = std::max(error_, errorIndicator(response));
+      // More points do not help against what is not seen.
+      const double rest = options_.tolerance - unseen_[r];
+      isOver = isOver && errors_[r] <= (rest > 0.0 ? rest : options_.tolerance);
     }
-    if (isReached()) return {};
+    if (isOver) return {};
     std::vector<std::pair<double, Node>> order;
     double total = 0.0;
     for (const auto& [node, share] : ahead.shares) {

@@ -16,7 +16,9 @@ namespace harmos::probability {
 ///
 /// Ask and tell: while `next` gives points, solve there and `tell` the values.
 /// Each germ ranges over all but the 3e-7 least probable of its values on either side (5 standard deviations of a
-/// normal one); beyond, responses count as constant. Source: Ma, Zabaras, J. Comput. Phys. 228 (2009) 3084,
+/// normal one); beyond, responses count as constant. What that leaves out of the moments, if they go on with the slope
+/// that they have there, counts among the errors, and so does what corrects the finest hats, which nothing refines.
+/// Source: Ma, Zabaras, J. Comput. Phys. 228 (2009) 3084,
 /// doi:10.1016/j.jcp.2009.01.006 (hierarchical surpluses, local refinement).
 class PiecewiseLinear {
  public:
@@ -68,7 +70,7 @@ class PiecewiseLinear {
   /// `next` brings it up to date.
   double errorIndicator() const { return error_; }
   /// The same of one response, from 0, whether it drives the refinement or not.
-  double errorIndicator(int response) const { return errors_[response]; }
+  double errorIndicator(int response) const { return errors_[response] + unseen_[response]; }
   /// Whether the indicator is not above the tolerance.
   bool isReached() const { return error_ <= options_.tolerance; }
 
@@ -92,6 +94,15 @@ class PiecewiseLinear {
   std::vector<Node> firstNodes() const;
   /// Nodes that refine a point and are none yet.
   std::set<Node> candidates() const;
+  /// What lies beyond the range of a germ: how far, on the average.
+  struct Tails {
+    double lower, upper;
+  };
+
+  /// Per response, relative to the standard deviation: what the moments lack of what lies beyond the range.
+  std::vector<double> errorsOfTails() const;
+  /// Likewise: what the corrections at the finest nodes, below which nothing can be seen, may change once more.
+  std::vector<double> errorsOfCells() const;
   /// From the surpluses of the points that the node would refine.
   std::vector<double> expectedSurpluses(const Node& node) const;
   Outlook outlook() const;
@@ -102,10 +113,12 @@ class PiecewiseLinear {
   std::shared_ptr<const RandomVector> variables_;
   Options options_;
   std::vector<HatLine> lines_;
+  std::vector<Tails> tails_;  // of every germ
   std::vector<Point> points_;
   std::map<Node, std::size_t> numbers_;  // of the points
   std::vector<Node> asked_;
-  std::vector<double> errors_;  // per response, once values were told
+  std::vector<double> errors_;  // per response, once values were told: what more points would change
+  std::vector<double> unseen_;  // likewise: what they would not
   double error_;
 };
 

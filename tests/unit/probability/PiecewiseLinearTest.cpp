@@ -10,6 +10,7 @@
 #include <harmos/probability/Normal.hpp>
 #include <harmos/probability/PiecewiseLinear.hpp>
 #include <harmos/probability/Quadrature.hpp>
+#include <harmos/probability/Sample.hpp>
 #include <harmos/probability/Uniform.hpp>
 #include <harmos/probability/detail/StandardNormal.hpp>
 
@@ -97,6 +98,47 @@ TEST(PiecewiseLinear, EndsWhenItsEstimateReachesTheToleranceAndTheErrorDoesToo) 
       EXPECT_NEAR(model.standardDeviation(0), deviation, tolerance * deviation)
           << distribution->name() << " " << tolerance;
     }
+  }
+}
+
+/// The rest has less probability than lies between two of the finest nodes, but tells mean and standard deviation.
+TEST(PiecewiseLinear, SaysThatItCannotSeeCloseEnough) {
+  const auto uniform = std::make_shared<Uniform>(0.1499, 0.9);
+  const auto model =
+      solved(vectorOf({uniform}), optionsOf(1e-4), {[](const auto& x) { return std::max(0.0, 0.15 - x[0]); }});
+  const double width = 0.9 - 0.1499, mean = 1e-4 * 1e-4 / 2.0 / width;
+  const double deviation = std::sqrt(1e-4 * 1e-4 * 1e-4 / 3.0 / width - mean * mean);
+  EXPECT_FALSE(model.isReached());
+  EXPECT_NEAR(model.mean(0), mean, model.errorIndicator() * model.standardDeviation(0));
+  EXPECT_NEAR(model.standardDeviation(0), deviation, model.errorIndicator() * model.standardDeviation(0));
+}
+
+/// Contact at 3.75 standard deviations: beyond 5 of them lies nearly a hundredth of the standard deviation.
+TEST(PiecewiseLinear, CountsWhatItsRangeLeavesOut) {
+  const auto normal = std::make_shared<Normal>(0.0, 1.0);
+  const auto model =
+      solved(vectorOf({normal}), optionsOf(1e-4), {[](const auto& x) { return std::max(0.0, x[0] - 3.75); }});
+  // Of max(0, x - a): the mean is p(a) - a Q(a), the mean square (1 + a^2) Q(a) - a p(a).
+  constexpr double a = 3.75, density = 0.3989422804014327 * 8.838263069350498e-04;
+  const double tail = normalCumulative(-a), mean = density - a * tail, square = (1.0 + a * a) * tail - a * density;
+  const double deviation = std::sqrt(square - mean * mean), found = model.standardDeviation(0);
+  EXPECT_GT(std::abs(found - deviation), 5e-3 * deviation);
+  EXPECT_LT(std::abs(found - deviation), 1.1 * model.errorIndicator() * found);  // a tail is no exponential function
+  EXPECT_FALSE(model.isReached());
+}
+
+TEST(PiecewiseLinear, TakesTheValuesOfASample) {
+  for (const std::vector<double>& values :
+       {std::vector<double>{0.1, 0.2}, std::vector<double>{0.03, 0.05, 0.05, 0.09, 0.15}}) {
+    const Sample sample(values);
+    const auto model = solved(vectorOf({std::make_shared<Sample>(sample)}), optionsOf(1e-5),
+                              {[](const auto& x) { return 3.0 - x[0]; }, [](const auto& x) { return x[0] * x[0]; }});
+    const auto [square, squareDeviation] = exactMoments(sample, [](const auto& x) { return x[0] * x[0]; });
+    EXPECT_TRUE(model.isReached());
+    EXPECT_NEAR(model.mean(0), 3.0 - sample.mean(), 1e-9);
+    EXPECT_NEAR(model.standardDeviation(0), sample.standardDeviation(), 1e-9);
+    EXPECT_NEAR(model.mean(1), square, 1e-5 * squareDeviation);
+    EXPECT_NEAR(model.standardDeviation(1), squareDeviation, 1e-5 * squareDeviation);
   }
 }
 
