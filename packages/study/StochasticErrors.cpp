@@ -30,8 +30,8 @@ constexpr double contradiction = 1.0 / 16.0, safetyWhenSmooth = 3.0;
 constexpr double believedOfKink = 0.5;
 // Error bars: share of predictions within so many standard deviations.
 constexpr double confidence = 0.95, confidentDeviations = 1.96;
-// Residual over the standard deviation from which on users are warned.
-constexpr double visibleKink = 0.01;
+// Residual over the standard deviation from which on users are warned, and error of the solutions over it.
+constexpr double visibleKink = 0.01, visibleSolverError = 0.1;
 
 /// By which a root mean square of a few errors is to be multiplied, so that 1.96 of it hold 95 % of normal errors.
 double smallSampleFactor(int holdOuts) {
@@ -46,18 +46,36 @@ bool mayHaveKinks(const Study& study) {
                      [](const auto& named) { return !named.second->isSmooth(); });
 }
 
-void addSolverErrors(const Study& study, const results::StudyResults& results, StochasticSummary& summary) {
-  for (std::size_t r = 0; r < summary.responses.size(); ++r) {
-    double largest = 0.0;
-    for (const results::ConfigurationResult& result : results.all()) {
-      const std::size_t curve = study.responses[r].curve;
-      const bool isKnown = results::isSolved(result.status) && curve < result.curveErrors.size();
-      if (isKnown && std::isfinite(result.curveErrors[curve])) largest = std::max(largest, result.curveErrors[curve]);
-    }
-    ResponseStatistics& response = summary.responses[r];
-    const double size = std::hypot(response.mean, response.standardDeviation);
-    response.iterationError = response.meanError = response.deviationError = errorOfMoments * largest * size;
+double solverError(const Study& study, const results::StudyResults& results, std::size_t response, double mean,
+                   double deviation) {
+  double largest = 0.0;
+  const std::size_t curve = study.responses[response].curve;
+  for (const results::ConfigurationResult& result : results.all()) {
+    const bool isKnown = results::isSolved(result.status) && curve < result.curveErrors.size();
+    if (isKnown && std::isfinite(result.curveErrors[curve])) largest = std::max(largest, result.curveErrors[curve]);
   }
+  return errorOfMoments * largest * std::hypot(mean, deviation);
+}
+
+void addSolverErrors(const Study& study, const results::StudyResults& results, StochasticSummary& summary) {
+  std::string hidden;
+  double worst = 0.0;
+  for (std::size_t r = 0; r < summary.responses.size(); ++r) {
+    ResponseStatistics& response = summary.responses[r];
+    const double deviation = response.standardDeviation;
+    response.iterationError = solverError(study, results, r, response.mean, deviation);
+    response.meanError = std::fmax(response.meanError, 0.0) + response.iterationError;
+    response.deviationError = std::fmax(response.deviationError, 0.0) + response.iterationError;
+    if (!(deviation > 0.0 && response.iterationError > visibleSolverError * deviation)) continue;
+    hidden += (hidden.empty() ? "" : ", ") + response.name;
+    worst = std::max(worst, response.iterationError / deviation);
+  }
+  if (hidden.empty()) return;
+  std::ostringstream text;
+  text << "the solutions of the configurations may not be exact enough for the spread of " << hidden
+       << ": their errors count as " << std::setprecision(2) << 100.0 * worst
+       << " % of the standard deviation; ask for a smaller Accuracy";
+  summary.warnings.push_back(text.str());
 }
 
 void addTruncation(const Study& study, bool hasKinks, StochasticSummary& summary) {
@@ -88,7 +106,10 @@ void addTruncation(const Study& study, bool hasKinks, StochasticSummary& summary
     response.meanError += errorOfMoments * residual;
     response.deviationError += errorOfMoments * residual;
   }
-  if (kinked.empty()) return;
+  if (kinked.empty()) {
+    if (hasKinks) summary.method += "; no kink of its laws shows, and errors do not count one that it does not meet";
+    return;
+  }
   std::ostringstream text;
   text << "the laws are not smooth over the random range, and polynomials do not follow kinks: " << kinked
        << " differs from its expansion by up to " << std::setprecision(2) << 100.0 * worst

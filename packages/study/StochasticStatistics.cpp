@@ -163,6 +163,7 @@ class Summariser {
       response.meanError = statistics.meanError();
       response.deviationError = statistics.standardDeviationError();
     }
+    addSolverErrors(study_, results_, *summary_);
     fit(germs, values);
     return summary_;
   }

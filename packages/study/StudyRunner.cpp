@@ -214,7 +214,7 @@ void StudyRunner::refineInterpolation() {
   while (!mustStop()) {
     const Interpolation interpolation(study_, recorder_.results());
     if (interpolation.wanted().empty()) {
-      recorder_.note("interpolation", {interpolation.summary(), !interpolation.function().isReached()});
+      recorder_.note("interpolation", {interpolation.summary(), !interpolation.isReached()});
       return;
     }
     std::vector<std::vector<double>> points;

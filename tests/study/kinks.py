@@ -150,9 +150,28 @@ def predictions_have_error_bars(study):
             check(error < most, f"{folder}: {name}: the interpolation is off by {100 * error} %")
 
 
+def inexact_solutions_are_said(study):
+    """A spread far below the accuracy: configurations close by count as right with the solution of their neighbour."""
+    little = ["Accuracy=1e-2", "Parameters/gap/Distribution/Mean=-0.2",
+              "Parameters/gap/Distribution/Standard Deviation=1e-4",
+              "Parameters/k0/Distribution/Coefficient of Variation=5e-4"]
+    z = norm.ppf((numpy.arange(400) + 0.5) / 400)
+    truth = exact(-0.2 + 1e-4 * z[:, None], MEAN_SPRING + 0.5 * z[None, :])
+    for design in ["Design/Type=Latin Hypercube", "Design/Count=300"], ["Design/Type=Sobol", "Design/Count=256"]:
+        text, rows = solve(study, "little", little + design)
+        check("WARNING: the solutions of the configurations may not be exact enough" in text, text)
+        for name, row in rows.items():
+            for which, value in ("mean", truth[name].mean()), ("std", truth[name].std()):
+                error = abs(float(row[which]) - value)
+                check(error < float(row[f"{which}_error"]), f"{design} {name}: {which} is off by {error}: {row}")
+    text, _ = solve(study, "noise", little + ["Design/Type=Adaptive Collocation", "Design/Maximum Count=200"], 3)
+    check("not reached" in text and "ask for a smaller Accuracy" in text, text)
+
+
 shutil.rmtree(WORK, ignore_errors=True)
 WORK.mkdir(parents=True)
 path = write()
 errors_are_honest(path)
 predictions_have_error_bars(path)
+inexact_solutions_are_said(path)
 finish()

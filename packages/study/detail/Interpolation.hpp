@@ -19,6 +19,8 @@ class Interpolation {
   const std::vector<std::vector<double>>& wanted() const { return wanted_; }
   /// Nothing is missing.
   bool isComplete() const { return isComplete_; }
+  /// Whether it is, and the error of mean and standard deviation, with that of the solutions, within the tolerance.
+  bool isReached() const { return isReached_; }
   const probability::PiecewiseLinear& function() const { return function_; }
   /// Configurations that it goes through.
   int count() const { return count_; }
@@ -28,7 +30,7 @@ class Interpolation {
  private:
   probability::PiecewiseLinear function_;
   std::vector<std::vector<double>> wanted_;
-  bool isComplete_ = false;
+  bool isComplete_ = false, isReached_ = false;
   int count_ = 0;
   std::string summary_;
 };

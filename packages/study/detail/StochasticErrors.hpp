@@ -10,8 +10,12 @@ namespace harmos::study {
 /// Whether responses may have kinks over the random parameters, because a law is not smooth: contact and friction.
 bool mayHaveKinks(const Study& study);
 
-/// Sets the errors of the moments to what the solutions of the configurations are off: a third of the root mean square
-/// of a response times its largest error estimate.
+/// What the mean and the standard deviation of a response, from 0, are off because the solutions of the configurations
+/// are: a third of its root mean square times its largest error estimate.
+double solverError(const Study& study, const results::StudyResults& results, std::size_t response, double mean,
+                   double deviation);
+
+/// Adds solverError() to the errors of the moments, which are set, and warns where it hides the spread.
 void addSolverErrors(const Study& study, const results::StudyResults& results, results::StochasticSummary& summary);
 
 /// Adds to the errors of the moments, and sets as error bars, what the expansions are off by truncation and quadrature,
