@@ -52,7 +52,8 @@ constexpr double thrownSize = 1e4;
 /// Whether what is far away is where it belongs: springs, however soft, or contacts hold all parts, and their forces
 /// balance the loads to `accuracy` without anything added for the digits that k w takes from them.
 bool isHeldThere(const Iterate& iterate, double accuracy) {
-  return largestImbalance(iterate, {}, shareOfForces).relative <= accuracy && describeUnheldParts(iterate).empty();
+  return largestImbalance(iterate, {}, shareOfForces).relative <= accuracy &&
+         UnheldParts(iterate, nullptr).remarks().empty();
 }
 
 /// An iterate has thrown a body so far away that forces are lost beside k w and everything is small beside its way. The

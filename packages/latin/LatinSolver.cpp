@@ -42,6 +42,8 @@ constexpr double shareOfFirstTry = 0.5;
 // Marches in a row that have not brought all load steps near enough, after which a try with a softer search direction
 // is given up for the next one; those in which it has become softer count, too.
 constexpr int maximumMarchesInVain = 2;
+// Loads of a load step, over the accuracy of the largest ones: less hardly shows in the residual.
+constexpr double lightLoad = 10.0;
 // Each takes what the one before has left of the motions of bodies.
 constexpr int maximumRecentrings = 3;
 
@@ -78,6 +80,8 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
   stagesBefore_ = fixedPoint_.linearStage().stages();
   estimates_.clear();
   certified_ = nullptr;
+  isBroughtBack_ = false;
+  unheldParts_.reset();
   knowsRoundOff_ = false;
   if (fixedPoint_.searchDirectionScale() != options_.stages.searchDirectionScale) {
     fixedPoint_.rescale(options_.stages.searchDirectionScale);
@@ -140,6 +144,30 @@ bool LatinSolver::standsRoundOff(const Iterate* iterate, LatinResult& result) {
     return false;
   }
   return !estimates_.empty() && *std::max_element(estimates_.begin(), estimates_.end()) <= options_.accuracy;
+}
+
+bool LatinSolver::bringBack(const Iterate& iterate, double& tolerance) {
+  if (assembly_.path || assembly_.isAffine()) return false;
+  const UnheldParts unheld(iterate, &*balance_);
+  unheldParts_ = unheld.remarks();
+  if (unheld.firstLoaded() < 0) return false;
+  tolerance = std::min(tolerance, marchShare * options_.accuracy * unheld.leastLoad());
+  // So small a load brings them back from where they have been thrown only after many stages.
+  for (int t = unheld.firstLoaded(); t < assembly_.steps() && !isBroughtBack_; ++t)
+    std::fill_n(alpha_[t], alpha_.numRows(), 0.0);
+  isBroughtBack_ = true;
+  unheldParts_.reset();
+  return true;
+}
+
+bool LatinSolver::isHeldByItsLoads(LatinResult& result, double& tolerance) {
+  const int before = stages();
+  if (certified_ == nullptr && !assembly_.isAffine()) certified_ = &fixedPoint_.apply(alpha_, image_);
+  stagesOfCertificates_ += stages() - before;
+  if (certified_ == nullptr || !bringBack(*certified_, tolerance)) return true;
+  certified_ = nullptr;
+  takeBack(result);
+  return false;
 }
 
 bool LatinSolver::isSofter() const {
@@ -249,7 +277,10 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
     tolerance *= March::tightening;
     guess = March::Guess::state;
     if (end != March::End::reached || stages() >= stageLimit()) break;
+    if (!isBroughtBack_ && balance_->leastShare() < lightLoad * options_.accuracy && bringBack(*state_, tolerance))
+      continue;
     isOver = certify(*state_, result);
+    if (isOver && result.outcome == Outcome::certified) isOver = isHeldByItsLoads(result, tolerance);
     inVain = march.isNearEnough() ? 0 : inVain + 1;
     const double ofMotions = errorOfRoundOff * fixedPoint_.roundOff(0.0), forces = march.largestForce();
     if (!isOver && forces > 0.0 && ofMotions > options_.accuracy * forces) {
@@ -400,8 +431,8 @@ void LatinSolver::deliver(LatinResult& result) {
   addResponses(*state_, responses_, estimates_, result);
   if (result.outcome == Outcome::certified) {
     const auto running = timers_.start("statics");
-    const std::vector<std::string> unheld = describeUnheldParts(*state_);
-    result.remarks.insert(result.remarks.begin(), unheld.begin(), unheld.end());
+    if (!unheldParts_) unheldParts_ = UnheldParts(*state_, &*balance_).remarks();
+    result.remarks.insert(result.remarks.begin(), unheldParts_->begin(), unheldParts_->end());
     Indeterminacy found = fixedPoint_.indeterminacy(responses_, options_.accuracy);
     lookForOthers(result, found);
     addIndeterminacy(found, options_.accuracy, result);

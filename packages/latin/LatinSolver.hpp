@@ -94,6 +94,13 @@ class LatinSolver {
   /// Tries for a certificate of alpha_, whose iterate is given; true when that is the end of the run: it claims, or
   /// round-off forbids it for ever. Leaves its corrected state in alpha_.
   bool certify(const Iterate& iterate, LatinResult& result);
+  /// Collective. Where loads that are small beside those of other load steps act on parts that nothing holds in this
+  /// iterate of alpha_, their way to what would hold them is no error that the residual shows: makes the tolerance of
+  /// the next march so small that these loads count, and begins their load steps from nothing, once. Whether that is
+  /// so.
+  bool bringBack(const Iterate& iterate, double& tolerance);
+  /// Collective. Takes the certificate back where bringBack() is needed: then it is false.
+  bool isHeldByItsLoads(LatinResult& result, double& tolerance);
   /// Estimates round-off in alpha_, whose iterate is given or null, adds it to the estimates, and says in `result` if
   /// it is too much; true when it is not, and the sum is within the accuracy.
   bool standsRoundOff(const Iterate* iterate, LatinResult& result);
@@ -124,9 +131,11 @@ class LatinSolver {
   const Iterate* certified_ = nullptr;  // of alpha_, where the certificate has left it at hand
   int stagesBefore_ = 0;
   int stagesOfCertificates_ = 0;
-  int endWhenSofter_ = 0;          // linear stages at which a try ends, once its search direction is softer
-  bool knowsRoundOff_ = false;     // of a state of this run
-  std::vector<double> estimates_;  // of the last certificate that was conclusive; empty: none was
+  int endWhenSofter_ = 0;       // linear stages at which a try ends, once its search direction is softer
+  bool knowsRoundOff_ = false;  // of a state of this run
+  bool isBroughtBack_ = false;  // the state of parts that nothing held against their loads, in this run
+  std::optional<std::vector<std::string>> unheldParts_;  // remarks on the last state that was looked at; none: none was
+  std::vector<double> estimates_;                        // of the last certificate that was conclusive; empty: none was
 };
 
 }  // namespace harmos::latin

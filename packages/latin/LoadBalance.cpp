@@ -162,20 +162,44 @@ LoadBalance::LoadBalance(const assembly::Assembly& assembly, const Teuchos::Comm
   // One rank knows a body, so that the sums are the same to the last digit however many there are.
   sums_.resize(mine.size());
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), sums_.data());
+  for (int t = 0; t < assembly.steps(); ++t) largest_ = std::max(largest_, sizeAt(t));
+}
+
+double LoadBalance::sizeAt(int step) const {
+  double size = 0.0;
+  for (std::size_t b = 0; b < assembly_.bodies.size(); ++b)
+    size += sumsAt(step)[b * steps_.size() * sumsPerStep + sumsPerStep - 1];
+  return size;
 }
 
 const double* LoadBalance::sumsAt(int step) const {
   return sums_.data() + static_cast<std::size_t>(step) * sumsPerStep;
 }
 
+double LoadBalance::leastShare() const {
+  double least = 1.0;
+  for (int t = 0; t < assembly_.steps(); ++t) {
+    if (sizeAt(t) > 0.0) least = std::min(least, sizeAt(t) / largest_);
+  }
+  return least;
+}
+
+double LoadBalance::loadAlong(int step, const RigidParts& parts, const std::vector<statics::Motion>& motion) const {
+  const std::size_t stride = steps_.size() * sumsPerStep;
+  const Loads loads = loadsOn(assembly_, parts, sumsAt(step), stride);
+  double work = 0.0, way = 0.0;
+  for (std::size_t b = 0; b < motion.size(); ++b) {
+    work += base::dot(loads.wrenches[b].force, motion[b].translation) +
+            base::dot(loads.wrenches[b].moment, motion[b].rotation);
+    way = std::max(way,
+                   base::norm(motion[b].translation) + parts.rigid().bodies[b].size * base::norm(motion[b].rotation));
+  }
+  return std::abs(work) > nothing * way * loads.scale ? std::abs(work) / (way * largest_) : 0.0;
+}
+
 int LoadBalance::largestLike(int step) const {
   const std::size_t bodies = assembly_.bodies.size(), stride = steps_.size() * sumsPerStep;
   const double* mine = sumsAt(step);
-  const auto sizeAt = [&](int t) {
-    double size = 0.0;
-    for (std::size_t b = 0; b < bodies; ++b) size += sumsAt(t)[b * stride + sumsPerStep - 1];
-    return size;
-  };
   const double size = sizeAt(step);
   if (size == 0.0) return -1;
   std::vector<double> extents;

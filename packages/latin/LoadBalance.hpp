@@ -10,7 +10,13 @@
 #include <harmos/assembly/Assembly.hpp>
 #include <harmos/base/Timers.hpp>
 
+namespace harmos::statics {
+struct Motion;
+}
+
 namespace harmos::latin {
+
+class RigidParts;
 
 /// Whether forces that the laws of an assembly admit balance the loads, asked before any iteration.
 ///
@@ -34,6 +40,13 @@ class LoadBalance {
   /// The load step whose answer counts for this one, too: the largest of those with the same laws whose loads are the
   /// same but for a factor, the first of those that are equally large; none (-1) without loads.
   int largestLike(int step) const;
+  /// Sum of the absolute loads of all bodies at a load step [force].
+  double sizeAt(int step) const;
+  /// The least of these that is not zero, over the largest [-]; 1 without loads.
+  double leastShare() const;
+  /// The work of the loads of a load step along a rigid motion of these parts, over its largest way and the largest sum
+  /// of absolute loads of all load steps [-]; 0 where it is round-off beside the loads of the load step.
+  double loadAlong(int step, const RigidParts& parts, const std::vector<statics::Motion>& motion) const;
   /// Of every body a number that those have in common which laws that bear every traction join at all load steps, such
   /// as the pieces of a part: they move as one; -1: joined to the ground in that way, at all load steps.
   const std::vector<int>& rigidBodies() const { return rigidBodies_; }
@@ -52,6 +65,7 @@ class LoadBalance {
   std::vector<std::array<bool, 6>> resisted_;  // per body
   std::vector<int> rigidBodies_;               // per body
   std::vector<double> sums_;  // per body and load step: resultant, moment about the first node, sum of absolute forces
+  double largest_ = 0.0;      // sum of absolute loads of a load step
   std::vector<Step> steps_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -45,12 +46,14 @@ std::vector<double> statesOf(const statics::RigidAssembly& rigid, const Iterate&
 }
 
 /// The directions, in the law's frame, that a joint resists.
-std::vector<base::Vector3> resisted(const statics::Joint& joint, const double* numbers) {
+std::vector<base::Vector3> resisted(const statics::Joint& joint, const double* numbers, double nothing) {
   const base::Vector3 axes[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   const base::Vector3 traction{numbers[1], numbers[2], numbers[3]};
   std::vector<base::Vector3> directions;
   // Nothing is known of a stage that does not meet laws pair by pair: nothing is said.
   if (numbers[0] == 0.0) return {axes[0], axes[1], axes[2]};
+  // What can only be pressed, and is not, is open but for round-off.
+  if (joint.tractions.upper[0] <= 0.0 && base::norm(traction) <= nothing) return {};
   switch (static_cast<laws::Status>(static_cast<int>(numbers[0]) - 1)) {
     case laws::Status::open:
       break;
@@ -101,56 +104,73 @@ double largestTraction(const Iterate& state, int step) {
 
 }  // namespace
 
-std::vector<std::string> describeUnheldParts(const Iterate& state) {
+UnheldParts::UnheldParts(const Iterate& state, const LoadBalance* balance) {
   const assembly::Assembly& assembly = state.assembly();
   struct Finding {
     std::vector<int> steps;
     std::string motions;  // of the last of them
+    bool isRubbed = false;
   };
   std::map<std::string, Finding> findings;
   std::vector<double> largest;
   for (int t = 0; t < assembly.steps(); ++t) largest.push_back(largestTraction(state, t));
-  const double most = *std::max_element(largest.begin(), largest.end());
+  const double roundOff = noTraction * *std::max_element(largest.begin(), largest.end());
+  const auto isFelt = [&](double traction) { return traction > roundOff; };
   const auto own = resistedMotions(assembly, state.layout().comm());
   for (int t = 0; t < assembly.steps(); ++t) {
-    if (largest[t] <= noTraction * most) continue;
+    if (std::none_of(largest.begin(), largest.begin() + t + 1, isFelt)) continue;
     const RigidParts parts(assembly, own, t, RigidParts::Unknown::carriesAll);
     const statics::RigidAssembly& rigid = parts.rigid();
     if (rigid.bodies.empty()) continue;
     const std::vector<double> states = statesOf(rigid, state, t);
+    // Little load presses little; without any, pressure is round-off.
+    const double nothing = balance != nullptr && balance->sizeAt(t) == 0.0 ? roundOff : 0.0;
     std::vector<statics::Hold> holds;
     for (std::size_t j = 0; j < rigid.joints.size(); ++j) {
-      for (const base::Vector3& direction : resisted(rigid.joints[j], states.data() + numbersPerJoint * j))
+      for (const base::Vector3& direction : resisted(rigid.joints[j], states.data() + numbersPerJoint * j, nothing))
         holds.push_back({static_cast<int>(j), base::toGlobal(rigid.joints[j].frame, direction)});
     }
     std::map<std::string, std::string> here;
+    std::set<std::string> rubbed;
     for (const auto& motion : statics::findFreeMotions(rigid, holds)) {
       std::vector<std::string> names, ways;
+      bool isRubbed = false;
       for (std::size_t b = 0; b < motion.size(); ++b) {
         const double way =
             std::max(base::norm(motion[b].translation), rigid.bodies[b].size * base::norm(motion[b].rotation));
         if (way < takesPart) continue;
         names.push_back(parts.nameOf(static_cast<int>(b)));
         ways.push_back(statics::describe(rigid.bodies[b], motion[b]));
+        isRubbed = isRubbed || std::any_of(rigid.joints.begin(), rigid.joints.end(), [&](const auto& joint) {
+                     return joint.tractions.friction > 0.0 &&
+                            (joint.body1 == static_cast<int>(b) || joint.body2 == static_cast<int>(b));
+                   });
       }
       const bool isOneWay = std::all_of(ways.begin(), ways.end(), [&](const auto& way) { return way == ways.front(); });
       std::string text = isOneWay ? ways.front() : "";
       for (std::size_t i = 0; !isOneWay && i < names.size(); ++i)
         text += (i > 0 ? " with " : "") + names[i] + " " + ways[i];
-      std::string& all = here[base::joinNames(names, mostNames)];
+      const std::string who = base::joinNames(names, mostNames);
+      std::string& all = here[who];
       all += (all.empty() ? "" : "; ") + text;
+      if (isRubbed) rubbed.insert(who);
+      const double load = balance != nullptr ? balance->loadAlong(t, parts, motion) : 0.0;
+      if (load == 0.0) continue;
+      leastLoad_ = std::min(leastLoad_, load);
+      if (firstLoaded_ < 0) firstLoaded_ = t;
     }
     for (const auto& [names, text] : here) {
       findings[names].steps.push_back(t);
       findings[names].motions = text;
+      findings[names].isRubbed = rubbed.count(names) > 0;
     }
   }
-  std::vector<std::string> remarks;
   for (const auto& [names, finding] : findings) {
-    remarks.push_back("nothing holds " + names + " at " + nameSteps(finding.steps) + ": free " + finding.motions +
-                      "; the problem does not determine the place along there, only the forces");
+    const bool isKept = finding.isRubbed && finding.steps.front() + 1 < assembly.steps();
+    remarks_.push_back("nothing holds " + names + " at " + nameSteps(finding.steps) + ": free " + finding.motions +
+                       "; the problem does not determine the place along there, only the forces" +
+                       (isKept ? ", nor what friction makes of that place at later load steps" : ""));
   }
-  return remarks;
 }
 
 }  // namespace harmos::latin

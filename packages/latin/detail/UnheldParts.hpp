@@ -4,15 +4,34 @@
 #include <vector>
 
 #include <harmos/latin/Iterate.hpp>
+#include <harmos/latin/LoadBalance.hpp>
 
 namespace harmos::latin {
 
-/// One sentence for every set of parts that nothing holds in the state of contact that was found: parts, load steps and
-/// the rigid motions that no interface resists. Where they are is not determined, though their forces are. Collective.
+/// Parts that nothing holds in the state of contact that was found: where they are is not determined, though their
+/// forces are.
 ///
-/// Contacts that are open resist nothing, those that slide neither their normal nor, with friction, the direction
-/// across their slip excepted; those that stick and joints that are bonded resist all that their laws can bear. Load
-/// steps without any force between parts are left out. Of all load steps, which must be selected.
-std::vector<std::string> describeUnheldParts(const Iterate& state);
+/// Contacts that are open, or bear nothing but round-off at a load step without loads, resist nothing, those that slide
+/// neither their normal nor, with friction, the direction across their slip excepted; those that stick and joints that
+/// are bonded resist all that their laws can bear. Load steps before the first force between parts are left out.
+class UnheldParts {
+ public:
+  /// Collective. Of all load steps, which must be selected. `balance`: of the same assembly; null: loads are not asked
+  /// for. Nothing is kept.
+  UnheldParts(const Iterate& state, const LoadBalance* balance);
+
+  /// One sentence for every set of them: parts, load steps and the rigid motions that no interface resists.
+  const std::vector<std::string>& remarks() const { return remarks_; }
+  /// Their loads along these motions, over the largest load of all load steps [-], the least of those that are more
+  /// than round-off: such a state is no equilibrium, however small its residual. 1: they are not loaded.
+  double leastLoad() const { return leastLoad_; }
+  /// The first load step at which some are loaded; -1: none.
+  int firstLoaded() const { return firstLoaded_; }
+
+ private:
+  std::vector<std::string> remarks_;
+  double leastLoad_ = 1.0;
+  int firstLoaded_ = -1;
+};
 
 }  // namespace harmos::latin

@@ -53,5 +53,38 @@ TEST(UnheldParts, AreNamedWithTheirLoadSteps) {
   EXPECT_NE(remarks[0].find("load steps 1 to 2"), std::string::npos) << remarks[0];
 }
 
+/// Pressed and sheared, hardly pressed, and as at first again.
+BoxAssembly relieved(double share) {
+  return twoCubes(friction(0.2),
+                  laws::makeLaw("Prescribed Traction", {{"X", 0.1}, {"Z", -2.0}},
+                                {{"X", {1.0, 0.0, 1.0}}, {"Z", {1.0, share, 1.0}}}),
+                  3);
+}
+
+/// A load that is small beside those of other load steps tells all the same where the part is that it presses down, and
+/// so what friction makes of its place later.
+TEST(UnheldParts, AreHeldByWhateverPressesThem) {
+  for (const double share : {1e-2, 1e-4, 1e-6, 1e-9, 1e-12}) {
+    base::Timers timers;
+    BoxAssembly cubes = relieved(share);
+    LatinSolver solver(cubes.assembly(), {}, self(), timers);
+    const LatinResult result = solver.solve();
+    EXPECT_EQ(result.outcome, Outcome::certified) << share << ": " << result.reason;
+    EXPECT_TRUE(result.remarks.empty()) << share;
+    const int node = static_cast<int>(cubes.assembly().bodies[1].nodes.size()) - 1;
+    const auto at = [&](int step) { return solver.state().displacement(1, node, step); };
+    const double size = base::norm(at(0));
+    EXPECT_LT(base::norm(at(1)), 2.0 * share * size) << share;
+    EXPECT_LT(base::distance(at(2), at(0)), 1e-3 * size) << share;
+  }
+}
+
+TEST(UnheldParts, LeaveOpenWhatFrictionMakesOfTheirPlaceLater) {
+  const auto remarks = remarksOn(relieved(0.0));
+  ASSERT_EQ(remarks.size(), 1U);
+  for (const char* part : {"upper", "load step 2:", "nor what friction makes of that place at later load steps"})
+    EXPECT_NE(remarks[0].find(part), std::string::npos) << remarks[0];
+}
+
 }  // namespace
 }  // namespace harmos::latin
