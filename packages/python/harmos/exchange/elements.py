@@ -58,6 +58,12 @@ class ElementType:
         at = {spot: node for node, spot in enumerate(self.order)}
         return [at[frozenset(swap[corner] for corner in spot)] for spot in self.order]
 
+    def mirrored_sides(self) -> list[int]:
+        """For every side the number that it has in an element that is turned inside out."""
+        of = self.mirrored()
+        moved = [{of[corner] for corner in side} for side in self.sides]
+        return [moved.index(set(side)) for side in self.sides]
+
 
 _TRI = ((0, 1), (1, 2), (2, 0))
 _QUAD = ((0, 1), (1, 2), (2, 3), (3, 0))

@@ -11,7 +11,8 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.elements import TYPES
 from harmos.exchange.findings import Findings, Refused
-from harmos.exchange.mesh import LONGEST_NAME, Block, Mesh, demand_sound, oriented, unused_name
+from harmos.exchange.mesh import LONGEST_NAME, Block, Mesh, demand_sound, unused_name
+from harmos.exchange.sense import oriented
 
 NAME_LENGTH = LONGEST_NAME + 1
 """Room for a name with its end."""
@@ -178,6 +179,5 @@ def read_exodus(path: str, findings: Findings) -> Mesh:
         for number, name in enumerate(_distinct(path, file, "ns_names", "num_node_sets", "nodeset_", findings), 1):
             mesh.node_sets[name] = _entries(file, f"node_ns{number}")
     demand_sound(path, mesh)
-    if oriented(mesh):
-        findings.found.append("elements that were numbered in the other sense have been turned")
+    oriented(mesh, findings)
     return mesh

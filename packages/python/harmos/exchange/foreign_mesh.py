@@ -7,7 +7,8 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.elements import MESHIO, TYPES, to_exodus
 from harmos.exchange.findings import Findings, Refused
-from harmos.exchange.mesh import Block, Mesh, clean_name, oriented, unused_name, without_loose_nodes, without_twins
+from harmos.exchange.mesh import Block, Mesh, clean_name, unused_name, without_loose_nodes, without_twins
+from harmos.exchange.sense import oriented
 from harmos.exchange.sides import SideFinder, add_node_set, add_side_set
 
 _FLAT = {"vertex": 0, "line": 1, "line3": 1, "triangle": 2, "triangle6": 2, "quad": 2, "quad8": 2, "quad9": 2}
@@ -85,9 +86,8 @@ def mesh_of(path: str, source: Source, findings: Findings) -> Mesh:
     _read_cells(path, source, mesh, findings)
     if not mesh.blocks:
         raise Refused(f"{path}: it holds no elements that fill a space or a plane.")
-    turned, loose = oriented(mesh), without_loose_nodes(mesh)
-    if turned:
-        findings.found.append(f"{turned} elements were numbered in the other sense and have been turned")
+    oriented(mesh, findings)
+    loose = without_loose_nodes(mesh)
     if loose:
         findings.found.append(f"{loose} nodes belong to no element and have been left out")
     return mesh

@@ -11,7 +11,8 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.elements import GMSH, TYPES, to_exodus
 from harmos.exchange.findings import Findings, Refused
-from harmos.exchange.mesh import Block, Mesh, oriented, unused_name, without_loose_nodes, without_twins
+from harmos.exchange.mesh import Block, Mesh, unused_name, without_loose_nodes, without_twins
+from harmos.exchange.sense import oriented
 from harmos.exchange.sides import SideFinder, add_node_set, add_side_set
 
 
@@ -95,9 +96,8 @@ def mesh_of_model(path: str, findings: Findings) -> Mesh:
     if twice:
         findings.found.append(f"{twice} elements are there twice, as format 2.2 writes those of several groups, and count once")
     _read_sets(path, mesh, number, findings)
-    turned, loose = oriented(mesh), without_loose_nodes(mesh)
-    if turned:
-        findings.found.append(f"{turned} elements were numbered in the other sense and have been turned")
+    oriented(mesh, findings)
+    loose = without_loose_nodes(mesh)
     if loose:
         findings.found.append(f"{loose} nodes belong to no element and have been left out")
     return mesh

@@ -188,35 +188,6 @@ def outer_faces(mesh: Mesh) -> Faces:
     return faces.chosen(count[inverse.reshape(-1)] == 1)
 
 
-def oriented(mesh: Mesh) -> int:
-    """Turns elements that are numbered in the other sense; the number of those that were."""
-    turned = 0
-    for block in mesh.blocks:
-        inside_out = _sense(mesh, block) < 0
-        if inside_out.any():
-            block.connectivity[inside_out] = block.connectivity[inside_out][:, block.type.mirrored()]
-            turned += int(inside_out.sum())
-    return turned
-
-
-def _sense(mesh: Mesh, block: Block) -> Array:
-    """A number per element whose sign tells the sense in which its corners are numbered."""
-    corner = mesh.nodes[block.connectivity[:, :block.type.corners]]
-    if mesh.dimension == 2:
-        first, last = corner[:, 1] - corner[:, 0], corner[:, -1] - corner[:, 0]
-        result: Array = first[:, 0] * last[:, 1] - first[:, 1] * last[:, 0]
-        return result
-    centre = corner.mean(axis=1)
-    volume = numpy.zeros(len(corner))
-    for side in block.type.sides:
-        at = corner[:, side]
-        middle = at.mean(axis=1)
-        for i in range(len(side)):
-            one, other = at[:, i] - centre, at[:, (i + 1) % len(side)] - centre
-            volume += numpy.einsum("ij,ij->i", numpy.cross(one, other), middle - centre)
-    return volume
-
-
 def _twins(mesh: Mesh) -> Array:
     """Whether an element has the nodes of an earlier one, a flag per element."""
     width = max((block.connectivity.shape[1] for block in mesh.blocks), default=1)
@@ -292,9 +263,12 @@ def demand_sound(path: str, mesh: Mesh, name_of: "Callable[[int], str] | None" =
         raise Refused(f"{path}: {len(twin)} elements have the nodes of another one, the first of them {named}in block \"{block.name}\".\n"
                       "  Remove those that are there twice.")
     count = mesh.first_elements()[-1]
+    sides = numpy.array([len(block.type.sides) for block in mesh.blocks])
     for name, entries in mesh.side_sets.items():
-        if len(entries) and (entries.min() < 0 or entries[:, 0].max() >= count or entries[:, 1].max() >= 6):
+        if len(entries) and (entries[:, 0].min() < 0 or entries[:, 0].max() >= count):
             raise Refused(f"{path}: side set \"{name}\" refers to an element that is not there; the file is damaged.")
+        if ((entries[:, 1] < 0) | (entries[:, 1] >= sides[mesh.block_of(entries[:, 0])])).any():
+            raise Refused(f"{path}: side set \"{name}\" refers to a side that is not there; the file is damaged.")
     for name, entries in mesh.node_sets.items():
         if len(entries) and (entries.min() < 0 or entries.max() >= len(mesh.nodes)):
             raise Refused(f"{path}: node set \"{name}\" refers to a node that is not there; the file is damaged.")

@@ -7,7 +7,7 @@ from harmos.exchange.deck.contents import Contents, ElementTable
 from harmos.exchange.deck.solids import Solids, is_solid
 from harmos.exchange.deck.steps import OUTPUT
 from harmos.exchange.findings import Findings
-from harmos.exchange.mesh import Mesh, demand_sound, oriented, unused_name, without_loose_nodes
+from harmos.exchange.mesh import Mesh, demand_sound, unused_name, without_loose_nodes
 from harmos.exchange.sides import SideFinder, add_side_set
 
 
@@ -44,9 +44,7 @@ def read_bare(contents: Contents, findings: Findings, path: str) -> Mesh:
         nodes = solids.nodes(numpy.unique(numpy.concatenate(found))) if found else numpy.zeros(0, dtype=numpy.int64)
         if len(nodes):
             solids.mesh.node_sets[_free(solids.mesh, contents.written(name))] = nodes
-    turned, loose = oriented(solids.mesh), without_loose_nodes(solids.mesh)
-    if turned:
-        findings.found.append(f"{turned} elements were numbered in the other sense and have been turned")
+    loose = without_loose_nodes(solids.mesh)
     if loose:
         findings.found.append(f"{loose} nodes belong to no solid and have been left out")
     demand_sound(path, solids.mesh)

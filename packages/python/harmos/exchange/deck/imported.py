@@ -20,7 +20,7 @@ from harmos.exchange.deck.springs import Springs
 from harmos.exchange.deck.steps import OUTPUT, LoadReader
 from harmos.exchange.deck.volumes import VolumeWriter
 from harmos.exchange.findings import Findings, Refused, names_there
-from harmos.exchange.mesh import Mesh, clean_name, oriented, outer_faces, unused_name, without_loose_nodes
+from harmos.exchange.mesh import Mesh, clean_name, outer_faces, unused_name, without_loose_nodes
 from harmos.exchange.scene import SceneList
 
 _KNOWN = {"HEADING", "NODE", "ELEMENT", "NSET", "ELSET", "SURFACE", "MATERIAL", "ELASTIC", "DENSITY", "SOLIDSECTION",
@@ -106,10 +106,8 @@ def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> Im
     for sets in (mesh.side_sets, mesh.node_sets):
         for name in [name for name, entries in sets.items() if not len(entries)]:
             del sets[name]
-    turned, loose = oriented(mesh), without_loose_nodes(mesh)
+    loose = without_loose_nodes(mesh)
     findings.found.insert(0, mesh.text())
-    if turned:
-        findings.found.append(f"{turned} elements were numbered in the other sense and have been turned")
     if loose:
         findings.found.append(f"{loose} nodes belong to no solid and have been left out")
     asked = [card.place for card in [*contents.model, *(card for step in contents.steps for card in step.cards)]

@@ -14,6 +14,7 @@ from harmos.exchange.deck.kinds import SPRINGS
 from harmos.exchange.elements import MESHIO, TYPES, Order, to_exodus
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Block, Mesh, demand_sound, faces_of, outer_faces, unused_name
+from harmos.exchange.sense import oriented, turned_sides
 
 _SOLID = re.compile(r"^(C3D|CPS|CPE|CAX)(\d+)([A-Z]*)$")
 
@@ -116,6 +117,7 @@ class Solids:
         self._ids: Array = numpy.zeros(0, dtype=numpy.int64)
         self._make_parts(tables)
         demand_sound(path, self.mesh, self._name_of)
+        self._turned = oriented(self.mesh, findings)
         self._order = numpy.argsort(self._ids, kind="stable")
         self._known = self._ids[self._order]
         self._used = numpy.zeros(len(self.mesh.nodes), dtype=bool)
@@ -347,7 +349,7 @@ class Solids:
                 raise Refused(f"{place}: elements {self.mesh.blocks[number].type.name} have no face \"{label}\"; they have "
                               f"S1 to S{len(self.mesh.blocks[number].type.sides)}.")
             rows.append((int(element), side))
-        return numpy.array(rows, dtype=numpy.int64).reshape(-1, 2)
+        return turned_sides(self.mesh, self._turned, numpy.array(rows, dtype=numpy.int64).reshape(-1, 2))
 
     def surface(self, surface: Surface) -> Array:
         """A surface as a side set; of nodes: the outer faces whose corners are all among them, of elements without
