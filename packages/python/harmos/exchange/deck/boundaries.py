@@ -34,17 +34,22 @@ class Boundaries:
                 self._acting.findings.leave_out(card.place, f"*BOUNDARY, {switch}", "these boundaries are left out")
                 return
         course = Course(span, self._amplitudes.of(card, span), at_once)
+        late: set[int] = set()
         for row, words in enumerate(card.rows()):
             ids = self._acting.nodes(words[0], card, row)
             components, value = self._components(card, row, words)
             for node in self._acting.tightening.nodes & set(ids.tolist()):
                 if 1 in components:
+                    if self._acting.tightening.is_free(node):
+                        late.add(-node)
                     self._acting.tightening.draw(node, card, row, course, value)
             ids, coupled = self._acting.divided(ids)
             for node in coupled:
                 coupling, first = self._acting.couplings.at_node[node]
                 for component in components:
                     at = component - 1 + first
+                    if at not in coupling.held:
+                        late.add(-node)
                     points = coupling.held.get(at, UNLOADED)
                     coupling.held[at] = (((0.0, value),) if span.end <= 0.0
                                          else course.followed(points, value))
@@ -59,7 +64,10 @@ class Boundaries:
             if "FIXED" in card.parameters:
                 self._keep(card, row, ids, inside)
             else:
-                self._hold(card, row, ids, inside, course, value)
+                late |= self._hold(card, row, ids, inside, course, value)
+        if late and span.begin > 0.0:
+            self._acting.findings.leave_out(card.place, "*BOUNDARY", f"{len(late)} nodes are held from the beginning, though free up to "
+                                     "this step: the results of earlier steps are those of nodes that are held")
 
     def list_released(self, new: Card, step: Step) -> None:
         """OP=NEW of boundaries: lists what the step does not hold again, which stays held in the scene."""
@@ -111,7 +119,8 @@ class Boundaries:
         return component - 1, 1.0
 
     def _hold(self, card: Card, row: int, ids: Array, components: list[int], course: Course,
-              value: float) -> None:
+              value: float) -> set[int]:
+        """The nodes that were free, as they are in the mesh."""
         known = self._acting.contents.node_ids
         at = numpy.minimum(numpy.searchsorted(known, ids), len(known) - 1)
         at = at[known[at] == ids]
@@ -119,12 +128,15 @@ class Boundaries:
         left = len(ids) - len(nodes) - len((self._acting.tightening.nodes | self._ground) & set(ids.tolist()))
         if left > 0:
             self._acting.findings.leave_out(card.place_of(row), "*BOUNDARY", f"{left} of its nodes belong to no solid")
+        free: set[int] = set()
         for node in nodes.tolist():
             if node in self._acting.transforms.left_out:
                 continue
             for component in components:
                 along, sense = self._degree(node, component)
                 key, wanted = (node, along), sense * value
+                if key not in self._acting.loads.held:
+                    free.add(node)
                 said = self._first.get(key)
                 if course.span.end <= 0.0 and said is not None and said[1] != wanted:
                     raise Refused(f"{card.place_of(row)}: *BOUNDARY holds component {component} of a node at {wanted:g}, "
@@ -137,3 +149,4 @@ class Boundaries:
                 if points[-1][0] >= course.span.end:
                     points = tuple(point for point in points if point[0] <= course.span.begin) or UNLOADED
                 self._acting.loads.held[key] = course.followed(points, wanted)
+        return free

@@ -21,6 +21,10 @@ class Tightening:
                       if card.keyword == "PRE-TENSIONSECTION" and card.get("NODE")}
         self._preloads, self._findings = preloads, findings
 
+    def is_free(self, node: int) -> bool:
+        """Whether nothing has acted on a bolt yet."""
+        return node not in self._preloads
+
     def draw(self, node: int, card: Card, row: int, course: Course, value: float) -> None:
         """A displacement of the reference node of a pretension section; FIXED, or 0 after a force, locks the bolt."""
         preload = self._preloads.get(node, Preload())

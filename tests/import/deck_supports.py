@@ -1,0 +1,46 @@
+#!/usr/bin/python3
+"""Supports of decks that begin late: scenes that `check` accepts, and what is told of them.
+
+deck_supports.py HARMOS WORK_DIR
+"""
+import subprocess
+import sys
+import unittest
+
+from deck_case import CUBE, HELD, STEEL, STEP, DeckCase, harmos, work
+
+UP = "*SURFACE,NAME=UP\nCUBE,S2\n"
+REFERENCE = "*NODE\n100, 0.5, 0.5, 2.\n" + UP + "*COUPLING,REF NODE=100,SURFACE=UP,CONSTRAINT NAME=C\n*KINEMATIC\n"
+LATE = "are held from the beginning, though free up to this step"
+
+
+class Supports(DeckCase):
+    def told(self, text: str) -> str:
+        """What the import of a deck says, of which `check` accepts the scene."""
+        code, said = self.imported(text)
+        self.assertEqual(code, 0, said)
+        checked = subprocess.run([harmos, "check", str(work / "out" / "deck.xml")], capture_output=True, text=True, check=False)
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        return said
+
+    def test_supports_that_begin_late(self) -> None:
+        pull = STEP.format("*CLOAD\n5,3,1.\n")
+        late = STEP.format("*BOUNDARY\n6,1,2\n6,3\n7,1\n")
+        said = self.told(CUBE + STEEL + HELD + pull + late)
+        self.assertIn(f"left out: deck.inp:30: *BOUNDARY: 2 nodes {LATE}", said.replace(str(work) + "/", ""))
+        for text in (late, "*BOUNDARY\n6,1,3\n7,1\n" + pull + late, STEP.format("*FREQUENCY\n").replace("*STATIC\n", "") + late):
+            self.assertNotIn(LATE, self.told(CUBE + STEEL + HELD + text))
+
+    def test_reference_nodes_and_bolts_that_are_held_late(self) -> None:
+        pull = STEP.format("*CLOAD\n100,1,1.\n")
+        hold = STEP.format("*BOUNDARY\n100,3,3,0.1\n")
+        self.assertIn(f"1 nodes {LATE}", self.told(CUBE + STEEL + REFERENCE + HELD + pull + hold))
+        self.assertNotIn(LATE, self.told(CUBE + STEEL + REFERENCE + HELD + hold + hold))
+        bolt = ("*NODE\n9, 0, 0, 2\n10, 1, 0, 2\n11, 1, 1, 2\n12, 0, 1, 2\n*ELEMENT,TYPE=C3D8,ELSET=CUBE\n2, 5,6,7,8,9,10,11,12\n"
+                "*NODE\n99, 0, 0, 0\n" + STEEL + "*SURFACE,NAME=CUT\n2,S1\n*PRE-TENSION SECTION,SURFACE=CUT,NODE=99\n0., 0., -1.\n" + HELD)
+        draw = STEP.format("*BOUNDARY\n99,1,1,0.01\n")
+        self.assertIn(f"1 nodes {LATE}", self.told(CUBE + bolt + STEP.format("*CLOAD\n9,1,1.\n") + draw))
+        self.assertNotIn(LATE, self.told(CUBE + bolt + STEP.format("*CLOAD\n99,1,1.\n") + draw.replace("0.01", "0.")))
+
+
+unittest.main(argv=[sys.argv[0]])
