@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Supports of decks that begin late: scenes that `check` accepts, and what is told of them.
+"""Supports of decks that begin late, and loads on what is held: scenes that `check` accepts, and what is told of them.
 
 deck_supports.py HARMOS WORK_DIR
 """
@@ -9,9 +9,11 @@ import unittest
 
 from deck_case import CUBE, HELD, STEEL, STEP, DeckCase, harmos, work
 
+TOP = "*NSET,NSET=TOP\n5,6,7,8\n"
 UP = "*SURFACE,NAME=UP\nCUBE,S2\n"
 REFERENCE = "*NODE\n100, 0.5, 0.5, 2.\n" + UP + "*COUPLING,REF NODE=100,SURFACE=UP,CONSTRAINT NAME=C\n*KINEMATIC\n"
 LATE = "are held from the beginning, though free up to this step"
+CARRIED = "it goes into the reaction"
 
 
 class Supports(DeckCase):
@@ -41,6 +43,37 @@ class Supports(DeckCase):
         draw = STEP.format("*BOUNDARY\n99,1,1,0.01\n")
         self.assertIn(f"1 nodes {LATE}", self.told(CUBE + bolt + STEP.format("*CLOAD\n9,1,1.\n") + draw))
         self.assertNotIn(LATE, self.told(CUBE + bolt + STEP.format("*CLOAD\n99,1,1.\n") + draw.replace("0.01", "0.")))
+
+    def test_loads_on_what_is_held(self) -> None:
+        hold, row = "*BOUNDARY\nTOP,3,3\n", "31: "
+        for load, count in (("*CLOAD\nTOP,3,1.\n", "4 nodes"), ("*CLOAD\nTOP,3,1.\nTOP,1,1.\n5,1,1.\n", "4 nodes"),
+                            ("*CLOAD\n5,3,1.\n6,3,2.\n", "2 nodes"), ("*DLOAD\nCUBE,P2,1.\n", "1 faces"), ("*DSLOAD\nUP,P,1.\n", "1 faces")):
+            with self.subTest(load):
+                keyword = load.split("\n")[0]
+                said = self.told(CUBE + STEEL + TOP + UP + HELD + hold + STEP.format(load)).replace(str(work) + "/", "")
+                self.assertIn(f"left out: deck.inp:{row}{keyword}: on {count} that are held along it: {CARRIED}", said)
+        said = self.told(CUBE + STEEL + TOP + HELD + STEP.format("*CLOAD\nTOP,3,1.\n") + STEP.format(hold))
+        self.assertIn(CARRIED, said)
+        self.assertIn(LATE, said)
+
+    def test_loads_on_what_is_held_beside_others(self) -> None:
+        text = CUBE + STEEL + TOP + HELD + "*BOUNDARY\n5,3\n" + STEP.format("*CLOAD\nTOP,3,1.\n")
+        self.assertNotIn("left out", self.told(text))
+        row = self.solved(text)[-1]
+        self.assertAlmostEqual(sum(value for name, value in row.items() if name.startswith("reaction") and name.endswith("_z")), -4.0, 6)
+        said = self.told(text.replace("TOP,3,1.", "5,3,1.\n6,3,2.\n"))
+        self.assertIn(f"on 1 nodes that are held along it: {CARRIED}", said)
+
+    def test_loads_along_axes_of_nodes_that_are_held(self) -> None:
+        for kind in ("TYPE=R\n1., 1., 0., -1., 1., 0.\n", "TYPE=C\n-1., -2., 0., -1., -2., 1.\n", "TYPE=R\n0., 1., 0., -1., 0., 0.\n"):
+            text = CUBE + STEEL + TOP + f"*TRANSFORM,NSET=TOP,{kind}" + HELD + "*BOUNDARY\nTOP,1,{}\n" + STEP.format("*CLOAD\nTOP,1,1.\n")
+            with self.subTest(kind):
+                self.assertIn(f"on 4 nodes that are held along it: {CARRIED}", self.told(text.format(3)))
+                self.assertEqual("0., 1., 0." in kind, CARRIED in self.told(text.format(1)))
+
+    def test_loads_on_held_reference_nodes(self) -> None:
+        said = self.told(CUBE + STEEL + REFERENCE + HELD + "*BOUNDARY\n100,3,3,0.1\n" + STEP.format("*CLOAD\n100,3,1.\n100,1,1.\n"))
+        self.assertIn(f"*COUPLING, force z: 1, on a node that is held along it: {CARRIED}", said)
 
 
 unittest.main(argv=[sys.argv[0]])

@@ -51,6 +51,10 @@ class ElementType:
         """How many corners it has."""
         return sum(len(spot) == 1 for spot in self.order)
 
+    def nodes_of_side(self, side: int) -> list[int]:
+        """Numbers of all nodes of a side."""
+        return [node for node, spot in enumerate(self.order) if spot <= set(self.sides[side])]
+
     def mirrored(self) -> list[int]:
         """The order of nodes that turns an element inside out, for those that a format numbers in the other sense."""
         swap = {3: [0, 2, 1], 4: [0, 3, 2, 1] if self.dimension == 2 else [0, 2, 1, 3], 5: [0, 3, 2, 1, 4],

@@ -6,6 +6,7 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.deck.areas import nodal_areas
 from harmos.exchange.deck.cards import Card
+from harmos.exchange.deck.carried import INTO_REACTION
 from harmos.exchange.deck.contents import Contents, Scope
 from harmos.exchange.deck.curves import Histories, Points, peak
 from harmos.exchange.deck.solids import Solids
@@ -224,6 +225,9 @@ class Couplings:
                 self._findings.leave_out(coupling.card.place, f"*{coupling.card.keyword}, component {component + 1}",
                                          f"{peak(points):g}, which leaves the plane")
         held = {component: points for component, points in sorted(coupling.held.items()) if component in in_space}
+        for component in sorted(held.keys() & coupling.forces.keys()):
+            self._findings.leave_out(coupling.card.place, f"*{coupling.card.keyword}, {_FORCES[component].lower()}",
+                                     f"{peak(coupling.forces[component]):g}, on a node that is held along it: {INTO_REACTION}")
         for component, points in held.items():
             if component > 2 and abs(peak(points)) > LARGE_ROTATION:
                 self._findings.leave_out(coupling.card.place, f"*{coupling.card.keyword}, rotation", f"{peak(points):g} is not small: all "

@@ -26,6 +26,8 @@ class DistributedLoads:
             Refused: a set, surface or amplitude is not there, or a line lacks numbers.
         """
         course = Course(span, self._amplitudes.of(card, span), at_once)
+        acted: set[tuple[int, int]] = set()
+        self._acting.loads.pressure_cards.append((card, acted))
         for row, words in enumerate(card.rows()):
             label = words[1].upper() if len(words) > 1 else ""
             if card.keyword == "DSLOAD" and label == "P":
@@ -52,6 +54,7 @@ class DistributedLoads:
             value = card.number(words[2], row) if len(words) > 2 else 0.0
             for element, side in sides.tolist():
                 course.add(self._acting.loads.pressures, (element, side), value)
+                acted.add((element, side))
 
     def _gravity(self, card: Card, row: int, words: list[str], course: Course) -> None:
         numbers = [card.number(word, row) for word in words[2:6]]

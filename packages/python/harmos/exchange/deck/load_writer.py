@@ -5,6 +5,7 @@ import numpy
 
 from harmos.arrays import Array
 from harmos.exchange.deck.areas import nodal_areas
+from harmos.exchange.deck.carried import Carried
 from harmos.exchange.deck.curves import Histories, Points, peak, shape, summed
 from harmos.exchange.deck.loads import Loads
 from harmos.exchange.deck.solids import Solids
@@ -47,8 +48,10 @@ class LoadWriter:
                 if peak(points):
                     self._histories.set(force, "XYZ"[component], points)
         self._write_held(loads.held, loads.axes)
-        self._write_pressures(loads.pressures)
-        self._write_forces(loads.global_forces())
+        carried = Carried(loads, self._solids.mesh)
+        self._write_pressures(loads.pressures, carried)
+        self._write_forces(loads.global_forces(), carried)
+        carried.tell(self._findings)
 
     def _boundary(self, name: str) -> "tuple[str, SceneList]":
         boundaries = self._scene.child("Boundaries")
@@ -109,20 +112,22 @@ class LoadWriter:
         response = self._scene.child("Responses").child(ended_name(f"reaction_{boundary}", f"_{along}"))
         response.set("Type", "Interface Force").set("Interface", boundary).set("Direction", direction)
 
-    def _write_pressures(self, pressures: dict[tuple[int, int], Points]) -> None:
+    def _write_pressures(self, pressures: dict[tuple[int, int], Points], carried: Carried) -> None:
         groups = collections.defaultdict(list)
         for face, points in pressures.items():
             groups[points].append(face)
+        number = {(element, side): row for row, (element, side) in enumerate(self._outer.rows().tolist())}
         for points, faces in groups.items():
             name = self._set_name("pressed")
-            rows = numpy.array(sorted(faces))
-            outer = {tuple(row) for row in self._outer.rows().tolist()}
-            inside = [tuple(row) not in outer for row in rows.tolist()]
-            if any(inside):
-                self._findings.leave_out("DLOAD", "pressure", f"{sum(inside)} of its faces lie inside of a part")
-                rows = rows[~numpy.array(inside)]
-            if not len(rows):
+            outer = sorted(face for face in faces if face in number)
+            if len(outer) < len(faces):
+                self._findings.leave_out("DLOAD", "pressure", f"{len(faces) - len(outer)} of its faces lie inside of a part")
+            if not outer:
                 continue
+            if carried.takes_pressures(self._outer.chosen(numpy.array([number[face] for face in outer]))):
+                carried.leave_out_pressures(set(outer))
+                continue
+            rows = numpy.array(outer)
             self._solids.mesh.side_sets[name] = rows
             _, boundary = self._boundary(name)
             law = boundary.set("Side Set", name).child("Law").set("Type", "Pressure")
@@ -131,7 +136,7 @@ class LoadWriter:
             self.touched |= {names[self._solids.mesh.part_of_block()[block]]
                              for block in self._solids.mesh.block_of(rows[:, 0])}
 
-    def _write_forces(self, forces: dict[tuple[int, int], Points]) -> None:
+    def _write_forces(self, forces: dict[tuple[int, int], Points], carried: Carried) -> None:
         groups: dict[tuple[int, int, Points], dict[int, float]] = collections.defaultdict(dict)
         for (node, component), points in forces.items():
             if peak(points) != 0.0:
@@ -140,9 +145,12 @@ class LoadWriter:
         nodal: dict[tuple[int, int], list[tuple[int, float, Points]]] = collections.defaultdict(list)
         for (part, component, form), values in groups.items():
             self.touched.add(names[part])
-            if not self._as_traction(part, component, form, values):
-                for node, value in values.items():
-                    nodal[part, node].append((component, value, form))
+            free = [node for node in values if not carried.takes_force(node, component)]
+            if free and self._as_traction(part, component, form, values):
+                continue
+            carried.leave_out_forces({(node, component) for node in values.keys() - free})
+            for node in free:
+                nodal[part, node].append((component, values[node], form))
         alike: dict[tuple[int, tuple[tuple[int, float, Points], ...]], list[int]] = collections.defaultdict(list)
         for (part, node), of_node in nodal.items():
             alike[part, tuple(sorted(of_node))].append(node)

@@ -3,6 +3,7 @@ from harmos.exchange.deck.acting import Acting
 from harmos.exchange.deck.amplitudes import Amplitudes
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.curves import Course, Span
+from harmos.exchange.deck.loads import NO_SHARE
 from harmos.exchange.deck.materials import Material
 from harmos.exchange.findings import Refused
 
@@ -21,6 +22,8 @@ class NodalLoads:
             Refused: a set or an amplitude is not there, or a line is no force.
         """
         course = Course(span, self._amplitudes.of(card, span), at_once)
+        acted: set[tuple[int, int]] = set()
+        self._acting.loads.force_cards.append((card, acted))
         for row, words in enumerate(card.rows()):
             if len(words) < 3:
                 raise Refused(f"{card.place_of(row)}: *CLOAD takes a node or set, a component and a force.")
@@ -49,9 +52,11 @@ class NodalLoads:
                     continue
                 if axes is None:
                     course.add(self._acting.loads.forces, (node, component - 1), value)
+                    acted.add((node, component - 1))
                     continue
                 direction = axes.at(self._acting.solids.mesh.nodes[node], self._acting.transforms.size)[component - 1]
                 course.add(self._acting.loads.turned_forces, (node, component - 1, tuple(map(float, direction))), value)
+                acted.update((node, along) for along, share in enumerate(direction) if abs(share) > NO_SHARE)
 
     def read_temperatures(self, card: Card, span: "Span | None", at_once: bool) -> None:
         """Temperatures of nodes; without a span the initial ones, at which there is no strain.
