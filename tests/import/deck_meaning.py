@@ -96,6 +96,19 @@ class Meaning(DeckCase):
         hot = STIFF_ALONG_Z.replace("400.\n400.", "400.\n400., 20.\n900., 900., 900., 0., 0., 0., 400., 400.\n400., 90.")
         self.demand_told(CUBE + hot + SECTION + HELD + PRESS, "ELASTIC: moduli that depend on temperature")
 
+    def test_moduli_that_no_material_has(self) -> None:
+        ratio = "Poisson's Ratio = {} is out of range: at least -0.999 and at most 0.4999999"
+        for numbers, words in (("1000., .5", ratio.format("0.5")), ("1000., -1.", ratio.format("-1")),
+                               ("0., .3", "Young's Modulus = 0 is out of range: above 0")):
+            self.demand_refused(PLAIN.replace("1000., 0.", numbers), f"deck.inp:13: *ELASTIC: {words}")
+        orthotropic = CUBE + STIFF_ALONG_Z + SECTION + HELD + PRESS
+        self.demand_refused(orthotropic.replace("400., 400.", "-400., 400."), "deck.inp:13: *ELASTIC: Shear Modulus 12 = -400 is out of range: above 0")
+        for ratios in ("1.1, 0., 0.", "0.7, 0.7, -0.7", "1., 0., 0."):
+            self.demand_refused(orthotropic.replace(" 0., 0., 0.,", f" {ratios},"), "deck.inp:13: *ELASTIC: these Poisson's ratios leave no energy")
+        self.demand_told(orthotropic.replace(" 0., 0., 0.,", " 0.9, 0., 0.,"))
+        unused = "*MATERIAL,NAME=RUBBER\n*ELASTIC\n1., 0.5\n"
+        self.demand_told(CUBE + unused + STEEL + HELD + PRESS)
+
     def test_weight_of_the_whole_model(self) -> None:
         text = CUBE + STEEL + HELD + STEP.format("*DLOAD\n, GRAV, 9.81, 0., 0., -1.\n")
         self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_z"], 2.0 * 9.81, 4)

@@ -19,6 +19,9 @@ _EFFECTS = {
 _KINDS = ("ISO", "ISOTROPIC", "ENGINEERINGCONSTANTS", "ENGINEERING CONSTANTS", "ORTHO", "ORTHOTROPIC")
 """Of elasticity, that Harmos has."""
 
+SMALLEST_RATIO, LARGEST_RATIO, LEAST_ENERGY = -0.999, 0.4999999, 1e-7
+"""What a scene takes: Poisson's ratios of isotropic materials, and the determinant of the energy of orthotropic ones."""
+
 
 @dataclasses.dataclass
 class Material:
@@ -28,12 +31,14 @@ class Material:
         card: it stands on.
         name: in the scene.
         entries: of the scene; empty: it is not linear elastic.
+        elastic: FILE:LINE of the numbers that they come from.
         density: mass per volume; 0: not given.
         expansion: entries of the scene for strains of temperatures; empty: there are none.
     """
     card: Card
     name: str
     entries: dict[str, float]
+    elastic: str = ""
     density: float = 0.0
     expansion: dict[str, float] = dataclasses.field(default_factory=dict)
 
@@ -63,7 +68,7 @@ def _take(card: Card, result: dict[str, Material], findings: Findings) -> None:
     elif result:
         current = list(result.values())[-1]
         if card.keyword == "ELASTIC":
-            current.entries = _elastic(card, findings)
+            current.entries, current.elastic = _elastic(card, findings), card.place
         elif card.keyword == "DENSITY" and card.data:
             current.density = card.number(card.rows()[0][0], 0)
         elif card.keyword == "EXPANSION":
@@ -104,6 +109,25 @@ def _elastic(card: Card, findings: Findings) -> dict[str, float]:
     return {}
 
 
+def _demand_possible(place: str, entries: dict[str, float]) -> None:
+    """Refuses elasticity that the scene would be refused for: without stiffness, or with no energy in some strain."""
+    for name, value in entries.items():
+        if "Modulus" in name and not value > 0.0:
+            raise Refused(f"{place}: *ELASTIC: {name} = {value:g} is out of range: above 0.")
+    if "Young's Modulus" in entries:
+        ratio = entries["Poisson's Ratio"]
+        if not SMALLEST_RATIO <= ratio <= LARGEST_RATIO:
+            raise Refused(f"{place}: *ELASTIC: Poisson's Ratio = {ratio:.9g} is out of range: at least {SMALLEST_RATIO} and at most {LARGEST_RATIO}."
+                          "\n  Take the largest one, and the part's Formulation B-Bar, for a material that keeps its volume.")
+        return
+    energy = numpy.eye(3)
+    for one, other in ((0, 1), (0, 2), (1, 2)):
+        share = entries[f"Young's Modulus {other + 1}"] / entries[f"Young's Modulus {one + 1}"]
+        energy[one, other] = energy[other, one] = -entries[f"Poisson's Ratio {one + 1}{other + 1}"] * share**0.5
+    if not (numpy.abs(energy - numpy.eye(3)).max() < 1.0 and numpy.linalg.det(energy) > LEAST_ENERGY):
+        raise Refused(f"{place}: *ELASTIC: these Poisson's ratios leave no energy, or next to none, in some strain: reduce them.")
+
+
 def _expansion(card: Card, findings: Findings) -> dict[str, float]:
     kind = card.get("TYPE") or "ISO"
     numbers = [float(number) for number in card.flat()]
@@ -119,10 +143,16 @@ def _expansion(card: Card, findings: Findings) -> dict[str, float]:
 
 def write_material(material: Material, name: str, axes: "tuple[list[float], list[float]] | None", scene: SceneList,
                    findings: Findings) -> None:
-    """Adds a material to the scene; steel in mm and N where the deck has no elasticity that Harmos has."""
+    """Adds a material to the scene; steel in mm and N where the deck has no elasticity that Harmos has.
+
+    Raises:
+        Refused: no material has this elasticity.
+    """
     materials = scene.child("Materials")
     entries = material.entries
-    if not entries:
+    if entries:
+        _demand_possible(material.elastic, entries)
+    else:
         materials.comment(f"TO DECIDE: {material.card.place} has no linear elasticity; steel in mm and N stands here.")
         findings.undecided.append(f"material {name}: the deck has no linear elasticity for it, steel in mm and N is assumed")
         entries = {"Young's Modulus": 210000.0, "Poisson's Ratio": 0.3}
