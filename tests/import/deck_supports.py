@@ -75,5 +75,15 @@ class Supports(DeckCase):
         said = self.told(CUBE + STEEL + REFERENCE + HELD + "*BOUNDARY\n100,3,3,0.1\n" + STEP.format("*CLOAD\n100,3,1.\n100,1,1.\n"))
         self.assertIn(f"*COUPLING, force z: 1, on a node that is held along it: {CARRIED}", said)
 
+    def test_choices_that_the_deck_makes(self) -> None:
+        (work / "deck.inp").write_text(CUBE + STEEL + TOP + UP + HELD + STEP.format("*DSLOAD\nUP,P,1.\n"))
+        for option, name in (("--hold", "TOP"), ("--load", "UP"), ("--perfect", "A_to_B")):
+            result = subprocess.run([harmos, "import", str(work / "deck.inp"), "--output", str(work / "out"), option, name], capture_output=True,
+                                    text=True, check=False)
+            with self.subTest(option):
+                self.assertEqual(result.returncode, 2, result.stdout)
+                self.assertIn(f"{option} {name}: ", result.stderr)
+                self.assertFalse((work / "out").exists())
+
 
 unittest.main(argv=[sys.argv[0]])

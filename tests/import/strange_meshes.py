@@ -208,6 +208,21 @@ class StrangeMeshes(unittest.TestCase):
         self.demand_refused(change, "side set \"of_skin\" is empty; faces of the unused blocks \"skin\" are left out",
                             scene(sets=("bottom", "of_skin"), mesh=unused))
 
+    def test_sets_that_no_boundary_can_have(self) -> None:
+        def change(blocks: Blocks) -> None:
+            blocks.side_sets += [("inner", 3, [1, 3], [2, 2]), ("joint", 4, [5, 6, 7, 8], [6] * 4)]
+            blocks.node_sets.append(("inner", 2, [1, 2]))
+        self.run_on(change)
+        for option, name, words in (("--load", "inner", "it lies inside of a part in places"), ("--hold", "joint", "it is a side of an interface"),
+                                    ("--load", "joint", "it is a side of an interface"), ("--hold", "inner", ""), ("--load", "top", "")):
+            command = [harmos, "import", str(work / "mesh.e"), "--output", str(work / "imported"), option, name]
+            result = subprocess.run(command, capture_output=True, text=True, check=False)
+            with self.subTest(option, name=name):
+                self.assertEqual(result.returncode, 2 if words else 0, result.stderr)
+                self.assertIn(f"{option} {name}: {words}" if words else "as asked for", result.stderr if words else result.stdout)
+                self.assertEqual((work / "imported").exists(), not words)
+            shutil.rmtree(work / "imported", ignore_errors=True)
+
     def test_maps_that_are_none(self) -> None:
         for numbers in (numpy.arange(1, 100001), numpy.arange(1, 4), numpy.zeros(16, dtype=int), -numpy.arange(1, 17)):
             for name in ("elem_num_map", "node_num_map"):

@@ -107,6 +107,9 @@ def _import(arguments: argparse.Namespace) -> None:
         from harmos.exchange.deck.imported import import_deck
         deck = import_deck(path, f"{stem}.e", arguments.units, findings)
         mesh, scene = deck.mesh, deck.scene
+        for option, names in (("--hold", arguments.hold), ("--load", arguments.load), ("--perfect", arguments.perfect)):
+            if scene is not None and names:
+                raise Refused(f"{option} {names[0]}: {path} says itself what holds, loads and joins its parts. Change it there, or in the scene.")
     elif suffix in DRAWINGS:
         mesh = read_drawing(path, _meshing(arguments, units), findings)
     else:

@@ -56,6 +56,17 @@ class Choices:
         if wrong:
             raise Refused(f"{path}: " + "\n  ".join(wrong))
 
+    def demand_usable(self, path: str, unusable: dict[str, str]) -> None:
+        """Refuses sets that can have no boundary, given with the reason.
+
+        Raises:
+            Refused: some are chosen.
+        """
+        wrong = [f"{option} {name}: it {unusable[name]}; choose another set." for option, names in (("--hold", self.held), ("--load", self.loaded))
+                 for name in names if unusable.get(name)]
+        if wrong:
+            raise Refused(f"{path}: " + "\n  ".join(wrong))
+
 
 def starting_scene(mesh: Mesh, mesh_file: str, title: str, units: UnitSystem, is_declared: bool, choices: Choices,
                    findings: Findings) -> SceneList:
@@ -72,7 +83,7 @@ def starting_scene(mesh: Mesh, mesh_file: str, title: str, units: UnitSystem, is
     _add_parts(scene, mesh)
     touched = _add_interfaces(scene, mesh, choices, findings)
     choices.demand_known(title, mesh, scene)
-    _add_boundaries(scene, mesh, touched, choices, findings)
+    _add_boundaries(scene, mesh, touched, choices, title, findings)
     add_preloads(scene, mesh, choices.preloads, findings)
     scene.child("Steps").child("load")
     return scene
@@ -149,23 +160,26 @@ def _sides_of(mesh: Mesh, contact: Contact) -> list[str]:
     return names
 
 
-def _add_boundaries(scene: SceneList, mesh: Mesh, touched: set[str], choices: Choices, findings: Findings) -> None:
+def _add_boundaries(scene: SceneList, mesh: Mesh, touched: set[str], choices: Choices, title: str, findings: Findings) -> None:
     boundaries, responses = scene.child("Boundaries"), scene.child("Responses")
     joined = {str(item.value) for interface in scene.child("Interfaces").items if isinstance(interface, SceneList)
               for item in interface.items if not isinstance(item, SceneList) and hasattr(item, "value")}
     free = []
+    unusable: dict[str, str] = {}  # why no set of a name is a boundary; empty where one is
     taken = set(scene.child("Interfaces").names())
     surface = outer_faces(mesh).rows()
     for kind, sets in (("Side Set", mesh.side_sets), ("Node Set", mesh.node_sets)):
         for name in sets:
+            is_chosen = name in choices.held or (kind == "Side Set" and name in choices.loaded)
             if name in joined:
+                unusable.setdefault(name, "is a side of an interface")
                 continue
             what = _words(mesh, kind, name)
             if kind == "Side Set" and not _lies_on(surface, mesh.side_sets[name]):
-                free.append(what + ", inside of a part in places")
+                unusable[name] = "lies inside of a part in places"
+                free.append(f"{what}, inside of a part in places")
                 continue
             boundary_name = unused_name(name, taken)
-            is_chosen = name in choices.held or name in choices.loaded
             ask = "" if is_chosen else ASK
             if MIRROR.search(name) and kind == "Side Set" and not is_chosen:
                 boundaries.comment(ASK + f"{what} is taken for a plane of symmetry.")
@@ -176,7 +190,7 @@ def _add_boundaries(scene: SceneList, mesh: Mesh, touched: set[str], choices: Ch
                 for axis in "XYZ"[:mesh.dimension]:
                     law.set(axis, 0.0)
                 _add_reactions(responses, boundary_name, mesh.dimension)
-            elif name in choices.loaded or (LOADED.search(name) and kind == "Side Set"):
+            elif kind == "Side Set" and (is_chosen or LOADED.search(name)):
                 boundaries.comment(ASK + f"{what} is {'loaded' if is_chosen else 'taken for a loaded surface'}; its "
                                    "tractions are 0.")
                 law = boundaries.child(boundary_name).set(kind, name).child("Law").set("Type", "Prescribed Traction")
@@ -188,6 +202,7 @@ def _add_boundaries(scene: SceneList, mesh: Mesh, touched: set[str], choices: Ch
             else:
                 free.append(what)
                 continue
+            unusable[name] = ""
             taken.add(boundary_name)
             touched |= _parts_of(mesh, kind, name)
             findings.found.append(f"boundary {boundary_name}, {'as asked for' if is_chosen else 'by the name of its set'}")
@@ -196,6 +211,7 @@ def _add_boundaries(scene: SceneList, mesh: Mesh, touched: set[str], choices: Ch
     _add_surfaces(boundaries, mesh, touched, taken, findings)
     if not choices.held or not choices.loaded:
         findings.undecided.append("boundaries: what holds and what loads the assembly")
+    choices.demand_usable(title, unusable)
 
 
 def _lies_on(surface: Array, rows: Array) -> bool:
