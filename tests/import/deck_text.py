@@ -36,6 +36,7 @@ class DeckText(DeckCase):
             with self.subTest(text[:30]):
                 self.demand_like_plain(text)
         self.demand_like_plain(re.sub(r"^\*", " \t*", PLAIN, flags=re.MULTILINE).replace("*DENSITY", "** a comment\n*DENSITY"))
+        self.demand_like_plain(re.sub(r"^\*.*", lambda line: line[0].replace(",", "\t,\t").replace("=", "\t=\t"), PLAIN, flags=re.MULTILINE))
 
     def test_wide_text_that_breaks_off(self) -> None:
         self.demand_refused(PLAIN.encode("utf-16")[:-1], "it begins as UTF-16, and does not go on so")

@@ -218,5 +218,5 @@ def _card(path: str, line: int, heading: str, lines: list[str], below: int, end:
     for word in words[1:]:
         name, _, value = word.partition("=")
         if name.strip():
-            parameters[name.replace(" ", "").upper()] = _bare(value)
+            parameters["".join(name.split()).upper()] = _bare(value)
     return Card("".join(words[0].split()).upper(), parameters, path, line, *_data(lines, below, end))
