@@ -86,6 +86,8 @@ class Meaning(DeckCase):
         self.demand_told(PLAIN.replace("*STATIC", "*STATIC,RIKS"), "STATIC, RIKS: the whole load")
         self.demand_told("*RESTART, READ\n" + PLAIN, "deck.inp:1: \\*RESTART, READ: the deck goes on")
         self.demand_told(PLAIN.replace("*DLOAD", "*DLOAD,LOAD CASE=2"), "DLOAD, LOADCASE")
+        self.demand_told(PLAIN.replace("*DLOAD", "*DLOAD,OP=foo"), "deck.inp:\\d+: \\*DLOAD, OP=FOO: it is neither NEW nor MOD, and counts as MOD")
+        self.assertNotIn("left out", self.imported(PLAIN.replace("*DLOAD", "*DLOAD,OP=Mod"))[1])
         self.assertNotIn("left out", self.imported(PLAIN.replace("*STEP", "*STEP, NAME=LOAD, NLGEOM=NO, INC=100"))[1])
 
     def test_types_of_elements_with_more_fields(self) -> None:

@@ -54,3 +54,6 @@ def list_unread(cards: list[Card], findings: Findings) -> None:
         for name in card.parameters:
             if name not in _READ[card.keyword].split():
                 findings.leave_out(card.place, f"*{card.keyword}, {name}", _EFFECTS.get((card.keyword, name), UNKNOWN))
+        if card.get("OP") not in ("", "NEW", "MOD"):
+            findings.leave_out(card.place, f"*{card.keyword}, OP={card.get('OP')}", "it is neither NEW nor MOD, and counts as MOD: what acted "
+                               "before goes on")
