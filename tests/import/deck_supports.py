@@ -51,7 +51,7 @@ class Supports(DeckCase):
             with self.subTest(load):
                 keyword = load.split("\n")[0]
                 said = self.told(CUBE + STEEL + TOP + UP + HELD + hold + STEP.format(load)).replace(str(work) + "/", "")
-                self.assertIn(f"left out: deck.inp:{row}{keyword}: on {count} that are held along it: {CARRIED}", said)
+                self.assertIn(f"left out: deck.inp:{row}{keyword}, reaction: on {count} that are held along it: {CARRIED}", said)
         said = self.told(CUBE + STEEL + TOP + HELD + STEP.format("*CLOAD\nTOP,3,1.\n") + STEP.format(hold))
         self.assertIn(CARRIED, said)
         self.assertIn(LATE, said)

@@ -23,7 +23,7 @@ import numpy
 from scipy.spatial import cKDTree
 
 MINOR = re.compile(r"^(\*FRICTION, stick slope|\*CONDUCTIVITY|\*SPECIFICHEAT|\*DAMPING|TYPE=\w+R|TYPE=C3D6|TYPE=C3D15|"
-                   r"\*STEP, NLGEOM|\*ELEMENT, TYPE=CPS[68]R?)$")
+                   r"\*STEP, NLGEOM|\*(CLOAD|DLOAD|DSLOAD), reaction|\*ELEMENT, TYPE=CPS[68]R?)$")
 """What is left out without effect on the displacements that are compared."""
 
 OTHER_METHOD = {"cubef2f3": "CalculiX ties node by node, which is 2.5 % off its own cubef2f1 and cubef2f2"}

@@ -55,7 +55,7 @@ class Carried:
             for card, keys in acting:
                 lost = {key[0] if what == "nodes" else key for key in keys & left_out}
                 if lost:
-                    findings.leave_out(card.place, f"*{card.keyword}", f"on {len(lost)} {what} that are held along it: {INTO_REACTION}")
+                    findings.leave_out(card.place, f"*{card.keyword}, reaction", f"on {len(lost)} {what} that are held along it: {INTO_REACTION}")
 
     def _takes(self, node: int, direction: Array) -> bool:
         components = self._components.get(node)
