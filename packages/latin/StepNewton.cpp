@@ -39,6 +39,8 @@ constexpr int mostTimeSteps = 300;
 constexpr int fewTimeSteps = 60;
 constexpr double leastTime = 1e-4;
 constexpr double longestTime = 1e6;
+// Nothing moves any more in steps so short, and their tangent would overflow.
+constexpr double noTime = 1e-12;
 constexpr double largestTimeError = 0.5;
 constexpr double smallTimeError = 0.1;
 constexpr double shorterTime = 0.25;
@@ -228,7 +230,7 @@ StepNewton::Result StepNewton::settle(base::Matrix& state, const base::Matrix& b
   double time = 1.0;
   const int most = isDamped_ ? mostTimeSteps : fewTimeSteps;
   for (int number = 0; number < most && !(result.residual <= enough(target)); ++number) {
-    if (!isDamped_ && (time < leastTime || time > longestTime)) break;
+    if (time < (isDamped_ ? noTime : leastTime) || (!isDamped_ && time > longestTime)) break;
     if (mustStop && mustStop()) break;
     tangent_->differentiate(0, fixedPoint_.pointwiseStage(), 1.0 / time);
     const CorrectionSpace::LeastSquares direction = leastSquares(leastForcing * result.residual);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <harmos/latin/LatinSolver.hpp>
 #include <harmos/latin/March.hpp>
 #include <harmos/latin/StepNewton.hpp>
 #include <harmos/latin/StepwiseCorrection.hpp>
@@ -121,6 +122,27 @@ TEST(StepNewton, GivesUpInPseudoTimeWhereNothingHolds) {
   EXPECT_FALSE(cubes.result.isReached);
   EXPECT_LE(cubes.solved, 60);
   for (int row = 0; row < cubes.rows(); ++row) EXPECT_EQ(cubes.state[0][row], 0.0);
+}
+
+// Glue so much stiffer than the cubes that no state is near that of the load step before.
+TEST(StepNewton, GivesUpInPseudoTimeBeforeItsTangentOverflows) {
+  for (const double stiffness : {1e6, 1e8, 1e10, 1e11}) {
+    const Law glue = laws::makeLaw("Cohesive Zone", {{"Stiffness", stiffness},
+                                                     {"Normal Strength", 1.0},
+                                                     {"Shear Strength", 1.0},
+                                                     {"Mode I Fracture Energy", 0.005},
+                                                     {"Mode II Fracture Energy", 0.005}});
+    const Law drawn =
+        laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 1.0}}, {{"Z", {0.006, 0.009}}});
+    base::Timers timers;
+    LatinOptions options;
+    options.accuracy = 1e-6;
+    BoxAssembly cubes = twoCubes(glue, drawn, 2);
+    LatinSolver solver(cubes.assembly(), options, self(), timers);
+    LatinResult result;
+    EXPECT_NO_THROW(result = solver.solve()) << stiffness;
+    EXPECT_FALSE(result.reason.empty()) << stiffness;
+  }
 }
 
 // The gap closes after a way that the tangents of an open contact know nothing of, and has no scale of the cubes.
