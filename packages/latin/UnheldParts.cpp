@@ -52,9 +52,10 @@ std::vector<base::Vector3> resisted(const statics::Joint& joint, const double* n
   std::vector<base::Vector3> directions;
   // Nothing is known of a stage that does not meet laws pair by pair: nothing is said.
   if (numbers[0] == 0.0) return {axes[0], axes[1], axes[2]};
-  // What can only be pressed, and is not, is open but for round-off.
-  if (joint.tractions.upper[0] <= 0.0 && base::norm(traction) <= nothing) return {};
-  switch (static_cast<laws::Status>(static_cast<int>(numbers[0]) - 1)) {
+  const auto status = static_cast<laws::Status>(static_cast<int>(numbers[0]) - 1);
+  const bool isContact = status == laws::Status::stick || status == laws::Status::slip;
+  if (isContact && base::norm(traction) < nothing) return {};
+  switch (status) {
     case laws::Status::open:
       break;
     case laws::Status::stick:

@@ -41,6 +41,18 @@ TEST(UnheldParts, AreNoneWhereFrictionSticksOrAJointBonds) {
   EXPECT_TRUE(remarksOn(twoCubes(soft, push(0.0, -0.1))).empty());
 }
 
+TEST(UnheldParts, AreNoneOnRollers) {
+  BoxAssembly cubes({{"lower", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {"upper", {0, 0, 1}, {1, 1, 2}, {2, 2, 2}}}, 1);
+  cubes.join("joint", "lower_zmax", "upper_zmin", friction(0.3));
+  cubes.hold("floor", "lower_zmin", laws::makeLaw("Prescribed Displacement", {{"Z", 0.0}}));
+  for (const std::string part : {"lower", "upper"}) {
+    cubes.hold(part + " x", part + "_xmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}}));
+    cubes.hold(part + " y", part + "_ymin", laws::makeLaw("Prescribed Displacement", {{"Y", 0.0}}));
+  }
+  cubes.hold("top", "upper_zmax", push(0.0, -2.0));
+  EXPECT_TRUE(remarksOn(cubes).empty());
+}
+
 TEST(UnheldParts, ByGlueWithoutStiffnessAlongItCanSlide) {
   const Law rollers = laws::makeLaw("Linear Elastic", {{"Normal Stiffness", 10.0}, {"Tangential Stiffness", 0.0}});
   EXPECT_EQ(remarksOn(twoCubes(rollers, push(0.0, 1.0))).size(), 1U);
