@@ -114,7 +114,9 @@ NaturalSizes::NaturalSizes(const Iterate& state) {
   };
   displacement_ = all[0];
   const double roundOff = state.reference().isEmpty() ? nothing : nothingFromReference;
-  const bool areNothing = largest(forces) <= roundOff * largest(springs);
+  // Small as they are beside k w, where there are loads they are what carries these.
+  const bool carryLoads = largest(loads) > 0.0 && largest(forces) > cancellationOfLoads * largest(loads);
+  const bool areNothing = largest(forces) <= roundOff * largest(springs) && !carryLoads;
   force_ = areNothing ? cancellation * largest(springs) : smallShare * largest(forces);
   stress_ = areNothing ? cancellation * all[2] : smallShare * all[1];
   squaredForce_ = areNothing ? cancellation * cancellation * largest(squaredSprings) : 0.0;

@@ -15,9 +15,9 @@ class NaturalSizes {
   /// forces, or interface traction; of an energy 1e-6 of force times displacement, because rigid motions count there;
   /// of a ratio 1e-3; of a moment that of a force times the size of the assembly. Where all forces are round-off, 1e-10
   /// of k w or less with k the automatic search direction (1e-12 where displacements are counted from
-  /// ReferenceMotions), they are measured by 1e-7 of k w. Forces count as zero, too, below 1e-7 of the loads on the
-  /// volumes and faces of bodies, which balance each other where a body expands freely or is squeezed. Cuts through
-  /// parts do not count: they are nothing that the problem has.
+  /// ReferenceMotions), and 1e-7 of the loads or less if there are any, they are measured by 1e-7 of k w. Forces count
+  /// as zero, too, below 1e-7 of the loads on the volumes and faces of bodies, which balance each other where a body
+  /// expands freely or is squeezed. Cuts through parts do not count: they are nothing that the problem has.
   double floor(Quantity quantity) const;
   /// The scale of the response, if it has one, else the floor of its quantity.
   double floor(const Response& response) const {
