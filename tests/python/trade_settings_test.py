@@ -129,6 +129,43 @@ class SettingsTest(unittest.TestCase):
             (self.folder / "out" / name).mkdir(parents=True)
             self.assertIn("it is a folder", self.refused(source))
 
+    def test_no_result_replaces_an_input(self) -> None:
+        """Not the scene of a study that an earlier trade has recommended, nor what an entry or an override names."""
+        out = self.folder / "out"
+        out.mkdir()
+        settings = f"<!-- {REMARK} for errors below 2 % -->" + SCENE.format(element="Quad4")
+        for target in ("1", "2"):  # those of 2 % would be removed as old ones
+            scene = out / f"study_within_{target}_percent_scene.xml"
+            scene.write_text(settings)
+            (self.folder / "study.xml").write_text(STUDY.replace("scene.xml", str(scene)))
+            self.assertIn(f"would replace the input {scene}", self.refused("study.xml"))
+            self.assertEqual(scene.read_text(), settings)
+            scene.unlink()
+        table = out / "scene_trade.h5"
+        table.write_text("a mesh")
+        (self.folder / "meshes").mkdir()
+        for mesh in ("a.e", "b.e"):
+            os.symlink(table, self.folder / "meshes" / mesh)
+        (self.folder / "scene.xml").write_text(SCENE.format(element="Quad4"))
+        self.assertIn("meshes/a.e", self.refused("scene.xml"))
+        table.rename(out / "study_trade.csv")
+        (self.folder / "meshes" / "b.e").unlink()
+        os.symlink(out / "study_trade.csv", self.folder / "meshes" / "b.e")
+        (self.folder / "study.xml").write_text(STUDY)
+        self.assertIn("meshes/b.e", self.refused("study.xml"))
+
+    def test_files_that_are_read_are_known(self) -> None:
+        """Laws, points of a design and samples of a distribution as well."""
+        (self.folder / "scene.xml").write_text('<ParameterList name="Harmos"><Parameter name="Plugins" '
+                                               'type="Array(string)" value="{laws/a.so, b.so}"/></ParameterList>')
+        (self.folder / "sub").mkdir()
+        (self.folder / "sub" / "study.xml").write_text(
+            '<ParameterList name="Harmos Study"><Parameter name="Scene" type="string" value="../scene.xml"/>'
+            '<ParameterList name="Design"><Parameter name="File" type="string" value="points.csv"/></ParameterList>'
+            "</ParameterList>")
+        found = {os.path.relpath(file, self.folder) for file in Document(self.folder / "sub" / "study.xml").inputs()}
+        self.assertEqual(found, {"scene.xml", "sub/study.xml", "laws/a.so", "b.so", "sub/points.csv"})
+
     def test_a_folder_is_no_input(self) -> None:
         """It is called one."""
         self.assertIn("is a folder", self.refused("."))

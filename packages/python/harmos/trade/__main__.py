@@ -3,6 +3,7 @@
 python3 -m harmos.trade INPUT.xml --program HARMOS [--output DIR] [--budget 10min] [--memory 8GB] [--targets 1%,0.1%] [--responses A,B]
 """
 import argparse
+import itertools
 import math
 import os
 import pathlib
@@ -10,7 +11,7 @@ import re
 import signal
 import sys
 
-from harmos.outputs import demand_no_folder, replace_file, writing
+from harmos.outputs import demand_distinct, demand_no_folder, replace_file, writing
 from harmos.report.writing import Pictures, percent
 from harmos.trade.budget import Budget, free_memory
 from harmos.trade.document import Document, find, scene_beside
@@ -57,8 +58,11 @@ def main(words: list[str] | None = None) -> int:
         document = Document(arguments.input)
         responses = _responses(arguments.responses, document)
         folder = pathlib.Path(arguments.output)
-        for file in _results(document, folder, targets):
+        results = _results(document, folder, targets)
+        for file in results:
             demand_no_folder(file)
+        for written, read in itertools.product({*results, *settings_files(document, folder)}, document.inputs()):
+            demand_distinct(read, written)
         is_valid, said = check(arguments.program, document.path)
         if not is_valid:
             print(said, end="", file=sys.stderr)

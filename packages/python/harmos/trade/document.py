@@ -4,7 +4,7 @@ import os
 import pathlib
 import re
 import xml.etree.ElementTree as xml
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from harmos.outputs import replace_file
@@ -77,6 +77,15 @@ class Document:
             if name.strip() == path:
                 return text.strip()
         return value_of(self.scene, path)
+
+    def inputs(self) -> list[pathlib.Path]:
+        """All files that are read: its own, that of the scene, and those which an entry or an override names."""
+        files = [self.path, self.scene_path]
+        roots = [(self.scene, self.scene_path), *([(self.study, self.path)] if self.study is not None else [])]
+        for root, path in roots:
+            files += [path.parent / file for _, named in _naming(root) for file in named]
+        overriding = (one.partition("=") for one in self._overrides)
+        return files + [self.scene_path.parent / text.strip() for path, _, text in overriding if _names_file(path)]
 
     def names(self, path: str) -> list[str]:
         """Names of the lists in a list of the scene, in their order."""
@@ -183,16 +192,26 @@ def _moved(file: str, source: pathlib.Path, home: pathlib.Path) -> str:
 
 def _moved_override(override: str, source: pathlib.Path, home: pathlib.Path) -> str:
     path, _, text = override.partition("=")
-    return f"{path}={_moved(text.strip(), source, home)}" if path.strip().split("/")[-1] == "File" else override
+    return f"{path}={_moved(text.strip(), source, home)}" if _names_file(path) else override
+
+
+def _names_file(path: str) -> bool:
+    return path.strip().split("/")[-1] == "File"
+
+
+def _naming(root: xml.Element) -> Iterator[tuple[xml.Element, list[str]]]:
+    """The entries of an input that name files, each with these."""
+    for one in root.iter("Parameter"):
+        if one.get("name") == "File":
+            yield one, [one.get("value", "")]
+        elif one.get("name") == "Plugins":
+            yield one, _listed(one.get("value"))
 
 
 def _write(root: xml.Element, source: pathlib.Path, target: pathlib.Path, home: pathlib.Path, remark: str) -> None:
-    for one in root.iter("Parameter"):
-        value = one.get("value", "")
-        if one.get("name") == "File":
-            one.set("value", _moved(value, source, home))
-        elif one.get("name") == "Plugins":
-            one.set("value", "{" + ", ".join(_moved(file, source, home) for file in _listed(value)) + "}")
+    for one, files in _naming(root):
+        moved = ", ".join(_moved(file, source, home) for file in files)
+        one.set("value", f"{{{moved}}}" if one.get("name") == "Plugins" else moved)
     xml.indent(root)
     text = xml.tostring(root, encoding="unicode")
     replace_file(target, f"<!-- {remark.replace('--', '- -')} -->\n{text}\n".encode())

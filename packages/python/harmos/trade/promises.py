@@ -147,7 +147,7 @@ def settings_name(document: Document, target: float) -> str:
 
 
 def settings_files(document: Document, folder: pathlib.Path) -> set[pathlib.Path]:
-    """Settings in `folder` that this or an earlier trade of an input of this name has written."""
+    """Settings in `folder`, if it is there, that this or an earlier trade of an input of this name has written."""
     name = re.compile(rf"{re.escape(document.path.stem)}{WITHIN}[0-9.e+-]+_percent(_scene)?\.xml")
-    return {file for file in folder.iterdir() if name.fullmatch(file.name) and file.is_file()
+    return {file for file in folder.glob("*") if name.fullmatch(file.name) and file.is_file()
             and file.read_text(errors="replace").startswith(f"<!-- {REMARK} ")}
