@@ -74,6 +74,18 @@ class LadderTest(unittest.TestCase):
 
         self.assertAlmostEqual(doubt(0.25) - doubt(0.0), 0.25)
 
+    def test_what_finer_meshes_of_another_family_contradict_is_not_known(self) -> None:
+        """A stress at a corner: three meshes seemed to converge, on finer ones it grows, and growing counted as knowing nothing."""
+        coarse = {(n, 0, 0, 0): answer(3 + 2 * 4.0 ** -n) for n in range(3)}
+        growing = {(n, 1, 0, 0): answer(value) for n, value in enumerate((2.9, 2.99, 3.01, 3.5))}
+        growing[(3, 1, 0, 0)].cpu = 2.0
+        judge = Judge(self.ladder(coarse | growing | {(0, 0, 1, 0): answer(5.0)}, 4))
+        reference = judge.references["u"]
+        self.assertAlmostEqual(reference.values[0], 3.0)
+        self.assertGreaterEqual(reference.uncertainty[0], 0.5)
+        self.assertRegex(reference.space.word, "^Richardson, order 2.0; others differ$")
+        self.assertFalse(any(judge.is_beaten(family) for family in ((0, 0, 0, 0), (0, 1, 0, 0))))
+
     def test_an_adaptive_collocation_states_the_error_of_its_moments(self) -> None:
         """Other expansions are refined by a knob of their own."""
         for kind, expected in (("Adaptive Collocation", {"u, mean": 0.1, "u, standard deviation": 0.2}), ("Collocation", {})):

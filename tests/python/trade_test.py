@@ -10,7 +10,7 @@ import numpy
 from harmos.trade.document import Document, Entry, value_of
 from harmos.trade.knobs import Role, knobs_of
 from harmos.trade.ladder import Rung, Settings
-from harmos.trade.limits import limit_of
+from harmos.trade.limits import contradiction, limit_of
 from harmos.trade.promises import TRIALS, Promise, keep
 from harmos.trade.running import Outcome
 
@@ -76,6 +76,31 @@ class LimitTest(unittest.TestCase):
         for levels in (2, 3):
             limit, doubt, _ = self.limit([3 + 0.002 * 2.0 ** (-0.4 * i) for i in range(levels)], noise=5e-4)
             self.assertGreaterEqual(doubt, limit - 3)
+
+
+class ContradictionTest(unittest.TestCase):
+    """Meshes that a limit of 1, told by meshes down to a quarter, is held against."""
+
+    def against(self, values: list[float]) -> float:
+        """Of meshes whose sizes are halved, from 1 on."""
+        sizes = [2.0 ** -i for i in range(len(values))]
+        return float(contradiction(numpy.array([1.0]), 0.25, sizes, [numpy.array([value]) for value in values])[0])
+
+    def test_finer_meshes_that_leave_a_limit_contradict_it_in_full(self) -> None:
+        """However far they differ among themselves."""
+        self.assertAlmostEqual(self.against([0.9, 0.99, 1.001, 1.2]), 0.2)
+        self.assertAlmostEqual(self.against([0.9, 0.95, 1.3, 1.02]), 0.0)
+        self.assertAlmostEqual(self.against([0.9, 0.95, 1.3, 1.29]), 0.3)
+
+    def test_finer_meshes_that_approach_a_limit_do_not(self) -> None:
+        """As linear elements, which need finer meshes for the same; but not where they do so more slowly than is believed."""
+        self.assertEqual(self.against([0.2, 0.6, 0.8, 0.9]), 0.0)
+        self.assertAlmostEqual(self.against([0.2, 0.6, 0.8, 0.84]), 0.2)
+
+    def test_coarser_meshes_do_not(self) -> None:
+        """They are mostly farther off."""
+        self.assertEqual(self.against([0.9, 0.5]), 0.0)
+        self.assertEqual(self.against([0.9, 0.5, 0.4]), 0.6)
 
 
 class DocumentTest(unittest.TestCase):

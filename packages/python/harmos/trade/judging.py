@@ -8,7 +8,7 @@ import numpy
 from harmos.arrays import Floats
 from harmos.trade.knobs import Role
 from harmos.trade.ladder import Ladder, Rung, Settings
-from harmos.trade.limits import Limit, limit_of
+from harmos.trade.limits import Limit, contradiction, limit_of
 from harmos.trade.running import Outcome
 
 LEVELS = 2
@@ -29,6 +29,7 @@ class Reference:
         size: what errors are relative to.
         space: the limit of the meshes alone.
         family: settings whose meshes have told it.
+        is_disputed: whether other families differ by more than it would be uncertain without them.
         sides: limits of the side knobs by their indices.
     """
 
@@ -37,6 +38,7 @@ class Reference:
     size: float
     space: Limit
     family: Settings
+    is_disputed: bool
     sides: dict[int, Limit]
 
     def largest(self) -> float:
@@ -46,6 +48,25 @@ class Reference:
     def doubt(self) -> float:
         """The largest uncertainty, relative."""
         return _over(self.uncertainty, self.size)
+
+
+@dataclass
+class Family:
+    """What the meshes of a family tell of a response.
+
+    Attributes:
+        settings: of the family.
+        limit: of its meshes.
+        sizes: of these, coarse ones first.
+        values: on them, [mesh][value].
+        finest: the run on the last one.
+    """
+
+    settings: Settings
+    limit: Limit
+    sizes: list[float]
+    values: list[Floats]
+    finest: Rung
 
 
 class Judge:
@@ -102,9 +123,9 @@ class Judge:
         return max(errors) if errors and not any(map(math.isnan, errors)) else math.inf
 
     def is_beaten(self, family: Settings) -> bool:
-        """Whether another family has come clearly nearer to the reference at less cost than the finest mesh of this one."""
+        """Whether another family has come clearly nearer to an undisputed reference at less cost than the finest mesh of this one."""
         own = self._ladder.meshes(family)
-        if len(own) < LEVELS:
+        if len(own) < LEVELS or any(reference.is_disputed for reference in self.references.values()):
             return False
         others = [rung for other in self._ladder.families() if other != family for rung in self._ladder.meshes(other)]
         return any(rung.outcome.cpu < own[-1].outcome.cpu and CLEARLY * self.worst(rung) < self.worst(own[-1])
@@ -150,25 +171,31 @@ class Judge:
             estimate = self._ladder.knobs[knob].levels[rung.settings[knob]].size * rung.outcome.sizes[name]
         return numpy.full(rung.outcome.values[name].shape, estimate)
 
+    def _family(self, settings: Settings, name: str) -> Family | None:
+        """What the meshes of a family tell; None: none is certified."""
+        rungs = [rung for rung in self._ladder.meshes(settings) if name in rung.outcome.values]
+        if not rungs:
+            return None
+        sizes = [self._ladder.size(rung.settings) for rung in rungs]
+        values = [rung.outcome.values[name] for rung in rungs]
+        limit = limit_of(sizes, values, self._noise(rungs[-1], name))
+        doubted = numpy.maximum(limit.uncertainty, _doubted(limit, rungs[-1].outcome, name))
+        return Family(settings, replace(limit, uncertainty=doubted), sizes, values, rungs[-1])
+
     def _reference(self, name: str) -> Reference | None:
         ladder = self._ladder
-        mesh = ladder.knobs[ladder.index("mesh")]
-        candidates: list[tuple[float, Limit, Settings, Rung]] = []
-        for family in ladder.families():
-            rungs = [rung for rung in ladder.meshes(family) if name in rung.outcome.values]
-            if rungs:
-                limit = limit_of([mesh.levels[rung.settings[ladder.index("mesh")]].size for rung in rungs],
-                                 [rung.outcome.values[name] for rung in rungs], self._noise(rungs[-1], name))
-                limit = replace(limit, uncertainty=numpy.maximum(limit.uncertainty, _doubted(limit, rungs[-1].outcome, name)))
-                candidates.append((float(limit.uncertainty.max()), limit, family, rungs[-1]))
-        if not candidates:
+        families = [family for settings in ladder.families() if (family := self._family(settings, name)) is not None]
+        if not families:
             return None
-        candidates.sort(key=lambda candidate: candidate[0])
-        _, space, family, finest = candidates[0]
+        families.sort(key=lambda family: float(family.limit.uncertainty.max()))
+        best, *others = families
+        space, finest = best.limit, best.finest
         uncertainty = space.uncertainty + self._noise(finest, name)
-        for doubt, other, _, _ in candidates[1:]:
-            if doubt < math.inf:  # where two do not agree, one of them is wrong
-                uncertainty = numpy.maximum(uncertainty, abs(other.values - space.values) - other.uncertainty)
+        against = numpy.max([numpy.zeros(space.values.shape), *(_against(best, other) for other in others)], axis=0)
+        is_disputed = bool((against > uncertainty).any())
+        if is_disputed:
+            space = replace(space, word=f"{space.word}; others differ")
+        uncertainty = numpy.maximum(uncertainty, against)
         uncertainty = uncertainty + finest.outcome.design.get(name, 0.0)
         sides, shift = {}, numpy.zeros(space.values.shape)
         base = ladder.rungs[ladder.base()]
@@ -186,7 +213,15 @@ class Judge:
             shift = shift + own_shift
             uncertainty = uncertainty + sides[knob].uncertainty + foreign * abs(own_shift)
         size = max(float(abs(space.values).max()), finest.outcome.sizes.get(name, 0.0))
-        return Reference(space.values + shift, uncertainty, size, space, family, sides)
+        return Reference(space.values + shift, uncertainty, size, space, best.settings, is_disputed, sides)
+
+
+def _against(best: Family, other: Family) -> Floats:
+    """By how much another family disagrees with the one that gives the reference, [value]: where two do, one of them is wrong."""
+    differing = contradiction(best.limit.values, best.sizes[-1], other.sizes, other.values)
+    beyond = abs(other.limit.values - best.limit.values) - other.limit.uncertainty
+    disagreement: Floats = numpy.maximum(differing, beyond)
+    return disagreement
 
 
 def _foreign(measured: Floats, limit: Floats) -> Floats:

@@ -46,7 +46,7 @@ class Level:
     Attributes:
         name: for tables.
         entries: of the input that it sets; none: the input as given.
-        size: what goes to 0 when the answer converges, relative to the input as given.
+        size: what goes to 0 when the answer converges, relative to the input as given; of elements the distance of nodes.
     """
 
     name: str
@@ -142,12 +142,13 @@ def _elements(document: Document, accepts: Accepts) -> Knob:
     levels = [Level("as given", ())]
     if document.value("Mesh/Type", "") == "Bolted Joint":
         other = "Hex20" if document.value("Mesh/Element", "Hex8") == "Hex8" else "Hex8"
-        candidates = [Level(other, (Entry("Mesh/Element", "string", other),))]
+        candidates = [Level(other, (Entry("Mesh/Element", "string", other),), 0.5 if other == "Hex20" else 2.0)]
     elif document.value("Mesh/Element", "") in QUADRATIC:
         candidates = []
     else:
         order = 1 if document.value("Mesh/Order", "1") == "2" else 2
-        candidates = [Level("quadratic" if order == 2 else "linear", (Entry("Mesh/Order", "int", str(order)),))]
+        candidates = [Level("quadratic" if order == 2 else "linear", (Entry("Mesh/Order", "int", str(order)),),
+                            0.5 if order == 2 else 2.0)]
     for formulation in ("Incompatible Modes", "Full Integration"):
         entries = [Entry(f"Parts/{part}/Formulation", "string", formulation) for part in document.names("Parts")
                    if document.value(f"Parts/{part}/Formulation", "Full Integration") != formulation]

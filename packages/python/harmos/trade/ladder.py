@@ -104,6 +104,10 @@ class Ladder:
         """The settings with one knob at another level."""
         return settings[:knob] + (level,) + settings[knob + 1:]
 
+    def size(self, settings: Settings) -> float:
+        """Distance of the nodes, over that of the input as given."""
+        return math.prod(self.knobs[knob].levels[settings[knob]].size for knob in self.indices(Role.MESH, Role.FAMILY))
+
     def words(self, settings: Settings) -> str:
         """The settings for people."""
         return "; ".join(f"{knob.name} {knob.levels[i].name}" for knob, i in zip(self.knobs, settings)

@@ -57,6 +57,29 @@ def limit_of(sizes: Sequence[float], values: Sequence[Floats], noise: Floats) ->
                  numpy.array([part[2] for part in parts]), words[worst])
 
 
+def contradiction(limit: Floats, finest: float, sizes: Sequence[float], values: Sequence[Floats]) -> Floats:
+    """How far another sequence speaks against a limit that was told by sizes down to `finest`, [value].
+
+    It counts for no less than the distance of every level that is as fine, unless its last two approach the limit with a
+    credible order at least: whatever it says of its own limit, one that diverges says nothing else.
+
+    Args:
+        limit: of which it is asked.
+        finest: least size that told it.
+        sizes: of the other sequence, decreasing.
+        values: of the other sequence, at least one.
+    """
+    distances = [abs(level - limit) for level in values]
+    against = [distance for size, distance in zip(sizes, distances) if size <= finest * (1 + EQUAL_RATIOS)]
+    if not against:
+        return numpy.zeros(limit.shape)
+    farthest: Floats = numpy.max(against, axis=0)
+    if len(distances) == 1:
+        return farthest
+    approaches = distances[-1] <= (sizes[-1] / sizes[-2]) ** ORDERS[0] * distances[-2]
+    return numpy.where(approaches, 0.0, farthest)
+
+
 def _scalar(sizes: Sequence[float], values: Sequence[float], noise: float) -> tuple[float, float, float, str]:
     last = values[-1]
     steps = [fine - coarse for coarse, fine in zip(values[:-1], values[1:])][-2:]
