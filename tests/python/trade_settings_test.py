@@ -10,10 +10,11 @@ from unittest import mock
 
 from harmos.trade.__main__ import main
 from harmos.trade.budget import free_memory
-from harmos.trade.document import Document
+from harmos.trade.document import Document, find, value_of
 from harmos.trade.knobs import elements_of, knobs_of
 from harmos.trade.promises import REMARK, settings_files
 from harmos.trade.publishing import publish
+from harmos.trade.responses import chosen_responses, demand_moments
 from harmos.trade.running import Runner
 
 SCENE = """<ParameterList name="Harmos">
@@ -32,6 +33,11 @@ STUDY = """<ParameterList name="Harmos Study"><Parameter name="Scene" type="stri
   <Parameter name="Scene Overrides" type="Array(string)" value="{Mesh/File=meshes/b.e, Values/acc=1e-4}"/>
   <ParameterList name="Parameters"><ParameterList name="cells"><Parameter name="Entry" type="string" value="Values/n"/>
   </ParameterList></ParameterList>
+</ParameterList>"""
+
+
+STUDY_OF = """<ParameterList name="Harmos Study"><Parameter name="Scene" type="string" value="scene.xml"/>
+  <ParameterList name="Design"><Parameter name="Type" type="string" value="{design}"/></ParameterList>
 </ParameterList>"""
 
 
@@ -165,6 +171,26 @@ class SettingsTest(unittest.TestCase):
             "</ParameterList>")
         found = {os.path.relpath(file, self.folder) for file in Document(self.folder / "sub" / "study.xml").inputs()}
         self.assertEqual(found, {"scene.xml", "sub/study.xml", "laws/a.so", "b.so", "sub/points.csv"})
+
+    def test_a_design_that_chooses_its_configurations_is_refused(self) -> None:
+        """Those of one run were compared with others of the next."""
+        (self.folder / "study.xml").write_text(STUDY_OF.format(design="Adaptive"))
+        self.assertIn("chooses its configurations", self.refused("study.xml"))
+
+    def test_an_expansion_without_responses_of_its_own_reports_those_of_the_scene(self) -> None:
+        """The curves of configurations that are held out were compared instead."""
+        for design, expected in (("Chaos", ["u"]), ("Collocation", ["u"]), ("Sobol", [])):
+            (self.folder / "study.xml").write_text(STUDY_OF.format(design=design))
+            document = Document(self.folder / "study.xml")
+            demand_moments(document)
+            target = self.folder / "new.xml"
+            document.write([], target, "")
+            written = Document(target).study
+            assert written is not None
+            own = find(written, "Responses")
+            self.assertEqual([one.get("name") for one in own] if own is not None else [], expected)
+            self.assertEqual(value_of(written, "Responses/u/Type"), "Final" if expected else None)
+            self.assertEqual(chosen_responses("u", document), ["u"])
 
     def test_a_folder_is_no_input(self) -> None:
         """It is called one."""

@@ -14,13 +14,14 @@ import sys
 from harmos.outputs import demand_distinct, demand_no_folder, replace_file, writing
 from harmos.report.writing import Pictures, percent
 from harmos.trade.budget import Budget, free_memory
-from harmos.trade.document import Document, find, scene_beside
+from harmos.trade.document import Document, scene_beside
 from harmos.trade.judging import Judge
 from harmos.trade.knobs import Knob, dimension_of, elements_of, knobs_of
 from harmos.trade.ladder import Ladder, Rung
 from harmos.trade.page import MEGABYTE, page
 from harmos.trade.promises import MADE, Promise, keep, settings_files, settings_name
 from harmos.trade.publishing import publish
+from harmos.trade.responses import chosen_responses, demand_comparable, demand_moments
 from harmos.trade.running import Runner, check, die_with_parent
 from harmos.trade.tables import all_rungs, pareto, write_csv, write_hdf5
 from harmos.trade.workspace import workspace
@@ -56,7 +57,9 @@ def main(words: list[str] | None = None) -> int:
         memory = _measured(arguments.memory, SIZES, "--memory", "8GB") if arguments.memory else FREE * free_memory()
         targets = sorted((_target(word) for word in arguments.targets.split(",")), reverse=True)
         document = Document(arguments.input)
-        responses = _responses(arguments.responses, document)
+        demand_comparable(document)
+        demand_moments(document)
+        responses = chosen_responses(arguments.responses, document)
         folder = pathlib.Path(arguments.output)
         results = _results(document, folder, targets)
         for file in results:
@@ -179,20 +182,6 @@ def _target(text: str) -> float:
         raise ValueError(f"--targets are errors from 0.000001 % to 100 % with commas between, such as 1%,0.1%; one is "
                          f"\"{text}\".")
     return float(found.group(1)) / 100
-
-
-def _responses(text: str, document: Document) -> list[str]:
-    chosen = [word.strip() for word in text.split(",") if word.strip()]
-    own = find(document.study, "Responses") if document.study is not None else None
-    known = [one.get("name", "") for one in own if one.tag == "ParameterList"] if own is not None else []
-    known = known or document.names("Responses")
-    if not known:
-        raise ValueError(f"{document.path} has no Responses, of which errors are counted.\n"
-                         "  Add those that matter, such as a Mean Displacement or an Interface Force.")
-    for name in chosen:
-        if name not in known:
-            raise ValueError(f"--responses: there is no response \"{name}\"; there are {', '.join(known)}.")
-    return chosen
 
 
 if __name__ == "__main__":
