@@ -123,9 +123,15 @@ class Judge:
         return max(errors) if errors and not any(map(math.isnan, errors)) else math.inf
 
     def is_beaten(self, family: Settings) -> bool:
-        """Whether another family has come clearly nearer to an undisputed reference at less cost than the finest mesh of this one."""
+        """Whether another family has come clearly nearer to the reference at less cost than the finest mesh of this one.
+
+        None is where the response that is farthest off has a disputed reference: the finer mesh may be what is right.
+        """
         own = self._ladder.meshes(family)
-        if len(own) < LEVELS or any(reference.is_disputed for reference in self.references.values()):
+        if len(own) < LEVELS:
+            return False
+        errors = self.total(own[-1])
+        if any(errors[name] == max(errors.values()) and one.is_disputed for name, one in self.references.items()):
             return False
         others = [rung for other in self._ladder.families() if other != family for rung in self._ladder.meshes(other)]
         return any(rung.outcome.cpu < own[-1].outcome.cpu and CLEARLY * self.worst(rung) < self.worst(own[-1])
