@@ -19,7 +19,7 @@ from harmos.trade.judging import Judge
 from harmos.trade.knobs import Knob, dimension_of, elements_of, knobs_of
 from harmos.trade.ladder import Ladder, Rung
 from harmos.trade.page import MEGABYTE, page
-from harmos.trade.promises import MADE, Promise, keep, settings_files, settings_name
+from harmos.trade.promises import MADE, Promise, candidates, keep, settings_files, settings_name
 from harmos.trade.publishing import publish
 from harmos.trade.responses import chosen_responses, demand_comparable, demand_moments
 from harmos.trade.running import Runner, check, die_with_parent
@@ -27,7 +27,7 @@ from harmos.trade.tables import all_rungs, pareto, write_csv, write_hdf5
 from harmos.trade.workspace import workspace
 
 ENOUGH = 1 / 3
-"""Uncertainty of the reference, over the least target, at which no finer mesh is needed."""
+"""Uncertainty of the reference, over the least target, at which no finer mesh is needed for it."""
 TIMES = {"s": 1.0, "min": 60.0, "h": 3600.0}
 """Units of a budget of time in seconds."""
 ENDINGS = (".csv", ".h5", ".html")
@@ -118,7 +118,7 @@ def _trade(document: Document, runner: Runner, knobs: list[Knob], folder: pathli
                   flush=True)
 
     ladder = Ladder(knobs, dimension_of(document), runner, budget, report)
-    ladder.explore(targets[-1], lambda: Judge(ladder, responses).doubt() <= ENOUGH * targets[-1],
+    ladder.explore(targets[-1], lambda: _is_enough(targets[-1], ladder, Judge(ladder, responses)),
                    lambda family: Judge(ladder, responses).is_beaten(family))
     judge = Judge(ladder, responses)
     promises = [keep(target, ladder, judge, runner, document, folder, work) for target in targets]
@@ -135,6 +135,11 @@ def _trade(document: Document, runner: Runner, knobs: list[Knob], folder: pathli
     base = _base(document, folder)
     print(f"{base}.html\n{base}.csv\n{base}.h5", flush=True)
     return 0 if all(promise.rung is not None for promise in promises) else 3
+
+
+def _is_enough(target: float, ladder: Ladder, judge: Judge) -> bool:
+    """Whether no finer mesh is needed for the least target, and with that for any: neither for the reference nor for settings."""
+    return judge.doubt() <= ENOUGH * target and bool(candidates(target, ladder, judge))
 
 
 def _print(ladder: Ladder, judge: Judge, rungs: list[Rung], promises: list[Promise]) -> None:

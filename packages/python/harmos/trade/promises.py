@@ -66,6 +66,14 @@ def expected_costs(ladder: Ladder, judge: Judge) -> list[tuple[float, float, Set
                                            sum(i != j for i, j in zip(one[2], given)), one[0]))
 
 
+def candidates(target: float, ladder: Ladder, judge: Judge) -> list[Settings]:
+    """Settings that should keep a target, in the order in which they are tried; where none is expected to, those that have."""
+    costs = expected_costs(ladder, judge)
+    return [settings for _, error, settings in costs if error <= SAFETY * target] or [
+        settings for _, _, settings in costs
+        if settings in ladder.rungs and judge.promised(ladder.rungs[settings]) <= target]
+
+
 def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: Document,
          folder: pathlib.Path, work: pathlib.Path) -> Promise:
     """The cheapest settings whose fresh run keeps the target.
@@ -76,11 +84,11 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
     if judge.doubt() > target:
         promise.reason = _doubtful(ladder, judge)
         return promise
-    candidates = [one for one in expected_costs(ladder, judge) if one[1] <= SAFETY * target]
-    if not candidates:
-        promise.reason = "no settings that were measured come so near"
+    found = candidates(target, ladder, judge)
+    if not found:
+        promise.reason = f"no settings that were measured come so near{_following(ladder)}"
     trials = 0
-    for _, _, settings in candidates:
+    for settings in found:
         if trials == TRIALS:
             break
         if settings in ladder.refused:
@@ -118,10 +126,7 @@ def _doubtful(ladder: Ladder, judge: Judge) -> str:
     """Why the reference is not known well enough."""
     if judge.doubt() < math.inf:
         name = max(judge.references, key=lambda one: judge.references[one].doubt())
-        following = ladder.unaffordable
-        more = (f"; the next run, {ladder.words(following)}, {_needs(ladder, following)}"
-                if following and ladder.predicted(following, "wall") else "")
-        return f"the reference of {name} itself is known to {percent(judge.doubt())} only{more}"
+        return f"the reference of {name} itself is known to {percent(judge.doubt())} only{_following(ladder)}"
     if not judge.references and ladder.rungs:
         statuses = collections.Counter(rung.outcome.status for rung in ladder.rungs.values())
         return f"nothing could be certified, mostly: {statuses.most_common(1)[0][0]}"
@@ -132,6 +137,14 @@ def _doubtful(ladder: Ladder, judge: Judge) -> str:
         return "one mesh alone tells no error, and nothing refines this one"
     failed = [rung for rung in ladder.meshes(ladder.base(), certified=False) if not rung.outcome.certified]
     return f"a finer mesh has no answer: {failed[-1].outcome.status}" if failed else "the budget leaves a reference unknown"
+
+
+def _following(ladder: Ladder) -> str:
+    """What comes next and the budget has no time for; empty: nothing."""
+    following = ladder.unaffordable
+    if following is None or not ladder.predicted(following, "wall"):
+        return ""
+    return f"; the next run, {ladder.words(following)}, {_needs(ladder, following)}"
 
 
 def _needs(ladder: Ladder, settings: Settings) -> str:
