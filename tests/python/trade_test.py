@@ -7,12 +7,14 @@ from unittest import mock
 
 import numpy
 
+from harmos.trade.budget import Allowance
 from harmos.trade.document import Document, Entry, value_of
 from harmos.trade.knobs import Role, knobs_of
 from harmos.trade.ladder import Rung, Settings
 from harmos.trade.limits import contradiction, limit_of
+from harmos.trade.outcome import Answer, read_floors
 from harmos.trade.promises import TRIALS, Promise, candidates, keep
-from harmos.trade.running import Outcome
+from harmos.trade.running import Outcome, Runner
 
 SCENE = """<ParameterList name="Harmos">
   <!-- kept -->
@@ -101,6 +103,45 @@ class ContradictionTest(unittest.TestCase):
         """They are mostly farther off."""
         self.assertEqual(self.against([0.9, 0.5]), 0.0)
         self.assertEqual(self.against([0.9, 0.5, 0.4]), 0.6)
+
+
+class FloorsTest(unittest.TestCase):
+    """Sizes below which a response counts as nothing."""
+
+    def setUp(self) -> None:
+        """A run of a scene with a response that is 0 by symmetry and one that is not, and a study of it."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "scene_result.json").write_text('{"response_sizes": {"zero": 0.01, "u": 2.0, "v": 0.5}}')
+        (self.folder / "scene_history.csv").write_text("step,time,zero,u,v\n1,1,1e-17,-2.0,0.01\n2,2,0,1.5,0.02\n")
+        (self.folder / "scene.xml").write_text(
+            '<ParameterList name="Harmos"><ParameterList name="Responses"><ParameterList name="v">'
+            '<Parameter name="Scale" type="double" value="0.5"/></ParameterList></ParameterList></ParameterList>')
+        (self.folder / "study.xml").write_text(
+            '<ParameterList name="Harmos Study"><Parameter name="Scene" type="string" value="scene.xml"/>'
+            '<Parameter name="Scene Overrides" type="Array(string)" value="{Mesh/Refine=1}"/>'
+            '<ParameterList name="Responses"><ParameterList name="z"><Parameter name="Response" type="string" value="zero"/>'
+            "</ParameterList></ParameterList></ParameterList>")
+
+    def test_only_what_is_below_its_size_tells_a_floor(self) -> None:
+        """The size of the other is its own."""
+        self.assertEqual(read_floors(Document(self.folder / "scene.xml"), self.folder / "scene"),
+                         {"zero": 0.01, "u": 0.0, "v": 0.5})
+
+    def test_responses_of_a_study_have_the_floors_of_its_scene(self) -> None:
+        """Round-off was compared with round-off, and nothing was promised; the scene is run once for all."""
+        answers: list[Answer] = [("complete", True, {}, {}, {"z, mean": 1e-17, "z, standard deviation": 0.25}, {}, {})] * 2
+        with mock.patch("harmos.trade.running.read_outcome", side_effect=answers), \
+                mock.patch("harmos.trade.running.read_floors", return_value={"zero": 0.01}) as floors, \
+                mock.patch("harmos.trade.running._watched", return_value=(0, "", mock.MagicMock())) as watched:
+            runner = Runner("harmos", Document(self.folder / "study.xml"), self.folder / "work")
+            outcomes = [runner.run((), Allowance(1.0, None, ""), 1e9) for _ in range(2)]
+        self.assertEqual([outcome.sizes for outcome in outcomes], [{"z, mean": 0.01, "z, standard deviation": 0.25}] * 2)
+        self.assertEqual(floors.call_count, 1)
+        words = [call.args[0] for call in watched.call_args_list]
+        self.assertEqual([each[1] for each in words], ["study", "run", "study"])
+        self.assertEqual(words[1][3:5], ["--set", "Mesh/Refine=1"])
 
 
 class DocumentTest(unittest.TestCase):

@@ -65,6 +65,8 @@ with h5py.File(f"{base}.h5") as file:
         response = file[f"responses/{name}"]
         off = abs(response["reference"][-1] - truth[name])
         demand(off <= response["uncertainty"][-1], f"the reference of {name} is off by {off:.3g}, more than it says")
+        row = next(line.split() for line in trade.stdout.splitlines() if line.startswith(f"{name} "))
+        demand(abs(float(row[2]) / response.attrs["size"] - 1) < 1e-4, f"errors of {name} are not relative to {row[2]}")
 demand("<img" in pathlib.Path(f"{base}.html").read_text(), "the page has no picture")
 demand(not [path for path in folder.iterdir() if path.name.startswith(".trade")], "runs were left behind")
 

@@ -143,9 +143,9 @@ def _is_enough(target: float, ladder: Ladder, judge: Judge) -> bool:
 
 
 def _print(ladder: Ladder, judge: Judge, rungs: list[Rung], promises: list[Promise]) -> None:
-    print(f"{'response':28s} {'goes to':>14s} {'known to':>10s}  limit of the meshes")
+    print(f"{'response':28s} {'goes to':>14s} {'relative to':>12s} {'known to':>10s}  limit of the meshes")
     for name, one in judge.references.items():
-        print(f"{name:28s} {one.largest():14.7g} {percent(one.doubt()):>10s}  {one.space.word}")
+        print(f"{name:28s} {one.largest():14.7g} {one.size:12.5g} {percent(one.doubt()):>10s}  {one.space.word}")
     if not judge.references:
         print("Nothing is certified: there is no reference.")
     best = pareto(rungs, judge, "cpu")

@@ -37,6 +37,7 @@ class Document:
         study: root of the study's XML; None: it is a scene.
         scene: root of the scene's XML.
         scene_path: of the scene's file.
+        overrides: changes of the scene that the study makes, as for --set.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
@@ -56,7 +57,7 @@ class Document:
             self.scene_path = self.path.parent / name
             root = _read(self.scene_path)
         self.scene = root
-        self._overrides = _listed(value_of(self.study, "Scene Overrides")) if self.study is not None else []
+        self.overrides = _listed(value_of(self.study, "Scene Overrides")) if self.study is not None else []
 
     def value(self, path: str, otherwise: str) -> str:
         """The entry of the scene, as the study's overrides leave it and without names of Values; `otherwise`: there is none."""
@@ -72,7 +73,7 @@ class Document:
         return not varied.isdisjoint({path, *(f"Values/{name}" for name in names)})
 
     def _written(self, path: str) -> str | None:
-        for override in self._overrides:
+        for override in self.overrides:
             name, _, text = override.partition("=")
             if name.strip() == path:
                 return text.strip()
@@ -84,7 +85,7 @@ class Document:
         roots = [(self.scene, self.scene_path), *([(self.study, self.path)] if self.study is not None else [])]
         for root, path in roots:
             files += [path.parent / file for _, named in _naming(root) for file in named]
-        overriding = (one.partition("=") for one in self._overrides)
+        overriding = (one.partition("=") for one in self.overrides)
         return files + [self.scene_path.parent / text.strip() for path, _, text in overriding if _names_file(path)]
 
     def names(self, path: str) -> list[str]:
@@ -119,7 +120,7 @@ class Document:
             if entry.path.startswith("Study/"):
                 _set(study, Entry(entry.path.removeprefix("Study/"), entry.kind, entry.value))
         changed = {entry.path for entry in changes}
-        kept = [_moved_override(one, self.scene_path.parent, home) for one in self._overrides
+        kept = [_moved_override(one, self.scene_path.parent, home) for one in self.overrides
                 if one.partition("=")[0].strip() not in changed]
         _set(study, Entry("Scene Overrides", "Array(string)", "{" + ", ".join(kept) + "}" if kept else None))
         scene_target = scene_beside(target)

@@ -42,7 +42,7 @@ class Reference:
     sides: dict[int, Limit]
 
     def largest(self) -> float:
-        """The value that errors are relative to, but for its sign and a scale."""
+        """The largest value, with its sign."""
         return float(self.values[numpy.argmax(abs(self.values))])
 
     def doubt(self) -> float:

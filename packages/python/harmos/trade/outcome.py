@@ -16,6 +16,10 @@ Answer = tuple[str, bool, dict[str, Floats], dict[str, float], dict[str, float],
 estimates of the mesh's error and of the design's."""
 
 
+ROUND_OFF = 1e-9
+"""Relative difference of numbers that files have rounded in different ways."""
+
+
 def read_outcome(document: Document, base: pathlib.Path) -> Answer:
     """The answer in the files that begin with `base`.
 
@@ -24,6 +28,24 @@ def read_outcome(document: Document, base: pathlib.Path) -> Answer:
         ValueError: they hold something else.
     """
     return _run(document, base) if document.study is None else _study(base, _refines_itself(document.study))
+
+
+def read_floors(document: Document, base: pathlib.Path) -> dict[str, float]:
+    """Sizes below which responses of the scene count as nothing, from a run of it whose files begin with `base`.
+
+    Its `Scale`, else the size that the run says, where that is more than every value: 0 of a response that is no less.
+
+    Raises:
+        OSError: the files are not there.
+        ValueError: they hold something else.
+    """
+    sizes = json.loads(base.with_name(base.name + "_result.json").read_text())["response_sizes"]
+    history = read_history(base.with_name(base.name + "_history.csv"))
+    floors = {}
+    for name, size in sizes.items():
+        stated = float(size) if numpy.abs(history[name]).max() < (1 - ROUND_OFF) * float(size) else 0.0
+        floors[name] = float(document.value(f"Responses/{name}/Scale", str(stated)))
+    return floors
 
 
 def step_ends(document: Document) -> list[float]:

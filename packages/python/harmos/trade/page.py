@@ -45,8 +45,9 @@ def promise_table(ladder: Ladder, promises: list[Promise]) -> str:
 
 def reference_table(judge: Judge) -> str:
     """What each response goes to, and how that is known."""
-    rows = [(name, f"{one.largest():.7g}", percent(one.doubt()), one.space.word) for name, one in judge.references.items()]
-    return table(("response", "goes to (largest value)", "uncertainty", "limit of the meshes"), rows, (3,))
+    rows = [(name, f"{one.largest():.7g}", f"{one.size:.5g}", percent(one.doubt()), one.space.word)
+            for name, one in judge.references.items()]
+    return table(("response", "goes to (largest value)", "errors are relative to", "uncertainty", "limit of the meshes"), rows, (4,))
 
 
 def error_pictures(ladder: Ladder, judge: Judge, rungs: list[Rung], picture: Pictures) -> str:

@@ -51,6 +51,12 @@ def chosen_responses(text: str, document: Document) -> list[str]:
     return chosen
 
 
+def reported_response(document: Document, name: str) -> str:
+    """The response of the scene of which a number of a study is made, such as "force_max, mean"."""
+    own = name.partition(", ")[0]
+    return (value_of(document.study, f"Responses/{own}/Response") if document.study is not None else None) or own
+
+
 def _design(document: Document) -> str:
     return (value_of(document.study, "Design/Type") if document.study is not None else None) or ""
 

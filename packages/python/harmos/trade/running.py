@@ -14,7 +14,8 @@ from dataclasses import dataclass, field, replace
 from harmos.arrays import Floats
 from harmos.trade.budget import Allowance
 from harmos.trade.document import Document, Entry
-from harmos.trade.outcome import read_outcome
+from harmos.trade.outcome import read_floors, read_outcome
+from harmos.trade.responses import reported_response
 
 POLL = 0.02
 """Seconds between looks at a running process."""
@@ -72,6 +73,7 @@ class Runner:
     def __init__(self, program: str, document: Document, folder: pathlib.Path) -> None:
         """Works in `folder`, which it makes."""
         self._program, self._document, self._folder = program, document, folder
+        self._floors: dict[str, float] | None = None
         folder.mkdir(parents=True, exist_ok=True)
 
     def accepts(self, entries: Iterable[Entry]) -> bool:
@@ -89,15 +91,36 @@ class Runner:
     def run_file(self, path: pathlib.Path, allowance: Allowance, memory: float) -> Outcome:
         """Solves the input in a file; see run()."""
         results = self._folder / "results"
-        shutil.rmtree(results, ignore_errors=True)
-        verb = "run" if self._document.study is None else "study"
         begin = time.monotonic()
-        code, stopped, usage = _watched([self._program, verb, str(path), "--quiet", "--output", str(results)],
-                                        _environment(), self._folder / "messages", allowance, memory)
+        verb = "run" if self._document.study is None else "study"
+        code, stopped, usage = self._solve([verb, str(path)], results, allowance, memory)
         wall = time.monotonic() - begin
         outcome = Outcome(stopped, stopped=True) if stopped else self._read(results / path.stem, code)
+        if self._document.study is not None and outcome.certified:
+            if self._floors is None:
+                self._floors = self._floors_of(path, results, allowance, memory)
+            floors = {name: self._floors.get(reported_response(self._document, name), 0.0) for name in outcome.sizes}
+            outcome = replace(outcome, sizes={name: max(size, floors[name]) for name, size in outcome.sizes.items()})
         shutil.rmtree(results, ignore_errors=True)
         return replace(outcome, cpu=usage.ru_utime + usage.ru_stime, wall=wall, memory=usage.ru_maxrss * 1024)
+
+    def _solve(self, words: list[str], results: pathlib.Path, allowance: Allowance,
+               memory: float) -> tuple[int, str, resource.struct_rusage]:
+        """Runs the program into a new folder; see _watched()."""
+        shutil.rmtree(results, ignore_errors=True)
+        return _watched([self._program, *words, "--quiet", "--output", str(results)], _environment(),
+                        self._folder / "messages", allowance, memory)
+
+    def _floors_of(self, study: pathlib.Path, results: pathlib.Path, allowance: Allowance,
+                   memory: float) -> dict[str, float]:
+        """What responses count as nothing below, which a study does not say, from one run of its scene; empty: no answer."""
+        written = Document(study)
+        overrides = [word for one in written.overrides for word in ("--set", one)]
+        self._solve(["run", str(written.scene_path), *overrides], results, allowance, memory)
+        try:
+            return read_floors(self._document, results / written.scene_path.stem)
+        except (OSError, ValueError, KeyError):
+            return {}
 
     def _read(self, base: pathlib.Path, exit_code: int) -> Outcome:
         if exit_code not in (0, 3, 4):
