@@ -1,7 +1,11 @@
 """What one run of a trade may take: a multiple of its predicted time, and what is said of a run that takes more."""
+import contextlib
 import math
 import pathlib
+import signal
 import stat
+import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -75,6 +79,31 @@ class RunnerTest(unittest.TestCase):
             self.assertLess(time.monotonic() - begin, 10.0)
         self.assertRegex(outcome.status, r"^stopped after 0\.\d+ s, predicted 0\.05 s: more than 6 times as long$")
         self.assertFalse(outcome.certified or outcome.values)
+
+
+    def test_an_interruption_while_it_is_started_ends_it(self) -> None:
+        """What the handler raised was dropped by what forks, and with one handler for all interruptions nothing ended the trade."""
+        started: list[subprocess.Popen[bytes]] = []
+        start = subprocess.Popen
+
+        def interrupted(command: object, **options: object) -> subprocess.Popen[bytes]:
+            started.append(start(["sleep", "60"]))
+            with contextlib.suppress(SystemExit):
+                signal.raise_signal(signal.SIGTERM)
+            return started[0]
+
+        def end(*_: object) -> None:
+            sys.exit(130)
+
+        handler = signal.signal(signal.SIGTERM, end)
+        self.addCleanup(signal.signal, signal.SIGTERM, handler)
+        with tempfile.TemporaryDirectory() as name, mock.patch("subprocess.Popen", interrupted):
+            (pathlib.Path(name) / "scene.xml").write_text(SCENE)
+            runner = Runner("harmos", Document(pathlib.Path(name) / "scene.xml"), pathlib.Path(name) / "work")
+            with self.assertRaises(SystemExit):
+                runner.run((), Allowance(0.3, None, "nothing"), 1e9)
+        self.assertEqual(started[0].poll(), -signal.SIGKILL)
+        self.assertIs(signal.getsignal(signal.SIGTERM), end)
 
 
 class StuckTest(unittest.TestCase):

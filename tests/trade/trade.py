@@ -44,6 +44,16 @@ def final(path, *words):
         return {name: float(value) for name, value in list(csv.DictReader(file))[-1].items()}
 
 
+def begun(output, **options):
+    """A trade whose first run is certified, so that a further one is under way."""
+    process = subprocess.Popen([harmos, "trade", str(scene), "--output", str(output), "--budget", "1h", "--targets", "2%"],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, **options)
+    for line in process.stderr:
+        if "certified" in line:
+            break
+    return process
+
+
 truth = final(scene, *(word for entry, value in TRUTH.items() for word in ("--set", f"{entry}={value}")))
 trade = run("trade", scene, "--output", folder, "--budget", "200s", "--targets", ",".join(f"{100 * t:g}%" for t in TARGETS))
 print(trade.stderr, trade.stdout)
@@ -92,23 +102,25 @@ demand(end.returncode == 3 and "no settings" in end.stdout and not list((folder 
 
 # Interrupted in the middle: what an earlier trade has written stays, nothing of this one is left, and nothing runs on.
 kept = {path: path.read_bytes() for path in folder.iterdir() if path.is_file()}
-cut = subprocess.Popen([harmos, "trade", str(scene), "--output", str(folder), "--budget", "1h", "--targets", "2%"],
-                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-for line in cut.stderr:
-    if "certified" in line:
-        break
+cut = begun(folder)
 time.sleep(0.1)
 cut.send_signal(signal.SIGTERM)
 demand(cut.wait(timeout=10) == 130, f"a trade that was interrupted ends with {cut.returncode}")
 demand({path: path.read_bytes() for path in folder.iterdir() if path.is_file()} == kept, "half a trade is left")
 demand(not [path for path in folder.iterdir() if path.name.startswith(".trade")], "runs of half a trade are left")
 
+# Ctrl-C comes to all of its processes, and may come again while they clean up.
+cut = begun(folder / "cut", start_new_session=True)
+while cut.poll() is None:
+    os.killpg(cut.pid, signal.SIGINT)
+    time.sleep(0.002)
+patience = time.monotonic() + 10  # the program may be ended before what it has started has cleaned up
+while list((folder / "cut").iterdir()):
+    demand(time.monotonic() < patience, "runs of a trade that was interrupted over and over are left")
+    time.sleep(0.02)
+
 # Killed, it cannot clean up, the next one in the same folder does; one that runs beside it is left alone.
-killed = subprocess.Popen([harmos, "trade", str(scene), "--output", str(folder / "killed"), "--budget", "1h", "--targets", "2%"],
-                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True)
-for line in killed.stderr:
-    if "certified" in line:
-        break
+killed = begun(folder / "killed", start_new_session=True)
 os.killpg(killed.pid, signal.SIGKILL)
 killed.wait()
 left = {path.name for path in (folder / "killed").glob(".trade_*")}

@@ -8,7 +8,6 @@ import math
 import os
 import pathlib
 import re
-import signal
 import sys
 
 from harmos.outputs import demand_distinct, demand_no_folder, replace_file, writing
@@ -39,7 +38,7 @@ FREE = 0.8
 
 
 def main(words: list[str] | None = None) -> int:
-    """Does what the words say, those of the command line if there are none; returns the exit code: 2 for bad words or an input that Harmos refuses, 3 when a target is not kept."""
+    """Does what the words say, those of the command line if there are none; returns the exit code: 2 for bad words or an input that Harmos refuses, 3 when a target is not kept, 130 when the program that has started it has ended."""
     parser = argparse.ArgumentParser(prog="harmos trade", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("input")
@@ -72,11 +71,9 @@ def main(words: list[str] | None = None) -> int:
             return 2
         with writing(folder):
             folder.mkdir(parents=True, exist_ok=True)
-        for interruption in (signal.SIGTERM, signal.SIGINT):
-            signal.signal(interruption, _end)
         die_with_parent()
         if os.getppid() != parent:  # it has died before that was asked for
-            _end()
+            return 130
     except (OSError, ValueError) as error:
         print(f"harmos trade: {error}\nNothing was written.", file=sys.stderr)
         return 2
@@ -89,11 +86,6 @@ def main(words: list[str] | None = None) -> int:
     except (OSError, ValueError) as error:
         print(f"harmos trade: {error}", file=sys.stderr)
         return 1 if isinstance(error, OSError) else 2
-
-
-def _end(*_: object) -> None:
-    """Ends the process as an interrupted one, after what runs has been ended and removed."""
-    raise SystemExit(130)
 
 
 def _base(document: Document, folder: pathlib.Path) -> pathlib.Path:

@@ -4,6 +4,8 @@ import pathlib
 import signal
 from collections.abc import Iterable
 
+from harmos.trade.interruption import INTERRUPTIONS
+
 
 def publish(made: pathlib.Path, folder: pathlib.Path, old: Iterable[pathlib.Path]) -> None:
     """Moves all files of one folder into another and removes old ones; interruptions are ignored meanwhile.
@@ -11,7 +13,7 @@ def publish(made: pathlib.Path, folder: pathlib.Path, old: Iterable[pathlib.Path
     Raises:
         OSError: a file cannot be moved.
     """
-    handlers = {each: signal.signal(each, signal.SIG_IGN) for each in (signal.SIGINT, signal.SIGTERM)}
+    handlers = {each: signal.signal(each, signal.SIG_IGN) for each in INTERRUPTIONS}
     try:
         for file in sorted(made.iterdir()):
             os.replace(file, folder / file.name)

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 from harmos.arrays import Floats
 from harmos.trade.budget import Allowance
 from harmos.trade.document import Document, Entry
+from harmos.trade.interruption import held_interruptions
 from harmos.trade.outcome import read_floors, read_outcome
 from harmos.trade.responses import reported_response
 
@@ -146,10 +147,11 @@ def _watched(command: list[str], environment: dict[str, str], messages: pathlib.
              memory: float) -> tuple[int, str, resource.struct_rusage]:
     """Exit code, why it was stopped (empty: it was not) and what a command has used that may take so much."""
     begin = time.monotonic()
-    with open(messages, "wb") as file:
-        process = subprocess.Popen(command, env=environment, stdout=file, stderr=file, preexec_fn=die_with_parent)
+    process: subprocess.Popen[bytes] | None = None
     stopped = ""
     try:
+        with open(messages, "wb") as file, held_interruptions():
+            process = subprocess.Popen(command, env=environment, stdout=file, stderr=file, preexec_fn=die_with_parent)
         while True:
             pid, status, usage = os.wait4(process.pid, os.WNOHANG)
             if pid:
@@ -164,7 +166,7 @@ def _watched(command: list[str], environment: dict[str, str], messages: pathlib.
                 os.kill(process.pid, signal.SIGKILL)
             time.sleep(POLL)
     finally:
-        if process.returncode is None:  # interrupted: nothing may write any more where its folder is removed
+        if process is not None and process.returncode is None:  # interrupted: nothing may write any more where its folder is removed
             process.kill()
             process.wait()
 
