@@ -66,6 +66,13 @@ class LadderTest(unittest.TestCase):
         # The limit is 5, from which the first mesh is off by four fifths; the levels of steps themselves leave 0.5 open.
         self.assertAlmostEqual(doubt(1.5) - doubt(1.0), 0.5 + 0.8 * 0.5, places=9)
 
+    def test_errors_are_relative_to_what_the_response_goes_to_with_its_load_steps(self) -> None:
+        """Two increments of a cycle end where nothing is left; a percentage of that was printed beside what more of them had shown."""
+        outcomes = {(n, 0, 0, 0): answer(1e-6) for n in range(3)} | {(0, 0, n, 0): answer(1 - 0.1 * 4.0 ** -n) for n in (1, 2, 3)}
+        reference = Judge(self.ladder(outcomes)).references["u"]
+        self.assertGreaterEqual(reference.size, abs(reference.largest()))
+        self.assertEqual(reference.cause, "time steps")
+
     def test_an_error_of_the_design_counts_in_the_reference(self) -> None:
         """Finer meshes do not show it."""
         def doubt(design: float) -> float:
@@ -135,6 +142,30 @@ class LadderTest(unittest.TestCase):
         self.assertRegex(promise.reason,
                          "^the reference of u itself is known to [0-9]+ % only; the next run, mesh .*, may take [0-9]+ s: "
                          "that takes a budget of about [0-9]+ s$")
+
+    def test_a_budget_that_is_named_is_more_than_the_one_that_has_not_done(self) -> None:
+        """About 3 s were said to be needed of 3 s."""
+        ladder = self.ladder({(n, 0, 0, 0): answer(value) for n, value in enumerate((1.0, 2.0))} | {(0, 0, 1, 0): answer(1.0)})
+        ladder.budget.seconds, ladder.unaffordable = 3.0, (2, 0, 0, 0)
+        needed = ladder.predicted((2, 0, 0, 0), "wall") or 0.0
+        ladder.budget._begin -= 0.7 * 3.0 - needed
+        folder = pathlib.Path("x")
+        promise = keep(0.01, ladder, Judge(ladder), mock.MagicMock(), mock.MagicMock(), folder, folder)
+        self.assertRegex(promise.reason, "about 4 s$")
+
+    def test_load_steps_at_their_last_level_are_said_to_be_what_is_not_known(self) -> None:
+        """A finer mesh was advised, which does not help."""
+        def reason(levels: int) -> str:
+            outcomes = {(n, 0, 0, 0): answer(3 + 1e-3 * 4.0 ** -n) for n in range(3)}
+            outcomes |= {(0, 0, level, 0): answer(3 + 0.2 * level) for level in range(1, levels)}
+            ladder = self.ladder(outcomes, 4)
+            ladder.unaffordable = (3, 0, 0, 0)
+            folder = pathlib.Path("x")
+            return keep(0.01, ladder, Judge(ladder), mock.MagicMock(), mock.MagicMock(), folder, folder).reason
+
+        self.assertRegex(reason(4), "only, most of it because of time steps, of which time steps 0.125 is the finest level: "
+                                    "the input has to have a finer one$")
+        self.assertRegex(reason(3), "only, most of it because of time steps; the next run")
 
     def test_a_ladder_knows_what_it_has_no_time_for(self) -> None:
         """Neither more meshes nor more time are left out in silence."""

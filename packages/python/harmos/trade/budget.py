@@ -34,8 +34,8 @@ class Allowance:
 
     def words(self, taken: float, reason: str = "") -> str:
         """The status of a run that was stopped after so many seconds, for another reason where there is one."""
-        expected = "nothing predicted" if self.predicted is None else f"predicted {_seconds(self.predicted)}"
-        return f"stopped after {_seconds(taken)}, {expected}: {reason or self.reason}"
+        expected = "nothing predicted" if self.predicted is None else f"predicted {seconds_in_words(self.predicted)}"
+        return f"stopped after {seconds_in_words(taken)}, {expected}: {reason or self.reason}"
 
 
 @dataclass
@@ -84,5 +84,6 @@ def free_memory() -> float:
     return 1024.0 * float(found.group(1)) if found else float("inf")
 
 
-def _seconds(time_taken: float) -> str:
+def seconds_in_words(time_taken: float) -> str:
+    """With two digits at least."""
     return f"{time_taken:.0f} s" if time_taken >= 9.95 else f"{time_taken:.2g} s"

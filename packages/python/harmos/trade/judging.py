@@ -31,6 +31,7 @@ class Reference:
         family: settings whose meshes have told it.
         is_disputed: whether other families differ by more than it would be uncertain without them.
         sides: limits of the side knobs by their indices.
+        cause: knob that most of the largest uncertainty comes from.
     """
 
     values: Floats
@@ -40,6 +41,7 @@ class Reference:
     family: Settings
     is_disputed: bool
     sides: dict[int, Limit]
+    cause: str
 
     def largest(self) -> float:
         """The largest value, with its sign."""
@@ -204,6 +206,7 @@ class Judge:
         uncertainty = numpy.maximum(uncertainty, against)
         uncertainty = uncertainty + finest.outcome.design.get(name, 0.0)
         sides, shift = {}, numpy.zeros(space.values.shape)
+        own = {"mesh": uncertainty}
         base = ladder.rungs[ladder.base()]
         foreign = _foreign(base.outcome.values[name], space.values)
         for knob in ladder.indices(Role.SIDE):
@@ -217,9 +220,13 @@ class Judge:
                 sides[knob] = limit_of(sizes, [rung.outcome.values[name] for rung in rungs], self._noise(rungs[-1], name))
             own_shift = sides[knob].values - base.outcome.values[name]
             shift = shift + own_shift
-            uncertainty = uncertainty + sides[knob].uncertainty + foreign * abs(own_shift)
-        size = max(float(abs(space.values).max()), finest.outcome.sizes.get(name, 0.0))
-        return Reference(space.values + shift, uncertainty, size, space, best.settings, is_disputed, sides)
+            own[ladder.knobs[knob].name] = sides[knob].uncertainty + foreign * abs(own_shift)
+        uncertainty = numpy.sum(list(own.values()), axis=0)
+        worst = int(numpy.argmax(uncertainty))
+        cause = max(own, key=lambda one: float(own[one][worst]))
+        values = space.values + shift
+        size = max(float(abs(values).max()), finest.outcome.sizes.get(name, 0.0))
+        return Reference(values, uncertainty, size, space, best.settings, is_disputed, sides, cause)
 
 
 def _against(best: Family, other: Family) -> Floats:

@@ -7,6 +7,7 @@ import re
 from dataclasses import dataclass
 
 from harmos.report.writing import percent
+from harmos.trade.budget import seconds_in_words
 from harmos.trade.document import Document
 from harmos.trade.judging import Judge
 from harmos.trade.knobs import Role
@@ -126,7 +127,7 @@ def _doubtful(ladder: Ladder, judge: Judge) -> str:
     """Why the reference is not known well enough."""
     if judge.doubt() < math.inf:
         name = max(judge.references, key=lambda one: judge.references[one].doubt())
-        return f"the reference of {name} itself is known to {percent(judge.doubt())} only{_following(ladder)}"
+        return f"the reference of {name} itself is known to {percent(judge.doubt())} only{_help(ladder, judge.references[name].cause)}"
     if not judge.references and ladder.rungs:
         statuses = collections.Counter(rung.outcome.status for rung in ladder.rungs.values())
         return f"nothing could be certified, mostly: {statuses.most_common(1)[0][0]}"
@@ -137,6 +138,18 @@ def _doubtful(ladder: Ladder, judge: Judge) -> str:
         return "one mesh alone tells no error, and nothing refines this one"
     failed = [rung for rung in ladder.meshes(ladder.base(), certified=False) if not rung.outcome.certified]
     return f"a finer mesh has no answer: {failed[-1].outcome.status}" if failed else "the budget leaves a reference unknown"
+
+
+def _help(ladder: Ladder, cause: str) -> str:
+    """What makes a reference known better that is uncertain because of a knob."""
+    if cause == "mesh":
+        return _following(ladder)
+    knob = ladder.index(cause)
+    finest = ladder.side(knob)[-1].settings[knob]
+    levels = ladder.knobs[knob].levels
+    if finest < len(levels) - 1:
+        return f", most of it because of {cause}{_following(ladder)}"
+    return f", most of it because of {cause}, of which {levels[finest].name} is the finest level: the input has to have a finer one"
 
 
 def _following(ladder: Ladder) -> str:
@@ -150,8 +163,8 @@ def _following(ladder: Ladder) -> str:
 def _needs(ladder: Ladder, settings: Settings) -> str:
     """What a run takes that the budget has no time for."""
     needed = ladder.predicted(settings, "wall") or 0.0
-    return (f"may take {needed:.0f} s: "
-            f"that takes a budget of about {(ladder.budget.spent() + needed) / (1 - RESERVE):.0f} s")
+    budget = math.ceil((ladder.budget.spent() + needed) / (1 - RESERVE))  # rounded down it may be the one that has not done
+    return f"may take {seconds_in_words(needed)}: that takes a budget of about {budget} s"
 
 
 def settings_name(document: Document, target: float) -> str:
