@@ -169,6 +169,19 @@ class DocumentTest(unittest.TestCase):
         self.assertEqual(written.value("Plugins", ""), "{../../laws/a.so, /else/b.so}")
         self.assertIn("<!-- kept -->", target.read_text())
 
+    def test_parts_may_have_slashes_in_their_names(self) -> None:
+        """Lists of the pieces of a name were made instead, every run was refused, and nothing could be certified."""
+        scene = self.folder / "scene.xml"
+        scene.write_text(SCENE.format(type="Bolted Joint").replace('name="b"', 'name="a/b"'))
+        target = self.folder / "new.xml"
+        Document(scene).write([Entry("Parts/a/b/Pieces", "int", "2"), Entry("Parts/a/Pieces", "int", "3"),
+                               Entry("Solver/Search Direction/Scale", "double", "4")], target, "")
+        written = Document(target)
+        self.assertEqual(written.names("Parts"), ["a", "a/b"])
+        for path, value in (("Parts/a/b/Pieces", "2"), ("Parts/a/Pieces", "3"), ("Solver/Search Direction/Scale", "4")):
+            self.assertEqual(written.value(path, ""), value)
+        self.assertEqual(len(written.scene.findall(".//Parameter[@name='Pieces']/../..")), 1)
+
     def test_changes_of_a_study_win_over_its_overrides(self) -> None:
         """They are made in the scene, which is written beside."""
         target = self.folder / "deep" / "out" / "new.xml"

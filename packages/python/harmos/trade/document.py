@@ -5,7 +5,7 @@ import pathlib
 import re
 import xml.etree.ElementTree as xml
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from harmos.outputs import replace_file
 
@@ -136,13 +136,14 @@ def scene_beside(study: pathlib.Path) -> pathlib.Path:
 
 
 def find(root: xml.Element, path: str) -> xml.Element | None:
-    """The list or entry of that path, None when it is not there."""
-    element: xml.Element | None = root
-    for name in path.split("/"):
-        if element is None:
-            return None
-        element = next((child for child in element if child.get("name") == name), None)
-    return element
+    """The list or entry of that path, None when it is not there. Names may have slashes in them."""
+    for child in root:
+        name = child.get("name", "")
+        if name == path:
+            return child
+        if path.startswith(f"{name}/") and (found := find(child, path.removeprefix(f"{name}/"))) is not None:
+            return found
+    return None
 
 
 def value_of(root: xml.Element, path: str) -> str | None:
@@ -167,13 +168,14 @@ def _listed(value: str | None) -> list[str]:
 
 
 def _set(root: xml.Element, entry: Entry) -> None:
+    within = {child.get("name", ""): child for child in root if entry.path.startswith(f"{child.get('name', '')}/")}
+    if within:  # names may have slashes in them: the longest is meant
+        name = max(within, key=len)
+        return _set(within[name], replace(entry, path=entry.path.removeprefix(f"{name}/")))
     *lists, name = entry.path.split("/")
     element = root
     for each in lists:
-        below = find(element, each)
-        if below is None:
-            below = xml.SubElement(element, "ParameterList", name=each)
-        element = below
+        element = xml.SubElement(element, "ParameterList", name=each)
     old = find(element, name)
     if entry.value is None:
         if old is not None:
