@@ -22,6 +22,8 @@ using statics::Wrench;
 // left. In between the digits of the loads and of the programme do not tell.
 constexpr double left = 1e-6;
 constexpr double nothing = 1e-9;
+// Of loads along a motion: more is not carried by forces that are known to a small error of the largest ones.
+constexpr double uncarried = 0.1;
 // Difference of loads, over their size, that are the same but for a factor.
 constexpr double proportional = 1e-12;
 // Of the largest displacement, what counts as taking part in a motion, and as opening or closing.
@@ -184,7 +186,8 @@ double LoadBalance::leastShare() const {
   return least;
 }
 
-double LoadBalance::loadAlong(int step, const RigidParts& parts, const std::vector<statics::Motion>& motion) const {
+double LoadBalance::loadAlong(int step, const RigidParts& parts, const std::vector<statics::Motion>& motion,
+                              double carried) const {
   const std::size_t stride = steps_.size() * sumsPerStep;
   const Loads loads = loadsOn(assembly_, parts, sumsAt(step), stride);
   double work = 0.0, way = 0.0;
@@ -194,7 +197,8 @@ double LoadBalance::loadAlong(int step, const RigidParts& parts, const std::vect
     way = std::max(way,
                    base::norm(motion[b].translation) + parts.rigid().bodies[b].size * base::norm(motion[b].rotation));
   }
-  return std::abs(work) > nothing * way * loads.scale ? std::abs(work) / (way * largest_) : 0.0;
+  const bool isLoaded = std::abs(work) > nothing * way * loads.scale;
+  return isLoaded && std::abs(work + carried) > uncarried * std::abs(work) ? std::abs(work) / (way * largest_) : 0.0;
 }
 
 int LoadBalance::largestLike(int step) const {

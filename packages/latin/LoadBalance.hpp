@@ -45,8 +45,9 @@ class LoadBalance {
   /// The least of these that is not zero, over the largest [-]; 1 without loads.
   double leastShare() const;
   /// The work of the loads of a load step along a rigid motion of these parts, over its largest way and the largest sum
-  /// of absolute loads of all load steps [-]; 0 where it is round-off beside the loads of the load step.
-  double loadAlong(int step, const RigidParts& parts, const std::vector<statics::Motion>& motion) const;
+  /// of absolute loads of all load steps [-]; 0 where it is round-off beside the loads of the load step, or forces
+  /// whose work is `carried` [force length] balance nine tenths of it.
+  double loadAlong(int step, const RigidParts& parts, const std::vector<statics::Motion>& motion, double carried) const;
   /// Of every body a number that those have in common which laws that bear every traction join at all load steps, such
   /// as the pieces of a part: they move as one; -1: joined to the ground in that way, at all load steps.
   const std::vector<int>& rigidBodies() const { return rigidBodies_; }

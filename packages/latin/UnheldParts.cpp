@@ -79,6 +79,19 @@ std::vector<base::Vector3> resisted(const statics::Joint& joint, const double* n
   return directions;
 }
 
+/// Work of the forces at all joints along a motion [force length].
+double workOfJoints(const statics::RigidAssembly& rigid, const std::vector<double>& states,
+                    const std::vector<statics::Motion>& motion) {
+  double work = 0.0;
+  for (std::size_t j = 0; j < rigid.joints.size(); ++j) {
+    const statics::Joint& joint = rigid.joints[j];
+    const double* const numbers = states.data() + numbersPerJoint * j;
+    const base::Vector3 jump = statics::jumpOf(joint, rigid.bodies, motion);  // of side 2 less side 1, in the frame
+    work -= joint.area * base::dot({numbers[1], numbers[2], numbers[3]}, jump);
+  }
+  return work;
+}
+
 /// "load step 3", "load steps 1 to 4, 7", of numbers from 0 in ascending order.
 std::string nameSteps(const std::vector<int>& steps) {
   std::vector<std::string> ranges;
@@ -155,7 +168,10 @@ UnheldParts::UnheldParts(const Iterate& state, const LoadBalance* balance) {
       std::string& all = here[who];
       all += (all.empty() ? "" : "; ") + text;
       if (isRubbed) rubbed.insert(who);
-      const double load = balance != nullptr ? balance->loadAlong(t, parts, motion) : 0.0;
+      if (balance == nullptr) continue;
+      // Friction that slides may carry loads along a way that it leaves free.
+      const double carried = workOfJoints(rigid, states, motion);
+      const double load = balance->loadAlong(t, parts, motion, carried);
       if (load == 0.0) continue;
       leastLoad_ = std::min(leastLoad_, load);
       if (firstLoaded_ < 0) firstLoaded_ = t;
