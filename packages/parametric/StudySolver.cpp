@@ -169,11 +169,9 @@ bool StudySolver::take(const latin::LatinResult& solution, results::Configuratio
   result.reason = solution.reason;
   bool isUnique = solution.freePressures.empty();
   for (const auto& response : solution.responses) {
-    if (!(response.range.width() > options_.accuracy * response.size)) continue;
-    isUnique = false;
-    result.reason += "; " + latin::describe(response.name, response.range, response.values);
+    if (response.range.width() > options_.accuracy * response.size) isUnique = false;
   }
-  if (!solution.freePressures.empty()) result.reason += "; " + latin::describePressures(solution.freePressures);
+  for (const std::string& remark : solution.remarks) result.reason += "; " + remark;
   result.status = statusOf(solution.outcome, isUnique);
   result.iterations += solution.iterations;
   result.linearStages += solution.linearStages;

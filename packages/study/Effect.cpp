@@ -82,13 +82,15 @@ Effect effectOf(const std::string& entry, const scene::Scene& scene) {
   return {Kind::operators, Target::other, "", entry};
 }
 
+std::vector<std::string> entriesThatName(const std::string& entry, const input::References& references) {
+  const std::vector<std::string> names = split(entry);
+  return names.size() == 2 && names[0] == "Values" ? references.to("$" + names[1]) : std::vector<std::string>{};
+}
+
 std::vector<Effect> effectsOf(const std::string& entry, const input::References& references,
                               const scene::Scene& scene) {
-  const std::vector<std::string> names = split(entry);
-  std::vector<std::string> entries = {entry};
-  if (names.size() == 2 && names[0] == "Values") {
-    entries = references.to("$" + names[1]);
-  }
+  const bool isValue = split(entry).size() == 2 && split(entry)[0] == "Values";
+  const std::vector<std::string> entries = isValue ? entriesThatName(entry, references) : std::vector{entry};
   std::vector<Effect> effects;
   for (const std::string& each : entries) {
     const std::vector<std::string> field = split(each);

@@ -38,6 +38,9 @@ const char* effectName(Effect::Kind kind);
 /// The effect of an entry outside of Values, by its path "List/Sublist/Name", which is not checked.
 Effect effectOf(const std::string& entry, const scene::Scene& scene);
 
+/// Of an entry of Values all entries that name it by "$name"; of others none.
+std::vector<std::string> entriesThatName(const std::string& entry, const input::References& references);
+
 /// The effects of an entry of the input that `scene` is made of, whose `references` are given: its own, or for an entry
 /// of Values those of all entries that name it by "$name"; then none when nothing does.
 std::vector<Effect> effectsOf(const std::string& entry, const input::References& references, const scene::Scene& scene);

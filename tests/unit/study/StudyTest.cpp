@@ -117,6 +117,21 @@ TEST_F(StudyTest, MakesTheSceneOfAConfiguration) {
   }
 }
 
+TEST_F(StudyTest, RefusesANumberThatTwoParametersSetByTwoNames) {
+  const std::string value = parameter("mu", "Values/mu", "{0.2, 0.4}"),
+                    own = parameter("own", "Interfaces/seal/Law/Friction Coefficient", "{0.1, 0.3}");
+  for (const auto& [parameters, first] : {std::pair{value + own, "mu"}, std::pair{own + value, "own"}}) {
+    try {
+      study(parameters);
+      FAIL();
+    } catch (const base::Error& error) {
+      const std::string text =
+          std::string("\"Interfaces/seal/Law/Friction Coefficient\" is set by \"") + first + "\" already.";
+      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST_F(StudyTest, ChangesReachStudyAndScene) {
   const Study found = study(parameter("mu", "Values/mu", "{0.2, 0.4}"),
                             {"Parameters/mu/Values={0.1}", "Accuracy=0.02", "Scene/Solver/Maximum Iterations=7"});
