@@ -36,7 +36,9 @@ std::vector<double> statesOf(const statics::RigidAssembly& rigid, const Iterate&
     const bool isEliminated = state.eliminated().contains(joint.interface);
     if (assembly.ownerOf(interface.body1) != comm.getRank() || (states.empty() && !isEliminated)) continue;
     const laws::LocalState at =
-        isEliminated ? laws::LocalState() : states[static_cast<std::size_t>(step * interface.pairs() + joint.pair)];
+        isEliminated ? laws::LocalState()
+                     : states[static_cast<std::size_t>(step) * static_cast<std::size_t>(interface.pairs()) +
+                              static_cast<std::size_t>(joint.pair)];
     double* numbers = mine.data() + numbersPerJoint * j;
     numbers[0] = 1.0 + static_cast<int>(at.status);
     std::copy(at.traction.begin(), at.traction.end(), numbers + 1);
