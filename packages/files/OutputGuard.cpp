@@ -1,5 +1,6 @@
 #include <harmos/files/OutputGuard.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -25,23 +26,35 @@ bool isThere(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, ignored));
 }
 
-bool isTooLong(const std::string& path) {
-  return ::access(path.c_str(), F_OK) != 0 && errno == ENAMETOOLONG;
-}
-
-/// Why no files can be written into a folder, which need not exist; empty: nothing is known.
-std::string faultOfFolder(const fs::path& folder) {
+fs::path nearestExisting(const fs::path& folder) {
   fs::path existing = folder.empty() ? fs::path(".") : folder;
   while (!isThere(existing) && existing.has_relative_path()) {
     existing = existing.parent_path().empty() ? fs::path(".") : existing.parent_path();
   }
+  return existing;
+}
+
+bool isRefused(const fs::path& path) {
+  return ::access(path.c_str(), F_OK) != 0 && errno == ENAMETOOLONG;
+}
+
+bool isTooLong(const fs::path& path) {
+  if (isRefused(path)) return true;
+  // What is wrong with a name is not said where the folder before it is not there.
+  const fs::path existing = nearestExisting(path.parent_path());
+  return std::any_of(path.begin(), path.end(), [&](const fs::path& name) { return isRefused(existing / name); });
+}
+
+/// Why no files can be written into a folder, which need not exist; empty: nothing is known.
+std::string faultOfFolder(const fs::path& folder) {
+  const fs::path existing = nearestExisting(folder);
   const auto because = [&](const std::string& reason) {
     return "No result can be written into " + (folder.empty() ? "the present folder" : folder.string()) + ": " +
            reason + ".\n";
   };
   std::error_code error;
   const fs::file_status status = fs::status(existing, error);
-  if (isTooLong(folder.string())) return because("its name is too long");
+  if (isTooLong(folder)) return because("its name is too long");
   if (!fs::exists(status)) return because(existing.string() + " is a link to what is not there");
   if (!fs::is_directory(status)) return because(existing.string() + " is no folder");
   if (::access(existing.c_str(), W_OK | X_OK) != 0) {

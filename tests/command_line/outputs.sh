@@ -65,6 +65,13 @@ for command in "${files[@]}"; do
   refused 'no file, but a device' "$harmos" $command --output /dev/null
 done
 
+# Also in folders that are not there.
+cp "$scene" "$long.xml"
+for output in new new/below; do
+  refused "$long.e cannot be written: its name is too long" "$harmos" run "$long.xml" --output $output
+  refused 'is too long' "$harmos" run "$scene" --output "$output/$long$long"
+done
+
 # A folder of the name of a result.
 mkdir -p taken/{"$name.e","${name}_trade.html","$stem.h5",mesh.xml,"${name}_interfaces.pvd"}
 refused "taken/$name.e cannot be written: it is a folder" "$harmos" run "$scene" --output taken
