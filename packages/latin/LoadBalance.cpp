@@ -8,6 +8,7 @@
 
 #include <harmos/base/Names.hpp>
 #include <harmos/latin/PrescribedForces.hpp>
+#include <harmos/latin/detail/LikeLoads.hpp>
 #include <harmos/latin/detail/RigidParts.hpp>
 #include <harmos/latin/detail/TighteningForces.hpp>
 #include <harmos/statics/Balance.hpp>
@@ -24,13 +25,9 @@ constexpr double left = 1e-6;
 constexpr double nothing = 1e-9;
 // Of loads along a motion: more is not carried by forces that are known to a small error of the largest ones.
 constexpr double uncarried = 0.1;
-// Difference of loads, over their size, that are the same but for a factor.
-constexpr double proportional = 1e-12;
 // Of the largest displacement, what counts as taking part in a motion, and as opening or closing.
 constexpr double takesPart = 1e-3;
 constexpr double opening = 1e-6;
-
-constexpr std::size_t sumsPerStep = 7;
 
 /// 'part "a" along (1, 0, 0), sliding along "joint"' for every part that takes part.
 std::string describeMotions(const assembly::Assembly& assembly, const RigidParts& parts,
@@ -64,12 +61,6 @@ std::string describeMotions(const assembly::Assembly& assembly, const RigidParts
   return text;
 }
 
-double extentOf(const std::vector<base::Vector3>& nodes) {
-  double extent = 0.0;
-  for (const base::Vector3& x : nodes) extent = std::max(extent, base::distance(x, nodes.front()));
-  return extent;
-}
-
 /// Of every rigid body about its centre, and the sum of absolute nodal forces on all of them.
 struct Loads {
   std::vector<Wrench> wrenches;
@@ -93,17 +84,6 @@ Loads loadsOn(const assembly::Assembly& assembly, const RigidParts& parts, const
   return loads;
 }
 
-/// Whether all laws can carry the same at two load steps.
-bool hasSameLaws(const assembly::Assembly& assembly, int a, int b) {
-  return std::all_of(assembly.interfaces.begin(), assembly.interfaces.end(), [&](const assembly::Interface& one) {
-    if (one.law->prescribesTraction()) return true;
-    if (isTightened(one, a) != isTightened(one, b)) return false;
-    const auto atA = one.law->admissibleTractions(a), atB = one.law->admissibleTractions(b);
-    if (!atA || !atB) return !atA && !atB;
-    return atA->lower == atB->lower && atA->upper == atB->upper && atA->friction == atB->friction;
-  });
-}
-
 }  // namespace
 
 LoadBalance::LoadBalance(const assembly::Assembly& assembly, const Teuchos::Comm<int>& comm, base::Timers& timers)
@@ -111,9 +91,10 @@ LoadBalance::LoadBalance(const assembly::Assembly& assembly, const Teuchos::Comm
   const auto running = timers_.start("statics");
   resisted_ = resistedMotions(assembly, comm);
   std::vector<std::vector<int>> numbers(assembly.bodies.size());  // of every body, wherever laws change
+  const std::vector<int> laws = sameLaws(assembly);
   for (int t = 0; t < assembly.steps(); ++t) {
     // Nothing changes in between where laws do not.
-    if (t > 0 && hasSameLaws(assembly, t, t - 1)) continue;
+    if (t > 0 && laws[t] == laws[t - 1]) continue;
     const RigidParts parts(assembly, resisted_, t, RigidParts::Unknown::carriesAll);
     for (std::size_t b = 0; b < numbers.size(); ++b) numbers[b].push_back(parts.rigidBodyOf(static_cast<int>(b)));
   }
@@ -165,6 +146,7 @@ LoadBalance::LoadBalance(const assembly::Assembly& assembly, const Teuchos::Comm
   sums_.resize(mine.size());
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), sums_.data());
   for (int t = 0; t < assembly.steps(); ++t) largest_ = std::max(largest_, sizeAt(t));
+  largestLike_ = latin::largestLike(assembly, laws, sums_);
 }
 
 double LoadBalance::sizeAt(int step) const {
@@ -199,30 +181,6 @@ double LoadBalance::loadAlong(int step, const RigidParts& parts, const std::vect
   }
   const bool isLoaded = std::abs(work) > nothing * way * loads.scale;
   return isLoaded && std::abs(work + carried) > uncarried * std::abs(work) ? std::abs(work) / (way * largest_) : 0.0;
-}
-
-int LoadBalance::largestLike(int step) const {
-  const std::size_t bodies = assembly_.bodies.size(), stride = steps_.size() * sumsPerStep;
-  const double* mine = sumsAt(step);
-  const double size = sizeAt(step);
-  if (size == 0.0) return -1;
-  std::vector<double> extents;
-  for (const auto& body : assembly_.bodies) extents.push_back(extentOf(body.nodes));
-  int largest = step;
-  for (int t = 0; t < assembly_.steps(); ++t) {
-    const double share = size / sizeAt(t), least = size / sizeAt(largest);
-    if (!(share < least || (share == least && t < largest))) continue;
-    bool isProportional = hasSameLaws(assembly_, step, t);
-    for (std::size_t b = 0; isProportional && b < bodies; ++b) {
-      for (std::size_t i = 0; isProportional && i < sumsPerStep; ++i) {
-        const double* sums = mine + b * stride;
-        const double length = i < 3 || i == 6 ? 1.0 : extents[b];
-        isProportional = std::abs(sums[i] - share * sumsAt(t)[b * stride + i]) <= proportional * size * length;
-      }
-    }
-    if (isProportional) largest = t;
-  }
-  return largest;
 }
 
 const std::optional<std::string>& LoadBalance::contradiction(int step) {

@@ -39,7 +39,7 @@ class LoadBalance {
   bool hasForces(int step);
   /// The load step whose answer counts for this one, too: the largest of those with the same laws whose loads are the
   /// same but for a factor, the first of those that are equally large; none (-1) without loads.
-  int largestLike(int step) const;
+  int largestLike(int step) const { return largestLike_[step]; }
   /// Sum of the absolute loads of all bodies at a load step [force].
   double sizeAt(int step) const;
   /// The least of these that is not zero, over the largest [-]; 1 without loads.
@@ -67,6 +67,7 @@ class LoadBalance {
   std::vector<int> rigidBodies_;               // per body
   std::vector<double> sums_;  // per body and load step: resultant, moment about the first node, sum of absolute forces
   double largest_ = 0.0;      // sum of absolute loads of a load step
+  std::vector<int> largestLike_;  // per load step
   std::vector<Step> steps_;
 };
 

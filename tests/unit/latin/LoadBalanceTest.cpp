@@ -113,6 +113,28 @@ TEST(LoadBalance, AsksOfLikeLoadsOnce) {
   EXPECT_EQ(like, (std::vector<int>{-1, 2, 2, 2, 2, 5, 5}));
 }
 
+// Of loads that go round and come back with the factors 1, 2 and 3 the largest answers. That many load steps, compared
+// with each other, would take hours.
+TEST(LoadBalance, FindsLikeLoadsAmongManyLoadSteps) {
+  const int ways = 50000, steps = 3 * ways;
+  std::vector<double> x, z;
+  for (int t = 0; t < steps; ++t) {
+    const double angle = 3.0 * (t % ways) / ways, factor = 1.0 + t / ways;
+    x.push_back(factor * std::cos(angle));
+    z.push_back(factor * std::sin(angle));
+  }
+  const Law top = laws::makeLaw("Prescribed Traction", {{"X", 1.0}, {"Z", 1.0}}, {{"X", x}, {"Z", z}});
+  BoxAssembly cubes({{"lower", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}}, {"upper", {0, 0, 1}, {1, 1, 2}, {1, 1, 1}}}, steps);
+  cubes.hold("bottom", "lower_zmin", clamp());
+  cubes.join("contact", "lower_zmax", "upper_zmin", friction(0.2));
+  cubes.hold("top", "upper_zmax", top);
+  base::Timers timers;
+  const LoadBalance balance(cubes.assembly(), *self(), timers);
+  int others = 0;
+  for (int t = 0; t < steps; ++t) others += balance.largestLike(t) == 2 * ways + t % ways ? 0 : 1;
+  EXPECT_EQ(others, 0);
+}
+
 // A bolt that is tightened pulls at both sides with its force, and bears everything else.
 TEST(LoadBalance, CountsForcesOfBolts) {
   const Law bolt = laws::makeLaw("Pretension", {{"Force", 2.0}});
