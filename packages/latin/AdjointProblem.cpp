@@ -93,7 +93,7 @@ void AdjointProblem::setLoads(const std::vector<ResponseGradient>& gradients) {
       add(held, interface.body1, interface.trace1.node(share.pair), column, motion.held);
     }
   }
-  fixedPoint_.setLoads(loads, std::move(held));
+  fixedPoint_.setLoads(std::move(loads), std::move(held));
 }
 
 base::Matrix AdjointProblem::meet(const base::Matrix& beta) const {

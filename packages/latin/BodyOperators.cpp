@@ -8,6 +8,7 @@
 
 #include <harmos/latin/detail/BodyTerm.hpp>
 #include <harmos/latin/detail/GivenLoads.hpp>
+#include <harmos/latin/detail/IsZero.hpp>
 #include <harmos/latin/detail/OperatorGroup.hpp>
 #include <harmos/latin/detail/SharedBlocks.hpp>
 
@@ -131,24 +132,25 @@ void BodyOperators::updateLoads(const assembly::Assembly& assembly) {
   }
   given->addTo(assembly, eliminated_, loads, held);
   cases_ = cases;
-  setLoads(loads, std::move(held));
+  setLoads(std::move(loads), std::move(held));
   if (!hasBodyForces) given_ = std::move(given);
 }
 
-void BodyOperators::setLoads(const std::vector<base::Matrix>& loads, std::vector<base::Matrix> held) {
+void BodyOperators::setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held) {
   given_.reset();
   held_ = std::move(held);
   for (const base::Matrix& one : loads) {
     if (one.numRows() > 0) cases_ = one.numCols();
   }
   for (base::Matrix& one : held_) {
-    if (one.normInf() == 0.0) one = base::Matrix();
+    if (isZero(one)) one = base::Matrix();
   }
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const int columns = static_cast<int>(members_[g].size()) * cases_;
     base::Matrix sums(groups_[g]->dofs(), columns), places;
     for (const int body : members_[g]) {
       toGroup(places_[body], loads[body], sums);
+      loads[body] = base::Matrix();
       if (held_[body].numCols() == 0) continue;
       if (places.numCols() == 0) places.shape(groups_[g]->dofs(), columns);
       toGroup(places_[body], held_[body], places);
@@ -171,9 +173,10 @@ bool BodyOperators::areLoaded() const {
 
 base::Matrix BodyOperators::loads(int body) const {
   const Place& place = places_[body];
-  if (place.group < 0) return {};
+  base::Matrix own;  // the only one returned: matrices are copied where it is not made in place
+  if (place.group < 0) return own;
   const OperatorGroup& group = *groups_[place.group];
-  base::Matrix own(group.dofs(), cases_);
+  own.shape(group.dofs(), cases_);
   if (group.loads().projected().numCols() > 0) fromGroup(place, group.loads().projected(), own);
   return own;
 }

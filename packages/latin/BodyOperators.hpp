@@ -49,7 +49,7 @@ class BodyOperators {
   void updateLoads(const assembly::Assembly& assembly);
   /// Puts other load cases in the place of the load steps, until updateLoads(): l [force] and g [length] of every body,
   /// dofs x cases; 0 x 0: of bodies that are not owned here. select() must follow.
-  void setLoads(const std::vector<base::Matrix>& loads, std::vector<base::Matrix> held);
+  void setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held);
   /// A number that grows whenever loads or held displacements of a body owned here become others.
   long loadChanges() const;
   /// Whether there are any on this rank that are not zero.

@@ -5,21 +5,11 @@
 #include <utility>
 
 #include <harmos/latin/StepsAtOnce.hpp>
+#include <harmos/latin/detail/IsZero.hpp>
 #include <harmos/latin/detail/LargestOf.hpp>
 
 namespace harmos::latin {
-namespace {
-
-bool isZero(const base::Matrix& matrix) {
-  for (int j = 0; j < matrix.numCols(); ++j) {
-    if (!std::all_of(matrix[j], matrix[j] + matrix.numRows(), [](double value) { return value == 0.0; })) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-void ColumnLoads::set(const base::Matrix& loads, const base::Matrix& held) {
+void ColumnLoads::set(base::Matrix& loads, const base::Matrix& held) {
   const int columns = loads.numCols();
   const bool areNone = isZero(loads);
   const bool areSame =
@@ -41,15 +31,29 @@ void ColumnLoads::set(const base::Matrix& loads, const base::Matrix& held) {
   if (!areNone && isHeld()) given_ = loads;
   areKnown_ = areNone && !isHeldAway;
   if (areKnown_) return;
-  projected_ = loads;
+  projected_.swap(loads);
   if (isHeldAway) subtractHeldForces();
   operator_.project(projected_);
   if (solver_.solvesTrace()) {
     motions_.shape(solver_.dofs(), columns);
-    if (projected_.normInf() > 0.0) solver_.solve(projected_, motions_);
+    if (projected_.normInf() > 0.0) {
+      solveInWindows([this](int first, const base::Matrix& solution) {
+        std::copy_n(solution.values(), static_cast<std::size_t>(solution.numRows()) * solution.numCols(),
+                    motions_[first]);
+      });
+    }
     if (isHeldAway) motions_ += held_;
   }
   areKnown_ = true;
+}
+
+void ColumnLoads::solveInWindows(const std::function<void(int, const base::Matrix&)>& keep) const {
+  base::Matrix solution;
+  for (int first = 0; first < count_; first += stepsAtOnce) {
+    const int columns = std::min(stepsAtOnce, count_ - first);
+    solver_.solve(base::Matrix(Teuchos::View, projected_, projected_.numRows(), columns, 0, first), solution);
+    keep(first, solution);
+  }
 }
 
 void ColumnLoads::subtractHeldForces() {
@@ -88,14 +92,11 @@ void ColumnLoads::prepareTraceMotions(const std::vector<int>& columns) {
   if (!areNeeded || solver_.solvesTrace() || traceMotions_.numCols() > 0) return;
   const std::vector<int>& trace = operator_.trace();
   traceMotions_.shape(static_cast<int>(trace.size()), count_);
-  base::Matrix solution;
-  for (int first = 0; first < count_; first += stepsAtOnce) {
-    const int columnsNow = std::min(stepsAtOnce, count_ - first);
-    solver_.solve(base::Matrix(Teuchos::View, projected_, projected_.numRows(), columnsNow, 0, first), solution);
-    for (int j = 0; j < columnsNow; ++j) {
+  solveInWindows([&](int first, const base::Matrix& solution) {
+    for (int j = 0; j < solution.numCols(); ++j) {
       for (std::size_t row = 0; row < trace.size(); ++row) traceMotions_[first + j][row] = solution[j][trace[row]];
     }
-  }
+  });
   for (int j = 0; j < held_.numCols(); ++j) {
     for (std::size_t row = 0; row < trace.size(); ++row) traceMotions_[j][row] += held_[j][trace[row]];
   }

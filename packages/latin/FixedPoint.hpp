@@ -81,8 +81,8 @@ class FixedPoint {
 
   /// Puts load cases of bodies in the place of the load steps, until updateLaws(); see BodyOperators::setLoads(). A
   /// state then belongs to select()ed cases, and only solveLinear() may be asked.
-  void setLoads(const std::vector<base::Matrix>& loads, std::vector<base::Matrix> held) {
-    linear_->setLoads(loads, std::move(held));
+  void setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held) {
+    linear_->setLoads(std::move(loads), std::move(held));
   }
 
   /// Collective. Makes search directions of another scale [-], > 0, and factors all operators anew; what the local

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <harmos/latin/PrescribedForces.hpp>
+#include <harmos/latin/detail/IsZero.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -69,17 +70,20 @@ void GivenLoads::addTo(const assembly::Assembly& assembly, const EliminatedBound
   for (std::size_t b = 0; b < forces_.size(); ++b) {
     if (forces_[b].numCols() == 0) continue;
     const int body = static_cast<int>(b);
-    base::Matrix &sums = room(assembly, body, loads), &places = room(assembly, body, held);
     const auto& nodes = eliminated.nodes(body);
-    for (int t = 0; t < forces_[b].numCols(); ++t) {
-      for (std::size_t n = 0; n < nodes.size(); ++n) {
-        for (int c = 0; c < dimension; ++c) {
-          const int row = static_cast<int>(n) * dimension + c;
-          sums[t][nodes[n].node * dimension + c] += forces_[b][t][row];
-          places[t][nodes[n].node * dimension + c] = places_[b][t][row];
+    const auto add = [&](const base::Matrix& values, std::vector<base::Matrix>& fields) {
+      if (isZero(values)) return;
+      base::Matrix& field = room(assembly, body, fields);
+      for (int t = 0; t < values.numCols(); ++t) {
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+          for (int c = 0; c < dimension; ++c) {
+            field[t][nodes[n].node * dimension + c] += values[t][static_cast<int>(n) * dimension + c];
+          }
         }
       }
-    }
+    };
+    add(forces_[b], loads);
+    add(places_[b], held);
   }
   for (std::size_t i = 0; i < tractions_.size(); ++i) {
     const assembly::Interface& interface = assembly.interfaces[i];

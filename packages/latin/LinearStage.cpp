@@ -75,8 +75,8 @@ void LinearStage::unperturb() {
   if (loadFactor_) prepareLoadFactor();
 }
 
-void LinearStage::setLoads(const std::vector<base::Matrix>& loads, std::vector<base::Matrix> held) {
-  operators_.setLoads(loads, std::move(held));
+void LinearStage::setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held) {
+  operators_.setLoads(std::move(loads), std::move(held));
   if (macro_) macro_->updateLoads(assembly_, operators_);
 }
 

@@ -36,7 +36,7 @@ class LinearStage {
   void updateLoads();
   /// Puts other load cases in the place of the load steps, until updateLoads(); see BodyOperators::setLoads(). Bodies
   /// are then moved by them alone. Displacement form only.
-  void setLoads(const std::vector<base::Matrix>& loads, std::vector<base::Matrix> held);
+  void setLoads(std::vector<base::Matrix> loads, std::vector<base::Matrix> held);
 
   /// Motions that all displacements are counted from, from now on: u' and w' of u = rho + u', w = rho + w' take the
   /// place of u and w. They must outlive it; updateLoads() is to be called when they change. Displacement form only.

@@ -195,8 +195,7 @@ void MacroProblem::respond(const assembly::Assembly& assembly, const BodyOperato
   }
 }
 
-Matrix MacroProblem::displacementOf(const Body& body, const BodyOperators& operators) {
-  const Matrix& loads = operators.loads(body.body);
+Matrix MacroProblem::displacementOf(const Body& body, const Matrix& loads, const BodyOperators& operators) {
   const std::vector<int> rows = loadedRows(loads);
   if (std::includes(body.loaded.begin(), body.loaded.end(), rows.begin(), rows.end())) return {};
   return operators.solveBody(body.body, loads);
@@ -208,7 +207,7 @@ void MacroProblem::updateLoads(const assembly::Assembly& assembly, const BodyOpe
     const Matrix& loads = operators.loads(body.body);
     const int count = static_cast<int>(body.unknowns.size());
     body.loads.shape(count, loads.numCols());
-    displacements.push_back(count > 0 ? displacementOf(body, operators) : Matrix());
+    displacements.push_back(count > 0 ? displacementOf(body, loads, operators) : Matrix());
     if (count == 0 || displacements.back().numCols() > 0 || body.loaded.empty()) continue;
     Matrix kept(static_cast<int>(body.loaded.size()), loads.numCols());
     for (int t = 0; t < loads.numCols(); ++t) {

@@ -72,7 +72,7 @@ class MacroProblem {
   void respond(const assembly::Assembly& assembly, const BodyOperators& operators, int local);
   /// S^-1 l, from which X^T l follows as well, where loads act on other rows than those kept, else nothing; one column
   /// for every load case.
-  static base::Matrix displacementOf(const Body& body, const BodyOperators& operators);
+  static base::Matrix displacementOf(const Body& body, const base::Matrix& loads, const BodyOperators& operators);
   const TraceLayout& layout_;
   int unknowns_ = 0;
   std::vector<base::Matrix> modes_;  // per interface: P, pairs*dimension x modes, orthonormal in h k

@@ -170,6 +170,7 @@ std::optional<files::StressPeak> writeParts(const Problem& problem, const latin:
     if (t % latin::stepsAtOnce == 0) {
       // Together, so that the integrals over an element are formed only once for them.
       const int count = std::min(latin::stepsAtOnce, file.steps() - t);
+      stress.clear();  // not beside those that follow
       stress = elementStresses(problem, state, t, count);
       if (nodal) nodal->recover(state, t, count);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
@@ -23,8 +24,9 @@ class ColumnLoads {
   ColumnLoads(const ConstrainedOperator& constrained, const substructure::SubstructureSolver& solver)
       : operator_(constrained), solver_(solver) {}
 
-  /// Sets l and g (0 x 0: none), dofs x (bodies * steps). Costs nothing when they are those set last.
-  void set(const base::Matrix& loads, const base::Matrix& held);
+  /// Sets l, which it takes for its own, and g (0 x 0: none), dofs x (bodies * steps). Costs nothing when they are
+  /// those set last.
+  void set(base::Matrix& loads, const base::Matrix& held);
   /// How often set() has met others than before.
   long changes() const { return changes_; }
   /// Columns of l.
@@ -63,6 +65,9 @@ class ColumnLoads {
   bool isHeld() const { return !operator_.heldDofs().empty() || held_.numCols() > 0; }
   /// l of the last set(); 0 x 0: none.
   const base::Matrix& given() const { return isHeld() ? given_ : projected_; }
+  /// Solves S x = P (l - A g), as many columns at once as their copies are small for: `keep` takes the first one's
+  /// number and x.
+  void solveInWindows(const std::function<void(int first, const base::Matrix& solution)>& keep) const;
   /// Takes A g from projected_.
   void subtractHeldForces();
   /// Adds to all rows of `to` what a field with the columns of l holds for a column.

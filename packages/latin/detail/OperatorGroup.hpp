@@ -33,7 +33,7 @@ class OperatorGroup {
   }
 
   /// See ColumnLoads::set().
-  void setLoads(const base::Matrix& loads, const base::Matrix& held) { loads_.set(loads, held); }
+  void setLoads(base::Matrix& loads, const base::Matrix& held) { loads_.set(loads, held); }
   /// What was set.
   const ColumnLoads& loads() const { return loads_; }
   /// Makes room for so many columns in all, and says which column of the loads each takes, or ColumnLoads::none; so
