@@ -36,7 +36,7 @@ struct CostEstimate {
   double resultSeconds = 0.0;          // error of the mesh, files
 
   /// A whole run [s].
-  double seconds() const { return startSeconds + factorSeconds + solveSeconds() + resultSeconds; }
+  double seconds() const { return startSeconds + factorSeconds + solveSeconds() + wholeSeconds + resultSeconds; }
   /// Least squares [s] of so many iterations over the differences of the last ones, at most `memory`.
   double accelerationSeconds(double iterations, double memory) const;
   /// The solution alone [s], once all is factored.

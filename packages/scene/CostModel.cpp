@@ -37,12 +37,13 @@ constexpr double programBytes = 60e6, matrixCopies = 4.4, paddedFactor = 1.3, re
 // what the macro problem multiplies one column with. Of least squares, per component of an interface side, load step
 // and pair of directions of the certificate, or of differences of a march. Of the error of the mesh, per unknown; of
 // how tractions may be shared, per group of nodes and load step; of files, per unknown, and per unknown and load step.
+// Of what tractions can share around rings of interfaces, per ring; of loads, per loaded unknown and load step.
 constexpr double programSeconds = 0.08, assemblySeconds = 5e-8, operationSeconds = 4.5e-11, factorEntrySeconds = 1.5e-8,
                  macroReadSeconds = 1.5e-10, factoredEntrySeconds = 2.5e-8, factoredUnknownSeconds = 5.5e-6,
                  readEntrySeconds = 2.2e-10, interfaceSeconds = 3e-8, bodySeconds = 1e-6, sideSeconds = 7e-7,
                  reactionSeconds = 7e-10, correctionSeconds = 5e-9, differenceSeconds = 4e-9,
                  recoverySecondsInSpace = 9e-6, recoverySecondsInPlane = 3e-6, sharedNodeSeconds[] = {1e-4, 9e-4},
-                 fileSeconds = 1e-6, stepFileSeconds = 1.1e-7;
+                 fileSeconds = 1e-6, stepFileSeconds = 1.8e-7, ringSeconds = 5e-4, loadSeconds = 4e-8;
 // Of operators that are solved iteratively: bytes per entry at the peak, with the preconditioner; iterations of a
 // column; seconds per entry of the preconditioner and of an iteration; entries of a row of small elements.
 constexpr double iteratedEntryBytes = 35.0, iterationsOfColumn = 15.0, multigridSeconds = 1.6e-7,
@@ -66,15 +67,23 @@ constexpr double growthWithPieces = 0.18;
 // plane, where bodies meet at points, and in space, where they do along lines.
 constexpr double ways = 2.0, marchesOfWay[] = {0.1, 2.0};
 
+// Where velocities are iterated on, a load step moves when those before it have come to rest: linear stages of a load
+// step, of those of the march.
+constexpr double stagesOfVelocities = 0.75;
+// Solvers without supernodes beside CHOLMOD and Tacho: bytes of an entry, of both triangles with their rows, and how
+// much longer factors and solves take.
+constexpr double plainEntryBytes = 24.0, plainSlowness = 18.0;
+
 /// Linear stages that a run is expected to take.
 struct Stages {
   double march = directStages, certificate = 0.0, others = 0.0;
   double all() const { return march + certificate + others; }
 };
 
-Stages stagesOf(const CostScope& scope, double accuracy) {
+Stages stagesOf(const CostScope& scope, const latin::LatinOptions& solver) {
   Stages stages;
-  const double height = scope.joints.height, further = 0.5 * stagesPerDecade * std::log10(usualAccuracy / accuracy);
+  const double height = scope.joints.height,
+               further = 0.5 * stagesPerDecade * std::log10(usualAccuracy / solver.accuracy);
   if (scope.isAffine) {
     const double first = std::max(1.0, affineMarch * std::sqrt(scope.joints.points) + further);
     stages.march = std::max(1.0, first * std::pow(scope.steps, affineGrowth));
@@ -82,8 +91,11 @@ Stages stagesOf(const CostScope& scope, double accuracy) {
     return stages;
   }
   const double pieces = 1.0 + growthWithPieces * std::log2(scope.pieces);
-  stages.march = std::max(1.0, pieces * std::max(leastStages, marchOfJoint * height) + further) *
-                 std::min(1.0, std::pow(scope.steps / usualSteps, growthWithSteps));
+  const double march = std::max(1.0, pieces * std::max(leastStages, marchOfJoint * height) + further);
+  stages.march =
+      solver.stages.formulation == latin::Formulation::velocity
+          ? std::min<double>(solver.maximumIterations, march * std::max(1.0, stagesOfVelocities * scope.steps))
+          : march * std::min(1.0, std::pow(scope.steps / usualSteps, growthWithSteps));
   stages.certificate = std::max(
       1.0, pieces * std::max(leastStages, certificateOfJoints[scope.dimension - 2] * height * height) + further);
   if (scope.joints.sharedNodes > 0.0) stages.others = ways * marchesOfWay[scope.dimension - 2] * stages.march;
@@ -189,6 +201,12 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
   const substructure::SolverOptions& options = solver.stages.solver;
   const double square = body.trace * body.trace / body.factor.blocks, entries = body.factor.nonzeros;
   const bool isDense = body.factor.isTraceLast || (body.trace > 0.0 && square <= options.denseTraceWorth() * entries);
+  if (body.isLoaded) {
+    // Displacements that loads make by themselves are kept where columns are solved on the trace alone.
+    sum_[loadFields] += (isDense ? 2.0 : 1.0) * body.unknowns;
+    sum_[loadReads] += 2.0 * entries;
+    sum_[loadedUnknowns] += body.unknowns;
+  }
   if (body.isAssembled) sum_[body.iteratedEntries > 0.0 ? iteratedMatrix : matrixEntries] += body.matrixEntries;
   sum_[assembledEntries] += body.matrixEntries;
   sum_[reactions] += body.trace * body.interfaces;
@@ -228,38 +246,45 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.isAffine = scope.isAffine;
   const double motions = motionsOfInterface[scope.dimension - 2];
   const bool isDirect = sum_[looseEntries] == sum_[factorEntries] && sum_[macroIterated] == 0.0;
-  const Stages stages = isDirect ? Stages() : stagesOf(scope, solver.accuracy);
-  const bool mayBeSingle = solver.stages.solver.allowsSingle && solver.algorithm == latin::Algorithm::accelerated &&
+  const Stages stages = isDirect ? Stages() : stagesOf(scope, solver);
+  const bool mayBeSingle = solver.stages.solver.allowsSingle && solver.stages.solver.hasSupernodes() &&
+                           solver.algorithm == latin::Algorithm::accelerated &&
                            solver.stages.formulation == latin::Formulation::displacement;
   const double iterated = sum_[factorEntries] - sum_[looseEntries];  // entries of factors that columns go through
   cost.matrixBytes = matrixEntryBytes * (sum_[matrixEntries] + sum_[iteratedMatrix]);
-  cost.factorBytes = entryBytes * sum_[factorEntries];
+  const bool isPlain = !solver.stages.solver.hasSupernodes();
+  const double slowness = isPlain ? plainSlowness : 1.0;
+  const substructure::FactorSize macro = factorOf(motions * scope.sides / 2.0 + 1.0, scope.dimension);
+  cost.factorBytes = (isPlain ? plainEntryBytes : entryBytes) * sum_[factorEntries];
   cost.singleBytes = mayBeSingle ? singleEntryBytes * iterated : 0.0;
   cost.iteratedBytes = iteratedEntryBytes * sum_[storedIterated];
   cost.inverseBytes = (entryBytes + singleEntryBytes) * sum_[invertedEntries];
   cost.fieldBytes = entryBytes * storedStates(steps, stages, solver.memory) * scope.interfaceUnknowns;
-  cost.processBytes =
-      programBytes * scope.ranks + matrixEntryBytes * (matrixCopies * sum_[matrixEntries] + sum_[iteratedMatrix]) +
-      entryBytes * iterated + cost.singleBytes + paddedFactor * entryBytes * sum_[looseEntries] + cost.iteratedBytes +
-      cost.inverseBytes + reactionCopies * entryBytes * motions * sum_[reactions] + cost.fieldBytes +
-      entryBytes * scope.unknowns * (fieldsAtOnce * together + fieldsOfOthers * (steps - together)) +
-      bytesPerUnknown * scope.unknowns;
+  cost.processBytes = programBytes * scope.ranks +
+                      matrixEntryBytes * (matrixCopies * sum_[matrixEntries] + sum_[iteratedMatrix]) +
+                      cost.factorBytes + cost.singleBytes + (paddedFactor - 1.0) * entryBytes * sum_[looseEntries] +
+                      cost.iteratedBytes + entryBytes * (macro.nonzeros + steps * sum_[loadFields]) +
+                      cost.inverseBytes + reactionCopies * entryBytes * motions * sum_[reactions] + cost.fieldBytes +
+                      entryBytes * scope.unknowns * (fieldsAtOnce * together + fieldsOfOthers * (steps - together)) +
+                      bytesPerUnknown * scope.unknowns;
 
   cost.startSeconds = programSeconds * scope.ranks + assemblySeconds * sum_[assembledEntries];
-  cost.factorSeconds = operationSeconds * sum_[operations] + factorEntrySeconds * sum_[factorEntries] +
-                       macroReadSeconds * motions * sum_[macroReads] + factoredEntrySeconds * sum_[factoredEntries] +
-                       factoredUnknownSeconds * sum_[factoredUnknowns] + multigridSeconds * sum_[storedIterated] +
-                       iterationSeconds * iterationsOfColumn * motions * sum_[macroIterated];
+  const double rings = std::max(0.0, scope.sides / 2.0 - scope.bodies);
+  cost.factorSeconds =
+      slowness * (operationSeconds * sum_[operations] + factorEntrySeconds * sum_[factorEntries] +
+                  macroReadSeconds * motions * sum_[macroReads] + steps * readEntrySeconds * sum_[loadReads]) +
+      operationSeconds * macro.operations + ringSeconds * rings + steps * loadSeconds * sum_[loadedUnknowns] +
+      factoredEntrySeconds * sum_[factoredEntries] + factoredUnknownSeconds * sum_[factoredUnknowns] +
+      multigridSeconds * sum_[storedIterated] + iterationSeconds * iterationsOfColumn * motions * sum_[macroIterated];
   cost.staticsSeconds =
       scope.statics.seconds(steps) + sharedNodeSeconds[scope.dimension - 2] * scope.joints.sharedNodes * steps;
-  cost.readSeconds = steps * readEntrySeconds * sum_[readEntries];
-  const double ofMacro = factorOf(motions * scope.sides / 2.0 + 1.0, scope.dimension).nonzeros;
+  cost.readSeconds = steps * slowness * readEntrySeconds * sum_[readEntries];
   cost.stageSeconds = cost.readSeconds +
-                      steps * (2.0 * readEntrySeconds * ofMacro + reactionSeconds * motions * sum_[reactions] +
+                      steps * (2.0 * readEntrySeconds * macro.nonzeros + reactionSeconds * motions * sum_[reactions] +
                                interfaceSeconds * scope.interfaceUnknowns + bodySeconds * scope.bodies +
                                sideSeconds * scope.sides + iterationSeconds * iterationsOfColumn * sum_[readIterated]);
   cost.stages = stages.all();
-  cost.wholeSeconds = 2.0 * steps * readEntrySeconds * sum_[factorEntries];
+  cost.wholeSeconds = 2.0 * steps * slowness * readEntrySeconds * sum_[factorEntries];
   cost.correctionSeconds =
       steps * scope.interfaceUnknowns * correctionSeconds * stages.certificate * stages.certificate +
       cost.accelerationSeconds(stages.march, solver.memory) +

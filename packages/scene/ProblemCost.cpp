@@ -34,6 +34,16 @@ substructure::FactorSize sizeOf(const assembly::Assembly& assembly, std::size_t 
   return factorOf(static_cast<double>(body.nodes.size()) * body.dimension, body.dimension);
 }
 
+/// Which bodies forces act on, of the volume or of boundaries.
+std::vector<bool> areLoaded(const assembly::Assembly& assembly) {
+  std::vector<bool> loaded;
+  for (const substructure::Substructure& body : assembly.bodies) loaded.push_back(body.loads.numCols() > 0);
+  for (const assembly::Interface& interface : assembly.interfaces) {
+    if (interface.law->prescribesTraction()) loaded[interface.body1] = true;
+  }
+  return loaded;
+}
+
 double mostPieces(const std::vector<mesh::Piece>& pieces) {
   std::map<std::pair<std::string, int>, double> counts;
   double most = 1.0;
@@ -47,6 +57,7 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
                           const Teuchos::Comm<int>& comm) {
   const assembly::Assembly& assembly = problem.assembly;
   const std::vector<double> interfaces = interfacesOf(assembly.interfaces, assembly.bodies.size());
+  const std::vector<bool> loaded = areLoaded(assembly);
   CostScope scope;
   scope.dimension = assembly.dimension;
   scope.ranks = comm.getSize();
@@ -87,6 +98,7 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
     size.interfaces = interfaces[b];
     size.isFactored =
         operators.emplace(master, size.trace, heldOf(assembly.interfaces, b, assembly.dimension).size()).second;
+    size.isLoaded = loaded[b];
     sums.add(size, solver);
   }
   sums.reduce(comm);

@@ -47,6 +47,11 @@ double SolverOptions::denseTraceWorth() const {
   return invertTrace ? entriesOfTraceInverse : entriesOfTraceFactor;
 }
 
+bool SolverOptions::hasSupernodes() const {
+  const std::string solver = lowerCase(name);
+  return solver == "cholmod" || solver == "tacho";
+}
+
 void SolverOptions::describe(input::ParameterSpec& spec) {
   spec.summary("Direct solver that factors every substructure once.");
   spec.text("Name")

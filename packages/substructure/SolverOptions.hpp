@@ -26,6 +26,8 @@ struct SolverOptions {
   /// Entries of the square of a trace that are worth as much as one of the sparse factor: where it has no more of them,
   /// a part's trace is kept dense. 0: this solver keeps none dense.
   double denseTraceWorth() const;
+  /// Whether columns of a factor that have the same rows are worked on together: Harmos' own solvers.
+  bool hasSupernodes() const;
   /// Declares the entries of the list Linear Solver.
   static void describe(input::ParameterSpec& spec);
 

@@ -25,6 +25,7 @@ struct BodySize {
   substructure::FactorSize factor;  ///< of its operator
   bool isFactored = true;           ///< false: the factor is that of another body
   double iteratedEntries = 0.0;     ///< of its operator, where it is solved iteratively; 0: it is factored
+  bool isLoaded = false;            ///< forces act on it
 };
 
 /// Factor of a body of which only the number of unknowns is known: 25 n^(4/3) entries in space, 8 n log2 n in the
@@ -94,6 +95,9 @@ class CostSums {
     storedIterated,
     readIterated,
     macroIterated,
+    loadFields,
+    loadReads,
+    loadedUnknowns,
     sums
   };
   std::array<double, sums> sum_{};

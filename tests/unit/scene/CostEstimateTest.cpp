@@ -33,8 +33,9 @@ TEST(CostEstimate, OfARunIsTheSumOfItsPhases) {
   cost.stageSeconds = 0.5;
   cost.stages = 24.0;
   cost.correctionSeconds = 4.0;
+  cost.wholeSeconds = 8.0;
   cost.resultSeconds = 1.0;
-  EXPECT_DOUBLE_EQ(cost.seconds(), 0.125 + 0.25 + 2.0 + 12.0 + 4.0 + 1.0);
+  EXPECT_DOUBLE_EQ(cost.seconds(), 0.125 + 0.25 + 2.0 + 12.0 + 4.0 + 8.0 + 1.0);
 }
 
 TEST(CostEstimate, RefusesFactorsBeyondTheNumbersOfSolvers) {
@@ -71,6 +72,44 @@ TEST(CostEstimate, CountsTracesInBothPrecisionsWhereTheyAreInverted) {
   EXPECT_EQ(plain.inverseBytes, 0.0);
   EXPECT_EQ(inverted.inverseBytes, 2.0 * (8.0 + 4.0) * 27.0 * 27.0 / 2.0);  // of a triangle
   EXPECT_GE(inverted.processBytes, plain.processBytes + inverted.inverseBytes);
+}
+
+// Without a load a part keeps no fields of its loads.
+TEST(CostEstimate, CountsFieldsOfLoadsForEveryLoadStep) {
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  const Scene scene = sample();
+  Problem problem = makeProblem(scene, *comm, timers);
+  const auto costOf = [&] { return estimateCost(problem, scene.solver, FactorSizes::fromOrder, *comm); };
+  const CostEstimate loaded = costOf();
+  assembly::Assembly& assembly = problem.assembly;
+  double fields = 0.0;
+  for (std::size_t i = assembly.interfaces.size(); i-- > 0;) {
+    if (!assembly.interfaces[i].law->prescribesTraction()) continue;
+    fields += assembly.dimension * static_cast<double>(assembly.bodies[assembly.interfaces[i].body1].nodes.size());
+    assembly.interfaces.erase(assembly.interfaces.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  ASSERT_GT(fields, 0.0);
+  EXPECT_GE(loaded.processBytes - costOf().processBytes, 8.0 * fields * assembly.steps());
+  EXPECT_GT(loaded.factorSeconds, costOf().factorSeconds);
+}
+
+TEST(CostEstimate, KnowsSolversWithoutSupernodesAndWhatVelocitiesTake) {
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  const Scene scene = sample();
+  Problem problem = makeProblem(scene, *comm, timers);
+  latin::LatinOptions options = scene.solver;
+  const CostEstimate usual = estimateCost(problem, options, FactorSizes::fromUnknowns, *comm);
+  options.stages.solver.name = "KLU2";
+  const CostEstimate plain = estimateCost(problem, options, FactorSizes::fromUnknowns, *comm);
+  EXPECT_GT(plain.factorBytes, 2.0 * usual.factorBytes);
+  EXPECT_EQ(plain.singleBytes, 0.0);
+  EXPECT_GT(plain.factorSeconds, 2.0 * usual.factorSeconds);
+  problem.assembly.times.resize(40);
+  const double ofDisplacements = estimateCost(problem, options, FactorSizes::fromUnknowns, *comm).stages;
+  options.stages.formulation = latin::Formulation::velocity;
+  EXPECT_GT(estimateCost(problem, options, FactorSizes::fromUnknowns, *comm).stages, 2.0 * ofDisplacements);
 }
 
 TEST(CostEstimate, OfPartsSolvedIterativelyCountsNoFactor) {
