@@ -155,7 +155,8 @@ bool CorrectionSpace::makeIndependent(double* v) const {
 
 void CorrectionSpace::makeRoom(std::vector<double>& columns, int count) const {
   const std::size_t wanted = columns.size() + at(count);
-  if (columns.capacity() < wanted) columns.reserve(std::max({wanted, columns.size() + columns.size() / 2, at(leastRoom)}));
+  if (columns.capacity() < wanted)
+    columns.reserve(std::max({wanted, columns.size() + columns.size() / 2, at(leastRoom)}));
 }
 
 void CorrectionSpace::add(const double* v, const double* y) {
