@@ -122,7 +122,8 @@ std::string differences(const results::Identity& before, const results::Identity
   if (count > most) text += "  and " + std::to_string(count - most) + " more\n";
   if (count > 0) return text;
   const auto first = std::mismatch(now.begin(), now.end(), before.begin(), before.end());
-  if (first.first != now.end()) add(first.first->first, "stands before " + first.second->first + ", was behind it");
+  if (first.first != now.end() && first.second != before.end())
+    add(first.first->first, "stands before " + first.second->first + ", was behind it");
   return text;
 }
 

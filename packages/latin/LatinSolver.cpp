@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -152,11 +153,14 @@ bool LatinSolver::bringBack(const Iterate& iterate, double& tolerance) {
   unheldParts_ = unheld.remarks();
   if (unheld.firstLoaded() < 0) return false;
   tolerance = std::min(tolerance, marchShare * options_.accuracy * unheld.leastLoad());
-  // So small a load brings them back from where they have been thrown only after many stages.
-  for (int t = unheld.firstLoaded(); t < assembly_.steps() && !isBroughtBack_; ++t)
-    std::fill_n(alpha_[t], alpha_.numRows(), 0.0);
-  isBroughtBack_ = true;
-  unheldParts_.reset();
+  certified_ = nullptr;
+  if (std::exchange(isBroughtBack_, true)) return true;
+  // So small a load brings them back from where they have been thrown, and counted from, only after many stages.
+  if (!fixedPoint_.reference().isEmpty()) {
+    fixedPoint_.uncentre(alpha_);
+    certificate_.emplace(fixedPoint_, *newton_, responses_, options_.accuracy);
+  }
+  for (int t = unheld.firstLoaded(); t < assembly_.steps(); ++t) std::fill_n(alpha_[t], alpha_.numRows(), 0.0);
   return true;
 }
 
@@ -165,8 +169,10 @@ bool LatinSolver::isHeldByItsLoads(LatinResult& result, double& tolerance) {
   if (certified_ == nullptr && !assembly_.isAffine()) certified_ = &fixedPoint_.apply(alpha_, image_);
   stagesOfCertificates_ += stages() - before;
   if (certified_ == nullptr || !bringBack(*certified_, tolerance)) return true;
-  certified_ = nullptr;
   takeBack(result);
+  result.reason =
+      "loads that are small beside those of other load steps have not brought all parts to what holds them: " +
+      unheldParts_->front();
   return false;
 }
 
@@ -204,6 +210,8 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
 
 void LatinSolver::beginAnew(LatinResult& result, double times) {
   takeBack(result);
+  isBroughtBack_ = false;
+  unheldParts_.reset();
   result.solvedSteps = 0;
   estimates_.clear();
   fixedPoint_.uncentre(alpha_);

@@ -15,6 +15,8 @@ constexpr double smallShare = 1e-3;
 // below this share of k w, with the automatic k, they are round-off; counted from reference motions, less of them is.
 constexpr double nothing = 1e-10;
 constexpr double nothingFromReference = 1e-12;
+// Of k w: less is nothing but round-off, whatever the loads.
+constexpr double digits = 1e-14;
 // Of k w: what forces are measured by where there are none.
 constexpr double cancellation = 1e-7;
 // Of the loads, which balance each other where temperatures expand a body freely, or pressures squeeze it.
@@ -115,7 +117,8 @@ NaturalSizes::NaturalSizes(const Iterate& state) {
   displacement_ = all[0];
   const double roundOff = state.reference().isEmpty() ? nothing : nothingFromReference;
   // Small as they are beside k w, where there are loads they are what carries these.
-  const bool carryLoads = largest(loads) > 0.0 && largest(forces) > cancellationOfLoads * largest(loads);
+  const bool carryLoads = largest(loads) > 0.0 && largest(forces) > cancellationOfLoads * largest(loads) &&
+                          largest(forces) > digits * largest(springs);
   const bool areNothing = largest(forces) <= roundOff * largest(springs) && !carryLoads;
   force_ = areNothing ? cancellation * largest(springs) : smallShare * largest(forces);
   stress_ = areNothing ? cancellation * all[2] : smallShare * all[1];

@@ -19,6 +19,8 @@ constexpr double decayByHalving = 0.25;
 // Weights of the smallest and the largest forecast of parents that disagree: mostly that means that the germs do not
 // interact; a tenth guards against a chance zero.
 constexpr double weightOfLeast = 0.9, weightOfMost = 0.1;
+// Of the tolerance: refinement goes on to it where what is not seen leaves less.
+constexpr double leastShare = 0.25;
 // Of a tail that falls like an exponential function: what lies beyond a quarter of it, over the mean of all that does;
 // and the mean square over the square of the mean.
 constexpr double quarterOfTail = 1.386294361, squareOfTail = 2.0;
@@ -125,9 +127,17 @@ std::set<PiecewiseLinear::Node> PiecewiseLinear::candidates() const {
   return nodes;
 }
 
+std::vector<PiecewiseLinear::Moments> PiecewiseLinear::allMoments() const {
+  std::vector<Moments> moments;
+  for (int r = 0; r < static_cast<int>(points_.front().surpluses.size()); ++r)
+    moments.push_back({mean(r), standardDeviation(r)});
+  return moments;
+}
+
 std::vector<double> PiecewiseLinear::errorsOfTails() const {
   const double omitted = omittedProbability();
-  std::vector<double> errors(points_.front().surpluses.size(), 0.0);
+  const std::vector<Moments> moments = allMoments();
+  std::vector<double> errors(moments.size(), 0.0);
   std::vector<double> middle;
   for (const HatLine& line : lines_) middle.push_back(line.germ(HatLine::middle));
   for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -141,9 +151,9 @@ std::vector<double> PiecewiseLinear::errorsOfTails() const {
       const std::vector<double> before = evaluate(germs);
       const double length = std::abs(lines_[i].germ(end) - lines_[i].germ(inside));
       for (std::size_t r = 0; r < errors.size(); ++r) {
-        const double deviation = standardDeviation(static_cast<int>(r));
+        const auto [average, deviation] = moments[r];
         if (!(deviation > 0.0)) continue;
-        const double distance = (atEnd[r] - mean(static_cast<int>(r))) / deviation;
+        const double distance = (atEnd[r] - average) / deviation;
         const double further = (atEnd[r] - before[r]) / length * excess / deviation;
         const double ofVariance = 2.0 * distance * further + squareOfTail * further * further;
         errors[r] += omitted * std::max(std::abs(further), 0.5 * std::abs(ofVariance));
@@ -154,7 +164,8 @@ std::vector<double> PiecewiseLinear::errorsOfTails() const {
 }
 
 std::vector<double> PiecewiseLinear::errorsOfCells() const {
-  std::vector<double> errors(points_.front().surpluses.size(), 0.0);
+  const std::vector<Moments> moments = allMoments();
+  std::vector<double> errors(moments.size(), 0.0);
   for (const Point& point : points_) {
     const bool isFinest =
         std::any_of(point.node.begin(), point.node.end(), [](int node) { return HatLine::children(node).empty(); });
@@ -169,7 +180,7 @@ std::vector<double> PiecewiseLinear::errorsOfCells() const {
       }
     }
     for (std::size_t r = 0; r < errors.size(); ++r) {
-      const double average = mean(static_cast<int>(r)), deviation = standardDeviation(static_cast<int>(r));
+      const auto [average, deviation] = moments[r];
       if (!(deviation > 0.0)) continue;
       double distance = 1.0;
       for (const std::vector<double>& values : around)
@@ -238,8 +249,8 @@ std::vector<std::vector<double>> PiecewiseLinear::next() {
       if (options_.response.value_or(response) != response) continue;
       error_ = std::max(error_, errorIndicator(response));
       // More points do not help against what is not seen.
-      const double rest = options_.tolerance - unseen_[r];
-      isOver = isOver && errors_[r] <= (rest > 0.0 ? rest : options_.tolerance);
+      const double rest = std::max(options_.tolerance - unseen_[r], leastShare * options_.tolerance);
+      isOver = isOver && errors_[r] <= rest;
     }
     if (isOver) return {};
     std::vector<std::pair<double, Node>> order;

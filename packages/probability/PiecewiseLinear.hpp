@@ -99,6 +99,12 @@ class PiecewiseLinear {
     double lower, upper;
   };
 
+  struct Moments {
+    double mean, deviation;
+  };
+
+  /// Of all responses.
+  std::vector<Moments> allMoments() const;
   /// Per response, relative to the standard deviation: what the moments lack of what lies beyond the range.
   std::vector<double> errorsOfTails() const;
   /// Likewise: what the corrections at the finest nodes, below which nothing can be seen, may change once more.

@@ -81,8 +81,10 @@ Interpolation::Interpolation(const Study& study, const results::StudyResults& re
   for (std::size_t r = 0; r < study.responses.size(); ++r) {
     const double deviation = function_.standardDeviation(static_cast<int>(r));
     const std::optional<std::string>& driving = study.design.as<InterpolationOptions>()->response;
-    if (!(deviation > 0.0) || (driving && *driving != study.responses[r].name)) continue;
-    const double error = solverError(study, results, r, function_.mean(static_cast<int>(r)), deviation);
+    const double mean = function_.mean(static_cast<int>(r));
+    const bool isConstant = !(deviation > leastSpread * std::abs(mean));
+    if (isConstant || (driving && *driving != study.responses[r].name)) continue;
+    const double error = solverError(study, results, r, mean, deviation);
     ofSolutions = std::max(ofSolutions, error / deviation);
   }
   const double tolerance = study.design.as<InterpolationOptions>()->tolerance;

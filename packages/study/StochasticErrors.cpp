@@ -18,8 +18,6 @@ namespace {
 using results::ResponseStatistics;
 using results::StochasticSummary;
 
-// Standard deviation over the mean up to which a response is constant but for round-off.
-constexpr double leastSpread = 1e-9;
 // Error of a mean and of a standard deviation over the root mean square error of the expansion.
 constexpr double errorOfMoments = 1.0 / 3.0;
 // Held out configurations show that there is no kink where so many of them, for an expansion of so high an order, have
@@ -66,7 +64,8 @@ void addSolverErrors(const Study& study, const results::StudyResults& results, S
     response.iterationError = solverError(study, results, r, response.mean, deviation);
     response.meanError = std::fmax(response.meanError, 0.0) + response.iterationError;
     response.deviationError = std::fmax(response.deviationError, 0.0) + response.iterationError;
-    if (!(deviation > 0.0 && response.iterationError > visibleSolverError * deviation)) continue;
+    const bool isConstant = !(deviation > leastSpread * std::abs(response.mean));
+    if (isConstant || !(response.iterationError > visibleSolverError * deviation)) continue;
     hidden += (hidden.empty() ? "" : ", ") + response.name;
     worst = std::max(worst, response.iterationError / deviation);
   }

@@ -25,8 +25,6 @@ using results::StochasticSummary;
 using Method = StochasticPlan::Method;
 using Points = std::vector<std::vector<double>>;
 
-// Standard deviation over the mean up to which a response is constant but for round-off.
-constexpr double leastSpread = 1e-9;
 // Of expansions that are fitted to samples.
 constexpr int highestFittedOrder = 6;
 constexpr int samplesPerTerm = 3;

@@ -7,6 +7,9 @@
 
 namespace harmos::study {
 
+/// Standard deviation over the mean up to which a response is constant but for round-off.
+inline constexpr double leastSpread = 1e-9;
+
 /// Whether responses may have kinks over the random parameters, because a law is not smooth: contact and friction.
 bool mayHaveKinks(const Study& study);
 
