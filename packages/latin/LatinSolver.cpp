@@ -9,14 +9,13 @@
 
 #include <harmos/assembly/AssemblyCheck.hpp>
 #include <harmos/base/Error.hpp>
-#include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/LawCheck.hpp>
 #include <harmos/latin/detail/CustomaryIndicator.hpp>
-#include <harmos/latin/detail/IterationWatch.hpp>
 #include <harmos/latin/detail/LawDigits.hpp>
 #include <harmos/latin/detail/OtherSolutions.hpp>
 #include <harmos/latin/detail/ResultRemarks.hpp>
 #include <harmos/latin/detail/RoundOff.hpp>
+#include <harmos/latin/detail/SimultaneousIteration.hpp>
 #include <harmos/latin/detail/UnheldParts.hpp>
 
 namespace harmos::latin {
@@ -24,12 +23,6 @@ namespace {
 
 // Linear stages of a march between looks at the digits that its laws have.
 constexpr int stagesBetweenLooks = 100;
-// A correction gains about a factor of ten, so a certificate is worth its price from here on.
-constexpr double triggerFactor = 15.0;
-// Of the trigger, after a certificate that failed.
-constexpr double triggerAfterFailure = 0.3;
-// Most linear stages from a certificate that failed to the next.
-constexpr int longestWait = 15;
 // Of the accuracy asked for: the residual that the first march goes to. A correction then gains about a factor of ten.
 constexpr double marchShare = 1.0;
 // The same where factors have so many entries that caches do not hold them: the march reads them once for every load
@@ -257,9 +250,8 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
   };
   march.setStop([&] { return mustStop() || stages() >= stageLimit() || lacksDigits(); });
   march.setObserver([&](int step, int iterations, const Iterate& iterate) {
-    state_ = &iterate;
     result.iterations += iterations;
-    for (const auto& observer : observers_) observer({result.iterations, stages(), 0.0, 0.0, step});
+    observe(iterate, {result.iterations, stages(), 0.0, 0.0, step});
   });
   double tolerance = firstTolerance();
   March::End end = March::End::reached;
@@ -324,73 +316,19 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
 }
 
 void LatinSolver::iterate(LatinResult& result) {
-  std::optional<AndersonAcceleration> acceleration;
-  if (options_.algorithm == Algorithm::accelerated) {
-    acceleration.emplace(fixedPoint_.metric(), options_.memory, fixedPoint_.assembly().isAffine());
+  SimultaneousIteration::Callbacks callbacks;
+  callbacks.mustStop = [this] { return mustStop(); };
+  callbacks.certify = [&](const Iterate& iterate) { return certify(iterate, result); };
+  if (!observers_.empty()) {
+    callbacks.observe = [this](const Iterate& iterate, const IterationReport& report) { observe(iterate, report); };
   }
-  for (int t = 0; t < assembly_.steps(); ++t) {
-    if (!balance_->contradiction(t)) continue;
-    result.outcome = Outcome::noEquilibrium;
-    result.reason = *balance_->contradiction(t);
-    return;
-  }
-  EquilibriumWatch watch(
-      options_.accuracy, [&](int step) { return balance_->isSure(step); }, balance_->rigidBodies());
-  IterationWatch progress(fixedPoint_, responses_);
-  double trigger = triggerFactor * options_.accuracy;
-  int nextAttempt = 0;  // linear stages before which a failed certificate is not tried again
-  while (stages() < options_.maximumIterations) {
-    state_ = &fixedPoint_.apply(alpha_, image_);
-    ++result.iterations;
-    if (progress.hasDiverged(image_)) {
-      // Kinks of the laws can mislead the acceleration that far: without it, from the start.
-      acceleration.reset();
-      alpha_.putScalar(0.0);
-      progress.forget();
-      continue;
-    }
-    double change = 0.0;
-    const bool quiet = progress.isSettled(result.iterations, *state_, trigger, change);
-    if (!observers_.empty()) {
-      const IterationReport report{result.iterations, stages(), customaryIndicator(*state_), change, -1};
-      for (const auto& observer : observers_) observer(report);
-    }
-    if (mustStop()) {
-      result.outcome = Outcome::interrupted;
-      result.reason = "interrupted";
-      return;
-    }
-    const EquilibriumWatch::Finding finding = watch.look(fixedPoint_, state_, alpha_, image_);
-    if (finding == EquilibriumWatch::Finding::landing) {
-      if (acceleration) acceleration->restart();
-      progress.forget();
-      continue;
-    }
-    if (finding == EquilibriumWatch::Finding::noEquilibrium) {
-      result.outcome = Outcome::noEquilibrium;
-      result.reason = describeLack(watch.imbalance(), assembly_, balance_->hasForces(watch.imbalance().step));
-      return;
-    }
-    if (quiet && stages() >= nextAttempt) {
-      const int before = stages();
-      if (certify(*state_, result)) return;
-      // What was spent on an estimate that failed is spent on iterations before the next one.
-      nextAttempt = stages() + std::min(stages() - before, longestWait);
-      trigger *= triggerAfterFailure;
-      if (acceleration) acceleration->restart();
-      progress.forget();
-      continue;
-    }
-    const auto running = timers_.start("acceleration");
-    if (acceleration) {
-      acceleration->advance(alpha_, image_);
-      continue;
-    }
-    const double relaxation = options_.algorithm == Algorithm::plain ? 1.0 : options_.relaxation;
-    for (int t = 0; t < alpha_.numCols(); ++t) {
-      for (int row = 0; row < alpha_.numRows(); ++row) alpha_[t][row] += relaxation * (image_[t][row] - alpha_[t][row]);
-    }
-  }
+  SimultaneousIteration(fixedPoint_, *balance_, responses_, options_, timers_)
+      .run(alpha_, image_, stagesBefore_, callbacks, result);
+}
+
+void LatinSolver::observe(const Iterate& iterate, const IterationReport& report) {
+  state_ = &iterate;
+  for (const auto& observer : observers_) observer(report);
 }
 
 void LatinSolver::demandGraphs(LatinResult& result) {

@@ -8,6 +8,7 @@
 
 #include <harmos/base/SoleThread.hpp>
 #include <harmos/latin/Certificate.hpp>
+#include <harmos/latin/IterationReport.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/latin/LatinResult.hpp>
 #include <harmos/latin/LoadBalance.hpp>
@@ -16,15 +17,6 @@
 
 /// The LATIN iteration: local stage, linear stage, acceleration, error estimates and responses.
 namespace harmos::latin {
-
-/// What an observer is told after every iteration over all load steps, or after every load step of a march.
-struct IterationReport {
-  int iteration = 0;       ///< applications of T outside of the error estimate so far, in linear stages
-  int linearStages = 0;    ///< all of them so far
-  double indicator = 0.0;  ///< |s - s^| / |s|
-  double change = 0.0;  ///< largest relative change of the promised quantities over the last iterations; 0: not known
-  int loadStep = -1;    ///< of a march; -1: all
-};
 
 /// Solves an assembly by LATIN to a certified accuracy.
 ///
@@ -89,8 +81,10 @@ class LatinSolver {
   bool isSofter() const;
   /// Linear stages of this run, at most: of the run, or of a try with a softer search direction.
   int stageLimit() const;
-  /// All load steps at once.
+  /// All load steps at once; see SimultaneousIteration.
   void iterate(LatinResult& result);
+  /// Tells all observers of an iterate.
+  void observe(const Iterate& iterate, const IterationReport& report);
   /// Tries for a certificate of alpha_, whose iterate is given; true when that is the end of the run: it claims, or
   /// round-off forbids it for ever. Leaves its corrected state in alpha_.
   bool certify(const Iterate& iterate, LatinResult& result);
