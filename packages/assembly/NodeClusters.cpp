@@ -1,6 +1,5 @@
 #include <harmos/assembly/NodeClusters.hpp>
 
-#include <algorithm>
 #include <map>
 
 #include <harmos/base/DisjointSets.hpp>

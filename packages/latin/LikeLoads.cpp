@@ -39,15 +39,10 @@ std::vector<double> carriedAt(const assembly::Assembly& assembly, int step) {
 class Loads {
  public:
   Loads(const assembly::Assembly& assembly, const std::vector<double>& sums)
-      : sums_(sums), steps_(static_cast<std::size_t>(assembly.steps())) {
+      : sums_(sums), steps_(static_cast<std::size_t>(assembly.steps())), sizes_(sizesOfLoads(assembly, sums)) {
     for (const auto& body : assembly.bodies) {
       const double extent = extentOf(body.nodes);
       lengths_.insert(lengths_.end(), {1.0, 1.0, 1.0, extent, extent, extent, 1.0});
-    }
-    for (std::size_t t = 0; t < steps_; ++t) {
-      double size = 0.0;
-      for (std::size_t i = sumsPerStep - 1; i < lengths_.size(); i += sumsPerStep) size += at(t, i);
-      sizes_.push_back(size);
     }
   }
 
@@ -86,11 +81,20 @@ class Loads {
 
   const std::vector<double>& sums_;
   std::size_t steps_;
-  std::vector<double> lengths_;  // per sum of a load step: what it is counted in beside forces
   std::vector<double> sizes_;
+  std::vector<double> lengths_;  // per sum of a load step: what it is counted in beside forces
 };
 
 }  // namespace
+
+std::vector<double> sizesOfLoads(const assembly::Assembly& assembly, const std::vector<double>& sums) {
+  const auto steps = static_cast<std::size_t>(assembly.steps());
+  std::vector<double> sizes(steps, 0.0);
+  for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
+    for (std::size_t t = 0; t < steps; ++t) sizes[t] += sums[(b * steps + t) * sumsPerStep + sumsPerStep - 1];
+  }
+  return sizes;
+}
 
 std::vector<int> sameLaws(const assembly::Assembly& assembly) {
   std::map<std::vector<double>, int> known;

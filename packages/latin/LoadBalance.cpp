@@ -145,15 +145,8 @@ LoadBalance::LoadBalance(const assembly::Assembly& assembly, const Teuchos::Comm
   // One rank knows a body, so that the sums are the same to the last digit however many there are.
   sums_.resize(mine.size());
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), sums_.data());
-  for (int t = 0; t < assembly.steps(); ++t) largest_ = std::max(largest_, sizeAt(t));
+  sizes_ = sizesOfLoads(assembly, sums_);
   largestLike_ = latin::largestLike(assembly, laws, sums_);
-}
-
-double LoadBalance::sizeAt(int step) const {
-  double size = 0.0;
-  for (std::size_t b = 0; b < assembly_.bodies.size(); ++b)
-    size += sumsAt(step)[b * steps_.size() * sumsPerStep + sumsPerStep - 1];
-  return size;
 }
 
 const double* LoadBalance::sumsAt(int step) const {
@@ -161,11 +154,15 @@ const double* LoadBalance::sumsAt(int step) const {
 }
 
 double LoadBalance::leastShare() const {
-  double least = 1.0;
-  for (int t = 0; t < assembly_.steps(); ++t) {
-    if (sizeAt(t) > 0.0) least = std::min(least, sizeAt(t) / largest_);
+  double least = largestSize();
+  for (const double size : sizes_) {
+    if (size > 0.0) least = std::min(least, size);
   }
-  return least;
+  return least > 0.0 ? least / largestSize() : 1.0;
+}
+
+double LoadBalance::largestSize() const {
+  return *std::max_element(sizes_.begin(), sizes_.end());
 }
 
 double LoadBalance::loadAlong(int step, const RigidParts& parts, const std::vector<statics::Motion>& motion,
@@ -180,7 +177,8 @@ double LoadBalance::loadAlong(int step, const RigidParts& parts, const std::vect
                    base::norm(motion[b].translation) + parts.rigid().bodies[b].size * base::norm(motion[b].rotation));
   }
   const bool isLoaded = std::abs(work) > nothing * way * loads.scale;
-  return isLoaded && std::abs(work + carried) > uncarried * std::abs(work) ? std::abs(work) / (way * largest_) : 0.0;
+  return isLoaded && std::abs(work + carried) > uncarried * std::abs(work) ? std::abs(work) / (way * largestSize())
+                                                                           : 0.0;
 }
 
 const std::optional<std::string>& LoadBalance::contradiction(int step) {

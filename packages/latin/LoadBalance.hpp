@@ -41,7 +41,7 @@ class LoadBalance {
   /// same but for a factor, the first of those that are equally large; none (-1) without loads.
   int largestLike(int step) const { return largestLike_[step]; }
   /// Sum of the absolute loads of all bodies at a load step [force].
-  double sizeAt(int step) const;
+  double sizeAt(int step) const { return sizes_[step]; }
   /// The least of these that is not zero, over the largest [-]; 1 without loads.
   double leastShare() const;
   /// The work of the loads of a load step along a rigid motion of these parts, over its largest way and the largest sum
@@ -59,14 +59,15 @@ class LoadBalance {
     std::optional<bool> isSure, hasForces;
   };
   const double* sumsAt(int step) const;
+  double largestSize() const;
   bool balances(int step, bool withFriction) const;
 
   const assembly::Assembly& assembly_;
   base::Timers& timers_;
   std::vector<std::array<bool, 6>> resisted_;  // per body
   std::vector<int> rigidBodies_;               // per body
-  std::vector<double> sums_;  // per body and load step: resultant, moment about the first node, sum of absolute forces
-  double largest_ = 0.0;      // sum of absolute loads of a load step
+  std::vector<double> sums_;   // per body and load step: resultant, moment about the first node, sum of absolute forces
+  std::vector<double> sizes_;  // per load step, see sizeAt()
   std::vector<int> largestLike_;  // per load step
   std::vector<Step> steps_;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -118,74 +117,94 @@ double largestTraction(const Iterate& state, int step) {
   return largest;
 }
 
+std::vector<statics::Hold> holdsOf(const statics::RigidAssembly& rigid, const std::vector<double>& states,
+                                   double nothing) {
+  std::vector<statics::Hold> holds;
+  for (std::size_t j = 0; j < rigid.joints.size(); ++j) {
+    for (const base::Vector3& direction : resisted(rigid.joints[j], states.data() + numbersPerJoint * j, nothing))
+      holds.push_back({static_cast<int>(j), base::toGlobal(rigid.joints[j].frame, direction)});
+  }
+  return holds;
+}
+
+bool isRubbed(const statics::RigidAssembly& rigid, int body) {
+  return std::any_of(rigid.joints.begin(), rigid.joints.end(), [body](const statics::Joint& joint) {
+    return joint.tractions.friction > 0.0 && (joint.body1 == body || joint.body2 == body);
+  });
+}
+
+/// Who takes part in a motion, and how.
+struct FreeParts {
+  std::string names, ways;
+  bool areRubbed = false;  // friction may act on one of them later
+};
+
+FreeParts partsOf(const RigidParts& parts, const std::vector<statics::Motion>& motion) {
+  const statics::RigidAssembly& rigid = parts.rigid();
+  std::vector<std::string> names, ways;
+  FreeParts result;
+  for (std::size_t b = 0; b < motion.size(); ++b) {
+    const double way =
+        std::max(base::norm(motion[b].translation), rigid.bodies[b].size * base::norm(motion[b].rotation));
+    if (way < takesPart) continue;
+    names.push_back(parts.nameOf(static_cast<int>(b)));
+    ways.push_back(statics::describe(rigid.bodies[b], motion[b]));
+    result.areRubbed = result.areRubbed || isRubbed(rigid, static_cast<int>(b));
+  }
+  const bool isOneWay = std::all_of(ways.begin(), ways.end(), [&](const auto& way) { return way == ways.front(); });
+  if (isOneWay && !ways.empty()) result.ways = ways.front();
+  for (std::size_t i = 0; !isOneWay && i < names.size(); ++i)
+    result.ways += (i > 0 ? " with " : "") + names[i] + " " + ways[i];
+  result.names = base::joinNames(names, mostNames);
+  return result;
+}
+
+/// What is known of parts that move together.
+struct Finding {
+  std::vector<int> steps;
+  std::string motions;  // of the last of them
+  bool areRubbed = false;
+
+  void add(int step, const FreeParts& parts) {
+    const bool isNew = steps.empty() || steps.back() != step;
+    motions = isNew ? parts.ways : motions + "; " + parts.ways;
+    if (isNew) steps.push_back(step);
+    areRubbed = areRubbed || parts.areRubbed;
+  }
+};
+
 }  // namespace
 
 UnheldParts::UnheldParts(const Iterate& state, const LoadBalance* balance) {
   const assembly::Assembly& assembly = state.assembly();
-  struct Finding {
-    std::vector<int> steps;
-    std::string motions;  // of the last of them
-    bool isRubbed = false;
-  };
   std::map<std::string, Finding> findings;
   std::vector<double> largest;
   for (int t = 0; t < assembly.steps(); ++t) largest.push_back(largestTraction(state, t));
   const double roundOff = noTraction * *std::max_element(largest.begin(), largest.end());
-  const auto isFelt = [&](double traction) { return traction > roundOff; };
   const auto own = resistedMotions(assembly, state.layout().comm());
+  bool hasForce = false;
   for (int t = 0; t < assembly.steps(); ++t) {
-    if (std::none_of(largest.begin(), largest.begin() + t + 1, isFelt)) continue;
+    hasForce = hasForce || largest[static_cast<std::size_t>(t)] > roundOff;
+    if (!hasForce) continue;
     const RigidParts parts(assembly, own, t, RigidParts::Unknown::carriesAll);
     const statics::RigidAssembly& rigid = parts.rigid();
     if (rigid.bodies.empty()) continue;
     const std::vector<double> states = statesOf(rigid, state, t);
     // Little load presses little; without any, pressure is round-off.
     const double nothing = balance != nullptr && balance->sizeAt(t) == 0.0 ? roundOff : 0.0;
-    std::vector<statics::Hold> holds;
-    for (std::size_t j = 0; j < rigid.joints.size(); ++j) {
-      for (const base::Vector3& direction : resisted(rigid.joints[j], states.data() + numbersPerJoint * j, nothing))
-        holds.push_back({static_cast<int>(j), base::toGlobal(rigid.joints[j].frame, direction)});
-    }
-    std::map<std::string, std::string> here;
-    std::set<std::string> rubbed;
-    for (const auto& motion : statics::findFreeMotions(rigid, holds)) {
-      std::vector<std::string> names, ways;
-      bool isRubbed = false;
-      for (std::size_t b = 0; b < motion.size(); ++b) {
-        const double way =
-            std::max(base::norm(motion[b].translation), rigid.bodies[b].size * base::norm(motion[b].rotation));
-        if (way < takesPart) continue;
-        names.push_back(parts.nameOf(static_cast<int>(b)));
-        ways.push_back(statics::describe(rigid.bodies[b], motion[b]));
-        isRubbed = isRubbed || std::any_of(rigid.joints.begin(), rigid.joints.end(), [&](const auto& joint) {
-                     return joint.tractions.friction > 0.0 &&
-                            (joint.body1 == static_cast<int>(b) || joint.body2 == static_cast<int>(b));
-                   });
-      }
-      const bool isOneWay = std::all_of(ways.begin(), ways.end(), [&](const auto& way) { return way == ways.front(); });
-      std::string text = isOneWay ? ways.front() : "";
-      for (std::size_t i = 0; !isOneWay && i < names.size(); ++i)
-        text += (i > 0 ? " with " : "") + names[i] + " " + ways[i];
-      const std::string who = base::joinNames(names, mostNames);
-      std::string& all = here[who];
-      all += (all.empty() ? "" : "; ") + text;
-      if (isRubbed) rubbed.insert(who);
+    for (const auto& motion : statics::findFreeMotions(rigid, holdsOf(rigid, states, nothing))) {
+      const FreeParts free = partsOf(parts, motion);
+      findings[free.names].add(t, free);
       if (balance == nullptr) continue;
       // Friction that slides may carry loads along a way that it leaves free.
-      const double carried = workOfJoints(rigid, states, motion);
-      const double load = balance->loadAlong(t, parts, motion, carried);
+      const double load = balance->loadAlong(t, parts, motion, workOfJoints(rigid, states, motion));
       if (load == 0.0) continue;
       leastLoad_ = std::min(leastLoad_, load);
       if (firstLoaded_ < 0) firstLoaded_ = t;
     }
-    for (const auto& [names, text] : here) {
-      findings[names].steps.push_back(t);
-      findings[names].motions = text;
-      findings[names].isRubbed = rubbed.count(names) > 0;
-    }
   }
   for (const auto& [names, finding] : findings) {
-    const bool isKept = finding.isRubbed && finding.steps.front() + 1 < assembly.steps();
+    const bool isKept = finding.areRubbed && finding.steps.front() + 1 < assembly.steps();
     remarks_.push_back("nothing holds " + names + " at " + nameSteps(finding.steps) + ": free " + finding.motions +
                        "; the problem does not determine the place along there, only the forces" +
                        (isKept ? ", nor what friction makes of that place at later load steps" : ""));

@@ -44,6 +44,11 @@ std::vector<Effect> effectsOfField(const std::string& field, const std::string& 
   return effects;
 }
 
+/// Whether a path leads to an entry of Values.
+bool isValue(const std::vector<std::string>& names) {
+  return names.size() == 2 && names[0] == "Values";
+}
+
 }  // namespace
 
 const char* effectName(Effect::Kind kind) {
@@ -84,13 +89,13 @@ Effect effectOf(const std::string& entry, const scene::Scene& scene) {
 
 std::vector<std::string> entriesThatName(const std::string& entry, const input::References& references) {
   const std::vector<std::string> names = split(entry);
-  return names.size() == 2 && names[0] == "Values" ? references.to("$" + names[1]) : std::vector<std::string>{};
+  return isValue(names) ? references.to("$" + names[1]) : std::vector<std::string>{};
 }
 
 std::vector<Effect> effectsOf(const std::string& entry, const input::References& references,
                               const scene::Scene& scene) {
-  const bool isValue = split(entry).size() == 2 && split(entry)[0] == "Values";
-  const std::vector<std::string> entries = isValue ? entriesThatName(entry, references) : std::vector{entry};
+  const std::vector<std::string> entries =
+      isValue(split(entry)) ? entriesThatName(entry, references) : std::vector{entry};
   std::vector<Effect> effects;
   for (const std::string& each : entries) {
     const std::vector<std::string> field = split(each);

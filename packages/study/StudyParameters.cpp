@@ -80,17 +80,20 @@ void StudyParameterReader::read(const Parameters& list) {
   parameters_.push_back(std::move(parameter));
 }
 
-void StudyParameterReader::demandOneSetter(const std::string& entry, const std::string& parameter,
+bool StudyParameterReader::demandOneSetter(const std::string& entry, const std::string& parameter,
                                            const std::string& where) {
   const std::string& setter = setters_.emplace(entry, parameter).first->second;
-  if (setter != parameter) errors_.add(where, "\"" + entry + "\" is set by \"" + setter + "\" already.");
+  if (setter == parameter) return true;
+  errors_.add(where, "\"" + entry + "\" is set by \"" + setter + "\" already.");
+  return false;
 }
 
 void StudyParameterReader::readEntries(const Parameters& list, StudyParameter& parameter) {
   const std::string where = list.where(list.has("Entry") ? "Entry" : "Entries");
   for (const std::string& entry : parameter.entries) {
-    demandOneSetter(entry, list.name(), where);
-    for (const std::string& named : entriesThatName(entry, references_)) demandOneSetter(named, list.name(), where);
+    if (demandOneSetter(entry, list.name(), where)) {
+      for (const std::string& naming : entriesThatName(entry, references_)) demandOneSetter(naming, list.name(), where);
+    }
     const int before = errors_.count();
     const auto type = input::typeOf(tree_, spec_, entry, where, errors_);
     if (errors_.count() > before) continue;

@@ -57,8 +57,8 @@ class StudyParameterReader {
 
  private:
   void readEntries(const input::Parameters& list, StudyParameter& parameter);
-  /// Refuses an entry that another parameter sets, perhaps by the name of a value.
-  void demandOneSetter(const std::string& entry, const std::string& parameter, const std::string& where);
+  /// Refuses an entry that another parameter sets, perhaps by the name of a value; whether none does.
+  bool demandOneSetter(const std::string& entry, const std::string& parameter, const std::string& where);
   void readLevels(const input::Parameters& list, design::Axis& axis);
 
   const input::InputTree& tree_;

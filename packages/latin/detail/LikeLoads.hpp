@@ -13,6 +13,9 @@ inline constexpr std::size_t sumsPerStep = 7;
 /// counted from 0 in the order in which they come.
 std::vector<int> sameLaws(const assembly::Assembly& assembly);
 
+/// Per load step the sum of absolute forces on all bodies [force]. `sums`: as of largestLike().
+std::vector<double> sizesOfLoads(const assembly::Assembly& assembly, const std::vector<double>& sums);
+
 /// Per load step the largest of those with the same laws whose loads are the same but for a factor, the first of those
 /// that are equally large; -1: no loads. The time grows little faster than the number of load steps. `laws`: as of
 /// sameLaws(); `sums`: sumsPerStep of every body and load step.
