@@ -4,12 +4,15 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <harmos/latin/March.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
 #include <harmos/latin/detail/FieldDistances.hpp>
 #include <harmos/latin/detail/SelfStresses.hpp>
+#include <harmos/latin/detail/SoftMotions.hpp>
+#include <harmos/latin/detail/StepSpace.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -57,8 +60,12 @@ CausalCorrection::CausalCorrection(FixedPoint& fixedPoint, substructure::Precisi
       finest_(fixedPoint.assembly().softens() ? substructure::Precision::exact : precision),
       allowed_(finest_),
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
-      steps_(static_cast<std::size_t>(fixedPoint.assembly().steps())),
+      softMotions_(std::make_unique<SoftMotions>(fixedPoint)),
+      steps_(static_cast<std::size_t>(fixedPoint.assembly().steps()), StepSpace(fixedPoint, *softMotions_)),
+      isLeft_(steps_.size(), true),
       targets_(fixedPoint.assembly().steps()) {}
+
+CausalCorrection::~CausalCorrection() = default;
 
 double CausalCorrection::solveLocal(int step) {
   std::fill_n(residual_[step], residual_.numRows(), 0.0);  // a rank without bodies has a row that nothing writes
@@ -84,26 +91,18 @@ double CausalCorrection::evaluate(int step) {
   return fixedPoint_.selfStresses().settle(fixedPoint_.metric(), residual_[step], size, noise_, add);
 }
 
-void CausalCorrection::addStiff(TangentSpace& tangent) const {
-  const SelfStresses& stresses = fixedPoint_.selfStresses();
-  for (const int position : stresses.stiff()) {
-    std::vector<double> v = stresses.field(position);
-    if (tangent.space().makeIndependent(v.data())) tangent.add(v.data(), v.data(), false);
-  }
-}
-
 bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& direction) {
-  Step& here = steps_[step];
+  StepSpace& here = steps_[step];
   double& residual = targets_[step].residual;
   const int rows = alpha_->numRows();
   double* state = (*alpha_)[step];
   const std::vector<double> alpha(state, state + rows), beta(beta_[step], beta_[step] + rows);
   double length = 1.0;
   for (int halving = 0; halving <= halvings; ++halving, length *= 0.5) {
-    here.tangent->space().move(direction.c, length, state, beta_[step]);
+    here.space().move(direction.c, length, state, beta_[step]);
     const double reached = evaluate(step);
     if (reached < residual) {
-      here.isStale = length < 1.0 || reached > misprediction * direction.left;
+      here.setStale(length < 1.0 || reached > misprediction * direction.left);
       residual = reached;
       return true;
     }
@@ -111,23 +110,20 @@ bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& d
     std::copy_n(beta.begin(), rows, beta_[step]);
   }
   evaluate(step);  // the local stage must have met the state that is kept
-  here.isStale = true;
+  here.setStale(true);
   return false;
 }
 
 void CausalCorrection::reduce(int step) {
-  Step& here = steps_[step];
+  StepSpace& here = steps_[step];
   double& residual = targets_[step].residual;
   residual = evaluate(step);
-  const double enough = here.isLeft ? noise_ : targets_.of(step);
-  for (int i = 0; i < gaussNewtonSteps && here.tangent->space().size() > 0 && residual > enough; ++i) {
-    const bool isFresh = here.isStale;
-    if (isFresh) {
-      here.tangent->differentiate(step, fixedPoint_.pointwiseStage());
-      here.isStale = false;
-    }
-    here.tangent->restore();
-    const CorrectionSpace::LeastSquares direction = here.tangent->space().solve(residual_[step]);
+  const double enough = isLeft_[step] ? noise_ : targets_.of(step);
+  for (int i = 0; i < gaussNewtonSteps && here.space().size() > 0 && residual > enough; ++i) {
+    const bool isFresh = here.isStale();
+    if (isFresh) here.differentiate(step);
+    here.tangent().restore();
+    const CorrectionSpace::LeastSquares direction = here.space().solve(residual_[step]);
     if (direction.left > worthwhile * residual) break;
     if (!takeStep(step, direction) && isFresh) break;
   }
@@ -153,21 +149,18 @@ void CausalCorrection::sweep(int first) {
   for (int t = first; t < end_; ++t) reduce(t);
 }
 
-double CausalCorrection::smallestSingularValue(const Step& step) {
-  return step.tangent ? std::min(step.steepness, step.tangent->space().smallestSingularValue()) : step.steepness;
-}
-
 std::vector<int> CausalCorrection::unfinished() {
   std::vector<int> result;
   const double way = targets_.longestWay(end_);
   for (int t = begin_; t < end_; ++t) {
-    Step& step = steps_[t];
     const double residual = targets_[t].residual;
-    step.isLeft = residual > noise_ && (isAbove(t) || residual > allowedToHide * smallestSingularValue(step) * way);
-    if (step.isLeft) {
+    const bool isLeft =
+        residual > noise_ && (isAbove(t) || residual > allowedToHide * steps_[t].smallestSingularValue() * way);
+    isLeft_[t] = isLeft;
+    if (isLeft) {
       result.push_back(t);
     } else {
-      step.tangent->release();
+      steps_[t].tangent().release();
     }
   }
   return result;
@@ -178,7 +171,7 @@ std::vector<int> CausalCorrection::foremost(const std::vector<int>& steps) const
   std::vector<int> result;
   std::copy_if(steps.begin(), steps.end(), std::back_inserter(result), [this](int t) { return isAbove(t); });
   if (!result.empty()) return result;
-  const auto hidden = [this](int t) { return targets_[t].residual / smallestSingularValue(steps_[t]); };
+  const auto hidden = [this](int t) { return targets_[t].residual / steps_[t].smallestSingularValue(); };
   double most = 0.0;
   for (const int t : steps) most = std::max(most, hidden(t));
   std::copy_if(steps.begin(), steps.end(), std::back_inserter(result),
@@ -201,14 +194,10 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
   std::vector<int> selected;
   std::vector<std::vector<double>> directions;
   for (const int t : steps) {
-    Step& step = steps_[t];
-    std::vector<double> v(residual_[t], residual_[t] + rows);
-    if (!step.tangent->space().makeIndependent(v.data()) && !(!step.isStale && step.tangent->continueKrylov(v))) {
-      step.isStale = true;
-      continue;
-    }
+    std::optional<std::vector<double>> v = steps_[t].nextDirection(residual_[t]);
+    if (!v) continue;
     selected.push_back(t);
-    directions.push_back(std::move(v));
+    directions.push_back(std::move(*v));
   }
   if (selected.empty()) return false;
   const int count = static_cast<int>(selected.size());
@@ -229,8 +218,7 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
     const int t = selected[i];
     const double* start = startImage_.read(t);
     for (int row = 0; row < rows; ++row) image[i][row] = (image[i][row] - start[row]) / lengths[i];
-    if (!steps_[t].isStale) steps_[t].tangent->restore();
-    steps_[t].tangent->add(directions[i].data(), image[i], !steps_[t].isStale);
+    steps_[t].add(directions[i].data(), image[i]);
     ++targets_[t].directions;
   }
   return true;
@@ -242,7 +230,7 @@ double CausalCorrection::hidden() const {
   for (int t = 0; t < alpha_->numCols(); ++t) {
     const double residual = targets_[t].residual;
     if (residual <= noise_) continue;
-    const double seen = smallestSingularValue(steps_[t]) * way;
+    const double seen = steps_[t].smallestSingularValue() * way;
     largest = std::max(largest, seen > 0.0 ? residual / seen : std::numeric_limits<double>::infinity());
   }
   return largest;
@@ -266,7 +254,7 @@ void CausalCorrection::start(const Iterate& iterate, base::Matrix& alpha) {
   fixedPoint_.pointwiseStage().begin();
   for (int t = 0; t < alpha.numCols(); ++t) {
     targets_.start(t, evaluate(t));
-    steps_[t].isLeft = true;
+    isLeft_[t] = true;
     fixedPoint_.pointwiseStage().accept();
   }
 }
@@ -285,8 +273,7 @@ void CausalCorrection::approach(int stages) {
   for (begin_ = 0; begin_ < steps; begin_ = end_) {
     end_ = std::min(begin_ + stepsAtOnce, steps);
     for (int t = begin_; t < end_; ++t) {
-      if (steps_[t].tangent) continue;
-      addStiff(steps_[t].tangent.emplace(fixedPoint_, lines_));
+      if (!steps_[t].isOpen()) steps_[t].open(lines_);
     }
     approachTogether(stages - (fixedPoint_.linearStage().stages() - first));
     if (steps <= stepsAtOnce) continue;
@@ -297,18 +284,16 @@ void CausalCorrection::approach(int stages) {
 void CausalCorrection::letGo() {
   std::vector<std::pair<double, int>> held;  // with the singular values now
   for (std::size_t t = 0; t < steps_.size(); ++t) {
-    if (steps_[t].tangent) held.emplace_back(steps_[t].tangent->space().smallestSingularValue(), static_cast<int>(t));
+    if (steps_[t].isOpen()) held.emplace_back(steps_[t].space().smallestSingularValue(), static_cast<int>(t));
   }
   std::sort(held.begin(), held.end());
   for (std::size_t i = 0; i < held.size(); ++i) {
-    Step& step = steps_[held[i].second];
+    StepSpace& step = steps_[held[i].second];
     if (i < stepsAtOnce && held[i].first < steep) {
-      step.tangent->release();
-      continue;
+      step.tangent().release();
+    } else {
+      step.close();
     }
-    step.steepness = smallestSingularValue(step);
-    step.tangent.reset();
-    step.isStale = true;
   }
 }
 

@@ -1,13 +1,16 @@
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <vector>
 
+#include <harmos/latin/CorrectionSpace.hpp>
 #include <harmos/latin/CorrectionTargets.hpp>
 #include <harmos/latin/FixedPoint.hpp>
-#include <harmos/latin/TangentSpace.hpp>
 
 namespace harmos::latin {
+
+class SoftMotions;
+class StepSpace;
 
 /// Corrects a state towards alpha = T(alpha), every load step in a space of its own, one after the other.
 ///
@@ -45,6 +48,10 @@ class CausalCorrection {
   /// `fixedPoint` must outlive it. `precision`: single, where images may be found so.
   explicit CausalCorrection(FixedPoint& fixedPoint, substructure::Precision precision = substructure::Precision::exact);
 
+  ~CausalCorrection();
+  CausalCorrection(const CausalCorrection&) = delete;
+  CausalCorrection& operator=(const CausalCorrection&) = delete;
+
   /// Where a correction ends.
   using Goal = CorrectionTargets::Goal;
 
@@ -57,13 +64,6 @@ class CausalCorrection {
   Result correct(const Iterate& iterate, base::Matrix& alpha, base::Matrix& image, const Goal& goal, int stages);
 
  private:
-  struct Step {
-    std::optional<TangentSpace> tangent;  // of those at hand, and of those with the softest modes
-    bool isStale = true;                  // the tangents are not those of a state like this one
-    double steepness = 1.0;               // smallest singular value of I - J in spaces that were let go
-    bool isLeft = true;                   // has not come to the target
-  };
-
   void start(const Iterate& iterate, base::Matrix& alpha);
   /// Lets go of the fields of all load steps.
   void finish();
@@ -71,8 +71,6 @@ class CausalCorrection {
   double solveLocal(int step);
   /// The same, and settles what bodies do not feel: SelfStresses::settle().
   double evaluate(int step);
-  /// Gives an empty space the self-stresses that averages hardly move.
-  void addStiff(TangentSpace& tangent) const;
   /// Gauss-Newton in the space of one load step, after those before it were settled.
   void reduce(int step);
   /// Moves a load step in its space if that makes |R| less; false when not even a quarter of the step does.
@@ -87,8 +85,6 @@ class CausalCorrection {
   /// Of unfinished load steps those that go on: in later corrections first those with too large a residual; when these
   /// have gone their ways, which all are measured by, those where most can be hidden.
   std::vector<int> foremost(const std::vector<int>& steps) const;
-  /// The smallest singular value of I - J that was met at a load step.
-  static double smallestSingularValue(const Step& step);
   double hidden() const;
   /// Collective. How far the fields of each load step have moved, relative to the largest [-].
   std::vector<double> ways() const;
@@ -112,7 +108,9 @@ class CausalCorrection {
   substructure::Precision allowed_;  // now
   bool isRough_ = false;             // some images were found in single precision
   InterfaceLines lines_;
-  std::vector<Step> steps_;
+  std::unique_ptr<SoftMotions> softMotions_;
+  std::vector<StepSpace> steps_;
+  std::vector<bool> isLeft_;  // per load step: it has not come to its end
   CorrectionTargets targets_;
   int begin_ = 0, end_ = 0;               // of the load steps at hand
   int first_ = 0;                         // load step that the local stage begins at

@@ -66,6 +66,12 @@ void PairTangents::differentiate(int interfaceIndex, int step, const std::vector
   }
 }
 
+base::Frame PairTangents::of(int interfaceIndex, int pair) const {
+  if (faces_.law(interfaceIndex) == nullptr) return tangents_[interfaceIndex][pair];
+  const double perfect = 1.0 / assembly_.interfaces[interfaceIndex].sides();
+  return {base::Vector3{perfect, 0.0, 0.0}, base::Vector3{0.0, perfect, 0.0}, base::Vector3{0.0, 0.0, perfect}};
+}
+
 void PairTangents::transpose() {
   for (std::vector<base::Frame>& tangents : tangents_) {
     for (base::Frame& tangent : tangents) {

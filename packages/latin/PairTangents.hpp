@@ -24,6 +24,9 @@ class PairTangents {
   /// the lines and states of its pairs, and the history that they were found with. Not collective.
   void differentiate(int interfaceIndex, int step, const std::vector<laws::LocalLine>& lines,
                      const laws::LocalState* states, const std::vector<double>& oldHistory);
+  /// D of a pair of an interface with a side on this rank, in (x, y, z): f1^ changes by D (beta1 - beta2) [-]. That of
+  /// a perfect joint, of laws over whole faces. Not collective.
+  base::Frame of(int interfaceIndex, int pair) const;
   /// Replaces the tangents dt/d(free jump) of all pairs by their transposes; those of laws over whole faces are
   /// symmetric. Not collective.
   void transpose();

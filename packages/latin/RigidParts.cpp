@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <harmos/base/Names.hpp>
+#include <harmos/latin/detail/BodyGroups.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -57,21 +57,6 @@ bool areFixed(const std::vector<base::Vector3>& places, int dimension) {
   });
 }
 
-/// Groups of bodies that are joined, directly or through others; the ground is the last element.
-class Groups {
- public:
-  explicit Groups(std::size_t bodies) : parent_(bodies + 1) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int rootOf(int body) {
-    int root = body < 0 ? static_cast<int>(parent_.size()) - 1 : body;
-    while (parent_[root] != root) root = parent_[root] = parent_[parent_[root]];
-    return root;
-  }
-  void join(int a, int b) { parent_[rootOf(a)] = rootOf(b); }
-
- private:
-  std::vector<int> parent_;
-};
-
 }  // namespace
 
 RigidParts::RigidParts(const Assembly& assembly, const std::vector<ResistedMotions>& resisted, int step,
@@ -86,7 +71,7 @@ RigidParts::RigidParts(const Assembly& assembly, const std::vector<ResistedMotio
     std::vector<base::Vector3> places[2];
   };
   std::vector<Connection> connections;
-  Groups groups(assembly.bodies.size());
+  BodyGroups groups(assembly.bodies.size());
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     const Interface& interface = assembly.interfaces[i];
     if (interface.law->prescribesTraction() || interface.pairs() == 0) continue;

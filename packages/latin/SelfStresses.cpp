@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include <harmos/latin/detail/PerfectJoint.hpp>
 #include <harmos/latin/detail/SelfStress.hpp>
 #include <harmos/latin/detail/SymmetricEigen.hpp>
 #include <harmos/laws/AffineComponent.hpp>
@@ -30,15 +31,6 @@ std::vector<std::vector<base::Vector3>> basisOf(const RedundantGroup& group, int
   return SelfStress(group, sets, std::vector<base::Vector3>(group.pairs.size(), base::Vector3{})).basis();
 }
 
-/// Whether an interface passes on all that comes: what bodies do not feel goes through T unchanged where there are no
-/// others.
-bool isPerfect(const assembly::Interface& interface, int dimension) {
-  if (!interface.law->isAffine()) return false;
-  const auto components = laws::affineComponents(*interface.law, 0);
-  return std::all_of(components.begin(), components.begin() + dimension,
-                     [](const laws::AffineComponent& component) { return std::isinf(component.stiffness); });
-}
-
 bool isNearlyRigid(const assembly::Interface& interface, double k, int dimension) {
   if (!interface.law->isAffine()) return false;
   const auto components = laws::affineComponents(*interface.law, 0, 1.0 / k);
@@ -53,7 +45,8 @@ SelfStresses::SelfStresses(const assembly::Assembly& assembly, const assembly::S
                            const TraceLayout& layout, const std::vector<RedundantGroup>& groups)
     : rows_(layout.rows()) {
   const int dimension = layout.dimension();
-  std::map<int, bool> known;  // whether interfaces of groups are perfect
+  // What bodies do not feel goes through T unchanged where there are none but perfect joints.
+  std::map<int, bool> known;
   const auto isOfPerfect = [&](const RedundantGroup::Pair& pair) {
     const auto [at, isNew] = known.emplace(pair.interface, false);
     if (isNew) at->second = isPerfect(assembly.interfaces[pair.interface], dimension);

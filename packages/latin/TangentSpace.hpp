@@ -22,6 +22,9 @@ class TangentSpace {
   /// The directions and what is known of them.
   const CorrectionSpace& space() const { return space_; }
 
+  /// The tangents of pairs, of the state where they were taken.
+  const PairTangents& tangents() const { return tangents_; }
+
   /// Collective. Takes the tangents of a column that `local` has just met with solveColumn(), and a shift [-].
   void differentiate(int column, PointwiseLocalStage& local, double shift = 0.0);
   /// Collective. Adds a direction v that CorrectionSpace::makeIndependent() has made, with its y [stress]. `isCurrent`:

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <harmos/latin/TangentSpace.hpp>
+#include <harmos/latin/detail/SoftMotions.hpp>
+
+namespace harmos::latin {
+
+/// What a CausalCorrection has of a load step: directions, tangents, and which motions of the parts these hardly
+/// resist.
+class StepSpace {
+ public:
+  /// Both must outlive it. Not collective; not open.
+  StepSpace(FixedPoint& fixedPoint, const SoftMotions& softMotions)
+      : fixedPoint_(fixedPoint), softMotions_(softMotions) {}
+
+  /// Whether there are directions and tangents.
+  bool isOpen() const { return tangent_.has_value(); }
+  /// Begins with the self-stresses that averages hardly move. `lines` as of a TangentSpace. Collective.
+  void open(InterfaceLines& lines);
+  /// Lets go of everything but smallestSingularValue(). Not collective.
+  void close();
+
+  /// The directions, once it is open.
+  TangentSpace& tangent() { return *tangent_; }
+  /// The same.
+  const CorrectionSpace& space() const { return tangent_->space(); }
+  /// The tangents are not those of a state like the present one.
+  bool isStale() const { return isStale_; }
+  /// Says whether they are.
+  void setStale(bool isStale) { isStale_ = isStale; }
+  /// Collective. Takes the tangents of a load step that the local stage has just met with solveColumn().
+  void differentiate(int step);
+  /// Collective. The next direction, rows of the layout, independent of those that there are: a motion that the
+  /// tangents hardly resist and the space does not hold, or else the residual [stress] or what J makes of the last
+  /// direction. Nothing, and stale from now on, when there is none.
+  std::optional<std::vector<double>> nextDirection(const double* residual);
+  /// Collective. Adds such a direction v with its image y [stress].
+  void add(const double* v, const double* y);
+  /// The smallest singular value of I - J that was met at the load step, in the space or against a soft motion that it
+  /// does not hold.
+  double smallestSingularValue() const;
+
+ private:
+  bool holds(const SoftMotions::Motion& motion) const;
+
+  FixedPoint& fixedPoint_;
+  const SoftMotions& softMotions_;
+  std::optional<TangentSpace> tangent_;
+  bool isStale_ = true;
+  double closed_ = 1.0;                    // smallest singular value of the spaces that were let go of
+  std::vector<SoftMotions::Motion> soft_;  // of the tangents, not held; the softest first
+};
+
+}  // namespace harmos::latin
