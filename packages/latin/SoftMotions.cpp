@@ -207,7 +207,7 @@ std::vector<double> SoftMotions::state(const Motion& motion) const {
     for (int p = 0; p < block.pairs; ++p) {
       const Matrix motions = at(fixedPoint_.assembly().interfaces[block.interface], block.side, p);
       for (int c = 0; c < motions.numRows(); ++c) {
-        const auto row = static_cast<std::size_t>(block.begin + p * motions.numRows() + c);
+        const int row = block.begin + p * motions.numRows() + c;
         for (int j = 0; j < motions.numCols(); ++j) {
           alpha[row] += layout.stiffness()[row] * motions(c, j) * motion.shares[cluster.first + j];
         }
