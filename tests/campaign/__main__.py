@@ -4,6 +4,7 @@
     python3 -m campaign run --harmos ../build/drivers/harmos --classes matching --scenes 330    30 scenes of each class
     python3 -m campaign run --harmos ../build/drivers/harmos --classes apart --scenes 150       meshes that do not match
     python3 -m campaign run --harmos ../build/drivers/harmos --only rings --first 100 --scenes 20
+    python3 -m campaign run --harmos ../build/drivers/harmos --accuracy 0.03 --scenes 64    as rough as can be asked for
     python3 -m campaign restate --harmos ../build/drivers/harmos --scenes 80    the same problems in other words
     python3 -m campaign study --harmos ../build/drivers/harmos --scenes 80    numbers of laws vary: each against a run
     python3 -m campaign study --harmos ../build/drivers/harmos --scenes 15 --configurations 49    of each, so that estimates are calibrated
@@ -46,14 +47,14 @@ def _print_answer(scene: Scene, answer: Answer) -> None:
 
 
 def _show(options: argparse.Namespace) -> bool:
-    scene = make_scene(options.name, options.seed)
+    scene = make_scene(options.name, options.seed, options.accuracy)
     print(write_scene(scene, options.output))
     _print_answer(scene, solve(scene))
     return True
 
 
 def _try(options: argparse.Namespace) -> bool:
-    scene = make_scene(options.name, options.seed)
+    scene = make_scene(options.name, options.seed, options.accuracy)
     path = write_scene(scene, options.output)
     run = run_harmos(options.harmos, path, options.limit, *[a for text in options.set for a in ("--set", text)])
     answer = solve(scene)
@@ -75,7 +76,7 @@ def _chosen(options: argparse.Namespace) -> Iterator[tuple[str, int]]:
 
 def _trials(options: argparse.Namespace) -> Iterator[Trial]:
     for name, seed in _chosen(options):
-        trial = try_scene(name, seed, options.harmos, options.output, options.limit)
+        trial = try_scene(name, seed, options.harmos, options.output, options.limit, options.accuracy)
         print(f"{name} {seed}: {trial.nodes} nodes, {trial.judgement.verdict.value}, {trial.stages} stages, "
               f"{trial.harmos_seconds:.1f} s, reference {trial.reference_seconds:.1f} s; {trial.judgement.detail}",
               file=sys.stderr, flush=True)
@@ -146,6 +147,8 @@ def _options() -> argparse.Namespace:
         if verb != "show":
             command.add_argument("--harmos", type=pathlib.Path, required=True, help="the program")
             command.add_argument("--limit", type=float, default=60.0, help="seconds per run")
+        if verb in ("run", "show", "try"):
+            command.add_argument("--accuracy", type=float, help="asked for; default: drawn with the scene")
         if verb in ("run", "restate", "study", "crack"):
             command.add_argument("--scenes", type=int, default=330)
             command.add_argument("--first", type=int, default=0, help="seed to begin with")

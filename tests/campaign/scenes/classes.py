@@ -1,6 +1,7 @@
 """The classes of random scenes by name."""
 from __future__ import annotations
 
+import dataclasses
 import zlib
 from collections.abc import Callable
 
@@ -24,11 +25,10 @@ def _draw(name: str, seed: int) -> Draw:
     return Draw((zlib.crc32(name.encode()), seed))
 
 
-def make_scene(name: str, seed: int) -> Scene:
-    """The scene of a class and a seed: always the same."""
-    if name in APART:
-        return APART[name](_draw(name, seed), False)
-    return MATCHING[name](_draw(name, seed))
+def make_scene(name: str, seed: int, accuracy: float | None = None) -> Scene:
+    """The scene of a class and a seed: always the same; asked for another accuracy, if there is one."""
+    scene = APART[name](_draw(name, seed), False) if name in APART else MATCHING[name](_draw(name, seed))
+    return scene if accuracy is None else dataclasses.replace(scene, accuracy=accuracy)
 
 
 def make_twin(name: str, seed: int) -> Scene | None:

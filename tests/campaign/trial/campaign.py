@@ -35,9 +35,10 @@ class Trial:
     matching: int | None = None
 
 
-def try_scene(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path, limit: float) -> Trial:
+def try_scene(name: str, seed: int, program: pathlib.Path, folder: pathlib.Path, limit: float,
+              accuracy: float | None = None) -> Trial:
     """Writes a scene, solves it both ways, judges; the files stay in folder/CLASS_SEED when the verdict is bad."""
-    scene = make_scene(name, seed)
+    scene = make_scene(name, seed, accuracy)
     place = folder / f"{name}_{seed}"
     run = run_harmos(program, write_scene(scene, place), limit)
     start = time.monotonic()
