@@ -21,10 +21,10 @@ namespace {
 constexpr int iteratesKept = 7;
 // Of jumps that laws see: they are added up, and laws take what they are made of from them, such as gaps.
 constexpr double roundOffOfJumps = 2.0 * std::numeric_limits<double>::epsilon();
-// Of the accuracy: gaps and slips below it count as none when tractions are shared. States with a certificate are
-// hardly ever farther off than that; where one is, or one of a study that is accepted, a joint that is closed may get
-// no share, and ranges, which take the accuracy itself, say so.
-constexpr double resolvedShare = 0.1;
+// Of the accuracy: gaps and slips below it count as none when tractions are shared. Where a state is farther
+// off than that, and than its stages are from each other, a joint that is closed may get no share, and ranges, which
+// take the accuracy itself, say so.
+constexpr double resolvedShare = 0.01;
 
 /// Parts that nothing holds have no equilibrium only where nothing balances their loads.
 base::Error withLoads(const base::Error& floating, const assembly::Assembly& assembly, const Teuchos::Comm<int>& comm) {

@@ -131,7 +131,7 @@ class FixedPoint {
   void settleUnfelt(base::Matrix& alpha, base::Matrix& image);
   /// Collective. Gives the present iterate, its alpha and its image [stress] those tractions that are defined where the
   /// bodies cannot tell what pairs share (TractionShare): T and its fixed points mean the same as before. `accuracy`
-  /// [-]: relative, of the fields. The new tractions keep to the laws to a tenth of it, or to twice the distance of
+  /// [-]: relative, of the fields. The new tractions keep to the laws to a hundredth of it, or to twice the distance of
   /// both stages where that is more: across wider gaps nothing is shared. Returns what both have got [stress], rows of
   /// the layout x load steps; no columns where nothing is shared. All load steps must be selected.
   base::Matrix shareTractions(base::Matrix& alpha, base::Matrix& image, double accuracy);
