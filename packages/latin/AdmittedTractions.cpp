@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include <harmos/latin/detail/TractionProbe.hpp>
 #include <harmos/laws/AffineComponent.hpp>
+#include <harmos/laws/CoupledLaw.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -13,10 +15,10 @@ namespace {
 // enough that openings keep their digits beside it.
 constexpr double pressing = 1e3;
 
-/// t_n <= 0 of any size, and friction.
+/// t_n <= 0 of any size, and friction that is the same in all directions.
 bool isContact(const laws::AdmissibleTractions& admissible) {
   using base::Vector3;
-  return admissible.lower == Vector3{-laws::AdmissibleTractions::unlimited, 0.0, 0.0} &&
+  return admissible.isCone && admissible.lower == Vector3{-laws::AdmissibleTractions::unlimited, 0.0, 0.0} &&
          admissible.upper == Vector3{0.0, 0.0, 0.0};
 }
 
@@ -37,86 +39,98 @@ std::vector<base::Vector3> rigidAxes(const assembly::Interface& interface, int p
 
 AdmittedTractions::AdmittedTractions(const assembly::Assembly& assembly, int interfaceIndex, std::vector<int> pairs,
                                      std::vector<double> compliances)
-    : assembly_(assembly),
+    : dimension_(assembly.dimension),
       interface_(assembly.interfaces[interfaceIndex]),
-      pairs_(std::move(pairs)),
-      compliances_(std::move(compliances)),
-      history_(pairs_.size() * static_cast<std::size_t>(interface_.law->historySize()), 0.0) {
-  for (const int p : pairs_) {
-    gaps_.push_back(interface_.gap[p]);
-    areas_.push_back(interface_.area[p]);
-    positions_.push_back(interface_.position[p]);
-    frames_.push_back(interface_.frame[p]);
-  }
-}
-
-base::Vector3 AdmittedTractions::toLaw(std::size_t i, const base::Vector3& v) const {
-  return interface_.law->frame() == laws::Frame::interface ? base::toFrame(interface_.frame[pairs_[i]], v) : v;
-}
-
-std::vector<laws::LocalState> AdmittedTractions::ask(int step, const std::vector<laws::LocalLine>& lines,
-                                                     std::vector<double>& history) {
-  std::vector<laws::LocalState> states(lines.size());
-  history.resize(history_.size());
-  laws::NodeArrays nodes = interface_.nodes(assembly_.times, step);
-  nodes.count = static_cast<int>(lines.size());
-  nodes.line = lines.data();
-  nodes.gap = gaps_.data();
-  nodes.oldHistory = history_.data();
-  nodes.newHistory = history.data();
-  nodes.state = states.data();
-  nodes.position = positions_.data();
-  nodes.frame = frames_.data();
-  nodes.area = areas_.data();
-  nodes.number = pairs_.data();
-  interface_.solve(step, nodes);
-  return states;
-}
+      replay_(assembly, interfaceIndex, std::move(pairs)),
+      compliances_(std::move(compliances)) {}
 
 std::vector<AdmittedTractions::Set> AdmittedTractions::next(int step, const std::vector<At>& states, double tolerance) {
   const laws::InterfaceLaw& law = *interface_.law;
   std::vector<Set> sets;
   if (law.isAffine()) {
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const auto axes = rigidAxes(interface_, pairs_[i], assembly_.dimension, step, compliances_[0]);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const auto axes = rigidAxes(interface_, replay_.pairs()[i], dimension_, step, compliances_[0]);
       sets.push_back({TractionSet::span(states[i].traction, axes)});
     }
     return sets;
   }
-  const auto admissible = law.admissibleTractions(step);
-  if (!admissible || !isContact(*admissible) || law.frame() != laws::Frame::interface) {
+  const bool canBeAsked = law.frame() == laws::Frame::interface && !law.prescribesTraction() &&
+                          dynamic_cast<const laws::CoupledLaw*>(&law) == nullptr;
+  if (!canBeAsked) {
     for (const At& at : states) sets.push_back({TractionSet::point(at.traction)});
     return sets;
   }
   std::vector<laws::LocalLine> through, pressed;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const base::Vector3 jump = toLaw(i, states[i].jump);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const base::Vector3 jump = replay_.toLaw(i, states[i].jump);
     const double h = compliances_[i];
-    through.push_back({jump + h * toLaw(i, states[i].traction), h});
+    through.push_back({jump + h * replay_.toLaw(i, states[i].traction), h});
     pressed.push_back({jump - base::Vector3{h * pressing * states[i].size, 0.0, 0.0}, h});
   }
-  std::vector<double> history;
-  const std::vector<laws::LocalState> answers = ask(step, pressed, history);
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+  const std::vector<laws::LocalState> answers = replay_.ask(step, pressed);
+  const auto admissible = law.admissibleTractions(step);
+  sets = admissible && isContact(*admissible) ? ofContact(states, admissible->friction, answers, tolerance)
+                                              : ofOthers(step, states, pressed, answers, tolerance);
+  replay_.advance(step, through);
+  return sets;
+}
+
+double AdmittedTractions::none(std::size_t i, const At& at, double tolerance) const {
+  return std::max(at.uncertainty, tolerance * compliances_[i] * at.size);
+}
+
+double AdmittedTractions::opening(std::size_t i, const At& at, const laws::LocalState& answer) const {
+  return compliances_[i] * (answer.traction[0] + pressing * at.size);
+}
+
+std::vector<AdmittedTractions::Set> AdmittedTractions::ofContact(const std::vector<At>& states, double friction,
+                                                                 const std::vector<laws::LocalState>& answers,
+                                                                 double tolerance) const {
+  std::vector<Set> sets;
+  for (std::size_t i = 0; i < states.size(); ++i) {
     const At& at = states[i];
     const base::Vector3& answer = answers[i].traction;
-    const double none = std::max(at.uncertainty, tolerance * compliances_[i] * at.size);
-    const double opening = compliances_[i] * (answer[0] + pressing * at.size);
     const double shear = base::tangentialNorm(answer), slip = compliances_[i] * shear;
-    const base::Frame& frame = interface_.frame[pairs_[i]];
-    if (at.size == 0.0 || opening > none) {
+    const base::Frame& frame = interface_.frame[replay_.pairs()[i]];
+    if (at.size == 0.0 || opening(i, at, answers[i]) > none(i, at, tolerance)) {
       sets.push_back({TractionSet::point(at.traction)});
-    } else if (admissible->friction > 0.0 && slip > none) {
-      const double scale = admissible->friction / shear;
+    } else if (friction > 0.0 && slip > none(i, at, tolerance)) {
+      const double scale = friction / shear;
       sets.push_back({TractionSet::ray(base::toGlobal(frame, {-1.0, scale * answer[1], scale * answer[2]})), true});
     } else {
-      const bool slides = admissible->friction > 0.0 && slip > at.uncertainty;
-      sets.push_back({TractionSet::cone(frame, admissible->friction, assembly_.dimension), slides});
+      const bool slides = friction > 0.0 && slip > at.uncertainty;
+      sets.push_back({TractionSet::cone(frame, friction, dimension_), slides});
     }
   }
-  if (!history_.empty()) {
-    ask(step, through, history);
-    history_.swap(history);
+  return sets;
+}
+
+std::vector<AdmittedTractions::Set> AdmittedTractions::ofOthers(int step, const std::vector<At>& states,
+                                                                const std::vector<laws::LocalLine>& pressed,
+                                                                const std::vector<laws::LocalState>& answers,
+                                                                double tolerance) const {
+  std::vector<TractionProbe::Pair> pairs(states.size());
+  std::vector<bool> slides(states.size(), false);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const At& at = states[i];
+    TractionProbe::Pair& pair = pairs[i];
+    pair.traction = replay_.toLaw(i, at.traction);
+    pair.compliance = compliances_[i];
+    pair.jump = pressed[i].jump(answers[i].traction);
+    if (at.size == 0.0 || std::abs(opening(i, at, answers[i])) > none(i, at, tolerance)) continue;
+    pair.size = at.size;
+    const double slip = compliances_[i] * base::tangentialNorm(answers[i].traction);
+    slides[i] = slip > at.uncertainty;
+    pair.slides = slip > none(i, at, tolerance);
+    if (!pair.slides) continue;
+    const base::Vector3 jump = replay_.toLaw(i, at.jump);
+    pair.jump = {pair.jump[0], jump[1], jump[2]};
+  }
+  const std::vector<std::optional<TractionSet>> found =
+      TractionProbe(replay_, interface_, dimension_).find(step, pairs);
+  std::vector<Set> sets;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    sets.push_back(found[i] ? Set{*found[i], slides[i]} : Set{TractionSet::point(states[i].traction)});
   }
   return sets;
 }

@@ -84,10 +84,9 @@ struct PressureRange {
 
 PressureRange pressureRange(const TractionShare::Finding& finding, std::size_t place,
                             const assembly::Interface& interface, int pair, double tolerance) {
-  const auto admissible = interface.law->admissibleTractions(finding.step);
   const base::Vector3& n = interface.frame[pair][0];
   PressureRange range;
-  if (!admissible || admissible->friction == 0.0) return range;
+  if (!finding.stress.hasFriction(place, n)) return range;
   double size = 0.0;
   for (const base::Vector3& t : finding.tractions) size = std::max(size, base::norm(t));
   for (const SelfStress* stress : {&finding.stress, &finding.pressures}) {

@@ -154,28 +154,30 @@ std::optional<std::vector<base::Vector3>> SelfStress::farthest(const std::vector
   if (largestWeight == 0.0) return unscaled(found_);
   if (size == 0.0) size = 1.0;
 
-  // Spans count from what was found, the others from nothing.
+  // Spans count from what was found, the others from where they begin.
   Field start = found_;
   for (std::size_t i = 0; i < start.size(); ++i) {
-    if (!sets_[i].isSpan()) start[i] = {};
+    if (!sets_[i].isSpan()) start[i] = std::sqrt(group_.pairs[i].area) * sets_[i].begin();
   }
   std::vector<double> right;
   for (const Field& row : bound_) right.push_back((dot(row, found_) - dot(row, start)) / size);
   statics::LinearProgramme programme(right);
   std::vector<std::pair<std::size_t, base::Vector3>> columns;
-  const auto addColumn = [&](std::size_t pair, const base::Vector3& direction, double lower) {
+  const auto addColumn = [&](std::size_t pair, const base::Vector3& direction, double lower, double upper) {
     std::vector<statics::LinearProgramme::Entry> entries;
     for (std::size_t row = 0; row < bound_.size(); ++row)
       entries.push_back({static_cast<int>(row), base::dot(bound_[row][pair], direction)});
-    programme.add(entries, lower, unlimited, -base::dot(scaled[pair], direction) / largestWeight);
+    programme.add(entries, lower, upper, -base::dot(scaled[pair], direction) / largestWeight);
     columns.emplace_back(pair, direction);
   };
   for (std::size_t i = 0; i < sets_.size(); ++i) {
     if (sets_[i].isSpan()) {
-      for (const base::Vector3& axis : sets_[i].hull()) addColumn(i, axis, -unlimited);
+      for (const base::Vector3& axis : sets_[i].hull()) addColumn(i, axis, -unlimited, unlimited);
     } else {
       for (const base::Vector3& generator : sets_[i].generators(found_[i], generatorsInSpace))
-        addColumn(i, generator, 0.0);
+        addColumn(i, generator, 0.0, unlimited);
+      for (const base::Vector3& cohesion : sets_[i].cohesions())
+        addColumn(i, (std::sqrt(group_.pairs[i].area) / size) * cohesion, -1.0, 1.0);
     }
   }
   if (!programme.solve()) {

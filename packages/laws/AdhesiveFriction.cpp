@@ -22,7 +22,9 @@ struct AdhesiveFriction : SlidingLaw {
          "contact. "
          "What has come apart adheres again where it closes.")
         .source("Derjaguin, Muller, Toporov (1975); Mohr, Coulomb");
-    p.equation("opening >= 0, t_n = a max(0, 1 - opening / d) - p, p >= 0, p opening = 0; |t_t| <= c + mu p");
+    p.equation(
+        "opening >= 0, t_n = a max(0, 1 - opening / d) - p, p >= 0, p opening = 0; where opening = 0: |t_t| <= c + mu "
+        "|t_n| if t_n < 0, else c (1 - t_n / a)");
     p.number("Friction Coefficient").example("0.2").unit("-").defaultValue(0.0).atLeast(0.0).varying().doc("mu.");
     p.number("Cohesion")
         .unit("stress")
@@ -45,6 +47,15 @@ struct AdhesiveFriction : SlidingLaw {
 
   double lowestSlope() const { return -adhesion / range; }
 
+  /// Under tension what cohesion has left.
+  double shearLimitAt(int step, double normal) const {
+    if (normal < 0.0) return cohesion - friction[step] * normal;
+    return cohesion * std::max(0.0, 1.0 - normal / adhesion);
+  }
+  double shearLimit(const NodeContext& at, const base::Vector3& traction) const {
+    return shearLimitAt(at.step, traction[0]);
+  }
+
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
     const double free = line.freeJump[0] + at.gap + gap[at.step];
     const double closed = free / line.compliance;  // t_n where the sides touch
@@ -55,8 +66,7 @@ struct AdhesiveFriction : SlidingLaw {
       if (free < range) return {{pull, 0.0, 0.0}, Status::bonded};
       return {{}, Status::open};
     }
-    const double limit = closed < 0.0 ? cohesion - friction[at.step] * closed : cohesion * (1.0 - closed / adhesion);
-    const SlipState slip = slipOnLine(line, 0.0, SlipMemory::slip(old), {limit, 0.0, 0.0});
+    const SlipState slip = slipOnLine(line, 0.0, SlipMemory::slip(old), {shearLimitAt(at.step, closed), 0.0, 0.0});
     SlipMemory::keep(slip.slip, slip.distance, old, now);
     return {{closed, slip.traction.t1, slip.traction.t2}, slip.slides ? Status::slip : Status::stick};
   }

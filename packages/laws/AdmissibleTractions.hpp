@@ -16,14 +16,19 @@ struct AdmissibleTractions {
   base::Vector3 lower{-unlimited, -unlimited, -unlimited};  ///< [stress], in the law's frame, <= 0
   base::Vector3 upper{unlimited, unlimited, unlimited};     ///< [stress], the same, >= 0
   double friction = 0.0;  ///< most of |t_t| per |t_n|, where t_n < 0 and the frame is that of the interface [-]
+  /// Whether a pair that sticks admits all that friction allows, and one that slides has all of it. Of other laws
+  /// direction, velocity or pressure tells how much of it there is.
+  bool isCone = true;
 
   /// Each component takes any value or none.
   static AdmissibleTractions components(bool n, bool t1, bool t2) {
     const double a = n ? unlimited : 0.0, b = t1 ? unlimited : 0.0, c = t2 ? unlimited : 0.0;
-    return {{-a, -b, -c}, {a, b, c}, 0.0};
+    return {{-a, -b, -c}, {a, b, c}, 0.0, true};
   }
   /// t_n <= 0 of any size, |t_t| <= mu |t_n|.
-  static AdmissibleTractions pressure(double mu) { return {{-unlimited, 0.0, 0.0}, {0.0, 0.0, 0.0}, mu}; }
+  static AdmissibleTractions pressure(double mu) { return {{-unlimited, 0.0, 0.0}, {0.0, 0.0, 0.0}, mu, true}; }
+  /// t_n <= 0 of any size, |t_t| <= mu |t_n| at most.
+  static AdmissibleTractions pressureAtMost(double mu) { return {{-unlimited, 0.0, 0.0}, {0.0, 0.0, 0.0}, mu, false}; }
 
   /// Whether component i takes any value.
   bool isAny(std::size_t i) const { return lower[i] == -unlimited && upper[i] == unlimited; }

@@ -29,8 +29,8 @@ std::string textOf(const base::Vector3& v) {
   return "(" + base::toText(v[0]) + ", " + base::toText(v[1]) + ", " + base::toText(v[2]) + ")";
 }
 
-bool operator==(const AdmissibleTractions& a, const AdmissibleTractions& b) {
-  return a.lower == b.lower && a.upper == b.upper && a.friction == b.friction;
+bool haveSameBox(const AdmissibleTractions& a, const AdmissibleTractions& b) {
+  return a.lower == b.lower && a.upper == b.upper;
 }
 
 /// The pairs from `first` on.
@@ -267,12 +267,14 @@ double FieldLaw::lowestSlope() const {
 
 std::optional<AdmissibleTractions> FieldLaw::admissibleTractions(int step) const {
   const std::vector<const InterfaceLaw*> laws = all();
-  const auto first = laws.front()->admissibleTractions(step);
+  auto result = laws.front()->admissibleTractions(step);
   for (const InterfaceLaw* law : laws) {
     const auto other = law->admissibleTractions(step);
-    if (!first || !other || !(*first == *other)) return std::nullopt;
+    if (!result || !other || !haveSameBox(*result, *other)) return std::nullopt;
+    result->isCone = result->isCone && other->isCone && result->friction == other->friction;
+    result->friction = std::max(result->friction, other->friction);
   }
-  return first;
+  return result;
 }
 
 void FieldLaw::solve(int step, const NodeArrays& nodes) const {

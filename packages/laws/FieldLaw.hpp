@@ -69,8 +69,11 @@ class FieldLaw final : public InterfaceLaw, public FieldFollower {
   double lowestSlope() const override;
   bool isSmooth() const override { return law_->isSmooth(); }
   Creases creases() const override { return law_->creases(); }
-  /// Nothing where they are not the same at all places.
+  /// Nothing where more than friction differs from place to place; then with the largest.
   std::optional<AdmissibleTractions> admissibleTractions(int step) const override;
+  std::optional<double> shearLimit(const NodeContext& at, const base::Vector3& traction) const override {
+    return this->at(at.position()).shearLimit(at, traction);
+  }
   void solve(int step, const NodeArrays& nodes) const override;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -85,6 +86,14 @@ class InterfaceLaw {
   /// better the farther it is pushed: t.delta does not fall. Where these alone balance the loads, there is an
   /// equilibrium.
   virtual std::optional<AdmissibleTractions> admissibleTractions(int /*step*/) const { return std::nullopt; }
+  /// What friction bears [stress] of a pair that sticks, along the shear of this traction [stress], in the law's frame,
+  /// and under its pressure; nothing of laws without friction, or that do not say. Otherwise that of
+  /// admissibleTractions(), if all directions bear the same.
+  virtual std::optional<double> shearLimit(const NodeContext& at, const base::Vector3& traction) const {
+    const std::optional<AdmissibleTractions> admissible = admissibleTractions(at.step);
+    if (!admissible || !admissible->isCone || admissible->friction == 0.0) return std::nullopt;
+    return admissible->friction * std::max(0.0, -traction[0]);
+  }
   /// Solves all pairs at one load step, counted from 0. With prescribesTraction() the lines are not read. Not
   /// collective: a rank asks for the interfaces of its bodies. A traction that is not finite ends the computation.
   virtual void solve(int step, const NodeArrays& nodes) const = 0;

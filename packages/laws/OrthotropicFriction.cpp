@@ -73,7 +73,16 @@ struct OrthotropicFriction : SlidingLaw {
   }
 
   AdmissibleTractions admissibleTractions(int) const {
-    return AdmissibleTractions::pressure(std::max(friction[0], friction[1]));
+    return AdmissibleTractions::pressureAtMost(std::max(friction[0], friction[1]));
+  }
+
+  /// Along the shear up to the ellipse, or the smaller friction where there is no shear.
+  double shearLimit(const NodeContext& at, const base::Vector3& traction) const {
+    const double pressure = std::max(0.0, -traction[0]), shear = tangentialNorm(traction);
+    if (shear == 0.0) return std::min(friction[0], friction[1]) * pressure;
+    const Tangential along = axisOnSurface(at), t{traction[1], traction[2]};
+    return pressure * shear /
+           std::hypot(dot(along, t) / friction[0], (along.t1 * t.t2 - along.t2 * t.t1) / friction[1]);
   }
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {

@@ -33,6 +33,7 @@ namespace harmos::laws {
 ///   double lowestSlope() const;                           default 0: monotone
 ///   static constexpr bool isSmooth = true;                default isAffine
 ///   AdmissibleTractions admissibleTractions(int step) const;  default: not known
+///   double shearLimit(const NodeContext& at, const base::Vector3& traction) const;  default: of these, if it is known
 /// What they mean is said at the functions of InterfaceLaw of these names. `old` and `now` are the pair's numbers at
 /// the end of the previous load step and of this one; solve() writes all of `now`.
 template <class L>
@@ -76,6 +77,11 @@ class PointwiseLaw final : public InterfaceLaw {
   /// L::admissibleTractions(), or nothing.
   std::optional<AdmissibleTractions> admissibleTractions(int step) const override {
     return admissibleTractionsOf(law_, step, 0);
+  }
+
+  /// L::shearLimit(), or what follows from admissibleTractions().
+  std::optional<double> shearLimit(const NodeContext& at, const base::Vector3& traction) const override {
+    return shearLimitOf(law_, at, traction, 0);
   }
 
   /// Calls L::solve() for one pair after the other.
@@ -199,6 +205,16 @@ class PointwiseLaw final : public InterfaceLaw {
   template <class T>
   static std::optional<AdmissibleTractions> admissibleTractionsOf(const T&, int, long) {
     return std::nullopt;
+  }
+
+  template <class T>
+  auto shearLimitOf(const T& law, const NodeContext& at, const base::Vector3& traction, int) const
+      -> decltype(std::optional<double>(law.shearLimit(at, traction))) {
+    return law.shearLimit(at, traction);
+  }
+  template <class T>
+  std::optional<double> shearLimitOf(const T&, const NodeContext& at, const base::Vector3& traction, long) const {
+    return InterfaceLaw::shearLimit(at, traction);
   }
 
   L law_;

@@ -64,7 +64,12 @@ struct RateDependentFriction : SlidingLaw {
     return speed;
   }
 
-  AdmissibleTractions admissibleTractions(int) const { return AdmissibleTractions::pressure(std::max(atRest, moving)); }
+  double shearLimit(const NodeContext& /*at*/, const base::Vector3& traction) const {
+    return atRest * std::max(0.0, -traction[0]);
+  }
+  AdmissibleTractions admissibleTractions(int) const {
+    return AdmissibleTractions::pressureAtMost(std::max(atRest, moving));
+  }
 
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
     const double opening = line.freeJump[0] + at.gap + gap[at.step], duration = at.duration();

@@ -30,6 +30,8 @@ struct TrescaFriction : SlidingLaw {
 
   explicit TrescaFriction(const input::Parameters& p) : limit(p.schedule("Shear Limit")), gap(p.schedule("Gap")) {}
 
+  double shearLimit(const NodeContext& at, const base::Vector3& /*traction*/) const { return limit[at.step]; }
+
   LocalState solve(const LocalLine& line, const NodeContext& at, const double* old, double* now) const {
     const double normal = contactTraction(line.freeJump[0] + at.gap + gap[at.step], line.compliance);
     const SlipState slip = slipOnLine(line, 0.0, SlipMemory::slip(old), {limit[at.step], 0.0, 0.0});

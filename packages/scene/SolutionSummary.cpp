@@ -62,13 +62,13 @@ void includeSafety(const Problem& problem, const InterfaceFields& all, const std
   Search slip, gaping;
   for (const int i : interfaces) {
     const assembly::Interface& interface = problem.assembly.interfaces[i];
-    kind = latin::ContactKind::of(*interface.law, step);
+    kind = latin::ContactKind::of(interface, all.fields[i].times, step);
     slip.include(interface, all.fields[i], all.safety[i], all.safety[i].slip, step);
     gaping.include(interface, all.fields[i], all.safety[i], all.safety[i].gaping, step);
   }
   if (sums.largestPressure == 0.0) return;
   if (kind.gapes) record.gaping = files::SafetyRecord{sums.gaping(), gaping.worst()};
-  if (kind.friction > 0.0) record.slip = files::SafetyRecord{sums.slip(), slip.worst()};
+  if (kind.slips) record.slip = files::SafetyRecord{sums.slip(), slip.worst()};
 }
 
 files::InterfaceRecord describe(const Problem& problem, const InterfaceFields& all, const Named& named, int step) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <harmos/assembly/Assembly.hpp>
+#include <harmos/latin/detail/LawReplay.hpp>
 #include <harmos/latin/detail/TractionSet.hpp>
 
 namespace harmos::latin {
@@ -15,7 +16,8 @@ std::vector<base::Vector3> rigidAxes(const assembly::Interface& interface, int p
 ///
 /// A rigid component of an affine law takes any traction. Of contact, with friction or not, the law itself is asked: a
 /// pair that is pressed by far more than it carries closes and sticks if it can, and how far it moves for that tells
-/// whether it was open or slid. Of all other laws nothing is known: the traction is taken for the only one.
+/// whether it was open or slid. Of other laws TractionProbe finds a part; of those in global axes or over whole faces
+/// the traction is taken for the only one.
 class AdmittedTractions {
  public:
   /// A pair at a load step, in global components.
@@ -44,17 +46,21 @@ class AdmittedTractions {
   std::vector<Set> next(int step, const std::vector<At>& states, double tolerance);
 
  private:
-  std::vector<laws::LocalState> ask(int step, const std::vector<laws::LocalLine>& lines, std::vector<double>& history);
-  base::Vector3 toLaw(std::size_t i, const base::Vector3& v) const;
+  /// Jumps that are none [length].
+  double none(std::size_t i, const At& at, double tolerance) const;
+  /// How far the normal of a pair that was pressed has moved for that [length].
+  double opening(std::size_t i, const At& at, const laws::LocalState& answer) const;
+  /// Of contact with friction that is the same in all directions, from what it answers when it is pressed.
+  std::vector<Set> ofContact(const std::vector<At>& states, double friction,
+                             const std::vector<laws::LocalState>& answers, double tolerance) const;
+  /// Of other laws.
+  std::vector<Set> ofOthers(int step, const std::vector<At>& states, const std::vector<laws::LocalLine>& pressed,
+                            const std::vector<laws::LocalState>& answers, double tolerance) const;
 
-  const assembly::Assembly& assembly_;
+  int dimension_;
   const assembly::Interface& interface_;
-  std::vector<int> pairs_;
+  LawReplay replay_;
   std::vector<double> compliances_;
-  std::vector<double> gaps_, areas_;
-  std::vector<base::Vector3> positions_;
-  std::vector<base::Frame> frames_;
-  std::vector<double> history_;
 };
 
 }  // namespace harmos::latin

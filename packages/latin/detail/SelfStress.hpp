@@ -22,6 +22,8 @@ class SelfStress {
   const std::vector<std::vector<base::Vector3>>& basis() const { return free_; }
   /// Whether self-stresses within the hulls of the sets act on a pair along a unit vector.
   bool actsOn(std::size_t pair, const base::Vector3& direction) const;
+  /// Whether friction at a pair, with the normal n, depends on its pressure.
+  bool hasFriction(std::size_t pair, const base::Vector3& n) const { return sets_[pair].hasFriction(n); }
   /// Whether a self-stress within the hulls changes the sum of weight.t, `weights` per pair.
   bool changes(const std::vector<base::Vector3>& weights) const;
   /// The one with the least sum of h t^2 [stress]: a convex programme, solved by alternating directions to 1e-10 of the

@@ -56,7 +56,13 @@ struct StickingFriction : SlidingLaw {
     return {{-pressure, slip.traction.t1, slip.traction.t2}, slip.slides ? Status::slip : Status::stick};
   }
   /// Pressure, and friction under it.
-  AdmissibleTractions admissibleTractions(int step) const { return AdmissibleTractions::pressure(friction[step]); }
+  AdmissibleTractions admissibleTractions(int step) const {
+    return AdmissibleTractions::pressureAtMost(friction[step]);
+  }
+  /// min(mu p, tau) [stress].
+  double shearLimit(const NodeContext& at, const base::Vector3& traction) const {
+    return std::min(friction[at.step] * std::max(0.0, -traction[0]), limit);
+  }
   /// Of the spring along the surface [stress length].
   double shearEnergy(const base::Vector3& traction) const {
     const double shear = tangentialNorm(traction);

@@ -1,8 +1,14 @@
+#include <map>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <harmos/latin/Safety.hpp>
 #include <harmos/latin/SafetyResponse.hpp>
 #include <harmos/laws/PointwiseLaw.hpp>
+
+#include "../laws/MakeLaw.hpp"
 
 namespace harmos::latin {
 namespace {
@@ -22,8 +28,11 @@ class Pairs : public testing::Test {
   Pairs() {
     interface_.law = std::make_shared<laws::PointwiseLaw<Rough>>();
     interface_.area = {1.0, 3.0};
+    interface_.gap = {0.0, 0.0};
+    for (const int node : {0, 1}) interface_.trace1.append({{node, 1.0}});
     fields_.pairs = 2;
     fields_.steps = 2;
+    fields_.times = {1.0, 2.0};
     fields_.traction = {{-8.0, 0.0, 0.0}, {-4.0, 0.6, 0.8}, {-6.0, 1.0, 0.0}, {0.0, 0.0, 0.0}};
     fields_.jump.resize(4);
     fields_.status.resize(4);
@@ -65,6 +74,35 @@ TEST_F(Pairs, DoNotCountWhereTheyTouchByAccident) {
   EXPECT_EQ(result.slip[3], 1.0);
   EXPECT_FALSE(result.counts[3]);
   EXPECT_EQ(valuesOf(SafetyResponse::Against::slip, SafetyResponse::Where::point), (std::vector<double>{1000.0, 3.0}));
+}
+
+// Directions, velocities and limits tell what is left: the two pairs bear 1, sheared by 0.1 along y and along z.
+TEST_F(Pairs, KnowWhatOtherLawsBear) {
+  fields_.steps = 1;
+  fields_.times = {1.0};
+  fields_.traction = {{-1.0, 0.1, 0.0}, {-1.0, 0.0, 0.1}};
+  fields_.status = {laws::Status::stick, laws::Status::stick};
+  const auto slips = [this](const std::string& type, const std::map<std::string, double>& numbers,
+                            const std::map<std::string, std::vector<double>>& lists = {}) {
+    interface_.law = laws::makeLaw(type, numbers, {}, lists);
+    return safety(interface_, fields_).slip;
+  };
+  const auto expectNear = [](const std::vector<double>& found, const std::vector<double>& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12);
+  };
+  expectNear(slips("Tresca Friction", {{"Shear Limit", 0.2}}), {2.0, 2.0});
+  expectNear(
+      slips("Compliant Contact", {{"Normal Stiffness", 1.0}, {"Friction Coefficient", 0.5}, {"Shear Limit", 0.3}}),
+      {3.0, 3.0});
+  const std::map<std::string, double> falling{
+      {"Static Coefficient", 0.5}, {"Kinetic Coefficient", 0.1}, {"Velocity", 1.0}};
+  expectNear(slips("Rate-Dependent Friction", falling), {5.0, 5.0});
+  expectNear(slips("Orthotropic Friction", {{"Friction Coefficient 1", 0.1}, {"Friction Coefficient 2", 0.5}},
+                   {{"Axis", {0.0, 1.0, 0.0}}}),
+             {1.0, 5.0});
+  fields_.status = {laws::Status::slip, laws::Status::slip};
+  expectNear(slips("Rate-Dependent Friction", falling), {1.0, 1.0});
 }
 
 }  // namespace

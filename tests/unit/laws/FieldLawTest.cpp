@@ -104,11 +104,14 @@ TEST(FieldLaw, IsTheLawItselfWithoutFormula) {
 TEST(FieldLaw, ClaimsWhatHoldsEverywhere) {
   const auto uneven = builtInLaws().create(friction("x"));
   dynamic_cast<const FieldLaw&>(*uneven).prepare(places);
-  EXPECT_FALSE(uneven->admissibleTractions(0));
+  ASSERT_TRUE(uneven->admissibleTractions(0));
+  EXPECT_FALSE(uneven->admissibleTractions(0)->isCone) << "it is not the same everywhere";
+  EXPECT_DOUBLE_EQ(uneven->admissibleTractions(0)->friction, 0.3 * 3.0);
   const auto even = builtInLaws().create(friction("x > 0 ? 1 : 2"));
   dynamic_cast<const FieldLaw&>(*even).prepare(places);
   ASSERT_TRUE(even->admissibleTractions(0));
   EXPECT_DOUBLE_EQ(even->admissibleTractions(0)->friction, 0.3);
+  EXPECT_TRUE(even->admissibleTractions(0)->isCone);
   EXPECT_FALSE(builtInLaws().create(glue("x"))->isAffine());
 }
 

@@ -9,9 +9,11 @@
 
 namespace harmos::laws {
 
-/// A built-in law with the given numbers, multiplied at every load step by the given histories, and else its defaults.
+/// A built-in law with the given numbers, multiplied at every load step by the given histories, with the given lists,
+/// and else its defaults.
 inline std::unique_ptr<InterfaceLaw> makeLaw(const std::string& law, const std::map<std::string, double>& values = {},
-                                             const std::map<std::string, std::vector<double>>& histories = {}) {
+                                             const std::map<std::string, std::vector<double>>& histories = {},
+                                             const std::map<std::string, std::vector<double>>& lists = {}) {
   const LawRegistry laws = builtInLaws();
   input::Parameters parameters("law");
   parameters.set("Type", law);
@@ -29,6 +31,7 @@ inline std::unique_ptr<InterfaceLaw> makeLaw(const std::string& law, const std::
     }
   }
   for (const auto& [name, value] : values) parameters.set(name, value);
+  for (const auto& [name, list] : lists) parameters.set(name, list);
   auto known = std::make_shared<input::Histories>();
   for (const auto& [name, perStep] : histories) {
     known->add(name, perStep);
