@@ -12,6 +12,10 @@ PointSearch::PointSearch(std::vector<base::Vector3> points)
     : points_(std::move(points)), order_(points_.size()), axis_(points_.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   build(0, order_.size());
+  std::vector<base::Vector3> ordered;  // as searches meet them
+  ordered.reserve(points_.size());
+  for (const int index : order_) ordered.push_back(points_[index]);
+  points_.swap(ordered);
 }
 
 void PointSearch::build(std::size_t begin, std::size_t end) {
@@ -41,10 +45,9 @@ void PointSearch::visit(const base::Vector3& point, std::size_t begin, std::size
                         const Visit& found) const {
   if (begin == end) return;
   const std::size_t middle = begin + (end - begin) / 2;
-  const int root = order_[middle];
-  const base::Vector3& here = points_[root];
+  const base::Vector3& here = points_[middle];
   const double away = distance(point, here);
-  if (away <= radius) found(root, away);
+  if (away <= radius) found(order_[middle], away);
   const auto axis = static_cast<std::size_t>(axis_[middle]);
   const double offset = point[axis] - here[axis];
   const bool below = offset < 0.0;

@@ -29,9 +29,9 @@ class PointSearch {
   template <typename Visit>
   void visit(const base::Vector3& point, std::size_t begin, std::size_t end, double& radius, const Visit& found) const;
 
-  std::vector<base::Vector3> points_;
-  std::vector<int> order_;  // of the tree: the middle of a range is its root
-  std::vector<int> axis_;   // that the root of each range splits
+  std::vector<base::Vector3> points_;  // once the tree is built, in its order
+  std::vector<int> order_;             // of the tree: the middle of a range is its root
+  std::vector<int> axis_;              // that the root of each range splits
 };
 
 }  // namespace harmos::mesh

@@ -25,6 +25,12 @@ std::vector<PartPieces> partPieces(const mesh::Mesh& mesh, const std::vector<mes
     part.piece.elements.insert(part.piece.elements.end(), piece.elements.begin(), piece.elements.end());
   }
   for (PartPieces& part : parts) {
+    if (part.bodies.size() == 1) {  // whose nodes need not be found anew
+      part.piece = pieces[static_cast<std::size_t>(part.bodies.front())];
+      part.piece.name = part.name;
+      part.piece.side = 0;
+      continue;
+    }
     std::sort(part.piece.elements.begin(), part.piece.elements.end());
     part.piece = mesh::makePiece(mesh, part.name, std::string(part.piece.part), std::move(part.piece.elements));
   }
