@@ -39,13 +39,13 @@ void keepFreedMemory() {
 #endif
 }
 
-void useHugePages() {
+void useHugePages(int processes) {
 #if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
   if (std::getenv("MALLOC_TOP_PAD_") != nullptr || std::getenv("MALLOC_TRIM_THRESHOLD_") != nullptr) return;
   // The addresses are asked for at once.
   if (!isUnlimited(RLIMIT_AS) || !isUnlimited(RLIMIT_DATA)) return;
   char* const before = static_cast<char*>(sbrk(0));
-  mallopt(M_TOP_PAD, inHugePages);
+  mallopt(M_TOP_PAD, inHugePages / processes);
   void* volatile grown = std::malloc(alwaysGivenBack / 2);  // volatile: or the compiler leaves it out
   std::free(grown);
   mallopt(M_TOP_PAD, usualPad);
@@ -53,5 +53,7 @@ void useHugePages() {
   auto size = static_cast<std::size_t>(static_cast<char*>(sbrk(0)) - before);
   // A hint: where it is refused, nothing is lost.
   if (std::align(hugePage, hugePage, begin, size) != nullptr) madvise(begin, size, MADV_HUGEPAGE);
+#else
+  static_cast<void>(processes);
 #endif
 }

@@ -7,7 +7,8 @@
 void keepFreedMemory();
 
 /// Asks for the first 128 MiB of the heap in huge pages, which are mapped, and found by the processor, several hundred
-/// times less often. Nothing where addresses are limited, where the user has set MALLOC_TOP_PAD_ or
-/// MALLOC_TRIM_THRESHOLD_, or where the system has no huge pages. Large arrays keep small pages: those that are given
-/// back and asked for anew would be cleared as a whole every time.
-void useHugePages();
+/// times less often; for a share of them where so many `processes`, at least 1, divide a problem on this machine: each
+/// has less to keep there, and clears what it asks for. Nothing where addresses are limited, where the user has set
+/// MALLOC_TOP_PAD_ or MALLOC_TRIM_THRESHOLD_, or where the system has no huge pages. Large arrays keep small pages:
+/// those that are given back and asked for anew would be cleared as a whole every time.
+void useHugePages(int processes);

@@ -10,6 +10,7 @@ namespace {
 // Set by mpirun, by launchers that speak PMIx or PMI, and by Slurm, for every process that they start.
 constexpr std::array<const char*, 6> launched = {
     "OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMIX_NAMESPACE", "PMI_RANK", "PMI_FD", "SLURM_PROCID"};
+constexpr const char* processesHereVariable = "OMPI_COMM_WORLD_LOCAL_SIZE";
 
 // Without a daemon, or anything but itself to talk to, of which it wants no list of devices.
 constexpr std::array<std::pair<const char*, const char*>, 5> alone = {{{"OMPI_MCA_ess_singleton_isolated", "1"},
@@ -25,7 +26,7 @@ bool isSet(const char* name) {
 /// Whether mpirun has started all processes on one machine.
 bool areAllHere() {
   const char* const all = std::getenv("OMPI_COMM_WORLD_SIZE");
-  const char* const here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  const char* const here = std::getenv(processesHereVariable);
   return all != nullptr && here != nullptr && std::string(all) == here;
 }
 
@@ -40,6 +41,11 @@ OpenMpiSettings::OpenMpiSettings() {
   } else if (areAllHere()) {
     setForNow("OMPI_MCA_pml", "ob1");
   }
+}
+
+int OpenMpiSettings::processesHere() {
+  const char* const here = std::getenv(processesHereVariable);
+  return here == nullptr ? 1 : std::max(1, std::atoi(here));
 }
 
 void OpenMpiSettings::setForNow(const char* name, const char* value) {

@@ -18,6 +18,8 @@ class OpenMpiSettings {
   /// To be called when MPI is initialised: takes away what was set for a process alone or for one machine, which
   /// processes that it starts would inherit, and those may be several.
   void takeBack();
+  /// Processes that mpirun of Open MPI has started on this machine, this one included; 1 where it has not.
+  static int processesHere();
 
  private:
   /// Sets a variable that is not set, until takeBack().

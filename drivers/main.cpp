@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   harmos::base::useFittingBlas(argv);
   harmos::base::useOneThread();
   keepFreedMemory();
-  useHugePages();
+  useHugePages(OpenMpiSettings::processesHere());
   OpenMpiSettings openMpi;
   catchInterrupts();
   // Kokkos and MPI get no arguments: Kokkos would answer --help itself.
