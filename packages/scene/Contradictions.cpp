@@ -5,37 +5,22 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <sstream>
 #include <tuple>
 
 #include <harmos/base/Names.hpp>
-#include <harmos/base/Numerals.hpp>
 #include <harmos/base/Vector3.hpp>
 #include <harmos/latin/PrescribedForces.hpp>
 #include <harmos/laws/FaceLaw.hpp>
 #include <harmos/scene/FaceNames.hpp>
 #include <harmos/scene/detail/HeldNodes.hpp>
+#include <harmos/scene/detail/Span.hpp>
+#include <harmos/scene/detail/Wording.hpp>
 
 namespace harmos::scene {
 namespace {
 
-// What is left of a unit vector beside directions that are held, which is round-off.
+// What is left of a unit vector beside motions that are held, which is round-off.
 constexpr double alongIt = 1e-6;
-
-std::string text(const base::Vector3& v) {
-  std::ostringstream out;
-  out << "(" << v[0] << ", " << v[1] << ", " << v[2] << ")";
-  return out.str();
-}
-
-/// Without the sign of a zero.
-std::string number(double value) {
-  return base::toText(value + 0.0);
-}
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 /// Whether others may act on the points of its face as they like.
 bool leavesFaceFree(const laws::InterfaceLaw& law) {
@@ -247,16 +232,11 @@ class Checker {
 
   /// Whether what a boundary holds leaves no part of a direction free.
   bool holdsWholly(const std::string& holder, int body, int node, const base::Vector3& direction) const {
-    std::vector<base::Vector3> axes;
-    const auto without = [&axes](base::Vector3 v) {
-      for (const base::Vector3& axis : axes) v = v - dot(v, axis) * axis;
-      return v;
-    };
+    Span span;
     for (const Holding& holding : held_.of(body, node)) {
-      const base::Vector3 rest = without(holding.direction);
-      if (name(holding.interface) == holder && norm(rest) > alongIt) axes.push_back((1.0 / norm(rest)) * rest);
+      if (name(holding.interface) == holder) span.add(holding.direction);
     }
-    return norm(without(direction)) <= alongIt * norm(direction);
+    return span.contains(direction);
   }
 
   /// A traction in global components is looked at component by component, others as a whole: that part of a pressure on
