@@ -13,6 +13,7 @@
 #include <harmos/laws/FaceLaw.hpp>
 #include <harmos/scene/FaceNames.hpp>
 #include <harmos/scene/detail/HeldNodes.hpp>
+#include <harmos/scene/detail/HeldPairs.hpp>
 #include <harmos/scene/detail/Span.hpp>
 #include <harmos/scene/detail/Wording.hpp>
 
@@ -94,6 +95,8 @@ class Checker {
                   "Prescribe the same in both, or leave the nodes or the component out of one of them.");
     }
   }
+
+  void checkPairs() { checkHeldPairs(scene_, places_, held_, errors_); }
 
   void checkFaces() {
     std::map<Face, std::set<std::size_t>> owners;  // interfaces and boundaries, by their places in the input
@@ -301,6 +304,7 @@ class Checker {
 void checkContradictions(const Scene& scene, const LawPlaces& places, input::ErrorList& errors) {
   Checker checker(scene, places, errors);
   checker.checkDisplacements();
+  checker.checkPairs();
   checker.checkFaces();
 }
 

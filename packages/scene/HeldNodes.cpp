@@ -8,6 +8,7 @@
 
 #include <harmos/base/DisjointSets.hpp>
 #include <harmos/laws/FieldLaw.hpp>
+#include <harmos/scene/detail/AskedJumps.hpp>
 
 namespace harmos::scene {
 namespace {
@@ -15,37 +16,16 @@ namespace {
 // Length of what is left of a unit vector in the span of others, and relative difference of values, that is round-off.
 constexpr double dependent = 1e-6, equal = 1e-6;
 
-/// The displacement of a pair in the frame of a law that is affine at every place, of the components that do not depend
-/// on the traction.
-std::array<std::optional<double>, 3> heldComponents(const laws::InterfaceLaw& law, int step,
-                                                    const base::Vector3& place) {
-  // On a line without compliance every spring gives way, and nothing else.
-  constexpr double tiny = 1e-30;
-  const double gap = 0.0;
-  std::array<base::Vector3, 2> jumps;
-  for (const double free : {0.0, 1.0}) {
-    const laws::LocalLine line{{free, free, free}, tiny};
-    laws::LocalState state;
-    law.solve(step, {1, &line, &gap, nullptr, nullptr, &state, &place});
-    jumps[free > 0.0 ? 1 : 0] = line.jump(state.traction);
-  }
-  std::array<std::optional<double>, 3> held;
-  for (std::size_t c = 0; c < 3; ++c) {
-    // The ground is side 2 and at rest.
-    if (std::abs(jumps[1][c] - jumps[0][c]) < 0.5) held[c] = -jumps[0][c];
-  }
-  return held;
-}
-
 using Displacements = std::array<std::shared_ptr<const std::vector<double>>, 3>;
 
-/// The same at all load steps; null: not held at one of them.
+/// Of the components, in the frame of a law that is affine at every place, that do not depend on the traction; null:
+/// not at every load step.
 Displacements heldComponents(const laws::InterfaceLaw& law, const base::Vector3& place, int steps) {
   std::array<std::vector<double>, 3> values;
   for (int t = 0; t < steps; ++t) {
-    const auto held = heldComponents(law, t, place);
+    const auto fixed = fixedJump(law, t, place);
     for (std::size_t c = 0; c < 3; ++c) {
-      if (held[c]) values[c].push_back(*held[c]);
+      if (fixed[c]) values[c].push_back(-*fixed[c]);  // the ground is side 2 and at rest
     }
   }
   Displacements result;
@@ -57,19 +37,12 @@ Displacements heldComponents(const laws::InterfaceLaw& law, const base::Vector3&
   return result;
 }
 
-/// A direction of those that are held at a node, orthogonal to the ones before.
-struct Axis {
-  const Holding* source;
-  base::Vector3 direction;
-  std::vector<double> displacement;
-};
-
 /// Adds a holding to the axes; where it depends on them already, returns the conflict, if there is one.
-std::optional<Conflict> combine(const Holding& holding, std::vector<Axis>& axes) {
+std::optional<Conflict> combine(const Holding& holding, std::vector<HeldAxis>& axes) {
   base::Vector3 rest = holding.direction;
   std::vector<double> displacement = *holding.displacement;
-  const Axis* nearest = nullptr;
-  for (const Axis& axis : axes) {
+  const HeldAxis* nearest = nullptr;
+  for (const HeldAxis& axis : axes) {
     const double along = dot(holding.direction, axis.direction);
     rest = rest - along * axis.direction;
     for (std::size_t t = 0; t < displacement.size(); ++t) displacement[t] -= along * axis.displacement[t];
@@ -78,16 +51,16 @@ std::optional<Conflict> combine(const Holding& holding, std::vector<Axis>& axes)
   const double length = norm(rest);
   if (length > dependent) {
     for (double& value : displacement) value /= length;
-    axes.push_back({&holding, (1.0 / length) * rest, std::move(displacement)});
+    axes.push_back({holding.interface, (1.0 / length) * rest, std::move(displacement)});
     return std::nullopt;
   }
   for (std::size_t t = 0; t < displacement.size(); ++t) {
     double size = std::abs((*holding.displacement)[t]);
-    for (const Axis& axis : axes) size = std::max(size, std::abs(axis.displacement[t]));
+    for (const HeldAxis& axis : axes) size = std::max(size, std::abs(axis.displacement[t]));
     if (std::abs(displacement[t]) <= equal * size) continue;
     Conflict conflict;
     conflict.holding = holding;
-    conflict.other = nearest->source->interface;
+    conflict.other = nearest->interface;
     conflict.step = static_cast<int>(t);
     conflict.expected = (*holding.displacement)[t] - displacement[t];
     return conflict;
@@ -153,10 +126,16 @@ const std::vector<Holding>& HeldNodes::of(int body, int node) const {
   return holdings_[representative_[first_[body] + node]];
 }
 
+std::vector<HeldAxis> HeldNodes::axes(int body, int node) const {
+  std::vector<HeldAxis> axes;
+  for (const Holding& holding : of(body, node)) combine(holding, axes);
+  return axes;
+}
+
 std::vector<Conflict> HeldNodes::conflicts() const {
   std::vector<Conflict> conflicts;
   for (const std::vector<Holding>& holdings : holdings_) {
-    std::vector<Axis> axes;
+    std::vector<HeldAxis> axes;
     std::set<std::pair<int, int>> reported;
     for (const Holding& holding : holdings) {
       const auto conflict = combine(holding, axes);

@@ -17,6 +17,13 @@ struct Holding {
   std::shared_ptr<const std::vector<double>> displacement;  // along it, per load step [length]
 };
 
+/// One of the directions along which a node is held, at right angles to each other.
+struct HeldAxis {
+  int interface = -1;                // position in the list of the boundary that holds it
+  base::Vector3 direction{};         // unit vector
+  std::vector<double> displacement;  // along it, per load step [length]
+};
+
 /// A holding that those before it do not allow.
 struct Conflict {
   Holding holding;        // the later one
@@ -36,6 +43,8 @@ class HeldNodes {
 
   /// Of one node of a body, in the order of the interfaces.
   const std::vector<Holding>& of(int body, int node) const;
+  /// Directions that span those of a node; of holdings that contradict each other the first counts.
+  std::vector<HeldAxis> axes(int body, int node) const;
   /// Of every two interfaces one at most where nodes count as one.
   std::vector<Conflict> conflicts() const;
 
