@@ -17,8 +17,8 @@
 namespace harmos::scene {
 namespace {
 
-// Of the size of the mesh: a jump that is none but for round-off.
-constexpr double noJump = 1e-9;
+// Of the size of the mesh: a jump that is none but for places that were written in single precision.
+constexpr double noJump = 3e-7;
 
 /// A jump that boundaries prescribe at a pair and its law does not allow.
 struct Refused {
