@@ -22,10 +22,13 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Which moments of a field are written, and their values from its coefficients.
+/// Which moments of a field are written, and their values from its coefficients, which come one polynomial after the
+/// other, so that those of all entities need not be held together.
 class Moments {
  public:
-  explicit Moments(const probability::Basis& basis) : basis_(basis) {}
+  explicit Moments(const probability::Basis& basis) : basis_(basis) {
+    for (std::size_t a = 0; a < basis_.indices().size(); ++a) onlyGerm_.push_back(onlyGermOf(a));
+  }
 
   /// "disp_x" becomes "disp_x_mean", "disp_x_std", "disp_x_sobol_E_1", ..
   std::vector<std::string> names(const std::vector<std::string>& fields) const {
@@ -43,25 +46,34 @@ class Moments {
   }
   std::size_t count() const { return 2 + at(basis_.variables().dimension()); }
 
-  /// Puts the moments of field number `field` at an entity.
-  void fill(std::vector<std::vector<double>>& values, std::size_t field, std::size_t entity,
-            const std::vector<double>& coefficients) const {
+  /// Adds the coefficient of polynomial number `a` to the sums of field number `field` at an entity.
+  void add(std::vector<std::vector<double>>& values, std::size_t field, std::size_t entity, std::size_t a,
+           double coefficient) const {
     const std::size_t first = field * count();
-    double variance = 0.0;
-    std::vector<double> shares(at(basis_.variables().dimension()), 0.0);
-    for (std::size_t a = 1; a < coefficients.size(); ++a) {
-      const double square = coefficients[a] * coefficients[a];
-      variance += square;
-      const int only = onlyGermOf(a);
-      if (only >= 0) shares[at(only)] += square;
+    if (a == 0) {
+      values[first][entity] = coefficient;
+      return;
     }
-    values[first][entity] = coefficients[0];
-    values[first + 1][entity] = std::sqrt(variance);
-    for (std::size_t g = 0; g < shares.size(); ++g) {
-      values[first + 2 + g][entity] = variance > 0.0 ? shares[g] / variance : 0.0;
-    }
+    const double square = coefficient * coefficient;
+    values[first + 1][entity] += square;
+    if (onlyGerm_[a] >= 0) values[first + 2 + at(onlyGerm_[a])][entity] += square;
   }
 
+  /// Makes moments of the sums of all polynomials.
+  void finish(std::vector<std::vector<double>>& values) const {
+    for (std::size_t first = 0; first < values.size(); first += count()) {
+      for (std::size_t entity = 0; entity < values[first].size(); ++entity) {
+        const double variance = values[first + 1][entity];
+        values[first + 1][entity] = std::sqrt(variance);
+        for (std::size_t share = 2; variance > 0.0 && share < count(); ++share) {
+          values[first + share][entity] /= variance;
+        }
+      }
+    }
+    removeNoise(values);
+  }
+
+ private:
   /// Shares of a variance that is round-off beside the field are no shares.
   void removeNoise(std::vector<std::vector<double>>& values) const {
     for (std::size_t first = 0; first < values.size(); first += count()) {
@@ -74,7 +86,6 @@ class Moments {
     }
   }
 
- private:
   /// The germ that polynomial `a` depends on, -1 when it depends on several.
   int onlyGermOf(std::size_t a) const {
     int only = -1;
@@ -88,6 +99,7 @@ class Moments {
   }
 
   const probability::Basis& basis_;
+  std::vector<int> onlyGerm_;  // of every polynomial
 };
 
 void writeParts(const ChaosStudy& chaos, const Moments& moments, const std::string& path,
@@ -101,24 +113,22 @@ void writeParts(const ChaosStudy& chaos, const Moments& moments, const std::stri
   ResultVariables variables;
   variables.nodal = moments.names(fields);
   const auto writer = file.open(path, layout.mesh, variables);
-  std::vector<double> coefficients(at(chaos.basis().size()));
   for (int t = 0; t < problem.assembly.steps(); ++t) {
     ResultStep step = files::zeroStep(layout.mesh, variables, file.time(t));
-    for (std::size_t body = 0; body < problem.bodies.pieces.size(); ++body) {
-      if (!solver.state().layout().owns(static_cast<int>(body))) continue;
-      for (int node = 0; node < static_cast<int>(problem.bodies.pieces[body].nodes.size()); ++node) {
-        std::vector<base::Vector3> u;
-        for (int a = 0; a < chaos.basis().size(); ++a) {
-          u.push_back(solver.state().displacement(static_cast<int>(body), node, solver.column(t, a)));
-        }
-        for (std::size_t c = 0; c < at(dimension); ++c) {
-          for (std::size_t a = 0; a < u.size(); ++a) coefficients[a] = u[a][c];
-          moments.fill(step.nodal, c, at(layout.firstNode[body] + node), coefficients);
+    // Nodes inside: bodies that keep few columns at a time solve for those of the polynomials only once.
+    for (int a = 0; a < chaos.basis().size(); ++a) {
+      for (std::size_t body = 0; body < problem.bodies.pieces.size(); ++body) {
+        if (!solver.state().layout().owns(static_cast<int>(body))) continue;
+        for (int node = 0; node < static_cast<int>(problem.bodies.pieces[body].nodes.size()); ++node) {
+          const base::Vector3 u = solver.state().displacement(static_cast<int>(body), node, solver.column(t, a));
+          for (std::size_t c = 0; c < at(dimension); ++c) {
+            moments.add(step.nodal, c, at(layout.firstNode[body] + node), at(a), u[c]);
+          }
         }
       }
     }
     for (auto& values : step.nodal) file.gather(values);
-    moments.removeNoise(step.nodal);
+    moments.finish(step.nodal);
     file.write(writer.get(), step, t);
   }
   if (writer) writer->commit();
@@ -139,7 +149,6 @@ void writeInterfaces(const ChaosStudy& chaos, const Moments& moments, const std:
     pairs.push_back(latin::pairFields(solver.state(), static_cast<int>(i)));
   }
   const auto writer = file.open(path, layout.mesh, variables);
-  std::vector<double> coefficients(at(chaos.basis().size()));
   for (int t = 0; writer && t < problem.assembly.steps(); ++t) {
     ResultStep step = files::zeroStep(layout.mesh, variables, file.time(t));
     for (std::size_t s = 0; s < problem.surfaces.size(); ++s) {
@@ -149,21 +158,16 @@ void writeInterfaces(const ChaosStudy& chaos, const Moments& moments, const std:
         const auto node = at(layout.firstPair[s]) + p;
         const auto& frame = problem.assembly.interfaces[at(place.interface)].frame[at(place.pair)];
         const latin::PairFields& field = pairs[at(place.interface)];
-        const auto traction = [&](std::size_t a) -> const base::Vector3& {
-          return field.traction[field.at(solver.column(t, static_cast<int>(a)), place.pair)];
-        };
-        for (std::size_t a = 0; a < coefficients.size(); ++a) coefficients[a] = -traction(a)[0];
-        moments.fill(step.nodal, 0, node, coefficients);
-        for (std::size_t d = 0; d < at(dimension); ++d) {
-          for (std::size_t a = 0; a < coefficients.size(); ++a) {
-            const base::Vector3& f = traction(a);
-            coefficients[a] = frame[0][d] * f[0] + frame[1][d] * f[1] + frame[2][d] * f[2];
+        for (std::size_t a = 0; a < at(chaos.basis().size()); ++a) {
+          const base::Vector3& f = field.traction[field.at(solver.column(t, static_cast<int>(a)), place.pair)];
+          moments.add(step.nodal, 0, node, a, -f[0]);
+          for (std::size_t d = 0; d < at(dimension); ++d) {
+            moments.add(step.nodal, 1 + d, node, a, frame[0][d] * f[0] + frame[1][d] * f[1] + frame[2][d] * f[2]);
           }
-          moments.fill(step.nodal, 1 + d, node, coefficients);
         }
       }
     }
-    moments.removeNoise(step.nodal);
+    moments.finish(step.nodal);
     file.write(writer.get(), step, t);
   }
   if (writer) writer->commit();
