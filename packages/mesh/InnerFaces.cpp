@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 
 namespace harmos::mesh {
 namespace {
@@ -17,12 +19,18 @@ std::vector<Face> innerFaces(const Mesh& mesh, const Elements& elements, const P
                              const std::vector<Face>& faces) {
   std::vector<bool> isMarked(mesh.nodes.size(), false);
   std::map<std::vector<int>, std::vector<int>> sharing;  // elements, by the nodes of a face
+  std::set<std::string> parts;
   for (const Face& face : faces) {
     for (const int node : face.nodes) isMarked[node] = true;
     sharing[sorted(face.nodes)];
+    parts.insert(map.part(map.of(face.element)));
   }
-  for (int element = 0; element < elements.count(); ++element) {
-    if (map.of(element) < 0) continue;
+  std::vector<int> candidates;  // not all of the mesh: hundreds of parts may have faces that are asked about
+  for (const std::string& part : parts) {
+    const std::vector<int> more = map.elements(map.named(part, part));
+    candidates.insert(candidates.end(), more.begin(), more.end());
+  }
+  for (const int element : candidates) {
     const ElementType type = elements.type(element);
     const int* nodes = elements.nodes(element);
     if (std::count_if(nodes, nodes + nodesPerElement(type), [&](int node) { return isMarked[node]; }) <

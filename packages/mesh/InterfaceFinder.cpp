@@ -17,6 +17,7 @@
 #include <harmos/mesh/detail/InnerFaces.hpp>
 #include <harmos/mesh/detail/NodalWeights.hpp>
 #include <harmos/mesh/detail/NodeJoints.hpp>
+#include <harmos/mesh/detail/PartSkin.hpp>
 #include <harmos/mesh/detail/PieceCuts.hpp>
 #include <harmos/mesh/detail/SurfaceBuilders.hpp>
 
@@ -67,7 +68,14 @@ const Set& findSet(const std::string& where, const std::vector<Set>& sets, const
 }  // namespace
 
 InterfaceFinder::InterfaceFinder(const Mesh& mesh, const std::vector<Piece>& pieces, const Depth& depth)
-    : parts_(mesh, pieces, depth) {}
+    : parts_(mesh, pieces, depth), skins_(std::make_shared<std::map<std::string, PartSkin>>()) {}
+
+const PartSkin& InterfaceFinder::skinOf(const std::string& where, const std::string& part) const {
+  const auto known = skins_->find(part);
+  if (known != skins_->end()) return known->second;
+  const std::vector<int> elements = parts_.map.elements(parts_.map.named(where, part));
+  return skins_->try_emplace(part, parts_.mesh, skin(parts_.elements, elements)).first->second;
+}
 
 std::vector<Face> InterfaceFinder::facesOf(const std::string& where, const std::string& sideSet) const {
   const SideSet& set = findSet(where, parts_.mesh.sideSets, sideSet, "side set");
@@ -148,8 +156,8 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
   const auto pieces1 = parts_.map.named(where, part1);
   const auto pieces2 = parts_.map.named(where, part2);
   if (part1 == part2) refuse(where, "Part 1 and Part 2 are both \"" + part1 + "\"; an interface joins two parts.");
-  const auto skin1 = skin(parts_.elements, parts_.map.elements(pieces1));
-  const auto skin2 = skin(parts_.elements, parts_.map.elements(pieces2));
+  const PartSkin &all1 = skinOf(where, part1), &all2 = skinOf(where, part2);
+  const std::vector<Face> skin1 = all1.near(all2), skin2 = all2.near(all1);
   const auto faces = matchFaces(parts_.mesh, skin1, skin2);
   const FaceOverlap overlap = findOverlap(parts_.mesh, skin1, skin2, faces);
   if (!overlap.faces1.empty() && join) {
@@ -166,7 +174,9 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
     };
     return join(partNamed(part1), chosen(skin1, touching1), partNamed(part2), chosen(skin2, touching2));
   }
-  if (faces.empty() && overlap.faces1.empty()) demandNoOverlap(parts_.mesh, where, part1, skin1, part2, skin2);
+  if (faces.empty() && overlap.faces1.empty()) {
+    demandNoOverlap(parts_.mesh, where, part1, all1.faces(), part2, all2.faces());
+  }
   auto surfaces = joinFaces(parts_, name, skin1, skin2, faces, creaseAngle, std::nullopt);
 
   std::set<int> inFaces;
@@ -175,17 +185,8 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
     inFaces.insert(nodes.begin(), nodes.end());
   }
   std::set<std::pair<int, int>> single;
-  const auto nodesIn = [&](const std::vector<int>& pieces) {
-    std::set<int> nodes;
-    for (const int piece : pieces) {
-      const auto& more = parts_.pieces[piece].nodes;
-      nodes.insert(more.begin(), more.end());
-    }
-    return nodes;
-  };
-  const std::set<int> nodes2 = nodesIn(pieces2);
-  for (const int node : nodesIn(pieces1)) {
-    if (nodes2.count(node) > 0 && inFaces.count(node) == 0) single.emplace(node, node);
+  for (const int node : sharedNodes(parts_, pieces1, pieces2)) {
+    if (inFaces.count(node) == 0) single.emplace(node, node);
   }
   if (faces.empty()) {
     for (const auto& pair : matchNodes(parts_.mesh, skin1, skin2)) single.insert(pair);
@@ -207,7 +208,7 @@ std::vector<InterfaceSurface> InterfaceFinder::betweenParts(const std::string& n
     message
         << "parts \"" << part1 << "\" and \"" << part2
         << "\" have no coincident faces and no shared or coincident nodes; their nearest nodes are "
-        << separation(parts_.mesh.nodes, nodesOf(skin1), nodesOf(skin2)).smallest
+        << separation(parts_.mesh.nodes, nodesOf(all1.faces()), nodesOf(all2.faces())).smallest
         << " apart. Mesh both with the same nodes where they touch; for sides that are open initially, name two side "
            "sets, or give Search Distance.";
     refuse(where, message.str());
@@ -224,10 +225,7 @@ std::vector<InterfaceSurface> InterfaceFinder::joinedSideSets(const std::string&
 std::vector<InterfaceSurface> InterfaceFinder::joinedParts(const std::string& name, const std::string& part1,
                                                            const std::string& part2, const Joiner& join) const {
   const std::string where = interfaceNamed(name);
-  const auto skinOf = [&](const std::string& part) {
-    return skin(parts_.elements, parts_.map.elements(parts_.map.named(where, part)));
-  };
-  return join(partNamed(part1), skinOf(part1), partNamed(part2), skinOf(part2));
+  return join(partNamed(part1), skinOf(where, part1).faces(), partNamed(part2), skinOf(where, part2).faces());
 }
 
 std::vector<InterfaceSurface> InterfaceFinder::cuts() const {
@@ -271,7 +269,7 @@ std::vector<InterfaceSurface> InterfaceFinder::onNodeSet(const std::string& name
   if (nodes.empty()) refuse(where, "node set \"" + nodeSet + "\" has no node of part \"" + part + "\".");
 
   std::vector<Face> faces;
-  for (Face& face : skin(parts_.elements, parts_.map.elements(pieces))) {
+  for (Face& face : skinAt(parts_.elements, parts_.map.elements(pieces), {nodes.begin(), nodes.end()})) {
     if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](int node) { return nodes.count(node) > 0; })) {
       faces.push_back(std::move(face));
     }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +13,8 @@
 #include <harmos/mesh/SmoothPatches.hpp>
 
 namespace harmos::mesh {
+
+class PartSkin;
 
 /// Finds the surfaces of interfaces and outer boundaries between the parts of a mesh.
 ///
@@ -96,8 +100,11 @@ class InterfaceFinder {
  private:
   std::vector<InterfaceSurface> onFaces(const std::string& name, const std::vector<Face>& faces,
                                         double creaseAngle) const;
+  /// The skin of a part, which is made once for all its interfaces.
+  const PartSkin& skinOf(const std::string& where, const std::string& part) const;
 
   CutMesh parts_;
+  std::shared_ptr<std::map<std::string, PartSkin>> skins_;  // that were asked for
 };
 
 }  // namespace harmos::mesh

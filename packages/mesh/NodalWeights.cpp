@@ -23,10 +23,10 @@ double volume(const Mesh& mesh, const Elements& elements, int element, const Dep
 
 NodalWeights::NodalWeights(const Mesh& mesh, const Elements& elements, const PieceMap& map,
                            const std::vector<int>& pieces, const std::vector<int>& wanted, const Depth& depth) {
+  if (wanted.empty()) return;
   const auto elementList = map.elements(pieces);
   const auto isWanted = [&](int node) { return std::binary_search(wanted.begin(), wanted.end(), node); };
-  for (const Face& face : skin(elements, elementList)) {
-    if (std::none_of(face.nodes.begin(), face.nodes.end(), isWanted)) continue;
+  for (const Face& face : skinAt(elements, elementList, wanted)) {
     const FaceIntegrals integrals = integrateFace(mesh.dimension, pointsOf(mesh, face.nodes), depth);
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
       // What lies on the axis of revolution is inside of the part.

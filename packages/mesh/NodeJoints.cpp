@@ -1,11 +1,32 @@
 #include <harmos/mesh/detail/NodeJoints.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 
 #include <harmos/mesh/detail/NodalWeights.hpp>
 #include <harmos/mesh/detail/SurfaceBuilders.hpp>
 
 namespace harmos::mesh {
+
+std::vector<int> sharedNodes(const CutMesh& parts, const std::vector<int>& pieces1, const std::vector<int>& pieces2) {
+  const auto count = [&](const std::vector<int>& pieces) {
+    return std::accumulate(pieces.begin(), pieces.end(), std::size_t{0},
+                           [&](std::size_t sum, int piece) { return sum + parts.pieces[piece].nodes.size(); });
+  };
+  // Those of the smaller part are looked up, for it may be one of hundreds on the other.
+  const bool isSmaller = count(pieces1) < count(pieces2);
+  const std::vector<int>&smaller = isSmaller ? pieces1 : pieces2, &larger = isSmaller ? pieces2 : pieces1;
+  std::vector<int> shared;
+  for (const int piece : smaller) {
+    for (const int node : parts.pieces[piece].nodes) {
+      if (std::any_of(larger.begin(), larger.end(), [&](int other) { return parts.map.has(other, node); })) {
+        shared.push_back(node);
+      }
+    }
+  }
+  return shared;
+}
 
 std::vector<InterfaceSurface> joinNodes(const CutMesh& parts, const std::string& name, const std::vector<int>& pieces1,
                                         const std::vector<int>& pieces2,

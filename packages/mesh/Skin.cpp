@@ -66,4 +66,18 @@ std::vector<Face> skin(const Elements& mesh, const std::vector<int>& elements) {
   return faces;
 }
 
+std::vector<Face> skinAt(const Elements& mesh, const std::vector<int>& elements, const std::vector<int>& nodes) {
+  const auto isOne = [&](int node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
+  std::vector<int> around;  // what shares a side with some of the nodes is among them
+  for (const int element : elements) {
+    const int* own = mesh.nodes(element);
+    if (std::any_of(own, own + nodesPerElement(mesh.type(element)), isOne)) around.push_back(element);
+  }
+  std::vector<Face> faces;
+  for (Face& face : skin(mesh, around)) {
+    if (std::any_of(face.nodes.begin(), face.nodes.end(), isOne)) faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
 }  // namespace harmos::mesh

@@ -20,4 +20,7 @@ int cornersOfFace(int dimension, std::size_t nodes);
 /// nodes. `elements` are mesh element numbers, each once.
 std::vector<Face> skin(const Elements& mesh, const std::vector<int>& elements);
 
+/// Of these, the ones that have some of `nodes` (mesh node numbers, ascending): looks at no element without them.
+std::vector<Face> skinAt(const Elements& mesh, const std::vector<int>& elements, const std::vector<int>& nodes);
+
 }  // namespace harmos::mesh

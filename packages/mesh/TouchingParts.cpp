@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 
-// Without the older rescaling of coordinates to integers, of which g++ 12 believes that it reads what is not set.
-#define BOOST_GEOMETRY_NO_ROBUSTNESS
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
-
 #include <harmos/mesh/FaceMatching.hpp>
-#include <harmos/mesh/Skin.hpp>
 #include <harmos/mesh/detail/FaceOverlap.hpp>
+#include <harmos/mesh/detail/PartSkin.hpp>
 
 namespace harmos::mesh {
 namespace {
@@ -47,19 +41,20 @@ class Part {
     return {Corner(lower_[0] - by, lower_[1] - by, lower_[2] - by),
             Corner(upper_[0] + by, upper_[1] + by, upper_[2] + by)};
   }
-  const std::vector<Face>& skin(const Elements& elements) {
-    if (skin_.empty()) skin_ = mesh::skin(elements, elements_);
-    return skin_;
+  const PartSkin& skin(const Mesh& mesh, const Elements& elements) {
+    if (!skin_) skin_.emplace(mesh, mesh::skin(elements, elements_));
+    return *skin_;
   }
 
  private:
   std::vector<int> elements_;
   base::Vector3 lower_{}, upper_{};
   bool isEmpty_ = true;
-  std::vector<Face> skin_;
+  std::optional<PartSkin> skin_;
 };
 
-bool haveCommonFaces(const Mesh& mesh, const std::vector<Face>& skin1, const std::vector<Face>& skin2) {
+bool haveCommonFaces(const Mesh& mesh, const PartSkin& part1, const PartSkin& part2) {
+  const std::vector<Face> skin1 = part1.near(part2), skin2 = part2.near(part1);
   const auto pairs = matchFaces(mesh, skin1, skin2);
   return !pairs.empty() || !findOverlap(mesh, skin1, skin2, pairs).faces1.empty();
 }
@@ -83,7 +78,7 @@ std::vector<PartPair> touchingParts(const Mesh& mesh, const std::vector<Piece>& 
     for (const auto& [box, position] : near) {
       const std::string& second = parts2[position];
       if (first == second || !seen.insert(std::minmax(first, second)).second) continue;
-      if (haveCommonFaces(mesh, parts.at(first).skin(elements), parts.at(second).skin(elements))) {
+      if (haveCommonFaces(mesh, parts.at(first).skin(mesh, elements), parts.at(second).skin(mesh, elements))) {
         pairs.emplace_back(first, second);
       }
     }
