@@ -150,20 +150,25 @@ void CausalCorrection::sweep(int first) {
 }
 
 std::vector<int> CausalCorrection::unfinished() {
-  std::vector<int> result;
+  std::vector<int> result, soft;
   const double way = targets_.longestWay(end_);
   for (int t = begin_; t < end_; ++t) {
     const double residual = targets_[t].residual;
-    const bool isLeft =
-        residual > noise_ && (isAbove(t) || residual > allowedToHide * steps_[t].smallestSingularValue() * way);
-    isLeft_[t] = isLeft;
-    if (isLeft) {
+    const auto hidesTooMuch = [&](double singularValue) { return residual > allowedToHide * singularValue * way; };
+    isLeft_[t] = residual > noise_ && (isAbove(t) || hidesTooMuch(steps_[t].smallestSingularValue()));
+    if (isLeft_[t]) {
       result.push_back(t);
+    } else if (targets_.isLater() && residual > noise_ && hidesTooMuch(steps_[t].softest())) {
+      soft.push_back(t);
     } else {
       steps_[t].tangent().release();
     }
   }
-  return result;
+  // Only then, for with them residuals fall before they have shown other slow modes.
+  goesForSoft_ = result.empty();
+  if (!goesForSoft_) return result;
+  for (const int t : soft) isLeft_[t] = true;
+  return soft;
 }
 
 std::vector<int> CausalCorrection::foremost(const std::vector<int>& steps) const {
@@ -171,7 +176,7 @@ std::vector<int> CausalCorrection::foremost(const std::vector<int>& steps) const
   std::vector<int> result;
   std::copy_if(steps.begin(), steps.end(), std::back_inserter(result), [this](int t) { return isAbove(t); });
   if (!result.empty()) return result;
-  const auto hidden = [this](int t) { return targets_[t].residual / steps_[t].smallestSingularValue(); };
+  const auto hidden = [this](int t) { return targets_[t].residual / steps_[t].softest(); };
   double most = 0.0;
   for (const int t : steps) most = std::max(most, hidden(t));
   std::copy_if(steps.begin(), steps.end(), std::back_inserter(result),
@@ -194,7 +199,8 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
   std::vector<int> selected;
   std::vector<std::vector<double>> directions;
   for (const int t : steps) {
-    std::optional<std::vector<double>> v = steps_[t].nextDirection(residual_[t]);
+    std::optional<std::vector<double>> v = goesForSoft_ ? steps_[t].nextMotion() : std::nullopt;
+    if (!v) v = steps_[t].nextDirection(residual_[t]);
     if (!v) continue;
     selected.push_back(t);
     directions.push_back(std::move(*v));
@@ -230,7 +236,7 @@ double CausalCorrection::hidden() const {
   for (int t = 0; t < alpha_->numCols(); ++t) {
     const double residual = targets_[t].residual;
     if (residual <= noise_) continue;
-    const double seen = steps_[t].smallestSingularValue() * way;
+    const double seen = steps_[t].softest() * way;
     largest = std::max(largest, seen > 0.0 ? residual / seen : std::numeric_limits<double>::infinity());
   }
   return largest;

@@ -111,6 +111,7 @@ class CausalCorrection {
   std::unique_ptr<SoftMotions> softMotions_;
   std::vector<StepSpace> steps_;
   std::vector<bool> isLeft_;  // per load step: it has not come to its end
+  bool goesForSoft_ = false;  // nothing but soft motions is left to be met
   CorrectionTargets targets_;
   int begin_ = 0, end_ = 0;               // of the load steps at hand
   int first_ = 0;                         // load step that the local stage begins at

@@ -25,7 +25,7 @@ void StepSpace::open(InterfaceLines& lines) {
 }
 
 void StepSpace::close() {
-  closed_ = smallestSingularValue();
+  closed_ = softest();
   tangent_.reset();
   soft_.clear();
   isStale_ = true;
@@ -44,12 +44,16 @@ void StepSpace::differentiate(int step) {
               soft_.end());
 }
 
-std::optional<std::vector<double>> StepSpace::nextDirection(const double* residual) {
+std::optional<std::vector<double>> StepSpace::nextMotion() {
   while (!soft_.empty()) {
     std::vector<double> v = softMotions_.state(soft_.front());
     soft_.erase(soft_.begin());
     if (space().makeIndependent(v.data())) return v;
   }
+  return std::nullopt;
+}
+
+std::optional<std::vector<double>> StepSpace::nextDirection(const double* residual) {
   std::vector<double> v(residual, residual + space().rows());
   if (space().makeIndependent(v.data()) || (!isStale_ && tangent_->continueKrylov(v))) return v;
   isStale_ = true;
@@ -62,8 +66,11 @@ void StepSpace::add(const double* v, const double* y) {
 }
 
 double StepSpace::smallestSingularValue() const {
-  double smallest = closed_;
-  if (tangent_) smallest = std::min(smallest, space().smallestSingularValue());
+  return tangent_ ? std::min(closed_, space().smallestSingularValue()) : closed_;
+}
+
+double StepSpace::softest() const {
+  const double smallest = smallestSingularValue();
   return soft_.empty() ? smallest : std::min(smallest, soft_.front().resistance);
 }
 

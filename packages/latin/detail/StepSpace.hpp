@@ -33,15 +33,18 @@ class StepSpace {
   void setStale(bool isStale) { isStale_ = isStale; }
   /// Collective. Takes the tangents of a load step that the local stage has just met with solveColumn().
   void differentiate(int step);
-  /// Collective. The next direction, rows of the layout, independent of those that there are: a motion that the
-  /// tangents hardly resist and the space does not hold, or else the residual [stress] or what J makes of the last
-  /// direction. Nothing, and stale from now on, when there is none.
+  /// Collective. A motion that the tangents hardly resist and the space does not hold, rows of the layout, independent
+  /// of the directions that there are; nothing when there is none.
+  std::optional<std::vector<double>> nextMotion();
+  /// Collective. The next direction, likewise independent: the residual [stress] or what J makes of the last direction.
+  /// Nothing, and stale from now on, when there is none.
   std::optional<std::vector<double>> nextDirection(const double* residual);
   /// Collective. Adds such a direction v with its image y [stress].
   void add(const double* v, const double* y);
-  /// The smallest singular value of I - J that was met at the load step, in the space or against a soft motion that it
-  /// does not hold.
+  /// The smallest singular value of I - J that was met at the load step,
   double smallestSingularValue() const;
+  /// and the resistance of the softest motion that the space does not hold, if that is less.
+  double softest() const;
 
  private:
   bool holds(const SoftMotions::Motion& motion) const;
