@@ -164,7 +164,7 @@ std::vector<int> CausalCorrection::unfinished() {
       steps_[t].tangent().release();
     }
   }
-  // Only then, for with them residuals fall before they have shown other slow modes.
+  // Only now, in later corrections: with them residuals fall before they have shown other slow modes.
   goesForSoft_ = result.empty();
   if (!goesForSoft_) return result;
   for (const int t : soft) isLeft_[t] = true;
