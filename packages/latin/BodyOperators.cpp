@@ -44,10 +44,7 @@ BodyOperators::BodyOperators(const assembly::Assembly& assembly, const assembly:
       master = body.congruence->representative;
       place.rotates = true;
       place.rotation = body.congruence->rotation;
-      place.toMaster.resize(body.nodes.size());
-      for (std::size_t a = 0; a < body.nodes.size(); ++a) {
-        place.toMaster[body.congruence->node[a]] = static_cast<int>(a);
-      }
+      place.toMaster = body.congruence->toRepresentative();
     }
     substructure::BoundaryTerm term = bodyTerm(assembly, searchDirection, eliminated, static_cast<int>(b),
                                                place.toMaster, place.rotates ? &place.rotation : nullptr);

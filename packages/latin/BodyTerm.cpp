@@ -1,8 +1,5 @@
 #include <harmos/latin/detail/BodyTerm.hpp>
 
-#include <algorithm>
-#include <tuple>
-
 #include <harmos/assembly/SideTerm.hpp>
 
 namespace harmos::latin {
@@ -23,20 +20,13 @@ substructure::BoundaryTerm bodyTerm(const assembly::Assembly& assembly,
       if (interface.body(side) == body) assembly::addSideTerm(interface, side, k, toMaster, term);
     }
   }
-  // Congruent bodies list their interfaces' nodes in other orders.
-  std::sort(term.entries.begin(), term.entries.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.row, a.column, a.value) < std::tie(b.row, b.column, b.value);
-  });
-  addUp(term.entries);
   for (const EliminatedBoundaries::Node& node : eliminated.nodes(body)) {
     const int number = toMaster.empty() ? node.node : toMaster[node.node];
     const auto turned = [&](const base::Tensor3& a) { return rotation ? base::turnedBack(*rotation, a) : a; };
     if (base::distance(node.springs, {}) > 0.0) term.springs.push_back({number, turned(node.springs)});
     if (node.isHeld) term.free.push_back({number, turned(node.free)});
   }
-  for (auto* tensors : {&term.springs, &term.free}) {
-    std::sort(tensors->begin(), tensors->end(), [](const auto& a, const auto& b) { return a.node < b.node; });
-  }
+  substructure::arrange(term);  // congruent bodies list their interfaces' nodes in other orders
   return term;
 }
 

@@ -13,9 +13,6 @@
 namespace harmos::latin {
 namespace {
 
-// Relative difference of the entries of two operators that is round-off.
-constexpr double roundOff = 1e-10;
-
 /// The degrees of freedom, ascending, of the nodes at which a boundary term has search directions.
 std::vector<int> traceOf(const substructure::BoundaryTerm& term) {
   std::set<int> nodes;
@@ -41,16 +38,6 @@ double signOf(unsigned seed, int row, int column) {
   return ((x ^ (x >> 31U)) & 1U) != 0U ? 1.0 : -1.0;
 }
 
-bool areEqual(const std::vector<substructure::BoundaryTerm::NodeTensor>& a,
-              const std::vector<substructure::BoundaryTerm::NodeTensor>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double size = base::distance(a[i].value, {});
-    if (a[i].node != b[i].node || base::distance(a[i].value, b[i].value) > roundOff * size) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 ConstrainedOperator::ConstrainedOperator(Teuchos::RCP<const base::CrsMatrix> stiffness, substructure::BoundaryTerm term)
@@ -58,20 +45,6 @@ ConstrainedOperator::ConstrainedOperator(Teuchos::RCP<const base::CrsMatrix> sti
   for (const substructure::BoundaryTerm::NodeTensor& held : term_.free) {
     for (int c = 0; c < term_.dimension; ++c) heldDofs_.push_back(held.node * term_.dimension + c);
   }
-}
-
-bool ConstrainedOperator::has(const substructure::BoundaryTerm& term) const {
-  if (term_.entries.size() != term.entries.size()) return false;
-  for (std::size_t i = 0; i < term.entries.size(); ++i) {
-    const auto &a = term_.entries[i], &b = term.entries[i];
-    if (a.row != b.row || a.column != b.column || std::abs(a.value - b.value) > roundOff * std::abs(a.value)) {
-      return false;
-    }
-  }
-  for (std::size_t i = 0; i < term.diagonal.size(); ++i) {
-    if (std::abs(term_.diagonal[i] - term.diagonal[i]) > roundOff * term_.diagonal[i]) return false;
-  }
-  return areEqual(term_.springs, term.springs) && areEqual(term_.free, term.free);
 }
 
 int ConstrainedOperator::placeOf(const std::vector<int>& dofs, int dof) {

@@ -168,7 +168,7 @@ std::vector<int> heldOf(const std::vector<assembly::Interface>& interfaces, std:
 }
 
 substructure::BoundaryTerm boundaryOf(const std::vector<assembly::Interface>& interfaces, std::size_t body,
-                                      int dimension, std::size_t nodes) {
+                                      int dimension, std::size_t nodes, const std::vector<int>& toMaster) {
   substructure::BoundaryTerm term;
   term.dimension = dimension;
   term.diagonal.assign(nodes * static_cast<std::size_t>(dimension), 0.0);
@@ -176,12 +176,15 @@ substructure::BoundaryTerm boundaryOf(const std::vector<assembly::Interface>& in
     if (interface.law->prescribesTraction() || isEliminated(interface)) continue;
     const std::vector<double> k(static_cast<std::size_t>(interface.pairs()), 1.0);
     for (int side = 0; side < interface.sides(); ++side) {
-      if (interface.body(side) == static_cast<int>(body)) assembly::addSideTerm(interface, side, k, {}, term);
+      if (interface.body(side) == static_cast<int>(body)) assembly::addSideTerm(interface, side, k, toMaster, term);
     }
   }
   for (const int row : heldOf(interfaces, body, dimension)) {
-    if (row % dimension == 0) term.free.push_back({row / dimension, {}});
+    if (row % dimension != 0) continue;
+    const int node = row / dimension;
+    term.free.push_back({toMaster.empty() ? node : toMaster[node], {}});
   }
+  substructure::arrange(term);
   return term;
 }
 

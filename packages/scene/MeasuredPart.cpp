@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <harmos/elasticity/Material.hpp>
 #include <harmos/mesh/Elements.hpp>
+#include <harmos/scene/detail/SharedOperators.hpp>
 #include <harmos/substructure/MirrorPlanes.hpp>
 
 namespace harmos::scene {
@@ -125,6 +127,10 @@ std::vector<MeasuredPart> measureParts(const Scene& scene, const mesh::Mesh& mes
     if (part.has("Linear Solver")) solverGiven.insert(part.name());
   }
   const mesh::Elements elements(mesh);
+  const auto congruences =
+      findCongruences(bodies, mesh, makeModel(scene.input.list("Model"), mesh).kinematics, interfaces);
+  std::map<std::size_t, substructure::FactorSize> plainFactors;  // by the first of equal bodies
+  SharedOperators operators(interfaces, dimension);
   std::vector<MeasuredPart> all;
   for (std::size_t b = 0; b < bodies.pieces.size(); ++b) {
     const mesh::Piece& piece = bodies.pieces[b];
@@ -141,31 +147,19 @@ std::vector<MeasuredPart> measureParts(const Scene& scene, const mesh::Mesh& mes
       body.size.iteratedEntries = operatorEntries(body.size.unknowns, dimension);
       continue;
     }
-    // Parts of as many nodes and elements are taken for equal.
-    const auto isEqual = [&](std::size_t a) {
-      return bodies.pieces[a].nodes.size() == piece.nodes.size() && bodies.materials[a] == bodies.materials[b] &&
-             bodies.pieces[a].elements.size() == piece.elements.size() && !bodies.parts[a].iterates &&
-             bodies.parts[a].formulation == bodies.parts[b].formulation;
-    };
-    std::size_t master = 0;
-    while (!isEqual(master)) ++master;
-    if (master == b) {
-      body.size.factor = factorOf(body.size.unknowns, dimension);
-      body.size.matrixEntries = operatorEntries(body.size.unknowns, dimension);
-      body.plain = body.size.factor;
-    } else {
-      body.size.factor = body.plain = all[master].plain;
-    }
-    for (std::size_t a = master; a < b; ++a) {
-      if (!isEqual(a) || trace[a].size() != trace[b].size() || held[a].size() != held[b].size()) continue;
-      body.size.factor = all[a].size.factor;
-      body.size.isFactored = false;
-    }
+    const substructure::Congruence* congruence = congruences[b].get();
+    const std::size_t master = congruence ? static_cast<std::size_t>(congruence->representative) : b;
+    const auto [plain, isFirst] = plainFactors.try_emplace(master, factorOf(body.size.unknowns, dimension));
+    if (isFirst) body.size.matrixEntries = operatorEntries(body.size.unknowns, dimension);
+    body.size.factor = body.plain = plain->second;
+    const std::size_t same = operators.add(b, piece.nodes.size(), congruence, false);
+    body.size.isFactored = same == b;
+    if (!body.size.isFactored) body.size.factor = all[same].size.factor;
     if (!isLarge || !body.size.isFactored) continue;
     const NodeGraph graph = graphOf(elements, piece);
-    if (master == b) {
+    if (isFirst) {
       measure(graph, dimension, body.size);
-      body.plain = body.size.factor;
+      body.plain = plain->second = body.size.factor;
     }
     std::vector<base::Vector3> nodes;
     for (const int node : piece.nodes) nodes.push_back(mesh.nodes[node]);

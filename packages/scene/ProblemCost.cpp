@@ -7,7 +7,6 @@
 #include <optional>
 #include <set>
 #include <sstream>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include <harmos/scene/MemoryPerRank.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/detail/CostModel.hpp>
+#include <harmos/scene/detail/SharedOperators.hpp>
 #include <harmos/substructure/FactorPrediction.hpp>
 
 namespace harmos::scene {
@@ -72,8 +72,7 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
   if (sizes == FactorSizes::fromOrder && !assembly.path) scope.statics = staticsOf(assembly, comm);
   CostSums sums;
   std::vector<std::optional<substructure::FactorSize>> known(assembly.bodies.size());
-  // Those of equal bodies that are touched and held alike are one.
-  std::set<std::tuple<std::size_t, double, std::size_t>> operators;
+  SharedOperators operators(assembly.interfaces, assembly.dimension);
   std::vector<double> mineOfBody(assembly.bodies.size(), 0.0), ofBody(assembly.bodies.size(), 0.0);
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     const substructure::Substructure& body = assembly.bodies[b];
@@ -96,8 +95,7 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
     size.factor = *known[master];
     size.trace = static_cast<double>(traceOf(assembly.interfaces, b, assembly.dimension).size());
     size.interfaces = interfaces[b];
-    size.isFactored =
-        operators.emplace(master, size.trace, heldOf(assembly.interfaces, b, assembly.dimension).size()).second;
+    size.isFactored = operators.add(b, body.nodes.size(), body.congruence.get(), body.iterates) == b;
     size.isLoaded = loaded[b];
     sums.add(size, solver);
   }

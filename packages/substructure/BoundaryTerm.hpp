@@ -29,4 +29,10 @@ struct BoundaryTerm {
   std::vector<NodeTensor> free;     ///< P of the nodes at which it is not 1, each once
 };
 
+/// Sorts a term, so that it does not show in which order it was put together, and adds up entries of one place.
+void arrange(BoundaryTerm& term);
+
+/// Whether two terms that are arranged, of bodies with as many nodes, are the same but for round-off.
+bool areEqual(const BoundaryTerm& first, const BoundaryTerm& second);
+
 }  // namespace harmos::substructure

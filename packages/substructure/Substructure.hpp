@@ -16,6 +16,13 @@ namespace harmos::substructure {
 /// with K' its stiffness matrix and R the renumbering that turns every node by Q.
 struct Congruence : mesh::Congruence {
   int representative = -1;  // index of the body whose operator is shared; has one of its own
+
+  /// The representative's node of each node of the body, both from 0.
+  std::vector<int> toRepresentative() const {
+    std::vector<int> result(node.size());
+    for (std::size_t a = 0; a < node.size(); ++a) result[node[a]] = static_cast<int>(a);
+    return result;
+  }
 };
 
 /// One elastic body: a stiffness matrix and where its nodes are. It does not know where the matrix comes from.

@@ -15,7 +15,7 @@ class ConstrainedOperator {
   /// `stiffness`: K [force/length], which is shared.
   ConstrainedOperator(Teuchos::RCP<const base::CrsMatrix> stiffness, substructure::BoundaryTerm term);
   /// Whether another term of the same K makes the same A and P, up to round-off.
-  bool has(const substructure::BoundaryTerm& term) const;
+  bool has(const substructure::BoundaryTerm& term) const { return substructure::areEqual(term_, term); }
 
   const Teuchos::RCP<const base::CrsMatrix>& stiffness() const { return stiffness_; }  ///< K
   const substructure::BoundaryTerm& term() const { return term_; }                     ///< k h, s and P

@@ -44,12 +44,11 @@ std::vector<int> traceOf(const std::vector<assembly::Interface>& interfaces, std
 
 /// What search directions and boundaries make of a body's stiffness, as far as it decides on the size of its factor:
 /// the interface mass, as if all search directions were 1, and nodes at which boundaries are eliminated, as if they
-/// were held in all directions.
+/// were held in all directions. Arranged, in the numbering to which `toMaster` maps nodes (empty: the body's own).
 substructure::BoundaryTerm boundaryOf(const std::vector<assembly::Interface>& interfaces, std::size_t body,
-                                      int dimension, std::size_t nodes);
+                                      int dimension, std::size_t nodes, const std::vector<int>& toMaster = {});
 
-/// Unknowns of a body, ascending, at boundaries that are eliminated: equal bodies share a factor only where they are
-/// held alike.
+/// Unknowns of a body, ascending, at boundaries that are eliminated.
 std::vector<int> heldOf(const std::vector<assembly::Interface>& interfaces, std::size_t body, int dimension);
 
 /// How many interfaces and boundaries touch every body.
