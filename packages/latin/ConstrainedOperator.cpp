@@ -108,6 +108,34 @@ void ConstrainedOperator::multiply(const double* u, const std::vector<int>& rows
   }
 }
 
+void ConstrainedOperator::addColumns(const std::vector<int>& dofs, base::Matrix& to) const {
+  const substructure::CrsView view = substructure::viewOf(*stiffness_, "operator");
+  const int dimension = term_.dimension;
+  for (std::size_t j = 0; j < dofs.size(); ++j) {
+    const int dof = dofs[j];
+    double* const column = to[static_cast<int>(j)];
+    if (!term_.diagonal.empty()) column[dof] += term_.diagonal[dof];
+    for (std::size_t k = view.rowPointers[dof]; k < view.rowPointers[dof + 1]; ++k) {
+      column[view.columns[k]] += view.values[k];
+    }
+  }
+  // Some components of a node may be missing among the columns.
+  for (const substructure::MatrixEntry& entry : term_.entries) {
+    for (int c = 0; c < dimension; ++c) {
+      const int at = placeOf(dofs, entry.row * dimension + c);
+      if (at >= 0) to[at][entry.column * dimension + c] += entry.value;
+    }
+  }
+  for (const substructure::BoundaryTerm::NodeTensor& spring : term_.springs) {
+    const int first = spring.node * dimension;
+    for (int c = 0; c < dimension; ++c) {
+      const int at = placeOf(dofs, first + c);
+      if (at < 0) continue;
+      for (int row = 0; row < dimension; ++row) to[at][first + row] += spring.value[row][c];
+    }
+  }
+}
+
 std::vector<double> ConstrainedOperator::diagonal() const {
   const substructure::CrsView view = substructure::viewOf(*stiffness_, "operator");
   std::vector<double> diagonal(term_.diagonal);

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include <harmos/latin/StencilWorth.hpp>
 #include <harmos/latin/detail/LargestOf.hpp>
 
 namespace harmos::latin {
@@ -23,9 +24,8 @@ OperatorGroup::OperatorGroup(const substructure::Substructure& body, const subst
                                                                body.partName(), operator_.trace(), first.nodes)),
       loads_(operator_, solver_) {
   if (!options.invertTrace || !isTrace() || operator_.heldDofs().empty()) return;
-  stencil_ = std::make_unique<HeldStencil>(substructure::viewOf(*operator_.stiffness(), "operator"), operator_.term(),
-                                           operator_.trace());
-  if (!stencil_->isWorthwhile()) stencil_.reset();
+  stencil_ = std::make_unique<HeldStencil>(operator_);
+  if (!isStencilWorthwhile(options, stencil_->solves(), rows())) stencil_.reset();
 }
 
 std::vector<OperatorGroup::Window> OperatorGroup::windows() const {
@@ -203,7 +203,7 @@ void OperatorGroup::addUnit(int column, int member, double factor) {
 void OperatorGroup::forgetDerived() {
   window_ = Window();
   for (base::Matrix* field : {&whole_, &reactions_, &atHeldDofs_}) *field = base::Matrix();
-  hasStencil_ = hasReactions_ = false;
+  isByStencil_ = hasReactions_ = false;
 }
 
 void OperatorGroup::solveWhole(const Window& window) const {
@@ -228,26 +228,10 @@ const double* OperatorGroup::displacement(int dof, int column) const {
   if (hasAll()) return all_[column] + dof;
   const int row = operator_.traceRow(dof);
   if (row >= 0) return solution_[column] + row;
-  const int place = usesStencil() ? stencil_->rowOf(dof) : -1;
-  if (place >= 0) return stencilSolution()[column] + place;
-  const int held = columnsOfBody_ > stepsAtOnce ? operator_.heldRow(dof) : -1;
+  const int held = keepsHeld() ? operator_.heldRow(dof) : -1;
   if (held < 0) return whole(column) + dof;
   reactions();
   return atHeldDofs_[column] + held;
-}
-
-const base::Matrix& OperatorGroup::stencilSolution() const {
-  if (hasStencil_) return onStencil_;
-  stencil_->prepare(solver_, [this](base::Matrix& columns) { operator_.project(columns); });
-  stencil_->move(forces_, onStencil_);
-  std::vector<double> whole(static_cast<std::size_t>(dofs()));
-  for (int j = 0; j < onStencil_.numCols(); ++j) {
-    std::fill(whole.begin(), whole.end(), 0.0);
-    loads_.addMotion(j, whole.data());
-    for (std::size_t i = 0; i < stencil_->dofs().size(); ++i) onStencil_[j][i] += whole[stencil_->dofs()[i]];
-  }
-  hasStencil_ = true;
-  return onStencil_;
 }
 
 void OperatorGroup::solveLinearly(base::Matrix& forces, base::Matrix& solution) const {
@@ -269,31 +253,32 @@ void OperatorGroup::react(int column, const double* u) const {
   for (std::size_t i = 0; i < held.size(); ++i) {
     const int row = rowOf(held[i]);
     if (row >= 0) reaction[i] -= forces_[column][row];
+    if (atHeldDofs_.numCols() > 0) atHeldDofs_[column][i] = u[held[i]];
   }
+}
+
+void OperatorGroup::reactByStencil() const {
+  stencil_->prepare(solver_);
+  std::vector<double> ofLoads(static_cast<std::size_t>(dofs()));
+  for (int j = 0; j < forces_.numCols(); ++j) {
+    std::fill(ofLoads.begin(), ofLoads.end(), 0.0);
+    loads_.addMotion(j, ofLoads.data());
+    react(j, ofLoads.data());
+  }
+  stencil_->add(forces_, reactions_, atHeldDofs_);
+  isByStencil_ = true;
 }
 
 const base::Matrix& OperatorGroup::reactions() const {
   if (hasReactions_) return reactions_;
-  const std::vector<int>& held = operator_.heldDofs();
-  const int columns = forces_.numCols(), count = static_cast<int>(held.size());
-  reactions_.shape(count, columns);
+  const auto count = static_cast<int>(operator_.heldDofs().size());
+  reactions_.shape(count, forces_.numCols());
+  if (keepsHeld()) atHeldDofs_.shape(count, forces_.numCols());
   if (usesStencil()) {
-    const base::Matrix& u = stencilSolution();
-    std::vector<double> spread(static_cast<std::size_t>(dofs()), 0.0);
-    for (int j = 0; j < columns; ++j) {
-      for (int i = 0; i < u.numRows(); ++i) spread[stencil_->dofs()[i]] = u[j][i];
-      react(j, spread.data());
-    }
-    hasReactions_ = true;
-    return reactions_;
-  }
-  const bool isKept = !keepsAll() && columnsOfBody_ > stepsAtOnce;
-  if (isKept) atHeldDofs_.shape(count, columns);
-  for (const Window& window : windows()) {
-    for (const int j : columnsOf(window)) {
-      const double* u = whole(j);
-      react(j, u);
-      for (int i = 0; isKept && i < count; ++i) atHeldDofs_[j][i] = u[held[i]];
+    reactByStencil();
+  } else {
+    for (const Window& window : windows()) {
+      for (const int j : columnsOf(window)) react(j, whole(j));
     }
   }
   hasReactions_ = true;

@@ -1,13 +1,16 @@
 #include <harmos/parametric/ParametricStudy.hpp>
 
+#include <cmath>
+
 #include <harmos/results/StatusName.hpp>
 
 namespace harmos::parametric {
 namespace {
 
-constexpr int fewConfigurations = 10;
-// Inverting the traces costs about what so many configurations save.
-constexpr std::size_t manyConfigurations = 50;
+constexpr std::size_t fewConfigurations = 10;
+// Linear stages of a configuration among others at 1 %, and how they grow with a finer accuracy; and how often all
+// displacements of its load steps are asked for.
+constexpr double stagesAmongOthers = 4.0, usualAccuracy = 1e-2, powerOfAccuracy = 0.3, looks = 3.0;
 // Not tried below; single precision errs as far as changes go, and the stage of all load steps is in double.
 constexpr double roughAccuracy = 1e-5;
 
@@ -32,14 +35,21 @@ void ParametricStudy::resume(const std::vector<EarlierResult>& earlier) {
 void ParametricStudy::run(const std::vector<design::Configuration>& open, results::ResultSink& sink) {
   for (const design::Configuration& configuration : open) solver_.widen(configuration.values);
   const latin::LatinOptions& options = solver_.options();
-  const int all = static_cast<int>(open.size()) + solvedEarlier_ + solver_.states().count();
+  const std::size_t all = open.size() + static_cast<std::size_t>(solvedEarlier_ + solver_.states().count());
   const bool isCertified = all < fewConfigurations || options.stages.formulation == latin::Formulation::velocity ||
                            options.algorithm != latin::Algorithm::accelerated;
   certified_.run(isCertified ? open : calibrated_.run(open, sink), sink);
 }
 
-latin::LatinOptions optionsForStudy(latin::LatinOptions options, std::size_t configurations) {
-  options.stages.solver.invertTrace = configurations >= manyConfigurations && options.accuracy >= roughAccuracy;
+latin::LatinOptions optionsForStudy(latin::LatinOptions options, std::size_t configurations, int steps) {
+  using Inversion = substructure::SolverOptions::Inversion;
+  substructure::SolverOptions& solver = options.stages.solver;
+  const bool marches = configurations >= fewConfigurations && options.accuracy >= roughAccuracy;
+  solver.invertTrace = solver.inversion == Inversion::always || (solver.inversion == Inversion::automatic && marches);
+  const double columns = static_cast<double>(configurations) * steps;
+  solver.wholeSolves = looks * columns;
+  if (solver.inversion != Inversion::automatic) return options;
+  solver.traceSolves = columns * stagesAmongOthers * std::pow(usualAccuracy / options.accuracy, powerOfAccuracy);
   return options;
 }
 

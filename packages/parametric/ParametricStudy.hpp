@@ -46,7 +46,8 @@ class ParametricStudy {
   CertifiedSchedule certified_;
 };
 
-/// `options` for a study of so many configurations: many of them pay for operators that solve single load steps faster.
-latin::LatinOptions optionsForStudy(latin::LatinOptions options, std::size_t configurations);
+/// `options` for a study of so many configurations with so many load steps: how many solves are expected, which decide
+/// whether operators that solve single load steps faster pay.
+latin::LatinOptions optionsForStudy(latin::LatinOptions options, std::size_t configurations, int steps);
 
 }  // namespace harmos::parametric

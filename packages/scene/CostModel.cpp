@@ -203,7 +203,10 @@ double CostEstimate::accelerationSeconds(double iterations, double memory) const
 void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
   const substructure::SolverOptions& options = solver.stages.solver;
   const double square = body.trace * body.trace / body.factor.blocks, entries = body.factor.nonzeros;
-  const bool isDense = body.factor.isTraceLast || (body.trace > 0.0 && square <= options.denseTraceWorth() * entries);
+  const double rows = body.trace / body.factor.blocks, entriesOfBlock = entries / body.factor.blocks;
+  const bool isDense = body.factor.isTraceLast || options.keepsDense(rows, entriesOfBlock);
+  const bool isInverted =
+      body.factor.isTraceLast ? body.factor.isTraceInverted : isDense && options.inverts(rows, entriesOfBlock);
   if (body.isLoaded) {
     // Displacements that loads make by themselves are kept where columns are solved on the trace alone.
     sum_[loadFields] += (isDense ? 2.0 : 1.0) * body.unknowns;
@@ -227,11 +230,11 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
     // A trace that is kept dense is eliminated last.
     const bool isCounted = !isDense || body.factor.isTraceLast;
     sum_[operations] += body.factor.operations + (isCounted ? 0.0 : square * body.trace / body.factor.blocks / 3.0);
-    if (options.invertTrace && isDense) sum_[invertedEntries] += square / 2.0;  // of a triangle
+    if (isInverted) sum_[invertedEntries] += square / 2.0;  // of a triangle
     if (body.trace > 0.0) sum_[macroReads] += 2.0 * body.interfaces * entries;
   }
   // Each entry of a sparse factor is read twice, the triangle of a trace too; that of its inverse once.
-  sum_[readEntries] += !isDense ? 2.0 * entries : options.invertTrace ? square / 2.0 : square;
+  sum_[readEntries] += !isDense ? 2.0 * entries : isInverted ? square / 2.0 : square;
 }
 
 void CostSums::reduce(const Teuchos::Comm<int>& comm) {

@@ -27,9 +27,9 @@ substructure::FactorSize sizeOf(const assembly::Assembly& assembly, std::size_t 
                                 const substructure::SolverOptions& solver) {
   const substructure::Substructure& body = assembly.bodies[number];
   if (sizes == FactorSizes::fromOrder) {
-    return substructure::predictFactor(
-        *body.stiffness, boundaryOf(assembly.interfaces, number, assembly.dimension, body.nodes.size()),
-        traceOf(assembly.interfaces, number, assembly.dimension), body.nodes, solver.denseTraceWorth());
+    return substructure::predictFactor(*body.stiffness,
+                                       boundaryOf(assembly.interfaces, number, assembly.dimension, body.nodes.size()),
+                                       traceOf(assembly.interfaces, number, assembly.dimension), body.nodes, solver);
   }
   return factorOf(static_cast<double>(body.nodes.size()) * body.dimension, body.dimension);
 }

@@ -44,7 +44,8 @@ double distanceOf(const Study& study) {
 }  // namespace
 
 latin::LatinOptions solverOptions(const Study& study) {
-  return parametric::optionsForStudy(study.scene.solver, study.configurations.size());
+  return parametric::optionsForStudy(study.scene.solver, study.configurations.size(),
+                                     static_cast<int>(study.scene.times.size()));
 }
 
 StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, const ChaosCost* chaos) {
@@ -78,7 +79,7 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
                        : cost.isAffine                   ? affine
                                                          : calibrations / result.solves + std::min(near, alone);
   result.stages = share * cost.stages;
-  // Marches from neighbours solve in double precision, which reads twice as much; in single only by inverted traces.
+  // Marches from neighbours solve in double precision, which reads twice as much, where the accuracy asks for it.
   const bool readsDouble = result.solves >= fewConfigurations && !solverOptions(study).stages.solver.invertTrace;
   const double stageSeconds = cost.stageSeconds + (readsDouble ? cost.readSeconds : 0.0);
   const double certified =

@@ -169,7 +169,7 @@ void StudyGroup::walk(const design::Configuration& from, const design::Configura
 std::unique_ptr<parametric::ParametricStudy> StudyGroup::makeEngine(std::size_t configurations) {
   auto engine = std::make_unique<parametric::ParametricStudy>(
       problem_.assembly, [this](const std::vector<double>& values) { install(values); }, problem_.responses,
-      parametric::optionsForStudy(scene_.solver, configurations), comm_, timers_);
+      parametric::optionsForStudy(scene_.solver, configurations, problem_.assembly.steps()), comm_, timers_);
   if (interrupted_) engine->setInterrupt(interrupted_);
   if (sample_ && scene_.wantsMeshErrors && scene_.solver.stages.formulation == latin::Formulation::displacement) {
     engine->setObserver([this](const design::Configuration& configuration, latin::FixedPoint& fixedPoint,

@@ -23,7 +23,7 @@ DirectFactor::DirectFactor(const Teuchos::RCP<const base::CrsMatrix>& matrix, co
     : matrix_(matrix), solver_(makeSolver(options, matrix, trace)) {
   solver_->numericFactorization();
   trace_ = traceFactor(*solver_);
-  if (trace_ && options.invertTrace) {
+  if (trace_ && trace_->isToBeInverted) {
     inverse_ = std::make_unique<TraceInverse>(*trace_);
     trace_.reset();
   }

@@ -13,11 +13,12 @@ struct Ordering {
 
 /// What the Cholesky factor of a sparse matrix takes.
 struct FactorSize {
-  double nonzeros = 0.0;     ///< entries of L, of the lower triangle with the diagonal
-  double operations = 0.0;   ///< floating point operations of the numeric factorisation
-  double bytes = 0.0;        ///< [byte] memory of L in double precision, without the padding of supernodes
-  int blocks = 1;            ///< that the matrix falls into, each with a factor; the others are sums over them
-  bool isTraceLast = false;  ///< whether the rows of a trace come after all others, to be kept dense
+  double nonzeros = 0.0;         ///< entries of L, of the lower triangle with the diagonal
+  double operations = 0.0;       ///< floating point operations of the numeric factorisation
+  double bytes = 0.0;            ///< [byte] memory of L in double precision, without the padding of supernodes
+  int blocks = 1;                ///< that the matrix falls into, each with a factor; the others are sums over them
+  bool isTraceLast = false;      ///< whether the rows of a trace come after all others, to be kept dense
+  bool isTraceInverted = false;  ///< and its dense factor is inverted
 };
 
 /// Orders a symmetric matrix by METIS nested dissection and predicts its factor, from the structure alone.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include <Amesos2.hpp>
 
@@ -27,6 +28,10 @@ constexpr const char* defaultSolver = "tacho";
 // entry of a factor twice, in double precision; the inverse half of its entries once in single precision.
 constexpr double entriesOfTraceFactor = 2.0;
 constexpr double entriesOfTraceInverse = 8.0;
+// Of the cube of its rows: operations that factoring and inverting a dense trace take; and how many of them take as
+// long as reading an entry of a factor.
+constexpr double operationsOfInverse = 1.0;
+constexpr double operationsOfRead = 5.0;
 
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -40,11 +45,24 @@ SolverOptions::SolverOptions() : name(defaultSolver) {}
 SolverOptions::SolverOptions(const input::Parameters& given)
     : name(given.text("Name")),
       sharedFrom(given.integer("Shared From")),
-      allowsSingle(given.text("Precision") == "Automatic") {}
+      allowsSingle(given.text("Precision") == "Automatic") {
+  const std::string& inverse = given.text("Trace Inverse");
+  inversion = inverse == "Yes" ? Inversion::always : inverse == "No" ? Inversion::never : Inversion::automatic;
+}
 
-double SolverOptions::denseTraceWorth() const {
-  if (lowerCase(name) != "cholmod") return 0.0;
-  return invertTrace ? entriesOfTraceInverse : entriesOfTraceFactor;
+bool SolverOptions::keepsDense(double rows, double entries) const {
+  if (lowerCase(name) != "cholmod" || rows == 0.0) return false;
+  return rows * rows < entriesOfTraceFactor * entries || inverts(rows, entries);
+}
+
+bool SolverOptions::inverts(double rows, double entries) const {
+  const double square = rows * rows;
+  if (!invertTrace || lowerCase(name) != "cholmod" || !(square < entriesOfTraceInverse * entries)) return false;
+  if (std::isinf(traceSolves)) return true;
+  // Otherwise, either is read twice by each column: the dense factor, or the sparse one. All of a body takes a read of
+  // the sparse one in any case.
+  const double saved = std::min(square, 2.0 * entries) - entriesOfTraceFactor / entriesOfTraceInverse * square;
+  return traceSolves * saved > operationsOfInverse / operationsOfRead * square * rows;
 }
 
 bool SolverOptions::hasSupernodes() const {
@@ -67,6 +85,14 @@ void SolverOptions::describe(input::ParameterSpec& spec) {
           "Of what only leads to a solution. Automatic: in single precision as long as its error, measured for every "
           "part, is far below what is left to be found; that takes half as much memory again as the factors. What is "
           "delivered, and what is said of its error, is always computed in double precision.");
+  spec.text("Trace Inverse")
+      .defaultValue("Automatic")
+      .oneOf({"Automatic", "Yes", "No"})
+      .doc(
+          "In studies, of every part: the dense inverse of its operator on what interfaces touch, its trace, which "
+          "solves single load steps fastest, but takes time and memory to be made. Automatic: where the number of "
+          "configurations and load steps, and the accuracy, make it worth that. Yes: wherever it is not much larger "
+          "than the sparse factor. cholmod only.");
   spec.integer("Shared From")
       .defaultValue(SolverOptions().sharedFrom)
       .atLeast(1)
@@ -106,8 +132,7 @@ Teuchos::RCP<DirectSolver> makeSolver(const SolverOptions& options, const Teucho
   Teuchos::RCP<DirectSolver> solver;
 #ifdef HARMOS_CHOLMOD
   if (name == "cholmod") {
-    solver = Teuchos::rcp(
-        new Cholmod<base::CrsMatrix, base::MultiVector>(matrix, none, none, trace, options.denseTraceWorth()));
+    solver = Teuchos::rcp(new Cholmod<base::CrsMatrix, base::MultiVector>(matrix, none, none, trace, options));
   }
 #endif
   if (name == "tacho") {

@@ -167,7 +167,7 @@ int measure(std::vector<std::string> arguments) {
   const auto comm = Tpetra::getDefaultComm();
   parametric::ParametricStudy engine(
       joint.problem.assembly, [&](const auto& values) { joint.install(values); }, joint.problem.responses,
-      parametric::optionsForStudy(joint.options, open.size()), comm, timers);
+      parametric::optionsForStudy(joint.options, open.size(), joint.problem.assembly.steps()), comm, timers);
   engine.setObserver([&](const design::Configuration& configuration, latin::FixedPoint&, const latin::Iterate& state) {
     const auto found = checked.find(configuration.id);
     if (found != checked.end()) found->second = state.hattedTraction();
@@ -203,8 +203,9 @@ int measure(std::vector<std::string> arguments) {
   double certifiedSeconds = 0.0, sameStopSeconds = 0.0;
   {
     base::Timers unused;
-    latin::LatinSolver solver(joint.problem.assembly, parametric::optionsForStudy(joint.options, open.size()), comm,
-                              unused);
+    latin::LatinSolver solver(joint.problem.assembly,
+                              parametric::optionsForStudy(joint.options, open.size(), joint.problem.assembly.steps()),
+                              comm, unused);
     for (const auto& response : joint.problem.responses) solver.addResponse(response);
     parametric::StepSolver steps(solver.fixedPoint(), substructure::Precision::exact);
     parametric::ConfigurationIteration iteration(solver.fixedPoint(), steps, joint.problem.responses,

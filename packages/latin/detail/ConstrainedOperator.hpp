@@ -36,6 +36,8 @@ class ConstrainedOperator {
   void projectTrace(base::Matrix& vectors) const;
   /// These rows, ascending and whole nodes, of A u.
   void multiply(const double* u, const std::vector<int>& rows, double* result) const;
+  /// Adds the columns of A that belong to these dofs, ascending, to those of `to`, all rows.
+  void addColumns(const std::vector<int>& dofs, base::Matrix& to) const;
   /// Euclidean norm of the diagonal of K + k h [force/length].
   double stiffnessNorm() const;
   /// Adds to forces[j] what round-off leaves in A u[j]: sum over j of +-e (a_ii a_jj)^1/2 u_j over the entries of K, e

@@ -1,42 +1,36 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
-#include <harmos/substructure/BoundaryTerm.hpp>
-#include <harmos/substructure/CrsMatrix.hpp>
+#include <harmos/latin/detail/ConstrainedOperator.hpp>
 #include <harmos/substructure/SubstructureSolver.hpp>
 
 namespace harmos::latin {
 
-/// The degrees of freedom that reactions of held nodes need, those of the nodes and of all that A couples with them,
-/// and how forces on the trace move them.
+/// What forces on the trace do at held nodes, in the symbols of OperatorGroup: with N the restriction to them and B
+/// that to the trace, N A S^-1 P B^T and N S^-1 P B^T.
 ///
-/// With N the restriction to them and B that to the trace, N S^-1 P B^T is a small dense matrix: once it is known, held
-/// nodes need no solve of the whole body. It takes as many solves as N has rows.
+/// These are small dense matrices: once they are known, held nodes need no solve of the whole body. They take a solve
+/// for every direction that is held, for its reaction, and for every other one of these nodes, for its motion.
 class HeldStencil {
  public:
-  /// Finds the degrees of freedom. `stiffness`: K, whose graph counts; `trace`: ascending.
-  HeldStencil(const substructure::CrsView& stiffness, const substructure::BoundaryTerm& term,
-              const std::vector<int>& trace);
+  /// `constrained` must outlive it.
+  explicit HeldStencil(const ConstrainedOperator& constrained);
 
-  /// Ascending; empty when no node is held.
-  const std::vector<int>& dofs() const { return dofs_; }
-  /// Where a degree of freedom stands in them, or -1.
-  int rowOf(int dof) const;
-  /// Whether the matrix takes no more entries than two inverses of the trace.
-  bool isWorthwhile() const { return dofs_.size() <= 2 * trace_.size(); }
+  /// Solves that prepare() takes.
+  int solves() const { return static_cast<int>(reacting_.size() + moving_.size()); }
 
-  /// Computes the matrix, once. `project`: applies P to all rows of columns.
-  void prepare(const substructure::SubstructureSolver& solver, const std::function<void(base::Matrix&)>& project);
-  /// u = N S^-1 P B^T f [length] for forces f [force], rows of the trace x any columns. Only after prepare().
-  void move(const base::Matrix& forces, base::Matrix& u) const;
+  /// Computes the matrices, once.
+  void prepare(const substructure::SubstructureSolver& solver);
+  /// Adds what forces f [force], rows of the trace x any columns, make of A u [force] and u [length] at held dofs;
+  /// rows heldDofs(). A u is left out in directions in which nothing is held. Only after prepare().
+  void add(const base::Matrix& forces, base::Matrix& reactions, base::Matrix& motions) const;
 
  private:
-  std::vector<int> trace_;
-  std::vector<int> dofs_;
-  base::Matrix motions_;  // its transpose [length/force], rows of the trace x dofs
+  const ConstrainedOperator& operator_;
+  std::vector<int> reacting_, moving_;  // places in heldDofs()
+  base::Matrix reactions_, motions_;    // transposed, rows of the trace x those: [-] and [length/force]
 };
 
 }  // namespace harmos::latin

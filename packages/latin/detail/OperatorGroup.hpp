@@ -102,7 +102,9 @@ class OperatorGroup {
   /// Whether they are.
   bool hasAll() const { return keepsAll() && !isTraceOnly_; }
   /// Whether what held nodes need is found without a solve of the whole: not once that was made, but then to the end.
-  bool usesStencil() const { return stencil_ && (hasStencil_ || window_.count == 0); }
+  bool usesStencil() const { return stencil_ && (isByStencil_ || window_.count == 0); }
+  /// Whether displacements of held nodes are kept with their reactions.
+  bool keepsHeld() const { return usesStencil() || (!keepsAll() && columnsOfBody_ > stepsAtOnce); }
   std::vector<Window> windows() const;
   /// The columns of a window, those of a body together.
   std::vector<int> columnsOf(const Window& window) const;
@@ -122,12 +124,12 @@ class OperatorGroup {
   /// What iterations have left of all columns.
   base::Matrix residual() const;
   const base::Matrix& reactions() const;
-  /// The reactions of a column from all of its u, or those of the stencil.
+  /// The reactions of a column, and displacements where they are kept, from all of u.
   void react(int column, const double* u) const;
   /// Lets go of what of a solve is computed when asked for.
   void forgetDerived();
-  /// Displacements [length] of the stencil, one column for each of forces().
-  const base::Matrix& stencilSolution() const;
+  /// Reactions and displacements of all columns without a solve of the whole.
+  void reactByStencil() const;
 
   ConstrainedOperator operator_;
   substructure::SubstructureSolver solver_;
@@ -138,15 +140,14 @@ class OperatorGroup {
   std::vector<double> unitLargest_;                   // largest component of it, where all dofs are at hand
   base::Matrix forces_;
   base::Matrix solution_;
-  base::Matrix all_;                 // where keepsAll(), else 0 x 0: all dofs of the last solves, if hasAll()
-  bool isTraceOnly_ = false;         // the last solve found traces only, though no trace is kept dense
-  std::vector<double> largest_;      // elsewhere without a trace: no component of a column is larger
-  mutable base::Matrix whole_;       // all dofs of a window, computed when asked for
-  mutable Window window_;            // no columns: none
-  mutable base::Matrix onStencil_;   // computed when asked for
-  mutable base::Matrix reactions_;   // computed when asked for
-  mutable base::Matrix atHeldDofs_;  // u with them, where there are several windows
-  mutable bool hasStencil_ = false;
+  base::Matrix all_;                  // where keepsAll(), else 0 x 0: all dofs of the last solves, if hasAll()
+  bool isTraceOnly_ = false;          // the last solve found traces only, though no trace is kept dense
+  std::vector<double> largest_;       // elsewhere without a trace: no component of a column is larger
+  mutable base::Matrix whole_;        // all dofs of a window, computed when asked for
+  mutable Window window_;             // no columns: none
+  mutable base::Matrix reactions_;    // computed when asked for
+  mutable base::Matrix atHeldDofs_;   // u with them, if keepsHeld()
+  mutable bool isByStencil_ = false;  // the last of these were
   mutable bool hasReactions_ = false;
 };
 

@@ -12,6 +12,7 @@
 #include <cholmod.h>
 
 #include <harmos/substructure/SingleFactor.hpp>
+#include <harmos/substructure/SolverOptions.hpp>
 #include <harmos/substructure/TraceFactor.hpp>
 #include <harmos/substructure/detail/SolverAdapter.hpp>
 #include <harmos/substructure/detail/TooLarge.hpp>
@@ -37,11 +38,10 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
  public:
   static constexpr const char* name = "Cholmod";
 
-  /// `trace`: rows, ascending; empty: all. `entries`: of the square of the trace that are worth as much as one of the
-  /// sparse factor.
+  /// `trace`: rows, ascending; empty: all. `options`: say whether it is worth its dense factor.
   Cholmod(Teuchos::RCP<const Matrix> a, Teuchos::RCP<Vector> x, Teuchos::RCP<const Vector> b, std::vector<int> trace,
-          double entries)
-      : Core(a, x, b), trace_(std::move(trace)), entries_(entries) {
+          SolverOptions options)
+      : Core(a, x, b), trace_(std::move(trace)), options_(std::move(options)) {
     cholmod_start(&common_);
     common_.print = 0;
     common_.supernodal = CHOLMOD_SUPERNODAL;
@@ -78,6 +78,7 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
     std::vector<int> inTrace(factor_->n, -1), number(factor_->n, -1);
     for (std::size_t i = 0; i < trace_.size(); ++i) inTrace[trace_[i]] = static_cast<int>(i);
     auto result = std::make_unique<TraceFactor>();
+    result->isToBeInverted = isToBeInverted_;
     for (std::size_t k = 0; k < factor_->n; ++k) {
       const int at = inTrace[permutation[k]];
       if (at < 0) continue;
@@ -125,8 +126,10 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
   int symbolicFactorization_impl() {
     const Rows rows(*this->matrixA_);
     NestedDissection dissection(rows.rows(), rows.pointers.data(), rows.columns.data());
-    const double traceSize = static_cast<double>(trace_.size());
-    traceIsLast_ = !trace_.empty() && traceSize * traceSize < entries_ * dissection.factorSize().nonzeros;
+    const double entries = dissection.factorSize().nonzeros;
+    const auto size = static_cast<double>(trace_.size());
+    traceIsLast_ = options_.keepsDense(size, entries);
+    isToBeInverted_ = options_.inverts(size, entries);
     if (traceIsLast_) {
       dissection = NestedDissection(rows.rows(), rows.pointers.data(), rows.columns.data(), trace_);
     }
@@ -208,8 +211,9 @@ class Cholmod : public Amesos2::SolverCore<Cholmod, Matrix, Vector> {
   }
 
   std::vector<int> trace_;
-  double entries_;
+  SolverOptions options_;
   bool traceIsLast_ = false;
+  bool isToBeInverted_ = false;
   mutable cholmod_common common_{};
   mutable cholmod_factor* factor_ = nullptr;
   mutable cholmod_dense* work_ = nullptr;       // kept between solves
