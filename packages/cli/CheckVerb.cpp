@@ -93,6 +93,7 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateB
   if (cost.iteratedBytes > 0.0) printBytes(out, "parts solved iteratively", cost.iteratedBytes);
   printBytes(out, "fields of the iteration", cost.fieldBytes);
   if (cost.inverseBytes > 0.0) printBytes(out, "inverted traces", cost.inverseBytes);
+  if (cost.stencilBytes > 0.0) printBytes(out, "reactions of held nodes", cost.stencilBytes);
   if (stateBytes > 0.0) printBytes(out, "solved configurations", stateBytes);
   printBytes(out, "whole process at its peak", cost.processBytes);
   out << "CPU time, roughly (this machine takes " << std::setprecision(1) << slowness
@@ -121,6 +122,19 @@ void printStudy(std::ostream& out, const study::Study& study, const study::Study
        << (study.isChaos() ? " expansions, " : " configurations, ") << cost.stages << " stages";
   printSeconds(out, what.str(), slowness * cost.seconds);
   if (study.isAdaptive()) out << "    with which it begins; those that are added are not counted\n";
+}
+
+/// Why traces of a study are inverted or not.
+void printTraces(std::ostream& out, const scene::CostEstimate& cost, const substructure::SolverOptions& solver) {
+  using Inversion = substructure::SolverOptions::Inversion;
+  out << "  Trace Inverse: of " << cost.inverted << " of " << cost.factored << " operators, for ";
+  if (solver.inversion == Inversion::automatic) {
+    out << std::fixed << std::setprecision(0) << solver.traceSolves << " load steps that are solved on them";
+  } else {
+    out << (solver.inversion == Inversion::always ? "Yes" : "No") << " was asked for";
+  }
+  out << "; " << cost.dense << " traces are kept dense, reactions are found by "
+      << (cost.stencilBytes > 0.0 ? "a matrix" : "solves of whole parts") << "\n";
 }
 
 /// `study`: whose scene it is, or null.
@@ -154,7 +168,10 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
     }
     study::demandMemory(*study, choice, *environment.communicator);
   }
-  if (study && !study->isChaos() && isShown) printStudy(environment.out, *study, ofStudy, slowness);
+  if (study && !study->isChaos() && isShown) {
+    printStudy(environment.out, *study, ofStudy, slowness);
+    printTraces(environment.out, cost, options.stages.solver);
+  }
   if (!environment.isRoot()) return 0;
   environment.out << scene.path << " is valid.\n";
   return 0;

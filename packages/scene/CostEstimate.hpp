@@ -33,7 +33,10 @@ struct CostEstimate {
   double stages = 0.0;                 // linear stages of a run, as scenes with such laws and joints mostly take
   double correctionSeconds = 0.0;      // least squares over differences of the march and directions of the certificate
   double wholeSeconds = 0.0;           // the displacements of whole parts at all load steps, once
-  double resultSeconds = 0.0;          // error of the mesh, files
+  double lookSeconds = 0.0;            // the same of loaded and held parts, where stages solve for dense traces only
+  double stencilBytes = 0.0;           // of what reactions are taken from instead
+  int factored = 0, dense = 0, inverted = 0;  // operators; of these with a dense trace, and with its inverse
+  double resultSeconds = 0.0;                 // error of the mesh, files
 
   /// A whole run [s].
   double seconds() const { return startSeconds + factorSeconds + solveSeconds() + wholeSeconds + resultSeconds; }

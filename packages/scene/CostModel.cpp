@@ -10,6 +10,7 @@
 #include <harmos/assembly/SideTerm.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/CorrectionSpace.hpp>
+#include <harmos/latin/StencilWorth.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
 
 namespace harmos::scene {
@@ -207,6 +208,7 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
   const bool isDense = body.factor.isTraceLast || options.keepsDense(rows, entriesOfBlock);
   const bool isInverted =
       body.factor.isTraceLast ? body.factor.isTraceInverted : isDense && options.inverts(rows, entriesOfBlock);
+  const bool hasStencil = isDense && latin::isStencilWorthwhile(options, body.held, body.trace);
   if (body.isLoaded) {
     // Displacements that loads make by themselves are kept where columns are solved on the trace alone.
     sum_[loadFields] += (isDense ? 2.0 : 1.0) * body.unknowns;
@@ -230,9 +232,20 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
     // A trace that is kept dense is eliminated last.
     const bool isCounted = !isDense || body.factor.isTraceLast;
     sum_[operations] += body.factor.operations + (isCounted ? 0.0 : square * body.trace / body.factor.blocks / 3.0);
-    if (isInverted) sum_[invertedEntries] += square / 2.0;  // of a triangle
+    sum_[factored] += 1.0;
+    if (isDense) sum_[dense] += 1.0;
+    if (isInverted) {
+      sum_[inverted] += 1.0;
+      sum_[invertedEntries] += square / 2.0;  // of a triangle
+      sum_[inverseOperations] += 2.0 / 3.0 * square * rows;
+    }
+    if (hasStencil) {
+      sum_[stencilReads] += 2.0 * body.held * entries;
+      sum_[stencilEntries] += body.held * body.trace;
+    }
     if (body.trace > 0.0) sum_[macroReads] += 2.0 * body.interfaces * entries;
   }
+  if (isDense && (body.isLoaded || (body.held > 0.0 && !hasStencil))) sum_[lookReads] += 2.0 * entries;
   // Each entry of a sparse factor is read twice, the triangle of a trace too; that of its inverse once.
   sum_[readEntries] += !isDense ? 2.0 * entries : isInverted ? square / 2.0 : square;
 }
@@ -265,14 +278,18 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.singleBytes = mayBeSingle ? singleEntryBytes * iterated : 0.0;
   cost.iteratedBytes = iteratedEntryBytes * sum_[storedIterated];
   cost.inverseBytes = (entryBytes + singleEntryBytes) * sum_[invertedEntries];
+  cost.stencilBytes = entryBytes * sum_[stencilEntries];
+  cost.factored = static_cast<int>(sum_[factored]);
+  cost.dense = static_cast<int>(sum_[dense]);
+  cost.inverted = static_cast<int>(sum_[inverted]);
   cost.fieldBytes = entryBytes * storedStates(steps, stages, solver.memory) * scope.interfaceUnknowns;
-  cost.processBytes = programBytes * scope.ranks +
-                      matrixEntryBytes * (matrixCopies * sum_[matrixEntries] + sum_[iteratedMatrix]) +
-                      cost.factorBytes + cost.singleBytes + (paddedFactor - 1.0) * entryBytes * sum_[looseEntries] +
-                      cost.iteratedBytes + entryBytes * (macro.nonzeros + steps * sum_[loadFields]) +
-                      cost.inverseBytes + reactionCopies * entryBytes * motions * sum_[reactions] + cost.fieldBytes +
-                      entryBytes * scope.unknowns * (fieldsAtOnce * together + fieldsOfOthers * (steps - together)) +
-                      bytesPerUnknown * scope.unknowns;
+  cost.processBytes =
+      programBytes * scope.ranks + matrixEntryBytes * (matrixCopies * sum_[matrixEntries] + sum_[iteratedMatrix]) +
+      cost.factorBytes + cost.singleBytes + (paddedFactor - 1.0) * entryBytes * sum_[looseEntries] +
+      cost.iteratedBytes + entryBytes * (macro.nonzeros + steps * sum_[loadFields]) + cost.inverseBytes +
+      cost.stencilBytes + reactionCopies * entryBytes * motions * sum_[reactions] + cost.fieldBytes +
+      entryBytes * scope.unknowns * (fieldsAtOnce * together + fieldsOfOthers * (steps - together)) +
+      bytesPerUnknown * scope.unknowns;
 
   cost.startSeconds = programSeconds * scope.ranks + assemblySeconds * sum_[assembledEntries];
   const double rings = std::max(0.0, scope.sides / 2.0 - scope.bodies);
@@ -282,6 +299,9 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
       operationSeconds * macro.operations + ringSeconds * rings + steps * loadSeconds * sum_[loadedUnknowns] +
       factoredEntrySeconds * sum_[factoredEntries] + factoredUnknownSeconds * sum_[factoredUnknowns] +
       multigridSeconds * sum_[storedIterated] + iterationSeconds * iterationsOfColumn * motions * sum_[macroIterated];
+  cost.factorSeconds +=
+      operationSeconds * sum_[inverseOperations] + latin::shareOfSolveAmongMany * readEntrySeconds * sum_[stencilReads];
+  cost.lookSeconds = steps * slowness * readEntrySeconds * sum_[lookReads];
   cost.staticsSeconds =
       scope.statics.seconds(steps) + sharedNodeSeconds[scope.dimension - 2] * scope.joints.sharedNodes * steps;
   cost.readSeconds = steps * slowness * readEntrySeconds * sum_[readEntries];

@@ -95,6 +95,7 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
     size.factor = *known[master];
     size.trace = static_cast<double>(traceOf(assembly.interfaces, b, assembly.dimension).size());
     size.interfaces = interfaces[b];
+    size.held = static_cast<double>(heldOf(assembly.interfaces, b, assembly.dimension).size());
     size.isFactored = operators.add(b, body.nodes.size(), body.congruence.get(), body.iterates) == b;
     size.isLoaded = loaded[b];
     sums.add(size, solver);

@@ -84,8 +84,13 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
   const double stageSeconds = cost.stageSeconds + (readsDouble ? cost.readSeconds : 0.0);
   const double certified =
       result.solves < fewConfigurations ? result.solves : std::min(result.solves, calibrations / alone);
+  double looks = cost.steps > 0 ? solverOptions(study).stages.solver.wholeSolves / cost.steps : 0.0;
+  // What loads do by themselves takes another solve, where each configuration has its own.
+  if (std::any_of(study.parameters.begin(), study.parameters.end(),
+                  [](const StudyParameter& one) { return one.effect == Effect::Kind::loads; }))
+    looks += result.solves;
   result.seconds = once + (groups - 1.0) * cost.factorSeconds +
-                   certified * (cost.staticsSeconds + cost.correctionSeconds) +
+                   certified * (cost.staticsSeconds + cost.correctionSeconds) + looks * cost.lookSeconds +
                    result.solves * (configurationSeconds + result.stages * stageSeconds);
   return result;
 }

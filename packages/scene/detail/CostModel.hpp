@@ -19,6 +19,7 @@ namespace harmos::scene {
 struct BodySize {
   double unknowns = 0.0;            ///< displacements
   double trace = 0.0;               ///< of these, what interfaces touch
+  double held = 0.0;                ///< and what eliminated boundaries hold
   double interfaces = 0.0;          ///< how many touch it
   double matrixEntries = 0.0;       ///< of its stiffness
   bool isAssembled = true;          ///< false: the stiffness is that of another body
@@ -97,6 +98,13 @@ class CostSums {
     loadFields,
     loadReads,
     loadedUnknowns,
+    lookReads,
+    stencilReads,
+    stencilEntries,
+    inverseOperations,
+    factored,
+    dense,
+    inverted,
     sums
   };
   std::array<double, sums> sum_{};

@@ -79,6 +79,17 @@ TEST(StudyCost, ReadsTwiceAsMuchInDoublePrecision) {
   EXPECT_EQ(difference(20, 1e-3), 0.0);
 }
 
+// Stages that solve for traces leave the rest of a part to be found where something is asked of it.
+TEST(StudyCost, CountsLooksAtWholeParts) {
+  Study study;
+  for (int i = 0; i < 20; ++i) study.configurations.push_back({i + 1, {}});
+  scene::CostEstimate looking = sample();
+  study.scene.times.assign(static_cast<std::size_t>(looking.steps), 1.0);
+  const double without = estimateStudy(study, looking, nullptr).seconds;
+  looking.lookSeconds = 1.0;
+  EXPECT_GE(estimateStudy(study, looking, nullptr).seconds, without + 20.0);
+}
+
 // Every configuration of a few is certified; of many those that calibrate.
 TEST(StudyCost, CountsStaticsAndLeastSquaresWhereItCertifies) {
   const auto difference = [](int configurations) {
