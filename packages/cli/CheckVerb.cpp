@@ -95,6 +95,7 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateB
   if (cost.inverseBytes > 0.0) printBytes(out, "inverted traces", cost.inverseBytes);
   if (cost.stencilBytes > 0.0) printBytes(out, "reactions of held nodes", cost.stencilBytes);
   if (stateBytes > 0.0) printBytes(out, "solved configurations", stateBytes);
+  if (cost.derivativeBytes > 0.0) printBytes(out, "derivatives", cost.derivativeBytes);
   printBytes(out, "whole process at its peak", cost.processBytes);
   out << "CPU time, roughly (this machine takes " << std::setprecision(1) << slowness
       << " times as long as the one of the rates):\n";
@@ -105,6 +106,7 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateB
   if (cost.correctionSeconds > 0.0)
     printSeconds(out, "least squares of its vectors", slowness * cost.correctionSeconds);
   printSeconds(out, "error of the mesh, files", slowness * cost.resultSeconds);
+  if (cost.derivativeSeconds > 0.0) printSeconds(out, "derivatives", slowness * cost.derivativeSeconds);
   std::ostringstream stages;
   stages << std::fixed << std::setprecision(0) << "run of " << cost.stages << " linear stages";
   printSeconds(out, stages.str(), slowness * cost.seconds());
@@ -149,6 +151,7 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
   if (study && study->isChaos()) options.stages.solver.allowsSingle = false;  // nothing marches
   scene::CostEstimate cost =
       scene::estimateCost(problem, options, scene::FactorSizes::fromOrder, *environment.communicator);
+  if (!study) cost.addDerivatives(static_cast<int>(scene.output.derivatives.size()));
   study::StudyCost ofStudy;
   if (study && !study->isChaos()) ofStudy = study::estimateStudy(*study, cost, nullptr);
   cost.processBytes += ofStudy.bytes;

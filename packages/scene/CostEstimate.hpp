@@ -37,9 +37,14 @@ struct CostEstimate {
   double stencilBytes = 0.0;           // of what reactions are taken from instead
   int factored = 0, dense = 0, inverted = 0;  // operators; of these with a dense trace, and with its inverse
   double resultSeconds = 0.0;                 // error of the mesh, files
+  double derivativeBytes = 0.0, derivativeSeconds = 0.0;  // see addDerivatives()
 
   /// A whole run [s].
-  double seconds() const { return startSeconds + factorSeconds + solveSeconds() + wholeSeconds + resultSeconds; }
+  double seconds() const {
+    return startSeconds + factorSeconds + solveSeconds() + wholeSeconds + resultSeconds + derivativeSeconds;
+  }
+  /// Counts derivatives of the responses by so many parameters, once.
+  void addDerivatives(int parameters);
   /// Least squares [s] of so many iterations over the differences of the last ones, at most `memory`.
   double accelerationSeconds(double iterations, double memory) const;
   /// The solution alone [s], once all is factored.

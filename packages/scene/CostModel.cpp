@@ -25,11 +25,10 @@ constexpr double unevenColumns = 1.5;
 constexpr double fields = 5.0;
 // Of a process: the program with its libraries; matrices with what they are assembled and ordered from; factors that
 // columns go through, in double and in single precision; factors of bodies that nothing iterates on, with the padding
-// of their supernodes; what the macro problem multiplies tractions with, with the pairs and the programme of statics,
-// which grow alike; of the differences of a march what is still there when a certificate has all its directions;
-// displacement fields of the load steps that are looked at together, and of the others; and what mesh, output and
-// estimates keep for an unknown.
-constexpr double programBytes = 60e6, matrixCopies = 4.4, paddedFactor = 1.3, reactionCopies = 12.0,
+// of their supernodes; what the macro problem multiplies tractions with; of the differences of a march what is still
+// there when a certificate has all its directions; displacement fields of the load steps that are looked at together,
+// and of the others; and what mesh, output and estimates keep for an unknown.
+constexpr double programBytes = 60e6, matrixCopies = 4.4, paddedFactor = 1.3, reactionCopies = 5.5,
                  differencesLeft = 0.5, fieldsAtOnce = 1.4, fieldsOfOthers = 0.4, bytesPerUnknown = 90.0;
 // Seconds: of the program's start; of reading and assembling, per entry of the matrices of all bodies; of factors per
 // operation, per entry, per entry that columns of the macro problem read, per entry of the matrices and, for the order,
@@ -49,6 +48,12 @@ constexpr double programSeconds = 0.08, assemblySeconds = 5e-8, operationSeconds
 // column; seconds per entry of the preconditioner and of an iteration; entries of a row of small elements.
 constexpr double iteratedEntryBytes = 35.0, iterationsOfColumn = 15.0, multigridSeconds = 1.6e-7,
                  iterationSeconds = 6e-9, entriesOfRow[] = {18.0, 75.0};
+// Of derivatives: directions that the first parameter adds at a load step, how they grow with the parameters, which
+// share them, and how many there are at most; states that are kept for each of them, and for each parameter and load
+// step; what solving for one takes, in double precision and beside nothing that shares the reading, over its share of a
+// linear stage; and seconds of what makes them orthogonal, per component of an interface side and pair of directions.
+constexpr double directionsOfDerivative = 25.0, growthWithParameters = 0.6, mostDirections = 300.0,
+                 statesOfDirection = 3.3, statesOfDerivative = 2.0, stagesOfDirection = 5.3, directionSeconds = 9e-9;
 // Columns of the macro problem for an interface of a body, in the plane and in space: its motions as a rigid body.
 constexpr double motionsOfInterface[] = {3.0, 6.0};
 // Linear stages at an accuracy of 1e-3, how many more a decade takes, and how those of the march fall where there are
@@ -195,6 +200,14 @@ std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfa
     for (int side = 0; side < interface.sides(); ++side) counts[interface.body(side)] += 1.0;
   }
   return counts;
+}
+
+void CostEstimate::addDerivatives(int parameters) {
+  const double directions = directionsOfDerivative * steps * std::pow(parameters, growthWithParameters);
+  const double kept = std::min(directions, mostDirections), rows = static_cast<double>(interfaceUnknowns);
+  derivativeBytes = entryBytes * rows * (statesOfDirection * kept + statesOfDerivative * parameters * steps);
+  processBytes += derivativeBytes;
+  derivativeSeconds = directions * (stagesOfDirection * stageSeconds / steps + 0.5 * directionSeconds * rows * kept);
 }
 
 double CostEstimate::accelerationSeconds(double iterations, double memory) const {

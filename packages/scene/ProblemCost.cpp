@@ -150,13 +150,19 @@ void demandCapacity(const CostEstimate& cost, double freeBytes) {
   throw base::Error(message.str(), base::ExitCode::input);
 }
 
-void demandCapacity(const Problem& problem, const latin::LatinOptions& solver, const Teuchos::Comm<int>& comm) {
+void demandCapacity(const Problem& problem, const latin::LatinOptions& solver, int derivatives,
+                    const Teuchos::Comm<int>& comm) {
   const double freeBytes = memoryOfAllRanks(comm);
-  const CostEstimate rough = estimateCost(problem, solver, FactorSizes::fromUnknowns, comm);
+  const auto costBy = [&](FactorSizes sizes) {
+    CostEstimate cost = estimateCost(problem, solver, sizes, comm);
+    cost.addDerivatives(derivatives);
+    return cost;
+  };
+  const CostEstimate rough = costBy(FactorSizes::fromUnknowns);
   if (rough.largestFactor <= mostEntriesOfFactor / uncertaintyOfCost &&
       rough.processBytes <= freeBytes / uncertaintyOfCost)
     return;
-  demandCapacity(estimateCost(problem, solver, FactorSizes::fromOrder, comm), freeBytes);
+  demandCapacity(costBy(FactorSizes::fromOrder), freeBytes);
 }
 
 }  // namespace harmos::scene

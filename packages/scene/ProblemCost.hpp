@@ -31,8 +31,10 @@ void demandRoomForMesh(const Scene& scene, double freeBytes);
 /// the processes take more than 1.5 times `freeBytes`: what is estimated may be so much too large.
 void demandCapacity(const CostEstimate& cost, double freeBytes);
 
-/// Collective. The same of a problem that is about to be solved with the memory that the ranks may have; the order in
-/// which METIS would factor is asked for only where the numbers of unknowns do not show that there is room.
-void demandCapacity(const Problem& problem, const latin::LatinOptions& solver, const Teuchos::Comm<int>& comm);
+/// Collective. The same of a problem that is about to be solved with the memory that the ranks may have, and then
+/// differentiated by so many parameters; the order in which METIS would factor is asked for only where the numbers of
+/// unknowns do not show that there is room.
+void demandCapacity(const Problem& problem, const latin::LatinOptions& solver, int derivatives,
+                    const Teuchos::Comm<int>& comm);
 
 }  // namespace harmos::scene

@@ -208,7 +208,7 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
   base::onFirstRank(*comm, [&] { files::demandWritable(result.files.all()); });
   if (!request.anySize) demandRoomForMesh(scene, memoryOfAllRanks(*comm));
   Problem problem = makeProblem(scene, *comm, timers, Cutting::automatic);
-  if (!request.anySize) demandCapacity(problem, options, *comm);
+  if (!request.anySize) demandCapacity(problem, options, static_cast<int>(scene.output.derivatives.size()), *comm);
   for (const auto& [part, pieces] : problem.pieces) scene.input.setInNamed("Parts", part, "Pieces", pieces);
   for (const std::string& part : problem.iterated)
     scene.input.setInNamed("Parts", part, "Linear Solver", std::string("Iterative"));

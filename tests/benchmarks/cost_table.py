@@ -54,6 +54,7 @@ LARGE = {"glued assembly, cells of 1/4": (GLUED, "Mesh/Cell Size=0.25"),
          "bolted joint, refinement 2": (JOINT, "Mesh/Refinement=2"),
          "bolted joint, Hex20, refinement 0.5": (JOINT, "Mesh/Refinement=0.5", "Mesh/Element=Hex20"),
          **{name: (name,) for name in ("heap of 64", "heap of 125", "plates, 64 steps")},
+         "bolted joint, its derivatives": (JOINT, "Output/Derivatives={Values/mu, Values/preload_1}"),
          "study of the joint, 8": grid(2), "study of the joint, 27": grid(3), "study of the joint, 64": grid(4),
          "study of the joint, 12": (ROOT / "tests" / "benchmarks" / "bolted_joint_preloads.xml",),
          "chaos of the glued assembly": (XML / "glued_assembly_chaos.xml",)}
