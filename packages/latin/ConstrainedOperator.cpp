@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -27,10 +28,13 @@ std::vector<int> traceOf(const substructure::BoundaryTerm& term) {
   return dofs;
 }
 
-/// 1 or -1, the same for (row, column) and (column, row), else as if by chance.
-double signOf(unsigned seed, int row, int column) {
-  std::uint64_t x =
-      (static_cast<std::uint64_t>(std::min(row, column)) << 32U) | static_cast<unsigned>(std::max(row, column));
+/// 1 or -1, the same for entries of the same components and, but for round-off, the same value, else as if by chance.
+double signOf(unsigned seed, int row, int column, int dimension, double entry) {
+  const int one = row % dimension, other = column % dimension;
+  const auto value = static_cast<float>(entry);
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  std::uint64_t x = (static_cast<std::uint64_t>(std::min(one, other) * dimension + std::max(one, other)) << 32U) | bits;
   x += 0x9e3779b97f4a7c15U * (seed + std::uint64_t{1});
   // The finaliser of SplitMix64, Steele et al. (2014), doi:10.1145/2660193.2660195.
   x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -152,7 +156,7 @@ double ConstrainedOperator::stiffnessNorm() const {
   return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
 }
 
-void ConstrainedOperator::addRoundOff(unsigned seed, const std::vector<const double*>& u,
+void ConstrainedOperator::addRoundOff(unsigned seed, bool ofDifferences, const std::vector<const double*>& u,
                                       const std::vector<double*>& forces) const {
   const substructure::CrsView view = substructure::viewOf(*stiffness_, "operator");
   std::vector<double> roots = diagonal();
@@ -160,9 +164,12 @@ void ConstrainedOperator::addRoundOff(unsigned seed, const std::vector<const dou
   for (int row = 0; row < view.rows; ++row) {
     for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
       const int column = view.columns[k];
-      const double entry =
-          signOf(seed, row, column) * std::numeric_limits<double>::epsilon() * roots[row] * roots[column];
-      for (std::size_t j = 0; j < u.size(); ++j) forces[j][row] += entry * u[j][column];
+      const double sign = signOf(seed, row, column, term_.dimension, view.values[k]);
+      const double entry = sign * std::numeric_limits<double>::epsilon() * roots[row] * roots[column];
+      const int same = row - row % term_.dimension + column % term_.dimension;  // component of the node of the row
+      for (std::size_t j = 0; j < u.size(); ++j) {
+        forces[j][row] += entry * (ofDifferences ? u[j][column] - u[j][same] : u[j][column]);
+      }
     }
   }
 }

@@ -94,14 +94,16 @@ bool DistributedSolver::isPositive(const SymmetricEntries& addends) const {
   const base::Matrix b = randomForces(rows_, 1);
   base::Matrix x;
   solve(b, x);
-  std::vector<double> here(rows_, 0.0), product(rows_);
+  std::vector<double> here(rows_, 0.0);
   for (std::size_t k = 0; k < addends.values.size(); ++k) {
     const int row = addends.rows[k], column = addends.columns[k];
     here[row] += addends.values[k] * x(column, 0);
     if (row != column) here[column] += addends.values[k] * x(row, 0);
   }
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, rows_, here.data(), product.data());
-  return judge(b, x, product) == Definiteness::positive;
+  base::Matrix product(rows_, 1), residual(b);
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, rows_, here.data(), product.values());
+  residual -= product;
+  return judge(b, x, residual) == Definiteness::positive;
 }
 
 void DistributedSolver::solve(const base::Matrix& b, base::Matrix& x) const {

@@ -12,6 +12,7 @@
 #include <harmos/substructure/detail/BoundedStiffness.hpp>
 #include <harmos/substructure/detail/MultiVectorView.hpp>
 #include <harmos/substructure/detail/OperatorPlanes.hpp>
+#include <harmos/substructure/detail/RigidMotions.hpp>
 #include <harmos/substructure/detail/TooLarge.hpp>
 #include <harmos/substructure/detail/TrialSolution.hpp>
 
@@ -23,25 +24,20 @@ constexpr double shift = 1e-8;
 // Right-hand sides by which single precision is measured, and the error from which on it is of no use.
 constexpr int trials = 3;
 constexpr double worstSingle = 1e-3;
+// Relative error of a solution up to which it needs no refinement, and from which on none helps.
+constexpr double bestUnrefined = 1e-10, worstRefined = 0.5;
 
-/// Translations and small rotations, dofs x 3 or 6, about the first node and of about the same size.
-base::Matrix rigidMotions(const std::vector<base::Vector3>& nodes, int dimension) {
-  double extent = 0.0;
-  for (const base::Vector3& node : nodes) {
-    for (int c = 0; c < dimension; ++c) extent = std::max(extent, std::abs(node[c] - nodes.front()[c]));
-  }
-  const int rotations = dimension == 3 ? 3 : 1;
-  base::Matrix motions(static_cast<int>(nodes.size()) * dimension, dimension + rotations);
-  for (std::size_t a = 0; a < nodes.size(); ++a) {
-    const int row = static_cast<int>(a) * dimension;
-    for (int c = 0; c < dimension; ++c) motions(row + c, c) = 1.0;
-    for (int r = 0; r < rotations; ++r) {
-      const int from = r, to = (r + 1) % dimension;  // turns the first of these axes towards the second
-      motions(row + from, dimension + r) = -(nodes[a][to] - nodes.front()[to]) / extent;
-      motions(row + to, dimension + r) = (nodes[a][from] - nodes.front()[from]) / extent;
+/// b - A x, one column.
+base::Matrix residualOf(const CrsView& matrix, const base::Matrix& b, const base::Matrix& x) {
+  base::Matrix residual(b);
+  for (int row = 0; row < matrix.rows; ++row) {
+    double product = 0.0;
+    for (std::size_t k = matrix.rowPointers[row]; k < matrix.rowPointers[row + 1]; ++k) {
+      product += matrix.values[k] * x(matrix.columns[k], 0);
     }
+    residual(row, 0) -= product;
   }
-  return motions;
+  return residual;
 }
 
 std::string nodeOf(int dof, int dimension) {
@@ -60,8 +56,26 @@ SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>
   mayPrepareSingle_ = options.allowsSingle;
   const Teuchos::RCP<base::CrsMatrix> sum = makeSum(*stiffness, boundary);
   planes_ = operatorPlanes(nodes, *stiffness, boundary, trace);
+  isHeld_ = holdsRigidMotions(boundary, nodes);
   factor(sum, options, trace);
+  if (!nodes.empty()) {
+    product_ = std::make_unique<DifferenceProduct>(stiffness, boundary);
+    prepareRefinement();
+    if (refinements_ > 0 && solvesTrace_) factor(sum, options, trace, false);
+  }
   checkSolution(*sum);
+  if (refinements_ == 0) product_.reset();
+}
+
+void SubstructureSolver::prepareRefinement() {
+  const base::Matrix b = randomForces(dofs_, 1);
+  base::Matrix x, correction;
+  solve(b, x);
+  solve(product_->residual(b, x), correction);
+  const double error = correction.normFrobenius() / x.normFrobenius();
+  if (!(error <= worstRefined)) throwSingular();
+  double left = error;
+  for (; left > bestUnrefined; left *= error) ++refinements_;
 }
 
 SubstructureSolver SubstructureSolver::iterating(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
@@ -152,22 +166,22 @@ DirectFactor SubstructureSolver::factorOf(const Teuchos::RCP<base::CrsMatrix>& m
 }
 
 void SubstructureSolver::checkSolution(const base::CrsMatrix& sum) const {
-  const CrsView view = viewOf(sum, part_);
   const base::Matrix b = randomForces(dofs_, 1);
   base::Matrix x(dofs_, 1);
   solve(b, x);
-  std::vector<double> product(dofs_, 0.0);
-  for (int row = 0; row < dofs_; ++row) {
-    for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
-      product[row] += view.values[k] * x(view.columns[k], 0);
-    }
-  }
-  const Definiteness found = judge(b, x, product);
+  const Definiteness found = judge(b, x, product_ ? product_->residual(b, x) : residualOf(viewOf(sum, part_), b, x));
   if (found == Definiteness::singular) throwSingular();
   if (found == Definiteness::indefinite) throwIndefinite();
 }
 
 void SubstructureSolver::throwSingular() const {
+  if (isHeld_) {
+    throw base::Error(
+        "The operator of part \"" + part_ +
+        "\" cannot be solved in double precision: the part is held, but hardly resists some deformation, "
+        "as it does where it is too slender. Cut it into pieces (\"Pieces\") so that each of them is less "
+        "so, and check that none of its elements hang together by a node or an edge only.");
+  }
   throw base::Error("The operator of part \"" + part_ +
                     "\" is singular: the part can move or turn without deforming. Hold it by at least one interface or "
                     "boundary with nodes that do not lie on one line, and check that none of its elements hang "
@@ -295,6 +309,15 @@ void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision
     return;
   }
   const bool roughly = precision == Precision::single && singleError_ > 0.0;
+  solveFactored(b, x, roughly);
+  base::Matrix correction(refinements_ > 0 ? x.numRows() : 0, x.numCols());
+  for (int i = 0; i < refinements_ && !roughly; ++i) {
+    solveFactored(product_->residual(b, x), correction, false);
+    x += correction;
+  }
+}
+
+void SubstructureSolver::solveFactored(const base::Matrix& b, base::Matrix& x, bool roughly) const {
   solveBlocks(planes_, &Block::rows, b, x,
               [roughly](const DirectFactor& factor, const base::Matrix& from, base::Matrix& to) {
                 factor.solve(from, to, roughly);

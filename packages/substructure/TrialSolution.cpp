@@ -20,16 +20,14 @@ base::Matrix randomForces(int rows, int columns) {
   return b;
 }
 
-Definiteness judge(const base::Matrix& b, const base::Matrix& x, const std::vector<double>& product) {
-  double residual = 0.0, norm = 0.0, energy = 0.0;
+Definiteness judge(const base::Matrix& b, const base::Matrix& x, const base::Matrix& residual) {
+  double norm = 0.0, energy = 0.0;
   for (int row = 0; row < b.numRows(); ++row) {
-    const double value = b(row, 0) - product[row];
-    residual += value * value;
     norm += b(row, 0) * b(row, 0);
     energy += b(row, 0) * x(row, 0);
   }
   const double limit = singularResidual / std::sqrt(static_cast<double>(b.numRows()));
-  if (!(std::sqrt(residual / norm) <= limit)) return Definiteness::singular;
+  if (!(residual.normFrobenius() / std::sqrt(norm) <= limit)) return Definiteness::singular;
   return energy > 0.0 ? Definiteness::positive : Definiteness::indefinite;
 }
 

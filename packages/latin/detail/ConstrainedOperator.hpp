@@ -41,9 +41,11 @@ class ConstrainedOperator {
   /// Euclidean norm of the diagonal of K + k h [force/length].
   double stiffnessNorm() const;
   /// Adds to forces[j] what round-off leaves in A u[j]: sum over j of +-e (a_ii a_jj)^1/2 u_j over the entries of K, e
-  /// the spacing of numbers at 1, a the diagonal of K + k h; the signs are symmetric and depend on `seed`, i and j
-  /// only.
-  void addRoundOff(unsigned seed, const std::vector<const double*>& u, const std::vector<double*>& forces) const;
+  /// the spacing of numbers at 1, a the diagonal of K + k h; or, `ofDifferences`, of u_j - u_i, as where K is
+  /// multiplied by these. Signs depend on `seed`, the components and the value of the entry only: congruent elements
+  /// are rounded alike, and what they do adds up.
+  void addRoundOff(unsigned seed, bool ofDifferences, const std::vector<const double*>& u,
+                   const std::vector<double*>& forces) const;
 
  private:
   static int placeOf(const std::vector<int>& dofs, int dof);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include <harmos/base/Matrix.hpp>
 
 namespace harmos::substructure {
@@ -12,11 +10,11 @@ base::Matrix randomForces(int rows, int columns);
 /// What one solution tells of a factored symmetric matrix.
 enum class Definiteness { positive, singular, indefinite };
 
-/// Judges A by the solution x that its factor gave for b = randomForces(rows, 1), and by the `product` A x.
+/// Judges A by the solution x that its factor gave for b = randomForces(rows, 1), and by the `residual` b - A x.
 ///
 /// For every null vector v of A the residual r = b - A x of any x has v.r = v.b. A pseudo-random b has a component of
 /// about |b|/sqrt(rows) along v, so that no solver can hide a singular matrix; a regular one leaves rounding errors
 /// only. An indefinite one is seen only where the energy b.x is negative.
-Definiteness judge(const base::Matrix& b, const base::Matrix& x, const std::vector<double>& product);
+Definiteness judge(const base::Matrix& b, const base::Matrix& x, const base::Matrix& residual);
 
 }  // namespace harmos::substructure

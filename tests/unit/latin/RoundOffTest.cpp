@@ -59,6 +59,24 @@ TEST(RoundOff, RefusesWhatDoublePrecisionDoesNotGive) {
   EXPECT_GT(whole.result.roundOffEstimate, whole.error);
 }
 
+// 400 times as long as thick; the way of its end is that of finite elements solved in extended precision.
+TEST(RoundOff, OfASlenderPartIsNotAboveItsEstimate) {
+  BoxAssembly beam({{"beam", {0, 0, 0}, {1, 1, 400}, {1, 1, 400}}});
+  beam.hold("wall", "beam_zmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}));
+  beam.hold("load", "beam_zmax", laws::makeLaw("Prescribed Traction", {{"X", 1.0}}));
+  base::Timers timers;
+  LatinOptions options;
+  options.accuracy = 1e-4;
+  LatinSolver solver(beam.assembly(), options, self(), timers);
+  const std::vector<DisplacementResponse::Node> end{{0, 4 * 400, 1.0}};
+  solver.addResponse(std::make_shared<DisplacementResponse>("end", end, base::Vector3{1.0, 0.0, 0.0}));
+  const LatinResult result = solver.solve();
+  ASSERT_EQ(result.outcome, Outcome::certified) << result.reason;
+  const double error = std::abs(result.responses[0].values[0] / 166353.8808659 - 1.0);
+  EXPECT_LT(error, 1e-8);
+  EXPECT_LT(error, result.roundOffEstimate);
+}
+
 TEST(RoundOff, IsNotLookedForWhereItCannotMatter) {
   BoxAssembly cubes = carried(0.0);
   base::Timers timers;

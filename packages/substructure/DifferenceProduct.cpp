@@ -1,0 +1,97 @@
+#include <harmos/substructure/DifferenceProduct.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <harmos/base/Vector3.hpp>
+#include <harmos/substructure/CrsMatrix.hpp>
+
+namespace harmos::substructure {
+namespace {
+
+// Of the sum of absolute values: what a row makes of a translation is round-off below it.
+constexpr double roundOff = 1e-13;
+
+/// K times unit translations, `dimension` per row, without what is round-off; empty where nothing is left.
+std::vector<double> timesTranslations(const CrsView& stiffness, int dimension) {
+  std::vector<double> sums(static_cast<std::size_t>(stiffness.rows) * dimension, 0.0);
+  bool isZero = true;
+  for (int row = 0; row < stiffness.rows; ++row) {
+    long double sum[3] = {0.0L, 0.0L, 0.0L};
+    double terms = 0.0;
+    for (std::size_t k = stiffness.rowPointers[row]; k < stiffness.rowPointers[row + 1]; ++k) {
+      sum[stiffness.columns[k] % dimension] += stiffness.values[k];
+      terms += std::abs(stiffness.values[k]);
+    }
+    for (int c = 0; c < dimension; ++c) {
+      if (std::abs(sum[c]) <= roundOff * terms) continue;
+      sums[static_cast<std::size_t>(row) * dimension + c] = static_cast<double>(sum[c]);
+      isZero = false;
+    }
+  }
+  return isZero ? std::vector<double>{} : sums;
+}
+
+}  // namespace
+
+DifferenceProduct::DifferenceProduct(Teuchos::RCP<const base::CrsMatrix> stiffness, BoundaryTerm boundary)
+    : stiffness_(std::move(stiffness)),
+      boundary_(std::move(boundary)),
+      ofTranslation_(timesTranslations(viewOf(*stiffness_, "operator"), boundary_.dimension)) {}
+
+void DifferenceProduct::project(base::Matrix& vectors) const {
+  for (const BoundaryTerm::NodeTensor& held : boundary_.free) {
+    for (int j = 0; j < vectors.numCols(); ++j) {
+      double* const at = vectors[j] + held.node * boundary_.dimension;
+      base::Vector3 old{};
+      std::copy_n(at, boundary_.dimension, old.begin());
+      const base::Vector3 now = base::product(held.value, old);
+      std::copy_n(now.begin(), boundary_.dimension, at);
+    }
+  }
+}
+
+void DifferenceProduct::subtractAdded(const double* x, double* from) const {
+  const int dimension = boundary_.dimension;
+  for (std::size_t row = 0; row < boundary_.diagonal.size(); ++row) from[row] -= boundary_.diagonal[row] * x[row];
+  for (const MatrixEntry& entry : boundary_.entries) {
+    for (int c = 0; c < dimension; ++c) {
+      from[entry.row * dimension + c] -= entry.value * x[entry.column * dimension + c];
+    }
+  }
+  for (const BoundaryTerm::NodeTensor& spring : boundary_.springs) {
+    const int first = spring.node * dimension;
+    base::Vector3 moved{};
+    std::copy_n(x + first, dimension, moved.begin());
+    const base::Vector3 force = base::product(spring.value, moved);
+    for (int c = 0; c < dimension; ++c) from[first + c] -= force[c];
+  }
+}
+
+base::Matrix DifferenceProduct::residual(const base::Matrix& b, const base::Matrix& x) const {
+  const CrsView view = viewOf(*stiffness_, "operator");
+  const int dimension = boundary_.dimension;
+  base::Matrix free(Teuchos::Copy, x, x.numRows(), x.numCols()), result(Teuchos::Copy, b, b.numRows(), b.numCols());
+  project(free);
+  for (int j = 0; j < result.numCols(); ++j) {
+    const double* const u = free[j];
+    for (int row = 0; row < view.rows; ++row) {
+      const double* const own = u + row / dimension * dimension;
+      double sum = 0.0;
+      for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
+        const int column = view.columns[k];
+        sum += view.values[k] * (u[column] - own[column % dimension]);
+      }
+      for (int c = 0; c < dimension && !ofTranslation_.empty(); ++c) {
+        sum += ofTranslation_[static_cast<std::size_t>(row) * dimension + c] * own[c];
+      }
+      result[j][row] -= sum;
+    }
+    subtractAdded(u, result[j]);
+  }
+  project(result);
+  return result;
+}
+
+}  // namespace harmos::substructure
