@@ -106,7 +106,8 @@ SymmetricEntries addendsOf(const std::vector<MacroFactor::Share>& shares) {
 }  // namespace
 
 MacroFactor::MacroFactor(int unknowns, const std::vector<std::vector<int>>& coupled, const std::vector<Share>& shares,
-                         const substructure::SolverOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+                         const substructure::SolverOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+                         bool isKnownRegular)
     : unknowns_(unknowns) {
   const bool isShared = DistributedSolver::exists() && comm->getSize() > 1 && unknowns >= options.sharedFrom;
   std::function<void(double)> factorShifted;
@@ -121,11 +122,12 @@ MacroFactor::MacroFactor(int unknowns, const std::vector<std::vector<int>>& coup
       shared_ = std::make_unique<DistributedSolver>(unknowns_, std::move(shifted), comm);
     };
   } else {
-    factorShifted = [this, &options, sum = sumOf(unknowns, coupled, shares, *comm)](double shift) {
+    factorShifted = [this, &options, isKnownRegular, sum = sumOf(unknowns, coupled, shares, *comm)](double shift) {
       std::vector<double> shifted(sum.values);
       for (int row = 0; row < unknowns_; ++row) shifted[sum.at(row, row)] += shift;
       const auto matrix = substructure::makeCrsMatrix(sum.rowPointers, sum.columns, shifted);
-      own_ = std::make_unique<SubstructureSolver>(matrix, substructure::BoundaryTerm{}, options, "macro problem");
+      own_ = std::make_unique<SubstructureSolver>(matrix, substructure::BoundaryTerm{}, options, "macro problem",
+                                                  std::vector<int>{}, std::vector<base::Vector3>{}, isKnownRegular);
     };
   }
   // All ranks free a shared factor here, which none does where it throws.
@@ -153,7 +155,7 @@ MacroFactor::MacroFactor(int unknowns, const std::vector<std::vector<int>>& coup
       throw NotPositiveDefinite(tooLittle > 0.0 ? std::min(smallest, -tooLittle) : smallest,
                                 {motion[0], motion[0] + motion.numRows()});
     }
-    if (noStiffness * length < 1.0) {
+    if (isKnownRegular || noStiffness * length < 1.0) {
       softness_ = std::max(1.0, length);
       return;
     }

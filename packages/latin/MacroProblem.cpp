@@ -2,29 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <set>
-#include <sstream>
 #include <utility>
 
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_CommHelpers.hpp>
 
-#include <harmos/base/Error.hpp>
-#include <harmos/base/Names.hpp>
 #include <harmos/latin/detail/MacroFactor.hpp>
 #include <harmos/latin/detail/RigidMotions.hpp>
+#include <harmos/latin/detail/SoftestMotion.hpp>
 
 namespace harmos::latin {
 namespace {
 
 using base::Matrix;
 
-// Negative eigenvalue, where P^T h k P = 1, beyond that of a motion that nothing holds.
-constexpr double roundOff = 1e-10;
-constexpr std::size_t mostNames = 4;
-// Share in the floating motion from which on the parts of an interface are named.
-constexpr double takesPart = 1e-3;
 // Columns of X that are solved together.
 constexpr int columnsAtOnce = 48;
 // X is kept on loaded rows where they are so few of all; else loads that change cost a solve.
@@ -43,37 +34,6 @@ std::vector<int> loadedRows(const Matrix& loads) {
     if (isLoaded[row]) rows.push_back(static_cast<int>(row));
   }
   return rows;
-}
-
-/// Names the parts that take part in the motion, of which `modes` are the columns and firstMode the first unknowns.
-[[noreturn]] void throwNotHeld(const assembly::Assembly& assembly, const std::vector<Matrix>& modes,
-                               const std::vector<int>& firstMode, const MacroFactor::NotPositiveDefinite& failure) {
-  std::set<std::string> moving;
-  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
-    for (int m = 0; m < modes[i].numCols(); ++m) {
-      if (std::abs(failure.motion[firstMode[i] + m]) < takesPart) continue;
-      for (int side = 0; side < 2; ++side) {
-        moving.insert(base::quoted(assembly.bodies[assembly.interfaces[i].body(side)].partName()));
-      }
-    }
-  }
-  const std::vector<std::string> names(moving.begin(), moving.end());
-  std::ostringstream eigenvalue;
-  eigenvalue << std::setprecision(3) << failure.eigenvalue;
-  if (failure.eigenvalue < -roundOff) {
-    throw base::Error("double precision does not suffice for the chain of part(s) " +
-                          base::joinNames(names, mostNames) +
-                          ": round-off has made the macro problem indefinite (smallest eigenvalue " + eigenvalue.str() +
-                          "); make the stiffnesses of parts that are joined differ less, or the chain shorter",
-                      base::ExitCode::notConverged);
-  }
-  throw base::Error("nothing holds part(s) " + base::joinNames(names, names.size()) +
-                        ": they can move as rigid bodies without deforming any part (smallest eigenvalue of the macro "
-                        "problem " +
-                        eigenvalue.str() +
-                        "); add a boundary with prescribed displacement, symmetry or foundation, or join them to a "
-                        "held part",
-                    base::ExitCode::noEquilibrium);
 }
 
 }  // namespace
@@ -133,10 +93,21 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
       for (int m = 0; m < modes_[i].numCols(); ++m) list.push_back(firstMode_[i] + m);
     }
   }
+  const auto factor = [&](bool isKnownRegular) {
+    factor_ = std::make_unique<MacroFactor>(unknowns_, coupled, shares, options, layout.commPointer(), isKnownRegular);
+  };
   try {
-    factor_ = std::make_unique<MacroFactor>(unknowns_, coupled, shares, options, layout.commPointer());
+    factor(false);
+    return;
   } catch (const MacroFactor::NotPositiveDefinite& failure) {
-    throwNotHeld(assembly, modes_, firstMode_, failure);
+    const SoftestMotion softest(assembly, modes_, firstMode_, failure, layout.comm());
+    if (!softest.isHeld()) softest.refuse();
+  }
+  // What round-off makes of it costs iterations; where they end does not depend on it.
+  try {
+    factor(true);
+  } catch (const MacroFactor::NotPositiveDefinite& failure) {
+    SoftestMotion(assembly, modes_, firstMode_, failure, layout.comm()).refuse();
   }
 }
 

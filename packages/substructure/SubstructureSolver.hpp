@@ -40,13 +40,14 @@ class SubstructureSolver {
   /// stiffness: K [force/length], symmetric, both triangles stored. boundary: k h. partName: for messages. trace: dofs,
   /// ascending, that right-hand sides of solveTrace() load; empty: none. nodes: coordinates [length], by which mirror
   /// planes are found; empty: none are looked for, and solutions are not refined.
+  /// isKnownRegular: the factor is taken whatever round-off leaves of the solution, where it need not be exact.
   /// Throws base::Error naming the part when the sum is singular (a part that nothing holds) or indefinite; then says
   /// which node has an unusable diagonal entry, if one has. Also when memory does not suffice, K is not as viewOf()
   /// wants it, or the boundary term has other rows; as requireSolver(). Limit: an LU solver such as klu2 factors
   /// indefinite matrices without complaint; only the diagonal and the energy of one solve are checked then.
   SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>& stiffness, const BoundaryTerm& boundary,
                      const SolverOptions& options, std::string partName, const std::vector<int>& trace = {},
-                     const std::vector<base::Vector3>& nodes = {});
+                     const std::vector<base::Vector3>& nodes = {}, bool isKnownRegular = false);
   /// Iterates instead of factoring, see IterativeSolver, up to the tolerance of the options. `nodes`: coordinates
   /// [length]. Throws the same, and where conjugate gradients do not converge.
   static SubstructureSolver iterating(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
@@ -138,7 +139,7 @@ class SubstructureSolver {
   /// Finds by one solution whether, and how often, others must be refined.
   void prepareRefinement();
   void solveFactored(const base::Matrix& b, base::Matrix& x, bool roughly) const;
-  void checkSolution(const base::CrsMatrix& sum) const;
+  void checkSolution(const base::CrsMatrix& sum, bool isKnownRegular = false) const;
   [[noreturn]] void throwSingular() const;
   [[noreturn]] void throwIndefinite() const;
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ namespace harmos::latin {
 namespace {
 
 /// Two unknowns that the first rank's body couples: eigenvalues of about 2 and `smallest`.
-MacroFactor factorOf(double smallest, int sharedFrom) {
+MacroFactor factorOf(double smallest, int sharedFrom, bool isKnownRegular = false) {
   const auto comm = Teuchos::DefaultComm<int>::getComm();
   base::Matrix values(2, 2);
   values(0, 0) = values(1, 1) = 1.0 + smallest;
@@ -19,7 +20,7 @@ MacroFactor factorOf(double smallest, int sharedFrom) {
   if (comm->getRank() == 0) shares.push_back({{0, 1}, values});
   substructure::SolverOptions options;
   options.sharedFrom = sharedFrom;
-  return MacroFactor(2, {{0, 1}}, shares, options, comm);
+  return MacroFactor(2, {{0, 1}}, shares, options, comm, isKnownRegular);
 }
 
 TEST(MacroFactor, TellsHowSoftItIs) {
@@ -30,6 +31,12 @@ TEST(MacroFactor, TellsHowSoftItIs) {
       EXPECT_NEAR(factor.softness() * smallest, smallest == 0.5 ? 2.0 * smallest : 1.0, 1e-3);
     }
   }
+}
+
+TEST(MacroFactor, TakesWhatIsKnownToBeRegularHoweverSoft) {
+  constexpr double soft = 8.0 * std::numeric_limits<double>::epsilon();
+  EXPECT_THROW(factorOf(soft, 10), MacroFactor::NotPositiveDefinite);
+  EXPECT_NEAR(factorOf(soft, 10, true).softness() * soft, 1.0, 0.5);
 }
 
 // Whatever the sign of a rough guess: many unknowns, of which the softest is lost among others.

@@ -93,6 +93,37 @@ TEST(MacroProblem, NamesWhatFloats) {
   }
 }
 
+/// So many bodies, 40 times as long as thick, glued to each other one above the other; the lowest is held, or not.
+BoxAssembly mast(int bodies, bool isHeld) {
+  std::vector<mesh::Box> boxes;
+  for (int i = 0; i < bodies; ++i)
+    boxes.push_back({std::to_string(i), {0, 0, 40.0 * i}, {1, 1, 40.0 * (i + 1)}, {1, 1, 40}});
+  BoxAssembly mast(boxes);
+  if (isHeld) mast.hold("bottom", "0_zmin", clamp());
+  for (int i = 1; i < bodies; ++i) {
+    mast.join("joint " + std::to_string(i), std::to_string(i - 1) + "_zmax", std::to_string(i) + "_zmin",
+              laws::makeLaw("Perfect"));
+  }
+  mast.hold("top", std::to_string(bodies - 1) + "_zmax", laws::makeLaw("Prescribed Traction", {{"X", 1.0}}));
+  return mast;
+}
+
+// Its numbers look like those of one that nothing holds, see noStiffness.
+TEST(MacroProblem, HoldsALongChain) {
+  BoxAssembly held = mast(170, true);
+  base::Timers timers;
+  EXPECT_GT(FixedPoint(held.assembly(), {}, self(), timers).linearStage().softness(), 1e13);
+  BoxAssembly loose = mast(170, false);
+  try {
+    const FixedPoint fixedPoint(loose.assembly(), {}, self(), timers);
+    FAIL();
+  } catch (const base::Error& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("nothing holds part(s)"), std::string::npos) << message;
+    EXPECT_NE(message.find(" more: "), std::string::npos) << message;
+  }
+}
+
 // A body between two interfaces that touches nothing else, and a scene whose interfaces all are boundaries.
 TEST(MacroProblem, TakesBodiesWithoutBoundariesAndWithoutInterfaces) {
   BoxAssembly cubes({{"a", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}},
