@@ -28,18 +28,31 @@ std::vector<int> traceOf(const substructure::BoundaryTerm& term) {
   return dofs;
 }
 
-/// 1 or -1, the same for entries of the same components and, but for round-off, the same value, else as if by chance.
-double signOf(unsigned seed, int row, int column, int dimension, double entry) {
-  const int one = row % dimension, other = column % dimension;
-  const auto value = static_cast<float>(entry);
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  std::uint64_t x = (static_cast<std::uint64_t>(std::min(one, other) * dimension + std::max(one, other)) << 32U) | bits;
+/// 1 or -1, as if by chance.
+double signOf(unsigned seed, std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U * (seed + std::uint64_t{1});
   // The finaliser of SplitMix64, Steele et al. (2014), doi:10.1145/2660193.2660195.
   x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
   x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
   return ((x ^ (x >> 31U)) & 1U) != 0U ? 1.0 : -1.0;
+}
+
+/// Two numbers as one, whatever their order.
+std::uint64_t together(int one, int other) {
+  return (static_cast<std::uint64_t>(std::min(one, other)) << 32U) | static_cast<unsigned>(std::max(one, other));
+}
+
+/// Of an entry by its place: symmetries of the part are not those of its round-off.
+double signByPlace(unsigned seed, int row, int column) {
+  return signOf(seed, together(row, column));
+}
+
+/// Of an entry by its components and, but for round-off, its value: the same for congruent elements.
+double signByValue(unsigned seed, int row, int column, int dimension, double entry) {
+  const auto value = static_cast<float>(entry);
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return signOf(seed, together(row % dimension, column % dimension) * 0xd1342543de82ef95U + bits);
 }
 
 }  // namespace
@@ -164,7 +177,8 @@ void ConstrainedOperator::addRoundOff(unsigned seed, bool ofDifferences, const s
   for (int row = 0; row < view.rows; ++row) {
     for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
       const int column = view.columns[k];
-      const double sign = signOf(seed, row, column, term_.dimension, view.values[k]);
+      const double sign =
+          signByPlace(seed, row, column) + signByValue(seed, row, column, term_.dimension, view.values[k]);
       const double entry = sign * std::numeric_limits<double>::epsilon() * roots[row] * roots[column];
       const int same = row - row % term_.dimension + column % term_.dimension;  // component of the node of the row
       for (std::size_t j = 0; j < u.size(); ++j) {

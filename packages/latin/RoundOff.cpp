@@ -18,7 +18,7 @@ namespace {
 constexpr double enlargement = 16384.0;
 constexpr unsigned draws = 3;
 // Entries are rounded by less than this, but factors, solves and sums round as well.
-constexpr double safety = 1.0;
+constexpr double safety = 2.0;
 // What a correction may add to what the first linear stage shows.
 constexpr double afterOneStage = 30.0;
 // Of the accuracy: less is not worth a correction.
@@ -67,6 +67,8 @@ RoundOff::Estimate RoundOff::estimate(const Iterate& iterate, const base::Matrix
   Estimate result;
   base::Matrix image(alpha.numRows(), alpha.numCols());
   for (unsigned draw = 0; draw < draws; ++draw) {
+    // Forces are found from displacements: of this state, not of what the last draw has made of it.
+    if (draw > 0) fixedPoint_.apply(alpha, image);
     fixedPoint_.perturb(draw, enlargement);
     const Restore restore{fixedPoint_};
     const std::vector<double>& here = fixedPoint_.linearStage().operators().perturbation();

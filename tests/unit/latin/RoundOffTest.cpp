@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -89,6 +90,39 @@ TEST(RoundOff, IsNotLookedForWhereItCannotMatter) {
   const std::vector<std::shared_ptr<const Response>> none;
   EXPECT_FALSE(RoundOff(fixedPoint, none).mayMatter(fixedPoint.apply(alpha, image), 1e-3));
   EXPECT_TRUE(RoundOff(fixedPoint, none).mayMatter(fixedPoint.apply(alpha, image), 1e-12));
+}
+
+// Displacements are counted from motions and small; those that a draw leaves are not.
+TEST(RoundOff, DrawsDoNotAddUp) {
+  constexpr int count = 60;
+  std::vector<mesh::Box> boxes;
+  for (int i = 0; i < count; ++i) boxes.push_back({std::to_string(i), {0, 0, 1.0 * i}, {1, 1, 1.0 + i}, {1, 1, 1}});
+  BoxAssembly mast(boxes);
+  mast.hold("ground", "0_zmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}));
+  for (int i = 1; i < count; ++i) {
+    mast.join("joint " + std::to_string(i), std::to_string(i - 1) + "_zmax", std::to_string(i) + "_zmin",
+              laws::makeLaw("Perfect", {}));
+  }
+  mast.hold("top", std::to_string(count - 1) + "_zmax", laws::makeLaw("Prescribed Traction", {{"X", 1.0}}));
+  base::Timers timers;
+  FixedPoint fixedPoint(mast.assembly(), {}, self(), timers);
+  base::Matrix alpha(fixedPoint.layout().rows(), 1), image(alpha);
+  for (int i = 0; i < 60; ++i) {
+    fixedPoint.apply(alpha, image);
+    alpha.assign(image);
+  }
+  fixedPoint.recentre(fixedPoint.apply(alpha, image), alpha);
+  const auto largestForce = [&] {
+    const std::vector<double>& forces = fixedPoint.linearStage().operators().perturbation();
+    return *std::max_element(forces.begin(), forces.end());
+  };
+  fixedPoint.apply(alpha, image);
+  fixedPoint.perturb(0, 16384.0);
+  const double first = largestForce();
+  fixedPoint.unperturb();
+  const std::vector<std::shared_ptr<const Response>> none;
+  RoundOff(fixedPoint, none).estimate(fixedPoint.apply(alpha, image), alpha, 1e-12);
+  EXPECT_LT(largestForce(), 4.0 * first);
 }
 
 TEST(RoundOff, ExperimentLeavesNoTrace) {
