@@ -179,9 +179,10 @@ void SubstructureSolver::throwSingular() const {
   if (isHeld_) {
     throw base::Error(
         "The operator of part \"" + part_ +
-        "\" cannot be solved in double precision: the part is held, but hardly resists some deformation, "
-        "as it does where it is too slender. Cut it into pieces (\"Pieces\") so that each of them is less "
-        "so, and check that none of its elements hang together by a node or an edge only.");
+        "\" is singular in double precision: the part is held, but hardly resists some motion, because it "
+        "is too slender or because what holds it is far softer. Cut a slender part into pieces "
+        "(\"Pieces\"), let stiffnesses differ less, and check that none of its elements hang together by a "
+        "node or an edge only.");
   }
   throw base::Error("The operator of part \"" + part_ +
                     "\" is singular: the part can move or turn without deforming. Hold it by at least one interface or "
