@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <harmos/substructure/CrsMatrix.hpp>
+#include <harmos/substructure/TranslationForces.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -169,21 +170,30 @@ double ConstrainedOperator::stiffnessNorm() const {
   return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
 }
 
-void ConstrainedOperator::addRoundOff(unsigned seed, bool ofDifferences, const std::vector<const double*>& u,
+void ConstrainedOperator::addRoundOff(unsigned seed, bool isRefined, const std::vector<const double*>& u,
                                       const std::vector<double*>& forces) const {
   const substructure::CrsView view = substructure::viewOf(*stiffness_, "operator");
+  const int dimension = term_.dimension;
   std::vector<double> roots = diagonal();
   for (double& value : roots) value = std::sqrt(value);
+  std::vector<double> ofTranslation;
+  if (!isRefined) ofTranslation = substructure::translationForces(view, dimension).roundOff;
   for (int row = 0; row < view.rows; ++row) {
+    const int node = row - row % dimension;
     for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
       const int column = view.columns[k];
-      const double sign =
-          signByPlace(seed, row, column) + signByValue(seed, row, column, term_.dimension, view.values[k]);
-      const double entry = sign * std::numeric_limits<double>::epsilon() * roots[row] * roots[column];
-      const int same = row - row % term_.dimension + column % term_.dimension;  // component of the node of the row
+      const int same = node + column % dimension;  // component of the node of the row
+      const double size = std::numeric_limits<double>::epsilon() * roots[row] * roots[column];
+      const double byPlace = signByPlace(seed, row, column) * size;
+      const double byValue = signByValue(seed, row, column, dimension, view.values[k]) * size;
       for (std::size_t j = 0; j < u.size(); ++j) {
-        forces[j][row] += entry * (ofDifferences ? u[j][column] - u[j][same] : u[j][column]);
+        const double difference = u[j][column] - u[j][same];
+        forces[j][row] += byPlace * (isRefined ? difference : u[j][column]) + byValue * difference;
       }
+    }
+    for (int c = 0; c < dimension && !ofTranslation.empty(); ++c) {
+      const double force = ofTranslation[static_cast<std::size_t>(row) * dimension + c];
+      for (std::size_t j = 0; j < u.size(); ++j) forces[j][row] += force * u[j][node + c];
     }
   }
 }

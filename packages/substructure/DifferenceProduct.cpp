@@ -1,44 +1,18 @@
 #include <harmos/substructure/DifferenceProduct.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <harmos/base/Vector3.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
+#include <harmos/substructure/TranslationForces.hpp>
 
 namespace harmos::substructure {
-namespace {
-
-// Of the sum of absolute values: what a row makes of a translation is round-off below it.
-constexpr double roundOff = 1e-13;
-
-/// K times unit translations, `dimension` per row, without what is round-off; empty where nothing is left.
-std::vector<double> timesTranslations(const CrsView& stiffness, int dimension) {
-  std::vector<double> sums(static_cast<std::size_t>(stiffness.rows) * dimension, 0.0);
-  bool isZero = true;
-  for (int row = 0; row < stiffness.rows; ++row) {
-    long double sum[3] = {0.0L, 0.0L, 0.0L};
-    double terms = 0.0;
-    for (std::size_t k = stiffness.rowPointers[row]; k < stiffness.rowPointers[row + 1]; ++k) {
-      sum[stiffness.columns[k] % dimension] += stiffness.values[k];
-      terms += std::abs(stiffness.values[k]);
-    }
-    for (int c = 0; c < dimension; ++c) {
-      if (std::abs(sum[c]) <= roundOff * terms) continue;
-      sums[static_cast<std::size_t>(row) * dimension + c] = static_cast<double>(sum[c]);
-      isZero = false;
-    }
-  }
-  return isZero ? std::vector<double>{} : sums;
-}
-
-}  // namespace
 
 DifferenceProduct::DifferenceProduct(Teuchos::RCP<const base::CrsMatrix> stiffness, BoundaryTerm boundary)
     : stiffness_(std::move(stiffness)),
       boundary_(std::move(boundary)),
-      ofTranslation_(timesTranslations(viewOf(*stiffness_, "operator"), boundary_.dimension)) {}
+      ofTranslation_(translationForces(viewOf(*stiffness_, "operator"), boundary_.dimension).resistance) {}
 
 void DifferenceProduct::project(base::Matrix& vectors) const {
   for (const BoundaryTerm::NodeTensor& held : boundary_.free) {

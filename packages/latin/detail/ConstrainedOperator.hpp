@@ -40,11 +40,15 @@ class ConstrainedOperator {
   void addColumns(const std::vector<int>& dofs, base::Matrix& to) const;
   /// Euclidean norm of the diagonal of K + k h [force/length].
   double stiffnessNorm() const;
-  /// Adds to forces[j] what round-off leaves in A u[j]: sum over j of (+-e +-e) (a_ii a_jj)^1/2 u_j over the entries of
-  /// K, e the spacing of numbers at 1, a the diagonal of K + k h; or, `ofDifferences`, of u_j - u_i, as where K is
-  /// multiplied by these. One sign depends on `seed` and the place of the entry, so that nothing is spared by symmetry;
-  /// the other one on its components and its value: congruent elements are rounded alike, and what they do adds up.
-  void addRoundOff(unsigned seed, bool ofDifferences, const std::vector<const double*>& u,
+  /// Adds to forces[j] what round-off leaves in A u[j], in three shares, with e the spacing of numbers at 1 and a the
+  /// diagonal of K + k h:
+  /// - sum over j of +-e (a_ii a_jj)^1/2 u_j over the entries of K, signs by their places: what solves and factors do,
+  ///   spared by no symmetry. Where solutions are refined, u_j - u_i in the place of u_j;
+  /// - the same of u_j - u_i, signs by components and values of the entries: congruent elements are rounded alike, and
+  ///   what they do to what neighbours move relative to each other adds up;
+  /// - unless refined, what the entries of K as they are make of translations, of which they should make nothing.
+  /// Signs depend on `seed` besides.
+  void addRoundOff(unsigned seed, bool isRefined, const std::vector<const double*>& u,
                    const std::vector<double*>& forces) const;
 
  private:
