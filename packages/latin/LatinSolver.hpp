@@ -95,9 +95,9 @@ class LatinSolver {
   bool bringBack(const Iterate& iterate, double& tolerance);
   /// Collective. Takes the certificate back where bringBack() is needed: then it is false.
   bool isHeldByItsLoads(LatinResult& result, double& tolerance);
-  /// Estimates round-off in alpha_, whose iterate is given or null, adds it to the estimates, and says in `result` if
-  /// it is too much; true when it is not, and the sum is within the accuracy.
-  bool standsRoundOff(const Iterate* iterate, LatinResult& result);
+  /// Estimates round-off in alpha_, whose iterate is given or null, and adds it to the estimates; true when the sum is
+  /// within the accuracy. Says in `result` if round-off is too much for another attempt, unless this one is claimed.
+  bool standsRoundOff(const Iterate* iterate, bool isClaimed, LatinResult& result);
   /// Takes back all that a try has come to, for another one with so many times the search direction of the options.
   void beginAnew(LatinResult& result, double times);
   /// Forgets an outcome, and what is known of round-off, before the run goes on with other states.

@@ -50,7 +50,7 @@ std::string describe(const RoundOff::Estimate& estimate, const std::vector<std::
 /// The same where parts have moved so far that their forces are known to `error` [-] only.
 std::string describeFarMotions(double error);
 
-/// Of the accuracy, what round-off may take at most.
+/// Of the accuracy, what round-off may take at most where the rest is not known to suffice.
 inline constexpr double shareOfRoundOff = 0.5;
 
 }  // namespace harmos::latin
