@@ -105,7 +105,7 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateB
   printSeconds(out, "one linear stage", slowness * cost.stageSeconds);
   if (cost.correctionSeconds > 0.0)
     printSeconds(out, "least squares of its vectors", slowness * cost.correctionSeconds);
-  printSeconds(out, "error of the mesh, files", slowness * cost.resultSeconds);
+  printSeconds(out, "error of the mesh, files", slowness * cost.resultSeconds());
   if (cost.derivativeSeconds > 0.0) printSeconds(out, "derivatives", slowness * cost.derivativeSeconds);
   std::ostringstream stages;
   stages << std::fixed << std::setprecision(0) << "run of " << cost.stages << " linear stages";
@@ -151,6 +151,8 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
   if (study && study->isChaos()) options.stages.solver.allowsSingle = false;  // nothing marches
   scene::CostEstimate cost =
       scene::estimateCost(problem, options, scene::FactorSizes::fromOrder, *environment.communicator);
+  if (!scene.wantsMeshErrors) cost.meshErrorSeconds = 0.0;
+  if (!scene.output.fields) cost.fileSeconds = 0.0;
   if (!study) cost.addDerivatives(static_cast<int>(scene.output.derivatives.size()));
   study::StudyCost ofStudy;
   if (study && !study->isChaos()) ofStudy = study::estimateStudy(*study, cost, nullptr);

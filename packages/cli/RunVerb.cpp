@@ -89,7 +89,8 @@ void printSummary(std::ostream& out, const scene::SceneRunResult& result) {
     out << "\n";
   }
   printDecision(out, record.solution);
-  out << result.files.parts << "\n" << result.files.interfaces << "\n" << result.files.history << "\n";
+  if (result.hasFields) out << result.files.parts << "\n" << result.files.interfaces << "\n";
+  out << result.files.history << "\n";
 }
 
 int run(const Arguments& arguments, const CommandEnvironment& environment) {

@@ -58,14 +58,24 @@ PendingResults::~PendingResults() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-void PendingResults::commit() const {
+void PendingResults::commit(bool hasFields) const {
   const auto move = [](const std::string& from, const std::string& to) {
     std::error_code error;
     fs::rename(from, to, error);
     if (error) throw base::Error("Cannot write " + to + ": " + error.message() + ".");
   };
-  move(aside_.parts, final_.parts);
-  move(aside_.interfaces, final_.interfaces);
+  const auto remove = [](const std::string& path) {
+    std::error_code error;
+    fs::remove(path, error);
+    if (error) throw base::Error("Cannot remove " + path + ": " + error.message() + ".");
+  };
+  for (const auto path : {&ResultFiles::parts, &ResultFiles::interfaces}) {
+    if (hasFields) {
+      move(aside_.*path, final_.*path);
+    } else {
+      remove(final_.*path);
+    }
+  }
   move(aside_.history, final_.history);
   move(aside_.effectiveInput, final_.effectiveInput);
 }

@@ -23,9 +23,10 @@ class PendingResults {
 
   /// Where to write, but for the record.
   const ResultFiles& files() const { return aside_; }
-  /// Moves the results to where they belong. Throws base::Error when one of them was not written or cannot be moved, or
+  /// Moves the results to where they belong; hasFields: those of parts and interfaces are among them, or else those of
+  /// an earlier run are removed. Throws base::Error when one of them was not written or cannot be moved or removed, or
   /// when the folder of the results is gone.
-  void commit() const;
+  void commit(bool hasFields = true) const;
 
  private:
   ResultFiles final_;

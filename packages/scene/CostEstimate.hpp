@@ -36,13 +36,16 @@ struct CostEstimate {
   double lookSeconds = 0.0;            // the same of loaded and held parts, where stages solve for dense traces only
   double stencilBytes = 0.0;           // of what reactions are taken from instead
   int factored = 0, dense = 0, inverted = 0;  // operators; of these with a dense trace, and with its inverse
-  double resultSeconds = 0.0;                 // error of the mesh, files
+  double meshErrorSeconds = 0.0;              // its estimate
+  double fileSeconds = 0.0;                   // fields of parts and interfaces
   double derivativeBytes = 0.0, derivativeSeconds = 0.0;  // see addDerivatives()
 
   /// A whole run [s].
   double seconds() const {
-    return startSeconds + factorSeconds + solveSeconds() + wholeSeconds + resultSeconds + derivativeSeconds;
+    return startSeconds + factorSeconds + solveSeconds() + wholeSeconds + resultSeconds() + derivativeSeconds;
   }
+  /// What follows the solution [s], but derivatives.
+  double resultSeconds() const { return meshErrorSeconds + fileSeconds; }
   /// Counts derivatives of the responses by so many parameters, once.
   void addDerivatives(int parameters);
   /// Least squares [s] of so many iterations over the differences of the last ones, at most `memory`.

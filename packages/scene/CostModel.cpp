@@ -329,7 +329,8 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
       cost.accelerationSeconds(stages.march, solver.memory) +
       ways * cost.accelerationSeconds(stages.others / ways, solver.memory);
   const double recoverySeconds = scope.dimension == 3 ? recoverySecondsInSpace : recoverySecondsInPlane;
-  cost.resultSeconds = scope.unknowns * (recoverySeconds + fileSeconds + stepFileSeconds * steps);
+  cost.meshErrorSeconds = scope.unknowns * recoverySeconds;
+  cost.fileSeconds = scope.unknowns * (fileSeconds + stepFileSeconds * steps);
   return cost;
 }
 

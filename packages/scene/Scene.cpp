@@ -374,7 +374,9 @@ Scene makeScene(const input::InputTree& input, const std::string& path, const st
   const Parameters& solver = scene.input.list("Solver");
   scene.solver = latin::LatinOptions(solver);
   scene.wantsMeshErrors = solver.flag("Mesh Error") && !scene.input.hasList("Path Following");
-  scene.output.nodalStress = scene.input.list("Output").flag("Nodal Stress");
+  const Parameters& output = scene.input.list("Output");
+  scene.output.fields = output.flag("Fields");
+  scene.output.nodalStress = scene.output.fields && output.flag("Nodal Stress");
   if (!scene.output.derivatives.empty() && scene.solver.stages.elimination == latin::Elimination::affine) {
     scene.solver.stages.elimination = latin::Elimination::rigid;  // springs of the ground may be parameters
   }

@@ -14,8 +14,9 @@
 /// Scenes: from XML to an assembly and its responses, and from the solution to files.
 namespace harmos::scene {
 
-/// Which fields are computed for the result files besides those that always are.
+/// Which results are computed besides responses and sums.
 struct OutputChoice {
+  bool fields = true;                    // of parts and interfaces, in Exodus files
   bool nodalStress = false;              // recovered at the nodes, with von Mises and principal stresses
   std::vector<std::string> derivatives;  // entries of laws, with respect to which responses are differentiated
 };

@@ -246,13 +246,17 @@ SceneRunResult runScene(const SceneRunRequest& request, const laws::LawRegistry&
       const int steps = result.solution.solvedSteps;
       const InterfaceFields fields(solver.state());  // of many load steps too large to be kept beside the estimates
       if (steps > 0) result.record.solution = summarise(problem, solver.state(), fields, steps - 1);
-      result.record.solution.largestVonMises = writeFields(
-          scene, problem, solver.state(), fields, globalsOf(result.solution, scene.times.size()), steps, files, *comm);
+      result.hasFields = scene.output.fields;
+      if (result.hasFields) {
+        result.record.solution.largestVonMises =
+            writeFields(scene, problem, solver.state(), fields, globalsOf(result.solution, scene.times.size()), steps,
+                        files, *comm);
+      }
     }
     if (pending) {
       files::replaceFile(files.effectiveInput, effectiveScene(scene, result.files.effectiveInput));
       files::writeHistory(files.history, historyOf(result.solution, scene));
-      pending->commit();
+      pending->commit(result.hasFields);
       lastWords.reset();
       result.record.earlier.clear();
     }

@@ -36,6 +36,7 @@ struct SceneRunResult {
   std::vector<files::ResponseDerivative> derivatives;  // of a certified solution, those that the scene asks for
   files::RunRecord record;                             // as it was written last
   files::ResultFiles files;                            // where the files are
+  bool hasFields = true;                               // those of parts and interfaces are among them
 };
 
 /// From XML, or a scene in memory, to result files: what `harmos run` does, without printing. Collective over `comm`.

@@ -141,7 +141,10 @@ void describeStep(input::ParameterSpec& spec) {
 }
 
 void describeOutput(input::ParameterSpec& spec) {
-  spec.summary("What the result files hold besides displacements, element stresses and the fields of interfaces.");
+  spec.summary("Which results are computed and written besides responses and the sums of interfaces.");
+  spec.flag("Fields").defaultValue(true).doc(
+      "SCENE.e and SCENE_interfaces.e. Without them responses, sums and errors are as they are with them, but no "
+      "stresses are computed: the summary has no largest one. Files of an earlier run are removed.");
   spec.flag("Nodal Stress")
       .defaultValue(false)
       .doc(

@@ -89,6 +89,10 @@ std::vector<std::string> unusedEntries(const input::InputTree& written, const st
       sentences.push_back(history.where() + ": it is 0 at every load step, so that what follows it is 0 throughout.");
     }
   }
+  const input::Parameters& output = scene.list("Output");
+  if (output.flag("Nodal Stress") && !output.flag("Fields")) {
+    sentences.push_back(output.where("Nodal Stress") + ": no stresses are computed, because Fields is false.");
+  }
   return sentences;
 }
 

@@ -50,7 +50,7 @@ latin::LatinOptions solverOptions(const Study& study) {
 
 StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, const ChaosCost* chaos) {
   StudyCost result;
-  const double once = cost.startSeconds + cost.factorSeconds + cost.resultSeconds;
+  const double once = cost.startSeconds + cost.factorSeconds + cost.resultSeconds();
   if (chaos != nullptr) {
     result.solves = 1.0;
     for (const StochasticPlan::Sweep& sweep : study.stochastic->sweeps)

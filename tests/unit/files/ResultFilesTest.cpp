@@ -68,9 +68,17 @@ TEST(PendingResults, OldOnesStayUntilNewOnesAreComplete) {
     pending.commit();
   }
   for (const auto& path : files.all()) EXPECT_EQ(contentOf(path), isWrittenByItself(path) ? "old" : "new") << path;
+  {
+    const PendingResults pending(files);
+    for (const auto& path : {pending.files().history, pending.files().effectiveInput}) std::ofstream(path) << "newest";
+    pending.commit(false);
+  }
+  EXPECT_EQ(contentOf(files.history), "newest");
+  EXPECT_FALSE(std::filesystem::exists(files.parts));
+  EXPECT_FALSE(std::filesystem::exists(files.interfaces));
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(directory)) count += entry.exists() ? 1 : 0;
-  EXPECT_EQ(count, 7) << "something is left over";
+  EXPECT_EQ(count, 5) << "something is left over";
 }
 
 TEST(PendingResults, WhatKilledRunsLeftIsRemovedButNotThatOfLivingOnes) {

@@ -34,7 +34,8 @@ TEST(CostEstimate, OfARunIsTheSumOfItsPhases) {
   cost.stages = 24.0;
   cost.correctionSeconds = 4.0;
   cost.wholeSeconds = 8.0;
-  cost.resultSeconds = 1.0;
+  cost.meshErrorSeconds = 0.75;
+  cost.fileSeconds = 0.25;
   EXPECT_DOUBLE_EQ(cost.seconds(), 0.125 + 0.25 + 2.0 + 12.0 + 4.0 + 8.0 + 1.0);
 }
 
