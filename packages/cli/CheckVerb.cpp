@@ -123,6 +123,7 @@ void printStudy(std::ostream& out, const study::Study& study, const study::Study
   what << std::fixed << std::setprecision(0) << "study of " << cost.solves
        << (study.isChaos() ? " expansions, " : " configurations, ") << cost.stages << " stages";
   printSeconds(out, what.str(), slowness * cost.seconds);
+  if (cost.sideBySide > 1) out << "  Side by Side: up to " << cost.sideBySide << " configurations march so\n";
   if (study.isAdaptive()) out << "    with which it begins; those that are added are not counted\n";
 }
 

@@ -31,7 +31,6 @@ constexpr int fewestStates = 3;
 
 // Configurations that march side by side: at most so many, and one for so many that are solved, since none of them
 // is a start for the others.
-constexpr int widestBatch = 8;
 constexpr int solvedForEach = 8;
 
 constexpr int lastCalibration = 16;
@@ -68,11 +67,11 @@ CalibratedSchedule::Purpose CalibratedSchedule::purposeOfNext() {
 std::size_t CalibratedSchedule::mostTogether() const {
   const bool mayCalibrate = number_ < lastCalibration ||
                             (calibration_.runs() < calibrationsUntil(number_) && attempts_ < attemptsToCalibrate);
-  return static_cast<std::size_t>(mayCalibrate ? 1 : sideBySide(solver_.states().count()));
+  return static_cast<std::size_t>(mayCalibrate ? 1 : sideBySide(solver_.states().count(), widest_));
 }
 
-int CalibratedSchedule::sideBySide(int solved) {
-  return std::clamp(solved / solvedForEach, 1, widestBatch);
+int CalibratedSchedule::sideBySide(int solved, int widest) {
+  return std::clamp(solved / solvedForEach, 1, widest);
 }
 
 int CalibratedSchedule::calibrationsUntil(int number) {

@@ -35,8 +35,12 @@ class CalibratedSchedule {
   /// left because none could be had to calibrate: nothing can be said of them without a certificate.
   std::vector<design::Configuration> run(const std::vector<design::Configuration>& open, results::ResultSink& sink);
 
-  /// How many configurations march side by side once so many are solved.
-  static int sideBySide(int solved);
+  /// How many configurations march side by side at most, if nothing else is asked for.
+  static constexpr int usualWidest = 8;
+  /// How many march side by side once so many are solved, of at most `widest`.
+  static int sideBySide(int solved, int widest);
+  /// Sets the most that march side by side, at least 1.
+  void setWidest(int widest) { widest_ = widest; }
   /// Calibrations that a study should have after so many configurations: numbers 1, 2, 4, 8 and 16 are.
   static int calibrationsUntil(int number);
 
@@ -90,6 +94,7 @@ class CalibratedSchedule {
   double limitFromNeighbours() const;
 
   StudySolver& solver_;
+  int widest_ = usualWidest;
   Calibration calibration_;
   Delivery delivery_;
   int number_ = 0;    // of configurations that were new

@@ -30,6 +30,9 @@ class ParametricStudy {
   /// Called on every rank with the fields of every solution, also of one that replaces an earlier one.
   void setObserver(StudySolver::Observer observer) { solver_.setObserver(std::move(observer)); }
 
+  /// At most so many configurations march side by side, at least 1: what they wait for is solved together.
+  void setWidestBatch(int widest) { calibrated_.setWidest(widest); }
+
   /// Goes on from what another run of this study has found, before the first run(): its calibrations and audits count
   /// as if they were of this one, and what it has accepted is taken up again when a ratio falls.
   void resume(const std::vector<EarlierResult>& earlier);

@@ -8,6 +8,7 @@
 #include <harmos/design/Plan.hpp>
 #include <harmos/input/InputTree.hpp>
 #include <harmos/input/Parameters.hpp>
+#include <harmos/parametric/CalibratedSchedule.hpp>
 #include <harmos/results/ScalarResponse.hpp>
 #include <harmos/scene/Scene.hpp>
 #include <harmos/study/FailurePolicy.hpp>
@@ -38,11 +39,12 @@ struct Study {
   input::InputTree sceneTree;              // the scene with the changes that hold for the whole study
   scene::Scene scene;                      // made of it, with the values that it has itself
   std::vector<StudyParameter> parameters;  // in the order of the list Parameters, derived ones included
-  std::vector<design::Configuration> configurations;  // by id, from 1; values in the order of `parameters`
-  std::vector<std::pair<std::string, int>> leftOut;   // how many, by name of condition
-  std::vector<results::ScalarResponse> responses;     // in the order of the list Responses
-  std::shared_ptr<design::Plan> plan;                 // completes further points
-  std::shared_ptr<const StochasticPlan> stochastic;   // null when no parameter is random, or points are listed
+  std::vector<design::Configuration> configurations;             // by id, from 1; values in the order of `parameters`
+  std::vector<std::pair<std::string, int>> leftOut;              // how many, by name of condition
+  std::vector<results::ScalarResponse> responses;                // in the order of the list Responses
+  int sideBySide = parametric::CalibratedSchedule::usualWidest;  // configurations that march so at most
+  std::shared_ptr<design::Plan> plan;                            // completes further points
+  std::shared_ptr<const StochasticPlan> stochastic;  // null when no parameter is random, or points are listed
 
   /// Whether the design chooses points as results come.
   bool isAdaptive() const;

@@ -67,8 +67,8 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
       result.solves * parametric::SolvedStates::bytesOf(static_cast<double>(cost.interfaceUnknowns), cost.steps),
       parametric::StudySolver::memoryForStates);
   if (result.solves >= fewConfigurations) {
-    const int others = parametric::CalibratedSchedule::sideBySide(static_cast<int>(result.solves)) - 1;
-    result.bytes += others * sizeof(double) * static_cast<double>(cost.interfaceUnknowns) *
+    result.sideBySide = parametric::CalibratedSchedule::sideBySide(static_cast<int>(result.solves), study.sideBySide);
+    result.bytes += (result.sideBySide - 1) * sizeof(double) * static_cast<double>(cost.interfaceUnknowns) *
                     (fieldsOfPlace * cost.steps + columnsOfPlace);
   }
   const double calibrations =

@@ -14,6 +14,7 @@ struct StudyCost {
   /// Of solved states that the starts of others are made of, and of configurations that march beside one another,
   /// beyond what one run takes.
   double bytes = 0.0;
+  int sideBySide = 1;  ///< configurations that march so in the end
 };
 
 /// The options that the configurations of a study which does not solve for expansions are solved with.

@@ -171,6 +171,7 @@ std::unique_ptr<parametric::ParametricStudy> StudyGroup::makeEngine(std::size_t 
       problem_.assembly, [this](const std::vector<double>& values) { install(values); }, problem_.responses,
       parametric::optionsForStudy(scene_.solver, configurations, problem_.assembly.steps()), comm_, timers_);
   if (interrupted_) engine->setInterrupt(interrupted_);
+  engine->setWidestBatch(study_.sideBySide);
   if (sample_ && scene_.wantsMeshErrors && scene_.solver.stages.formulation == latin::Formulation::displacement) {
     engine->setObserver([this](const design::Configuration& configuration, latin::FixedPoint& fixedPoint,
                                const latin::Iterate& state) { estimateMeshErrors(configuration, fixedPoint, state); });

@@ -72,6 +72,7 @@ class StudyReader {
       : study_(study), input_(study.input), spec_(scene::sceneSpec(laws)), pointsFile_(pointsFile), laws_(laws) {
     study_.pointsFile = pointsFile;
     study_.title = input_.text("Title");
+    study_.sideBySide = input_.integer("Side by Side");
     study_.design = study::readDesign(input_);
     if (!pointsFile.empty()) study_.design.options = TableOptions{pointsFile};
     study_.policy = readFailurePolicy(input_);

@@ -1,6 +1,7 @@
 #include <harmos/study/StudySpec.hpp>
 
 #include <harmos/design/Configuration.hpp>
+#include <harmos/parametric/CalibratedSchedule.hpp>
 #include <harmos/study/detail/DesignRegistry.hpp>
 #include <harmos/study/detail/DistributionSpec.hpp>
 
@@ -102,6 +103,13 @@ input::ParameterSpec studySpec() {
       .atLeast(1e-10)
       .atMost(3e-2)
       .doc("Largest relative error of every curve and of the field of interface forces; absent: that of the scene.");
+  spec.integer("Side by Side")
+      .defaultValue(parametric::CalibratedSchedule::usualWidest)
+      .atLeast(1)
+      .atMost(64)
+      .doc(
+          "Configurations that march side by side at most, where ten or more are asked for: what they wait for is "
+          "solved together. As many as an eighth of those that are solved; none of them starts from the others.");
   describeParameter(spec.namedLists("Parameters", true));
   spec.namedLists("Conditions")
       .summary("Configurations that do not satisfy all conditions are left out and counted.")

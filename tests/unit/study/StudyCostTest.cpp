@@ -17,8 +17,10 @@ scene::CostEstimate sample() {
 }
 
 /// What a study of so many configurations would take.
-StudyCost costOf(int configurations, const scene::CostEstimate& cost = sample(), double accuracy = 1e-3) {
+StudyCost costOf(int configurations, const scene::CostEstimate& cost = sample(), double accuracy = 1e-3,
+                 int sideBySide = 8) {
   Study study;
+  study.sideBySide = sideBySide;
   study.scene.solver.accuracy = accuracy;
   for (int i = 0; i < configurations; ++i) study.configurations.push_back({i + 1, {}});
   return estimateStudy(study, cost, nullptr);
@@ -31,6 +33,8 @@ TEST(StudyCost, CountsSolvedStatesUntilTheirMemoryIsFullAndConfigurationsSideByS
   EXPECT_DOUBLE_EQ(costOf(5).bytes, 5.0 * 1048576.0);
   EXPECT_DOUBLE_EQ(costOf(20).bytes, 20.0 * 1048576.0 + place);
   EXPECT_DOUBLE_EQ(costOf(1000).bytes, parametric::StudySolver::memoryForStates + 7.0 * place);
+  EXPECT_DOUBLE_EQ(costOf(20, sample(), 1e-3, 1).bytes, 20.0 * 1048576.0);
+  EXPECT_EQ(costOf(1000, sample(), 1e-3, 5).sideBySide, 5);
 }
 
 // Calibrations are paid once, and a configuration among others is cheaper than one alone.
