@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/SoleThread.hpp>
@@ -20,6 +21,8 @@ constexpr int rounds = 4;
 // Of a residual, what a round leaves at most unless round-off, or a kink, is all that is left.
 constexpr double gained = 0.5;
 constexpr int mostDirections = 400;
+// Of those of earlier load steps: beyond, keeping apart from them takes longer than solving for others.
+constexpr int mostFromEarlierSteps = 60;
 // What is left of a direction beside those of the same block: each is known to 1e-7 where little of it was outside of
 // the space, and less than a thousand times that is round-off.
 constexpr double leastIndependent = 1e-4;
@@ -185,12 +188,11 @@ bool Derivatives::extend(const std::vector<std::vector<double>>& residuals) {
     if (!tangent_->continueKrylov(next)) return false;
     block.push_back(std::move(next));
   }
-  // A single one of several columns would be solved in single precision.
-  const int count = static_cast<int>(block.size()), columns = std::max(count, 2);
-  base::Matrix v(rows, columns), y(rows, columns);
+  const int count = static_cast<int>(block.size());
+  base::Matrix v(rows, count), y(rows, count);
   for (int i = 0; i < count; ++i) std::copy(block[i].begin(), block[i].end(), v[i]);
-  std::vector<int> selected(columns);
-  for (int i = 0; i < columns; ++i) selected[i] = i;
+  std::vector<int> selected(count);
+  std::iota(selected.begin(), selected.end(), 0);
   fixedPoint_.select(selected);
   fixedPoint_.solveLinear(v, y);
   for (int i = 0; i < count; ++i) tangent_->add(v[i], y[i], true);
@@ -250,7 +252,7 @@ void Derivatives::march(PairDerivatives& pairs, const std::vector<ModelParameter
   for (int t = 0; t < assembly.steps(); ++t) {
     fixedPoint_.selectAll();
     local.solveColumn(t, beta_, scratch_);
-    if (2 * tangent_->space().size() > mostDirections) tangent_.emplace(fixedPoint_, lines_);
+    if (tangent_->space().size() > mostFromEarlierSteps) tangent_.emplace(fixedPoint_, lines_);
     tangent_->differentiate(t, local);
     pairs.meet(t, local);
     local.accept();

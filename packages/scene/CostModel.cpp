@@ -49,11 +49,13 @@ constexpr double programSeconds = 0.08, assemblySeconds = 5e-8, operationSeconds
 constexpr double iteratedEntryBytes = 35.0, iterationsOfColumn = 15.0, multigridSeconds = 1.6e-7,
                  iterationSeconds = 6e-9, entriesOfRow[] = {18.0, 75.0};
 // Of derivatives: directions that the first parameter adds at a load step, how they grow with the parameters, which
-// share them, and how many there are at most; states that are kept for each of them, and for each parameter and load
-// step; what solving for one takes, in double precision and beside nothing that shares the reading, over its share of a
-// linear stage; and seconds of what makes them orthogonal, per component of an interface side and pair of directions.
-constexpr double directionsOfDerivative = 25.0, growthWithParameters = 0.6, mostDirections = 300.0,
-                 statesOfDirection = 3.3, statesOfDerivative = 2.0, stagesOfDirection = 5.3, directionSeconds = 9e-9;
+// share them, and how many are there at most, of the load step and of earlier ones; states that are kept for each of
+// them, and for each parameter and load step; what solving for one takes, in double precision and beside nothing that
+// shares the reading, over its share of a linear stage; and seconds of what makes them orthogonal, per component of an
+// interface side and pair of directions.
+constexpr double directionsOfDerivative = 25.0, growthWithParameters = 0.6, mostOfStep = 60.0,
+                 mostOfEarlierSteps = 60.0, statesOfDirection = 3.3, statesOfDerivative = 2.0, stagesOfDirection = 5.3,
+                 directionSeconds = 9e-9;
 // Columns of the macro problem for an interface of a body, in the plane and in space: its motions as a rigid body.
 constexpr double motionsOfInterface[] = {3.0, 6.0};
 // Linear stages at an accuracy of 1e-3, how many more a decade takes, and how those of the march fall where there are
@@ -203,8 +205,9 @@ std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfa
 }
 
 void CostEstimate::addDerivatives(int parameters) {
-  const double directions = directionsOfDerivative * steps * std::pow(parameters, growthWithParameters);
-  const double kept = std::min(directions, mostDirections), rows = static_cast<double>(interfaceUnknowns);
+  const double growth = std::pow(parameters, growthWithParameters), rows = static_cast<double>(interfaceUnknowns);
+  const double directions = directionsOfDerivative * growth * steps;
+  const double kept = std::min(directions, mostOfStep * growth + mostOfEarlierSteps);
   derivativeBytes = entryBytes * rows * (statesOfDirection * kept + statesOfDerivative * parameters * steps);
   processBytes += derivativeBytes;
   derivativeSeconds = directions * (stagesOfDirection * stageSeconds / steps + 0.5 * directionSeconds * rows * kept);
