@@ -366,6 +366,14 @@ void BodyOperators::unperturb(const assembly::Assembly& assembly) {
   updateLoads(assembly);
 }
 
+std::vector<double> BodyOperators::solutionErrors() const {
+  std::vector<double> errors(places_.size(), 0.0);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    for (const int body : members_[g]) errors[body] = groups_[g]->solutionError();
+  }
+  return errors;
+}
+
 double BodyOperators::squaredTerms() const {
   double sum = 0.0;
   for (std::size_t g = 0; g < groups_.size(); ++g) {

@@ -63,6 +63,9 @@ class BodyOperators {
   /// Largest over the load steps of the norm of the forces that perturb() has put on each body of the assembly [force];
   /// 0 for those of other ranks.
   const std::vector<double>& perturbation() const { return perturbation_; }
+  /// Relative error of a solution of each body of the assembly [-], see SubstructureSolver::solutionError(); 0 for
+  /// those of other ranks.
+  std::vector<double> solutionErrors() const;
   /// Sum over the owned bodies of the squares of what largestDisplacement(1) times the norm of the diagonal of A makes
   /// [force]: how large the terms are that A u adds up; where iterations end before round-off, how large they would
   /// have to be for it to leave as much.

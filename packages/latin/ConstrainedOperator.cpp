@@ -170,14 +170,13 @@ double ConstrainedOperator::stiffnessNorm() const {
   return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
 }
 
-void ConstrainedOperator::addRoundOff(unsigned seed, bool isRefined, const std::vector<const double*>& u,
+void ConstrainedOperator::addRoundOff(unsigned seed, const std::vector<const double*>& u,
                                       const std::vector<double*>& forces) const {
   const substructure::CrsView view = substructure::viewOf(*stiffness_, "operator");
   const int dimension = term_.dimension;
   std::vector<double> roots = diagonal();
   for (double& value : roots) value = std::sqrt(value);
-  std::vector<double> ofTranslation;
-  if (!isRefined) ofTranslation = substructure::translationForces(view, dimension).roundOff;
+  const std::vector<double> ofTranslation = substructure::translationForces(view, dimension).roundOff;
   for (int row = 0; row < view.rows; ++row) {
     const int node = row - row % dimension;
     for (std::size_t k = view.rowPointers[row]; k < view.rowPointers[row + 1]; ++k) {
@@ -188,7 +187,7 @@ void ConstrainedOperator::addRoundOff(unsigned seed, bool isRefined, const std::
       const double byValue = signByValue(seed, row, column, dimension, view.values[k]) * size;
       for (std::size_t j = 0; j < u.size(); ++j) {
         const double difference = u[j][column] - u[j][same];
-        forces[j][row] += byPlace * (isRefined ? difference : u[j][column]) + byValue * difference;
+        forces[j][row] += byPlace * u[j][column] + byValue * difference;
       }
     }
     for (int c = 0; c < dimension && !ofTranslation.empty(); ++c) {

@@ -170,7 +170,7 @@ base::Matrix OperatorGroup::roundOffForces(unsigned seed) const {
       u.push_back(whole(j));
       to.push_back(forces[loads_.of(j)]);
     }
-    operator_.addRoundOff(seed, solver_.refinements() > 0, u, to);
+    operator_.addRoundOff(seed, u, to);
   }
   if (!solver_.iterates()) return forces;
   const base::Matrix left = residual();

@@ -40,6 +40,13 @@ struct Restore {
 
 }  // namespace
 
+std::vector<double> RoundOff::solutionErrors() const {
+  std::vector<double> errors = fixedPoint_.linearStage().operators().solutionErrors();
+  fixedPoint_.metric().sum(errors);
+  for (double& error : errors) error *= safety;
+  return errors;
+}
+
 bool RoundOff::mayMatter(const Iterate& iterate, double accuracy) const {
   const auto steps = static_cast<std::size_t>(iterate.assembly().steps());
   std::vector<double> sums(steps + 1, 0.0);
@@ -59,7 +66,7 @@ bool RoundOff::mayMatter(const Iterate& iterate, double accuracy) const {
   sums.pop_back();
   const double relative = std::numeric_limits<double>::epsilon() * terms *
                           std::max(leastFlexibility, flexibilityOfSoftness * fixedPoint_.linearStage().softness());
-  return relative > negligible * accuracy * largest(sums);
+  return relative > negligible * accuracy * largest(sums) || largest(solutionErrors()) > negligible * accuracy;
 }
 
 RoundOff::Estimate RoundOff::estimate(const Iterate& iterate, const base::Matrix& alpha, double accuracy) {
@@ -90,6 +97,10 @@ RoundOff::Estimate RoundOff::estimate(const Iterate& iterate, const base::Matrix
     for (std::size_t i = 0; i < errors.size(); ++i) result.errors[i] = std::max(result.errors[i], factor * errors[i]);
     if (isEnough) break;
   }
+  const std::vector<double> ofSolutions = solutionErrors();
+  const auto worst = std::max_element(ofSolutions.begin(), ofSolutions.end());
+  if (*worst > largest(result.errors)) result.body = static_cast<int>(worst - ofSolutions.begin());
+  for (double& error : result.errors) error = std::max(error, *worst);
   return result;
 }
 

@@ -24,8 +24,8 @@ constexpr double shift = 1e-8;
 // Right-hand sides by which single precision is measured, and the error from which on it is of no use.
 constexpr int trials = 3;
 constexpr double worstSingle = 1e-3;
-// Relative error of a solution up to which it needs no refinement, and from which on none helps.
-constexpr double bestUnrefined = 1e-10, worstRefined = 0.5;
+// Relative error of a solution from which on nothing is left of it.
+constexpr double worstSolution = 0.5;
 
 /// b - A x, one column.
 base::Matrix residualOf(const CrsView& matrix, const base::Matrix& b, const base::Matrix& x) {
@@ -59,24 +59,17 @@ SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>
   planes_ = operatorPlanes(nodes, *stiffness, boundary, trace);
   isHeld_ = holdsRigidMotions(boundary, nodes);
   factor(sum, options, trace);
-  if (!nodes.empty()) {
-    product_ = std::make_unique<DifferenceProduct>(stiffness, boundary);
-    prepareRefinement();
-    if (refinements_ > 0 && solvesTrace_) factor(sum, options, trace, false);
-  }
   checkSolution(*sum, isKnownRegular);
-  if (refinements_ == 0) product_.reset();
+  if (!nodes.empty()) measureError(DifferenceProduct(stiffness, boundary), isKnownRegular);
 }
 
-void SubstructureSolver::prepareRefinement() {
+void SubstructureSolver::measureError(const DifferenceProduct& product, bool isKnownRegular) {
   const base::Matrix b = randomForces(dofs_, 1);
   base::Matrix x, correction;
   solve(b, x);
-  solve(product_->residual(b, x), correction);
-  const double error = correction.normFrobenius() / x.normFrobenius();
-  if (!(error <= worstRefined)) throwSingular();
-  double left = error;
-  for (; left > bestUnrefined; left *= error) ++refinements_;
+  solve(product.residual(b, x), correction);
+  solutionError_ = correction.normFrobenius() / x.normFrobenius();
+  if (!(solutionError_ <= worstSolution) && !isKnownRegular) throwSingular();
 }
 
 SubstructureSolver SubstructureSolver::iterating(const Teuchos::RCP<const base::CrsMatrix>& stiffness,
@@ -170,7 +163,7 @@ void SubstructureSolver::checkSolution(const base::CrsMatrix& sum, bool isKnownR
   const base::Matrix b = randomForces(dofs_, 1);
   base::Matrix x(dofs_, 1);
   solve(b, x);
-  const Definiteness found = judge(b, x, product_ ? product_->residual(b, x) : residualOf(viewOf(sum, part_), b, x));
+  const Definiteness found = judge(b, x, residualOf(viewOf(sum, part_), b, x));
   if (found == Definiteness::singular && !isKnownRegular) throwSingular();
   if (found == Definiteness::indefinite) throwIndefinite();
 }
@@ -311,15 +304,6 @@ void SubstructureSolver::solve(const base::Matrix& b, base::Matrix& x, Precision
     return;
   }
   const bool roughly = precision == Precision::single && singleError_ > 0.0;
-  solveFactored(b, x, roughly);
-  base::Matrix correction(refinements_ > 0 ? x.numRows() : 0, x.numCols());
-  for (int i = 0; i < refinements_ && !roughly; ++i) {
-    solveFactored(product_->residual(b, x), correction, false);
-    x += correction;
-  }
-}
-
-void SubstructureSolver::solveFactored(const base::Matrix& b, base::Matrix& x, bool roughly) const {
   solveBlocks(planes_, &Block::rows, b, x,
               [roughly](const DirectFactor& factor, const base::Matrix& from, base::Matrix& to) {
                 factor.solve(from, to, roughly);

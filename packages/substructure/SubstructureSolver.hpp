@@ -27,9 +27,8 @@ namespace harmos::substructure {
 /// operations and four fifths of the entries. Where it is too large to be factored it is solved iteratively instead;
 /// then there is nothing for its trace or in single precision.
 ///
-/// Rounded entries of A and its factors move a slender part by far more than 1e-16 of what forces move it. Where one
-/// solution shows more than 1e-10, all in double precision are refined with residuals by DifferenceProduct; there is no
-/// solveTrace() then but in single precision.
+/// Rounded entries of A and its factors move a slender part by far more than 1e-16 of what forces move it: one solution
+/// tells by how much, see solutionError().
 ///
 /// Not collective: the matrix lives on one process. Not for several threads at once: solves share workspaces.
 class SubstructureSolver {
@@ -39,7 +38,7 @@ class SubstructureSolver {
   ///
   /// stiffness: K [force/length], symmetric, both triangles stored. boundary: k h. partName: for messages. trace: dofs,
   /// ascending, that right-hand sides of solveTrace() load; empty: none. nodes: coordinates [length], by which mirror
-  /// planes are found; empty: none are looked for, and solutions are not refined.
+  /// planes are found; empty: none are looked for, and errors of solutions are not known.
   /// isKnownRegular: the factor is taken whatever round-off leaves of the solution, where it need not be exact.
   /// Throws base::Error naming the part when the sum is singular (a part that nothing holds) or indefinite; then says
   /// which node has an unusable diagonal entry, if one has. Also when memory does not suffice, K is not as viewOf()
@@ -65,8 +64,9 @@ class SubstructureSolver {
   /// matrix, either has gaps between columns, or iterations do not converge.
   void solve(const base::Matrix& b, base::Matrix& x, Precision precision = Precision::exact) const;
 
-  /// Steps by which solutions are refined; 0: none is needed.
-  int refinements() const { return refinements_; }
+  /// Relative error of a solution in double precision [-], of one for random forces, which move the part where it is
+  /// softest: the norm of what another solution says of b - A x over that of x, with DifferenceProduct; 0: not known.
+  double solutionError() const { return solutionError_; }
 
   /// Whether solves are iterations, which end before round-off.
   bool iterates() const { return iterative_ != nullptr; }
@@ -136,9 +136,7 @@ class SubstructureSolver {
   template <class Apply>
   void solveBlocks(const MirrorPlanes& planes, std::vector<int> Block::*rows, const base::Matrix& b, base::Matrix& x,
                    const Apply& apply) const;
-  /// Finds by one solution whether, and how often, others must be refined.
-  void prepareRefinement();
-  void solveFactored(const base::Matrix& b, base::Matrix& x, bool roughly) const;
+  void measureError(const DifferenceProduct& product, bool isKnownRegular);
   void checkSolution(const base::CrsMatrix& sum, bool isKnownRegular = false) const;
   [[noreturn]] void throwSingular() const;
   [[noreturn]] void throwIndefinite() const;
@@ -149,8 +147,7 @@ class SubstructureSolver {
   MirrorPlanes planes_{0}, tracePlanes_{0};
   std::vector<Block> blocks_;                   // of factors; one without planes; none: iterates
   std::unique_ptr<IterativeSolver> iterative_;  // null: does not
-  std::unique_ptr<DifferenceProduct> product_;  // where solutions are refined, else null
-  int refinements_ = 0;
+  double solutionError_ = 0.0;
   bool isHeld_ = false;  // as far as is known: so that no rigid motion makes it singular
   bool solvesTrace_ = false, hasTrace_ = false;
   bool mayPrepareSingle_ = false;

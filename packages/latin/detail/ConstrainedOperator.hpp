@@ -43,13 +43,12 @@ class ConstrainedOperator {
   /// Adds to forces[j] what round-off leaves in A u[j], in three shares, with e the spacing of numbers at 1 and a the
   /// diagonal of K + k h:
   /// - sum over j of +-e (a_ii a_jj)^1/2 u_j over the entries of K, signs by their places: what solves and factors do,
-  ///   spared by no symmetry. Where solutions are refined, u_j - u_i in the place of u_j;
+  ///   spared by no symmetry;
   /// - the same of u_j - u_i, signs by components and values of the entries: congruent elements are rounded alike, and
   ///   what they do to what neighbours move relative to each other adds up;
-  /// - unless refined, what the entries of K as they are make of translations, of which they should make nothing.
+  /// - what the entries of K as they are make of translations, of which they should make nothing.
   /// Signs depend on `seed` besides.
-  void addRoundOff(unsigned seed, bool isRefined, const std::vector<const double*>& u,
-                   const std::vector<double*>& forces) const;
+  void addRoundOff(unsigned seed, const std::vector<const double*>& u, const std::vector<double*>& forces) const;
 
  private:
   static int placeOf(const std::vector<int>& dofs, int dof);

@@ -46,6 +46,8 @@ class OperatorGroup {
   int dofs() const { return solver_.dofs(); }
   /// Entries of the factors that a column reads; 0 when the solver does not say.
   std::size_t entries() const { return solver_.entriesMet(); }
+  /// See SubstructureSolver::solutionError().
+  double solutionError() const { return solver_.solutionError(); }
   /// Where the first component of a node that an interface loads stands in forces() and solution().
   int rowOf(int dof) const { return operator_.traceRow(dof); }
   /// f [force], to be filled for the columns that are solved next.

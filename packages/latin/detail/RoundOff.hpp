@@ -38,6 +38,9 @@ class RoundOff {
   Estimate estimate(const Iterate& iterate, const base::Matrix& alpha, double accuracy);
 
  private:
+  /// Of each body, with a margin: no response and no field is taken for known better than a solution of a body.
+  std::vector<double> solutionErrors() const;
+
   FixedPoint& fixedPoint_;
   const std::vector<std::shared_ptr<const Response>>& responses_;
 };
