@@ -19,6 +19,8 @@ constexpr double enlargement = 16384.0;
 constexpr unsigned draws = 3;
 // Entries are rounded by less than this, but factors, solves and sums round as well.
 constexpr double safety = 2.0;
+// Loads may move a part where it is softer than random forces in balance do.
+constexpr double safetyOfSolutions = 4.0;
 // What a correction may add to what the first linear stage shows.
 constexpr double afterOneStage = 30.0;
 // Of the accuracy: less is not worth a correction.
@@ -43,7 +45,7 @@ struct Restore {
 std::vector<double> RoundOff::solutionErrors() const {
   std::vector<double> errors = fixedPoint_.linearStage().operators().solutionErrors();
   fixedPoint_.metric().sum(errors);
-  for (double& error : errors) error *= safety;
+  for (double& error : errors) error *= safetyOfSolutions;
   return errors;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace harmos::substructure {
 namespace {
@@ -88,6 +89,29 @@ bool holdsRigidMotions(const BoundaryTerm& boundary, const std::vector<base::Vec
     add(directions, held.node * dimension, dimension, motions, gram);
   }
   return isRegular(gram);
+}
+
+void removeRigidMotions(const std::vector<base::Vector3>& nodes, int dimension, base::Matrix& vectors) {
+  base::Matrix motions = rigidMotions(nodes, dimension);
+  const int rows = motions.numRows();
+  const auto remove = [rows](const double* direction, double* from) {
+    const double share = std::inner_product(direction, direction + rows, from, 0.0);
+    for (int row = 0; row < rows; ++row) from[row] -= share * direction[row];
+  };
+  for (int m = 0; m < motions.numCols(); ++m) {
+    double* const motion = motions[m];
+    // Twice, so that round-off of the first time is taken as well.
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int earlier = 0; earlier < m; ++earlier) remove(motions[earlier], motion);
+    }
+    const double length = std::sqrt(std::inner_product(motion, motion + rows, motion, 0.0));
+    for (int row = 0; row < rows && length > 0.0; ++row) motion[row] /= length;
+  }
+  for (int j = 0; j < vectors.numCols(); ++j) {
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int m = 0; m < motions.numCols(); ++m) remove(motions[m], vectors[j]);
+    }
+  }
 }
 
 }  // namespace harmos::substructure

@@ -32,6 +32,8 @@ constexpr double entriesOfTraceInverse = 8.0;
 // long as reading an entry of a factor.
 constexpr double operationsOfInverse = 1.0;
 constexpr double operationsOfRead = 5.0;
+// What is saved over what it takes: not every load step is solved for, and solves of whole parts take longer then.
+constexpr double leastGain = 3.0;
 
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -62,7 +64,7 @@ bool SolverOptions::inverts(double rows, double entries) const {
   // Otherwise, either is read twice by each column: the dense factor, or the sparse one. All of a body takes a read of
   // the sparse one in any case.
   const double saved = std::min(square, 2.0 * entries) - entriesOfTraceFactor / entriesOfTraceInverse * square;
-  return traceSolves * saved > operationsOfInverse / operationsOfRead * square * rows;
+  return traceSolves * saved > leastGain * operationsOfInverse / operationsOfRead * square * rows;
 }
 
 bool SolverOptions::hasSupernodes() const {

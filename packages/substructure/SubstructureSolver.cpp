@@ -60,15 +60,19 @@ SubstructureSolver::SubstructureSolver(const Teuchos::RCP<const base::CrsMatrix>
   isHeld_ = holdsRigidMotions(boundary, nodes);
   factor(sum, options, trace);
   checkSolution(*sum, isKnownRegular);
-  if (!nodes.empty()) measureError(DifferenceProduct(stiffness, boundary), isKnownRegular);
+  if (!nodes.empty()) measureError(DifferenceProduct(stiffness, boundary), nodes, isKnownRegular);
 }
 
-void SubstructureSolver::measureError(const DifferenceProduct& product, bool isKnownRegular) {
-  const base::Matrix b = randomForces(dofs_, 1);
+void SubstructureSolver::measureError(const DifferenceProduct& product, const std::vector<base::Vector3>& nodes,
+                                      bool isKnownRegular) {
+  base::Matrix b = randomForces(dofs_, 1);
+  removeRigidMotions(nodes, dimension_, b);
   base::Matrix x, correction;
   solve(b, x);
   solve(product.residual(b, x), correction);
-  solutionError_ = correction.normFrobenius() / x.normFrobenius();
+  for (base::Matrix* vectors : {&x, &correction}) removeRigidMotions(nodes, dimension_, *vectors);
+  const double size = x.normFrobenius();
+  solutionError_ = size > 0.0 ? correction.normFrobenius() / size : 0.0;
   if (!(solutionError_ <= worstSolution) && !isKnownRegular) throwSingular();
 }
 

@@ -64,8 +64,10 @@ class SubstructureSolver {
   /// matrix, either has gaps between columns, or iterations do not converge.
   void solve(const base::Matrix& b, base::Matrix& x, Precision precision = Precision::exact) const;
 
-  /// Relative error of a solution in double precision [-], of one for random forces, which move the part where it is
-  /// softest: the norm of what another solution says of b - A x over that of x, with DifferenceProduct; 0: not known.
+  /// Relative error of a solution in double precision [-], of one for random forces in balance, which deform the part
+  /// where it is softest: the norm of what another solution says of b - A x over that of x, with DifferenceProduct,
+  /// both without rigid motions, since how far a soft support lets a part move costs no digits of how it deforms; 0:
+  /// not known.
   double solutionError() const { return solutionError_; }
 
   /// Whether solves are iterations, which end before round-off.
@@ -136,7 +138,7 @@ class SubstructureSolver {
   template <class Apply>
   void solveBlocks(const MirrorPlanes& planes, std::vector<int> Block::*rows, const base::Matrix& b, base::Matrix& x,
                    const Apply& apply) const;
-  void measureError(const DifferenceProduct& product, bool isKnownRegular);
+  void measureError(const DifferenceProduct& product, const std::vector<base::Vector3>& nodes, bool isKnownRegular);
   void checkSolution(const base::CrsMatrix& sum, bool isKnownRegular = false) const;
   [[noreturn]] void throwSingular() const;
   [[noreturn]] void throwIndefinite() const;

@@ -15,4 +15,7 @@ base::Matrix rigidMotions(const std::vector<base::Vector3>& nodes, int dimension
 /// round-off of the stiffness has no say in it.
 bool holdsRigidMotions(const BoundaryTerm& boundary, const std::vector<base::Vector3>& nodes);
 
+/// Takes from each of the vectors, dofs x any number, the rigid motion that is closest to it (least squares).
+void removeRigidMotions(const std::vector<base::Vector3>& nodes, int dimension, base::Matrix& vectors);
+
 }  // namespace harmos::substructure
