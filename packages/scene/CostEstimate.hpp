@@ -35,10 +35,13 @@ struct CostEstimate {
   double wholeSeconds = 0.0;           // the displacements of whole parts at all load steps, once
   double lookSeconds = 0.0;            // the same of loaded and held parts, where stages solve for dense traces only
   double stencilBytes = 0.0;           // of what reactions are taken from instead
-  int factored = 0, dense = 0, inverted = 0;  // operators; of these with a dense trace, and with its inverse
-  double meshErrorSeconds = 0.0;              // its estimate
-  double fileSeconds = 0.0;                   // fields of parts and interfaces
-  double derivativeBytes = 0.0, derivativeSeconds = 0.0;  // see addDerivatives()
+  int factored = 0;                    // operators
+  int dense = 0;                       // of these with a dense trace
+  int inverted = 0;                    // and with its inverse
+  double meshErrorSeconds = 0.0;       // its estimate
+  double fileSeconds = 0.0;            // fields of parts and interfaces
+  double derivativeBytes = 0.0;        // see addDerivatives()
+  double derivativeSeconds = 0.0;      // the same
 
   /// A whole run [s].
   double seconds() const {

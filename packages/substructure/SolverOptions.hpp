@@ -42,9 +42,10 @@ struct SolverOptions {
   /// Dense traces may be inverted too, also in single precision, which pays when single load steps are solved many
   /// times. CHOLMOD only: other solvers have no dense trace.
   bool invertTrace = false;
-  /// Then: columns for which operators will be solved on the trace, and for which all of a body will be asked for. What
-  /// prepares for them must cost less than it saves; infinite: it always does.
+  /// Then: columns for which operators will be solved on the trace. What prepares for them must cost less than it
+  /// saves; infinite: it always does.
   double traceSolves = std::numeric_limits<double>::infinity();
+  /// The same for which all of a body will be asked for.
   double wholeSolves = std::numeric_limits<double>::infinity();
   /// Energy error [-] at which solutions of bodies that are too large to be factored end, see IterativeSolver.
   double iterationTolerance = 1e-9;
