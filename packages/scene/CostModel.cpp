@@ -119,12 +119,6 @@ double storedStates(double steps, const Stages& stages, double memory) {
          latin::CorrectionSpace::statesPerDirection * stages.certificate * std::min(steps, most) + fields * steps;
 }
 
-/// Whether a boundary stands in the operator of its body, as a rule.
-bool isEliminated(const assembly::Interface& interface) {
-  return interface.sides() == 1 && interface.mass.empty() && interface.law->isAffine() &&
-         !interface.law->prescribesTraction();
-}
-
 /// Unknowns of a body, ascending, that some interfaces touch.
 template <class IsOne>
 std::vector<int> unknownsAt(const std::vector<assembly::Interface>& interfaces, std::size_t body, int dimension,
@@ -157,6 +151,11 @@ substructure::FactorSize factorOf(double unknowns, int dimension) {
   return size;
 }
 
+bool isEliminated(const assembly::Interface& interface) {
+  return interface.sides() == 1 && interface.mass.empty() && interface.law->isAffine() &&
+         !interface.law->prescribesTraction();
+}
+
 double leastBytes(double entries) {
   return (matrixEntryBytes + iteratedEntryBytes) * entries;
 }
@@ -176,7 +175,7 @@ std::vector<int> heldOf(const std::vector<assembly::Interface>& interfaces, std:
 }
 
 substructure::BoundaryTerm boundaryOf(const std::vector<assembly::Interface>& interfaces, std::size_t body,
-                                      int dimension, std::size_t nodes, const std::vector<int>& toMaster) {
+                                      int dimension, std::size_t nodes) {
   substructure::BoundaryTerm term;
   term.dimension = dimension;
   term.diagonal.assign(nodes * static_cast<std::size_t>(dimension), 0.0);
@@ -184,15 +183,12 @@ substructure::BoundaryTerm boundaryOf(const std::vector<assembly::Interface>& in
     if (interface.law->prescribesTraction() || isEliminated(interface)) continue;
     const std::vector<double> k(static_cast<std::size_t>(interface.pairs()), 1.0);
     for (int side = 0; side < interface.sides(); ++side) {
-      if (interface.body(side) == static_cast<int>(body)) assembly::addSideTerm(interface, side, k, toMaster, term);
+      if (interface.body(side) == static_cast<int>(body)) assembly::addSideTerm(interface, side, k, {}, term);
     }
   }
   for (const int row : heldOf(interfaces, body, dimension)) {
-    if (row % dimension != 0) continue;
-    const int node = row / dimension;
-    term.free.push_back({toMaster.empty() ? node : toMaster[node], {}});
+    if (row % dimension == 0) term.free.push_back({row / dimension, {}});
   }
-  substructure::arrange(term);
   return term;
 }
 

@@ -45,9 +45,12 @@ std::vector<int> traceOf(const std::vector<assembly::Interface>& interfaces, std
 
 /// What search directions and boundaries make of a body's stiffness, as far as it decides on the size of its factor:
 /// the interface mass, as if all search directions were 1, and nodes at which boundaries are eliminated, as if they
-/// were held in all directions. Arranged, in the numbering to which `toMaster` maps nodes (empty: the body's own).
+/// were held in all directions.
 substructure::BoundaryTerm boundaryOf(const std::vector<assembly::Interface>& interfaces, std::size_t body,
-                                      int dimension, std::size_t nodes, const std::vector<int>& toMaster = {});
+                                      int dimension, std::size_t nodes);
+
+/// Whether a boundary stands in the operator of its body, as a rule.
+bool isEliminated(const assembly::Interface& interface);
 
 /// Unknowns of a body, ascending, at boundaries that are eliminated.
 std::vector<int> heldOf(const std::vector<assembly::Interface>& interfaces, std::size_t body, int dimension);

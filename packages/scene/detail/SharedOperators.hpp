@@ -24,6 +24,10 @@ class SharedOperators {
   std::size_t add(std::size_t body, std::size_t nodes, const substructure::Congruence* congruence, bool iterates);
 
  private:
+  /// What holds the nodes of a body, in the numbering of what it equals: the areas that interfaces have at each, and
+  /// where boundaries hold it.
+  substructure::BoundaryTerm termOf(std::size_t body, std::size_t nodes, const std::vector<int>& toMaster) const;
+
   const std::vector<assembly::Interface>& interfaces_;
   int dimension_;
   /// The bodies that have operators, by what they equal and how they are solved, with what makes a difference.
