@@ -8,7 +8,7 @@ substructure::BoundaryTerm SharedOperators::termOf(std::size_t body, std::size_t
                                                    const std::vector<int>& toMaster) const {
   substructure::BoundaryTerm term;
   term.dimension = dimension_;
-  term.diagonal.assign(nodes, 0.0);
+  term.diagonal.assign(nodes * static_cast<std::size_t>(dimension_), 0.0);
   const auto numberOf = [&](int node) { return toMaster.empty() ? node : toMaster[node]; };
   for (const assembly::Interface& interface : interfaces_) {
     if (interface.law->prescribesTraction() || isEliminated(interface)) continue;
@@ -16,7 +16,9 @@ substructure::BoundaryTerm SharedOperators::termOf(std::size_t body, std::size_t
       if (interface.body(side) != static_cast<int>(body)) continue;
       for (int p = 0; p < interface.pairs(); ++p) {
         for (const auto& [node, weight] : interface.trace(side).row(p)) {
-          term.diagonal[numberOf(node)] += weight * interface.area[p];
+          for (int c = 0; c < dimension_; ++c) {
+            term.diagonal[numberOf(node) * dimension_ + c] += weight * interface.area[p];
+          }
         }
       }
     }

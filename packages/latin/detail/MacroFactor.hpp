@@ -35,8 +35,8 @@ class MacroFactor {
   };
 
   /// Collective. `coupled`: the unknowns of the interfaces of every body of the assembly, between which G may have
-  /// entries. Throws the same on all ranks: NotPositiveDefinite, or base::Error where memory does not suffice. Where
-  /// the options say that G is regular, a positive eigenvalue may be as small as its round-off.
+  /// entries. Throws the same on all ranks: NotPositiveDefinite, or base::Error where memory does not suffice.
+  /// `isKnownRegular`: a positive eigenvalue may be as small as its round-off.
   MacroFactor(int unknowns, const std::vector<std::vector<int>>& coupled, const std::vector<Share>& shares,
               const substructure::SolverOptions& options, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
               bool isKnownRegular = false);

@@ -16,7 +16,8 @@ namespace harmos::latin {
 /// The forces are those of entries of K that are off by one unit in their last place, with signs drawn; those of
 /// congruent bodies alike, as they are in the operator that they share. A stiffness that is off does not annihilate
 /// rigid motions, which is what makes slender structures sensitive. The answer is the largest of several draws times a
-/// factor for what else rounds (factors, solves, sums), see docs/method/accuracy.md.
+/// factor for what else rounds (factors, solves, sums), and no less than what solutions of bodies are off, see
+/// docs/method/round-off.md.
 class RoundOff {
  public:
   /// What was found.

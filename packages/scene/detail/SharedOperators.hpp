@@ -24,8 +24,8 @@ class SharedOperators {
   std::size_t add(std::size_t body, std::size_t nodes, const substructure::Congruence* congruence, bool iterates);
 
  private:
-  /// What holds the nodes of a body, in the numbering of what it equals: the areas that interfaces have at each, and
-  /// where boundaries hold it.
+  /// What holds the nodes of a body, in the numbering of what it equals: the interface mass, lumped, so that what
+  /// points couple takes no memory, and where boundaries hold it.
   substructure::BoundaryTerm termOf(std::size_t body, std::size_t nodes, const std::vector<int>& toMaster) const;
 
   const std::vector<assembly::Interface>& interfaces_;

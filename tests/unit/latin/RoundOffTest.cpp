@@ -92,15 +92,19 @@ TEST(RoundOff, OfAShorterPartIsNotOverestimated) {
   EXPECT_LT(error, result.roundOffEstimate);
 }
 
+void iterate(FixedPoint& fixedPoint, int times, base::Matrix& alpha, base::Matrix& image) {
+  for (int i = 0; i < times; ++i) {
+    fixedPoint.apply(alpha, image);
+    alpha.assign(image);
+  }
+}
+
 TEST(RoundOff, IsNotLookedForWhereItCannotMatter) {
   BoxAssembly cubes = carried(0.0);
   base::Timers timers;
   FixedPoint fixedPoint(cubes.assembly(), {}, self(), timers);
   base::Matrix alpha(fixedPoint.layout().rows(), 1), image(alpha);
-  for (int i = 0; i < 30; ++i) {
-    fixedPoint.apply(alpha, image);
-    alpha.assign(image);
-  }
+  iterate(fixedPoint, 30, alpha, image);
   const std::vector<std::shared_ptr<const Response>> none;
   EXPECT_FALSE(RoundOff(fixedPoint, none).mayMatter(fixedPoint.apply(alpha, image), 1e-3));
   EXPECT_TRUE(RoundOff(fixedPoint, none).mayMatter(fixedPoint.apply(alpha, image), 1e-12));
@@ -121,10 +125,7 @@ TEST(RoundOff, DrawsDoNotAddUp) {
   base::Timers timers;
   FixedPoint fixedPoint(mast.assembly(), {}, self(), timers);
   base::Matrix alpha(fixedPoint.layout().rows(), 1), image(alpha);
-  for (int i = 0; i < 60; ++i) {
-    fixedPoint.apply(alpha, image);
-    alpha.assign(image);
-  }
+  iterate(fixedPoint, 60, alpha, image);
   fixedPoint.recentre(fixedPoint.apply(alpha, image), alpha);
   const auto largestForce = [&] {
     const std::vector<double>& forces = fixedPoint.linearStage().operators().perturbation();
