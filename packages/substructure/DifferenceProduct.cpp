@@ -1,4 +1,4 @@
-#include <harmos/substructure/DifferenceProduct.hpp>
+#include <harmos/substructure/detail/DifferenceProduct.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -10,6 +10,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
 #include <harmos/substructure/detail/BoundedStiffness.hpp>
+#include <harmos/substructure/detail/DifferenceProduct.hpp>
 #include <harmos/substructure/detail/MultiVectorView.hpp>
 #include <harmos/substructure/detail/OperatorPlanes.hpp>
 #include <harmos/substructure/detail/RigidMotions.hpp>

@@ -10,7 +10,6 @@
 #include <harmos/base/Vector3.hpp>
 #include <harmos/substructure/BoundaryTerm.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
-#include <harmos/substructure/DifferenceProduct.hpp>
 #include <harmos/substructure/DirectFactor.hpp>
 #include <harmos/substructure/IterativeSolver.hpp>
 #include <harmos/substructure/MirrorPlanes.hpp>
@@ -19,6 +18,8 @@
 #include <harmos/substructure/SolverOptions.hpp>
 
 namespace harmos::substructure {
+
+class DifferenceProduct;
 
 /// The operator A = K + k h [force/length] of one substructure, factored, for any number of right-hand sides at once: x
 /// [length] from b [force]. K is the stiffness, k the search direction [stress/length], h the interface mass [area].

@@ -5,8 +5,8 @@
 #include <Tpetra_CrsMatrix.hpp>
 
 #include <harmos/base/Error.hpp>
-#include <harmos/substructure/DifferenceProduct.hpp>
 #include <harmos/substructure/SubstructureSolver.hpp>
+#include <harmos/substructure/detail/DifferenceProduct.hpp>
 
 namespace harmos::substructure {
 namespace {
